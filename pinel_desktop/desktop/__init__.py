@@ -1,0 +1,1 @@
+"""Window and single instance: the only import of pywebview."""

@@ -1,0 +1,1 @@
+"""The process that executes live runs: messages in, events out."""

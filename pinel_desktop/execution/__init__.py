@@ -1,0 +1,1 @@
+"""Runs a program on a link, tick by tick, on an injected clock."""

@@ -1,0 +1,1 @@
+"""One file per block category: what each command does."""

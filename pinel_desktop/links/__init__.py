@@ -1,0 +1,1 @@
+"""One file per backend that can drive a robot; open_link() opens one by name."""

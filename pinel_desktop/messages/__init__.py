@@ -1,0 +1,1 @@
+"""Every message a person can meet, by code, in Portuguese, English and Spanish."""

@@ -1,0 +1,1 @@
+"""The local HTTP server: guard, event stream, API, page."""

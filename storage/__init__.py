@@ -1,0 +1,1 @@
+"""The SQLite store: groups, programs, versions, runs, events, telemetry. A leaf package."""
