@@ -1,0 +1,50 @@
+"""The command `pinel`. Each subcommand lives in `commands/` and is imported when it is called."""
+
+import importlib
+
+import click
+
+from pinel_desktop import __version__
+
+_COMMANDS = {
+    "run": "Run a program and print its result.",
+    "serve": "Serve the page without a window and print its address.",
+    "runs": "List and show recorded runs.",
+    "doctor": "Say what this PC has and lacks.",
+}
+_HIDDEN = ("engine",)
+
+
+class _LazyGroup(click.Group):
+    """Imports a command's module only when it is needed, so that `pinel engine` starts fast."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return list(_COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        if cmd_name not in _COMMANDS and cmd_name not in _HIDDEN:
+            return None
+        module = importlib.import_module(f"pinel_desktop.commands.{cmd_name}")
+        command: click.Command = module.command
+        return command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        with formatter.section("Commands"):
+            formatter.write_dl(list(_COMMANDS.items()))
+
+
+@click.group(cls=_LazyGroup, invoke_without_command=True)
+@click.version_option(__version__, prog_name="pinel")
+@click.option("--db", type=click.Path(dir_okay=False), help="Database file instead of the user's own.")
+@click.option("--self-check", is_flag=True, help="Try window, simulator and store once; print JSON.")
+@click.pass_context
+def main(ctx: click.Context, db: str | None, self_check: bool) -> None:
+    """PINEL Desktop. Without a command it opens the window.
+
+    Data lives in the user's data folder; the variable PINEL_HOME or --db chooses another place.
+    """
+    ctx.obj = {"db": db}
+    if ctx.invoked_subcommand is None:
+        from pinel_desktop.commands import window  # noqa: PLC0415 - the window's libraries are slow to import
+
+        ctx.exit(window.self_check(db) if self_check else window.open_app(db))

@@ -1,0 +1,1 @@
+"""The subcommands of `pinel`, one module each, exposing `command`."""
