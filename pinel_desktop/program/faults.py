@@ -17,4 +17,4 @@ class Fault:
     code: str
     pointer: str = ""
     block: str | None = None
-    params: dict[str, object] = field(default_factory=dict)
+    params: dict[str, object] = field(default_factory=dict, hash=False)

@@ -1,19 +1,96 @@
-"""Reading a document: all of its faults, or the program."""
+"""Reading a document: all of its faults, or the program. Never raises for what a document contains."""
 
+import json
 from dataclasses import dataclass
+from typing import Any
+
+from pydantic import ValidationError
 
 from pinel_desktop.program.faults import Fault
+from pinel_desktop.program.limits import MAX_BYTES
+from pinel_desktop.program.model import Program
+from pinel_desktop.program.outline import check_outline
+from pinel_desktop.program.translation import fault_from_error, path_of_error, pointer
 
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """Outcome of reading a document: `document` is the normal form as plain JSON data, None with faults."""
+    """Outcome of reading a document.
 
-    document: dict[str, object] | None
+    Attributes:
+        program: the typed program, None with faults.
+        faults: everything that is wrong, in the order of the document.
+        warnings: what was passed over, such as unknown keys in a bare list of the original.
+    """
+
+    program: Program | None
     faults: tuple[Fault, ...] = ()
     warnings: tuple[Fault, ...] = ()
 
+    @property
+    def document(self) -> dict[str, Any] | None:
+        """The normal form as plain JSON data, None with faults."""
+        if self.program is None:
+            return None
+        return self.program.model_dump(mode="json", by_alias=True, exclude_none=True)
 
-def read_document(source: str | bytes | dict[str, object] | list[object]) -> Reading:
-    """Reads a document given as JSON text or as parsed data; never raises for what it contains."""
-    raise NotImplementedError
+
+def read_document(source: str | bytes | dict[str, Any] | list[Any]) -> Reading:
+    """Reads a document given as JSON text or as parsed data: a `pinel_ir` document or a bare list of commands."""
+    if isinstance(source, str | bytes):
+        parsed = _parse(source)
+        if isinstance(parsed, Fault):
+            return Reading(None, (parsed,))
+        source = parsed
+    faults = check_outline(source)
+    if faults:
+        return Reading(None, tuple(faults))
+    if isinstance(source, list):
+        return _read_bare_list(source)
+    return _validate(source, bare=False)
+
+
+def _parse(text: str | bytes) -> Any:
+    if len(text) > MAX_BYTES:
+        return Fault("document_too_large", params={"value": len(text), "max": MAX_BYTES})
+    try:
+        return json.loads(text)
+    except RecursionError:
+        return Fault("nesting_too_deep")
+    except json.JSONDecodeError as error:
+        return Fault("json_syntax", params={"line": error.lineno, "column": error.colno})
+    except ValueError:  # not UTF-8, or a number with thousands of digits
+        return Fault("json_syntax", params={"line": 1, "column": 1})
+
+
+def _read_bare_list(commands: list[Any]) -> Reading:
+    """The original's format: unknown keys, such as its `status`, are passed over with a warning."""
+    document = {"pinel_ir": 1, "name": "", "commands": commands}
+    reading = _validate(document, bare=True)
+    unknown = [fault for fault in reading.faults if fault.code == "unknown_key"]
+    if not unknown:
+        return reading
+    keys = {fault.pointer for fault in unknown}
+    cleaned = _without_keys(commands, keys, "")
+    reading = _validate({**document, "commands": cleaned}, bare=True)
+    return Reading(reading.program, reading.faults, tuple(unknown))
+
+
+def _without_keys(value: Any, pointers: set[str], here: str) -> Any:
+    if isinstance(value, list):
+        return [_without_keys(item, pointers, f"{here}/{i}") for i, item in enumerate(value)]
+    if isinstance(value, dict):
+        places = ((key, f"{here}/{pointer([key])[1:]}") for key in value)
+        kept = {key: place for key, place in places if place not in pointers}
+        return {key: _without_keys(value[key], pointers, place) for key, place in kept.items()}
+    return value
+
+
+def _validate(document: dict[str, Any], *, bare: bool) -> Reading:
+    try:
+        return Reading(Program.model_validate(document))
+    except ValidationError as error:
+        errors = error.errors(include_url=False)
+    located = [(path_of_error(document, item), item) for item in errors]
+    faults = {fault_from_error(document, path, item, bare=bare): None for path, item in located}
+    return Reading(None, tuple(faults))

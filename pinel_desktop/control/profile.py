@@ -1,0 +1,63 @@
+"""Set-points of a motion from standstill to standstill."""
+
+import math
+
+
+def s_curve(distance: float, speed: float, acceleration: float, smoothing_s: float, dt_s: float) -> list[float]:
+    """Set-points every `dt_s` seconds, from 0 to exactly `distance` (its sign is kept).
+
+    A trapezoidal velocity profile, averaged over a window of `smoothing_s`: the acceleration is then continuous
+    and the jerk is at most `acceleration / smoothing_s` (the method is that of FIR-filtered trajectories,
+    L. Biagiotti and C. Melchiorri, "FIR filters for online trajectory planning", 2012). Any unit of length will
+    do, as long as speed and acceleration use it.
+
+    Returns:
+        The positions at 0, dt, 2 dt, ...; the first is 0 and the last is `distance`.
+    """
+    length = abs(distance)
+    if length == 0.0:
+        return [0.0]
+    ramp_s = min(speed / acceleration, math.sqrt(length / acceleration))
+    peak = acceleration * ramp_s
+    cruise_s = length / peak - ramp_s
+    duration = 2.0 * ramp_s + cruise_s + smoothing_s
+    trapezoid = _Trapezoid(acceleration, peak, ramp_s, cruise_s, length)
+    ticks = math.ceil(duration / dt_s - 1e-9)
+    sign = math.copysign(1.0, distance)
+    points = [sign * trapezoid.smoothed(k * dt_s, smoothing_s) for k in range(ticks)]
+    return [*points, distance]
+
+
+class _Trapezoid:
+    """Speeds up for `ramp_s`, keeps `peak` for `cruise_s`, slows down for `ramp_s`."""
+
+    def __init__(
+        self, acceleration: float, peak: float, ramp_s: float, cruise_s: float, length: float
+    ) -> None:
+        self.acceleration, self.peak, self.ramp_s = acceleration, peak, ramp_s
+        self.slow_from_s = ramp_s + cruise_s
+        self.end_s = self.slow_from_s + ramp_s
+        self.length = length
+        self._ramp_integral = acceleration * ramp_s**3 / 6.0
+        self._ramp_length = acceleration * ramp_s**2 / 2.0
+        self._cruise_integral = (
+            self._ramp_integral + self._ramp_length * cruise_s + peak * cruise_s**2 / 2.0
+        )
+
+    def smoothed(self, t: float, window_s: float) -> float:
+        """Position at `t`, averaged over the `window_s` before it."""
+        return (self._integral(t) - self._integral(t - window_s)) / window_s
+
+    def _integral(self, t: float) -> float:
+        """Integral of the position from the start to `t`."""
+        if t <= 0.0:
+            return 0.0
+        if t < self.ramp_s:
+            return self.acceleration * t**3 / 6.0
+        if t < self.slow_from_s:
+            tau = t - self.ramp_s
+            return self._ramp_integral + self._ramp_length * tau + self.peak * tau**2 / 2.0
+        tau = min(t, self.end_s) - self.slow_from_s
+        done = self.length - self._ramp_length
+        slowing = done * tau + self.peak * tau**2 / 2.0 - self.acceleration * tau**3 / 6.0
+        return self._cruise_integral + slowing + self.length * max(t - self.end_s, 0.0)

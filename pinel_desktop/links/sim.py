@@ -1,0 +1,47 @@
+"""The built-in simulator as a robot link. Its frame is the world's."""
+
+import sim
+from pinel_desktop.errors import PinelError
+from pinel_desktop.robot import STANDSTILL, Pose2D, RobotModel, RobotState, Twist2D, wrap_angle
+
+
+class SimLink:
+    """Drives the simulated robot; time passes only in `advance`, one tick of 1/30 s at a time."""
+
+    simulated = True
+    command_delay_s = sim.SUBSTEP_S
+
+    def __init__(self, *, world: str, robot: RobotModel) -> None:
+        try:
+            self._world = sim.load_world(world)
+        except sim.WorldError as error:
+            raise PinelError(error.code, **error.params) from error
+        self._robot = robot
+        self._max_v, self._max_omega = robot.max_v_mps, robot.max_omega_radps
+        self._twist = STANDSTILL
+        self.simulator = sim.Simulator(self._world, robot)
+
+    def connect(self) -> None:
+        """Nothing to do: the simulator is there."""
+
+    def read(self) -> RobotState:
+        x, y, yaw = self.simulator.pose()
+        pose = Pose2D(x, y, wrap_angle(yaw))
+        return RobotState(pose, Twist2D(*self.simulator.velocity()), self.simulator.touching(), pose)
+
+    def command(self, twist: Twist2D) -> None:
+        v, omega = twist
+        self._twist = Twist2D(
+            min(max(v, -self._max_v), self._max_v),
+            min(max(omega, -self._max_omega), self._max_omega),
+        )
+
+    def advance(self, dt_s: float) -> None:
+        """Steps the simulator by one tick; `dt_s` must be that tick."""
+        if dt_s != sim.TICK_S:
+            raise ValueError(f"the simulator steps in ticks of {sim.TICK_S} s, not {dt_s}")
+        v, omega = self._twist
+        self.simulator.tick(v, omega)
+
+    def close(self) -> None:
+        self._twist = STANDSTILL

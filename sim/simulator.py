@@ -1,0 +1,118 @@
+"""Physics of one differential robot in a world, on pymunk (Chipmunk 2D).
+
+The robot is a dynamic circle. A kinematic body, moved with the commanded velocity, pulls it through a pivot and
+a gear joint whose forces are limited like those of wheels: the robot follows commands exactly on free floor and
+stalls at a wall. Setting the circle's own velocity instead would drive it straight through walls.
+"""
+
+import math
+from typing import Protocol
+
+import pymunk
+
+from sim.world import World
+
+TICK_S = 1.0 / 30.0
+SUBSTEPS = 8
+SUBSTEP_S = TICK_S / SUBSTEPS
+# Chipmunk's default of 0.1 would let things sink 10 cm into each other, as the unit here is the metre.
+COLLISION_SLOP_M = 0.0005
+WALL_RADIUS_M = 0.01
+
+
+class RobotBody(Protocol):
+    """The measures the physics needs, in SI units; the application's robot records have them."""
+
+    @property
+    def radius_m(self) -> float: ...
+    @property
+    def mass_kg(self) -> float: ...
+    @property
+    def max_force_n(self) -> float: ...
+    @property
+    def max_torque_nm(self) -> float: ...
+
+
+class Simulator:
+    """One robot in one world, stepped in ticks of 1/30 s of 8 substeps each.
+
+    The same sequence of calls gives the same numbers to the bit, in any process, on one build and platform.
+    A velocity takes effect one substep (`SUBSTEP_S`) after the tick it was set for begins.
+    """
+
+    def __init__(self, world: World, robot: RobotBody) -> None:
+        self.space = pymunk.Space()
+        self.space.collision_slop = COLLISION_SLOP_M
+        self._add_obstacles(world)
+        self._body = self._add_robot(world, robot)
+        self._wheels = self._add_wheels(robot)
+        self._omega = 0.0
+
+    def _add_obstacles(self, world: World) -> None:
+        static = self.space.static_body
+        for wall in world.walls:
+            self._add_fixed(pymunk.Segment(static, wall.start, wall.end, WALL_RADIUS_M))
+        for box in world.boxes:
+            self._add_fixed(pymunk.Poly(static, box.corners()))
+
+    def _add_fixed(self, shape: pymunk.Shape) -> None:
+        shape.friction = 0.5
+        self.space.add(shape)
+
+    def _add_robot(self, world: World, robot: RobotBody) -> pymunk.Body:
+        moment = pymunk.moment_for_circle(robot.mass_kg, 0.0, robot.radius_m)
+        body = pymunk.Body(robot.mass_kg, moment)
+        x, y, yaw = world.start
+        body.position, body.angle = (x, y), yaw
+        shape = pymunk.Circle(body, robot.radius_m)
+        shape.friction = 0.3
+        self.space.add(body, shape)
+        return body
+
+    def _add_wheels(self, robot: RobotBody) -> pymunk.Body:
+        wheels = pymunk.Body(body_type=pymunk.Body.KINEMATIC)
+        pull = pymunk.PivotJoint(wheels, self._body, (0.0, 0.0), (0.0, 0.0))
+        turn = pymunk.GearJoint(wheels, self._body, 0.0, 1.0)
+        # Without bias the joints pass on velocities only: a robot that was blocked does not jump to catch up.
+        pull.max_bias = turn.max_bias = 0.0
+        pull.max_force, turn.max_force = robot.max_force_n, robot.max_torque_nm
+        self.space.add(wheels, pull, turn)
+        return wheels
+
+    def tick(self, v_mps: float, omega_radps: float) -> None:
+        """Lets one tick pass with the given velocity.
+
+        The arc of a tick is driven as its chord: along the heading in the middle of the time in which the
+        velocity holds, which starts one substep late, and shortened by the sinc of half the angle.
+        """
+        half_angle = omega_radps * TICK_S / 2.0
+        heading = self._body.angle + self._omega * SUBSTEP_S + half_angle
+        chord = v_mps if half_angle == 0.0 else v_mps * math.sin(half_angle) / half_angle
+        self._wheels.velocity = (chord * math.cos(heading), chord * math.sin(heading))
+        self._wheels.angular_velocity = omega_radps
+        self._omega = omega_radps
+        step = self.space.step
+        for _ in range(SUBSTEPS):
+            step(SUBSTEP_S)
+
+    def pose(self) -> tuple[float, float, float]:
+        """True x and y in metres and yaw in radians (not wrapped) in the world's frame."""
+        x, y = self._body.position
+        return x, y, self._body.angle
+
+    def velocity(self) -> tuple[float, float]:
+        """True speed ahead in m/s and turning speed in rad/s."""
+        vx, vy = self._body.velocity
+        yaw = self._body.angle
+        return vx * math.cos(yaw) + vy * math.sin(yaw), self._body.angular_velocity
+
+    def touching(self) -> bool:
+        """True while the robot touches a wall or a box."""
+        touched = False
+
+        def note(_arbiter: pymunk.Arbiter) -> None:
+            nonlocal touched
+            touched = True
+
+        self._body.each_arbiter(note)
+        return touched
