@@ -1,0 +1,103 @@
+# Every target makes what it needs; what is made already is not made again.
+# Stamps lie inside what they speak of (.venv, ui/node_modules): delete the folder and it is made anew.
+
+SHELL := /bin/sh
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+.NOTPARALLEL:
+MAKEFLAGS += --no-print-directory
+
+PYTHON := .venv/bin/python
+VENV_RUN := .venv/.ready-run
+VENV_DEV := .venv/.ready-dev
+NODE_MODULES := ui/node_modules/.package-lock.json
+PAGE := pinel_desktop/web/static/index.html
+PACKAGE := dist/pinel-desktop/pinel-desktop
+
+# The folders of ui/src are named too, so that a deleted file is noticed.
+PAGE_SOURCES := $(shell find ui/src ui/public pinel_desktop/messages/catalogue 2>/dev/null) \
+	$(shell find ui -maxdepth 1 -type f) $(NODE_MODULES)
+PROGRAM_SOURCES := $(shell find pinel_desktop sim storage packaging -name __pycache__ -prune -o -path pinel_desktop/web/static \
+	-prune -o -type f -print) pyproject.toml
+NPM = PATH="$$(sh scripts/node.sh):$$PATH" && cd ui && npm
+WITH_SCREEN := $(if $(DISPLAY)$(WAYLAND_DISPLAY),run,serve)
+
+# An environment whose Python is gone (system upgraded) or that was moved or copied is mended.
+ifneq ($(shell $(PYTHON) -c 'import pip' 2>/dev/null && cat $(VENV_RUN) 2>/dev/null),$(CURDIR))
+$(shell rm -f $(VENV_RUN) $(VENV_DEV))
+endif
+
+.PHONY: help setup run test nightly lint format bench package smoke wheel lock clean system-run system-test
+
+help:  ## this list
+	@sed -n 's/^\([a-z]*\):.*## /\1|/p' $(MAKEFILE_LIST) | awk -F'|' '{ printf "  make %-9s %s\n", $$1, $$2 }'
+
+run: system-run $(VENV_RUN) $(PAGE)  ## open PINEL (on a PC without a screen: serve its page and print the address)
+	@$(PYTHON) -m pinel_desktop
+
+setup: system-test $(VENV_DEV) $(NODE_MODULES) $(PAGE)  ## everything that developing and testing need
+
+test: setup  ## lint, types, unit and end-to-end tests, wheel, package and smoke test
+	@$(PYTHON) scripts/run_tests.py
+
+nightly: setup  ## the long tests and the benchmarks too
+	@$(PYTHON) scripts/run_tests.py --nightly
+
+lint: $(VENV_DEV) $(NODE_MODULES)  ## style, types and import rules
+	@$(PYTHON) scripts/run_tests.py --only lint
+
+format: $(VENV_DEV) $(NODE_MODULES)  ## bring the code into its form
+	@$(PYTHON) -m ruff check --fix --quiet . && $(PYTHON) -m ruff format .
+	@$(NPM) run --silent format
+
+bench: setup  ## benchmarks: absolute figures printed, ratios asserted
+	@$(PYTHON) -m pytest -o python_files='bench_*.py' --timeout=900 -s -q tests/benchmarks
+
+package: setup $(PACKAGE)  ## the program as a folder that needs no Python (dist/pinel-desktop)
+
+smoke: package  ## try the package as an ordinary user in a bare environment
+	@$(PYTHON) packaging/smoke.py
+
+wheel: $(VENV_DEV) $(PAGE)  ## the Python wheel, page included (dist/*.whl)
+	@mkdir -p build && $(PYTHON) -m build --no-isolation --outdir dist >build/wheel.log 2>&1 || { cat build/wheel.log; exit 1; }
+	@ls dist/*.whl
+
+lock: $(VENV_DEV)  ## pin the Python dependencies anew (OPTIONS=--upgrade: newest versions)
+	@sh scripts/lock.sh $(OPTIONS)
+
+clean:  ## delete everything that was built or installed here
+	rm -rf .venv build dist ui/node_modules pinel_desktop/web/static tests/artifacts
+	rm -rf .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
+
+system-run:
+	@sh scripts/system-packages.sh $(WITH_SCREEN)
+
+system-test:
+	@sh scripts/system-packages.sh test
+
+# One environment: what runs the program, or that and the tools. The dev lock holds all of the other.
+$(VENV_RUN): requirements.lock pyproject.toml scripts/venv.sh | system-run
+	@test -e $(VENV_DEV) || sh scripts/venv.sh requirements.lock
+	@test ! -e $(VENV_DEV) || $(MAKE) $(VENV_DEV)
+	@echo '$(CURDIR)' >$@
+
+$(VENV_DEV): requirements-dev.lock pyproject.toml scripts/venv.sh | system-test
+	@sh scripts/venv.sh requirements-dev.lock
+	@echo '$(CURDIR)' | tee $(VENV_RUN) >$@
+
+$(NODE_MODULES): ui/package.json ui/package-lock.json | $(VENV_RUN)
+	@. scripts/words.sh; say "Installing the page's libraries (about 1 minute)…" \
+		"Instalando as bibliotecas da página (cerca de 1 minuto)…" "Instalando las bibliotecas de la página (cerca de 1 minuto)…"
+	@$(NPM) ci --silent --no-fund --no-audit
+	@touch $@
+
+$(PAGE): $(PAGE_SOURCES)
+	@. scripts/words.sh; say "Building the page (a few seconds)…" "Montando a página (alguns segundos)…" \
+		"Construyendo la página (unos segundos)…"
+	@$(NPM) run --silent build -- --logLevel warn
+	@touch $@
+
+$(PACKAGE): $(PROGRAM_SOURCES) $(PAGE) $(VENV_DEV)
+	@sh scripts/system-packages.sh package
+	@$(PYTHON) packaging/build.py

@@ -1,0 +1,139 @@
+"""Runs every check of the repository, one after the other, and ends with the sums.
+
+Nothing stops at the first failure: who reads the log of a build wants to see all that is broken. Each step's
+output is shown as it comes and kept in build/test-logs. The last line is `N passed, N failed, N skipped` over
+all test runners.
+"""
+
+import argparse
+import re
+import subprocess
+import sys
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+LOGS = ROOT / "build" / "test-logs"
+PYTEST = (sys.executable, "-m", "pytest", "-q")
+_COLOURS = re.compile(r"\x1b\[[0-9;]*m")
+# pytest: "== 3 passed, 1 skipped in 0.5s ==" (the = are absent with -q); vitest: "Tests  3 passed (3)"
+_CLOSING = re.compile(r"^(?:=* ?\d+ \w+.* in [\d.]+s.*|\s*Tests\s+\d+ .*\(\d+\)|=* ?no tests ran in .*)$", re.M)
+_COUNT = re.compile(r"(\d+) (passed|failed|errors?|skipped|xfailed|xpassed|todo)\b")
+_SUM_OF = {
+    "passed": "passed", "xpassed": "failed", "failed": "failed", "error": "failed", "errors": "failed",
+    "skipped": "skipped", "xfailed": "skipped", "todo": "skipped",
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Step:
+    """One command; `counts` says that it is a test runner, whose closing line is read."""
+
+    name: str
+    group: str
+    command: Sequence[str]
+    counts: bool = False
+
+
+def npm(*arguments: str) -> tuple[str, ...]:
+    """A call of npm in ui/ with the Node.js that suits the page."""
+    return ("sh", "-c", 'PATH="$(sh scripts/node.sh):$PATH" && cd ui && exec npm "$@"', "npm", *arguments)
+
+
+STEPS = (
+    Step("ruff", "lint", (sys.executable, "-m", "ruff", "check", ".")),
+    Step("format", "lint", (sys.executable, "-m", "ruff", "format", "--check", ".")),
+    Step("mypy", "lint", (sys.executable, "-m", "mypy")),
+    Step("import-rules", "lint", (str(Path(sys.executable).with_name("lint-imports")),)),
+    Step("page-lint", "lint", npm("run", "--silent", "check")),
+    Step("page-unit", "test", npm("run", "--silent", "test"), counts=True),
+    Step("unit", "test", (*PYTEST, "-m", "not e2e and not packaged and not nightly"), counts=True),
+    Step("e2e", "test", (*PYTEST, "-m", "e2e and not nightly"), counts=True),
+    Step("package", "package", ("make", "package")),
+    Step("packaged", "package", (*PYTEST, "-m", "packaged and not nightly"), counts=True),
+    Step("smoke", "package", (sys.executable, "packaging/smoke.py")),
+    Step("nightly", "nightly", (*PYTEST, "-m", "nightly"), counts=True),
+    Step("bench", "nightly", ("make", "bench"), counts=True),
+)
+
+
+@dataclass
+class Outcome:
+    step: Step
+    status: int
+    seconds: float
+    output: str
+
+    @property
+    def closing(self) -> str:
+        """The runner's own last word, or "" where it had none."""
+        lines = _CLOSING.findall(self.output)
+        return lines[-1].strip() if lines else ""
+
+    @property
+    def failed(self) -> bool:
+        """A runner that closed without having run anything has failed as well."""
+        return self.status != 0 or (self.step.counts and not _COUNT.search(self.closing))
+
+
+def run(step: Step) -> Outcome:
+    """Runs one step, showing its output and keeping it."""
+    print(f"\n--- {step.name}: {' '.join(step.command[-4:])}", flush=True)
+    started = time.monotonic()
+    lines = []
+    with subprocess.Popen(
+        step.command, cwd=ROOT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        text=True, encoding="utf-8", errors="replace",
+    ) as process:  # fmt: skip
+        assert process.stdout is not None
+        for line in process.stdout:
+            print(line, end="", flush=True)
+            lines.append(line)
+    output = _COLOURS.sub("", "".join(lines))
+    (LOGS / f"{step.name}.log").write_text(output, "utf-8")
+    return Outcome(step, process.returncode, time.monotonic() - started, output)
+
+
+def sums(outcomes: Sequence[Outcome]) -> dict[str, int]:
+    """Tests passed, failed and skipped over all runners; a step that broke off counts as one failure."""
+    total = {"passed": 0, "failed": 0, "skipped": 0}
+    for outcome in outcomes:
+        before = total["failed"]
+        if outcome.step.counts:
+            for number, word in _COUNT.findall(outcome.closing):
+                total[_SUM_OF[word]] += int(number)
+        if outcome.failed and total["failed"] == before:
+            total["failed"] += 1
+    return total
+
+
+def report(outcomes: Sequence[Outcome]) -> None:
+    """One line per step, and the sums as the very last line."""
+    print("\n--- summary")
+    for outcome in outcomes:
+        mark = "FAILED" if outcome.failed else "ok"
+        words = f"{outcome.step.name:<13} {outcome.seconds:6.1f} s  {mark:<7}{outcome.closing.strip('= ')}"
+        print(words.rstrip())
+    print(f"{'together':<13} {sum(outcome.seconds for outcome in outcomes):6.1f} s")
+    total = sums(outcomes)
+    print(f"{total['passed']} passed, {total['failed']} failed, {total['skipped']} skipped", flush=True)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--nightly", action="store_true", help="the long tests and the benchmarks too")
+    parser.add_argument("--only", choices=sorted({step.group for step in STEPS} | {step.name for step in STEPS}))
+    options = parser.parse_args()
+    steps = [step for step in STEPS if options.nightly or step.group != "nightly"]
+    if options.only:
+        steps = [step for step in STEPS if options.only in (step.group, step.name)]
+    LOGS.mkdir(parents=True, exist_ok=True)
+    outcomes = [run(step) for step in steps]
+    report(outcomes)
+    return int(any(outcome.failed for outcome in outcomes))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,141 @@
+#!/bin/sh
+# Names the Debian or Ubuntu packages that this PC lacks for a purpose, then installs them.
+#
+#   sh scripts/system-packages.sh [--dry-run] serve|run|test|package
+#
+# serve: Python only.  run: and the native window.  test: and browser and virtual screen.
+# package: what PyInstaller needs (asks the Python of .venv).
+# --dry-run names what is missing, installs nothing, and exits 1 when something is.
+set -eu
+. "$(dirname "$0")/words.sh"
+
+# PACKAGE|ENGLISH|PORTUGUESE|SPANISH
+PYTHON_PACKAGES='python3|runs the program|executa o programa|ejecuta el programa
+python3-venv|keeps our Python libraries apart|guarda as bibliotecas Python à parte|guarda aparte las bibliotecas de Python
+ca-certificates|secure downloads|downloads seguros|descargas seguras'
+WINDOW_PACKAGES='python3-gi|opens the window from Python|abre a janela pelo Python|abre la ventana desde Python
+gir1.2-gtk-3.0|the window itself|a própria janela|la propia ventana
+gir1.2-webkit2-4.1|shows the page in the window|mostra a página na janela|muestra la página en la ventana'
+TEST_PACKAGES='xvfb|virtual screen for tests|tela virtual para os testes|pantalla virtual para las pruebas
+openbox|places windows on the virtual screen|posiciona janelas na tela virtual|coloca ventanas en la pantalla virtual
+xdotool|types and clicks in tests|digita e clica nos testes|escribe y pulsa en las pruebas
+binutils|takes programs apart for the package|desmonta programas para o pacote|desmonta programas para el paquete
+xz-utils|packs the package|comprime o pacote|comprime el paquete'
+BROWSER='|browser for tests|navegador para os testes|navegador para las pruebas'
+
+wanted() {
+    case "$1" in
+        serve) printf '%s\n' "$PYTHON_PACKAGES" ;;
+        run) printf '%s\n' "$PYTHON_PACKAGES" "$WINDOW_PACKAGES" ;;
+        test)
+            printf '%s\n' "$PYTHON_PACKAGES" "$WINDOW_PACKAGES" "$TEST_PACKAGES"
+            command -v chromium >/dev/null || printf '%s\n' "$(browser_package)$BROWSER"
+            ;;
+        package)
+            # Debian's python3 does not link its own shared library; PyInstaller ships that library.
+            printf '%s\n' "libpython$(.venv/bin/python -c 'import sys; print("%d.%d" % sys.version_info[:2])')|Python inside the package|Python dentro do pacote|Python dentro del paquete"
+            ;;
+        *)
+            echo "usage: system-packages.sh [--dry-run] serve|run|test|package" >&2
+            exit 2
+            ;;
+    esac
+}
+
+# Debian calls it chromium; Ubuntu's chromium-browser brings the snap.
+browser_package() {
+    if apt-cache show chromium >/dev/null 2>&1 || ! apt-cache show chromium-browser >/dev/null 2>&1; then
+        echo chromium
+    else
+        echo chromium-browser
+    fi
+}
+
+# Names of installed packages and of what they provide (Ubuntu renames: libpython3.12t64 provides libpython3.12).
+installed() {
+    dpkg-query -W -f '${db:Status-Status} ${Package}, ${Provides}\n' |
+        sed -n 's/^installed //p' | sed 's/([^)]*)//g' | tr ', ' '\n\n' | sort -u
+}
+
+missing() {
+    present=$(installed)
+    wanted "$1" | while IFS= read -r line; do
+        printf '%s\n' "$present" | grep -qxF -e "${line%%|*}" || printf '%s\n' "$line"
+    done
+}
+
+show() {
+    say "This PC lacks these system packages:" "Faltam neste PC estes pacotes do sistema:" \
+        "A este PC le faltan estos paquetes del sistema:"
+    printf '%s\n' "$1" | while IFS='|' read -r package en pt es; do
+        printf '  %-20s %s\n' "$package" "$(say "$en" "$pt" "$es")"
+    done
+}
+
+# Package lists that are absent or a week old answer "404 Not Found" for the newest versions.
+lists_are_old() {
+    [ -z "$(find /var/lib/apt/lists -name '*Packages*' -mtime -7 2>/dev/null | head -n 1)" ]
+}
+
+apt() {
+    $AS_ROOT env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300 "$@" </dev/null
+}
+
+# Sets AS_ROOT to what makes a command run as root, or returns 1.
+find_root() {
+    AS_ROOT=
+    [ "$(id -u)" -ne 0 ] || return 0
+    command -v sudo >/dev/null || return 1
+    AS_ROOT=sudo
+    if [ -t 0 ]; then
+        say "sudo may ask for your password." "O sudo pode pedir sua senha." "sudo puede pedir su contraseña."
+    else
+        AS_ROOT="sudo -n"
+    fi
+}
+
+ask_for_help() {
+    say "They could not be installed from here. Ask whoever looks after this PC to run, as root:" \
+        "Não foi possível instalá-los daqui. Peça a quem cuida deste PC para executar, como root:" \
+        "No se pudieron instalar desde aquí. Pida a quien cuida este PC que ejecute, como root:"
+    echo "  apt-get update && apt-get install --no-install-recommends $1"
+    say "Then give the same command again." "Depois repita o mesmo comando." "Después repita la misma orden."
+}
+
+install() {
+    find_root || return 1
+    say "Installing them (a few minutes)…" "Instalando (alguns minutos)…" "Instalando (unos minutos)…"
+    if lists_are_old; then
+        # One dead source among several must not stop us: the installation tells whether it mattered.
+        apt update || true
+    fi
+    # shellcheck disable=SC2086 # names of packages: one word each
+    apt install -y --no-install-recommends $1 || { apt update && apt install -y --no-install-recommends $1; }
+}
+
+main() {
+    dry_run=
+    if [ "${1:-}" = --dry-run ]; then
+        dry_run=1
+        shift
+    fi
+    if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+        [ ! -x .venv/bin/python ] || exit 0
+        say "This is not Debian or Ubuntu: please install what corresponds to these packages yourself:" \
+            "Este sistema não é Debian nem Ubuntu: instale você mesmo o equivalente a estes pacotes:" \
+            "Este sistema no es Debian ni Ubuntu: instale usted el equivalente de estos paquetes:"
+        wanted "${1:-}" | cut -d'|' -f1 | sed 's/^/  /'
+        exit 0
+    fi
+    list=$(missing "${1:-}")
+    [ -n "$list" ] || exit 0
+    show "$list"
+    [ -z "$dry_run" ] || exit 1
+    names=$(printf '%s\n' "$list" | cut -d'|' -f1 | tr '\n' ' ')
+    install "$names" || {
+        ask_for_help "$names"
+        exit 1
+    }
+}
+
+main "$@"

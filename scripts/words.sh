@@ -1,0 +1,10 @@
+# Sourced by the set-up scripts: people read them too, in the language of their PC.
+
+# say ENGLISH PORTUGUESE SPANISH
+say() {
+    case "${LC_ALL:-${LC_MESSAGES:-${LANG:-}}}" in
+        pt*) printf '%s\n' "$2" ;;
+        es*) printf '%s\n' "$3" ;;
+        *) printf '%s\n' "$1" ;;
+    esac
+}
