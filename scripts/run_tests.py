@@ -1,8 +1,8 @@
 """Runs every check of the repository, one after the other, and ends with the sums.
 
-Nothing stops at the first failure: who reads the log of a build wants to see all that is broken. Each step's
-output is shown as it comes and kept in build/test-logs. The last line is `N passed, N failed, N skipped` over
-all test runners.
+Nothing stops at the first failure: who reads the log of a build wants to see all that is broken.
+Each step's output is shown as it comes and kept in build/test-logs. The last line is
+`N passed, N failed, N skipped` over all test runners.
 """
 
 import argparse
@@ -18,13 +18,21 @@ ROOT = Path(__file__).resolve().parents[1]
 LOGS = ROOT / "build" / "test-logs"
 PYTEST = (sys.executable, "-m", "pytest", "-q")
 _COLOURS = re.compile(r"\x1b\[[0-9;]*m")
-# pytest: "== 3 passed, 1 skipped in 0.5s ==" (the = are absent with -q); vitest: "Tests  3 passed (3)"
-_CLOSING = re.compile(r"^(?:=* ?\d+ \w+.* in [\d.]+s.*|\s*Tests\s+\d+ .*\(\d+\)|=* ?no tests ran in .*)$", re.M)
+# pytest: "3 passed, 1 skipped in 0.5s", between = without -q; vitest: "Tests  3 passed (3)"
+_CLOSING = re.compile(
+    r"^(?:=* ?\d+ \w+.* in [\d.]+s.*|=* ?no tests ran in .*|\s*Tests\s+\d+ .*\(\d+\))$", re.M
+)
 _COUNT = re.compile(r"(\d+) (passed|failed|errors?|skipped|xfailed|xpassed|todo)\b")
 _SUM_OF = {
-    "passed": "passed", "xpassed": "failed", "failed": "failed", "error": "failed", "errors": "failed",
-    "skipped": "skipped", "xfailed": "skipped", "todo": "skipped",
-}  # fmt: skip
+    "passed": "passed",
+    "failed": "failed",
+    "error": "failed",
+    "errors": "failed",
+    "xpassed": "failed",
+    "skipped": "skipped",
+    "xfailed": "skipped",
+    "todo": "skipped",
+}
 
 
 @dataclass(frozen=True)
@@ -39,7 +47,8 @@ class Step:
 
 def npm(*arguments: str) -> tuple[str, ...]:
     """A call of npm in ui/ with the Node.js that suits the page."""
-    return ("sh", "-c", 'PATH="$(sh scripts/node.sh):$PATH" && cd ui && exec npm "$@"', "npm", *arguments)
+    script = 'PATH="$(sh scripts/node.sh):$PATH" && cd ui && exec npm "$@"'
+    return ("sh", "-c", script, "npm", *arguments)
 
 
 STEPS = (
@@ -84,9 +93,15 @@ def run(step: Step) -> Outcome:
     started = time.monotonic()
     lines = []
     with subprocess.Popen(
-        step.command, cwd=ROOT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-        text=True, encoding="utf-8", errors="replace",
-    ) as process:  # fmt: skip
+        step.command,
+        cwd=ROOT,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        encoding="utf-8",
+        errors="replace",
+    ) as process:
         assert process.stdout is not None
         for line in process.stdout:
             print(line, end="", flush=True)
@@ -97,7 +112,7 @@ def run(step: Step) -> Outcome:
 
 
 def sums(outcomes: Sequence[Outcome]) -> dict[str, int]:
-    """Tests passed, failed and skipped over all runners; a step that broke off counts as one failure."""
+    """Tests passed, failed and skipped over all runners; a step that broke off is one failure."""
     total = {"passed": 0, "failed": 0, "skipped": 0}
     for outcome in outcomes:
         before = total["failed"]
@@ -114,17 +129,17 @@ def report(outcomes: Sequence[Outcome]) -> None:
     print("\n--- summary")
     for outcome in outcomes:
         mark = "FAILED" if outcome.failed else "ok"
-        words = f"{outcome.step.name:<13} {outcome.seconds:6.1f} s  {mark:<7}{outcome.closing.strip('= ')}"
-        print(words.rstrip())
+        closing = outcome.closing.strip("= ")
+        print(f"{outcome.step.name:<13} {outcome.seconds:6.1f} s  {mark:<7}{closing}".rstrip())
     print(f"{'together':<13} {sum(outcome.seconds for outcome in outcomes):6.1f} s")
-    total = sums(outcomes)
-    print(f"{total['passed']} passed, {total['failed']} failed, {total['skipped']} skipped", flush=True)
+    print(", ".join(f"{number} {word}" for word, number in sums(outcomes).items()), flush=True)
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--nightly", action="store_true", help="the long tests and the benchmarks too")
-    parser.add_argument("--only", choices=sorted({step.group for step in STEPS} | {step.name for step in STEPS}))
+    names = sorted({step.group for step in STEPS} | {step.name for step in STEPS})
+    parser.add_argument("--nightly", action="store_true", help="long tests and benchmarks too")
+    parser.add_argument("--only", choices=names, help="one group or one step")
     options = parser.parse_args()
     steps = [step for step in STEPS if options.nightly or step.group != "nightly"]
     if options.only:
