@@ -35,8 +35,12 @@ class _LazyGroup(click.Group):
 
 @click.group(cls=_LazyGroup, invoke_without_command=True)
 @click.version_option(__version__, prog_name="pinel")
-@click.option("--db", type=click.Path(dir_okay=False), help="Database file instead of the user's own.")
-@click.option("--self-check", is_flag=True, help="Try window, simulator and store once; print JSON.")
+@click.option(
+    "--db", type=click.Path(dir_okay=False), help="Database file instead of the user's own."
+)
+@click.option(
+    "--self-check", is_flag=True, help="Try window, simulator and store once; print JSON."
+)
 @click.pass_context
 def main(ctx: click.Context, db: str | None, self_check: bool) -> None:
     """PINEL Desktop. Without a command it opens the window.

@@ -95,16 +95,13 @@ class Simulator:
         for _ in range(SUBSTEPS):
             step(SUBSTEP_S)
 
-    def pose(self) -> tuple[float, float, float]:
-        """True x and y in metres and yaw in radians (not wrapped) in the world's frame."""
-        x, y = self._body.position
-        return x, y, self._body.angle
-
-    def velocity(self) -> tuple[float, float]:
-        """True speed ahead in m/s and turning speed in rad/s."""
-        vx, vy = self._body.velocity
-        yaw = self._body.angle
-        return vx * math.cos(yaw) + vy * math.sin(yaw), self._body.angular_velocity
+    def state(self) -> tuple[float, float, float, float, float]:
+        """True x and y (m), yaw (rad, not wrapped), speed ahead (m/s) and turning speed (rad/s); world's frame."""
+        body = self._body
+        yaw = body.angle
+        x, y = body.position
+        vx, vy = body.velocity
+        return x, y, yaw, vx * math.cos(yaw) + vy * math.sin(yaw), body.angular_velocity
 
     def touching(self) -> bool:
         """True while the robot touches a wall or a box."""

@@ -1,9 +1,13 @@
 """Set-points of a motion from standstill to standstill."""
 
 import math
+from functools import lru_cache
 
 
-def s_curve(distance: float, speed: float, acceleration: float, smoothing_s: float, dt_s: float) -> list[float]:
+@lru_cache(maxsize=256)  # programs repeat their motions, and classes their programs
+def s_curve(
+    distance: float, speed: float, acceleration: float, smoothing_s: float, dt_s: float
+) -> tuple[float, ...]:
     """Set-points every `dt_s` seconds, from 0 to exactly `distance` (its sign is kept).
 
     A trapezoidal velocity profile, averaged over a window of `smoothing_s`: the acceleration is then continuous
@@ -16,7 +20,7 @@ def s_curve(distance: float, speed: float, acceleration: float, smoothing_s: flo
     """
     length = abs(distance)
     if length == 0.0:
-        return [0.0]
+        return (0.0,)
     ramp_s = min(speed / acceleration, math.sqrt(length / acceleration))
     peak = acceleration * ramp_s
     cruise_s = length / peak - ramp_s
@@ -25,7 +29,7 @@ def s_curve(distance: float, speed: float, acceleration: float, smoothing_s: flo
     ticks = math.ceil(duration / dt_s - 1e-9)
     sign = math.copysign(1.0, distance)
     points = [sign * trapezoid.smoothed(k * dt_s, smoothing_s) for k in range(ticks)]
-    return [*points, distance]
+    return (*points, distance)
 
 
 class _Trapezoid:

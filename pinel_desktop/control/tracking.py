@@ -3,7 +3,7 @@
 import math
 from typing import NamedTuple
 
-from pinel_desktop.robot.geometry import Pose2D
+from pinel_desktop.robot.geometry import Pose2D, Twist2D
 
 
 class Gains(NamedTuple):
@@ -42,8 +42,8 @@ class Line:
         x, y, yaw = self.start
         return Pose2D(x + distance_m * self._cos, y + distance_m * self._sin, yaw)
 
-    def correct(self, pose: Pose2D, error_m: float, v_mps: float) -> tuple[float, float]:
-        """The twist (m/s, rad/s) that drives at `v_mps` and takes the errors away.
+    def correct(self, pose: Pose2D, error_m: float, v_mps: float) -> Twist2D:
+        """The twist that drives at `v_mps` and takes the errors away.
 
         `error_m` is how far the set-point is ahead of `pose` along the line.
         """
@@ -52,4 +52,4 @@ class Line:
         across_m = self._cos * (y - y0) - self._sin * (x - x0)
         yaw_error = math.remainder(yaw0 - yaw, math.tau)
         along, across, turn = self.gains
-        return v_mps + along * error_m, turn * yaw_error - across * v_mps * across_m
+        return Twist2D(v_mps + along * error_m, turn * yaw_error - across * v_mps * across_m)

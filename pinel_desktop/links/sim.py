@@ -25,16 +25,20 @@ class SimLink:
         """Nothing to do: the simulator is there."""
 
     def read(self) -> RobotState:
-        x, y, yaw = self.simulator.pose()
+        x, y, yaw, v, omega = self.simulator.state()
         pose = Pose2D(x, y, wrap_angle(yaw))
-        return RobotState(pose, Twist2D(*self.simulator.velocity()), self.simulator.touching(), pose)
+        return RobotState(pose, Twist2D(v, omega), pose)
+
+    def bumper(self) -> bool:
+        return self.simulator.touching()
 
     def command(self, twist: Twist2D) -> None:
         v, omega = twist
-        self._twist = Twist2D(
-            min(max(v, -self._max_v), self._max_v),
-            min(max(omega, -self._max_omega), self._max_omega),
-        )
+        if not (-self._max_v <= v <= self._max_v and -self._max_omega <= omega <= self._max_omega):
+            v = min(max(v, -self._max_v), self._max_v)
+            omega = min(max(omega, -self._max_omega), self._max_omega)
+            twist = Twist2D(v, omega)
+        self._twist = twist
 
     def advance(self, dt_s: float) -> None:
         """Steps the simulator by one tick; `dt_s` must be that tick."""

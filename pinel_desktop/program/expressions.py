@@ -17,7 +17,9 @@ ValueType = Literal["number", "text", "boolean"]
 class Operator:
     """What an operator takes and gives: number of arguments, their type (None = any), result type."""
 
-    def __init__(self, n_min: int, n_max: int | None, takes: ValueType | None, gives: ValueType) -> None:
+    def __init__(
+        self, n_min: int, n_max: int | None, takes: ValueType | None, gives: ValueType
+    ) -> None:
         self.n_min, self.n_max, self.takes, self.gives = n_min, n_max, takes, gives
 
     def accepts(self, count: int) -> bool:

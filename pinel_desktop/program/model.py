@@ -34,6 +34,10 @@ def _whole(value: Any) -> Any:
     return int(value) if isinstance(value, float) and value.is_integer() else value
 
 
+def _no_boolean(value: Any) -> Any:
+    return None if isinstance(value, bool) else value  # True == 1 in Python
+
+
 Number = Annotated[float, BeforeValidator(_literal_only)]
 WholeNumber = Annotated[int, BeforeValidator(_whole), BeforeValidator(_literal_only)]
 
@@ -132,8 +136,8 @@ class Branch(_Condition):
 class ConditionalExecution(_Command, _Condition):
     action: Literal["conditional_execution"]
     commands: list["Command"]
-    elif_: Annotated[list[Branch], Field(alias="elif")] = []
-    else_: Annotated[list["Command"], Field(alias="else")] = []
+    elif_: Annotated[list[Branch], Field(alias="elif", default_factory=list)]
+    else_: Annotated[list["Command"], Field(alias="else", default_factory=list)]
 
 
 COMMANDS = (
@@ -164,9 +168,9 @@ Command = Annotated[
 class Program(Model):
     """A whole document."""
 
-    pinel_ir: Literal[1]
+    pinel_ir: Annotated[Literal[1], BeforeValidator(_no_boolean)]
     name: Text = ""
-    functions: Annotated[list[Any], Field(max_length=0)] = []  # functions come with the whole language
+    functions: Annotated[list[Any], Field(max_length=0, default_factory=list)]
     commands: Annotated[list[Command], Field(max_length=MAX_COMMANDS)]
 
 

@@ -41,13 +41,14 @@ def read_document(source: str | bytes | dict[str, Any] | list[Any]) -> Reading:
         parsed = _parse(source)
         if isinstance(parsed, Fault):
             return Reading(None, (parsed,))
-        source = parsed
-    faults = check_outline(source)
+    else:
+        parsed = source
+    faults = check_outline(parsed)
     if faults:
         return Reading(None, tuple(faults))
-    if isinstance(source, list):
-        return _read_bare_list(source)
-    return _validate(source, bare=False)
+    if isinstance(parsed, list):
+        return _read_bare_list(parsed)
+    return _validate(parsed, bare=False)
 
 
 def _parse(text: str | bytes) -> Any:

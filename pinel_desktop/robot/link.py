@@ -11,13 +11,11 @@ class RobotState(NamedTuple):
     Attributes:
         pose: where the robot believes it is, in the link's own frame (world or odometry).
         twist: measured velocity in the robot's frame.
-        bumper: True while the robot touches something.
         true_pose: where it really is, where that is known (a simulator); else None.
     """
 
     pose: Pose2D
     twist: Twist2D
-    bumper: bool = False
     true_pose: Pose2D | None = None
 
 
@@ -39,6 +37,10 @@ class RobotLink(Protocol):
 
     def read(self) -> RobotState:
         """The newest state. Raises PinelError `link_lost` when the robot has gone silent."""
+        ...
+
+    def bumper(self) -> bool:
+        """True while the robot touches something; asked for only by who wants to know."""
         ...
 
     def command(self, twist: Twist2D) -> None:

@@ -1,0 +1,132 @@
+"""What a run reports. The fields are those of the table in ARCHITECTURE.md; a test holds them together."""
+
+from dataclasses import asdict, dataclass, field
+from typing import Any, ClassVar, Literal
+
+SCHEMA_VERSION = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """Base of all events. `type` is the event's name on the wire."""
+
+    type: ClassVar[str]
+
+
+@dataclass(frozen=True, slots=True)
+class RunState(Event):
+    """The run has begun, was paused or goes on."""
+
+    type: ClassVar[str] = "run_state"
+    state: Literal["running", "paused"]
+
+
+@dataclass(frozen=True, slots=True)
+class BlockStarted(Event):
+    """A command begins. `amount` is the goal of a motion or wait in m, degrees or s."""
+
+    type: ClassVar[str] = "block_started"
+    block: str | None
+    pointer: str
+    action: str
+    amount: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class BlockEnded(Event):
+    """A command, with everything inside it, is over."""
+
+    type: ClassVar[str] = "block_ended"
+    block: str | None
+    pointer: str
+
+
+@dataclass(frozen=True, slots=True)
+class CaptureStarted(Event):
+    """The program waits for a gesture, for at most `timeout_s` seconds."""
+
+    type: ClassVar[str] = "capture_started"
+    block: str | None
+    timeout_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class GestureResult(Event):
+    """The gesture result has a new value; "" when nothing was recognised."""
+
+    type: ClassVar[str] = "gesture_result"
+    result: str
+    source: Literal["capture", "block"]
+
+
+@dataclass(frozen=True, slots=True)
+class Telemetry(Event):
+    """One tick. Poses in the start frame, metres and radians; `goal_*` is the moving set-point.
+
+    `done` is how much of the running motion's `amount` is done, in its unit; 0 when nothing moves.
+    """
+
+    type: ClassVar[str] = "telemetry"
+    x_m: float
+    y_m: float
+    yaw_rad: float
+    v_mps: float
+    omega_radps: float
+    command_v_mps: float
+    command_omega_radps: float
+    goal_x_m: float
+    goal_y_m: float
+    goal_yaw_rad: float
+    done: float
+    bumper: bool
+
+
+@dataclass(frozen=True, slots=True)
+class RunEnded(Event):
+    """The last event of every run. `state` and `reason` as in IR.md; lengths in m, `duration_s` in robot time."""
+
+    type: ClassVar[str] = "run_ended"
+    state: Literal["finished", "stopped", "failed"]
+    reason: str | None
+    params: dict[str, Any]
+    block: str | None
+    n_executed: int
+    duration_s: float
+    path_length_m: float
+    closing_error_m: float
+    pose: dict[str, float] | None
+    telemetry_sha256: str
+
+
+EVENT_TYPES: dict[str, type[Event]] = {
+    cls.type: cls
+    for cls in (
+        RunState,
+        BlockStarted,
+        BlockEnded,
+        CaptureStarted,
+        GestureResult,
+        Telemetry,
+        RunEnded,
+    )
+}
+
+
+@dataclass(slots=True)
+class EventStamp:
+    """Turns the events of one run into wire objects, numbering them."""
+
+    run: str
+    _next: int = field(default=0)
+
+    def wire(self, tick: int, event: Event) -> dict[str, Any]:
+        """The event as the flat JSON object of ARCHITECTURE.md."""
+        head = {
+            "v": SCHEMA_VERSION,
+            "type": event.type,
+            "run": self.run,
+            "seq": self._next,
+            "tick": tick,
+        }
+        self._next += 1
+        return {**head, **asdict(event)}

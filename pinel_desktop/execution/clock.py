@@ -1,0 +1,43 @@
+"""How ticks follow each other: at the pace of the wall clock, or as fast as they can."""
+
+import time
+from collections.abc import Callable
+from typing import Protocol
+
+TICK_HZ = 30
+TICK_S = 1.0 / 30.0
+# A PC that froze for a moment goes on from now: it does not rush through the ticks it missed.
+_MAX_LATENESS_S = 5 * TICK_S
+
+
+class Clock(Protocol):
+    """Decides when the next tick may begin."""
+
+    def wait_for_tick(self) -> None:
+        """Returns when the next tick is due."""
+
+
+class MaxClock:
+    """Never waits: headless runs and tests."""
+
+    def wait_for_tick(self) -> None:
+        return
+
+
+class LiveClock:
+    """30 ticks a second on absolute deadlines, so that lateness does not add up."""
+
+    def __init__(
+        self,
+        now: Callable[[], float] = time.monotonic,
+        sleep: Callable[[float], None] = time.sleep,
+    ) -> None:
+        self._now, self._sleep = now, sleep
+        self._due: float | None = None
+
+    def wait_for_tick(self) -> None:
+        now = self._now()
+        due = now if self._due is None else self._due + TICK_S
+        self._due = now if now - due > _MAX_LATENESS_S else due
+        if self._due > now:
+            self._sleep(self._due - now)

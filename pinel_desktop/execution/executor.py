@@ -1,0 +1,233 @@
+"""Runs a program on a link: commands until one needs time, then a tick of 1/30 s, until it is over."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.events.model import Event, RunEnded, RunState, Telemetry
+from pinel_desktop.execution.clock import TICK_HZ, TICK_S, Clock, MaxClock
+from pinel_desktop.execution.context import RunContext, RunFailureError
+from pinel_desktop.execution.control import RunControl
+from pinel_desktop.execution.gestures import GestureSource, ScriptedGestures
+from pinel_desktop.execution.motion import at_rest
+from pinel_desktop.execution.recorder import Recorder
+from pinel_desktop.execution.stack import ProgramStack
+from pinel_desktop.program import Program
+from pinel_desktop.program.limits import MAX_RUN_S, MAX_STEPS_PER_TICK
+from pinel_desktop.robot import PIONEER_3DX, STANDSTILL, Pose2D, RobotLink, RobotModel, RobotState
+
+Outcome = Literal["finished", "stopped", "failed"]
+# (tick, event): ticks count from 0, which is before the first
+Observer = Callable[[int, Event], None]
+
+_MAX_TICKS = round(MAX_RUN_S * TICK_HZ)
+_REST_TICKS = TICK_HZ
+_MOVED_BY_HAND_M = 0.02
+
+
+class _Stopped(Exception):  # noqa: N818 - not an error: somebody pressed Stop
+    """Stop was asked for."""
+
+
+@dataclass(frozen=True, slots=True)
+class RunResult:
+    """How a run ended: the closing event and what `pinel run` prints beyond it."""
+
+    ended: RunEnded
+    telemetry: Recorder
+    gesture_result: str
+
+
+def execute(
+    program: Program,
+    link: RobotLink,
+    *,
+    observer: Observer | None = None,
+    clock: Clock | None = None,
+    control: RunControl | None = None,
+    gestures: GestureSource | None = None,
+    robot: RobotModel = PIONEER_3DX,
+) -> RunResult:
+    """Runs `program` to its end on `link`, which is connected first and closed last.
+
+    The robot is told to stand still on every way out. Whatever goes wrong becomes the outcome `failed` with a
+    reason; nothing is raised but errors of the observer. Without an observer no events are made, which is faster.
+    """
+    run = _Run(
+        program, link, observer, control or RunControl(), gestures or ScriptedGestures(), robot
+    )
+    return run.to_the_end(clock or MaxClock())
+
+
+class _Run:
+    def __init__(
+        self,
+        program: Program,
+        link: RobotLink,
+        observer: Observer | None,
+        control: RunControl,
+        gestures: GestureSource,
+        robot: RobotModel,
+    ) -> None:
+        self._link, self._observer, self._control = link, observer, control
+        self._recorder = Recorder()
+        self._origin: Pose2D | None = None
+        self._tick = 0
+        self._context = RunContext(
+            robot, link.command_delay_s, gestures, self._emit, observer is not None
+        )
+        self._stack = ProgramStack(program.commands, self._context)
+
+    def _emit(self, event: Event) -> None:
+        if self._observer is not None:
+            self._observer(self._tick, event)
+
+    def to_the_end(self, clock: Clock) -> RunResult:
+        state, reason, params = self._outcome(clock)
+        block = self._stack.block if state != "finished" else None
+        self._stack.close()
+        reason, params = self._stand_still(reason, params)
+        self._link.close()
+        if reason is not None and state == "finished":
+            state = "failed"
+        ended = self._ended(state, reason, params, block)
+        self._emit(ended)
+        return RunResult(ended, self._recorder, self._context.gesture_result)
+
+    def _outcome(self, clock: Clock) -> tuple[Outcome, str | None, dict[str, Any]]:
+        try:
+            self._connect()
+            self._run(clock)
+        except _Stopped:
+            return "stopped", "stopped_by_person", {}
+        except PinelError as error:
+            return "failed", error.code, error.params
+        except Exception as error:  # a defect of ours must end the run, not the robot's guard
+            return "failed", "internal_error", {"detail": f"{type(error).__name__}: {error}"}
+        return "finished", None, {}
+
+    def _connect(self) -> None:
+        self._link.connect()
+        start = self._link.read()
+        self._origin = None if start.pose == Pose2D() else start.pose
+        self._take(start)
+        self._emit(RunState("running"))
+
+    def _take(self, state: RobotState) -> None:
+        pose = state.pose
+        self._context.pose = pose if self._origin is None else pose.relative_to(self._origin)
+        self._context.twist = state.twist
+
+    def _run(self, clock: Clock) -> None:
+        control, stack = self._control, self._stack
+        while True:
+            if control.stop_requested:
+                raise _Stopped
+            if control.pause_requested:
+                self._pause(clock)
+            if self._steps_until_time(stack):
+                clock.wait_for_tick()
+                self._pass_tick()
+            elif stack.finished:
+                return
+
+    def _steps_until_time(self, stack: ProgramStack) -> bool:
+        """Runs commands until a tick has to pass; False when the program is over before."""
+        stack.begin_tick()
+        for _ in range(MAX_STEPS_PER_TICK):
+            if stack.step():
+                return True
+            if stack.finished:
+                return False
+        return True
+
+    def _pass_tick(self) -> None:
+        context = self._context
+        if self._tick >= _MAX_TICKS:
+            raise RunFailureError("time_limit", max=MAX_RUN_S)
+        command = context.command
+        self._link.command(command)
+        self._link.advance(TICK_S)
+        self._tick = tick = self._tick + 1
+        context.tick = tick + 1
+        state = self._link.read()
+        self._take(state)
+        x, y, yaw = context.pose
+        v, w = state.twist
+        self._recorder.add(tick, x, y, yaw, v, w, command.v_mps, command.omega_radps)
+        if self._observer is not None:
+            goal_x, goal_y, goal_yaw = context.setpoint
+            self._observer(
+                tick,
+                Telemetry(
+                    x,
+                    y,
+                    yaw,
+                    v,
+                    w,
+                    *command,
+                    goal_x,
+                    goal_y,
+                    goal_yaw,
+                    context.done,
+                    self._link.bumper(),
+                ),
+            )
+
+    def _pause(self, clock: Clock) -> None:
+        """Stands still until somebody resumes or stops. Robot time stands still too once the robot does."""
+        context = self._context
+        self._emit(RunState("paused"))
+        context.command = STANDSTILL
+        self._rest(clock)
+        before = context.pose
+        while self._control.pause_requested and not self._control.stop_requested:
+            clock.wait_for_tick()
+            self._link.command(STANDSTILL)
+            if not self._link.simulated:
+                self._link.advance(TICK_S)
+                self._take(self._link.read())
+        if self._control.stop_requested:
+            raise _Stopped
+        context.moved_by_hand = context.pose.distance_to(before) > _MOVED_BY_HAND_M
+        context.n_resumed += 1
+        self._emit(RunState("running"))
+
+    def _rest(self, clock: Clock) -> None:
+        for _ in range(_REST_TICKS):
+            clock.wait_for_tick()
+            self._pass_tick()
+            if at_rest(self._context.twist):
+                return
+
+    def _stand_still(
+        self, reason: str | None, params: dict[str, Any]
+    ) -> tuple[str | None, dict[str, Any]]:
+        """Zero twist at the end of every run, also of one that never began to move."""
+        self._context.command = STANDSTILL
+        try:
+            self._link.command(STANDSTILL)
+            if self._tick > 0 and reason not in ("link_lost", "internal_error", "time_limit"):
+                self._rest(MaxClock())
+        except PinelError as error:
+            return reason or error.code, params or error.params
+        return reason, params
+
+    def _ended(
+        self, state: Outcome, reason: str | None, params: dict[str, Any], block: str | None
+    ) -> RunEnded:
+        pose = self._recorder.last_pose()
+        return RunEnded(
+            state=state,
+            reason=reason,
+            params=params,
+            block=block,
+            n_executed=self._stack.n_executed,
+            duration_s=self._tick / TICK_HZ,
+            path_length_m=self._recorder.path_length_m,
+            closing_error_m=math.hypot(pose.x_m, pose.y_m),
+            pose=pose._asdict(),
+            telemetry_sha256=self._recorder.sha256(),
+        )
