@@ -1,1 +1,6 @@
-"""The local HTTP server: guard, event stream, API, page."""
+"""The HTTP interface: page, API and event stream. Gets all it works with from `app` as `Services`."""
+
+from pinel_desktop.web.application import create_app
+from pinel_desktop.web.services import Services
+
+__all__ = ["Services", "create_app"]

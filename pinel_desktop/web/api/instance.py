@@ -1,0 +1,33 @@
+"""What a second start of the app asks of the first; both prove themselves with the secret of the instance file."""
+
+from flask import Response
+from pydantic import BaseModel, ConfigDict, Field
+
+from pinel_desktop.web.answers import answer
+from pinel_desktop.web.api import resource
+from pinel_desktop.web.models import Empty
+from pinel_desktop.web.models.status import InstanceLink
+from pinel_desktop.web.services import services
+
+api = resource("instance", "For a second start of the app on the same data.", __name__)
+
+
+class Secret(BaseModel):
+    """The header that stands in for the cookie; the guard has checked it before the handler runs."""
+
+    model_config = ConfigDict(populate_by_name=True)
+
+    secret: str = Field(alias="X-Pinel-Secret")
+
+
+@api.post("/instance/link", responses={200: InstanceLink})
+def create_instance_link(header: Secret) -> Response:
+    """A fresh address that opens the page once."""
+    return answer(InstanceLink(url=services().guard.fresh_link()))
+
+
+@api.post("/instance/show", responses={200: Empty})
+def show_instance(header: Secret) -> Response:
+    """Brings the window forward."""
+    services().show_window()
+    return answer(Empty())

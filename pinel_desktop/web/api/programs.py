@@ -1,0 +1,92 @@
+"""Programs of a group, their versions, and checking a document."""
+
+from flask import Response
+
+from pinel_desktop.program.faults import Fault
+from pinel_desktop.web.answers import answer, in_words
+from pinel_desktop.web.api import errors, resource
+from pinel_desktop.web.models import IdPath
+from pinel_desktop.web.models.work import (
+    CheckedDocument,
+    DocumentToCheck,
+    NewVersion,
+    Program,
+    ProgramList,
+    ProgramName,
+    ProgramWithVersion,
+    SavedVersion,
+    Version,
+)
+from pinel_desktop.web.services import services
+from storage import FaultRow, VersionRow
+
+api = resource("programs", "Programs, their versions, and checking documents.", __name__)
+
+
+@api.get("/groups/<id>/programs", responses={200: ProgramList, **errors(404)})
+def list_programs(path: IdPath) -> Response:
+    """Programs of a group, newest first."""
+    rows = services().store.programs.of_group(path.id)
+    return answer(ProgramList(programs=[Program.model_validate(row, from_attributes=True) for row in rows]))
+
+
+@api.post("/groups/<id>/programs", responses={200: Program, **errors(404, 503, 507)})
+def create_program(path: IdPath, body: ProgramName) -> Response:
+    """Makes an empty program."""
+    row = services().store.programs.create(path.id, body.name)
+    return answer(Program.model_validate(row, from_attributes=True))
+
+
+@api.get("/programs/<id>", responses={200: ProgramWithVersion, **errors(404)})
+def get_program(path: IdPath) -> Response:
+    """A program with its newest version."""
+    store = services().store
+    row = store.programs.get(path.id)
+    newest = store.versions.newest(path.id)
+    fields = {name: getattr(row, name) for name in Program.model_fields}
+    return answer(ProgramWithVersion(**fields, version=version_model(newest) if newest else None))
+
+
+@api.patch("/programs/<id>", responses={200: Program, **errors(404, 503, 507)})
+def rename_program(path: IdPath, body: ProgramName) -> Response:
+    """Gives a program another name."""
+    row = services().store.programs.rename(path.id, body.name)
+    return answer(Program.model_validate(row, from_attributes=True))
+
+
+@api.post("/programs/<id>/versions", responses={200: SavedVersion, **errors(404, 413, 503, 507)})
+def save_version(path: IdPath, body: NewVersion) -> Response:
+    """Keeps what the editor holds; on disk when answered."""
+    parts = services()
+    document, faults = None, ()
+    if body.document is not None:
+        reading = parts.read_document(body.document)
+        document, faults = reading.document, reading.faults
+    row = parts.store.versions.save(
+        path.id, body.workspace, None if faults else document, [_fault_row(fault) for fault in faults]
+    )
+    return answer(SavedVersion(id=row.id, created_at=row.created_at, faults=version_model(row).faults))
+
+
+@api.post("/check", responses={200: CheckedDocument, **errors(413)})
+def check_document(body: DocumentToCheck) -> Response:
+    """All faults of a document, in words."""
+    parts = services()
+    faults = parts.read_document(body.document).faults
+    return answer(CheckedDocument(faults=[in_words(fault, parts.preferences.language) for fault in faults]))
+
+
+def version_model(row: VersionRow) -> Version:
+    """A stored version with its faults in the words of the language."""
+    language = services().preferences.language
+    return Version(
+        id=row.id,
+        created_at=row.created_at,
+        workspace=row.workspace,
+        document=row.document,
+        faults=[in_words(fault, language) for fault in row.faults],
+    )
+
+
+def _fault_row(fault: Fault) -> FaultRow:
+    return FaultRow(code=fault.code, pointer=fault.pointer, block=fault.block, params=dict(fault.params))

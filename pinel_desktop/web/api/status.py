@@ -1,0 +1,46 @@
+"""State of the app and what a person may choose."""
+
+from flask import Response
+
+from pinel_desktop.messages import describe
+from pinel_desktop.web.answers import answer
+from pinel_desktop.web.api import resource
+from pinel_desktop.web.models.errors import Notice
+from pinel_desktop.web.models.status import DatabaseStatus, Settings, Status
+from pinel_desktop.web.services import Services, services
+
+api = resource("status", "State of the app and its settings.", __name__)
+
+
+@api.get("/status", responses={200: Status})
+def get_status() -> Response:
+    """State of app, engine and database."""
+    parts = services()
+    return answer(
+        Status(
+            app_version=parts.app_version,
+            engine=parts.engine.state,
+            run=parts.engine.live_run,
+            database=_database(parts),
+            language=parts.preferences.language,  # type: ignore[arg-type] # checked when it was set
+        )
+    )
+
+
+def _database(parts: Services) -> DatabaseStatus:
+    return DatabaseStatus(path=str(parts.store.path), writable=parts.store.writable, notice=_notice(parts))
+
+
+def _notice(parts: Services) -> Notice | None:
+    problem = parts.store_notice()
+    if problem is None:
+        return None
+    words = describe(problem.code, problem.params, parts.preferences.language)
+    return Notice(code=problem.code, message=words.message, remedy=words.remedy)
+
+
+@api.put("/settings", responses={200: Settings})
+def put_settings(body: Settings) -> Response:
+    """Chooses the language of page and messages."""
+    services().preferences.language = body.language
+    return answer(body)

@@ -1,0 +1,41 @@
+"""The one event stream: browsers allow about six connections to a host, so everything comes through it."""
+
+import json
+from collections.abc import Iterator
+
+from flask import Response
+
+from pinel_desktop.events.hub import Subscription
+from pinel_desktop.web.api import resource
+from pinel_desktop.web.models.events import StreamEvent
+from pinel_desktop.web.services import services
+
+api = resource("stream", "Live events.", __name__)
+
+MODELS = (StreamEvent,)  # for the description
+KEEP_ALIVE_S = 10.0
+_EVENTS = {
+    "description": "Server-sent events; `data:` holds one event as JSON.",
+    "content": {"text/event-stream": {"schema": {"$ref": "#/components/schemas/StreamEvent"}}},
+}
+
+
+@api.get("/stream", responses={200: _EVENTS})
+def stream_events() -> Response:
+    """All events as they happen, after a first `hello`."""
+    parts = services()
+    subscription = parts.hub.subscribe()
+    hello = {"type": "hello", "run": parts.engine.live_run}
+    return Response(_lines(subscription, hello), mimetype="text/event-stream")
+
+
+def _lines(subscription: Subscription, hello: dict[str, object]) -> Iterator[str]:
+    with subscription:
+        yield _line(hello)
+        while not subscription.closed:
+            event = subscription.get(timeout_s=KEEP_ALIVE_S)
+            yield ": still here\n\n" if event is None else _line(event)
+
+
+def _line(event: object) -> str:
+    return f"data: {json.dumps(event, separators=(',', ':'))}\n\n"

@@ -1,0 +1,107 @@
+"""Puts routes, guard and error shape together."""
+
+import json
+from typing import Any
+
+from flask import Response, current_app, request
+from flask.json.provider import DefaultJSONProvider
+from flask_openapi3.openapi import OpenAPI
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.web import errors
+from pinel_desktop.web.page import page
+from pinel_desktop.web.routes import bare_app, description_text
+from pinel_desktop.web.services import Services, services
+
+MAX_BODY = 4 * 2**20  # a document of 1 MiB and its workspace
+_SECURITY_POLICY = "; ".join(
+    (
+        "default-src 'self'",
+        "style-src 'self' 'unsafe-inline'",  # Blockly writes its style sheet into the page
+        "img-src 'self' data:",
+        "object-src 'none'",
+        "base-uri 'none'",
+        "form-action 'none'",
+        "frame-ancestors 'none'",
+    )
+)
+_HEADERS = {
+    "Content-Security-Policy": _SECURITY_POLICY,
+    "Referrer-Policy": "no-referrer",
+    "X-Content-Type-Options": "nosniff",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
+}
+_FOR_OTHER_STARTS = "/api/instance/"
+
+
+def create_app(parts: Services) -> OpenAPI:
+    """The WSGI application over the given services."""
+    app = bare_app()
+    app.extensions["pinel"] = parts
+    app.json = _StrictJson(app)
+    app.config["MAX_CONTENT_LENGTH"] = MAX_BODY
+    app.add_url_rule("/api/openapi.json", view_func=_description)
+    app.register_blueprint(page)
+    app.before_request(_check_guard)
+    app.before_request(_check_body)
+    app.after_request(_add_headers)
+    errors.install(app)
+    return app
+
+
+class _StrictJson(DefaultJSONProvider):
+    """JSON as the standard has it: NaN and Infinity are none, and nesting without end is refused."""
+
+    def loads(self, s: str | bytes, **kwargs: Any) -> Any:
+        try:
+            return json.loads(s, parse_constant=_refuse, parse_float=_finite, **kwargs)
+        except RecursionError:
+            raise ValueError("nested too deep") from None
+
+
+def _refuse(constant: str) -> float:
+    raise ValueError(f"{constant} is not JSON")
+
+
+def _finite(text: str) -> float:
+    value = float(text)
+    if value in (float("inf"), float("-inf")):
+        raise ValueError(f"{text} is too large for a double")
+    return value
+
+
+def _check_guard() -> None:
+    guard = services().guard
+    guard.check_origin(request.headers)
+    if request.path.startswith(_FOR_OTHER_STARTS):
+        guard.check_secret(request.headers)
+        return
+    try:
+        guard.check_cookie(request.cookies)
+    except PinelError:
+        if request.path != "/" or not guard.redeem(request.args.get("key", "")):
+            raise
+
+
+def _check_body() -> None:
+    """Says what is wrong with a body that is no JSON; the models would only miss an object."""
+    if not request.get_data(cache=True):
+        return
+    if not request.is_json:
+        raise PinelError("invalid_json", problem=f"Content-Type {request.mimetype or '-'}")
+    try:
+        current_app.json.loads(request.get_data(cache=True))
+    except ValueError as error:
+        raise PinelError("invalid_json", problem=str(error)) from None
+
+
+def _add_headers(answer: Response) -> Response:
+    answer.headers.update(_HEADERS)
+    if request.path.startswith("/api"):
+        answer.headers["Cache-Control"] = "no-store"
+    return answer
+
+
+def _description() -> Response:
+    return Response(description_text(), mimetype="application/json")

@@ -1,0 +1,75 @@
+"""Every error becomes the one shape: ours, the store's, pydantic's, Werkzeug's, and what nobody foresaw."""
+
+import logging
+from typing import Any
+
+from flask import Response, request
+from flask_openapi3.openapi import OpenAPI
+from pydantic import ValidationError
+from werkzeug.exceptions import HTTPException, MethodNotAllowed, RequestEntityTooLarge
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.web.answers import error_answer
+from pinel_desktop.web.models.errors import Fault
+from pinel_desktop.web.page import message_page
+from pinel_desktop.web.services import services
+from storage import StoreError
+
+_log = logging.getLogger(__name__)
+
+
+class InvalidProgram(PinelError):
+    """A version that cannot run, with the faults that say why."""
+
+    def __init__(self, faults: list[Fault]) -> None:
+        super().__init__("invalid_program", n=len(faults))
+        self.faults = faults
+
+
+def install(app: OpenAPI) -> None:
+    """Registers the handlers that give every error its shape."""
+    app.register_error_handler(PinelError, _known)
+    app.register_error_handler(StoreError, _known)
+    app.register_error_handler(HTTPException, _of_http)
+    app.register_error_handler(Exception, _unforeseen)
+
+
+def invalid_request(error: ValidationError) -> Response:
+    """A body or a query that does not fit: names the first place and says what is wrong with it."""
+    first = error.errors(include_url=False, include_context=False, include_input=False)[0]
+    where = ".".join(str(part) for part in first["loc"]) or "JSON"
+    return _answer("invalid_request", {"where": where, "problem": first["type"]})
+
+
+def _known(error: Any) -> Response:
+    return _answer(error.code, error.params, faults=getattr(error, "faults", []))
+
+
+def _of_http(error: HTTPException) -> Response:
+    if error.response is not None:
+        return error.response  # type: ignore[return-value] # made by `invalid_request`
+    match error:
+        case RequestEntityTooLarge():
+            return _answer("body_too_large", {"max_mib": 4})
+        case MethodNotAllowed():
+            answer = _answer("method_not_allowed", {"method": request.method, "allowed": sorted(error.valid_methods or [])})
+            answer.headers["Allow"] = ", ".join(sorted(error.valid_methods or []))
+            return answer
+    if error.code == 404:
+        return _answer("not_found", {"path": request.path})
+    return _answer("bad_request", {"status": error.code or 400}, status=error.code or 400)
+
+
+def _unforeseen(error: Exception) -> Response:
+    _log.error("%s %s failed", request.method, request.path, exc_info=error)
+    return _answer("internal_error", {})
+
+
+def _answer(
+    code: str, params: dict[str, object], *, faults: list[Fault] | None = None, status: int | None = None
+) -> Response:
+    language = services().preferences.language
+    answer = error_answer(code, params, language, faults=faults or (), status=status)
+    if request.path.startswith("/api"):
+        return answer
+    return message_page(code, params, language, answer.status_code)

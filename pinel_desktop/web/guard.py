@@ -1,0 +1,84 @@
+"""Who may talk to the server: the page we opened, and nobody else on this PC or in another tab.
+
+Bound to 127.0.0.1. A one-time key in the first address sets an HttpOnly SameSite=Strict cookie; every request
+must carry it and come from our own origin. What a web page elsewhere can make a browser send is refused by
+Host (DNS rebinding), Origin and Sec-Fetch-Site (forged requests), whether or not the cookie comes along.
+"""
+
+import hmac
+import secrets
+import threading
+from collections.abc import Mapping
+
+from pinel_desktop.errors import PinelError
+
+SECRET_HEADER = "X-Pinel-Secret"
+_OWN_SITE = ("same-origin", "none")  # none: typed, from a bookmark, or opened by another program
+_KEYS_KEPT = 16
+
+
+class Guard:
+    """Keys, cookie and secret of one server; thread-safe.
+
+    Raises:
+        PinelError: `host_wrong`, `origin_wrong`, `cross_site`, `key_missing` or `secret_wrong`.
+    """
+
+    def __init__(self, secret: str | None = None) -> None:
+        self.secret = secret or secrets.token_urlsafe(32)
+        self.cookie_value = secrets.token_urlsafe(32)
+        self._authority = ""
+        self._keys: list[str] = []
+        self._lock = threading.Lock()
+
+    def bind(self, host: str, port: int) -> None:
+        """Says where the server listens; nothing is answered before."""
+        self._authority = f"{host}:{port}"
+
+    @property
+    def origin(self) -> str:
+        """`http://127.0.0.1:PORT`."""
+        return f"http://{self._authority}"
+
+    @property
+    def cookie_name(self) -> str:
+        """Cookies do not tell ports apart, so the name does: two apps on one PC keep their own."""
+        return f"pinel_{self._authority.rpartition(':')[2]}"
+
+    def fresh_link(self) -> str:
+        """An address that opens the page once."""
+        key = secrets.token_urlsafe(24)
+        with self._lock:
+            self._keys = [*self._keys[1 - _KEYS_KEPT :], key]
+        return f"{self.origin}/?key={key}"
+
+    def redeem(self, key: str) -> bool:
+        """True once for each key given out."""
+        with self._lock:
+            found = [kept for kept in self._keys if hmac.compare_digest(kept.encode(), key.encode())]
+            self._keys = [kept for kept in self._keys if kept not in found]
+        return bool(found)
+
+    def check_origin(self, headers: Mapping[str, str]) -> None:
+        """Refuses what was not sent by our own page."""
+        host = headers.get("Host", "")
+        if not self._authority or host != self._authority:
+            raise PinelError("host_wrong", host=host, expected=self._authority)
+        origin = headers.get("Origin")
+        if origin is not None and origin != self.origin:
+            raise PinelError("origin_wrong", origin=origin)
+        site = headers.get("Sec-Fetch-Site")
+        if site is not None and site not in _OWN_SITE:
+            raise PinelError("cross_site", site=site)
+
+    def check_cookie(self, cookies: Mapping[str, str]) -> None:
+        """Refuses who never came with a key."""
+        given = cookies.get(self.cookie_name, "")
+        if not hmac.compare_digest(given.encode(), self.cookie_value.encode()):
+            raise PinelError("key_missing")
+
+    def check_secret(self, headers: Mapping[str, str]) -> None:
+        """Refuses who cannot read the instance file."""
+        given = headers.get(SECRET_HEADER, "")
+        if not hmac.compare_digest(given.encode(), self.secret.encode()):
+            raise PinelError("secret_wrong")

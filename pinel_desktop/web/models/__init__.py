@@ -1,0 +1,31 @@
+"""Shapes of every body and every answer of the HTTP interface; the OpenAPI description is made from them."""
+
+from typing import Annotated, Any
+
+from pydantic import BaseModel, ConfigDict, Field
+
+Id = Annotated[str, Field(description="UUIDv7 text")]
+Time = Annotated[str, Field(description="ISO 8601 in UTC")]
+Json = Annotated[dict[str, Any], Field(description="any JSON object")]
+
+
+class Shape(BaseModel):
+    """Base of all answers."""
+
+    model_config = ConfigDict(extra="forbid")
+
+
+class Body(BaseModel):
+    """Base of all bodies: unknown keys are refused, so that a typing mistake does not pass unseen."""
+
+    model_config = ConfigDict(extra="forbid")
+
+
+class IdPath(BaseModel):
+    """The `{id}` of an address."""
+
+    id: Id
+
+
+class Empty(Shape):
+    """`{}`: it was done."""

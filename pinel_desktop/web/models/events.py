@@ -1,0 +1,134 @@
+"""Events as they are on the wire: flat objects told apart by `type` (ARCHITECTURE.md, Events)."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field, RootModel
+
+from pinel_desktop.web.models import Id, Json, Shape
+
+
+class RunEvent(Shape):
+    """What every event of a run carries; time in s is tick / 30."""
+
+    v: Literal[1]
+    run: Id
+    seq: int
+    tick: int
+
+
+class RunStateEvent(RunEvent):
+    """The run goes on or waits."""
+
+    type: Literal["run_state"]
+    state: Literal["running", "paused"]
+
+
+class BlockStartedEvent(RunEvent):
+    """A block begins; `amount` is the goal of a motion in m, degrees or s."""
+
+    type: Literal["block_started"]
+    block: str | None
+    pointer: str
+    action: str
+    amount: float | None
+
+
+class BlockEndedEvent(RunEvent):
+    """A block is done."""
+
+    type: Literal["block_ended"]
+    block: str | None
+    pointer: str
+
+
+class CaptureStartedEvent(RunEvent):
+    """The run waits for a sign."""
+
+    type: Literal["capture_started"]
+    block: str | None
+    timeout_s: float
+
+
+class GestureResultEvent(RunEvent):
+    """A sign was recognised or set; "" means none."""
+
+    type: Literal["gesture_result"]
+    result: str
+    source: Literal["capture", "block"]
+
+
+class TelemetryEvent(RunEvent):
+    """Where the robot is and what it was told, in the start frame."""
+
+    type: Literal["telemetry"]
+    x_m: float
+    y_m: float
+    yaw_rad: float
+    v_mps: float
+    omega_radps: float
+    command_v_mps: float
+    command_omega_radps: float
+    goal_x_m: float
+    goal_y_m: float
+    goal_yaw_rad: float
+    done: float | None
+    bumper: bool
+
+
+class Pose(Shape):
+    """A pose in the start frame."""
+
+    x_m: float
+    y_m: float
+    yaw_rad: float
+
+
+class RunEndedEvent(RunEvent):
+    """Closes every run, once; the figures are null where the run was interrupted."""
+
+    type: Literal["run_ended"]
+    state: Literal["finished", "stopped", "failed"]
+    reason: str | None
+    params: Json
+    block: str | None
+    n_executed: int | None
+    duration_s: float | None
+    path_length_m: float | None
+    closing_error_m: float | None
+    pose: Pose | None
+    telemetry_sha256: str | None
+
+
+class HelloEvent(Shape):
+    """The first event of the stream."""
+
+    type: Literal["hello"]
+    run: Id | None
+
+
+class NoticeEvent(Shape):
+    """Something a person should know now, such as a full disk."""
+
+    type: Literal["notice"]
+    code: str
+    message: str
+    remedy: str
+
+
+_OfRun = (
+    RunStateEvent
+    | BlockStartedEvent
+    | BlockEndedEvent
+    | CaptureStartedEvent
+    | GestureResultEvent
+    | TelemetryEvent
+    | RunEndedEvent
+)
+
+
+class Event(RootModel[Annotated[_OfRun, Field(discriminator="type")]]):
+    """One event of a run."""
+
+
+class StreamEvent(RootModel[Annotated[_OfRun | HelloEvent | NoticeEvent, Field(discriminator="type")]]):
+    """What one `data:` line of the stream holds."""

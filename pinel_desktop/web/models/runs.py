@@ -1,0 +1,82 @@
+"""Runs: begun, live, recorded."""
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from pinel_desktop.web.models import Body, Id, Json, Shape, Time
+from pinel_desktop.web.models.events import Event
+from pinel_desktop.web.models.work import Version
+from pinel_desktop.web.models.worlds import World
+
+Point = tuple[float, float]
+
+
+class Run(Shape):
+    """One execution of one version; figures are null until it has ended."""
+
+    id: Id
+    program_id: Id | None
+    program_name: str | None
+    version_id: Id | None
+    group_id: Id | None
+    link: str
+    world: str
+    seed: int
+    state: Literal["running", "finished", "stopped", "failed"]
+    reason: str | None
+    message: str | None
+    remedy: str | None
+    params: Json
+    block: str | None
+    started_at: Time
+    ended_at: Time | None
+    duration_s: float | None
+    n_executed: int | None
+    path_length_m: float | None
+    closing_error_m: float | None
+    telemetry_sha256: str | None
+    path: Annotated[list[Point], Field(max_length=64, description="x, y in m, for the picture")]
+
+
+class RunWithVersion(Run):
+    """A run with all that a replay needs; `version` is null for runs of the command line."""
+
+    version: Version | None
+    world_document: World | None
+
+
+class RunList(Shape):
+    """Newest first; `next` is what to ask for as `before` to go on, null at the end."""
+
+    runs: list[Run]
+    next: Id | None
+
+
+class RunPage(BaseModel):
+    """Which part of the list."""
+
+    model_config = ConfigDict(extra="forbid")
+
+    before: Id | None = None
+    limit: Annotated[int, Field(ge=1, le=200)] = 50
+
+
+class NewRun(Body):
+    """What to run, and where."""
+
+    version_id: Id
+    world: Annotated[str, Field(max_length=100)]
+    seed: Annotated[int | None, Field(ge=0, le=2**53 - 1)] = None
+
+
+class CaptureAnswer(Body):
+    """The sign that the pupils say was shown; "" means none."""
+
+    result: Annotated[str, Field(max_length=100)]
+
+
+class RunEvents(Shape):
+    """All events of a run but telemetry, in their order."""
+
+    events: list[Event]

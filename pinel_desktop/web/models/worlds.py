@@ -1,0 +1,62 @@
+"""World documents as `sim/worlds/NAME.json` holds them."""
+
+from typing import Annotated, Literal
+
+from pydantic import ConfigDict, Field
+
+from pinel_desktop.web.models import Shape
+
+Metres2 = tuple[float, float]
+
+
+class Title(Shape):
+    """One text in the three languages."""
+
+    model_config = ConfigDict(extra="forbid", populate_by_name=True)
+
+    pt_br: Annotated[str, Field(alias="pt-BR")]
+    en: str
+    es: str
+
+
+class Start(Shape):
+    """Pose of the robot at the start, in the world's frame."""
+
+    x_m: float
+    y_m: float
+    heading_deg: float
+
+
+class Wall(Shape):
+    """A straight wall between two points."""
+
+    model_config = ConfigDict(extra="forbid", populate_by_name=True)
+
+    from_: Annotated[Metres2, Field(alias="from")]
+    to: Metres2
+
+
+class Box(Shape):
+    """A box that stands on the floor."""
+
+    center: Metres2
+    size: Metres2
+    heading_deg: float
+
+
+class World(Shape):
+    """A floor with what stands on it."""
+
+    pinel_world: Literal[1]
+    name: str
+    title: Title
+    size_m: Metres2
+    start: Start
+    walls: list[Wall]
+    boxes: list[Box]
+
+
+class WorldList(Shape):
+    """Every world a run can take place in."""
+
+    worlds: list[World]

@@ -1,0 +1,67 @@
+"""The page: static files built from `ui/`, and a page-shaped message where there is none."""
+
+from html import escape
+from pathlib import Path
+
+from flask import Blueprint, Response, redirect, request, send_from_directory
+from werkzeug.wrappers import Response as BaseResponse
+
+from pinel_desktop.messages import describe
+from pinel_desktop.web.services import services
+
+STATIC = Path(__file__).parent / "static"
+
+page = Blueprint("page", __name__)
+
+_MESSAGE = """<!doctype html>
+<html lang="{language}"><meta charset="utf-8"><meta name="viewport" content="width=device-width">
+<title>PINEL</title>
+<style>
+body {{ font: 1.25rem/1.5 sans-serif; color: #23211d; background: #faf7f2; margin: 0;
+  min-height: 100vh; display: grid; place-items: center }}
+main {{ max-width: 34rem; padding: 2rem }}
+h1 {{ font-size: 1.75rem; line-height: 1.25 }}
+</style>
+<main><h1>{message}</h1><p>{remedy}</p></main></html>
+"""
+
+
+def message_page(code: str, params: dict[str, object], language: str, status: int) -> Response:
+    """A page that says in words what is wrong and what to do."""
+    words = describe(code, params, language)
+    html = _MESSAGE.format(
+        language=escape(language), message=escape(words.message), remedy=escape(words.remedy)
+    )
+    return Response(html, status=status, mimetype="text/html")
+
+
+@page.get("/")
+def index() -> BaseResponse:
+    """The page; with a one-time key first the cookie and a redirect, so that the key leaves the address."""
+    if "key" in request.args:
+        return _signed_in(redirect("/"))
+    if not (STATIC / "index.html").is_file():
+        return message_page("page_not_built", {}, services().preferences.language, 503)
+    return _file("index.html")
+
+
+@page.get("/<path:name>")
+def asset(name: str) -> BaseResponse:
+    """A file of the page; a name under `assets/` carries a hash of its content and never changes."""
+    answer = _file(name)
+    if name.startswith("assets/") and answer.status_code == 200:
+        answer.headers["Cache-Control"] = "private, max-age=31536000, immutable"
+    return answer
+
+
+def _file(name: str) -> BaseResponse:
+    answer = send_from_directory(STATIC, name, conditional=True)
+    answer.headers["Cache-Control"] = "no-cache"
+    return answer
+
+
+def _signed_in(answer: BaseResponse) -> BaseResponse:
+    guard = services().guard
+    answer.set_cookie(guard.cookie_name, guard.cookie_value, httponly=True, samesite="Strict", path="/")
+    answer.headers["Cache-Control"] = "no-store"
+    return answer

@@ -1,0 +1,61 @@
+"""All routes of the API, and the OpenAPI 3.1 description made from them.
+
+flask-openapi3 makes the description from the very models that validate the bodies, so that it cannot differ
+from the code. It was chosen over apiflask (marshmallow first) and spectree (no OpenAPI 3.1).
+"""
+
+import json
+from functools import cache
+from typing import Any
+
+from flask_openapi3.models import Info
+from flask_openapi3.openapi import OpenAPI
+from pydantic import BaseModel
+
+from pinel_desktop import __version__
+from pinel_desktop.web.api import groups, instance, programs, runs, status, stream, worlds
+from pinel_desktop.web.errors import invalid_request
+from pinel_desktop.web.models.errors import ErrorAnswer
+
+_RESOURCES = (status, groups, programs, runs, worlds, stream, instance)
+_REFERENCE = "#/components/schemas/{model}"
+
+
+def bare_app() -> OpenAPI:
+    """The routes without services, guard or page: enough for the description."""
+    app = OpenAPI(
+        __name__,
+        info=Info(title="PINEL Desktop", version=__version__),
+        doc_ui=False,
+        static_folder=None,
+        validation_error_model=ErrorAnswer,
+        validation_error_callback=invalid_request,
+        security_schemes={"cookie": {"type": "apiKey", "in": "cookie", "name": "pinel_PORT"}},
+        openapi_extensions={"security": [{"cookie": []}]},
+    )
+    for module in _RESOURCES:
+        app.register_api(module.api)
+    return app
+
+
+def description() -> dict[str, Any]:
+    """The description as data."""
+    document: dict[str, Any] = bare_app().api_doc
+    document["components"]["schemas"] |= _schemas(stream.MODELS)
+    return document
+
+
+@cache
+def description_text() -> str:
+    """The description as JSON text, the same for the same code."""
+    return json.dumps(description(), indent=2, sort_keys=True, ensure_ascii=False) + "\n"
+
+
+def _schemas(models: tuple[type[BaseModel], ...]) -> dict[str, Any]:
+    """Schemas of models that no ordinary answer mentions."""
+    found: dict[str, Any] = {}
+    for model in models:
+        schema = model.model_json_schema(ref_template=_REFERENCE, mode="serialization")
+        found |= schema.pop("$defs", {})
+        found[model.__name__] = schema
+    return found

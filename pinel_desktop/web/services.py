@@ -1,0 +1,76 @@
+"""What the handlers work with; `app` makes it, handlers ask for it with `services()`."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal, Protocol, cast
+
+from flask import current_app
+
+from pinel_desktop.events.hub import Hub
+from pinel_desktop.program.reading import Reading
+from pinel_desktop.web.guard import Guard
+from storage import Store
+
+ReadDocument = Callable[[dict[str, object] | list[object]], Reading]
+
+
+class Engine(Protocol):
+    """What the handlers need of `engine.client.EngineClient`."""
+
+    @property
+    def state(self) -> Literal["starting", "ready", "lost"]: ...
+
+    @property
+    def live_run(self) -> str | None: ...
+
+    def run(self, run_id: str, document: dict[str, Any], *, world: str, seed: int = 0, link: str = "sim") -> None: ...
+
+    def pause(self, run_id: str) -> None: ...
+
+    def resume(self, run_id: str) -> None: ...
+
+    def stop(self, run_id: str) -> None: ...
+
+    def answer_capture(self, run_id: str, result: str) -> None: ...
+
+
+class Problem(Protocol):
+    """A code and what fills its words: a PinelError, a StoreError or a notice of the store."""
+
+    @property
+    def code(self) -> str: ...
+
+    @property
+    def params(self) -> dict[str, object]: ...
+
+
+class Preferences(Protocol):
+    """What a person chose; it outlives the app where the database can be written."""
+
+    language: str
+
+
+@dataclass(frozen=True, slots=True)
+class Services:
+    """Everything the handlers may touch.
+
+    Attributes:
+        store_notice: what the person should know about the database, None when all is well.
+        show_window: brings the window forward; does nothing where there is none.
+    """
+
+    app_version: str
+    store: Store
+    engine: Engine
+    hub: Hub
+    guard: Guard
+    preferences: Preferences
+    read_document: ReadDocument
+    worlds: Sequence[dict[str, Any]]
+    store_notice: Callable[[], Problem | None]
+    show_window: Callable[[], None]
+
+
+def services() -> Services:
+    """The services of the app that answers the current request."""
+    return cast(Services, current_app.extensions["pinel"])
