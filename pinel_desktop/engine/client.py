@@ -1,10 +1,32 @@
 """The app's side of the engine: owns its process, sends messages, hands on its events."""
 
-from collections.abc import Callable
-from typing import Any, Literal
+import contextlib
+import logging
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Sequence
+from typing import Any, BinaryIO, Literal, cast
+
+from pinel_desktop.engine.protocol import Message, read_messages, write_message
+from pinel_desktop.errors import PinelError
+from pinel_desktop.events.model import SCHEMA_VERSION
 
 EngineState = Literal["starting", "ready", "lost"]
 EventSink = Callable[[dict[str, Any]], None]
+
+_log = logging.getLogger(__name__)
+_CLOSE_TIMEOUT_S = 4.0
+# A process that dies sooner than this after its start is not started again: it would die again.
+_SHORT_LIFE_S = 3.0
+
+
+def engine_command() -> list[str]:
+    """How to start the engine: from the packaged program itself, or from this Python."""
+    if getattr(sys, "frozen", False):
+        return [sys.executable, "engine"]
+    return [sys.executable, "-m", "pinel_desktop", "engine"]
 
 
 class EngineClient:
@@ -14,40 +36,188 @@ class EngineClient:
     process dies during a run, the client makes up the missing `run_ended` (failed, `engine_lost`).
     """
 
-    def __init__(self, on_event: EventSink) -> None:
+    def __init__(self, on_event: EventSink, command: Sequence[str] | None = None) -> None:
         self._on_event = on_event
+        self._command = list(command or engine_command())
+        self._lock = threading.RLock()
+        self._process: subprocess.Popen[bytes] | None = None
+        self._reader: threading.Thread | None = None
+        self._state: EngineState = "starting"
+        self._live: str | None = None
+        self._next_seq = 0
+        self._tick = 0
+        self._closing = False
+        self._ready = threading.Event()
 
     @property
     def state(self) -> EngineState:
         """`starting` until the process has said it is ready; `lost` when it cannot be started again."""
-        raise NotImplementedError
+        return self._state
 
     @property
     def live_run(self) -> str | None:
         """Id of the run that has begun and not ended."""
-        raise NotImplementedError
+        return self._live
+
+    @property
+    def pid(self) -> int | None:
+        """Id of the engine's process."""
+        return self._process.pid if self._process else None
 
     def start(self) -> None:
         """Starts the process; returns at once, the state tells when it is ready."""
-        raise NotImplementedError
+        with self._lock:
+            self._state = "starting"
+            self._ready.clear()
+            try:
+                self._process = subprocess.Popen(
+                    self._command,
+                    stdin=subprocess.PIPE,
+                    stdout=subprocess.PIPE,
+                    creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
+                )
+            except OSError as error:
+                _log.error("the engine does not start: %s", error)
+                self._state = "lost"
+                self._ready.set()
+                return
+            self._reader = threading.Thread(
+                target=self._read, args=(self._process,), name="engine-reader", daemon=True
+            )
+            self._reader.start()
 
-    def run(self, run_id: str, document: dict[str, Any], *, world: str, seed: int = 0, link: str = "sim") -> None:
+    def wait_until_ready(self, timeout_s: float) -> bool:
+        """Waits for the process; False when it is not ready after `timeout_s`."""
+        self._ready.wait(timeout_s)
+        return self._state == "ready"
+
+    def run(
+        self, run_id: str, document: dict[str, Any], *, world: str, seed: int = 0, link: str = "sim"
+    ) -> None:
         """Begins a live run. Raises PinelError `run_in_progress` or `engine_not_ready`."""
-        raise NotImplementedError
+        with self._lock:
+            if self._live is not None:
+                raise PinelError("run_in_progress")
+            if self._state != "ready":
+                raise PinelError("engine_not_ready")
+            self._live, self._next_seq, self._tick = run_id, 0, 0
+            self._send(
+                {
+                    "do": "run",
+                    "run": run_id,
+                    "document": document,
+                    "world": world,
+                    "seed": seed,
+                    "link": link,
+                }
+            )
 
     def pause(self, run_id: str) -> None:
         """Raises PinelError `run_not_live` when that run is not the live one; so do the three below."""
-        raise NotImplementedError
+        self._tell(run_id, {"do": "pause"})
 
     def resume(self, run_id: str) -> None:
-        raise NotImplementedError
+        """Goes on after a pause."""
+        self._tell(run_id, {"do": "resume"})
 
     def stop(self, run_id: str) -> None:
-        raise NotImplementedError
+        """Ends the run; the robot stands still."""
+        self._tell(run_id, {"do": "stop"})
 
     def answer_capture(self, run_id: str, result: str) -> None:
-        raise NotImplementedError
+        """Answers the running capture by hand; without one it does nothing."""
+        self._tell(run_id, {"do": "answer_capture", "result": result})
 
     def close(self) -> None:
         """Ends the pipe (the engine sends zeros and exits) and waits for the process."""
-        raise NotImplementedError
+        with self._lock:
+            self._closing = True
+            process, reader = self._process, self._reader
+        if process is None or reader is None:
+            return
+        with contextlib.suppress(OSError):  # it may have gone already
+            _pipe(process.stdin).close()
+        try:
+            process.wait(_CLOSE_TIMEOUT_S)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+        if reader is not threading.current_thread():
+            reader.join()
+
+    def _tell(self, run_id: str, message: Message) -> None:
+        with self._lock:
+            if self._live != run_id:
+                raise PinelError("run_not_live")
+            self._send({**message, "run": run_id})
+
+    def _send(self, message: Message) -> None:
+        try:
+            write_message(_pipe(self._process.stdin if self._process else None), message)
+        except OSError:
+            _log.warning("the engine is gone; its reader will say so")
+
+    def _read(self, process: subprocess.Popen[bytes]) -> None:
+        born = time.monotonic()
+        events = _pipe(process.stdout)
+        for message in read_messages(events):
+            if message.get("type") == "engine_ready":
+                self._state = "ready"
+                self._ready.set()
+            else:
+                self._hand_on(message)
+        events.close()
+        process.wait()
+        if not self._closing:
+            self._revive(short_life=time.monotonic() - born < _SHORT_LIFE_S)
+
+    def _hand_on(self, event: dict[str, Any]) -> None:
+        with self._lock:
+            self._next_seq, self._tick = event["seq"] + 1, event["tick"]
+            if event["type"] == "run_ended" and event["run"] == self._live:
+                self._live = None
+        self._on_event(event)
+
+    def _revive(self, *, short_life: bool) -> None:
+        """Reports the run that was lost with the process, and starts a new one."""
+        with self._lock:
+            lost_run, seq, tick = self._live, self._next_seq, self._tick
+            self._live = None
+            self._state = "starting"
+            process = self._process
+        if process is not None and process.stdin is not None:
+            process.stdin.close()
+        _log.error("the engine died (run: %s)", lost_run)
+        if lost_run is not None:
+            self._on_event(_engine_lost(lost_run, seq, tick))
+        if short_life:
+            self._state = "lost"
+            self._ready.set()
+        elif not self._closing:
+            self.start()
+
+
+def _pipe(pipe: Any) -> BinaryIO:
+    if pipe is None:
+        raise OSError("the process has no pipe")
+    return cast(BinaryIO, pipe)
+
+
+def _engine_lost(run_id: str, seq: int, tick: int) -> dict[str, Any]:
+    return {
+        "v": SCHEMA_VERSION,
+        "type": "run_ended",
+        "run": run_id,
+        "seq": seq,
+        "tick": tick,
+        "state": "failed",
+        "reason": "engine_lost",
+        "params": {},
+        "block": None,
+        "n_executed": 0,
+        "duration_s": tick / 30,
+        "path_length_m": 0.0,
+        "closing_error_m": 0.0,
+        "pose": None,
+        "telemetry_sha256": "",
+    }

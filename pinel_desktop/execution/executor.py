@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from pinel_desktop.errors import PinelError
@@ -40,43 +40,47 @@ class RunResult:
     gesture_result: str
 
 
-def execute(
-    program: Program,
-    link: RobotLink,
-    *,
-    observer: Observer | None = None,
-    clock: Clock | None = None,
-    control: RunControl | None = None,
-    gestures: GestureSource | None = None,
-    robot: RobotModel = PIONEER_3DX,
-) -> RunResult:
+@dataclass(frozen=True, slots=True)
+class RunOptions:
+    """How a run is to be executed; the defaults are those of a headless run nobody watches.
+
+    Attributes:
+        observer: is called with every event. Without one no events are made, which is faster.
+        clock: decides when ticks follow.
+        control: lets another thread pause and stop the run.
+        gestures: answers captures.
+        robot: measures and limits of the robot.
+    """
+
+    observer: Observer | None = None
+    clock: Clock = field(default_factory=MaxClock)
+    control: RunControl = field(default_factory=RunControl)
+    gestures: GestureSource = field(default_factory=ScriptedGestures)
+    robot: RobotModel = PIONEER_3DX
+
+
+def execute(program: Program, link: RobotLink, options: RunOptions | None = None) -> RunResult:
     """Runs `program` to its end on `link`, which is connected first and closed last.
 
     The robot is told to stand still on every way out. Whatever goes wrong becomes the outcome `failed` with a
-    reason; nothing is raised but errors of the observer. Without an observer no events are made, which is faster.
+    reason; nothing is raised but errors of the observer at the closing event.
     """
-    run = _Run(
-        program, link, observer, control or RunControl(), gestures or ScriptedGestures(), robot
-    )
-    return run.to_the_end(clock or MaxClock())
+    return _Run(program, link, options or RunOptions()).to_the_end()
 
 
 class _Run:
-    def __init__(
-        self,
-        program: Program,
-        link: RobotLink,
-        observer: Observer | None,
-        control: RunControl,
-        gestures: GestureSource,
-        robot: RobotModel,
-    ) -> None:
-        self._link, self._observer, self._control = link, observer, control
+    def __init__(self, program: Program, link: RobotLink, options: RunOptions) -> None:
+        self._link, self._observer = link, options.observer
+        self._clock, self._control = options.clock, options.control
         self._recorder = Recorder()
         self._origin: Pose2D | None = None
         self._tick = 0
         self._context = RunContext(
-            robot, link.command_delay_s, gestures, self._emit, observer is not None
+            options.robot,
+            link.command_delay_s,
+            options.gestures,
+            self._emit,
+            observed=options.observer is not None,
         )
         self._stack = ProgramStack(program.commands, self._context)
 
@@ -84,8 +88,8 @@ class _Run:
         if self._observer is not None:
             self._observer(self._tick, event)
 
-    def to_the_end(self, clock: Clock) -> RunResult:
-        state, reason, params = self._outcome(clock)
+    def to_the_end(self) -> RunResult:
+        state, reason, params = self._outcome()
         block = self._stack.block if state != "finished" else None
         self._stack.close()
         reason, params = self._stand_still(reason, params)
@@ -96,10 +100,10 @@ class _Run:
         self._emit(ended)
         return RunResult(ended, self._recorder, self._context.gesture_result)
 
-    def _outcome(self, clock: Clock) -> tuple[Outcome, str | None, dict[str, Any]]:
+    def _outcome(self) -> tuple[Outcome, str | None, dict[str, Any]]:
         try:
             self._connect()
-            self._run(clock)
+            self._run()
         except _Stopped:
             return "stopped", "stopped_by_person", {}
         except PinelError as error:
@@ -120,13 +124,13 @@ class _Run:
         self._context.pose = pose if self._origin is None else pose.relative_to(self._origin)
         self._context.twist = state.twist
 
-    def _run(self, clock: Clock) -> None:
-        control, stack = self._control, self._stack
+    def _run(self) -> None:
+        control, stack, clock = self._control, self._stack, self._clock
         while True:
             if control.stop_requested:
                 raise _Stopped
             if control.pause_requested:
-                self._pause(clock)
+                self._pause()
             if self._steps_until_time(stack):
                 clock.wait_for_tick()
                 self._pass_tick()
@@ -176,15 +180,15 @@ class _Run:
                 ),
             )
 
-    def _pause(self, clock: Clock) -> None:
+    def _pause(self) -> None:
         """Stands still until somebody resumes or stops. Robot time stands still too once the robot does."""
         context = self._context
         self._emit(RunState("paused"))
         context.command = STANDSTILL
-        self._rest(clock)
+        self._rest()
         before = context.pose
         while self._control.pause_requested and not self._control.stop_requested:
-            clock.wait_for_tick()
+            self._clock.wait_for_tick()
             self._link.command(STANDSTILL)
             if not self._link.simulated:
                 self._link.advance(TICK_S)
@@ -195,9 +199,9 @@ class _Run:
         context.n_resumed += 1
         self._emit(RunState("running"))
 
-    def _rest(self, clock: Clock) -> None:
+    def _rest(self) -> None:
         for _ in range(_REST_TICKS):
-            clock.wait_for_tick()
+            self._clock.wait_for_tick()
             self._pass_tick()
             if at_rest(self._context.twist):
                 return
@@ -210,7 +214,7 @@ class _Run:
         try:
             self._link.command(STANDSTILL)
             if self._tick > 0 and reason not in ("link_lost", "internal_error", "time_limit"):
-                self._rest(MaxClock())
+                self._rest()
         except PinelError as error:
             return reason or error.code, params or error.params
         return reason, params

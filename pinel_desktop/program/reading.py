@@ -7,7 +7,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from pinel_desktop.program.faults import Fault
-from pinel_desktop.program.limits import MAX_BYTES
+from pinel_desktop.program.limits import MAX_BYTES, MAX_NESTING
 from pinel_desktop.program.model import Program
 from pinel_desktop.program.outline import check_outline
 from pinel_desktop.program.translation import fault_from_error, path_of_error, pointer
@@ -57,7 +57,7 @@ def _parse(text: str | bytes) -> Any:
     try:
         return json.loads(text)
     except RecursionError:
-        return Fault("nesting_too_deep")
+        return Fault("nesting_too_deep", params={"max": MAX_NESTING})
     except json.JSONDecodeError as error:
         return Fault("json_syntax", params={"line": error.lineno, "column": error.colno})
     except ValueError:  # not UTF-8, or a number with thousands of digits

@@ -71,11 +71,13 @@ def _code_and_params(error: ErrorDetails, path: Path) -> tuple[str, dict[str, ob
     if kind in _RANGE_ERRORS:
         return _out_of_range(error, path)
     if kind in _WRONG_TYPE:
-        return "wrong_type", {"name": _last_key(path), "expected": _WRONG_TYPE[kind]}
+        return f"wrong_type_{_WRONG_TYPE[kind]}", {"name": _last_key(path)}
     if kind in _SIMPLE:
         return _SIMPLE[kind], {"name": _last_key(path)}
-    if kind in ("missing", "extra_forbidden"):
-        return ("missing_parameter" if kind == "missing" else "unknown_key"), {"name": name}
+    if kind == "missing":
+        return ("missing_condition" if name == "condition" else "missing_parameter"), {"name": name}
+    if kind == "extra_forbidden":
+        return "unknown_key", {"name": name}
     if kind == "union_tag_invalid":
         return "unknown_action", {"value": context.get("tag"), "allowed": model.action_names()}
     if kind == "string_too_long":

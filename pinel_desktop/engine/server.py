@@ -1,0 +1,122 @@
+"""The engine process: reads messages, executes one live run at a time, writes its events."""
+
+import logging
+import threading
+from typing import BinaryIO
+
+from pinel_desktop.engine.protocol import Message, read_messages, write_message
+from pinel_desktop.errors import PinelError
+from pinel_desktop.events.model import Event, EventStamp, RunEnded
+from pinel_desktop.execution.clock import LiveClock, MaxClock
+from pinel_desktop.execution.control import RunControl
+from pinel_desktop.execution.executor import RunOptions, execute
+from pinel_desktop.execution.gestures import AnsweredGestures
+from pinel_desktop.links import open_link
+from pinel_desktop.program import Program, read_document
+
+_log = logging.getLogger(__name__)
+_EMPTY_SHA256 = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"
+# A run that the end of the pipe interrupts stands still within a second; more would keep a dead app's PC busy.
+_STOP_TIMEOUT_S = 3.0
+
+
+class _LiveRun:
+    """One run on a thread of its own."""
+
+    def __init__(self, message: Message, engine: "Engine") -> None:
+        self.id = str(message["run"])
+        self.control = RunControl()
+        self.gestures = AnsweredGestures()
+        self._message, self._engine = message, engine
+        self._stamp = EventStamp(self.id)
+        self.thread = threading.Thread(target=self._execute, name=f"run-{self.id}", daemon=True)
+
+    def _execute(self) -> None:
+        message = self._message
+        try:
+            link = open_link(message.get("link", "sim"), world=message["world"])
+            options = RunOptions(
+                observer=self._observe,
+                clock=MaxClock() if message.get("pace") == "max" else LiveClock(),
+                control=self.control,
+                gestures=self.gestures,
+            )
+            execute(_program(message), link, options)
+        except PinelError as error:  # before the first tick: unknown world, faults in the document
+            self._observe(0, _never_began(error))
+        except OSError:
+            _log.warning("nobody reads the events of run %s any more", self.id)
+
+    def _observe(self, tick: int, event: Event) -> None:
+        self._engine.send(self._stamp.wire(tick, event))
+
+
+def _program(message: Message) -> Program:
+    reading = read_document(message["document"])
+    if reading.program is None:
+        raise PinelError("invalid_program", count=len(reading.faults))
+    return reading.program
+
+
+def _never_began(error: PinelError) -> RunEnded:
+    return RunEnded(
+        state="failed",
+        reason=error.code,
+        params=error.params,
+        block=None,
+        n_executed=0,
+        duration_s=0.0,
+        path_length_m=0.0,
+        closing_error_m=0.0,
+        pose=None,
+        telemetry_sha256=_EMPTY_SHA256,
+    )
+
+
+class Engine:
+    """Answers the messages of one pipe with events on another, until the first one ends."""
+
+    def __init__(self, messages: BinaryIO, events: BinaryIO) -> None:
+        self._messages, self._events = messages, events
+        self._writing = threading.Lock()
+        self._live: _LiveRun | None = None
+
+    def send(self, message: Message) -> None:
+        """Writes an event; safe from any thread."""
+        with self._writing:
+            write_message(self._events, message)
+
+    def serve(self) -> None:
+        """Works until the messages end; then stops the robot."""
+        self.send({"type": "engine_ready"})
+        for message in read_messages(self._messages):
+            self._handle(message)
+        self._stop_and_wait()
+
+    def _handle(self, message: Message) -> None:
+        if message.get("do") == "run":
+            self._begin(message)
+            return
+        live = self._live
+        if live is None or message.get("run") != live.id:
+            return  # the run ended while the message was on its way
+        match message.get("do"):
+            case "pause":
+                live.control.pause()
+            case "resume":
+                live.control.resume()
+            case "stop":
+                live.control.stop()
+            case "answer_capture":
+                live.gestures.answer(str(message.get("result", "")))
+
+    def _begin(self, message: Message) -> None:
+        # The app asks for one run at a time; should an old one still be winding down, it goes first.
+        self._stop_and_wait()
+        self._live = _LiveRun(message, self)
+        self._live.thread.start()
+
+    def _stop_and_wait(self) -> None:
+        if self._live is not None:
+            self._live.control.stop()
+            self._live.thread.join(_STOP_TIMEOUT_S)
