@@ -1,0 +1,58 @@
+import type { BlockTexts } from "./keys";
+
+export const es: BlockTexts = {
+  CATEGORY_MOTION: "Movimiento",
+  CATEGORY_FLOW: "Control",
+  CATEGORY_LOGIC: "Lógica",
+  CATEGORY_GESTURES: "Gestos",
+
+  PROGRAM_START: "%1 al ejecutar",
+  PROGRAM_START_TIP: "El programa empieza aquí. El robot hace lo que esté encajado debajo.",
+  MOVE_FORWARD: "%1 avanzar %2 m",
+  MOVE_FORWARD_TIP: "El robot avanza en línea recta, de 0 a 100 metros.",
+  MOVE_BACKWARD: "%1 retroceder %2 m",
+  MOVE_BACKWARD_TIP: "El robot va hacia atrás, sin girar, de 0 a 100 metros.",
+  TURN: "%1 girar %2 %3 °",
+  TURN_TIP: "El robot gira en su lugar, de 0 a 360 grados. Un cuarto de vuelta son 90 grados.",
+  LEFT: "a la izquierda",
+  RIGHT: "a la derecha",
+  STOP: "%1 parar",
+  STOP_TIP: "El robot para. Después sigue con el próximo bloque.",
+
+  REPEAT: "%1 repetir %2 veces",
+  REPEAT_TIP: "Hace todo lo que está dentro una y otra vez, de 1 a 1000 veces.",
+  WAIT: "%1 esperar %2 s",
+  WAIT_TIP: "El robot se queda quieto ese tiempo, de 0 a 600 segundos.",
+
+  IF: "%1 si %2 entonces",
+  IF_TIP: "Hace lo que está dentro solo si la condición es verdadera.",
+  IF_ELSE: "%1 si %2 entonces",
+  IF_ELSE_TIP: "Si la condición es verdadera, hace la primera parte; si no, la segunda.",
+  ELSE: "si no",
+  COMPARE: "%1 %2 %3",
+  COMPARE_TIP: "Verdadero si los dos lados son iguales (=) o diferentes (≠).",
+  LOGIC_OPERATION: "%1 %2 %3",
+  LOGIC_OPERATION_TIP: "“y”: los dos lados deben ser verdaderos. “o”: basta uno.",
+  AND: "y",
+  OR: "o",
+  NOT: "no %1",
+  NOT_TIP: "Cambia: verdadero pasa a falso, falso pasa a verdadero.",
+
+  CLASSIFY_GESTURES: "%1 leer gesto en hasta %2 s",
+  CLASSIFY_GESTURES_TIP:
+    "Espera a que alguien haga una letra de LIBRAS ante la cámara y la guarda. De 1 a 60 segundos.",
+  GESTURE_RESULT: "gesto leído",
+  GESTURE_RESULT_TIP: "La letra del último gesto. Queda vacío si no se reconoció ninguno.",
+  TEXT_LETTER: "%1",
+  TEXT_LETTER_TIP: "Una letra para comparar con el gesto. Haz clic para cambiarla.",
+  SET_GESTURE_RESULT: "%1 hacer como si el gesto fuera %2",
+  SET_GESTURE_RESULT_TIP: "Guarda esta letra como si fuera un gesto. Útil para probar sin cámara.",
+
+  HINT_EMPTY: "Arrastra un bloque aquí",
+  OUT_OF_RANGE: "Aquí vale un número de %1 a %2. Quedó %3.",
+  NOT_A_NUMBER: "Aquí solo vale un número. Quedó %1.",
+  ZOOM_IN: "Agrandar los bloques",
+  ZOOM_OUT: "Achicar los bloques",
+  ZOOM_TO_FIT: "Mostrar el programa entero",
+  DECIMAL_SEPARATOR: ",",
+};

@@ -1,0 +1,28 @@
+import * as Blockly from "blockly/core";
+import type { Language } from "../../i18n/language";
+import { en } from "./en";
+import { es } from "./es";
+import type { BlockTexts, TextKey } from "./keys";
+import { ptBR } from "./pt-BR";
+
+export const BLOCK_TEXTS: Readonly<Record<Language, BlockTexts>> = { "pt-BR": ptBR, en, es };
+
+const PREFIX = "PINEL_";
+
+/** Puts our words where Blockly looks for them; blocks made from now on speak this language. */
+export function setBlockLanguage(language: Language): void {
+  for (const [key, text] of Object.entries(BLOCK_TEXTS[language])) {
+    Blockly.Msg[PREFIX + key] = text;
+  }
+}
+
+/** A word of the current language, its placeholders filled in. */
+export function word(key: TextKey, ...values: string[]): string {
+  const text = Blockly.Msg[PREFIX + key] ?? "";
+  return values.reduce((filled, value, index) => filled.replace(`%${index + 1}`, value), text);
+}
+
+/** How a definition refers to a word before the language is known. */
+export function reference(key: TextKey): string {
+  return `%{BKY_${PREFIX}${key}}`;
+}

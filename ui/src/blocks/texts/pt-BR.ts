@@ -1,0 +1,58 @@
+import type { BlockTexts } from "./keys";
+
+export const ptBR: BlockTexts = {
+  CATEGORY_MOTION: "Movimento",
+  CATEGORY_FLOW: "Controle",
+  CATEGORY_LOGIC: "Lógica",
+  CATEGORY_GESTURES: "Gestos",
+
+  PROGRAM_START: "%1 quando rodar",
+  PROGRAM_START_TIP: "O programa começa aqui. O robô faz o que estiver encaixado embaixo.",
+  MOVE_FORWARD: "%1 andar para frente %2 m",
+  MOVE_FORWARD_TIP: "O robô anda em linha reta, de 0 a 100 metros.",
+  MOVE_BACKWARD: "%1 andar para trás %2 m",
+  MOVE_BACKWARD_TIP: "O robô anda de ré, sem virar, de 0 a 100 metros.",
+  TURN: "%1 girar %2 %3 °",
+  TURN_TIP: "O robô gira no lugar, de 0 a 360 graus. Um quarto de volta são 90 graus.",
+  LEFT: "à esquerda",
+  RIGHT: "à direita",
+  STOP: "%1 parar",
+  STOP_TIP: "O robô para. Depois ele segue com o próximo bloco.",
+
+  REPEAT: "%1 repetir %2 vezes",
+  REPEAT_TIP: "Faz tudo o que está dentro, de novo e de novo, de 1 a 1000 vezes.",
+  WAIT: "%1 esperar %2 s",
+  WAIT_TIP: "O robô fica parado por esse tempo, de 0 a 600 segundos.",
+
+  IF: "%1 se %2 então",
+  IF_TIP: "Faz o que está dentro só se a condição for verdadeira.",
+  IF_ELSE: "%1 se %2 então",
+  IF_ELSE_TIP: "Se a condição for verdadeira, faz a primeira parte; se não for, faz a segunda.",
+  ELSE: "senão",
+  COMPARE: "%1 %2 %3",
+  COMPARE_TIP: "Verdadeiro se os dois lados são iguais (=) ou diferentes (≠).",
+  LOGIC_OPERATION: "%1 %2 %3",
+  LOGIC_OPERATION_TIP: "“e”: os dois lados precisam ser verdadeiros. “ou”: basta um deles.",
+  AND: "e",
+  OR: "ou",
+  NOT: "não %1",
+  NOT_TIP: "Troca: verdadeiro vira falso, falso vira verdadeiro.",
+
+  CLASSIFY_GESTURES: "%1 ler gesto em até %2 s",
+  CLASSIFY_GESTURES_TIP:
+    "Espera alguém fazer uma letra em LIBRAS para a câmera e guarda o gesto. De 1 a 60 segundos.",
+  GESTURE_RESULT: "gesto lido",
+  GESTURE_RESULT_TIP: "A letra do último gesto. Fica vazio se nenhum gesto foi reconhecido.",
+  TEXT_LETTER: "%1",
+  TEXT_LETTER_TIP: "Uma letra para comparar com o gesto. Clique para trocar.",
+  SET_GESTURE_RESULT: "%1 fazer de conta que o gesto é %2",
+  SET_GESTURE_RESULT_TIP: "Guarda essa letra como se fosse um gesto. Bom para testar sem câmera.",
+
+  HINT_EMPTY: "Arraste um bloco para cá",
+  OUT_OF_RANGE: "Aqui vale um número de %1 a %2. Ficou %3.",
+  NOT_A_NUMBER: "Aqui só vale número. Ficou %1.",
+  ZOOM_IN: "Aumentar os blocos",
+  ZOOM_OUT: "Diminuir os blocos",
+  ZOOM_TO_FIT: "Mostrar o programa inteiro",
+  DECIMAL_SEPARATOR: ",",
+};

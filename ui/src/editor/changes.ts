@@ -1,0 +1,21 @@
+import * as Blockly from "blockly/core";
+
+/**
+ * Calls back once after each burst of edits that changed what the program is. Selecting, scrolling and opening a menu
+ * are events too, and half a drag is no edit yet.
+ */
+export function watchContent(workspace: Blockly.WorkspaceSvg, changed: () => void): void {
+  let scheduled = false;
+  workspace.addChangeListener((event) => {
+    if (scheduled || !touchesContent(event) || workspace.isDragging()) return;
+    scheduled = true;
+    queueMicrotask(() => {
+      scheduled = false;
+      changed();
+    });
+  });
+}
+
+function touchesContent(event: Blockly.Events.Abstract): boolean {
+  return !event.isUiEvent || event.type === Blockly.Events.BLOCK_DRAG;
+}

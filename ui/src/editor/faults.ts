@@ -1,0 +1,63 @@
+import type * as Blockly from "blockly/core";
+import { setRing } from "./renderer";
+import { wrapWords } from "./wrap_words";
+
+export interface Fault {
+  block: string | null;
+  message: string;
+  remedy: string;
+}
+
+const WARNING = "pinel_fault";
+
+/** Shows each fault where it is: a red ring, and words in a bubble that opens at the first of them. */
+export class Faults {
+  private readonly marked = new Set<string>();
+
+  constructor(private readonly workspace: Blockly.WorkspaceSvg) {}
+
+  show(faults: readonly Fault[]): void {
+    this.clear();
+    for (const [id, words] of wordsByBlock(faults)) {
+      const block = this.workspace.getBlockById(id);
+      if (!block) continue;
+      this.marked.add(id);
+      setRing(block, "fault", true);
+      block.setWarningText(words, WARNING);
+    }
+    const [first] = this.marked;
+    if (first) this.openBubble(first);
+  }
+
+  clear(): void {
+    for (const id of [...this.marked]) this.clearBlock(id);
+  }
+
+  /** A pupil who works on a block has understood; the next check will tell whether it is well now. */
+  clearBlock(id: string | null | undefined): void {
+    if (!id || !this.marked.delete(id)) return;
+    const block = this.workspace.getBlockById(id);
+    if (!block) return;
+    setRing(block, "fault", false);
+    block.setWarningText(null, WARNING);
+  }
+
+  private openBubble(id: string): void {
+    const icon = this.workspace.getBlockById(id)?.getIcons().find(hasBubble);
+    void icon?.setBubbleVisible(true);
+  }
+}
+
+function hasBubble(icon: Blockly.IIcon): icon is Blockly.IIcon & Blockly.IHasBubble {
+  return "setBubbleVisible" in icon;
+}
+
+function wordsByBlock(faults: readonly Fault[]): Map<string, string> {
+  const words = new Map<string, string>();
+  for (const { block, message, remedy } of faults) {
+    if (block === null) continue;
+    const text = [message, remedy].filter(Boolean).map(wrapWords).join("\n");
+    words.set(block, [words.get(block), text].filter(Boolean).join("\n"));
+  }
+  return words;
+}

@@ -1,0 +1,206 @@
+import * as Blockly from "blockly/core";
+import "./editor.css";
+import { registerBlocks } from "../blocks";
+import { toolbox } from "../blocks/toolbox";
+import { generateDocument } from "../generator";
+import type { Language } from "../i18n/language";
+import { watchContent } from "./changes";
+import { type Fault, Faults } from "./faults";
+import { Highlight } from "./highlight";
+import { injectWorkspace } from "./inject";
+import { applyLanguage } from "./locale";
+import { ensureStartBlock, markLooseBlocks } from "./start_block";
+import { StartHint } from "./start_hint";
+import { blocklyTheme, type ThemeName } from "./themes";
+import { addZoomControls } from "./zoom_controls";
+
+export interface EditorOptions {
+  container: HTMLElement;
+  language: Language;
+  theme: ThemeName;
+  /** Where Blockly's pictures and cursors are served, with a slash at the end. */
+  mediaPath: string;
+  programName?: () => string;
+  onChange(content: { workspace: object; document: object | null }): void;
+}
+
+export interface Editor {
+  /**
+   * Replaces the content without firing onChange; null leaves the start block only.
+   * Throws, and keeps what was there, when the content holds blocks this version does not know.
+   */
+  load(workspace: object | null): void;
+  content(): { workspace: object; document: object };
+  /** Lights the running block and brings it into view; null lights none. */
+  highlight(blockId: string | null): void;
+  /** Shows faults on their blocks until that block is edited or an empty list comes. */
+  showFaults(faults: Fault[]): void;
+  setLanguage(language: Language): void;
+  setTheme(theme: ThemeName): void;
+  setReadOnly(readOnly: boolean): void;
+  undo(): void;
+  redo(): void;
+  /** Lines up loose blocks. */
+  tidy(): void;
+  zoomToFit(): void;
+  /** To be called when the container has another size and nobody else could notice. */
+  resize(): void;
+  dispose(): void;
+}
+
+export function createEditor(options: EditorOptions): Editor {
+  applyLanguage(options.language);
+  registerBlocks();
+  return new BlockEditor(options);
+}
+
+class BlockEditor implements Editor {
+  private readonly workspace: Blockly.WorkspaceSvg;
+  private readonly faults: Faults;
+  private readonly running: Highlight;
+  private readonly hint = new StartHint();
+  private readonly zoomControls: ReturnType<typeof addZoomControls>;
+  private readonly sizes: ResizeObserver;
+  private known = "";
+
+  constructor(private readonly options: EditorOptions) {
+    this.workspace = injectWorkspace(options);
+    this.faults = new Faults(this.workspace);
+    this.running = new Highlight(this.workspace);
+    this.zoomControls = addZoomControls(this.workspace, () => this.zoomToFit());
+    this.sizes = new ResizeObserver(() => this.resize());
+    this.sizes.observe(options.container);
+    this.load(null);
+    this.workspace.addChangeListener((event) => this.onEvent(event));
+    watchContent(this.workspace, () => this.onContent());
+  }
+
+  load(workspace: object | null): void {
+    assertLoadable(workspace);
+    this.running.show(null);
+    this.faults.clear();
+    this.replace(workspace);
+    this.workspace.clearUndo();
+    this.known = this.fingerprint();
+  }
+
+  content(): { workspace: object; document: object } {
+    const name = this.options.programName?.() ?? "";
+    return {
+      workspace: Blockly.serialization.workspaces.save(this.workspace),
+      document: generateDocument(this.workspace, name),
+    };
+  }
+
+  highlight(blockId: string | null): void {
+    this.running.show(blockId);
+  }
+
+  showFaults(faults: Fault[]): void {
+    this.faults.show(faults);
+  }
+
+  setLanguage(language: Language): void {
+    applyLanguage(language);
+    this.workspace.updateToolbox(toolbox());
+    this.zoomControls.relabel();
+    // blocks take their words when they are made, so the same ones are made again, ids and undo kept
+    const running = this.running.blockId;
+    this.faults.clear();
+    this.replace(Blockly.serialization.workspaces.save(this.workspace));
+    this.running.show(running);
+  }
+
+  setTheme(theme: ThemeName): void {
+    this.workspace.setTheme(blocklyTheme(theme));
+  }
+
+  setReadOnly(readOnly: boolean): void {
+    Blockly.hideChaff();
+    this.workspace.setIsReadOnly(readOnly);
+    this.workspace.getToolbox()?.setVisible(!readOnly);
+    this.options.container.classList.toggle("pinelReadOnly", readOnly);
+    this.refreshHint();
+    this.resize();
+  }
+
+  undo(): void {
+    this.workspace.undo(false);
+  }
+
+  redo(): void {
+    this.workspace.undo(true);
+  }
+
+  tidy(): void {
+    this.workspace.cleanUp();
+  }
+
+  zoomToFit(): void {
+    this.workspace.zoomToFit();
+  }
+
+  resize(): void {
+    Blockly.svgResize(this.workspace);
+  }
+
+  dispose(): void {
+    this.sizes.disconnect();
+    this.zoomControls.remove();
+    this.workspace.dispose();
+  }
+
+  private replace(workspace: object | null): void {
+    Blockly.Events.disable();
+    try {
+      this.hint.hide();
+      this.workspace.clear();
+      if (workspace) Blockly.serialization.workspaces.load(workspace, this.workspace);
+      ensureStartBlock(this.workspace);
+      markLooseBlocks(this.workspace);
+    } finally {
+      Blockly.Events.enable();
+    }
+    this.refreshHint();
+  }
+
+  private onEvent(event: Blockly.Events.Abstract): void {
+    if (event.type === Blockly.Events.BLOCK_DRAG) this.refreshHint();
+    if (event.isUiEvent) return;
+    const { blockId, newParentId, oldParentId } = event as Partial<Blockly.Events.BlockMove>;
+    for (const id of [blockId, newParentId, oldParentId]) this.faults.clearBlock(id);
+  }
+
+  private onContent(): void {
+    markLooseBlocks(this.workspace);
+    this.refreshHint();
+    const fingerprint = this.fingerprint();
+    if (fingerprint === this.known) return;
+    this.known = fingerprint;
+    this.options.onChange(this.content());
+  }
+
+  private refreshHint(): void {
+    const [start] = this.workspace.getBlocksByType("program_start") as Blockly.BlockSvg[];
+    const wanted = start && !start.getNextBlock() && !this.workspace.isDragging();
+    if (wanted && !this.workspace.isReadOnly()) this.hint.show(start);
+    else this.hint.hide();
+  }
+
+  private fingerprint(): string {
+    return JSON.stringify(Blockly.serialization.workspaces.save(this.workspace));
+  }
+}
+
+/** Tries the content where nothing can be lost. */
+function assertLoadable(workspace: object | null): void {
+  if (!workspace) return;
+  const trial = new Blockly.Workspace();
+  Blockly.Events.disable();
+  try {
+    Blockly.serialization.workspaces.load(workspace, trial);
+  } finally {
+    trial.dispose();
+    Blockly.Events.enable();
+  }
+}

@@ -1,0 +1,57 @@
+import * as Blockly from "blockly/core";
+
+export const RENDERER = "pinel";
+
+/** What may be drawn around a block. */
+export type Ring = "running" | "fault";
+
+const CLASSES: Readonly<Record<Ring, string>> = { running: "pinelRunning", fault: "pinelFault" };
+
+/**
+ * Draws rings above everything inside a block, where its own outline would be half covered by the next block, and
+ * leaves loose blocks their hue, only dimmed, where Blockly would hatch them.
+ */
+class PathObject extends Blockly.zelos.PathObject {
+  private readonly rings = new Map<Ring, SVGElement>();
+
+  override setPath(path: string): void {
+    super.setPath(path);
+    for (const ring of this.rings.values()) ring.setAttribute("d", path);
+  }
+
+  setRing(ring: Ring, shown: boolean): void {
+    this.rings.get(ring)?.remove();
+    this.rings.delete(ring);
+    this.setClass_(CLASSES[ring], shown);
+    if (!shown) return;
+    const path = Blockly.utils.dom.createSvgElement(
+      Blockly.utils.Svg.PATH,
+      { class: `${CLASSES[ring]}Ring`, d: this.svgPath.getAttribute("d") ?? "", role: "none" },
+      this.svgRoot,
+    );
+    this.rings.set(ring, path);
+  }
+
+  protected override updateDisabled_(disabled: boolean): void {
+    this.setClass_("blocklyDisabled", disabled);
+    this.setClass_("pinelLoose", disabled);
+  }
+}
+
+class Renderer extends Blockly.zelos.Renderer {
+  override makePathObject(
+    root: SVGElement,
+    style: Blockly.Theme.BlockStyle,
+  ): Blockly.zelos.PathObject {
+    return new PathObject(root, style, this.getConstants());
+  }
+}
+
+export function registerRenderer(): void {
+  if (Blockly.registry.hasItem(Blockly.registry.Type.RENDERER, RENDERER)) return;
+  Blockly.blockRendering.register(RENDERER, Renderer);
+}
+
+export function setRing(block: Blockly.BlockSvg, ring: Ring, shown: boolean): void {
+  (block.pathObject as PathObject).setRing(ring, shown);
+}

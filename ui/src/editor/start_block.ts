@@ -1,0 +1,32 @@
+import * as Blockly from "blockly/core";
+
+const START = "program_start";
+const LOOSE = "pinel_loose";
+
+/** Every program has its start block, whatever was loaded. */
+export function ensureStartBlock(workspace: Blockly.WorkspaceSvg): Blockly.BlockSvg {
+  const start = (workspace.getBlocksByType(START)[0] as Blockly.BlockSvg) ?? newStart(workspace);
+  start.setDeletable(false);
+  return start;
+}
+
+function newStart(workspace: Blockly.WorkspaceSvg): Blockly.BlockSvg {
+  const start = workspace.newBlock(START, "start");
+  start.initSvg();
+  start.render();
+  start.moveBy(32, 32);
+  return start;
+}
+
+/** Only what hangs below the start block runs; the rest stays and is drawn dimmed. */
+export function markLooseBlocks(workspace: Blockly.WorkspaceSvg): void {
+  Blockly.Events.disable();
+  try {
+    for (const top of workspace.getTopBlocks(false)) {
+      const loose = top.type !== START;
+      for (const block of top.getDescendants(false)) block.setDisabledReason(loose, LOOSE);
+    }
+  } finally {
+    Blockly.Events.enable();
+  }
+}

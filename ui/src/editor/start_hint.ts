@@ -1,0 +1,29 @@
+import * as Blockly from "blockly/core";
+import { word } from "../blocks/texts";
+
+const WIDTH = 300;
+const HEIGHT = 48;
+
+/** An empty place below a start block with nothing under it, inviting the first block. */
+export class StartHint {
+  private group: SVGElement | null = null;
+
+  show(start: Blockly.BlockSvg): void {
+    this.hide();
+    const { dom, Svg } = Blockly.utils;
+    const top = start.getHeightWidth().height + 8;
+    this.group = dom.createSvgElement(Svg.G, {
+      class: "pinelStartHint",
+      transform: `translate(0 ${top})`,
+    });
+    dom.createSvgElement(Svg.RECT, { width: WIDTH, height: HEIGHT, rx: 8 }, this.group);
+    const text = dom.createSvgElement(Svg.TEXT, { x: WIDTH / 2, y: HEIGHT / 2 }, this.group);
+    text.textContent = word("HINT_EMPTY");
+    start.getSvgRoot().append(this.group);
+  }
+
+  hide(): void {
+    this.group?.remove();
+    this.group = null;
+  }
+}

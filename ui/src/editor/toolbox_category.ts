@@ -1,0 +1,43 @@
+import * as Blockly from "blockly/core";
+import type { Category } from "../blocks/hues";
+import { type IconName, iconShape } from "../blocks/icons";
+
+const ICONS: Readonly<Record<Exclude<Category, "start">, IconName>> = {
+  motion: "arrowUp",
+  flow: "repeat",
+  logic: "split",
+  gestures: "hand",
+};
+
+/** A category as a coloured tile with its icon above its word: wide enough for a finger, narrow enough for the blocks. */
+class ToolboxCategory extends Blockly.ToolboxCategory {
+  protected override createIconDom_(): Element {
+    const tile = document.createElement("span");
+    tile.className = "pinelCategoryTile";
+    const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+    svg.setAttribute("viewBox", "0 0 24 24");
+    const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
+    path.setAttribute("d", iconShape(ICONS[this.toolboxItemDef_.id as keyof typeof ICONS]));
+    svg.append(path);
+    tile.append(svg);
+    return tile;
+  }
+
+  protected override addColourBorder_(colour: string): void {
+    this.rowDiv_?.style.setProperty("--category-hue", colour);
+  }
+
+  override setSelected(selected: boolean): void {
+    super.setSelected(selected);
+    this.rowDiv_?.style.removeProperty("background-color");
+  }
+}
+
+export function registerToolboxCategory(): void {
+  Blockly.registry.register(
+    Blockly.registry.Type.TOOLBOX_ITEM,
+    Blockly.ToolboxCategory.registrationName,
+    ToolboxCategory,
+    true,
+  );
+}

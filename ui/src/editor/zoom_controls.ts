@@ -1,0 +1,52 @@
+import type * as Blockly from "blockly/core";
+import { word } from "../blocks/texts";
+import type { TextKey } from "../blocks/texts/keys";
+
+const SHAPES = {
+  ZOOM_IN: "M12 5v14M5 12h14",
+  ZOOM_OUT: "M5 12h14",
+  ZOOM_TO_FIT:
+    "M8 3H5a2 2 0 0 0-2 2v3m18 0V5a2 2 0 0 0-2-2h-3m0 18h3a2 2 0 0 0 2-2v-3M3 16v3a2 2 0 0 0 2 2h3",
+} as const satisfies Partial<Record<TextKey, string>>;
+
+type Control = keyof typeof SHAPES;
+
+/** Zoom by buttons a finger can hit; Blockly's own are 32 pixels and hard to see. */
+export function addZoomControls(workspace: Blockly.WorkspaceSvg, zoomToFit: () => void) {
+  const actions: Record<Control, () => void> = {
+    ZOOM_IN: () => workspace.zoomCenter(1),
+    ZOOM_OUT: () => workspace.zoomCenter(-1),
+    ZOOM_TO_FIT: zoomToFit,
+  };
+  const bar = document.createElement("div");
+  bar.className = "pinelZoom";
+  const buttons = (Object.keys(SHAPES) as Control[]).map((control) => {
+    const button = zoomButton(control);
+    button.addEventListener("click", actions[control]);
+    bar.append(button);
+    return { control, button };
+  });
+  const relabel = () => {
+    for (const { control, button } of buttons) {
+      button.title = word(control);
+      button.setAttribute("aria-label", word(control));
+    }
+  };
+  relabel();
+  workspace.getInjectionDiv().append(bar);
+  return { relabel, remove: () => bar.remove() };
+}
+
+function zoomButton(control: Control): HTMLButtonElement {
+  const button = document.createElement("button");
+  button.type = "button";
+  button.dataset.testid = `editor-${control.toLowerCase().replaceAll("_", "-")}`;
+  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  svg.setAttribute("viewBox", "0 0 24 24");
+  svg.setAttribute("aria-hidden", "true");
+  const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
+  path.setAttribute("d", SHAPES[control]);
+  svg.append(path);
+  button.append(svg);
+  return button;
+}
