@@ -1,0 +1,72 @@
+"""`pinel doctor`: says what this PC has and lacks."""
+
+import json
+from typing import Any
+
+import click
+
+from pinel_desktop import __version__
+from pinel_desktop.doctor import Finding, Level, examine
+from pinel_desktop.messages import describe, language_of_system
+from pinel_desktop.paths import database_path
+
+_COLOURS: dict[Level, str] = {"ok": "green", "warn": "yellow", "fail": "red"}
+
+
+@click.command()
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+@click.option(
+    "--db", type=click.Path(dir_okay=False), help="Database file instead of the user's own."
+)
+@click.pass_context
+def command(ctx: click.Context, as_json: bool, db: str | None) -> None:
+    """Say what this PC has and lacks.
+
+    Exit status: 0 when PINEL can work here, 1 when something that it needs is missing.
+    """
+    language = language_of_system()
+    if not as_json:
+        click.echo(describe("doctor_title", {"version": __version__}, language).message)
+    findings = []
+    for finding in examine(database_path(db or (ctx.obj or {}).get("db"))):
+        findings.append(finding)
+        if not as_json:
+            _print(finding, language)
+    failed = any(finding.level == "fail" for finding in findings)
+    if as_json:
+        lines = [_as_object(finding, language) for finding in findings]
+        click.echo(
+            json.dumps(
+                {"ok": not failed, "version": __version__, "findings": lines}, ensure_ascii=False
+            )
+        )
+    else:
+        click.echo(describe(_verdict(findings), {}, language).message)
+    ctx.exit(int(failed))
+
+
+def _verdict(findings: list[Finding]) -> str:
+    levels = {finding.level for finding in findings}
+    if "fail" in levels:
+        return "doctor_failures"
+    return "doctor_warnings" if "warn" in levels else "doctor_all_well"
+
+
+def _print(finding: Finding, language: str) -> None:
+    words = describe(finding.code, finding.params, language)
+    mark = describe(f"doctor_{finding.level}", {}, language).message
+    click.echo(click.style(f"[{mark}]", fg=_COLOURS[finding.level]) + f" {words.message}")
+    if words.remedy:
+        click.echo(f"    {words.remedy}")
+
+
+def _as_object(finding: Finding, language: str) -> dict[str, Any]:
+    words = describe(finding.code, finding.params, language)
+    return {
+        "about": finding.about,
+        "level": finding.level,
+        "code": finding.code,
+        "message": words.message,
+        "remedy": words.remedy,
+        "params": dict(finding.params),
+    }

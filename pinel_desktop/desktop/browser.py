@@ -1,0 +1,76 @@
+"""The page in a browser's window of its own: without tabs and address bar, apart from the person's browser."""
+
+import os
+import shutil
+import subprocess
+import tempfile
+import threading
+
+from pinel_desktop.desktop.backends import Pc, find_browser
+from pinel_desktop.errors import PinelError
+
+# A browser that ends sooner, with a fault, has not shown anything.
+_SHORT_LIFE_S = 5.0
+
+
+def app_command(program: str, address: str, profile: str, *, as_root: bool) -> list[str]:
+    """The call that shows `address` as an app; nothing but the page makes the browser use the network."""
+    command = [
+        program,
+        f"--app={address}",
+        f"--user-data-dir={profile}",
+        "--no-first-run",
+        "--no-default-browser-check",
+        "--disable-background-networking",
+        "--disable-component-update",
+        "--disable-sync",
+        "--disable-translate",
+        "--start-maximized",
+    ]
+    return [*command, "--no-sandbox"] if as_root else command
+
+
+class BrowserWindow:
+    """Shows an address in app mode and ends with it."""
+
+    def __init__(self, address: str, pc: Pc | None = None) -> None:
+        self._address = address
+        self._pc = pc or Pc()
+        self._process: subprocess.Popen[bytes] | None = None
+        self._closed = threading.Event()
+
+    def run(self) -> None:
+        """Returns when the window is closed. Raises PinelError `window_browser_missing` or `window_failed`."""
+        program = find_browser(self._pc)
+        if program is None:
+            raise PinelError("window_browser_missing")
+        profile = tempfile.mkdtemp(prefix="pinel-browser-")
+        try:
+            self._run(app_command(program, self._address, profile, as_root=_is_root()))
+        finally:
+            shutil.rmtree(profile, ignore_errors=True)
+
+    def close(self) -> None:
+        """Ends the browser; `run` returns."""
+        self._closed.set()
+        if self._process is not None:
+            self._process.terminate()
+
+    def show(self) -> None:
+        """A browser's window cannot be brought forward from outside."""
+
+    def _run(self, command: list[str]) -> None:
+        with subprocess.Popen(
+            command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        ) as self._process:
+            try:
+                status = self._process.wait(_SHORT_LIFE_S)
+            except subprocess.TimeoutExpired:
+                self._process.wait()
+                return
+        if status != 0 and not self._closed.is_set():
+            raise PinelError("window_failed", backend=command[0], reason=f"status {status}")
+
+
+def _is_root() -> bool:
+    return hasattr(os, "geteuid") and os.geteuid() == 0

@@ -1,0 +1,37 @@
+"""Where the window may go: to its own page, and nowhere else. And how large it opens."""
+
+from dataclasses import dataclass
+from urllib.parse import urlsplit
+
+SMALLEST = (1024, 640)
+LARGEST = (1600, 1000)
+# A lab's screen of 1366 x 768 has no room to give away around a window.
+_FILL_UP_TO = (1440, 900)
+
+
+@dataclass(frozen=True, slots=True)
+class Size:
+    """Width and height in pixels, the least that the person may make of them, and whether to fill the screen."""
+
+    width: int
+    height: int
+    smallest: tuple[int, int]
+    maximized: bool
+
+
+def may_open(address: str, own: str) -> bool:
+    """Whether `address` has the scheme, host and port of `own`."""
+    try:
+        there, here = urlsplit(address), urlsplit(own)
+        return (there.scheme, there.hostname, there.port) == (here.scheme, here.hostname, here.port)
+    except ValueError:
+        return False
+
+
+def fitted_size(screen_width: int, screen_height: int) -> Size:
+    """The size for a screen: all of a small one, most of a large one."""
+    smallest = (min(SMALLEST[0], screen_width), min(SMALLEST[1], screen_height))
+    maximized = screen_width <= _FILL_UP_TO[0] or screen_height <= _FILL_UP_TO[1]
+    width = min(LARGEST[0], screen_width if maximized else screen_width * 85 // 100)
+    height = min(LARGEST[1], screen_height if maximized else screen_height * 85 // 100)
+    return Size(width, height, smallest, maximized)

@@ -1,0 +1,175 @@
+"""The native window, by pywebview: the page, its title, its size, and no way out of it."""
+
+import logging
+import os
+import signal
+import threading
+from collections.abc import Callable
+from typing import Any
+
+import webview
+from webview.guilib import initialize
+
+from pinel_desktop.desktop.backends import Toolkit, renderer_problem
+from pinel_desktop.desktop.policy import fitted_size, may_open
+from pinel_desktop.errors import PinelError
+from pinel_desktop.messages import describe
+
+# What pywebview calls its own words, and our codes for them.
+_DIALOG_WORDS = {
+    "global.quitConfirmation": "dialog_quit",
+    "global.ok": "dialog_ok",
+    "global.quit": "dialog_leave",
+    "global.cancel": "dialog_cancel",
+    "global.saveFile": "dialog_save_file",
+    "linux.openFile": "dialog_open_file",
+    "linux.openFiles": "dialog_open_files",
+    "linux.openFolder": "dialog_open_folder",
+    "windows.fileFilter.allFiles": "dialog_all_files",
+    "windows.fileFilter.otherFiles": "dialog_other_files",
+}
+_BACKGROUND = "#f6f3ee"
+
+
+class NativeWindow:
+    """One window with one page; `run` belongs to the main thread, everything else to any.
+
+    `origin` is what the window may show; `address` is opened first. `on_open` is called once, on a thread of
+    its own, when the window is there.
+    """
+
+    def __init__(
+        self,
+        address: str,
+        title: str,
+        language: str,
+        *,
+        icon: str | None = None,
+        on_open: Callable[[], None] | None = None,
+    ) -> None:
+        self._address = address
+        self._title = title
+        self._language = language
+        self._icon = icon
+        self._on_open = on_open
+        self._window: webview.Window | None = None
+        self._opened = threading.Event()
+        self._closing = False
+
+    def run(self, backend: Toolkit) -> None:
+        """Returns when the window is closed.
+
+        Raises PinelError `window_webview2_missing`, `window_no_screen` or `window_failed` when it could not
+        be opened; the next way may be tried then.
+        """
+        if "PYWEBVIEW_LOG" not in os.environ:
+            logging.getLogger("pywebview").setLevel(logging.CRITICAL)
+        try:
+            if backend == "gtk":
+                _require_gtk_screen()
+            toolkit = initialize(backend)
+            if problem := renderer_problem(toolkit.renderer):
+                raise PinelError(problem)
+            self._create(toolkit.get_screens()[0])
+            webview.start(gui=backend, localization=self._words(), icon=self._icon)
+        except PinelError:
+            raise
+        except Exception as error:  # pywebview hands on whatever its toolkit raises
+            raise PinelError("window_failed", backend=backend, reason=str(error)) from error
+        finally:
+            webview.windows.clear()
+        if not self._opened.is_set():
+            raise PinelError("window_failed", backend=backend, reason="")
+
+    def show(self) -> None:
+        """Brings the window forward."""
+        if self._window is not None and self._opened.is_set():
+            self._window.restore()
+            # Window managers hold back a window that asks for attention; one that is on top they do not.
+            self._window.on_top = True
+            self._window.on_top = False
+
+    def close(self) -> None:
+        """Closes the window, now or as soon as it is there; `run` returns."""
+        self._closing = True
+        if self._window is not None and self._opened.is_set():
+            self._window.destroy()
+
+    def run_script(self, script: str) -> Any:
+        """Runs JavaScript in the page and returns its value (GTK and Qt do; elsewhere it may be None)."""
+        return None if self._window is None else self._window.run_js(script)
+
+    def _create(self, screen: webview.Screen) -> None:
+        size = fitted_size(screen.width, screen.height)
+        window = webview.create_window(
+            self._title,
+            self._address,
+            width=size.width,
+            height=size.height,
+            min_size=size.smallest,
+            maximized=size.maximized,
+            background_color=_BACKGROUND,
+            text_select=True,
+        )
+        if window is None:
+            raise PinelError("window_failed", backend="pywebview", reason="")
+        window.events.before_show += self._guard
+        window.events.shown += self._tell_opened
+        self._window = window
+
+    def _guard(self) -> None:
+        """Runs on the window's thread before the page is loaded."""
+        if self._window is not None and webview.renderer == "gtkwebkit2":
+            _guard_gtk(self._window, self._address)
+
+    def _tell_opened(self) -> None:
+        self._opened.set()
+        if self._closing:
+            self.close()
+        elif self._on_open is not None:
+            self._on_open()
+
+    def _words(self) -> dict[str, str]:
+        return {
+            key: describe(code, {}, self._language).message for key, code in _DIALOG_WORDS.items()
+        }
+
+
+def _require_gtk_screen() -> None:
+    """GTK ends the whole process when it is used without a screen that answers."""
+    import gi  # noqa: PLC0415 - only there where backends.gtk_problem says so
+
+    gi.require_version("Gtk", "3.0")
+    from gi.repository import Gtk  # noqa: PLC0415
+
+    if not Gtk.init_check([])[0]:
+        raise PinelError("window_no_screen")
+
+
+def _guard_gtk(window: webview.Window, own: str) -> None:
+    """Keeps WebKit on our own page, lets the page keep small settings, and ends at SIGTERM."""
+    from gi.repository import GLib, WebKit2  # noqa: PLC0415
+    from webview.platforms.gtk import BrowserView  # noqa: PLC0415
+
+    view = BrowserView.instances[window.uid]
+
+    def decide(_view: Any, decision: Any, kind: Any) -> bool:
+        if kind == WebKit2.PolicyDecisionType.RESPONSE:
+            allowed = decision.is_mime_type_supported()
+        else:
+            address = decision.get_navigation_action().get_request().get_uri()
+            allowed = kind == WebKit2.PolicyDecisionType.NAVIGATION_ACTION and may_open(
+                address, own
+            )
+        if allowed:
+            decision.use()
+        else:
+            decision.ignore()
+        return True
+
+    # pywebview's own answer opens strangers' links in the person's browser and saves what it cannot show.
+    view.webview.disconnect_by_func(view.on_navigation)
+    view.webview.connect("decide-policy", decide)
+    # Private mode switches this off, and a page that asks for it would stumble; nothing is kept on disk.
+    view.webview.get_settings().props.enable_html5_local_storage = True
+    GLib.unix_signal_add(GLib.PRIORITY_DEFAULT, signal.SIGTERM, window.destroy)

@@ -1,0 +1,198 @@
+"""What this PC has and lacks, as findings with a code; the command `doctor` puts them into words.
+
+Nothing here writes to the database, opens a window or a camera, or needs a network.
+"""
+
+import getpass
+import importlib.util
+import os
+import platform
+import shutil
+import sqlite3
+import time
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import closing
+from dataclasses import dataclass, field
+from importlib import resources
+from pathlib import Path
+from typing import Literal
+
+from pinel_desktop import __version__
+from pinel_desktop.desktop.backends import Pc, backends, find_browser
+from pinel_desktop.engine.client import EngineClient
+
+Level = Literal["ok", "warn", "fail"]
+
+_LITTLE_SPACE = 2**30
+_TOO_LITTLE_SPACE = 50 * 2**20
+_ENGINE_TIMEOUT_S = 20.0
+_ROS_FOLDER = Path("/opt/ros")
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """One line of the report: what was looked at, how it is, and the words for it."""
+
+    about: str
+    level: Level
+    code: str
+    params: Mapping[str, object] = field(default_factory=dict)
+
+
+def examine(database: Path, pc: Pc | None = None) -> Iterator[Finding]:
+    """Looks at everything, in the order in which a person would ask; each finding comes when it is known."""
+    yield _version()
+    yield from _page()
+    yield from _window(pc or Pc())
+    yield _engine()
+    yield from _disk(database.parent)
+    yield _database(database)
+    yield _camera(Path("/dev"))
+    yield _ros(os.environ, _ROS_FOLDER)
+
+
+def size_words(n_bytes: int) -> str:
+    """A size as people say it: 512 MB, 3 GB."""
+    for unit, factor in (("GB", 10**9), ("MB", 10**6), ("kB", 10**3)):
+        if n_bytes >= factor:
+            return (
+                f"{n_bytes / factor:.3g} {unit}"
+                if n_bytes < 100 * factor
+                else f"{n_bytes // factor} {unit}"
+            )
+    return f"{n_bytes} B"
+
+
+def _version() -> Finding:
+    about = {"version": __version__, "python": platform.python_version(), "system": _system_name()}
+    return Finding("program", "ok", "doctor_version_ok", about)
+
+
+def _system_name() -> str:
+    try:
+        return platform.freedesktop_os_release()["PRETTY_NAME"]
+    except (OSError, KeyError):
+        return f"{platform.system()} {platform.release()}"
+
+
+def _page() -> Iterator[Finding]:
+    """A wheel or package always has its page; a fresh clone may not."""
+    if (resources.files("pinel_desktop.web") / "static" / "index.html").is_file():
+        yield Finding("page", "ok", "doctor_page_ok")
+    else:
+        yield Finding("page", "fail", "doctor_page_missing")
+
+
+def _window(pc: Pc) -> Iterator[Finding]:
+    """The way the window will take, and what is missing for the better ones."""
+    if not pc.has_screen:
+        yield Finding("window", "warn", "doctor_window_none")
+        return
+    problems = []
+    for backend in backends(pc):
+        if backend.problem is None:
+            if backend.name == "browser":
+                program = Path(find_browser(pc) or "").name
+                yield Finding("window", "warn", "doctor_window_browser", {"program": program})
+            else:
+                yield Finding("window", "ok", "doctor_window_ok", {"backend": backend.name})
+                return
+            break
+        problems.append(Finding("window", "warn", backend.problem, backend.params))
+    else:
+        yield Finding("window", "warn", "doctor_window_address")
+    yield from problems
+
+
+def _engine() -> Finding:
+    started = time.monotonic()
+    engine = EngineClient(lambda event: None)
+    engine.start()
+    try:
+        ready = engine.wait_until_ready(_ENGINE_TIMEOUT_S)
+    finally:
+        engine.close()
+    seconds = {"seconds": round(time.monotonic() - started, 1)}
+    return Finding(
+        "engine",
+        "ok" if ready else "fail",
+        "doctor_engine_ok" if ready else "doctor_engine_lost",
+        seconds,
+    )
+
+
+def _disk(folder: Path) -> Iterator[Finding]:
+    """Free space and the right to write, at the first folder above that exists."""
+    while not folder.exists():
+        folder = folder.parent
+    free = shutil.disk_usage(folder).free
+    params = {"free": size_words(free), "folder": str(folder), "free_bytes": free}
+    if free >= _LITTLE_SPACE:
+        yield Finding("disk", "ok", "doctor_disk_ok", params)
+    else:
+        yield Finding(
+            "disk", "warn" if free >= _TOO_LITTLE_SPACE else "fail", "doctor_disk_low", params
+        )
+    if not os.access(folder, os.W_OK):
+        yield Finding("disk", "fail", "doctor_folder_closed", {"folder": str(folder)})
+
+
+def _database(path: Path) -> Finding:
+    params: dict[str, object] = {"path": str(path)}
+    if not path.exists():
+        return Finding("database", "ok", "doctor_database_new", params)
+    size = path.stat().st_size
+    params |= {"size": size_words(size), "size_bytes": size}
+    if problem := _damage(path):
+        return Finding("database", "fail", "doctor_database_damaged", params | {"problem": problem})
+    if not os.access(path, os.W_OK):
+        return Finding("database", "fail", "doctor_database_read_only", params)
+    return Finding("database", "ok", "doctor_database_ok", params)
+
+
+def _damage(path: Path) -> str | None:
+    """What SQLite finds wrong with the file, read only; None when all is well."""
+    # A file in WAL mode in a closed folder can only be read as one that nobody changes.
+    mode = "mode=ro" if os.access(path.parent, os.W_OK) else "mode=ro&immutable=1"
+    try:
+        with closing(sqlite3.connect(f"{path.absolute().as_uri()}?{mode}", uri=True)) as connection:
+            verdict = str(connection.execute("PRAGMA quick_check(1)").fetchone()[0])
+    except sqlite3.Error as error:
+        return str(error)
+    return None if verdict == "ok" else verdict
+
+
+def _camera(folder: Path) -> Finding:
+    devices = sorted(folder.glob("video*"))
+    params = {"devices": ", ".join(str(device) for device in devices)}
+    if not devices:
+        return Finding("camera", "warn", "doctor_camera_none")
+    if not any(os.access(device, os.R_OK | os.W_OK) for device in devices):
+        return Finding("camera", "warn", "doctor_camera_closed", params | {"user": _user()})
+    return Finding("camera", "ok", "doctor_camera_ok", params)
+
+
+def _user() -> str:
+    try:
+        return getpass.getuser()
+    except (KeyError, OSError):  # a user id without a name
+        return "$USER"
+
+
+def _ros(
+    environ: Mapping[str, str],
+    folder: Path,
+    find: Callable[[str], object | None] = importlib.util.find_spec,
+) -> Finding:
+    """ROS of this terminal, ROS on the disk, or the DDS library that does without."""
+    found = []
+    if find("rclpy") is not None:
+        found.append(f"ROS 2 {environ.get('ROS_DISTRO', '')}".strip())
+    if find("cyclonedds") is not None:
+        found.append("Cyclone DDS")
+    if found:
+        return Finding("ros", "ok", "doctor_ros_ok", {"found": ", ".join(found)})
+    installed = sorted(folder.glob("*/setup.bash"))
+    if installed:
+        return Finding("ros", "warn", "doctor_ros_unsourced", {"path": str(installed[-1].parent)})
+    return Finding("ros", "ok", "doctor_ros_none")
