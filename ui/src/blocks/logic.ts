@@ -22,8 +22,9 @@ export const logic = [
     args0: [iconArgument("split"), condition],
     message1: "%1",
     args1: [body("THEN")],
-    message2: "%{BKY_PINEL_ELSE} %1",
-    args2: [body("ELSE")],
+    message2: "%{BKY_PINEL_ELSE}",
+    message3: "%1",
+    args3: [body("ELSE")],
   },
   {
     ...logicValue,

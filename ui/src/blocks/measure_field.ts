@@ -58,7 +58,7 @@ export class MeasureField extends Blockly.FieldNumber {
 function parseMeasure(value: unknown): string {
   return String(value ?? "")
     .trim()
-    .replace(",", ".");
+    .replaceAll(",", ".");
 }
 
 function formatMeasure(value: unknown): string {

@@ -1,4 +1,4 @@
-import type * as Blockly from "blockly/core";
+import * as Blockly from "blockly/core";
 import { setRing } from "./renderer";
 import { wrapWords } from "./wrap_words";
 
@@ -8,6 +8,7 @@ export interface Fault {
   remedy: string;
 }
 
+const GAP = 24;
 const WARNING = "pinel_fault";
 
 /** Shows each fault where it is: a red ring, and words in a bubble that opens at the first of them. */
@@ -43,9 +44,22 @@ export class Faults {
   }
 
   private openBubble(id: string): void {
-    const icon = this.workspace.getBlockById(id)?.getIcons().find(hasBubble);
-    void icon?.setBubbleVisible(true);
+    const block = this.workspace.getBlockById(id);
+    const icon = block?.getIcons().find(hasBubble);
+    if (!block || !icon) return;
+    void icon.setBubbleVisible(true).then(() => placeBeside(block, icon.getBubble()));
   }
+}
+
+/** Beside its block the bubble hides no other; where there is no room it stays where Blockly put it. */
+function placeBeside(block: Blockly.BlockSvg, bubble: Blockly.IBubble | null): void {
+  if (!(bubble instanceof Blockly.bubbles.TextBubble)) return;
+  const view = block.workspace.getMetricsManager().getViewMetrics(true);
+  const { left, right, top } = block.getBoundingRectangleWithoutChildren();
+  const width = (bubble.getSvgRoot() as SVGGraphicsElement).getBBox().width;
+  if (right + GAP + width > view.left + view.width) return;
+  bubble.setPositionRelativeToAnchor(right - left + GAP, 0);
+  if (top < view.top) block.workspace.centerOnBlock(block.id, true);
 }
 
 function hasBubble(icon: Blockly.IIcon): icon is Blockly.IIcon & Blockly.IHasBubble {
@@ -56,7 +70,10 @@ function wordsByBlock(faults: readonly Fault[]): Map<string, string> {
   const words = new Map<string, string>();
   for (const { block, message, remedy } of faults) {
     if (block === null) continue;
-    const text = [message, remedy].filter(Boolean).map(wrapWords).join("\n");
+    const text = [message, remedy]
+      .filter(Boolean)
+      .map((line) => wrapWords(line))
+      .join("\n");
     words.set(block, [words.get(block), text].filter(Boolean).join("\n"));
   }
   return words;

@@ -11,7 +11,7 @@ import { injectWorkspace } from "./inject";
 import { applyLanguage } from "./locale";
 import { ensureStartBlock, markLooseBlocks } from "./start_block";
 import { StartHint } from "./start_hint";
-import { blocklyTheme, type ThemeName } from "./themes";
+import { blocklyTheme, pageFont, type ThemeName } from "./themes";
 import { addZoomControls } from "./zoom_controls";
 
 export interface EditorOptions {
@@ -71,12 +71,14 @@ class BlockEditor implements Editor {
     this.sizes = new ResizeObserver(() => this.resize());
     this.sizes.observe(options.container);
     this.load(null);
+    this.measureAgainWithFont();
     this.workspace.addChangeListener((event) => this.onEvent(event));
     watchContent(this.workspace, () => this.onContent());
   }
 
   load(workspace: object | null): void {
     assertLoadable(workspace);
+    Blockly.hideChaff();
     this.running.show(null);
     this.faults.clear();
     this.replace(workspace);
@@ -104,11 +106,9 @@ class BlockEditor implements Editor {
     applyLanguage(language);
     this.workspace.updateToolbox(toolbox());
     this.zoomControls.relabel();
-    // blocks take their words when they are made, so the same ones are made again, ids and undo kept
-    const running = this.running.blockId;
     this.faults.clear();
-    this.replace(Blockly.serialization.workspaces.save(this.workspace));
-    this.running.show(running);
+    // blocks take their words when they are made
+    this.remake();
   }
 
   setTheme(theme: ThemeName): void {
@@ -148,6 +148,23 @@ class BlockEditor implements Editor {
     this.sizes.disconnect();
     this.zoomControls.remove();
     this.workspace.dispose();
+  }
+
+  /** Blocks drawn before the font arrived are too wide or too narrow for their words. */
+  private measureAgainWithFont(): void {
+    const font = `600 18px ${pageFont()}`;
+    if (!document.fonts || document.fonts.check(font)) return;
+    void document.fonts.load(font).then(() => {
+      if (!this.workspace.isDragging()) this.remake();
+    });
+  }
+
+  /** Makes every block again as it is, ids and undo kept. */
+  private remake(): void {
+    const running = this.running.blockId;
+    this.running.show(null);
+    this.replace(Blockly.serialization.workspaces.save(this.workspace));
+    this.running.show(running);
   }
 
   private replace(workspace: object | null): void {

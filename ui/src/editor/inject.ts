@@ -14,6 +14,8 @@ export function injectWorkspace(options: EditorOptions): Blockly.WorkspaceSvg {
     toolbox: toolbox(),
     theme: blocklyTheme(options.theme),
     renderer: RENDERER,
+    // a row with a word only, as "else", is else so low that the notch above cuts into the word
+    rendererOverrides: { DUMMY_INPUT_MIN_HEIGHT: 44 },
     media: options.mediaPath,
     sounds: false,
     trashcan: true,

@@ -16,8 +16,16 @@ export class StartHint {
       class: "pinelStartHint",
       transform: `translate(0 ${top})`,
     });
-    dom.createSvgElement(Svg.RECT, { width: WIDTH, height: HEIGHT, rx: 8 }, this.group);
-    const text = dom.createSvgElement(Svg.TEXT, { x: WIDTH / 2, y: HEIGHT / 2 }, this.group);
+    dom.createSvgElement(
+      Svg.RECT,
+      { class: "pinelStartHintPlace", width: WIDTH, height: HEIGHT, rx: 8 },
+      this.group,
+    );
+    const text = dom.createSvgElement(
+      Svg.TEXT,
+      { class: "pinelStartHintText", x: WIDTH / 2, y: HEIGHT / 2 },
+      this.group,
+    );
     text.textContent = word("HINT_EMPTY");
     start.getSvgRoot().append(this.group);
   }

@@ -1,66 +1,66 @@
 import * as Blockly from "blockly/core";
-import { type Category, HUES } from "../blocks/hues";
+import { HUES } from "../blocks/hues";
 
 export type ThemeName = "light" | "dark" | "contrast";
 
 interface Look {
-  /** Edge of a block and ground of its holes, from its hue. */
-  edge(hue: string): string;
-  components: Blockly.Theme.ComponentStyle;
+  /** Ground of a block, from its category's hue. */
+  face(hue: string): string;
+  /** Outline of a block, from its ground. */
+  edge(face: string): string;
 }
 
-const mix = (hue: string, other: string, part: number) =>
-  Blockly.utils.colour.blend(hue, other, 1 - part) ?? hue;
+const mix = (colour: string, other: string, part: number) =>
+  Blockly.utils.colour.blend(other, colour, part) ?? colour;
 
 const LOOKS: Readonly<Record<ThemeName, Look>> = {
-  light: {
-    edge: (hue) => mix(hue, "#000000", 0.3),
-    components: {
-      workspaceBackgroundColour: "var(--editor-ground)",
-      toolboxBackgroundColour: "var(--editor-toolbox)",
-      toolboxForegroundColour: "var(--editor-ink)",
-      flyoutBackgroundColour: "var(--editor-flyout)",
-      flyoutForegroundColour: "var(--editor-ink)",
-      flyoutOpacity: 1,
-      scrollbarColour: "var(--editor-scrollbar)",
-      scrollbarOpacity: 0.6,
-      insertionMarkerColour: "var(--editor-ink)",
-      insertionMarkerOpacity: 0.25,
-      selectedGlowColour: "#f5b700",
-    },
-  },
-  dark: {
-    edge: (hue) => mix(hue, "#ffffff", 0.35),
-    components: {},
-  },
-  contrast: {
-    edge: () => "#ffffff",
-    components: {},
-  },
+  light: { face: (hue) => hue, edge: (face) => mix(face, "#000000", 0.3) },
+  dark: { face: (hue) => hue, edge: (face) => mix(face, "#ffffff", 0.35) },
+  // white on the plain hues is 4.5 : 1; who asks for contrast gets 7 : 1
+  contrast: { face: (hue) => mix(hue, "#000000", 0.35), edge: () => "#ffffff" },
 };
 
-/** Zelos in our hues and our font; the grounds are CSS variables of `editor.css`, which knows the page's tokens. */
+/** The page's tokens, which change with its theme by themselves. */
+const COMPONENTS: Blockly.Theme.ComponentStyle = {
+  workspaceBackgroundColour: "var(--ground)",
+  toolboxBackgroundColour: "var(--surface)",
+  toolboxForegroundColour: "var(--ink)",
+  flyoutBackgroundColour: "var(--sunken)",
+  flyoutForegroundColour: "var(--ink)",
+  flyoutOpacity: 1,
+  scrollbarColour: "var(--line-strong)",
+  scrollbarOpacity: 0.45,
+  insertionMarkerColour: "#000000",
+  insertionMarkerOpacity: 0.25,
+  selectedGlowColour: "#f5b700",
+};
+
+/** Zelos in our hues and our font. */
 export function blocklyTheme(name: ThemeName): Blockly.Theme {
-  const { edge } = LOOKS[name];
-  const entries = Object.entries(HUES) as [Category, string][];
+  const { face, edge } = LOOKS[name];
+  const faces = Object.entries(HUES).map(([category, hue]) => [category, face(hue)] as const);
   return Blockly.Theme.defineTheme(`pinel-${name}`, {
     name: `pinel-${name}`,
     base: Blockly.Themes.Zelos,
     blockStyles: Object.fromEntries(
-      entries.map(([category, hue]) => [
+      faces.map(([category, colour]) => [
         category,
         {
-          colourPrimary: hue,
-          colourSecondary: mix(hue, "#ffffff", 0.15),
-          colourTertiary: edge(hue),
+          colourPrimary: colour,
+          colourSecondary: mix(colour, "#ffffff", 0.15),
+          colourTertiary: edge(colour),
           hat: category === "start" ? "cap" : "",
         },
       ]),
     ),
-    categoryStyles: Object.fromEntries(
-      entries.map(([category, hue]) => [category, { colour: hue }]),
-    ),
-    componentStyles: { ...LOOKS.light.components, ...LOOKS[name].components },
-    fontStyle: { family: "var(--editor-font)", weight: "600", size: 13.5 },
+    categoryStyles: Object.fromEntries(faces.map(([category, colour]) => [category, { colour }])),
+    componentStyles: COMPONENTS,
+    fontStyle: { family: pageFont(), weight: "600", size: 13.5 },
   });
+}
+
+/** Blockly measures texts outside of the page's tree, so it needs the name and not the token. */
+export function pageFont(): string {
+  const font = getComputedStyle(document.documentElement).getPropertyValue("--font").trim();
+  return font || "system-ui, sans-serif";
 }

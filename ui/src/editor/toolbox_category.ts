@@ -15,6 +15,7 @@ class ToolboxCategory extends Blockly.ToolboxCategory {
     const tile = document.createElement("span");
     tile.className = "pinelCategoryTile";
     const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+    svg.classList.add("pinelCategoryIcon");
     svg.setAttribute("viewBox", "0 0 24 24");
     const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
     path.setAttribute("d", iconShape(ICONS[this.toolboxItemDef_.id as keyof typeof ICONS]));

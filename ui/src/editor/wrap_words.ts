@@ -1,5 +1,5 @@
 /** Breaks a sentence into lines, because SVG text does not wrap by itself. */
-export function wrapWords(text: string, width = 38): string {
+export function wrapWords(text: string, width = 34): string {
   const lines: string[] = [];
   for (const word of text.split(/\s+/)) {
     const line = lines.at(-1);

@@ -42,6 +42,7 @@ function zoomButton(control: Control): HTMLButtonElement {
   button.type = "button";
   button.dataset.testid = `editor-${control.toLowerCase().replaceAll("_", "-")}`;
   const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  svg.classList.add("pinelZoomIcon");
   svg.setAttribute("viewBox", "0 0 24 24");
   svg.setAttribute("aria-hidden", "true");
   const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
