@@ -1,1 +1,24 @@
-"""The SQLite store: groups, programs, versions, runs, events, telemetry. A leaf package."""
+"""The store: one SQLite file with everything that groups made and ran.
+
+A leaf: imports nothing of the application. `open_store` opens the file, `Recorder` records live runs into it.
+"""
+
+from storage.errors import StoreError
+from storage.opening import Notice
+from storage.records import FaultRow, GroupRow, ProgramRow, RunRow, RunStart, VersionRow
+from storage.recording import Recorder
+from storage.store import Store, open_store
+
+__all__ = [
+    "FaultRow",
+    "GroupRow",
+    "Notice",
+    "ProgramRow",
+    "Recorder",
+    "RunRow",
+    "RunStart",
+    "Store",
+    "StoreError",
+    "VersionRow",
+    "open_store",
+]

@@ -1,0 +1,84 @@
+"""How the repositories reach the file: one writer, and reading connections that are lent out."""
+
+import queue
+import sqlite3
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future
+from contextlib import contextmanager
+from datetime import datetime
+from pathlib import Path
+from typing import TypeVar
+
+from storage.errors import StoreError, translated
+from storage.opening import connect
+from storage.text import time_text
+from storage.writer import Writer
+
+T = TypeVar("T")
+_KEPT = 8
+
+
+class Access:
+    """Reading and writing one file.
+
+    Args:
+        refusal: raised by every attempt to write, for a file that cannot be written.
+    """
+
+    def __init__(
+        self, path: Path, address: str, refusal: StoreError | None, clock: Callable[[], datetime]
+    ) -> None:
+        self.path = path
+        self._address = address
+        self._refusal = refusal
+        self._clock = clock
+        self._idle: queue.LifoQueue[sqlite3.Connection] = queue.LifoQueue(_KEPT)
+        self._writer = None if refusal else Writer(connect(address), path)
+
+    def now(self) -> str:
+        """The time as text."""
+        return time_text(self._clock())
+
+    @contextmanager
+    def reading(self) -> Iterator[sqlite3.Connection]:
+        """A connection for this thread alone, seeing all that was committed. Raises StoreError."""
+        connection: sqlite3.Connection | None = None
+        try:
+            connection = self._taken()
+            yield connection
+        except sqlite3.Error as error:
+            raise translated(error, self.path) from error
+        finally:
+            if connection is not None:
+                self._give_back(connection)
+
+    def write(self, job: Callable[[sqlite3.Connection], T]) -> T:
+        """Runs the job in a transaction of the writer; on disk when this returns. Raises StoreError."""
+        return self.submit(job).result()
+
+    def submit(self, job: Callable[[sqlite3.Connection], T]) -> "Future[T]":
+        """The same without waiting."""
+        if self._writer is not None:
+            return self._writer.submit(job)
+        future: Future[T] = Future()
+        future.set_exception(self._refusal or StoreError("database_read_only", path=str(self.path)))
+        return future
+
+    def close(self) -> None:
+        """Finishes what is queued and closes every connection; the writer last, it empties the WAL."""
+        while not self._idle.empty():
+            self._idle.get_nowait().close()
+        if self._writer is not None:
+            self._writer.close()
+
+    def _taken(self) -> sqlite3.Connection:
+        try:
+            return self._idle.get_nowait()
+        except queue.Empty:
+            return connect(self._address)
+
+    def _give_back(self, connection: sqlite3.Connection) -> None:
+        try:
+            self._idle.put_nowait(connection)
+        except queue.Full:
+            connection.close()

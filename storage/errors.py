@@ -1,0 +1,49 @@
+"""Errors of the store: a code and what fills its words."""
+
+import shutil
+import sqlite3
+from pathlib import Path
+
+_BY_PREFIX = {
+    "SQLITE_FULL": "disk_full",
+    "SQLITE_READONLY": "database_read_only",
+    "SQLITE_CANTOPEN": "database_read_only",
+    "SQLITE_PERM": "database_read_only",
+    "SQLITE_BUSY": "database_locked",
+    "SQLITE_LOCKED": "database_locked",
+    "SQLITE_CORRUPT": "database_damaged",
+    "SQLITE_NOTADB": "database_damaged",
+}
+_NEARLY_FULL = 2**20
+
+
+class StoreError(Exception):
+    """Something a person can act on; the words for the code are the application's.
+
+    Codes: `disk_full`, `database_read_only`, `database_locked`, `database_damaged`, `database_newer`,
+    `database_foreign`, `database_failed`; `group_not_found`, `program_not_found`, `version_not_found`,
+    `run_not_found`; `group_exists`, `name_empty`, `name_too_long`.
+    """
+
+    def __init__(self, code: str, **params: object) -> None:
+        super().__init__(f"{code} {params}" if params else code)
+        self.code = code
+        self.params: dict[str, object] = params
+
+
+def translated(error: sqlite3.Error, path: Path) -> StoreError:
+    """SQLite's error as ours."""
+    name = getattr(error, "sqlite_errorname", "")
+    for prefix, code in _BY_PREFIX.items():
+        if name.startswith(prefix):
+            return StoreError(code, path=str(path))
+    if name.startswith("SQLITE_IOERR") and _is_nearly_full(path):
+        return StoreError("disk_full", path=str(path))
+    return StoreError("database_failed", path=str(path), problem=str(error))
+
+
+def _is_nearly_full(path: Path) -> bool:
+    try:
+        return shutil.disk_usage(path.parent).free < _NEARLY_FULL
+    except OSError:
+        return False

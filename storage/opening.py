@@ -1,0 +1,175 @@
+"""Opening the file, whatever state it is in: damaged, read-only, newer than we are, or not ours."""
+
+import sqlite3
+from contextlib import closing
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+
+from sqlite_utils import Database
+
+from storage.errors import StoreError, translated
+from storage.schema import known_migrations, migrations
+
+_BUSY_S = 5.0
+_SIBLINGS = ("", "-wal", "-shm")
+
+
+@dataclass(frozen=True, slots=True)
+class Notice:
+    """Something a person should know about the file that was opened."""
+
+    code: str
+    params: dict[str, object]
+
+
+@dataclass(frozen=True, slots=True)
+class Opened:
+    """How to connect, and whether writing is possible."""
+
+    address: str
+    writable: bool
+    notice: Notice | None
+
+
+def connect(address: str) -> sqlite3.Connection:
+    """A connection in autocommit, for use by one thread at a time."""
+    connection = sqlite3.connect(
+        address, uri=True, timeout=_BUSY_S, isolation_level=None, check_same_thread=False
+    )
+    connection.row_factory = sqlite3.Row
+    connection.execute("PRAGMA foreign_keys = ON")
+    connection.execute("PRAGMA synchronous = FULL")  # schools cut the power
+    return connection
+
+
+def prepare(path: Path, now: datetime) -> Opened:
+    """Makes the file ready: sets a damaged one aside, makes or brings up to date the tables.
+
+    Raises:
+        StoreError: `database_newer` or `database_foreign` with the file untouched; `database_read_only` where
+            not even reading is possible; `disk_full`, `database_locked`, `database_failed`.
+    """
+    try:
+        notice = _examined(path, now)
+        _migrate(path)
+        return Opened(_address(path, "rwc"), writable=True, notice=notice)
+    except _ReadOnly as stop:
+        return Opened(stop.address, writable=False, notice=Notice("database_read_only", {"path": str(path)}))
+    except sqlite3.Error as error:
+        raise translated(error, path) from error
+    except OSError as error:
+        raise StoreError("database_read_only", path=str(path), problem=error.strerror) from error
+
+
+class _ReadOnly(Exception):
+    def __init__(self, address: str) -> None:
+        super().__init__(address)
+        self.address = address
+
+
+def _examined(path: Path, now: datetime) -> Notice | None:
+    """Looks at the file without writing to it; sets it aside when it is damaged."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    if not path.exists() or path.stat().st_size == 0:
+        return None
+    try:
+        with closing(_connect_reading(path)) as connection:
+            problem = _damage(connection)
+            if problem is None:
+                _check_ownership(connection, path)
+                return None
+    except sqlite3.DatabaseError as error:
+        if translated(error, path).code != "database_damaged":
+            raise
+        problem = str(error)
+    return _set_aside(path, problem, now)
+
+
+def _connect_reading(path: Path) -> sqlite3.Connection:
+    try:
+        return _tried(_address(path, "ro"))
+    except sqlite3.OperationalError as error:
+        if translated(error, path).code != "database_read_only":
+            raise
+        # a file in WAL mode in a folder that is read-only can be read only as one that nobody changes
+        return _tried(_address(path, "ro") + "&immutable=1")
+
+
+def _tried(address: str) -> sqlite3.Connection:
+    connection = connect(address)
+    try:
+        connection.execute("SELECT count(*) FROM sqlite_master").fetchone()
+    except BaseException:
+        connection.close()
+        raise
+    return connection
+
+
+def _damage(connection: sqlite3.Connection) -> str | None:
+    finding = str(connection.execute("PRAGMA quick_check(1)").fetchone()[0])
+    return None if finding == "ok" else finding
+
+
+def _check_ownership(connection: sqlite3.Connection, path: Path) -> None:
+    tables = {row[0] for row in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+    if not tables:
+        return
+    if migrations.migrations_table not in tables:
+        raise StoreError("database_foreign", path=str(path))
+    applied = _applied(connection)
+    if not applied:
+        raise StoreError("database_foreign", path=str(path))
+    if applied - known_migrations():
+        raise StoreError("database_newer", path=str(path))
+
+
+def _applied(connection: sqlite3.Connection) -> set[str]:
+    rows = connection.execute(
+        f"SELECT name FROM {migrations.migrations_table} WHERE migration_set = ?", [migrations.name]
+    )
+    return {str(row[0]) for row in rows}
+
+
+def _set_aside(path: Path, problem: str, now: datetime) -> Notice:
+    aside = path.with_name(f"{path.stem}.damaged-{now:%Y%m%d-%H%M%S}{path.suffix}")
+    n = 1
+    while aside.exists():
+        n += 1
+        aside = aside.with_name(f"{path.stem}.damaged-{now:%Y%m%d-%H%M%S}-{n}{path.suffix}")
+    for sibling in _SIBLINGS:
+        part = path.with_name(path.name + sibling)
+        if part.exists():
+            part.rename(aside.with_name(aside.name + sibling))
+    return Notice("database_set_aside", {"path": str(path), "aside": str(aside), "problem": problem})
+
+
+def _migrate(path: Path) -> None:
+    """Brings the tables up to date; raises _ReadOnly where the file can be read but not written."""
+    try:
+        with closing(connect(_address(path, "rwc"))) as connection:
+            connection.execute("PRAGMA journal_mode = WAL")
+            connection.execute("BEGIN IMMEDIATE")
+            connection.execute("ROLLBACK")
+            migrations.apply(Database(connection, execute_plugins=False))
+    except sqlite3.OperationalError as error:
+        if translated(error, path).code != "database_read_only" or not path.exists():
+            raise
+        raise _ReadOnly(_readable_address(path)) from error
+
+
+def _readable_address(path: Path) -> str:
+    """The address that reads a file which cannot be written; its tables must be up to date."""
+    plain = _address(path, "ro")
+    for address in (plain, plain + "&immutable=1"):
+        try:
+            with closing(_tried(address)) as connection:
+                if _applied(connection) == known_migrations():
+                    return address
+        except sqlite3.OperationalError:
+            continue
+    raise StoreError("database_read_only", path=str(path))
+
+
+def _address(path: Path, mode: str) -> str:
+    return f"{path.absolute().as_uri()}?mode={mode}"

@@ -1,0 +1,48 @@
+"""The path of a run as a picture: few points that keep its shape."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+MAX_POINTS = 64
+_FINEST_M = 0.005
+_ROUNDED = 4  # decimals: 0.1 mm
+
+
+def outline(points: NDArray[np.float64]) -> list[list[float]]:
+    """At most 64 of the points (n, 2) in m, chosen by Douglas and Peucker's method; ends are kept."""
+    tolerance = _FINEST_M
+    kept = _simplified(points, tolerance)
+    while len(kept) > MAX_POINTS:
+        tolerance *= 1.5
+        kept = _simplified(points, tolerance)
+    return [[round(float(x), _ROUNDED), round(float(y), _ROUNDED)] for x, y in kept]
+
+
+def _simplified(points: NDArray[np.float64], tolerance: float) -> NDArray[np.float64]:
+    if len(points) < 3:
+        return points
+    keep = np.zeros(len(points), dtype=bool)
+    keep[[0, -1]] = True
+    spans = [(0, len(points) - 1)]
+    while spans:
+        first, last = spans.pop()
+        if last - first < 2:
+            continue
+        distances = _distances(points[first + 1 : last], points[first], points[last])
+        farthest = int(np.argmax(distances))
+        if distances[farthest] > tolerance:
+            middle = first + 1 + farthest
+            keep[middle] = True
+            spans += [(first, middle), (middle, last)]
+    return points[keep]
+
+
+def _distances(
+    points: NDArray[np.float64], start: NDArray[np.float64], end: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Of each point from the stretch start to end, in m."""
+    along = end - start
+    length2 = float(along @ along)
+    share = np.clip((points - start) @ along / length2, 0, 1) if length2 else np.zeros(len(points))
+    nearest = start + share[:, None] * along
+    return np.hypot(*(points - nearest).T)

@@ -1,0 +1,134 @@
+"""Events of a live run into the store: in batches of about a second, beginning and end at once."""
+
+import threading
+import time
+from array import array
+from collections.abc import Callable, Mapping
+from concurrent.futures import Future
+from concurrent.futures import TimeoutError as FutureTimeout
+from math import hypot
+from typing import Any
+
+import numpy as np
+
+from storage.errors import StoreError
+from storage.outline import outline
+from storage.runs import Batch
+from storage.store import Store
+from storage.telemetry import pack, rows_of
+
+Event = Mapping[str, Any]
+
+_EVERY_S = 1.0
+_AT_ONCE = ("run_state", "capture_started", "run_ended")  # after these nothing may come for long
+_PATIENCE_S = 2.0
+_TRAIL_STEP_M = 0.01
+
+
+class Recorder:
+    """Takes every event of a run, in order, from one thread at a time.
+
+    What cannot be written (the disk is full) is kept in memory and tried again with the next batch, so a run
+    never waits for the disk and loses nothing when room is made in time.
+
+    Attributes:
+        problem: why the last batch could not be written, None when all is well.
+    """
+
+    def __init__(
+        self,
+        store: Store,
+        on_change: Callable[[StoreError | None], None] = lambda problem: None,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self.problem: StoreError | None = None
+        self._store = store
+        self._on_change = on_change
+        self._clock = clock
+        self._flushed_at = clock()
+        self._run = _Recording("")
+        self._unsaved: list[Batch] = []
+        self._lock = threading.Lock()
+
+    def __call__(self, event: Event) -> None:
+        """Records one event. Returns after `run_ended` only when the run is on disk, or cannot be."""
+        if event["run"] != self._run.run_id:
+            self._run = _Recording(event["run"])
+        self._run.add(event)
+        if event["type"] in _AT_ONCE or self._clock() - self._flushed_at >= _EVERY_S:
+            written = self.flush()
+            if event["type"] == "run_ended":
+                _wait(written)
+
+    def flush(self) -> "Future[None]":
+        """Hands what is pending to the writer."""
+        self._flushed_at = self._clock()
+        with self._lock:
+            batch = self._run.taken()
+            if batch is not None:
+                self._unsaved.append(batch)
+            batches = list(self._unsaved)
+        written = self._store.record(batches)
+        written.add_done_callback(lambda future: self._settle(future, batches))
+        return written
+
+    def _settle(self, written: "Future[None]", batches: list[Batch]) -> None:
+        error = written.exception()
+        problem = error if isinstance(error, StoreError) else None
+        if error is None:
+            with self._lock:
+                self._unsaved = [batch for batch in self._unsaved if batch not in batches]
+        elif problem is None:
+            problem = StoreError("database_failed", path=str(self._store.path), problem=str(error))
+        changed = (problem and problem.code) != (self.problem and self.problem.code)
+        self.problem = problem
+        if changed:
+            self._on_change(problem)
+
+
+class _Recording:
+    """What is pending of one run."""
+
+    def __init__(self, run_id: str) -> None:
+        self.run_id = run_id
+        self._events: list[Event] = []
+        self._samples: list[Event] = []
+        self._n_chunks = 0
+        self._trail = array("d")
+
+    def add(self, event: Event) -> None:
+        if event["type"] != "telemetry":
+            self._events.append(event)
+            return
+        self._samples.append(event)
+        self._follow(float(event["x_m"]), float(event["y_m"]))
+
+    def taken(self) -> Batch | None:
+        """All that is pending as a batch; None when there is nothing."""
+        if not self._events and not self._samples:
+            return None
+        batch = Batch(self.run_id, events=self._events)
+        if self._samples:
+            blob = pack(rows_of(self._samples))
+            batch.chunks.append((self._n_chunks, int(self._samples[0]["tick"]), len(self._samples), blob))
+            self._n_chunks += 1
+        if self._events and self._events[-1]["type"] == "run_ended":
+            batch.ended = self._events[-1]
+            batch.path = outline(np.array(self._trail).reshape(-1, 2))
+        self._events, self._samples = [], []
+        return batch
+
+    def _follow(self, x_m: float, y_m: float) -> None:
+        """Keeps a point for each centimetre, so that an hour's run stays small in memory."""
+        if not self._trail or hypot(x_m - self._trail[-2], y_m - self._trail[-1]) >= _TRAIL_STEP_M:
+            self._trail.extend((x_m, y_m))
+
+
+def _wait(written: "Future[None]") -> None:
+    """Gives the disk a moment; the page should find the run ended when it hears of the end."""
+    try:
+        written.result(_PATIENCE_S)
+    except (StoreError, FutureTimeout):
+        return
+    except Exception:
+        return

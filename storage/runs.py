@@ -1,0 +1,232 @@
+"""Runs: begun, recorded, ended; read back as they were."""
+
+import sqlite3
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, fields
+from typing import Any
+
+from storage.connection import Access
+from storage.errors import StoreError
+from storage.groups import touch
+from storage.outline import outline
+from storage.records import Json, RunRow, RunStart
+from storage.telemetry import RATE_HZ, Telemetry, joined
+from storage.text import dumped, loaded, new_id
+
+_COLUMNS = ", ".join(column.name for column in fields(RunRow))
+_SELECT = f"SELECT {_COLUMNS} FROM runs"
+_JSON = ("document", "world_document", "parameters", "params", "summary", "path")
+_IN_COLUMNS = ("v", "type", "run", "seq", "tick")
+_FIGURES = (
+    "state",
+    "reason",
+    "block",
+    "duration_s",
+    "n_executed",
+    "path_length_m",
+    "closing_error_m",
+    "telemetry_sha256",
+)
+
+
+@dataclass(slots=True)
+class Batch:
+    """What is written of a run in one transaction.
+
+    Attributes:
+        chunks: (chunk, first tick, rows, blob) of telemetry.
+        ended: the `run_ended` event, None while the run goes on.
+        path: points for the picture, used with `ended`.
+    """
+
+    run_id: str
+    events: list[Mapping[str, Any]] = field(default_factory=list)
+    chunks: list[tuple[int, int, int, bytes]] = field(default_factory=list)
+    ended: Mapping[str, Any] | None = None
+    path: list[list[float]] = field(default_factory=list)
+
+
+class Runs:
+    """The runs of the file."""
+
+    def __init__(self, access: Access) -> None:
+        self._access = access
+
+    def begin(self, start: RunStart) -> RunRow:
+        """Notes that a run begins; on disk when this returns. Raises StoreError `version_not_found`."""
+        now = self._access.now()
+        return self.get(self._access.write(lambda db: _insert(db, start, now)))
+
+    def discard(self, run_id: str) -> None:
+        """Takes back a run that could not begin after all."""
+        self._access.write(lambda db: db.execute("DELETE FROM runs WHERE id = ?", [run_id]).rowcount)
+
+    def get(self, run_id: str) -> RunRow:
+        """Raises StoreError `run_not_found`."""
+        with self._access.reading() as db:
+            row = db.execute(f"{_SELECT} WHERE id = ?", [run_id]).fetchone()
+        if row is None:
+            raise StoreError("run_not_found", id=run_id)
+        return _record(row)
+
+    def of_group(self, group_id: str, *, before: str | None = None, limit: int = 50) -> list[RunRow]:
+        """Newest first; `before` is the id of the last run of the page before."""
+        with self._access.reading() as db:
+            rows = db.execute(
+                f"{_SELECT} WHERE group_id = ? AND id < ? ORDER BY id DESC LIMIT ?",
+                [group_id, before or "~", limit],
+            ).fetchall()
+        return [_record(row) for row in rows]
+
+    def newest(self, limit: int) -> list[RunRow]:
+        """Of all groups and of none, newest first."""
+        with self._access.reading() as db:
+            rows = db.execute(f"{_SELECT} ORDER BY id DESC LIMIT ?", [limit]).fetchall()
+        return [_record(row) for row in rows]
+
+    def ids_beginning_with(self, prefix: str) -> list[str]:
+        """Ids that a person may mean who typed the beginning only; at most 10."""
+        with self._access.reading() as db:
+            rows = db.execute(
+                "SELECT id FROM runs WHERE substr(id, 1, ?) = ? ORDER BY id DESC LIMIT 10", [len(prefix), prefix]
+            ).fetchall()
+        return [str(row["id"]) for row in rows]
+
+    def events(self, run_id: str) -> list[Json]:
+        """All events but telemetry, as they were on the wire. Raises StoreError `run_not_found`."""
+        with self._access.reading() as db:
+            _require(db, run_id)
+            rows = db.execute(
+                "SELECT seq, tick, type, data FROM events WHERE run_id = ? ORDER BY seq", [run_id]
+            ).fetchall()
+        return [_event(run_id, row) for row in rows]
+
+    def telemetry(self, run_id: str) -> Telemetry:
+        """All samples of a run. Raises StoreError `run_not_found`."""
+        with self._access.reading() as db:
+            _require(db, run_id)
+            return _telemetry(db, run_id)
+
+    def close_interrupted(self) -> int:
+        """Ends every run that is still `running`: the program that ran it is gone. Returns how many."""
+        now = self._access.now()
+
+        def close_all(db: sqlite3.Connection) -> int:
+            open_runs = [row["id"] for row in db.execute("SELECT id FROM runs WHERE state = 'running'")]
+            for run_id in open_runs:
+                write_batch(db, _interrupted(db, run_id), now)
+            return len(open_runs)
+
+        return self._access.write(close_all)
+
+
+def write_batch(db: sqlite3.Connection, batch: Batch, now: str) -> None:
+    """Writes a batch within the caller's transaction; the same batch twice changes nothing."""
+    db.executemany(
+        "INSERT OR REPLACE INTO events (run_id, seq, tick, type, data) VALUES (?, ?, ?, ?, ?)",
+        [
+            [batch.run_id, event["seq"], event["tick"], event["type"], dumped(_rest(event))]
+            for event in batch.events
+        ],
+    )
+    db.executemany(
+        "INSERT OR REPLACE INTO telemetry (run_id, chunk, first_tick, n_rows, data) VALUES (?, ?, ?, ?, ?)",
+        [[batch.run_id, *chunk] for chunk in batch.chunks],
+    )
+    if batch.ended is not None:
+        _end(db, batch.run_id, batch.ended, batch.path, now)
+
+
+def _end(
+    db: sqlite3.Connection, run_id: str, ended: Mapping[str, Any], path: Sequence[Sequence[float]], now: str
+) -> None:
+    changes = {name: ended.get(name) for name in _FIGURES}
+    changes |= {"params": dumped(ended.get("params") or {}), "summary": dumped(_rest(ended))}
+    changes |= {"path": dumped(path), "ended_at": now}
+    assignments = ", ".join(f"{name} = :{name}" for name in changes)
+    db.execute(f"UPDATE runs SET {assignments} WHERE id = :id", {**changes, "id": run_id})
+
+
+def _insert(db: sqlite3.Connection, start: RunStart, now: str) -> str:
+    origin = _origin(db, start.version_id)
+    row = {
+        "id": new_id(),
+        **origin,
+        "version_id": start.version_id,
+        "document": None if start.document is None else dumped(start.document),
+        "link": start.link,
+        "world": start.world,
+        "world_document": dumped(start.world_document),
+        "seed": start.seed,
+        "parameters": dumped(start.parameters),
+        "app_version": start.app_version,
+        "state": "running",
+        "started_at": now,
+    }
+    names = ", ".join(row)
+    db.execute(f"INSERT INTO runs ({names}) VALUES ({', '.join(':' + name for name in row)})", row)
+    if origin["group_id"]:
+        touch(db, origin["group_id"], now)
+    return str(row["id"])
+
+
+def _origin(db: sqlite3.Connection, version_id: str | None) -> dict[str, str | None]:
+    """Group and program of a version; all None for a run of the command line."""
+    if version_id is None:
+        return {"group_id": None, "program_id": None, "program_name": None}
+    row = db.execute(
+        """SELECT programs.group_id, programs.id AS program_id, programs.name AS program_name
+           FROM versions JOIN programs ON programs.id = versions.program_id WHERE versions.id = ?""",
+        [version_id],
+    ).fetchone()
+    if row is None:
+        raise StoreError("version_not_found", id=version_id)
+    return dict(row)
+
+
+def _interrupted(db: sqlite3.Connection, run_id: str) -> Batch:
+    """The end that an interrupted run never had, from what was recorded of it."""
+    rows = _telemetry(db, run_id)
+    ticks, points = rows.column("tick"), rows.rows[:, 1:3]
+    last = db.execute(
+        "SELECT coalesce(max(seq), -1) AS seq, coalesce(max(tick), 0) AS tick FROM events WHERE run_id = ?",
+        [run_id],
+    ).fetchone()
+    tick = max(int(last["tick"]), int(ticks[-1]) if len(ticks) else 0)
+    ended = {
+        **dict.fromkeys(("block", "n_executed", "path_length_m", "closing_error_m", "pose", "telemetry_sha256")),
+        "type": "run_ended",
+        "seq": last["seq"] + 1 + len(ticks),
+        "tick": tick,
+        "state": "failed",
+        "reason": "interrupted",
+        "params": {},
+        "duration_s": tick / RATE_HZ,
+    }
+    return Batch(run_id, events=[ended], ended=ended, path=outline(points))
+
+
+def _telemetry(db: sqlite3.Connection, run_id: str) -> Telemetry:
+    rows = db.execute("SELECT data, n_rows FROM telemetry WHERE run_id = ? ORDER BY chunk", [run_id])
+    return joined([(row["data"], row["n_rows"]) for row in rows])
+
+
+def _require(db: sqlite3.Connection, run_id: str) -> None:
+    if db.execute("SELECT 1 FROM runs WHERE id = ?", [run_id]).fetchone() is None:
+        raise StoreError("run_not_found", id=run_id)
+
+
+def _rest(event: Mapping[str, Any]) -> Json:
+    return {name: value for name, value in event.items() if name not in _IN_COLUMNS}
+
+
+def _event(run_id: str, row: sqlite3.Row) -> Json:
+    head = {"v": 1, "type": row["type"], "run": run_id, "seq": row["seq"], "tick": row["tick"]}
+    return {**head, **loaded(row["data"])}
+
+
+def _record(row: sqlite3.Row) -> RunRow:
+    values = dict(row)
+    values |= {name: loaded(values[name]) for name in _JSON}
+    values |= {"params": values["params"] or {}, "summary": values["summary"] or {}, "path": values["path"] or []}
+    return RunRow(**values)

@@ -1,0 +1,80 @@
+"""One thread writes; each job is one transaction, and its caller may wait until it is on disk."""
+
+import queue
+import sqlite3
+import threading
+from collections.abc import Callable
+from concurrent.futures import Future
+from pathlib import Path
+from typing import TypeVar
+
+from storage.errors import StoreError, translated
+
+T = TypeVar("T")
+_Task = Callable[[], None]
+
+
+class Writer:
+    """Owns the writing connection. `do` returns after the commit; `submit` returns at once."""
+
+    def __init__(self, connection: sqlite3.Connection, path: Path) -> None:
+        self._connection = connection
+        self._path = path
+        self._tasks: queue.SimpleQueue[_Task | None] = queue.SimpleQueue()
+        self._closed = False
+        self._lock = threading.Lock()
+        self._thread = threading.Thread(target=self._work, name="store-writer", daemon=True)
+        self._thread.start()
+
+    def do(self, job: Callable[[sqlite3.Connection], T]) -> T:
+        """Runs the job in a transaction and returns its result when it is on disk.
+
+        Raises:
+            StoreError: nothing of the job was kept.
+        """
+        return self.submit(job).result()
+
+    def submit(self, job: Callable[[sqlite3.Connection], T]) -> "Future[T]":
+        """Queues the job; the future tells what became of it."""
+        future: Future[T] = Future()
+        with self._lock:
+            if self._closed:
+                future.set_exception(StoreError("database_failed", path=str(self._path), problem="closed"))
+            else:
+                self._tasks.put(lambda: self._fulfil(future, job))
+        return future
+
+    def close(self) -> None:
+        """Finishes what is queued, then closes the connection."""
+        with self._lock:
+            if not self._closed:
+                self._closed = True
+                self._tasks.put(None)
+        self._thread.join()
+
+    def _work(self) -> None:
+        while (task := self._tasks.get()) is not None:
+            task()
+        self._connection.close()
+
+    def _fulfil(self, future: "Future[T]", job: Callable[[sqlite3.Connection], T]) -> None:
+        try:
+            result = self._in_transaction(job)
+        except sqlite3.Error as error:
+            future.set_exception(translated(error, self._path))
+        except Exception as error:
+            future.set_exception(error)
+        else:
+            future.set_result(result)
+
+    def _in_transaction(self, job: Callable[[sqlite3.Connection], T]) -> T:
+        # IMMEDIATE: a job that reads first must not lose to another process that wrote in between
+        self._connection.execute("BEGIN IMMEDIATE")
+        try:
+            result = job(self._connection)
+            self._connection.execute("COMMIT")
+        except BaseException:
+            if self._connection.in_transaction:
+                self._connection.execute("ROLLBACK")
+            raise
+        return result
