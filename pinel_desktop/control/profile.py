@@ -11,7 +11,7 @@ def s_curve(
     """Set-points every `dt_s` seconds, from 0 to exactly `distance` (its sign is kept).
 
     A trapezoidal velocity profile, averaged over a window of `smoothing_s`: the acceleration is then continuous
-    and the jerk is at most `acceleration / smoothing_s` (the method is that of FIR-filtered trajectories,
+    and the jerk is at most `2 * acceleration / smoothing_s` (the method is that of FIR-filtered trajectories,
     L. Biagiotti and C. Melchiorri, "FIR filters for online trajectory planning", 2012). Any unit of length will
     do, as long as speed and acceleration use it.
 

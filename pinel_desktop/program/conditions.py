@@ -23,7 +23,7 @@ _TOKEN = re.compile(
       | (?P<word>[A-Za-z_]+)(?![\w.])
       | (?P<sign>==|!=|<=|>=|&&|\|\||[<>!()])
     )""",
-    re.VERBOSE | re.ASCII,
+    re.VERBOSE,
 )
 _WORDS = {"and": "and", "or": "or", "not": "not", "&&": "and", "||": "or", "!": "not"}
 _COMPARISONS = ("==", "!=", "<=", ">=", "<", ">")

@@ -1,6 +1,6 @@
 """From what pydantic says of a document to faults a pupil can act on."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from pydantic_core import ErrorDetails
@@ -67,26 +67,41 @@ def _block_at(document: Any, path: Path) -> str | None:
 
 
 def _code_and_params(error: ErrorDetails, path: Path) -> tuple[str, dict[str, object]]:
-    kind, name, context = error["type"], str(error["loc"][-1]), error.get("ctx", {})
+    kind = error["type"]
     if kind in _RANGE_ERRORS:
         return _out_of_range(error, path)
     if kind in _WRONG_TYPE:
         return f"wrong_type_{_WRONG_TYPE[kind]}", {"name": _last_key(path)}
     if kind in _SIMPLE:
         return _SIMPLE[kind], {"name": _last_key(path)}
-    if kind == "missing":
-        return ("missing_condition" if name == "condition" else "missing_parameter"), {"name": name}
-    if kind == "extra_forbidden":
-        return "unknown_key", {"name": name}
-    if kind == "union_tag_invalid":
-        return "unknown_action", {"value": context.get("tag"), "allowed": model.action_names()}
-    if kind == "string_too_long":
-        return "text_too_long", {"name": _last_key(path), "max": MAX_TEXT}
-    if kind == "too_long":
-        return "functions_not_supported", {}
-    if kind == "literal_error":
-        return "wrong_value", {"name": name, "value": _shown(error["input"])}
-    return kind, dict(context)
+    special = _SPECIAL.get(kind)
+    return special(error, path) if special else (kind, dict(error.get("ctx", {})))
+
+
+def _missing(error: ErrorDetails, _path: Path) -> tuple[str, dict[str, object]]:
+    name = str(error["loc"][-1])
+    return ("missing_condition" if name == "condition" else "missing_parameter"), {"name": name}
+
+
+def _unknown_action(error: ErrorDetails, _path: Path) -> tuple[str, dict[str, object]]:
+    return "unknown_action", {"value": error["ctx"]["tag"], "allowed": model.action_names()}
+
+
+def _wrong_value(error: ErrorDetails, path: Path) -> tuple[str, dict[str, object]]:
+    return "wrong_value", {"name": _last_key(path), "value": _shown(error["input"])}
+
+
+_SPECIAL: dict[str, Callable[[ErrorDetails, Path], tuple[str, dict[str, object]]]] = {
+    "missing": _missing,
+    "extra_forbidden": lambda error, _: ("unknown_key", {"name": str(error["loc"][-1])}),
+    "union_tag_invalid": _unknown_action,
+    "string_too_long": lambda _, path: (
+        "text_too_long",
+        {"name": _last_key(path), "max": MAX_TEXT},
+    ),
+    "too_long": lambda _, __: ("functions_not_supported", {}),
+    "literal_error": _wrong_value,
+}
 
 
 def _out_of_range(error: ErrorDetails, path: Path) -> tuple[str, dict[str, object]]:

@@ -1,0 +1,46 @@
+"""The object that `pinel run --json` prints (IR.md), from how a run ended."""
+
+from typing import Any
+
+from pinel_desktop.execution.executor import RunResult
+
+
+def run_object(result: RunResult, run_id: str | None, message: str | None) -> dict[str, Any]:
+    """IR.md's object for a run that was executed; `message` is the reason in words."""
+    ended = result.ended
+    return {
+        "state": ended.state,
+        "reason": ended.reason,
+        "message": message,
+        "run_id": run_id,
+        "n_executed": ended.n_executed,
+        "pose": ended.pose,
+        "duration_s": ended.duration_s,
+        "path_length_m": ended.path_length_m,
+        "closing_error_m": ended.closing_error_m,
+        "said": [],
+        "marks": [],
+        "variables": {},
+        "faults": [],
+        "telemetry_sha256": ended.telemetry_sha256,
+    }
+
+
+def faulty_object(faults: list[dict[str, Any]], message: str) -> dict[str, Any]:
+    """IR.md's object for a document that cannot be run."""
+    return {
+        "state": "failed",
+        "reason": "invalid_program",
+        "message": message,
+        "run_id": None,
+        "n_executed": 0,
+        "pose": None,
+        "duration_s": 0.0,
+        "path_length_m": 0.0,
+        "closing_error_m": 0.0,
+        "said": [],
+        "marks": [],
+        "variables": {},
+        "faults": faults,
+        "telemetry_sha256": None,
+    }

@@ -1,0 +1,43 @@
+import math
+
+from pinel_desktop.control import Line, ProgressCheck
+from pinel_desktop.control.goal import GoalCheck
+from pinel_desktop.robot import Pose2D
+
+
+def test_robot_on_its_set_point_gets_the_feedforward_only() -> None:
+    twist = Line(Pose2D()).correct(Pose2D(0.4, 0, 0), 0.0, 0.5)
+    assert twist == (0.5, 0.0)
+
+
+def test_robot_left_of_the_line_is_steered_right_and_behind_is_sped_up() -> None:
+    twist = Line(Pose2D()).correct(Pose2D(0.4, 0.05, 0), 0.02, 0.5)
+    assert twist.v_mps > 0.5
+    assert twist.omega_radps < 0
+
+
+def test_backing_robot_left_of_the_line_is_steered_so_that_it_comes_back() -> None:
+    # backwards, a heading to the left takes the tail to the right
+    twist = Line(Pose2D()).correct(Pose2D(-0.4, 0.05, 0), 0.0, -0.5)
+    assert twist.omega_radps > 0
+
+
+def test_error_across_the_end_of_the_circle_is_small() -> None:
+    line = Line(Pose2D(0, 0, math.pi))
+    twist = line.correct(Pose2D(0, 0, -math.pi + 0.01), 0.0, 0.0)
+    assert abs(twist.omega_radps) < 0.1
+
+
+def test_fine_tolerance_first_and_the_coarse_one_after_patience() -> None:
+    goal = GoalCheck(fine=0.001, coarse=0.01, patience=10)
+    assert not goal.arrived(0.005, ticks_past_end=10)
+    assert goal.arrived(0.005, ticks_past_end=11)
+    assert not goal.arrived(0.02, ticks_past_end=1000)
+
+
+def test_progress_counts_in_either_direction_and_stuck_is_only_after_patience() -> None:
+    check = ProgressCheck(step=0.01, patience=60)
+    assert not check.stuck(0.0, tick=1)
+    assert not check.stuck(-0.02, tick=50)
+    assert not check.stuck(-0.025, tick=109)
+    assert check.stuck(-0.025, tick=110)

@@ -1,0 +1,172 @@
+"""The real engine process behind its client."""
+
+import os
+import queue
+import signal
+import sys
+from collections.abc import Iterator
+from typing import Any
+
+import psutil
+import pytest
+
+from pinel_desktop.engine.client import EngineClient
+from pinel_desktop.errors import PinelError
+from pinel_desktop.events.model import EVENT_TYPES
+
+WAIT_S = 20.0
+SHORT = {"pinel_ir": 1, "commands": [{"action": "move_forward", "distance": 0.1, "block": "m"}]}
+LONG = {"pinel_ir": 1, "commands": [{"action": "move_forward", "distance": 3, "block": "m"}]}
+
+
+class Harness:
+    """A client with its events in a queue."""
+
+    def __init__(self, command: list[str] | None = None) -> None:
+        self.events: queue.Queue[dict[str, Any]] = queue.Queue()
+        self.client = EngineClient(self.events.put, command)
+        self.client.start()
+
+    def until(self, kind: str, **fields: Any) -> list[dict[str, Any]]:
+        """All events up to the first of that type with those fields."""
+        seen = []
+        while True:
+            event = self.events.get(timeout=WAIT_S)
+            seen.append(event)
+            if event["type"] == kind and fields.items() <= event.items():
+                return seen
+
+
+@pytest.fixture
+def engine() -> Iterator[Harness]:
+    harness = Harness()
+    assert harness.client.wait_until_ready(WAIT_S)
+    yield harness
+    harness.client.close()
+
+
+def test_live_run_reports_every_event_in_order_without_gaps(engine: Harness) -> None:
+    engine.client.run("r", SHORT, world="empty_room")
+    events = engine.until("run_ended")
+    assert [event["seq"] for event in events] == list(range(len(events)))
+    assert {event["run"] for event in events} == {"r"}
+    assert {event["type"] for event in events} <= set(EVENT_TYPES)
+    assert events[-1]["state"] == "finished"
+    assert events[-1]["pose"]["x_m"] == pytest.approx(0.1, abs=1e-4)
+    assert engine.client.live_run is None
+
+
+def test_live_run_gives_the_same_telemetry_as_one_in_this_process(
+    engine: Harness, execute_here: Any
+) -> None:
+    engine.client.run("r", SHORT, world="empty_room")
+    assert engine.until("run_ended")[-1]["telemetry_sha256"] == execute_here(SHORT)
+
+
+@pytest.fixture
+def execute_here() -> Any:
+    from pinel_desktop.execution.executor import execute  # noqa: PLC0415
+    from pinel_desktop.links import open_link  # noqa: PLC0415
+    from pinel_desktop.program import read_document  # noqa: PLC0415
+
+    def run(document: dict[str, Any]) -> str:
+        program = read_document(document).program
+        assert program is not None
+        return execute(program, open_link("sim", world="empty_room")).ended.telemetry_sha256
+
+    return run
+
+
+def test_pause_resume_and_stop_reach_the_run(engine: Harness) -> None:
+    engine.client.run("r", LONG, world="empty_room")
+    engine.until("telemetry")
+    engine.client.pause("r")
+    engine.until("run_state", state="paused")
+    engine.client.resume("r")
+    engine.until("run_state", state="running")
+    engine.client.stop("r")
+    assert engine.until("run_ended")[-1]["state"] == "stopped"
+
+
+def test_capture_is_answered_by_hand(engine: Harness) -> None:
+    document = {"pinel_ir": 1, "commands": [{"action": "classify_gestures"}]}
+    engine.client.run("r", document, world="empty_room")
+    engine.until("capture_started")
+    engine.client.answer_capture("r", "B")
+    assert engine.until("gesture_result")[-1]["result"] == "B"
+    engine.until("run_ended", state="finished")
+
+
+def test_second_run_is_refused_while_one_is_live(engine: Harness) -> None:
+    engine.client.run("r", LONG, world="empty_room")
+    with pytest.raises(PinelError, match="run_in_progress"):
+        engine.client.run("s", SHORT, world="empty_room")
+    with pytest.raises(PinelError, match="run_not_live"):
+        engine.client.stop("s")
+    engine.client.stop("r")
+    engine.until("run_ended")
+    engine.client.run("s", SHORT, world="empty_room")
+    assert engine.until("run_ended")[-1]["run"] == "s"
+
+
+@pytest.mark.parametrize(
+    ("document", "world", "reason"),
+    [
+        (SHORT, "nowhere", "unknown_world"),
+        ({"pinel_ir": 1, "commands": [{"action": "fly"}]}, "empty_room", "invalid_program"),
+    ],
+)
+def test_run_that_cannot_begin_ends_with_its_reason(
+    engine: Harness, document: Any, world: str, reason: str
+) -> None:
+    engine.client.run("r", document, world=world)
+    (ended,) = engine.until("run_ended")
+    assert (ended["state"], ended["reason"]) == ("failed", reason)
+
+
+def test_killed_engine_fails_the_run_and_a_new_engine_takes_its_place(engine: Harness) -> None:
+    engine.client.run("r", LONG, world="empty_room")
+    # it has to have lived for a while, or it counts as one that cannot start
+    engine.until("telemetry", tick=100)
+    before = engine.client.pid
+    assert before is not None
+    os.kill(before, signal.SIGKILL)
+    ended = engine.until("run_ended")[-1]
+    assert (ended["state"], ended["reason"]) == ("failed", "engine_lost")
+    assert engine.client.wait_until_ready(WAIT_S)
+    assert engine.client.pid != before
+    engine.client.run("s", SHORT, world="empty_room")
+    assert engine.until("run_ended", run="s")[-1]["state"] == "finished"
+
+
+def test_engine_stops_its_robot_and_goes_when_the_app_is_gone() -> None:
+    harness = Harness()
+    assert harness.client.wait_until_ready(WAIT_S)
+    harness.client.run("r", LONG, world="empty_room")
+    harness.until("telemetry")
+    assert harness.client.pid is not None
+    process = psutil.Process(harness.client.pid)
+    harness.client.close()
+    assert not process.is_running()
+    events = harness.until("run_ended")
+    assert events[-1]["state"] == "stopped"
+    last = [event for event in events if event["type"] == "telemetry"][-1]
+    assert last["command_v_mps"] == 0.0
+
+
+def test_engine_that_cannot_start_is_lost_and_runs_are_refused() -> None:
+    for command in (["/nonexistent/engine"], [sys.executable, "-c", "raise SystemExit(1)"]):
+        harness = Harness(command)
+        assert not harness.client.wait_until_ready(WAIT_S)
+        assert harness.client.state == "lost"
+        with pytest.raises(PinelError, match="engine_not_ready"):
+            harness.client.run("r", SHORT, world="empty_room")
+        harness.client.close()
+
+
+def test_noise_on_the_pipe_is_passed_over() -> None:
+    noise = "print('warning: a library says hello'); print('[1]'); print('{\"type\":\"engine_ready\"}', flush=True)"
+    noise += "; input()"
+    harness = Harness([sys.executable, "-c", noise])
+    assert harness.client.wait_until_ready(WAIT_S)
+    harness.client.close()

@@ -1,0 +1,59 @@
+from typing import Any
+
+from pinel_desktop.events.model import CaptureStarted, Event, GestureResult, Telemetry
+from pinel_desktop.execution.gestures import AnsweredGestures, ScriptedGestures
+
+CLASSIFY = {"action": "classify_gestures", "timeout": 2, "block": "c"}
+
+
+def test_scripted_result_arrives_on_the_next_tick(execute_commands: Any) -> None:
+    result, log = execute_commands(CLASSIFY, gestures=ScriptedGestures(["B"]))
+    assert result.gesture_result == "B"
+    assert result.ended.duration_s * 30 == 1 + 1  # one to answer, one to stand still
+    assert [event for _, event in log if isinstance(event, CaptureStarted)] == [
+        CaptureStarted("c", 2.0)
+    ]
+    assert [event for _, event in log if isinstance(event, GestureResult)] == [
+        GestureResult("B", "capture")
+    ]
+
+
+def test_scripted_results_run_out_into_nothing_recognised(execute_commands: Any) -> None:
+    result, _ = execute_commands(CLASSIFY, CLASSIFY, gestures=ScriptedGestures(["B"]))
+    assert result.gesture_result == ""
+
+
+def test_person_answers_while_the_capture_runs(execute_commands: Any) -> None:
+    gestures = AnsweredGestures()
+
+    def answer(tick: int, event: Event) -> None:
+        if tick == 15 and isinstance(event, Telemetry):
+            gestures.answer("L")
+
+    result, log = execute_commands(CLASSIFY, gestures=gestures, listener=answer)
+    assert result.gesture_result == "L"
+    assert next(tick for tick, event in log if isinstance(event, GestureResult)) == 15
+
+
+def test_unanswered_capture_ends_after_its_timeout_with_nothing(execute_commands: Any) -> None:
+    result, _ = execute_commands(CLASSIFY, gestures=AnsweredGestures())
+    assert result.gesture_result == ""
+    assert result.ended.duration_s * 30 == 60 + 1
+
+
+def test_answer_outside_a_capture_is_not_kept_for_the_next(execute_commands: Any) -> None:
+    gestures = AnsweredGestures()
+    gestures.answer("B")
+    result, _ = execute_commands(CLASSIFY, gestures=gestures)
+    assert result.gesture_result == ""
+
+
+def test_repeating_a_result_reports_it_once(execute_commands: Any) -> None:
+    _, log = execute_commands(
+        {
+            "action": "repeat",
+            "times": 9,
+            "commands": [{"action": "set_gesture_result", "result": "A"}],
+        }
+    )
+    assert len([event for _, event in log if isinstance(event, GestureResult)]) == 1

@@ -1,0 +1,97 @@
+import math
+import random
+
+import pytest
+
+from pinel_desktop.robot import PIONEER_3DX
+from sim import TICK_S, Simulator, load_world
+
+RADIUS = PIONEER_3DX.radius_m
+WALL_X = 4.0 - 0.01  # inner face of the empty room's wall
+
+
+def simulator(world: str = "empty_room") -> Simulator:
+    return Simulator(load_world(world), PIONEER_3DX)
+
+
+def drive(sim: Simulator, v: float, omega: float, seconds: float) -> None:
+    for _ in range(round(seconds / TICK_S)):
+        sim.tick(v, omega)
+
+
+def test_robot_starts_where_the_world_says_at_rest() -> None:
+    assert simulator("obstacles").state() == (-3.0, -2.0, 0.0, 0.0, 0.0)
+
+
+def test_straight_drive_covers_speed_times_time() -> None:
+    sim = simulator()
+    drive(sim, 0.5, 0.0, 0.5)  # the wheels' limited force needs a moment to speed up
+    start = sim.state()
+    drive(sim, 0.5, 0.0, 2.0)
+    x, y, yaw, v, omega = sim.state()
+    assert x - start[0] == pytest.approx(1.0, abs=1e-9)
+    assert (y, yaw, v, omega) == pytest.approx((0, 0, 0.5, 0), abs=1e-9)
+
+
+def test_circle_closes_although_ticks_are_long() -> None:
+    sim = simulator()
+    omega = math.tau / 6.0
+    drive(sim, 0.6, omega, 0.5)
+    x0, y0, yaw0, *_ = sim.state()
+    drive(sim, 0.6, omega, 6.0)
+    x, y, yaw, *_ = sim.state()
+    assert math.hypot(x - x0, y - y0) < 1e-6
+    assert yaw - yaw0 == pytest.approx(math.tau)
+
+
+def test_robot_stalls_at_a_wall_and_feels_it() -> None:
+    sim = simulator()
+    assert not sim.touching()
+    drive(sim, 1.2, 0.0, 6.0)
+    x, _, _, v, _ = sim.state()
+    assert x + RADIUS == pytest.approx(WALL_X, abs=0.0006)
+    assert abs(v) < 1e-6
+    assert sim.touching()
+
+
+def test_impact_at_full_speed_sinks_less_than_6_mm_into_the_wall() -> None:
+    sim = simulator()
+    deepest = 0.0
+    for _ in range(200):
+        sim.tick(1.2, 0.0)
+        deepest = max(deepest, sim.state()[0] + RADIUS - WALL_X)
+    assert deepest < 0.006
+
+
+def test_blocked_robot_does_not_jump_when_it_turns_away() -> None:
+    sim = simulator()
+    drive(sim, 1.2, 0.0, 10.0)
+    before = sim.state()
+    drive(sim, 0.0, 1.0, 0.5)
+    assert math.hypot(sim.state()[0] - before[0], sim.state()[1] - before[1]) < 0.01
+
+
+@pytest.mark.parametrize("world", ["empty_room", "obstacles"])
+def test_no_wild_drive_leaves_the_room(world: str) -> None:
+    draw = random.Random(7)
+    half_w, half_h = (4.0, 4.0) if world == "empty_room" else (4.0, 3.0)
+    for _ in range(40):
+        sim = simulator(world)
+        for _ in range(30):
+            v, omega = draw.uniform(-1.2, 1.2), draw.uniform(-5, 5)
+            drive(sim, v, omega, draw.uniform(0.1, 1.0))
+            x, y, *_ = sim.state()
+            assert abs(x) < half_w
+            assert abs(y) < half_h
+
+
+def test_same_commands_give_the_same_numbers_to_the_bit() -> None:
+    def numbers() -> list[tuple[float, ...]]:
+        sim, draw = simulator("obstacles"), random.Random(3)
+        rows: list[tuple[float, ...]] = []
+        for _ in range(600):
+            sim.tick(draw.uniform(-1.2, 1.2), draw.uniform(-3, 3))
+            rows.append(sim.state())
+        return rows
+
+    assert numbers() == numbers()

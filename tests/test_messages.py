@@ -1,0 +1,88 @@
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+import pinel_desktop
+from pinel_desktop.messages import LANGUAGES, catalogue, describe, language_of_system
+
+PACKAGE = Path(pinel_desktop.__file__).parent
+FILES = sorted((PACKAGE / "messages" / "catalogue").glob("*.json"))
+PLACEHOLDER = re.compile(r"\{(\w+)\}")
+
+
+def test_no_code_stands_in_two_areas() -> None:
+    codes = [code for file in FILES for code in json.loads(file.read_text("utf-8"))]
+    assert sorted(codes) == sorted(set(codes))
+
+
+@pytest.mark.parametrize("code", sorted(catalogue()))
+def test_every_code_has_words_in_every_language_with_the_same_values(code: str) -> None:
+    entry = catalogue()[code]
+    assert set(entry) == set(LANGUAGES)
+    assert all(words["message"].strip() for words in entry.values())
+    # good news and labels need no remedy, but then in no language
+    assert len({bool(words["remedy"].strip()) for words in entry.values()}) == 1
+    used = [set(PLACEHOLDER.findall(w["message"] + w["remedy"])) for w in entry.values()]
+    assert used[0] == used[1] == used[2]
+
+
+def test_every_code_that_the_program_raises_has_words() -> None:
+    raised = re.compile(
+        r"(?:PinelError|RunFailureError|StoreError|WorldError|Fault|PydanticCustomError)\(\s*\"(\w+)\""
+    )
+    sources = [
+        *PACKAGE.rglob("*.py"),
+        *(PACKAGE.parent / "sim").rglob("*.py"),
+        *(PACKAGE.parent / "storage").rglob("*.py"),
+    ]
+    codes = {code for source in sources for code in raised.findall(source.read_text("utf-8"))}
+    assert (
+        "distance_out_of_range" not in codes
+    )  # made from the parameter's name, so it is checked below
+    assert codes - set(catalogue()) == set()
+    assert [code for code in codes if not catalogue()[code]["pt-BR"]["remedy"]] == []
+
+
+def test_every_range_in_the_language_has_words() -> None:
+    from pinel_desktop.program.translation import _RANGES, _WRONG_TYPE  # noqa: PLC0415
+
+    codes = {f"{name}_out_of_range" for name in _RANGES}
+    codes |= {f"wrong_type_{kind}" for kind in _WRONG_TYPE.values()}
+    assert codes <= set(catalogue())
+
+
+def test_values_are_put_in_literally_whatever_they_hold() -> None:
+    nasty = "{value} {0.__class__} %s {allowed}"
+    words = describe("unknown_action", {"value": nasty, "allowed": ["a", "b"]}, "en")
+    assert nasty in words.message
+    assert "a, b" in words.remedy
+
+
+def test_numbers_have_the_decimal_sign_of_their_language_and_long_texts_are_cut() -> None:
+    params = {"value": 100.5, "min": 0, "max": 100.0}
+    assert "100,5" in describe("distance_out_of_range", params, "pt-BR").message
+    assert "100.5" in describe("distance_out_of_range", params, "en").message
+    assert "to 100." in describe("distance_out_of_range", params, "en").remedy
+    assert len(describe("unknown_action", {"value": "x" * 999, "allowed": []}, "en").message) < 200
+
+
+@pytest.mark.parametrize(
+    ("environment", "language"),
+    [
+        ({"LANG": "en_US.UTF-8"}, "en"),
+        ({"LANG": "es_AR.UTF-8", "PINEL_LANG": "pt"}, "pt-BR"),
+        ({"LC_ALL": "C", "LANG": "pt_BR.UTF-8"}, "pt-BR"),
+        ({"LANG": "C"}, "pt-BR"),
+        ({}, "pt-BR"),
+    ],
+)
+def test_language_follows_the_system_and_is_portuguese_otherwise(
+    monkeypatch: pytest.MonkeyPatch, environment: dict[str, str], language: str
+) -> None:
+    for variable in ("PINEL_LANG", "LC_ALL", "LC_MESSAGES", "LANG"):
+        monkeypatch.delenv(variable, raising=False)
+    for variable, value in environment.items():
+        monkeypatch.setenv(variable, value)
+    assert language_of_system() == language

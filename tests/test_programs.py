@@ -1,0 +1,73 @@
+"""Every program under tests/programs runs and meets the values in NAME.values.json beside it.
+
+A value is given exactly, or as {"equals", "within"}, {"min"} and {"max"}; `heading_deg`, `x_m` and `y_m` are
+those of the final pose. `world` and `gestures` are what the program is run with.
+"""
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from pinel_desktop.execution.executor import RunOptions, RunResult, execute
+from pinel_desktop.execution.gestures import ScriptedGestures
+from pinel_desktop.links import open_link
+from pinel_desktop.program import read_document
+
+PROGRAMS = Path(__file__).parent / "programs"
+NAMES = sorted(path.stem for path in PROGRAMS.glob("*.json") if not path.stem.endswith(".values"))
+
+
+def run(name: str, values: dict[str, Any]) -> RunResult:
+    program = read_document((PROGRAMS / f"{name}.json").read_bytes()).program
+    assert program is not None
+    link = open_link("sim", world=values.get("world", "empty_room"))
+    return execute(program, link, RunOptions(gestures=ScriptedGestures(values.get("gestures", []))))
+
+
+def measured(result: RunResult) -> dict[str, Any]:
+    ended = result.ended
+    assert ended.pose is not None
+    return {
+        "state": ended.state,
+        "reason": ended.reason,
+        "n_executed": ended.n_executed,
+        "duration_s": ended.duration_s,
+        "path_length_m": ended.path_length_m,
+        "closing_error_m": ended.closing_error_m,
+        "heading_deg": math.degrees(ended.pose["yaw_rad"]),
+        "x_m": ended.pose["x_m"],
+        "y_m": ended.pose["y_m"],
+    }
+
+
+def meets(value: Any, wanted: Any) -> bool:
+    if not isinstance(wanted, dict):
+        return bool(value == wanted)
+    low, high = wanted.get("min", -math.inf), wanted.get("max", math.inf)
+    if "equals" in wanted:
+        low, high = wanted["equals"] - wanted["within"], wanted["equals"] + wanted["within"]
+    return bool(low <= value <= high)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_program_meets_its_values(name: str) -> None:
+    values = json.loads((PROGRAMS / f"{name}.values.json").read_text("utf-8"))
+    figures = measured(run(name, values))
+    checks = {key: wanted for key, wanted in values.items() if key in figures}
+    assert len(checks) >= 2
+    assert set(values) <= {*figures, "about", "world", "gestures"}
+    missed = {
+        key: (figures[key], wanted)
+        for key, wanted in checks.items()
+        if not meets(figures[key], wanted)
+    }
+    assert missed == {}
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_program_runs_the_same_again_to_the_bit(name: str) -> None:
+    values = json.loads((PROGRAMS / f"{name}.values.json").read_text("utf-8"))
+    assert run(name, values).ended == run(name, values).ended
