@@ -1,7 +1,15 @@
 """2D physics simulator: worlds, the robot's body, stepping. A leaf: imports nothing of the application."""
 
 from sim.simulator import SUBSTEP_S, SUBSTEPS, TICK_S, Simulator
-from sim.world import DEFAULT_WORLD, World, WorldError, list_worlds, load_world, world_from_document
+from sim.world import (
+    DEFAULT_WORLD,
+    World,
+    WorldError,
+    list_worlds,
+    load_world,
+    world_document,
+    world_from_document,
+)
 
 __all__ = [
     "DEFAULT_WORLD",
@@ -13,5 +21,6 @@ __all__ = [
     "WorldError",
     "list_worlds",
     "load_world",
+    "world_document",
     "world_from_document",
 ]

@@ -93,8 +93,13 @@ def list_worlds() -> list[dict[str, Any]]:
     return sorted(_documents().values(), key=lambda d: (d["name"] != DEFAULT_WORLD, d["name"]))
 
 
-def load_world(name: str) -> World:
-    """The world of that name. Raises WorldError `unknown_world`, which lists the names there are."""
+def world_document(name: str) -> dict[str, Any]:
+    """The document of that world. Raises WorldError `unknown_world`, which lists the names there are."""
     if not _NAME.match(name) or name not in _documents():
         raise WorldError("unknown_world", value=name, allowed=[d["name"] for d in list_worlds()])
-    return world_from_document(_documents()[name])
+    return _documents()[name]
+
+
+def load_world(name: str) -> World:
+    """The world of that name, read. Raises WorldError `unknown_world` or `world_invalid`."""
+    return world_from_document(world_document(name))

@@ -63,7 +63,7 @@ def drive_straight(context: RunContext, distance_m: float) -> Iterator[None]:
         if past_end >= 0 and _arrived(context, MOVE_GOAL, distance_m - along, past_end):
             break
         if progress.stuck(along, context.tick):
-            raise RunFailureError("blocked", done=round(along, 3), amount=distance_m)
+            raise RunFailureError("blocked", done=round(along, 3), amount=distance_m, unit="m")
         context.command = line.correct(context.pose, expected - along, speed)
         if context.observed:
             context.setpoint, context.done = line.point(expected), along
@@ -97,7 +97,8 @@ def turn_on_the_spot(context: RunContext, angle_rad: float) -> Iterator[None]:
             break
         if progress.stuck(turned, context.tick):
             done = round(math.degrees(turned), 1)
-            raise RunFailureError("blocked", done=done, amount=math.degrees(angle_rad))
+            amount = round(math.degrees(angle_rad), 6)
+            raise RunFailureError("blocked", done=done, amount=amount, unit="°")
         context.command = Twist2D(0.0, speed + DEFAULT_GAINS.yaw * (expected - turned))
         if context.observed:
             context.setpoint = start._replace(yaw_rad=wrap_angle(start.yaw_rad + expected))

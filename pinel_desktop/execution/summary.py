@@ -26,11 +26,13 @@ def run_object(result: RunResult, run_id: str | None, message: str | None) -> di
     }
 
 
-def faulty_object(faults: list[dict[str, Any]], message: str) -> dict[str, Any]:
-    """IR.md's object for a document that cannot be run."""
+def unbegun_object(
+    reason: str, message: str, faults: list[dict[str, Any]] | None = None
+) -> dict[str, Any]:
+    """IR.md's object for a run that could not begin, such as one in a world that does not exist."""
     return {
         "state": "failed",
-        "reason": "invalid_program",
+        "reason": reason,
         "message": message,
         "run_id": None,
         "n_executed": 0,
@@ -41,6 +43,11 @@ def faulty_object(faults: list[dict[str, Any]], message: str) -> dict[str, Any]:
         "said": [],
         "marks": [],
         "variables": {},
-        "faults": faults,
+        "faults": faults or [],
         "telemetry_sha256": None,
     }
+
+
+def faulty_object(faults: list[dict[str, Any]], message: str) -> dict[str, Any]:
+    """IR.md's object for a document that has faults or cannot be read."""
+    return unbegun_object("invalid_program", message, faults)

@@ -1,0 +1,216 @@
+"""`pinel run FILE`: executes a program in this process and prints its result (IR.md)."""
+
+import json
+import math
+import sys
+from typing import Any
+
+import click
+
+import sim
+from pinel_desktop import __version__
+from pinel_desktop.errors import PinelError
+from pinel_desktop.events.model import Event, EventStamp
+from pinel_desktop.execution.clock import LiveClock, MaxClock
+from pinel_desktop.execution.executor import RunOptions, execute
+from pinel_desktop.execution.gestures import ScriptedGestures
+from pinel_desktop.execution.summary import faulty_object, run_object, unbegun_object
+from pinel_desktop.links import LINK_NAMES, open_link
+from pinel_desktop.messages import describe, language_of_system
+from pinel_desktop.paths import database_path
+from pinel_desktop.program import Fault, Reading, read_document
+from pinel_desktop.program.limits import MAX_BYTES
+from storage import Notice, Recorder, RunStart, Store, StoreError, open_store
+
+_FINISHED, _NOT_FINISHED, _INVALID = 0, 1, 2
+
+
+@click.command()
+@click.argument("file", metavar="FILE")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+@click.option(
+    "--robot",
+    type=click.Choice(LINK_NAMES),
+    default="sim",
+    show_default=True,
+    help="What is to be driven.",
+)
+@click.option("--world", default="empty_room", show_default=True, help="World of the simulator.")
+@click.option(
+    "--pace",
+    type=click.Choice(["live", "max"]),
+    default="max",
+    show_default=True,
+    help="As fast as the robot would be, or as fast as this PC is.",
+)
+@click.option(
+    "--seed", type=int, default=0, show_default=True, help="Seed of the run's random numbers."
+)
+@click.option("--gestures", metavar="B,A,...", default="", help="Results of captures, in order.")
+@click.option("--no-store", is_flag=True, help="Do not keep the run.")
+@click.option(
+    "--db", type=click.Path(dir_okay=False), help="Database file instead of the user's own."
+)
+@click.pass_context
+def command(
+    ctx: click.Context, /, file: str, as_json: bool, no_store: bool, db: str | None, **options: Any
+) -> None:
+    """Run a program and print its result.
+
+    FILE is a program document or a bare list of commands, as JSON; - is standard input. Exit status: 0 finished,
+    1 failed or stopped, 2 the program has faults or cannot be read.
+    """
+    language = language_of_system()
+    reading = _read(file)
+    if reading.program is None:
+        summary = _faulty(reading, language)
+    else:
+        keeper = None if no_store else _open_keeper(db or (ctx.obj or {}).get("db"), language)
+        summary = _run(reading, keeper, language, **options)
+    click.echo(json.dumps(summary, ensure_ascii=False) if as_json else "\n".join(_lines(summary)))
+    ctx.exit(_status(summary))
+
+
+def _status(summary: dict[str, Any]) -> int:
+    if summary["reason"] == "invalid_program":
+        return _INVALID
+    return _FINISHED if summary["state"] == "finished" else _NOT_FINISHED
+
+
+def _read(file: str) -> Reading:
+    try:
+        if file == "-":
+            return read_document(sys.stdin.buffer.read(MAX_BYTES + 1))
+        with open(file, "rb") as opened:
+            return read_document(opened.read(MAX_BYTES + 1))
+    except OSError:
+        return Reading(None, (Fault("file_unreadable", params={"path": file}),))
+
+
+def _faulty(reading: Reading, language: str) -> dict[str, Any]:
+    faults = [_fault_object(fault, language) for fault in reading.faults]
+    return faulty_object(
+        faults, describe("invalid_program", {"count": len(faults)}, language).message
+    )
+
+
+def _fault_object(fault: Fault, language: str) -> dict[str, Any]:
+    words = describe(fault.code, fault.params, language)
+    return {
+        "code": fault.code,
+        "pointer": fault.pointer,
+        "block": fault.block,
+        "message": words.message,
+        "remedy": words.remedy,
+        "params": fault.params,
+    }
+
+
+def _run(
+    reading: Reading, keeper: "_Keeper | None", language: str, **options: Any
+) -> dict[str, Any]:
+    program, document = reading.program, reading.document
+    assert program is not None
+    assert document is not None
+    try:
+        link = open_link(options["robot"], world=options["world"])
+    except PinelError as error:
+        return unbegun_object(error.code, describe(error.code, error.params, language).message)
+    if keeper is not None:
+        keeper.begin(document, options)
+    setup = RunOptions(
+        observer=keeper.observe if keeper else None,
+        clock=LiveClock() if options["pace"] == "live" else MaxClock(),
+        gestures=ScriptedGestures(_results(options["gestures"])),
+    )
+    result = execute(program, link, setup)
+    ended = result.ended
+    message = describe(ended.reason, ended.params, language).message if ended.reason else None
+    run_id = keeper.close() if keeper else None
+    return run_object(result, run_id, message)
+
+
+def _results(text: str) -> list[str]:
+    return [part.strip() for part in text.split(",")] if text else []
+
+
+class _Keeper:
+    """Records a run in the database. What goes wrong with it is said and does not end the run."""
+
+    def __init__(self, store: Store, language: str) -> None:
+        self._store, self._language = store, language
+        self._recorder: Recorder | None = None
+        self._stamp = EventStamp("")
+
+    def begin(self, document: dict[str, Any], options: dict[str, Any]) -> None:
+        start = RunStart(
+            link=options["robot"],
+            world=options["world"],
+            world_document=sim.world_document(options["world"]),
+            seed=options["seed"],
+            app_version=__version__,
+            document=document,
+            parameters={"pace": options["pace"], "gestures": _results(options["gestures"])},
+        )
+        try:
+            self._stamp = EventStamp(self._store.runs.begin(start).id)
+        except StoreError as error:
+            _warn(error, self._language)
+            return
+        self._recorder = Recorder(self._store)
+
+    def observe(self, tick: int, event: Event) -> None:
+        if self._recorder is not None:
+            self._recorder(self._stamp.wire(tick, event))
+
+    def close(self) -> str | None:
+        """Finishes writing; the run's id, None when it could not be kept."""
+        problem = self._recorder.problem if self._recorder else None
+        self._store.close()
+        if problem is not None:
+            _warn(problem, self._language)
+        return self._stamp.run if self._recorder and problem is None else None
+
+
+def _open_keeper(db: str | None, language: str) -> _Keeper | None:
+    try:
+        store = open_store(database_path(db))
+    except StoreError as error:
+        _warn(error, language)
+        return None
+    if store.notice is not None:
+        _warn(store.notice, language)
+    return _Keeper(store, language)
+
+
+def _warn(problem: "StoreError | Notice", language: str) -> None:
+    words = describe(problem.code, problem.params, language)
+    click.echo(f"pinel: {words.message} {words.remedy}", err=True)
+
+
+def _lines(summary: dict[str, Any]) -> list[str]:
+    """The object for people, without --json."""
+    reason = f" ({summary['reason']})" if summary["reason"] else ""
+    lines = [f"state           {summary['state']}{reason}"]
+    if summary["message"]:
+        lines.append(f"                {summary['message']}")
+    for fault in summary["faults"]:
+        lines.append(
+            f"fault           {fault['pointer'] or '/'}: {fault['message']} {fault['remedy']}"
+        )
+    return lines + _figures(summary)
+
+
+def _figures(summary: dict[str, Any]) -> list[str]:
+    pose = summary["pose"]
+    if pose is None:
+        return []
+    heading = math.degrees(pose["yaw_rad"])
+    return [
+        f"commands        {summary['n_executed']}",
+        f"pose            x {pose['x_m']:.4f} m, y {pose['y_m']:.4f} m, heading {heading:.2f}°",
+        f"duration        {summary['duration_s']:.2f} s",
+        f"path length     {summary['path_length_m']:.3f} m",
+        f"closing error   {summary['closing_error_m'] * 1000:.3f} mm",
+        *([f"kept as run     {summary['run_id']}"] if summary["run_id"] else []),
+    ]

@@ -1,0 +1,165 @@
+"""`pinel run`, as it is typed."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner, Result
+
+from pinel_desktop.cli import main
+from storage import open_store
+
+PROGRAMS = Path(__file__).parents[1] / "programs"
+SQUARE = str(PROGRAMS / "square.json")
+KEYS = {
+    "state",
+    "reason",
+    "message",
+    "run_id",
+    "n_executed",
+    "pose",
+    "duration_s",
+    "path_length_m",
+    "closing_error_m",
+    "said",
+    "marks",
+    "variables",
+    "faults",
+    "telemetry_sha256",
+}
+
+
+@pytest.fixture(autouse=True)
+def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("PINEL_HOME", str(tmp_path))
+    monkeypatch.setenv("PINEL_LANG", "en")
+    return tmp_path
+
+
+def pinel(*arguments: str, text: str | None = None) -> Result:
+    result = CliRunner().invoke(main, list(arguments), input=text)
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    return result
+
+
+def run_json(*arguments: str, text: str | None = None) -> tuple[int, dict[str, Any]]:
+    result = pinel("run", *arguments, "--json", text=text)
+    return result.exit_code, json.loads(result.stdout)
+
+
+def test_square_prints_the_object_of_the_language_and_ends_with_0() -> None:
+    status, printed = run_json(SQUARE)
+    assert status == 0
+    assert set(printed) == KEYS
+    assert (printed["state"], printed["reason"], printed["n_executed"]) == ("finished", None, 8)
+    assert printed["closing_error_m"] < 1e-4
+    assert abs(printed["pose"]["yaw_rad"]) < 3.5e-4
+    assert printed["duration_s"] <= 17
+    assert len(printed["telemetry_sha256"]) == 64
+
+
+def test_run_is_kept_with_its_events_and_telemetry(home: Path) -> None:
+    _, printed = run_json(SQUARE)
+    with open_store(home / "pinel.db") as store:
+        kept = store.runs.get(printed["run_id"])
+        assert kept.state == "finished"
+        assert kept.telemetry_sha256 == printed["telemetry_sha256"]
+        assert kept.document is not None
+        assert kept.document["name"] == "square"
+
+
+def test_no_store_leaves_nothing_behind(home: Path) -> None:
+    _, printed = run_json(SQUARE, "--no-store")
+    assert printed["run_id"] is None
+    assert list(home.iterdir()) == []
+
+
+def test_database_can_be_chosen(tmp_path: Path) -> None:
+    other = tmp_path / "other" / "class 9ª B.db"
+    run_json(SQUARE, "--db", str(other))
+    assert other.exists()
+    assert not (tmp_path / "pinel.db").exists()
+
+
+def test_run_that_cannot_be_kept_runs_all_the_same_and_says_so(tmp_path: Path) -> None:
+    folder = tmp_path / "a folder.db"
+    folder.mkdir()
+    result = pinel("run", SQUARE, "--json", "--db", str(folder))
+    assert result.exit_code == 2  # click: a directory is no file
+    (tmp_path / "file").write_text("in the way")
+    result = pinel("run", SQUARE, "--json", "--db", str(tmp_path / "file" / "x.db"))
+    assert result.exit_code == 0
+    assert json.loads(result.stdout)["run_id"] is None
+    assert result.stderr.startswith("pinel: ")
+
+
+def test_gestures_answer_captures_in_order() -> None:
+    _, drawn = run_json(str(PROGRAMS / "b_or_a.json"), "--gestures", "B,A", "--no-store")
+    _, nothing = run_json(str(PROGRAMS / "b_or_a.json"), "--no-store")
+    assert drawn["n_executed"] == 16
+    assert nothing["n_executed"] == 2
+
+
+def test_failed_run_ends_with_1_and_says_why_in_words() -> None:
+    status, printed = run_json(str(PROGRAMS / "into_the_wall.json"), "--no-store")
+    assert status == 1
+    assert (printed["state"], printed["reason"]) == ("failed", "blocked")
+    assert "2.768 m of 6 m" in printed["message"]
+
+
+def test_program_with_faults_ends_with_2_and_prints_them() -> None:
+    text = '[{"action": "move_forward", "distance": -1, "block": "kL0p"}]'
+    status, printed = run_json("-", text=text)
+    assert status == 2
+    assert set(printed) == KEYS
+    assert (printed["state"], printed["reason"], printed["pose"], printed["run_id"]) == (
+        "failed",
+        "invalid_program",
+        None,
+        None,
+    )
+    (fault,) = printed["faults"]
+    assert fault == {
+        "code": "distance_out_of_range",
+        "pointer": "/0/distance",
+        "block": "kL0p",
+        "message": "The distance -1 is out of range.",
+        "remedy": "Choose a distance in metres from 0 to 100.",
+        "params": {"value": -1, "min": 0, "max": 100.0},
+    }
+
+
+@pytest.mark.parametrize(
+    "text", ["", "{", "[" * 100_000, "[" + " " * 1_100_000 + "]", "\ufffe\x00"]
+)
+def test_hostile_text_ends_with_2_and_an_object(text: str) -> None:
+    status, printed = run_json("-", text=text)
+    assert status == 2
+    assert printed["faults"]
+
+
+def test_file_that_cannot_be_read_ends_with_2_and_names_it(tmp_path: Path) -> None:
+    for missing in (tmp_path / "nowhere.json", tmp_path):
+        status, printed = run_json(str(missing))
+        assert status == 2
+        assert str(missing) in printed["faults"][0]["message"]
+
+
+def test_unknown_world_is_named_with_those_there_are() -> None:
+    status, printed = run_json(SQUARE, "--world", "../../etc/passwd", "--no-store")
+    assert status == 1
+    assert printed["reason"] == "unknown_world"
+    assert "../../etc/passwd" in printed["message"]
+
+
+def test_same_program_has_the_same_hash_again() -> None:
+    hashes = {run_json(SQUARE, "--no-store")[1]["telemetry_sha256"] for _ in range(2)}
+    assert len(hashes) == 1
+
+
+def test_without_json_it_prints_lines_for_people() -> None:
+    result = pinel("run", SQUARE, "--no-store")
+    assert "state           finished" in result.stdout
+    assert "closing error   0.000 mm" in result.stdout
