@@ -5,8 +5,8 @@ A leaf: imports nothing of the application. `open_store` opens the file, `Record
 
 from storage.errors import StoreError
 from storage.opening import Notice
-from storage.records import FaultRow, GroupRow, ProgramRow, RunRow, RunStart, VersionRow
 from storage.recording import Recorder
+from storage.records import FaultRow, GroupRow, ProgramRow, RunRow, RunStart, VersionRow
 from storage.store import Store, open_store
 
 __all__ = [

@@ -54,15 +54,17 @@ def prepare(path: Path, now: datetime) -> Opened:
         notice = _examined(path, now)
         _migrate(path)
         return Opened(_address(path, "rwc"), writable=True, notice=notice)
-    except _ReadOnly as stop:
-        return Opened(stop.address, writable=False, notice=Notice("database_read_only", {"path": str(path)}))
+    except _ReadOnlyError as stop:
+        return Opened(
+            stop.address, writable=False, notice=Notice("database_read_only", {"path": str(path)})
+        )
     except sqlite3.Error as error:
         raise translated(error, path) from error
     except OSError as error:
         raise StoreError("database_read_only", path=str(path), problem=error.strerror) from error
 
 
-class _ReadOnly(Exception):
+class _ReadOnlyError(Exception):
     def __init__(self, address: str) -> None:
         super().__init__(address)
         self.address = address
@@ -112,7 +114,9 @@ def _damage(connection: sqlite3.Connection) -> str | None:
 
 
 def _check_ownership(connection: sqlite3.Connection, path: Path) -> None:
-    tables = {row[0] for row in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+    tables = {
+        row[0] for row in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")
+    }
     if not tables:
         return
     if migrations.migrations_table not in tables:
@@ -141,11 +145,13 @@ def _set_aside(path: Path, problem: str, now: datetime) -> Notice:
         part = path.with_name(path.name + sibling)
         if part.exists():
             part.rename(aside.with_name(aside.name + sibling))
-    return Notice("database_set_aside", {"path": str(path), "aside": str(aside), "problem": problem})
+    return Notice(
+        "database_set_aside", {"path": str(path), "aside": str(aside), "problem": problem}
+    )
 
 
 def _migrate(path: Path) -> None:
-    """Brings the tables up to date; raises _ReadOnly where the file can be read but not written."""
+    """Brings the tables up to date; raises _ReadOnlyError where the file can be read but not written."""
     try:
         with closing(connect(_address(path, "rwc"))) as connection:
             connection.execute("PRAGMA journal_mode = WAL")
@@ -155,7 +161,7 @@ def _migrate(path: Path) -> None:
     except sqlite3.OperationalError as error:
         if translated(error, path).code != "database_read_only" or not path.exists():
             raise
-        raise _ReadOnly(_readable_address(path)) from error
+        raise _ReadOnlyError(_readable_address(path)) from error
 
 
 def _readable_address(path: Path) -> str:

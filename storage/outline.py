@@ -3,12 +3,13 @@
 import numpy as np
 from numpy.typing import NDArray
 
+Points = NDArray[np.float64]
 MAX_POINTS = 64
 _FINEST_M = 0.005
 _ROUNDED = 4  # decimals: 0.1 mm
 
 
-def outline(points: NDArray[np.float64]) -> list[list[float]]:
+def outline(points: Points) -> list[list[float]]:
     """At most 64 of the points (n, 2) in m, chosen by Douglas and Peucker's method; ends are kept."""
     tolerance = _FINEST_M
     kept = _simplified(points, tolerance)
@@ -18,7 +19,7 @@ def outline(points: NDArray[np.float64]) -> list[list[float]]:
     return [[round(float(x), _ROUNDED), round(float(y), _ROUNDED)] for x, y in kept]
 
 
-def _simplified(points: NDArray[np.float64], tolerance: float) -> NDArray[np.float64]:
+def _simplified(points: Points, tolerance: float) -> Points:
     if len(points) < 3:
         return points
     keep = np.zeros(len(points), dtype=bool)
@@ -37,12 +38,12 @@ def _simplified(points: NDArray[np.float64], tolerance: float) -> NDArray[np.flo
     return points[keep]
 
 
-def _distances(
-    points: NDArray[np.float64], start: NDArray[np.float64], end: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def _distances(points: Points, start: Points, end: Points) -> Points:
     """Of each point from the stretch start to end, in m."""
     along = end - start
     length2 = float(along @ along)
     share = np.clip((points - start) @ along / length2, 0, 1) if length2 else np.zeros(len(points))
     nearest = start + share[:, None] * along
-    return np.hypot(*(points - nearest).T)
+    dx, dy = (points - nearest).T
+    distances: Points = np.hypot(dx, dy)
+    return distances

@@ -25,7 +25,9 @@ class Programs:
         """Newest first. Raises StoreError `group_not_found`."""
         with self._access.reading() as db:
             require_group(db, group_id)
-            rows = db.execute(f"{_SELECT} WHERE group_id = ? ORDER BY id DESC", [group_id]).fetchall()
+            rows = db.execute(
+                f"{_SELECT} WHERE group_id = ? ORDER BY id DESC", [group_id]
+            ).fetchall()
         return [ProgramRow(**dict(row)) for row in rows]
 
     def get(self, program_id: str) -> ProgramRow:
@@ -56,7 +58,11 @@ class Programs:
         """Raises StoreError `program_not_found`, `name_empty` or `name_too_long`."""
         clean = clean_name(name)
         self._access.write(
-            lambda db: db.execute("UPDATE programs SET name = ? WHERE id = ?", [clean, program_id]).rowcount
+            lambda db: (
+                db.execute(
+                    "UPDATE programs SET name = ? WHERE id = ?", [clean, program_id]
+                ).rowcount
+            )
         )
         return self.get(program_id)
 

@@ -110,7 +110,9 @@ class _Recording:
         batch = Batch(self.run_id, events=self._events)
         if self._samples:
             blob = pack(rows_of(self._samples))
-            batch.chunks.append((self._n_chunks, int(self._samples[0]["tick"]), len(self._samples), blob))
+            batch.chunks.append(
+                (self._n_chunks, int(self._samples[0]["tick"]), len(self._samples), blob)
+            )
             self._n_chunks += 1
         if self._events and self._events[-1]["type"] == "run_ended":
             batch.ended = self._events[-1]

@@ -59,7 +59,9 @@ class Runs:
 
     def discard(self, run_id: str) -> None:
         """Takes back a run that could not begin after all."""
-        self._access.write(lambda db: db.execute("DELETE FROM runs WHERE id = ?", [run_id]).rowcount)
+        self._access.write(
+            lambda db: db.execute("DELETE FROM runs WHERE id = ?", [run_id]).rowcount
+        )
 
     def get(self, run_id: str) -> RunRow:
         """Raises StoreError `run_not_found`."""
@@ -69,7 +71,9 @@ class Runs:
             raise StoreError("run_not_found", id=run_id)
         return _record(row)
 
-    def of_group(self, group_id: str, *, before: str | None = None, limit: int = 50) -> list[RunRow]:
+    def of_group(
+        self, group_id: str, *, before: str | None = None, limit: int = 50
+    ) -> list[RunRow]:
         """Newest first; `before` is the id of the last run of the page before."""
         with self._access.reading() as db:
             rows = db.execute(
@@ -88,7 +92,8 @@ class Runs:
         """Ids that a person may mean who typed the beginning only; at most 10."""
         with self._access.reading() as db:
             rows = db.execute(
-                "SELECT id FROM runs WHERE substr(id, 1, ?) = ? ORDER BY id DESC LIMIT 10", [len(prefix), prefix]
+                "SELECT id FROM runs WHERE substr(id, 1, ?) = ? ORDER BY id DESC LIMIT 10",
+                [len(prefix), prefix],
             ).fetchall()
         return [str(row["id"]) for row in rows]
 
@@ -112,7 +117,9 @@ class Runs:
         now = self._access.now()
 
         def close_all(db: sqlite3.Connection) -> int:
-            open_runs = [row["id"] for row in db.execute("SELECT id FROM runs WHERE state = 'running'")]
+            open_runs = [
+                row["id"] for row in db.execute("SELECT id FROM runs WHERE state = 'running'")
+            ]
             for run_id in open_runs:
                 write_batch(db, _interrupted(db, run_id), now)
             return len(open_runs)
@@ -138,7 +145,11 @@ def write_batch(db: sqlite3.Connection, batch: Batch, now: str) -> None:
 
 
 def _end(
-    db: sqlite3.Connection, run_id: str, ended: Mapping[str, Any], path: Sequence[Sequence[float]], now: str
+    db: sqlite3.Connection,
+    run_id: str,
+    ended: Mapping[str, Any],
+    path: Sequence[Sequence[float]],
+    now: str,
 ) -> None:
     changes = {name: ended.get(name) for name in _FIGURES}
     changes |= {"params": dumped(ended.get("params") or {}), "summary": dumped(_rest(ended))}
@@ -194,7 +205,9 @@ def _interrupted(db: sqlite3.Connection, run_id: str) -> Batch:
     ).fetchone()
     tick = max(int(last["tick"]), int(ticks[-1]) if len(ticks) else 0)
     ended = {
-        **dict.fromkeys(("block", "n_executed", "path_length_m", "closing_error_m", "pose", "telemetry_sha256")),
+        **dict.fromkeys(
+            ("block", "n_executed", "path_length_m", "closing_error_m", "pose", "telemetry_sha256")
+        ),
         "type": "run_ended",
         "seq": last["seq"] + 1 + len(ticks),
         "tick": tick,
@@ -207,7 +220,9 @@ def _interrupted(db: sqlite3.Connection, run_id: str) -> Batch:
 
 
 def _telemetry(db: sqlite3.Connection, run_id: str) -> Telemetry:
-    rows = db.execute("SELECT data, n_rows FROM telemetry WHERE run_id = ? ORDER BY chunk", [run_id])
+    rows = db.execute(
+        "SELECT data, n_rows FROM telemetry WHERE run_id = ? ORDER BY chunk", [run_id]
+    )
     return joined([(row["data"], row["n_rows"]) for row in rows])
 
 
@@ -228,5 +243,9 @@ def _event(run_id: str, row: sqlite3.Row) -> Json:
 def _record(row: sqlite3.Row) -> RunRow:
     values = dict(row)
     values |= {name: loaded(values[name]) for name in _JSON}
-    values |= {"params": values["params"] or {}, "summary": values["summary"] or {}, "path": values["path"] or []}
+    values |= {
+        "params": values["params"] or {},
+        "summary": values["summary"] or {},
+        "path": values["path"] or [],
+    }
     return RunRow(**values)

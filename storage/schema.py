@@ -31,14 +31,17 @@ def first_tables(db: Database) -> None:
     """Groups, programs, versions, runs with events and telemetry, settings."""
     _tables_of_work(db)
     _tables_of_runs(db)
-    db.create_table("settings", {"key": str, "value": str}, pk="key", not_null={"value"}, strict=True)
+    db.create_table(
+        "settings", {"key": str, "value": str}, pk="key", not_null={"value"}, strict=True
+    )
 
 
 @migrations()
 def first_views(db: Database) -> None:
     """The same content with plain names."""
     rows = " UNION ALL ".join(
-        f"SELECT {db.quote(name)} AS name, {db.quote(meaning)} AS meaning" for name, meaning in _ABOUT.items()
+        f"SELECT {db.quote(name)} AS name, {db.quote(meaning)} AS meaning"
+        for name, meaning in _ABOUT.items()
     )
     db.create_view("about", rows)
     db.create_view(
@@ -134,7 +137,16 @@ def _tables_of_runs(db: Database) -> None:
             "path": str,
         },
         pk="id",
-        not_null={"link", "world", "world_document", "seed", "parameters", "app_version", "state", "started_at"},
+        not_null={
+            "link",
+            "world",
+            "world_document",
+            "seed",
+            "parameters",
+            "app_version",
+            "state",
+            "started_at",
+        },
         foreign_keys=[
             ("group_id", "groups", "id"),
             ("program_id", "programs", "id"),

@@ -21,5 +21,9 @@ class Settings:
     def set(self, key: str, value: object) -> None:
         """On disk when this returns."""
         self._access.write(
-            lambda db: db.execute("INSERT OR REPLACE INTO settings VALUES (?, ?)", [key, dumped(value)]).rowcount
+            lambda db: (
+                db.execute(
+                    "INSERT OR REPLACE INTO settings VALUES (?, ?)", [key, dumped(value)]
+                ).rowcount
+            )
         )

@@ -66,7 +66,10 @@ class Store:
         return self
 
     def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
     ) -> None:
         self.close()
 
@@ -109,5 +112,3 @@ def open_store(path: Path, *, close_interrupted: bool = False, clock: Clock = _u
         except StoreError as error:  # a full disk must not keep what is there from being read
             store.notice = store.notice or Notice(error.code, error.params)
     return store
-
-

@@ -2,7 +2,7 @@
 
 A chunk holds about a second. Each column is quantised to a whole number of steps, kept as differences from row
 to row (the robot moves smoothly, so they are small), the bytes of all columns are shuffled (the high bytes are
-nearly all zero) and packed by zlib. FACTS: a quarter of what float32 needs.
+nearly all zero) and packed by zlib: a small part of what float32 columns need.
 """
 
 import json
@@ -31,6 +31,7 @@ STEPS: dict[str, float] = {
     "bumper": 1.0,
 }
 COLUMNS = tuple(STEPS)
+Rows = NDArray[np.float64]
 _STEP = np.array(list(STEPS.values()))
 _MISSING = np.int32(-(2**31))  # stands for null, which float columns read back as NaN
 _LIMIT = float(2**31 - 1)
@@ -40,9 +41,9 @@ _LIMIT = float(2**31 - 1)
 class Telemetry:
     """Samples of a run at 30 Hz: `rows` has shape (n, 13), columns as in `COLUMNS`, NaN for null."""
 
-    rows: NDArray[np.float64]
+    rows: Rows
 
-    def column(self, name: str) -> NDArray[np.float64]:
+    def column(self, name: str) -> Rows:
         """One column by its name, shape (n,)."""
         return self.rows[:, COLUMNS.index(name)]
 
@@ -54,29 +55,31 @@ class Telemetry:
         return struct.pack("<I", len(text)) + text + self.rows.T.astype("<f4").tobytes()
 
 
-def rows_of(events: Iterable[Mapping[str, object]]) -> NDArray[np.float64]:
+def rows_of(events: Iterable[Mapping[str, object]]) -> Rows:
     """Telemetry events as rows; what an event lacks is NaN."""
     rows = [[_number(event.get(name)) for name in COLUMNS] for event in events]
     return np.array(rows, dtype=np.float64).reshape(-1, len(COLUMNS))
 
 
-def pack(rows: NDArray[np.float64]) -> bytes:
+def pack(rows: Rows) -> bytes:
     """Rows of shape (n, 13) as a blob."""
     steps = np.clip(np.nan_to_num(np.rint(rows / _STEP)), -_LIMIT, _LIMIT).astype(np.int32)
     steps[np.isnan(rows)] = _MISSING
     differences = np.empty_like(steps)
     differences[:1] = steps[:1]
-    differences[1:] = steps[1:] - steps[:-1]  # wraps around where it must; so does the sum in `unpack`
+    differences[1:] = (
+        steps[1:] - steps[:-1]
+    )  # wraps around where it must; so does the sum in `unpack`
     octets = np.ascontiguousarray(differences.T.astype("<i4")).view(np.uint8).reshape(-1, 4)
     return zlib.compress(octets.T.tobytes(), 9)
 
 
-def unpack(blob: bytes, n_rows: int) -> NDArray[np.float64]:
+def unpack(blob: bytes, n_rows: int) -> Rows:
     """What `pack` packed, to half a step."""
     octets = np.frombuffer(zlib.decompress(blob), dtype=np.uint8).reshape(4, -1)
     differences = np.ascontiguousarray(octets.T).view("<i4").reshape(len(COLUMNS), n_rows)
     steps = np.cumsum(differences, axis=1, dtype=np.int32).T
-    rows = steps * _STEP
+    rows: Rows = steps * _STEP
     rows[steps == _MISSING] = np.nan
     return rows
 

@@ -36,7 +36,11 @@ class Versions:
         return _record(row)
 
     def save(
-        self, program_id: str, workspace: Json, document: Json | None, faults: Sequence[FaultRow] = ()
+        self,
+        program_id: str,
+        workspace: Json,
+        document: Json | None,
+        faults: Sequence[FaultRow] = (),
     ) -> VersionRow:
         """Keeps a state; on disk when this returns. The same content as the newest version is that version.
 

@@ -39,7 +39,9 @@ class Writer:
         future: Future[T] = Future()
         with self._lock:
             if self._closed:
-                future.set_exception(StoreError("database_failed", path=str(self._path), problem="closed"))
+                future.set_exception(
+                    StoreError("database_failed", path=str(self._path), problem="closed")
+                )
             else:
                 self._tasks.put(lambda: self._fulfil(future, job))
         return future

@@ -37,7 +37,9 @@ STATUS = {
     "database_failed": 500,
     "internal_error": 500,
 }
-_OTHERWISE = 422  # what is left is about the body: a name too long, a world unknown, a program with faults
+_OTHERWISE = (
+    422  # what is left is about the body: a name too long, a world unknown, a program with faults
+)
 
 
 def plain(value: object) -> object:
@@ -73,11 +75,20 @@ def in_words(problem: Any, language: str) -> Fault:
 
 
 def error_answer(
-    code: str, params: Mapping[str, object], language: str, *, faults: Iterable[Fault] = (), status: int | None = None
+    code: str,
+    params: Mapping[str, object],
+    language: str,
+    *,
+    faults: Iterable[Fault] = (),
+    status: int | None = None,
 ) -> Response:
     """The one error shape, in words of the language; the status follows from the code."""
     words = describe(code, params, language)
     body = ErrorBody(
-        code=code, message=words.message, remedy=words.remedy, params=dict(params), faults=list(faults)
+        code=code,
+        message=words.message,
+        remedy=words.remedy,
+        params=dict(params),
+        faults=list(faults),
     )
     return answer(ErrorAnswer(error=body), status or STATUS.get(code, _OTHERWISE))

@@ -9,7 +9,7 @@ from flask_openapi3.openapi import OpenAPI
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.web import errors
-from pinel_desktop.web.page import page
+from pinel_desktop.web.page import PagePath, page
 from pinel_desktop.web.routes import bare_app, description_text
 from pinel_desktop.web.services import Services, services
 
@@ -42,6 +42,7 @@ def create_app(parts: Services) -> OpenAPI:
     app.json = _StrictJson(app)
     app.config["MAX_CONTENT_LENGTH"] = MAX_BODY
     app.add_url_rule("/api/openapi.json", view_func=_description)
+    app.url_map.converters["page_path"] = PagePath
     app.register_blueprint(page)
     app.before_request(_check_guard)
     app.before_request(_check_body)

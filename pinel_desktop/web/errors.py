@@ -18,11 +18,11 @@ from storage import StoreError
 _log = logging.getLogger(__name__)
 
 
-class InvalidProgram(PinelError):
+class InvalidProgramError(PinelError):
     """A version that cannot run, with the faults that say why."""
 
     def __init__(self, faults: list[Fault]) -> None:
-        super().__init__("invalid_program", n=len(faults))
+        super().__init__("invalid_program", count=len(faults))
         self.faults = faults
 
 
@@ -52,8 +52,9 @@ def _of_http(error: HTTPException) -> Response:
         case RequestEntityTooLarge():
             return _answer("body_too_large", {"max_mib": 4})
         case MethodNotAllowed():
-            answer = _answer("method_not_allowed", {"method": request.method, "allowed": sorted(error.valid_methods or [])})
-            answer.headers["Allow"] = ", ".join(sorted(error.valid_methods or []))
+            allowed = sorted(error.valid_methods or [])
+            answer = _answer("method_not_allowed", {"method": request.method, "allowed": allowed})
+            answer.headers["Allow"] = ", ".join(allowed)
             return answer
     if error.code == 404:
         return _answer("not_found", {"path": request.path})
@@ -62,11 +63,15 @@ def _of_http(error: HTTPException) -> Response:
 
 def _unforeseen(error: Exception) -> Response:
     _log.error("%s %s failed", request.method, request.path, exc_info=error)
-    return _answer("internal_error", {})
+    return _answer("internal_error", {"detail": type(error).__name__})
 
 
 def _answer(
-    code: str, params: dict[str, object], *, faults: list[Fault] | None = None, status: int | None = None
+    code: str,
+    params: dict[str, object],
+    *,
+    faults: list[Fault] | None = None,
+    status: int | None = None,
 ) -> Response:
     language = services().preferences.language
     answer = error_answer(code, params, language, faults=faults or (), status=status)

@@ -9,12 +9,19 @@ import hmac
 import secrets
 import threading
 from collections.abc import Mapping
+from typing import Protocol
 
 from pinel_desktop.errors import PinelError
 
 SECRET_HEADER = "X-Pinel-Secret"
 _OWN_SITE = ("same-origin", "none")  # none: typed, from a bookmark, or opened by another program
 _KEYS_KEPT = 16
+
+
+class Headers(Protocol):
+    """Headers of a request, whatever case they are written in."""
+
+    def get(self, key: str, /) -> str | None: ...
 
 
 class Guard:
@@ -55,13 +62,15 @@ class Guard:
     def redeem(self, key: str) -> bool:
         """True once for each key given out."""
         with self._lock:
-            found = [kept for kept in self._keys if hmac.compare_digest(kept.encode(), key.encode())]
+            found = [
+                kept for kept in self._keys if hmac.compare_digest(kept.encode(), key.encode())
+            ]
             self._keys = [kept for kept in self._keys if kept not in found]
         return bool(found)
 
-    def check_origin(self, headers: Mapping[str, str]) -> None:
+    def check_origin(self, headers: Headers) -> None:
         """Refuses what was not sent by our own page."""
-        host = headers.get("Host", "")
+        host = headers.get("Host") or ""
         if not self._authority or host != self._authority:
             raise PinelError("host_wrong", host=host, expected=self._authority)
         origin = headers.get("Origin")
@@ -77,8 +86,8 @@ class Guard:
         if not hmac.compare_digest(given.encode(), self.cookie_value.encode()):
             raise PinelError("key_missing")
 
-    def check_secret(self, headers: Mapping[str, str]) -> None:
+    def check_secret(self, headers: Headers) -> None:
         """Refuses who cannot read the instance file."""
-        given = headers.get(SECRET_HEADER, "")
+        given = headers.get(SECRET_HEADER) or ""
         if not hmac.compare_digest(given.encode(), self.secret.encode()):
             raise PinelError("secret_wrong")

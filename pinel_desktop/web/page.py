@@ -4,6 +4,7 @@ from html import escape
 from pathlib import Path
 
 from flask import Blueprint, Response, redirect, request, send_from_directory
+from werkzeug.routing import PathConverter
 from werkzeug.wrappers import Response as BaseResponse
 
 from pinel_desktop.messages import describe
@@ -45,7 +46,13 @@ def index() -> BaseResponse:
     return _file("index.html")
 
 
-@page.get("/<path:name>")
+class PagePath(PathConverter):
+    """A path outside `/api`: there, an unknown address is no file that is missing."""
+
+    regex = r"(?!api(?:/|$))[^/].*?"
+
+
+@page.get("/<page_path:name>")
 def asset(name: str) -> BaseResponse:
     """A file of the page; a name under `assets/` carries a hash of its content and never changes."""
     answer = _file(name)
@@ -62,6 +69,8 @@ def _file(name: str) -> BaseResponse:
 
 def _signed_in(answer: BaseResponse) -> BaseResponse:
     guard = services().guard
-    answer.set_cookie(guard.cookie_name, guard.cookie_value, httponly=True, samesite="Strict", path="/")
+    answer.set_cookie(
+        guard.cookie_name, guard.cookie_value, httponly=True, samesite="Strict", path="/"
+    )
     answer.headers["Cache-Control"] = "no-store"
     return answer

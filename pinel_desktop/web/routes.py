@@ -8,7 +8,7 @@ import json
 from functools import cache
 from typing import Any
 
-from flask_openapi3.models import Info
+from flask_openapi3.models.info import Info
 from flask_openapi3.openapi import OpenAPI
 from pydantic import BaseModel
 

@@ -23,7 +23,9 @@ class Engine(Protocol):
     @property
     def live_run(self) -> str | None: ...
 
-    def run(self, run_id: str, document: dict[str, Any], *, world: str, seed: int = 0, link: str = "sim") -> None: ...
+    def run(
+        self, run_id: str, document: dict[str, Any], *, world: str, seed: int = 0, link: str = "sim"
+    ) -> None: ...
 
     def pause(self, run_id: str) -> None: ...
 
@@ -51,11 +53,19 @@ class Preferences(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
+class DatabaseState:
+    """Where the work is kept, whether it is, and what a person should know about that."""
+
+    path: str
+    writable: bool
+    notice: Problem | None
+
+
+@dataclass(frozen=True, slots=True)
 class Services:
     """Everything the handlers may touch.
 
     Attributes:
-        store_notice: what the person should know about the database, None when all is well.
         show_window: brings the window forward; does nothing where there is none.
     """
 
@@ -67,7 +77,7 @@ class Services:
     preferences: Preferences
     read_document: ReadDocument
     worlds: Sequence[dict[str, Any]]
-    store_notice: Callable[[], Problem | None]
+    database_state: Callable[[], DatabaseState]
     show_window: Callable[[], None]
 
 

@@ -1,14 +1,15 @@
 """The HTTP interface, one file per resource."""
 
-from collections.abc import Callable
 from typing import Any
 
 from flask_openapi3.blueprint import APIBlueprint
-from flask_openapi3.models import Tag
+from flask_openapi3.models.tag import Tag
+from flask_openapi3.types import ResponseDict
+from pydantic import BaseModel
 
 from pinel_desktop.web.models.errors import ErrorAnswer
 
-_EVERYWHERE = {401: ErrorAnswer, 403: ErrorAnswer, 421: ErrorAnswer, 422: ErrorAnswer, 500: ErrorAnswer}
+_EVERYWHERE = (400, 401, 403, 421, 422, 500)
 
 
 def resource(name: str, about: str, import_name: str) -> APIBlueprint:
@@ -18,7 +19,7 @@ def resource(name: str, about: str, import_name: str) -> APIBlueprint:
         import_name,
         url_prefix="/api",
         abp_tags=[Tag(name=name, description=about)],
-        abp_responses=dict(_EVERYWHERE),
+        abp_responses=dict.fromkeys(_EVERYWHERE, ErrorAnswer),
         operation_id_callback=_camel_case,
     )
 
@@ -29,10 +30,6 @@ def _camel_case(**operation: Any) -> str:
     return first + "".join(word.capitalize() for word in others)
 
 
-Answers = dict[int, Any]
-View = Callable[..., Any]
-
-
-def errors(*statuses: int) -> Answers:
-    """Descriptions of the further errors that an operation may answer."""
-    return {status: ErrorAnswer for status in statuses}
+def answers(good: type[BaseModel] | dict[str, Any], *statuses: int) -> ResponseDict:
+    """Descriptions of the good answer and of the errors that this operation may answer besides the usual."""
+    return {200: good, **dict.fromkeys(statuses, ErrorAnswer)}

@@ -4,7 +4,7 @@ from flask import Response
 from pydantic import BaseModel, ConfigDict, Field
 
 from pinel_desktop.web.answers import answer
-from pinel_desktop.web.api import resource
+from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.models import Empty
 from pinel_desktop.web.models.status import InstanceLink
 from pinel_desktop.web.services import services
@@ -20,13 +20,13 @@ class Secret(BaseModel):
     secret: str = Field(alias="X-Pinel-Secret")
 
 
-@api.post("/instance/link", responses={200: InstanceLink})
+@api.post("/instance/link", responses=answers(InstanceLink))
 def create_instance_link(header: Secret) -> Response:
     """A fresh address that opens the page once."""
     return answer(InstanceLink(url=services().guard.fresh_link()))
 
 
-@api.post("/instance/show", responses={200: Empty})
+@api.post("/instance/show", responses=answers(Empty))
 def show_instance(header: Secret) -> Response:
     """Brings the window forward."""
     services().show_window()

@@ -3,8 +3,9 @@
 from flask import Response
 
 from pinel_desktop.program.faults import Fault
+from pinel_desktop.program.reading import Reading
 from pinel_desktop.web.answers import answer, in_words
-from pinel_desktop.web.api import errors, resource
+from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.work import (
     CheckedDocument,
@@ -23,21 +24,23 @@ from storage import FaultRow, VersionRow
 api = resource("programs", "Programs, their versions, and checking documents.", __name__)
 
 
-@api.get("/groups/<id>/programs", responses={200: ProgramList, **errors(404)})
+@api.get("/groups/<id>/programs", responses=answers(ProgramList, 404))
 def list_programs(path: IdPath) -> Response:
     """Programs of a group, newest first."""
     rows = services().store.programs.of_group(path.id)
-    return answer(ProgramList(programs=[Program.model_validate(row, from_attributes=True) for row in rows]))
+    return answer(
+        ProgramList(programs=[Program.model_validate(row, from_attributes=True) for row in rows])
+    )
 
 
-@api.post("/groups/<id>/programs", responses={200: Program, **errors(404, 503, 507)})
+@api.post("/groups/<id>/programs", responses=answers(Program, 404, 503, 507))
 def create_program(path: IdPath, body: ProgramName) -> Response:
     """Makes an empty program."""
     row = services().store.programs.create(path.id, body.name)
     return answer(Program.model_validate(row, from_attributes=True))
 
 
-@api.get("/programs/<id>", responses={200: ProgramWithVersion, **errors(404)})
+@api.get("/programs/<id>", responses=answers(ProgramWithVersion, 404))
 def get_program(path: IdPath) -> Response:
     """A program with its newest version."""
     store = services().store
@@ -47,33 +50,35 @@ def get_program(path: IdPath) -> Response:
     return answer(ProgramWithVersion(**fields, version=version_model(newest) if newest else None))
 
 
-@api.patch("/programs/<id>", responses={200: Program, **errors(404, 503, 507)})
+@api.patch("/programs/<id>", responses=answers(Program, 404, 503, 507))
 def rename_program(path: IdPath, body: ProgramName) -> Response:
     """Gives a program another name."""
     row = services().store.programs.rename(path.id, body.name)
     return answer(Program.model_validate(row, from_attributes=True))
 
 
-@api.post("/programs/<id>/versions", responses={200: SavedVersion, **errors(404, 413, 503, 507)})
+@api.post("/programs/<id>/versions", responses=answers(SavedVersion, 404, 413, 503, 507))
 def save_version(path: IdPath, body: NewVersion) -> Response:
     """Keeps what the editor holds; on disk when answered."""
     parts = services()
-    document, faults = None, ()
-    if body.document is not None:
-        reading = parts.read_document(body.document)
-        document, faults = reading.document, reading.faults
+    reading = Reading(None) if body.document is None else parts.read_document(body.document)
+    document = None if reading.faults else reading.document
     row = parts.store.versions.save(
-        path.id, body.workspace, None if faults else document, [_fault_row(fault) for fault in faults]
+        path.id, body.workspace, document, [_fault_row(fault) for fault in reading.faults]
     )
-    return answer(SavedVersion(id=row.id, created_at=row.created_at, faults=version_model(row).faults))
+    return answer(
+        SavedVersion(id=row.id, created_at=row.created_at, faults=version_model(row).faults)
+    )
 
 
-@api.post("/check", responses={200: CheckedDocument, **errors(413)})
+@api.post("/check", responses=answers(CheckedDocument, 413))
 def check_document(body: DocumentToCheck) -> Response:
     """All faults of a document, in words."""
     parts = services()
     faults = parts.read_document(body.document).faults
-    return answer(CheckedDocument(faults=[in_words(fault, parts.preferences.language) for fault in faults]))
+    return answer(
+        CheckedDocument(faults=[in_words(fault, parts.preferences.language) for fault in faults])
+    )
 
 
 def version_model(row: VersionRow) -> Version:
@@ -89,4 +94,6 @@ def version_model(row: VersionRow) -> Version:
 
 
 def _fault_row(fault: Fault) -> FaultRow:
-    return FaultRow(code=fault.code, pointer=fault.pointer, block=fault.block, params=dict(fault.params))
+    return FaultRow(
+        code=fault.code, pointer=fault.pointer, block=fault.block, params=dict(fault.params)
+    )

@@ -7,21 +7,31 @@ from flask import Response
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
 from pinel_desktop.web.answers import answer, in_words
-from pinel_desktop.web.api import errors, resource
+from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.api.programs import version_model
-from pinel_desktop.web.errors import InvalidProgram
+from pinel_desktop.web.errors import InvalidProgramError
 from pinel_desktop.web.models import Empty, IdPath
-from pinel_desktop.web.models.runs import CaptureAnswer, NewRun, Run, RunEvents, RunList, RunPage, RunWithVersion
+from pinel_desktop.web.models.runs import (
+    CaptureAnswer,
+    NewRun,
+    Run,
+    RunEvents,
+    RunList,
+    RunPage,
+    RunWithVersion,
+)
 from pinel_desktop.web.services import Services, services
 from storage import RunRow, RunStart, VersionRow
 
 api = resource("runs", "Runs: live and recorded.", __name__)
 
 _LINK = "sim"
-_OCTETS = {"content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}}}
+_OCTETS = {
+    "content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}}
+}
 
 
-@api.get("/groups/<id>/runs", responses={200: RunList, **errors(404)})
+@api.get("/groups/<id>/runs", responses=answers(RunList, 404))
 def list_runs(path: IdPath, query: RunPage) -> Response:
     """Runs of a group, newest first, a page at a time."""
     store = services().store
@@ -31,7 +41,7 @@ def list_runs(path: IdPath, query: RunPage) -> Response:
     return answer(RunList(runs=[_model(row) for row in rows], next=after))
 
 
-@api.post("/runs", responses={200: Run, **errors(404, 409, 503, 507)})
+@api.post("/runs", responses=answers(Run, 404, 409, 503, 507))
 def begin_run(body: NewRun) -> Response:
     """Begins a live run of a version."""
     parts = services()
@@ -39,7 +49,7 @@ def begin_run(body: NewRun) -> Response:
     document = _runnable(version, parts)
     start = _start(version, body, parts)
     if parts.engine.live_run is not None:
-        raise PinelError("run_in_progress", run=parts.engine.live_run)
+        raise PinelError("run_in_progress")
     row = parts.store.runs.begin(start)
     try:
         parts.engine.run(row.id, document, world=start.world, seed=start.seed, link=_LINK)
@@ -51,14 +61,18 @@ def begin_run(body: NewRun) -> Response:
 
 def _runnable(version: VersionRow, parts: Services) -> dict[str, object]:
     if version.document is None:
-        raise InvalidProgram([in_words(fault, parts.preferences.language) for fault in version.faults])
+        raise InvalidProgramError(
+            [in_words(fault, parts.preferences.language) for fault in version.faults]
+        )
     return version.document
 
 
 def _start(version: VersionRow, body: NewRun, parts: Services) -> RunStart:
     world = next((world for world in parts.worlds if world["name"] == body.world), None)
     if world is None:
-        raise PinelError("world_not_found", world=body.world, worlds=[world["name"] for world in parts.worlds])
+        raise PinelError(
+            "unknown_world", value=body.world, allowed=[world["name"] for world in parts.worlds]
+        )
     return RunStart(
         version_id=version.id,
         link=_LINK,
@@ -69,28 +83,28 @@ def _start(version: VersionRow, body: NewRun, parts: Services) -> RunStart:
     )
 
 
-@api.post("/runs/<id>/pause", responses={200: Empty, **errors(404, 409)})
+@api.post("/runs/<id>/pause", responses=answers(Empty, 404, 409))
 def pause_run(path: IdPath) -> Response:
     """Makes the live run wait."""
     services().engine.pause(_known(path.id))
     return answer(Empty())
 
 
-@api.post("/runs/<id>/resume", responses={200: Empty, **errors(404, 409)})
+@api.post("/runs/<id>/resume", responses=answers(Empty, 404, 409))
 def resume_run(path: IdPath) -> Response:
     """Lets the live run go on."""
     services().engine.resume(_known(path.id))
     return answer(Empty())
 
 
-@api.post("/runs/<id>/stop", responses={200: Empty, **errors(404, 409)})
+@api.post("/runs/<id>/stop", responses=answers(Empty, 404, 409))
 def stop_run(path: IdPath) -> Response:
     """Stops the robot and ends the live run."""
     services().engine.stop(_known(path.id))
     return answer(Empty())
 
 
-@api.post("/runs/<id>/capture", responses={200: Empty, **errors(404, 409)})
+@api.post("/runs/<id>/capture", responses=answers(Empty, 404, 409))
 def answer_capture(path: IdPath, body: CaptureAnswer) -> Response:
     """Answers the capture that the live run waits for."""
     services().engine.answer_capture(_known(path.id), body.result)
@@ -102,7 +116,7 @@ def _known(run_id: str) -> str:
     return services().store.runs.get(run_id).id
 
 
-@api.get("/runs/<id>", responses={200: RunWithVersion, **errors(404)})
+@api.get("/runs/<id>", responses=answers(RunWithVersion, 404))
 def get_run(path: IdPath) -> Response:
     """A run with the version and the world it ran in."""
     store = services().store
@@ -118,20 +132,29 @@ def get_run(path: IdPath) -> Response:
     )
 
 
-@api.get("/runs/<id>/events", responses={200: RunEvents, **errors(404)})
+@api.get("/runs/<id>/events", responses=answers(RunEvents, 404))
 def get_run_events(path: IdPath) -> Response:
     """Events of a run without telemetry, as they were on the stream."""
     events = services().store.runs.events(path.id)
-    return Response(json.dumps({"events": events}, separators=(",", ":")), mimetype="application/json")
+    return Response(
+        json.dumps({"events": events}, separators=(",", ":")), mimetype="application/json"
+    )
 
 
-@api.get("/runs/<id>/telemetry", responses={200: _OCTETS, **errors(404)})
+@api.get("/runs/<id>/telemetry", responses=answers(_OCTETS, 404))
 def get_run_telemetry(path: IdPath) -> Response:
     """Telemetry of a run: length of the header (uint32), header (JSON), float32 columns; all little-endian."""
-    return Response(services().store.runs.telemetry(path.id).to_wire(), mimetype="application/octet-stream")
+    return Response(
+        services().store.runs.telemetry(path.id).to_wire(), mimetype="application/octet-stream"
+    )
 
 
 def _model(row: RunRow) -> Run:
-    words = describe(row.reason, row.params, services().preferences.language) if row.reason else None
-    fields = {name: getattr(row, name) for name in Run.model_fields if name not in ("message", "remedy")}
-    return Run(**fields, message=words and words.message, remedy=words and words.remedy)
+    language = services().preferences.language
+    words = describe(row.reason, row.params, language) if row.reason else None
+    fields = {
+        name: getattr(row, name) for name in Run.model_fields if name not in ("message", "remedy")
+    }
+    return Run(
+        **fields, message=words.message if words else None, remedy=words.remedy if words else None
+    )

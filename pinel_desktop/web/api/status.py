@@ -4,7 +4,7 @@ from flask import Response
 
 from pinel_desktop.messages import describe
 from pinel_desktop.web.answers import answer
-from pinel_desktop.web.api import resource
+from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.models.errors import Notice
 from pinel_desktop.web.models.status import DatabaseStatus, Settings, Status
 from pinel_desktop.web.services import Services, services
@@ -12,7 +12,7 @@ from pinel_desktop.web.services import Services, services
 api = resource("status", "State of the app and its settings.", __name__)
 
 
-@api.get("/status", responses={200: Status})
+@api.get("/status", responses=answers(Status))
 def get_status() -> Response:
     """State of app, engine and database."""
     parts = services()
@@ -28,18 +28,15 @@ def get_status() -> Response:
 
 
 def _database(parts: Services) -> DatabaseStatus:
-    return DatabaseStatus(path=str(parts.store.path), writable=parts.store.writable, notice=_notice(parts))
+    state = parts.database_state()
+    notice = None
+    if state.notice is not None:
+        words = describe(state.notice.code, state.notice.params, parts.preferences.language)
+        notice = Notice(code=state.notice.code, message=words.message, remedy=words.remedy)
+    return DatabaseStatus(path=state.path, writable=state.writable, notice=notice)
 
 
-def _notice(parts: Services) -> Notice | None:
-    problem = parts.store_notice()
-    if problem is None:
-        return None
-    words = describe(problem.code, problem.params, parts.preferences.language)
-    return Notice(code=problem.code, message=words.message, remedy=words.remedy)
-
-
-@api.put("/settings", responses={200: Settings})
+@api.put("/settings", responses=answers(Settings))
 def put_settings(body: Settings) -> Response:
     """Chooses the language of page and messages."""
     services().preferences.language = body.language

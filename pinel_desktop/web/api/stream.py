@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from flask import Response
 
 from pinel_desktop.events.hub import Subscription
-from pinel_desktop.web.api import resource
+from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.models.events import StreamEvent
 from pinel_desktop.web.services import services
 
@@ -20,7 +20,7 @@ _EVENTS = {
 }
 
 
-@api.get("/stream", responses={200: _EVENTS})
+@api.get("/stream", responses=answers(_EVENTS))
 def stream_events() -> Response:
     """All events as they happen, after a first `hello`."""
     parts = services()
@@ -29,7 +29,7 @@ def stream_events() -> Response:
     return Response(_lines(subscription, hello), mimetype="text/event-stream")
 
 
-def _lines(subscription: Subscription, hello: dict[str, object]) -> Iterator[str]:
+def _lines(subscription: Subscription, hello: object) -> Iterator[str]:
     with subscription:
         yield _line(hello)
         while not subscription.closed:

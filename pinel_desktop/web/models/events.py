@@ -130,5 +130,7 @@ class Event(RootModel[Annotated[_OfRun, Field(discriminator="type")]]):
     """One event of a run."""
 
 
-class StreamEvent(RootModel[Annotated[_OfRun | HelloEvent | NoticeEvent, Field(discriminator="type")]]):
+class StreamEvent(
+    RootModel[Annotated[_OfRun | HelloEvent | NoticeEvent, Field(discriminator="type")]]
+):
     """What one `data:` line of the stream holds."""

@@ -7,7 +7,9 @@ from pydantic import Field
 from pinel_desktop.web.models import Body, Id, Json, Shape, Time
 from pinel_desktop.web.models.errors import Fault
 
-Name = Annotated[str, Field(max_length=1000, description="1 to 60 characters; spaces at the ends do not count")]
+Name = Annotated[
+    str, Field(max_length=1000, description="1 to 60 characters; spaces at the ends do not count")
+]
 Color = Annotated[str, Field(pattern="^#[0-9a-f]{6}$")]
 
 

@@ -1,0 +1,183 @@
+"""Composition root: the only place where store, engine, hub and web are wired together."""
+
+import contextlib
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, Protocol
+
+from pinel_desktop import __version__
+from pinel_desktop.engine.client import EngineClient
+from pinel_desktop.events.hub import Hub
+from pinel_desktop.instance import Instance
+from pinel_desktop.messages import LANGUAGES, describe, language_of_system
+from pinel_desktop.program.reading import read_document
+from pinel_desktop.web import Services, create_app
+from pinel_desktop.web.guard import Guard
+from pinel_desktop.web.server import Server
+from pinel_desktop.web.services import DatabaseState, Engine, Problem, ReadDocument
+from sim.world import list_worlds
+from storage import Recorder, Store, StoreError, open_store
+
+Event = dict[str, Any]
+# All is well again, or a remedy was applied: the file is written to.
+_WRITABLE_NOTICES = ("database_set_aside",)
+
+
+class EngineOfApp(Engine, Protocol):
+    """An engine that the app may start and close."""
+
+    def start(self) -> None: ...
+
+    def close(self) -> None: ...
+
+
+class App:
+    """Everything that runs behind the page: `start`, give `address` to a window or a person, `close`.
+
+    Args:
+        database: the file; made where there is none. When it cannot be used the app starts all the same, and
+            the page says why nothing can be kept.
+        port: 0 for any that is free.
+        on_show: brings the window forward when the app is started a second time.
+    """
+
+    def __init__(
+        self,
+        database: Path,
+        *,
+        port: int = 0,
+        on_show: Callable[[], None] = lambda: None,
+        make_engine: Callable[[Callable[[Event], None]], EngineOfApp] = EngineClient,
+        read: ReadDocument = read_document,
+        worlds: Sequence[dict[str, Any]] | None = None,
+    ) -> None:
+        self._database = database
+        self._port = port
+        self._on_show = on_show
+        self._make_engine = make_engine
+        self._read = read
+        self._worlds = list_worlds() if worlds is None else worlds
+        self._closing = contextlib.ExitStack()
+
+    def start(self) -> None:
+        """Starts everything; nothing is left behind when it cannot.
+
+        Raises:
+            AlreadyRunningError: another process serves this database.
+            PinelError: `port_taken`, `instance_silent`.
+        """
+        with contextlib.ExitStack() as undo:
+            instance = Instance(self._database)
+            instance.acquire()
+            undo.callback(instance.release)
+            self._assemble(undo)
+            instance.announce(self._guard.origin, self._guard.secret)
+            self._closing = undo.pop_all()
+
+    @property
+    def address(self) -> str:
+        """A fresh address that opens the page once."""
+        return self._guard.fresh_link()
+
+    @property
+    def language(self) -> str:
+        """The language that was chosen."""
+        return self._preferences.language
+
+    @property
+    def notice(self) -> Problem | None:
+        """What a person should know about the database, None when all is well."""
+        return self._database_state().notice
+
+    def close(self) -> None:
+        """Stops the robot, writes what is pending, ends every stream. Safe to call twice."""
+        self._closing.close()
+
+    def __enter__(self) -> "App":
+        self.start()
+        return self
+
+    def __exit__(self, *failure: object) -> None:
+        self.close()
+
+    def _assemble(self, undo: contextlib.ExitStack) -> None:
+        """Makes the parts so that they end in this order: engine, hub, server, recorder, store."""
+        self._store = _opened(self._database)
+        undo.callback(self._store.close)
+        self._preferences = Preferences(self._store)
+        self._hub = Hub()
+        self._recorder = Recorder(self._store, self._tell_problem)
+        undo.callback(self._end_recording)
+        server = Server(self._port)
+        undo.callback(server.close)
+        undo.callback(self._hub.close)
+        self._guard = Guard()
+        self._guard.bind(server.host, server.port)
+        self._engine = self._make_engine(self._take)
+        undo.callback(self._engine.close)
+        server.start(create_app(self._services()))
+        self._engine.start()
+
+    def _services(self) -> Services:
+        return Services(
+            app_version=__version__,
+            store=self._store,
+            engine=self._engine,
+            hub=self._hub,
+            guard=self._guard,
+            preferences=self._preferences,
+            read_document=self._read,
+            worlds=self._worlds,
+            database_state=self._database_state,
+            show_window=self._on_show,
+        )
+
+    def _take(self, event: Event) -> None:
+        """An event of the engine: first to the store, so that the page finds ended what it hears has ended."""
+        self._recorder(event)
+        self._hub.publish(event)
+
+    def _end_recording(self) -> None:
+        """Writes what is pending, and closes a run that the engine left open."""
+        with contextlib.suppress(StoreError):
+            self._recorder.flush().result()
+            self._store.runs.close_interrupted()
+
+    def _database_state(self) -> DatabaseState:
+        notice = self._recorder.problem or self._store.notice
+        writable = self._store.writable and (notice is None or notice.code in _WRITABLE_NOTICES)
+        return DatabaseState(path=str(self._store.path), writable=writable, notice=notice)
+
+    def _tell_problem(self, problem: StoreError | None) -> None:
+        """The run goes on; the page is told that it is not being kept, or that it is kept again."""
+        code, params = (problem.code, problem.params) if problem else ("recording_resumed", {})
+        words = describe(code, params, self._preferences.language)
+        self._hub.publish(
+            {"type": "notice", "code": code, "message": words.message, "remedy": words.remedy}
+        )
+
+
+class Preferences:
+    """The chosen language; kept in the store where it can be written, else until the app ends."""
+
+    def __init__(self, store: Store) -> None:
+        self._store = store
+        kept = store.settings.get("language")
+        self._language: str = kept if kept in LANGUAGES else language_of_system()
+
+    @property
+    def language(self) -> str:
+        return self._language
+
+    @language.setter
+    def language(self, language: str) -> None:
+        self._language = language
+        with contextlib.suppress(StoreError):
+            self._store.settings.set("language", language)
+
+
+def _opened(database: Path) -> Store:
+    try:
+        return open_store(database, close_interrupted=True)
+    except StoreError as error:
+        return Store.without_file(database, error)

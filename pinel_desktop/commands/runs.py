@@ -1,0 +1,120 @@
+"""`pinel runs`: what was run and how it ended."""
+
+import json
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import click
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.messages import describe, language_of_system
+from pinel_desktop.paths import database_path
+from storage import RunRow, Store, StoreError, open_store
+
+_FIGURES = (
+    ("program_name", "program"),
+    ("link", "link"),
+    ("world", "world"),
+    ("seed", "seed"),
+    ("started_at", "started"),
+    ("ended_at", "ended"),
+    ("duration_s", "duration_s"),
+    ("n_executed", "n_executed"),
+    ("path_length_m", "path_length_m"),
+    ("closing_error_m", "closing_error_m"),
+    ("telemetry_sha256", "telemetry_sha256"),
+)
+
+
+@click.group()
+@click.option(
+    "--db", type=click.Path(dir_okay=False), help="Database file instead of the user's own."
+)
+@click.pass_context
+def command(ctx: click.Context, db: str | None) -> None:
+    """List and show recorded runs."""
+    ctx.obj = {"db": db or (ctx.obj or {}).get("db")}
+
+
+@command.command("list")
+@click.option(
+    "--limit", type=click.IntRange(1, 1000), default=20, show_default=True, help="How many at most."
+)
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object per line.")
+@click.pass_context
+def list_runs(ctx: click.Context, limit: int, as_json: bool) -> None:
+    """List runs, newest first."""
+    with _opened(ctx) as store:
+        rows = store.runs.newest(limit)
+    for row in rows:
+        click.echo(json.dumps(_as_object(row), ensure_ascii=False) if as_json else _line(row))
+
+
+@command.command("show")
+@click.argument("run")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+@click.pass_context
+def show_run(ctx: click.Context, run: str, as_json: bool) -> None:
+    """Show one run. RUN is its id, or a beginning of it that no other run shares."""
+    with _opened(ctx) as store:
+        row = _found(store, run)
+        n_events = len(store.runs.events(row.id))
+    if as_json:
+        click.echo(json.dumps({**_as_object(row), "n_events": n_events}, ensure_ascii=False))
+        return
+    click.echo(f"{row.id}  {row.state}")
+    for line in _details(row):
+        click.echo(line)
+
+
+class _Failure(click.ClickException):
+    """An error in the words of the language."""
+
+    def __init__(self, error: PinelError | StoreError) -> None:
+        words = describe(error.code, error.params, language_of_system())
+        super().__init__(f"{words.message} {words.remedy}".strip())
+
+
+def _opened(ctx: click.Context) -> Store:
+    path = database_path(ctx.obj["db"])
+    try:
+        if not Path(path).is_file():
+            raise PinelError("database_missing", path=str(path))
+        return open_store(path)
+    except (PinelError, StoreError) as error:
+        raise _Failure(error) from error
+
+
+def _found(store: Store, run: str) -> RunRow:
+    ids = store.runs.ids_beginning_with(run.lower())
+    if not ids:
+        raise _Failure(StoreError("run_not_found", id=run))
+    if len(ids) > 1 and run.lower() not in ids:
+        raise _Failure(PinelError("run_ambiguous", id=run, ids=ids))
+    return store.runs.get(run.lower() if run.lower() in ids else ids[0])
+
+
+def _as_object(row: RunRow) -> dict[str, Any]:
+    words = describe(row.reason, row.params, language_of_system()) if row.reason else None
+    return {**asdict(row), "message": words and words.message, "remedy": words and words.remedy}
+
+
+def _line(row: RunRow) -> str:
+    duration = "" if row.duration_s is None else f"{row.duration_s:.1f} s"
+    ending = f"{row.state} {row.reason or ''}".strip()
+    return (
+        f"{row.id}  {row.started_at[:19]}  {ending:<22}  {duration:>8}  {row.program_name or '-'}"
+    )
+
+
+def _details(row: RunRow) -> list[str]:
+    lines = [
+        f"  {label}: {getattr(row, name)}"
+        for name, label in _FIGURES
+        if getattr(row, name) is not None
+    ]
+    if row.reason:
+        words = describe(row.reason, row.params, language_of_system())
+        lines.append(f"  {row.reason}: {words.message} {words.remedy}")
+    return lines

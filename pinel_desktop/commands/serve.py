@@ -1,0 +1,64 @@
+"""`pinel serve`: the page without a window."""
+
+import signal
+import threading
+from types import FrameType
+
+import click
+
+from pinel_desktop.app import App
+from pinel_desktop.errors import PinelError
+from pinel_desktop.instance import AlreadyRunningError
+from pinel_desktop.messages import describe, language_of_system
+from pinel_desktop.paths import database_path
+
+
+@click.command()
+@click.option(
+    "--port",
+    type=click.IntRange(0, 65535),
+    default=0,
+    show_default=True,
+    help="Port; 0 takes a free one.",
+)
+@click.option(
+    "--db", type=click.Path(dir_okay=False), help="Database file instead of the user's own."
+)
+@click.pass_context
+def command(ctx: click.Context, port: int, db: str | None) -> None:
+    """Serve the page without a window and print its address.
+
+    The address works once and on this PC only; start the command again for a fresh one. Ends with Ctrl+C.
+    Exit status: 0, or 1 when the page cannot be served.
+    """
+    app = App(database_path(db or (ctx.obj or {}).get("db")), port=port)
+    try:
+        _serve(app)
+    except AlreadyRunningError as first:
+        _say("already_running", first.params, language_of_system())
+        click.echo(first.running.fresh_link())
+    except PinelError as error:
+        words = describe(error.code, error.params, language_of_system())
+        click.echo(f"{words.message}\n{words.remedy}", err=True)
+        ctx.exit(1)
+
+
+def _serve(app: App) -> None:
+    ended = threading.Event()
+
+    def end(number: int, frame: FrameType | None) -> None:
+        ended.set()
+
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, end)
+    with app:
+        if app.notice is not None:
+            _say(app.notice.code, app.notice.params, app.language)
+        _say("serving", {}, app.language)
+        click.echo(app.address)
+        ended.wait()
+
+
+def _say(code: str, params: dict[str, object], language: str) -> None:
+    words = describe(code, params, language)
+    click.echo(f"{words.message} {words.remedy}".strip(), err=True)

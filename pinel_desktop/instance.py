@@ -1,0 +1,133 @@
+"""One app for one database: a lock, and a file that tells a second start how to reach the first.
+
+The lock is the system's own, so it is gone when the process is, however it ended; the file may be stale and is
+believed only while the lock is held and the address answers.
+"""
+
+import json
+import os
+import time
+import urllib.error
+import urllib.request
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from filelock import FileLock, Timeout
+
+from pinel_desktop.errors import PinelError
+
+_SECRET_HEADER = (
+    "X-Pinel-Secret"  # as in web/guard.py, which this must not load: a second start is to be quick
+)
+_ANSWER_S = 2.0
+_STARTING_S = 10.0
+_POLL_S = 0.1
+
+
+@dataclass(frozen=True, slots=True)
+class RunningInstance:
+    """The app that was started first."""
+
+    url: str
+    secret: str
+    pid: int
+
+    def show(self) -> None:
+        """Brings its window forward. Raises PinelError `instance_silent`."""
+        self._ask("show")
+
+    def fresh_link(self) -> str:
+        """An address that opens its page once. Raises PinelError `instance_silent`."""
+        return str(self._ask("link")["url"])
+
+    def _ask(self, what: str) -> dict[str, Any]:
+        request = urllib.request.Request(
+            f"{self.url}/api/instance/{what}", method="POST", headers={_SECRET_HEADER: self.secret}
+        )
+        # no proxy: the address is on this PC, whatever the school's network wants
+        opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))
+        try:
+            with opener.open(request, timeout=_ANSWER_S) as answer:
+                found: dict[str, Any] = json.load(answer)
+                return found
+        except urllib.error.HTTPError as error:
+            error.close()
+            raise PinelError("instance_silent", pid=self.pid) from error
+        except (OSError, ValueError) as error:
+            raise PinelError("instance_silent", pid=self.pid) from error
+
+
+class AlreadyRunningError(PinelError):
+    """Another process has the database; `running` reaches it."""
+
+    def __init__(self, running: RunningInstance) -> None:
+        super().__init__("already_running", url=running.url, pid=running.pid)
+        self.running = running
+
+
+class Instance:
+    """The lock of this process on a database; `release` it at the end."""
+
+    def __init__(self, database: Path) -> None:
+        self._file = database.with_name(f"{database.stem}.instance.json")
+        self._lock = FileLock(str(database.with_name(f"{database.stem}.lock")))
+
+    def acquire(self, wait_s: float = _STARTING_S) -> None:
+        """Takes the lock. In a folder that cannot be written there is none, and no harm in going without.
+
+        Raises:
+            AlreadyRunningError: another process has it and answers.
+            PinelError: `instance_silent` when it has not answered after `wait_s`.
+        """
+        deadline = time.monotonic() + wait_s
+        while not self._taken():
+            running = self._running()
+            if running is not None:
+                raise AlreadyRunningError(running)
+            if time.monotonic() >= deadline:
+                raise PinelError("instance_silent", pid=self._told().get("pid", "?"))
+            time.sleep(_POLL_S)  # the other one may be starting, or be about to end
+
+    def announce(self, url: str, secret: str) -> None:
+        """Writes how to reach this process, readable by this user alone."""
+        if not self._lock.is_locked:
+            return
+        text = json.dumps({"url": url, "secret": secret, "pid": os.getpid()})
+        self._file.unlink(missing_ok=True)
+        handle = os.open(self._file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+        with os.fdopen(handle, "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def release(self) -> None:
+        """Takes the file away and gives the lock back."""
+        if self._lock.is_locked:
+            self._file.unlink(missing_ok=True)
+            self._lock.release()
+
+    def _taken(self) -> bool:
+        try:
+            self._file.parent.mkdir(parents=True, exist_ok=True)
+            self._lock.acquire(timeout=0)
+        except Timeout:
+            return False
+        except OSError:
+            return True
+        return True
+
+    def _running(self) -> RunningInstance | None:
+        """The process that holds the lock, if its file can be read and its address answers."""
+        told = self._told()
+        try:
+            running = RunningInstance(str(told["url"]), str(told["secret"]), int(str(told["pid"])))
+            running.fresh_link()
+        except (KeyError, ValueError, PinelError):
+            return None
+        return running
+
+    def _told(self) -> dict[str, object]:
+        try:
+            found = json.loads(self._file.read_text("utf-8"))
+        except (OSError, ValueError):
+            return {}
+        return found if isinstance(found, dict) else {}

@@ -1,0 +1,23 @@
+"""Where the user's data lives: `--db FILE`, else the folder PINEL_HOME, else the system's place for it."""
+
+import os
+from pathlib import Path
+
+import platformdirs
+
+DATABASE_NAME = "pinel.db"
+
+
+def data_folder() -> Path:
+    """PINEL_HOME, or the user's data folder; it need not exist."""
+    home = os.environ.get("PINEL_HOME")
+    if home:
+        return Path(home).expanduser()
+    return Path(platformdirs.user_data_dir("pinel", appauthor=False))
+
+
+def database_path(db: str | os.PathLike[str] | None = None) -> Path:
+    """The database file: `db` where one was given, else `pinel.db` in the data folder."""
+    if db:
+        return Path(db).expanduser().absolute()
+    return (data_folder() / DATABASE_NAME).absolute()
