@@ -45,8 +45,8 @@ class Simulator:
         self.space.collision_slop = COLLISION_SLOP_M
         self._add_obstacles(world)
         self._body = self._add_robot(world, robot)
-        self._wheels = self._add_wheels(robot)
-        self._omega = 0.0
+        self.wheels = self._add_wheels(robot)
+        self._yaw, self._omega = world.start[2], 0.0
 
     def _add_obstacles(self, world: World) -> None:
         static = self.space.static_body
@@ -86,19 +86,20 @@ class Simulator:
         velocity holds, which starts one substep late, and shortened by the sinc of half the angle.
         """
         half_angle = omega_radps * TICK_S / 2.0
-        heading = self._body.angle + self._omega * SUBSTEP_S + half_angle
+        heading = self._yaw + self._omega * SUBSTEP_S + half_angle
         chord = v_mps if half_angle == 0.0 else v_mps * math.sin(half_angle) / half_angle
-        self._wheels.velocity = (chord * math.cos(heading), chord * math.sin(heading))
-        self._wheels.angular_velocity = omega_radps
+        self.wheels.velocity = (chord * math.cos(heading), chord * math.sin(heading))
+        self.wheels.angular_velocity = omega_radps
         self._omega = omega_radps
         step = self.space.step
         for _ in range(SUBSTEPS):
             step(SUBSTEP_S)
+        self._yaw = self._body.angle
 
     def state(self) -> tuple[float, float, float, float, float]:
         """True x and y (m), yaw (rad, not wrapped), speed ahead (m/s) and turning speed (rad/s); world's frame."""
         body = self._body
-        yaw = body.angle
+        yaw = self._yaw
         x, y = body.position
         vx, vy = body.velocity
         return x, y, yaw, vx * math.cos(yaw) + vy * math.sin(yaw), body.angular_velocity

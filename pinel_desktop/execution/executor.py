@@ -131,21 +131,11 @@ class _Run:
                 raise _Stopped
             if control.pause_requested:
                 self._pause()
-            if self._steps_until_time(stack):
+            if stack.run_until_time(MAX_STEPS_PER_TICK):
                 clock.wait_for_tick()
                 self._pass_tick()
             elif stack.finished:
                 return
-
-    def _steps_until_time(self, stack: ProgramStack) -> bool:
-        """Runs commands until a tick has to pass; False when the program is over before."""
-        stack.begin_tick()
-        for _ in range(MAX_STEPS_PER_TICK):
-            if stack.step():
-                return True
-            if stack.finished:
-                return False
-        return True
 
     def _pass_tick(self) -> None:
         context = self._context
@@ -160,7 +150,7 @@ class _Run:
         self._take(state)
         x, y, yaw = context.pose
         v, w = state.twist
-        self._recorder.add(tick, x, y, yaw, v, w, command.v_mps, command.omega_radps)
+        self._recorder.add((tick, x, y, yaw, v, w, command.v_mps, command.omega_radps))
         if self._observer is not None:
             goal_x, goal_y, goal_yaw = context.setpoint
             self._observer(
@@ -230,7 +220,7 @@ class _Run:
             block=block,
             n_executed=self._stack.n_executed,
             duration_s=self._tick / TICK_HZ,
-            path_length_m=self._recorder.path_length_m,
+            path_length_m=self._recorder.path_length_m(),
             closing_error_m=math.hypot(pose.x_m, pose.y_m),
             pose=pose._asdict(),
             telemetry_sha256=self._recorder.sha256(),

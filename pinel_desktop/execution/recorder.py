@@ -4,34 +4,29 @@ import hashlib
 import math
 import sys
 from array import array
+from collections.abc import Callable
+from operator import sub
 
 from pinel_desktop.robot import Pose2D
 
 
 class Recorder:
-    """Keeps one row of float64 a tick: tick, x, y, yaw, v, w, commanded v, commanded w (start frame, SI)."""
+    """Keeps one row of float64 a tick: tick, x, y, yaw, v, w, commanded v, commanded w (start frame, SI).
+
+    Attributes:
+        add: appends a row, given as a tuple; the array's own method, because it is called at every tick.
+    """
 
     COLUMNS = 8
 
     def __init__(self) -> None:
         self.rows = array("d")
-        self.path_length_m = 0.0
-        self._x, self._y = 0.0, 0.0
+        self.add: Callable[[tuple[float, ...]], None] = self.rows.extend
 
-    def add(
-        self,
-        tick: int,
-        x: float,
-        y: float,
-        yaw: float,
-        v: float,
-        w: float,
-        command_v: float,
-        command_w: float,
-    ) -> None:
-        self.rows.extend((tick, x, y, yaw, v, w, command_v, command_w))
-        self.path_length_m += math.hypot(x - self._x, y - self._y)
-        self._x, self._y = x, y
+    def path_length_m(self) -> float:
+        """Length of the path from the start through all positions."""
+        xs, ys = (array("d", [0.0]) + self.rows[column :: self.COLUMNS] for column in (1, 2))
+        return sum(map(math.hypot, map(sub, xs[1:], xs), map(sub, ys[1:], ys)))
 
     def last_pose(self) -> Pose2D:
         """Pose of the newest row; the start without one."""

@@ -64,12 +64,18 @@ class ProgramStack:
     def finished(self) -> bool:
         return not self._frames and self._running is None
 
-    def begin_tick(self) -> None:
-        """Forgets what was reported in the tick before."""
+    def run_until_time(self, max_steps: int) -> bool:
+        """Runs commands until a tick has to pass, or `max_steps` are done; False when the program is over before."""
         if self._reported:
             self._reported.clear()
+        for _ in range(max_steps):
+            if self._step():
+                return True
+            if self.finished:
+                return False
+        return True
 
-    def step(self) -> bool:
+    def _step(self) -> bool:
         """Does one step; True when the running command needs a tick to pass."""
         if self._running is not None:
             return self._continue(*self._running)
