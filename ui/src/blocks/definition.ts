@@ -9,6 +9,7 @@ export interface BlockDefinition {
   readonly message1?: string;
   readonly args1?: readonly BlockArgument[];
   readonly message2?: string;
+  readonly args2?: readonly BlockArgument[];
   readonly message3?: string;
   readonly args3?: readonly BlockArgument[];
   readonly output?: ValueType;

@@ -14,6 +14,7 @@ const SHAPES = {
     "M21.17 6.81a1 1 0 0 0-3.98-3.98L3.84 16.17a2 2 0 0 0-.5.83l-1.32 4.35a.5.5 0 0 0 .62.62l4.35-1.32a2 2 0 0 0 .83-.5z",
   split: "M16 3h5v5M8 3H3v5m9 14v-8.3a4 4 0 0 0-1.17-2.87L3 3m12 6 6-6",
   repeat: "m17 2 4 4-4 4M3 11v-1a4 4 0 0 1 4-4h14M7 22l-4-4 4-4m14-1v1a4 4 0 0 1-4 4H3",
+  none: "",
 } as const;
 
 export type IconName = keyof typeof SHAPES;
@@ -41,3 +42,6 @@ export function iconArgument(name: IconName) {
     alt: "",
   };
 }
+
+/** Keeps a word that stands alone in its row clear of the notch above it and in line with the words over it. */
+export const rowSpacer = { ...iconArgument("none"), name: "SPACER", height: 36 };

@@ -1,5 +1,5 @@
 import type { BlockDefinition } from "./definition";
-import { iconArgument } from "./icons";
+import { iconArgument, rowSpacer } from "./icons";
 
 const statement = { style: "logic", previousStatement: null, nextStatement: null } as const;
 const condition = { type: "input_value", name: "CONDITION", check: "Boolean" };
@@ -22,7 +22,8 @@ export const logic = [
     args0: [iconArgument("split"), condition],
     message1: "%1",
     args1: [body("THEN")],
-    message2: "%{BKY_PINEL_ELSE}",
+    message2: "%1 %{BKY_PINEL_ELSE}",
+    args2: [rowSpacer],
     message3: "%1",
     args3: [body("ELSE")],
   },

@@ -8,14 +8,16 @@ import { registerToolboxCategory } from "./toolbox_category";
 export function injectWorkspace(options: EditorOptions): Blockly.WorkspaceSvg {
   registerRenderer();
   registerToolboxCategory();
+  // a finger, or a shared mouse, lets go well beside the gap it means
+  Blockly.config.snapRadius = 40;
+  Blockly.config.connectingSnapRadius = 40;
   // what was deleted comes back with undo or from the trash, so nobody is asked
   Blockly.dialog.setConfirm((_message, answer) => answer(true));
+  keepMenusShort();
   return Blockly.inject(options.container, {
     toolbox: toolbox(),
     theme: blocklyTheme(options.theme),
     renderer: RENDERER,
-    // a row with a word only, as "else", is else so low that the notch above cuts into the word
-    rendererOverrides: { DUMMY_INPUT_MIN_HEIGHT: 44 },
     media: options.mediaPath,
     sounds: false,
     trashcan: true,
@@ -28,4 +30,12 @@ export function injectWorkspace(options: EditorOptions): Blockly.WorkspaceSvg {
     move: { scrollbars: true, drag: true, wheel: true },
     zoom: { controls: false, wheel: false, pinch: true, startScale: 1, maxScale: 2, minScale: 0.4 },
   });
+}
+
+/** Of Blockly's menu entries, those that mean nothing here. */
+const IDLE_ENTRIES = ["blockInline", "blockHelp"];
+
+function keepMenusShort(): void {
+  const { registry } = Blockly.ContextMenuRegistry;
+  for (const entry of IDLE_ENTRIES) if (registry.getItem(entry)) registry.unregister(entry);
 }

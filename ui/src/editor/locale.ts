@@ -4,7 +4,7 @@ import * as es from "blockly/msg/es";
 import * as ptBR from "blockly/msg/pt-br";
 import { setBlockLanguage } from "../blocks/texts";
 import type { Language } from "../i18n/language";
-import { MISSING_MESSAGES } from "./messages";
+import { OWN_MESSAGES } from "./messages";
 
 const BLOCKLY_MESSAGES: Readonly<Record<Language, object>> = { "pt-BR": ptBR, en, es };
 
@@ -12,7 +12,7 @@ const BLOCKLY_MESSAGES: Readonly<Record<Language, object>> = { "pt-BR": ptBR, en
 export function applyLanguage(language: Language): void {
   Blockly.setLocale({
     ...(BLOCKLY_MESSAGES[language] as Record<string, string>),
-    ...MISSING_MESSAGES[language],
+    ...OWN_MESSAGES[language],
   });
   setBlockLanguage(language);
 }

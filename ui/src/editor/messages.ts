@@ -1,8 +1,26 @@
 import type { Language } from "../i18n/language";
 
-/** Blockly 13 ships these in English in every language; a pupil meets them with the keyboard or a screen reader. */
-export const MISSING_MESSAGES: Readonly<Record<Language, Readonly<Record<string, string>>>> = {
+/**
+ * Blockly 13 ships most of these in English in every language; a pupil meets them with the keyboard or a screen reader.
+ * The others say in plainer words what Blockly's translations say.
+ */
+export const OWN_MESSAGES: Readonly<Record<Language, Readonly<Record<string, string>>>> = {
   "pt-BR": {
+    CLEAN_UP: "Arrumar blocos soltos",
+    DELETE_BLOCK: "Apagar bloco",
+    DELETE_X_BLOCKS: "Apagar %1 blocos",
+    KEYBOARD_NAV_CONSTRAINED_MOVE_HINT: "Use as setas para escolher o lugar e %1 para soltar.",
+    KEYBOARD_NAV_UNCONSTRAINED_MOVE_HINT:
+      "Segure %1 e use as setas para mover livremente; %2 para soltar.",
+    KEYBOARD_NAV_COPIED_HINT: "Copiado. Use %1 para colar.",
+    KEYBOARD_NAV_CUT_HINT: "Recortado. Use %1 para colar.",
+    WORKSPACE_ROLEDESCRIPTION: "área de trabalho",
+    WORKSPACE_LABEL_PLAIN: "Área dos blocos.",
+    WORKSPACE_LABEL_1_STACK: "1 pilha de blocos",
+    WORKSPACE_LABEL_MANY_STACKS: "%1 pilhas de blocos",
+    WORKSPACE_LABEL_FLYOUT_WORKSPACE: "blocos de %1",
+    SCREENREADER_MODE_ENABLED: "Modo de leitor de tela ligado; %1 desliga.",
+    SCREENREADER_MODE_DISABLED: "Modo de leitor de tela desligado; %1 liga.",
     KEYBOARD_NAV_BLOCK_NAVIGATION_HINT: "Use %1 para andar por dentro dos blocos.",
     KEYBOARD_NAV_WORKSPACE_NAVIGATION_HINT: "Use as setas para andar pelos blocos.",
     ICON_LABEL_WARNING_CLOSED: "Abrir o aviso",
@@ -32,6 +50,21 @@ export const MISSING_MESSAGES: Readonly<Record<Language, Readonly<Record<string,
   },
   en: {},
   es: {
+    CLEAN_UP: "Ordenar bloques sueltos",
+    DELETE_BLOCK: "Borrar bloque",
+    DELETE_X_BLOCKS: "Borrar %1 bloques",
+    KEYBOARD_NAV_CONSTRAINED_MOVE_HINT: "Usa las flechas para elegir el lugar y %1 para soltar.",
+    KEYBOARD_NAV_UNCONSTRAINED_MOVE_HINT:
+      "Mantén %1 y usa las flechas para mover libremente; %2 para soltar.",
+    KEYBOARD_NAV_COPIED_HINT: "Copiado. Usa %1 para pegar.",
+    KEYBOARD_NAV_CUT_HINT: "Cortado. Usa %1 para pegar.",
+    WORKSPACE_ROLEDESCRIPTION: "área de trabajo",
+    WORKSPACE_LABEL_PLAIN: "Área de los bloques.",
+    WORKSPACE_LABEL_1_STACK: "1 pila de bloques",
+    WORKSPACE_LABEL_MANY_STACKS: "%1 pilas de bloques",
+    WORKSPACE_LABEL_FLYOUT_WORKSPACE: "bloques de %1",
+    SCREENREADER_MODE_ENABLED: "Modo de lector de pantalla activado; %1 lo desactiva.",
+    SCREENREADER_MODE_DISABLED: "Modo de lector de pantalla desactivado; %1 lo activa.",
     KEYBOARD_NAV_BLOCK_NAVIGATION_HINT: "Usa %1 para moverte dentro de los bloques.",
     KEYBOARD_NAV_WORKSPACE_NAVIGATION_HINT: "Usa las flechas para moverte por los bloques.",
     ICON_LABEL_WARNING_CLOSED: "Abrir el aviso",

@@ -1,6 +1,7 @@
 import * as Blockly from "blockly/core";
 import type { Category } from "../blocks/hues";
 import { type IconName, iconShape } from "../blocks/icons";
+import { svgIcon } from "./svg_icon";
 
 const ICONS: Readonly<Record<Exclude<Category, "start">, IconName>> = {
   motion: "arrowUp",
@@ -14,13 +15,8 @@ class ToolboxCategory extends Blockly.ToolboxCategory {
   protected override createIconDom_(): Element {
     const tile = document.createElement("span");
     tile.className = "pinelCategoryTile";
-    const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-    svg.classList.add("pinelCategoryIcon");
-    svg.setAttribute("viewBox", "0 0 24 24");
-    const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
-    path.setAttribute("d", iconShape(ICONS[this.toolboxItemDef_.id as keyof typeof ICONS]));
-    svg.append(path);
-    tile.append(svg);
+    const icon = ICONS[this.toolboxItemDef_.id as keyof typeof ICONS];
+    tile.append(svgIcon(iconShape(icon), "pinelCategoryIcon"));
     return tile;
   }
 

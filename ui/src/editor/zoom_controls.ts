@@ -1,6 +1,7 @@
 import type * as Blockly from "blockly/core";
 import { word } from "../blocks/texts";
 import type { TextKey } from "../blocks/texts/keys";
+import { svgIcon } from "./svg_icon";
 
 const SHAPES = {
   ZOOM_IN: "M12 5v14M5 12h14",
@@ -41,13 +42,6 @@ function zoomButton(control: Control): HTMLButtonElement {
   const button = document.createElement("button");
   button.type = "button";
   button.dataset.testid = `editor-${control.toLowerCase().replaceAll("_", "-")}`;
-  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-  svg.classList.add("pinelZoomIcon");
-  svg.setAttribute("viewBox", "0 0 24 24");
-  svg.setAttribute("aria-hidden", "true");
-  const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
-  path.setAttribute("d", SHAPES[control]);
-  svg.append(path);
-  button.append(svg);
+  button.append(svgIcon(SHAPES[control], "pinelZoomIcon"));
   return button;
 }
