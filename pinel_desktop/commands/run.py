@@ -1,4 +1,4 @@
-"""`pinel run FILE`: executes a program in this process and prints its result (IR.md)."""
+"""`pinel run FILE`: executes a program in this process and prints its result (docs/program-document.md)."""
 
 import json
 import math

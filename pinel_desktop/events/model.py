@@ -83,7 +83,7 @@ class Telemetry(Event):
 
 @dataclass(frozen=True, slots=True)
 class RunEnded(Event):
-    """The last event of every run. `state` and `reason` as in IR.md; lengths in m, `duration_s` in robot time."""
+    """The last event of every run. Lengths in m, `duration_s` in robot time."""
 
     type: ClassVar[str] = "run_ended"
     state: Literal["finished", "stopped", "failed"]

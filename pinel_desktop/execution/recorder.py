@@ -33,7 +33,7 @@ class Recorder:
         return Pose2D(*self.rows[-7:-4]) if self.rows else Pose2D()
 
     def sha256(self) -> str:
-        """SHA-256 of the rows as little-endian float64 (IR.md, telemetry_sha256)."""
+        """SHA-256 of the rows as little-endian float64 (docs/program-document.md, telemetry_sha256)."""
         rows = self.rows
         if sys.byteorder == "big":
             rows = array("d", rows)

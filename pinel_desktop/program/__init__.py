@@ -1,4 +1,4 @@
-"""The program document of IR.md: model, reading, faults. PURE: no IO, thread or clock."""
+"""The program document (docs/program-document.md): model, reading, faults. PURE: no IO, thread or clock."""
 
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.model import Program

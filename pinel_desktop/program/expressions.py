@@ -1,7 +1,7 @@
 """Expressions: literals, operators and the gesture result, as data. Nothing here evaluates anything.
 
-IR.md knows more of them (variables, sensors, arithmetic, calls): each becomes a model here, a row in OPERATORS
-or a tag in `_kind`, and a case in `execution/evaluation.py`.
+More are to come (variables, sensors, arithmetic, calls): each becomes a model here, a row in OPERATORS or a tag in
+`_kind`, and a case in `execution/evaluation.py`.
 """
 
 from typing import Annotated, Any, Literal

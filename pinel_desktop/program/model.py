@@ -1,7 +1,7 @@
-"""The program document as data models (IR.md, version 1).
+"""The program document as data models (docs/program-document.md, version 1).
 
-Here: the original's actions, move_backward, repeat and wait. The other commands of IR.md each become a model in
-COMMANDS, a primitive in `execution/primitives/` and a block; functions become models beside Program.
+Here: the original's actions, move_backward, repeat and wait. Each further command becomes a model in COMMANDS,
+a row on that page, a primitive in `execution/primitives/` and a block; functions become models beside Program.
 """
 
 from typing import Annotated, Any, Literal
@@ -179,5 +179,5 @@ for _model in (Repeat, Branch, ConditionalExecution, Program):
 
 
 def action_names() -> list[str]:
-    """The actions there are, in the order of the table in IR.md."""
+    """The actions there are, in the order of the page's table."""
     return [model.model_fields["action"].annotation.__args__[0] for model in COMMANDS]  # type: ignore[union-attr]
