@@ -146,7 +146,8 @@ def _set_aside(path: Path, problem: str, now: datetime) -> Notice:
         if part.exists():
             part.rename(aside.with_name(aside.name + sibling))
     return Notice(
-        "database_set_aside", {"path": str(path), "aside": str(aside), "problem": problem}
+        "database_set_aside",
+        {"path": str(path), "folder": str(aside.parent), "name": aside.name, "problem": problem},
     )
 
 

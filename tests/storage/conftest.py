@@ -1,0 +1,62 @@
+"""Stores on real files; every store is closed, or the test fails with a ResourceWarning."""
+
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from storage import GroupRow, ProgramRow, RunStart, Store, VersionRow, open_store
+
+WORLD: dict[str, Any] = {"pinel_world": 1, "name": "empty_room"}
+SQUARE: dict[str, Any] = {
+    "pinel_ir": 1,
+    "name": "square",
+    "functions": [],
+    "commands": [{"action": "repeat", "times": 4, "commands": []}],
+}
+
+
+@pytest.fixture
+def path(tmp_path: Path) -> Path:
+    return tmp_path / "pinel.db"
+
+
+@pytest.fixture
+def opened(path: Path) -> Iterator[Callable[..., Store]]:
+    """Opens stores and closes them at the end of the test."""
+    with ExitStack() as stack:
+        yield lambda file=path, **options: stack.enter_context(open_store(file, **options))
+
+
+@pytest.fixture
+def store(opened: Callable[..., Store]) -> Store:
+    return opened()
+
+
+@pytest.fixture
+def group(store: Store) -> GroupRow:
+    return store.groups.create("Os Robôs")
+
+
+@pytest.fixture
+def program(store: Store, group: GroupRow) -> ProgramRow:
+    return store.programs.create(group.id, "Quadrado")
+
+
+@pytest.fixture
+def version(store: Store, program: ProgramRow) -> VersionRow:
+    return store.versions.save(program.id, {"blocks": {}}, SQUARE)
+
+
+@pytest.fixture
+def start(version: VersionRow) -> RunStart:
+    return RunStart(
+        link="sim",
+        world="empty_room",
+        world_document=WORLD,
+        seed=7,
+        app_version="0.1.0",
+        version_id=version.id,
+    )

@@ -1,0 +1,251 @@
+"""Files that are damaged, foreign, newer, locked or read-only, and disks that are full."""
+
+import os
+import sqlite3
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from datetime import UTC, datetime
+from pathlib import Path
+
+import pytest
+
+from storage import Recorder, RunRow, RunStart, Store, StoreError, VersionRow, open_store
+from tests.storage.sample_runs import ended, square
+
+NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
+IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
+
+
+def code_of(attempt: Callable[[], object]) -> str:
+    with pytest.raises(StoreError) as caught:
+        attempt()
+    return caught.value.code
+
+
+def filled(path: Path, n_groups: int = 200) -> bytes:
+    with open_store(path) as store:
+        for n in range(n_groups):
+            store.groups.create(f"Grupo {n}")
+    return path.read_bytes()
+
+
+def garbled_header(content: bytes) -> bytes:
+    return b"this is no database" + content[19:]
+
+
+def garbled_middle(content: bytes) -> bytes:
+    middle = len(content) // 2 // 4096 * 4096
+    return content[:middle] + os.urandom(4096 * 3) + content[middle + 4096 * 3 :]
+
+
+def cut_short(content: bytes) -> bytes:
+    return content[: len(content) * 2 // 3]
+
+
+@pytest.mark.parametrize("damage", [garbled_header, garbled_middle, cut_short])
+def test_a_damaged_file_is_set_aside_untouched_and_a_new_one_begun(
+    path: Path, opened: Callable[..., Store], damage: Callable[[bytes], bytes]
+) -> None:
+    damaged = damage(filled(path))
+    path.write_bytes(damaged)
+    store = opened(clock=lambda: NOON)
+    assert store.notice is not None
+    assert store.notice.code == "database_set_aside"
+    aside = path.with_name("pinel.damaged-20261121-120000.db")
+    assert store.notice.params["name"] == aside.name
+    assert aside.read_bytes() == damaged
+    assert store.groups.all() == []
+    assert store.groups.create("A").name == "A"
+
+
+def test_two_files_damaged_in_the_same_second_are_both_kept(path: Path) -> None:
+    for _ in range(2):
+        path.write_bytes(b"no database, but long enough to be taken for one" * 99)
+        open_store(path, clock=lambda: NOON).close()
+    assert len(list(path.parent.glob("pinel.damaged-*.db"))) == 2
+
+
+def test_an_empty_file_is_a_new_database(path: Path, opened: Callable[..., Store]) -> None:
+    path.touch()
+    assert opened().notice is None
+
+
+def test_a_file_of_a_newer_program_is_refused_and_not_touched(path: Path) -> None:
+    filled(path, 1)
+    with sqlite3.connect(path) as db:
+        db.execute(
+            "INSERT INTO _sqlite_migrations (migration_set, name, applied_at) VALUES ('pinel', 'lessons', '2031')"
+        )
+    db.close()
+    before = path.read_bytes()
+    assert code_of(lambda: open_store(path)) == "database_newer"
+    assert path.read_bytes() == before
+
+
+def test_a_file_of_another_program_is_refused_and_not_touched(path: Path) -> None:
+    with sqlite3.connect(path) as db:
+        db.execute("CREATE TABLE recipes (name TEXT)")
+    db.close()
+    before = path.read_bytes()
+    assert code_of(lambda: open_store(path)) == "database_foreign"
+    assert path.read_bytes() == before
+    assert os.listdir(path.parent) == ["pinel.db"]
+
+
+def test_a_folder_in_place_of_the_file_is_an_error_with_a_code(path: Path) -> None:
+    path.mkdir()
+    assert code_of(lambda: open_store(path)) in ("database_read_only", "database_failed")
+
+
+def test_a_file_in_place_of_the_folder_is_an_error_with_a_code(tmp_path: Path) -> None:
+    (tmp_path / "data").write_text("not a folder")
+    assert code_of(lambda: open_store(tmp_path / "data" / "pinel.db")) == "database_read_only"
+
+
+def test_without_a_file_there_is_nothing_to_read_and_every_write_says_why(path: Path) -> None:
+    refusal = StoreError("database_newer", path=str(path))
+    with Store.without_file(path, refusal) as store:
+        assert store.groups.all() == []
+        assert store.settings.get("language") is None
+        assert code_of(lambda: store.groups.create("A")) == "database_newer"
+        assert (store.writable, store.notice and store.notice.code) == (False, "database_newer")
+
+
+def test_a_file_that_another_program_holds_is_locked_and_free_again_later(
+    store: Store, path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    store._access.submit(lambda db: db.execute("PRAGMA busy_timeout = 50").fetchone()).result()
+    other = sqlite3.connect(path, isolation_level=None)
+    other.execute("BEGIN EXCLUSIVE")
+    assert code_of(lambda: store.groups.create("A")) == "database_locked"
+    other.execute("ROLLBACK")
+    other.close()
+    assert store.groups.create("A").name == "A"
+
+
+READ_ONLY_SCRIPT = """
+import os, sys
+from pathlib import Path
+sys.path[:0] = {import_path!r}
+path, user = Path(sys.argv[1]), 65534
+import storage, numpy
+if os.geteuid() == 0:
+    os.setgroups([]); os.setgid(user); os.setuid(user)
+store = storage.open_store(path, close_interrupted=True)
+print(store.writable, store.notice and store.notice.code)
+print([group.name for group in store.groups.all()])
+try:
+    store.groups.create("B")
+except storage.StoreError as error:
+    print(error.code)
+store.close()
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="permissions of POSIX")
+@pytest.mark.parametrize("mode_of_folder", [0o755, 0o555])
+def test_a_read_only_file_can_be_read_and_says_that_it_cannot_be_written(
+    path: Path, mode_of_folder: int
+) -> None:
+    filled(path, 1)
+    for folder in (path.parent, *path.parent.parents):
+        if folder.owner() and folder != Path("/tmp") and str(folder).startswith("/tmp/"):
+            folder.chmod(0o755)
+    path.chmod(0o444)
+    path.parent.chmod(mode_of_folder)
+    try:
+        result = subprocess.run(
+            [sys.executable, "-c", READ_ONLY_SCRIPT.format(import_path=sys.path), str(path)],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+    finally:
+        path.parent.chmod(0o755)
+    assert result.stderr == ""
+    assert result.stdout.splitlines() == [
+        "False database_read_only",
+        "['Grupo 0']",
+        "database_read_only",
+    ]
+
+
+def limit_pages(store: Store, extra: int) -> None:
+    """Makes the disk seem full after `extra` more pages."""
+    store._access.write(
+        lambda db: db.execute(
+            f"PRAGMA max_page_count = {db.execute('PRAGMA page_count').fetchone()[0] + extra}"
+        ).fetchone()
+    )
+
+
+def test_when_the_disk_is_full_nothing_that_was_saved_is_lost(
+    store: Store, version: VersionRow, opened: Callable[..., Store]
+) -> None:
+    limit_pages(store, 0)
+    big = {"blocks": "x" * 50_000}
+    assert code_of(lambda: store.versions.save(version.program_id, big, None)) == "disk_full"
+    assert opened().versions.newest(version.program_id) == version
+    limit_pages(store, 10_000)
+    assert store.versions.save(version.program_id, big, None).workspace == big
+
+
+def test_a_run_goes_on_while_the_disk_is_full_and_is_kept_when_there_is_room_again(
+    store: Store, start: RunStart
+) -> None:
+    run = store.runs.begin(start)
+    problems: list[str | None] = []
+    recorder = Recorder(store, lambda problem: problems.append(problem and problem.code))
+    limit_pages(store, 0)
+    events = list(square(run.id, laps=3))
+    recorder({**events[0], "type": "run_state", "state": "running", "text": "x" * 20_000})
+    for event in events:
+        recorder(event)
+    with pytest.raises(StoreError, match="disk_full"):
+        recorder.flush().result()
+    assert recorder.problem is not None
+    limit_pages(store, 10_000)
+    recorder(ended(run.id, len(events), len(events)))
+    assert recorder.problem is None
+    assert problems == ["disk_full", None]
+    assert store.runs.get(run.id).state == "finished"
+    assert len(store.runs.telemetry(run.id).rows) == len(events)
+
+
+@pytest.fixture
+def tiny_disk(tmp_path: Path) -> Iterator[Path]:
+    """A file system of 600 KB, where this user may make one."""
+    folder = tmp_path / "disk"
+    folder.mkdir()
+    mount = ["mount", "-t", "tmpfs", "-o", "size=600k", "tmpfs", str(folder)]
+    if not IS_ROOT or subprocess.run(mount, capture_output=True, check=False).returncode != 0:
+        pytest.skip("only root can make a small disk")
+    yield folder
+    subprocess.run(["umount", "-l", str(folder)], check=True)
+
+
+def test_a_disk_that_is_really_full_is_told_and_keeps_what_was_saved(tiny_disk: Path) -> None:
+    path = tiny_disk / "pinel.db"
+    saved = []
+    with open_store(path) as store:
+        program = store.programs.create(store.groups.create("A").id, "P")
+        with pytest.raises(StoreError, match="disk_full"):
+            for n in range(1000):
+                saved.append(store.versions.save(program.id, {"n": n, "text": "x" * 8000}, None))
+        assert len(saved) > 5
+        assert store.versions.newest(program.id) == saved[-1]
+    with open_store(path, close_interrupted=True) as again:
+        assert again.versions.newest(program.id) == saved[-1]
+
+
+def test_a_disk_without_any_room_is_told_when_the_file_is_made(tiny_disk: Path) -> None:
+    (tiny_disk / "film.mp4").write_bytes(b"x" * 599 * 1024)
+    assert code_of(lambda: open_store(tiny_disk / "pinel.db")) == "disk_full"
+
+
+def test_the_run_found_running_is_closed_even_by_a_store_that_was_closed_badly(
+    store: Store, start: RunStart, opened: Callable[..., Store]
+) -> None:
+    run: RunRow = store.runs.begin(start)
+    assert opened(close_interrupted=True).runs.get(run.id).reason == "interrupted"

@@ -1,0 +1,142 @@
+"""Groups, programs and versions."""
+
+import sqlite3
+from collections.abc import Callable
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from storage import FaultRow, GroupRow, ProgramRow, Store, StoreError, VersionRow
+
+
+def test_a_new_file_is_made_with_its_folder(opened: Callable[..., Store], tmp_path: Path) -> None:
+    path = tmp_path / "Ação e robôs" / "pinel.db"
+    assert opened(path).groups.all() == []
+    assert path.is_file()
+
+
+@pytest.mark.parametrize("same", ["os robôs", "  OS   ROBÔS ", "OsRobôs", "Os\tRobôs"])
+def test_a_group_s_name_is_taken_whatever_its_case_and_spaces(
+    store: Store, group: GroupRow, same: str
+) -> None:
+    with pytest.raises(StoreError) as caught:
+        store.groups.create(same)
+    assert (caught.value.code, caught.value.params["name"]) == ("group_exists", group.name)
+
+
+@pytest.mark.parametrize(
+    ("name", "code"), [("", "name_empty"), (" \n\x00 ", "name_empty"), ("x" * 61, "name_too_long")]
+)
+def test_a_name_that_does_not_fit_is_refused(store: Store, name: str, code: str) -> None:
+    with pytest.raises(StoreError) as caught:
+        store.groups.create(name)
+    assert caught.value.code == code
+
+
+def test_a_name_keeps_its_letters_and_loses_what_cannot_be_seen(store: Store) -> None:
+    assert store.groups.create("  Zé\x07  da   Silva 🤖 ").name == "Zé da Silva 🤖"
+
+
+def test_twelve_groups_have_twelve_colors(store: Store) -> None:
+    assert len({store.groups.create(f"Grupo {n}").color for n in range(12)}) == 12
+
+
+def test_the_group_that_was_used_last_comes_first(store: Store) -> None:
+    first, second = store.groups.create("A"), store.groups.create("B")
+    assert [row.id for row in store.groups.all()] == [second.id, first.id]
+    store.programs.create(first.id, "Quadrado")
+    assert [row.id for row in store.groups.all()] == [first.id, second.id]
+
+
+def test_a_program_can_be_renamed_and_two_may_share_a_name(
+    store: Store, group: GroupRow, program: ProgramRow
+) -> None:
+    other = store.programs.create(group.id, program.name)
+    store.programs.rename(other.id, "Triângulo")
+    assert [row.name for row in store.programs.of_group(group.id)] == ["Triângulo", "Quadrado"]
+
+
+def test_what_does_not_exist_is_named(store: Store) -> None:
+    attempts: dict[str, Callable[[], object]] = {
+        "group_not_found": lambda: store.programs.create("nobody", "x"),
+        "program_not_found": lambda: store.versions.save("nothing", {}, None),
+        "version_not_found": lambda: store.versions.get("nothing"),
+        "run_not_found": lambda: store.runs.telemetry("nothing"),
+    }
+    for code, attempt in attempts.items():
+        with pytest.raises(StoreError) as caught:
+            attempt()
+        assert caught.value.code == code
+
+
+def test_every_save_is_a_version_and_none_is_overwritten(store: Store, program: ProgramRow) -> None:
+    saved = [store.versions.save(program.id, {"n": n}, None) for n in range(3)]
+    assert [store.versions.get(version.id).workspace for version in saved] == [
+        {"n": 0},
+        {"n": 1},
+        {"n": 2},
+    ]
+    assert store.programs.get(program.id).n_versions == 3
+
+
+def test_the_same_content_as_the_newest_version_is_that_version(
+    store: Store, program: ProgramRow, version: VersionRow
+) -> None:
+    again = store.versions.save(program.id, version.workspace, version.document)
+    assert again.id == version.id
+    other = store.versions.save(program.id, {"blocks": {"x": 1}}, version.document)
+    back = store.versions.save(program.id, version.workspace, version.document)
+    assert len({version.id, other.id, back.id}) == 3
+
+
+def test_a_version_with_faults_keeps_the_blocks_and_the_faults(
+    store: Store, program: ProgramRow
+) -> None:
+    fault = FaultRow("distance_out_of_range", "/commands/0/distance", "kL0p", {"value": -1})
+    saved = store.versions.save(program.id, {"blocks": {}}, None, [fault])
+    assert store.versions.newest(program.id) == saved
+    assert (saved.document, saved.faults) == (None, (fault,))
+
+
+def test_the_newest_version_is_the_last_saved_even_when_the_clock_was_set_back(
+    opened: Callable[..., Store], path: Path
+) -> None:
+    now = [datetime(2026, 11, 21, 12, tzinfo=UTC)]
+    store = opened(path, clock=lambda: now[0])
+    program = store.programs.create(store.groups.create("A").id, "P")
+    store.versions.save(program.id, {"n": 1}, None)
+    now[0] -= timedelta(days=3000)
+    store.versions.save(program.id, {"n": 2}, None)
+    newest = store.versions.newest(program.id)
+    assert newest is not None
+    assert newest.workspace == {"n": 2}
+
+
+def test_texts_that_no_encoding_holds_are_kept(store: Store, program: ProgramRow) -> None:
+    workspace: dict[str, Any] = {"text": "lone \ud800 surrogate", "nul": "\x00"}
+    assert store.versions.save(program.id, workspace, None).workspace == workspace
+
+
+def test_settings_are_kept(store: Store, opened: Callable[..., Store]) -> None:
+    assert store.settings.get("language") is None
+    store.settings.set("language", "es")
+    store.settings.set("language", "en")
+    assert opened().settings.get("language") == "en"
+
+
+def test_the_file_explains_itself(store: Store, version: VersionRow, path: Path) -> None:
+    with sqlite3.connect(path) as db:
+        tables = {
+            row[0] for row in db.execute("SELECT name FROM sqlite_master WHERE type = 'table'")
+        }
+        named = {
+            name for row in db.execute("SELECT name FROM about") for name in row[0].split(", ")
+        }
+        assert db.execute('SELECT "group", program, versions FROM program_list').fetchall() == [
+            ("Os Robôs", "Quadrado", 1)
+        ]
+        views = {row[0] for row in db.execute("SELECT name FROM sqlite_master WHERE type = 'view'")}
+    db.close()
+    assert named == (tables | views) - {"_sqlite_migrations", "about"}
