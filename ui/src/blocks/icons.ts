@@ -34,7 +34,7 @@ export function iconSource(name: IconName): string {
 /** The leading picture of a block, as an argument of its definition. */
 export function iconArgument(name: IconName) {
   return {
-    type: "field_image",
+    type: "field_icon",
     name: "ICON",
     src: iconSource(name),
     width: 24,

@@ -1,5 +1,6 @@
 import * as Blockly from "blockly/core";
 import { ALL_DEFINITIONS } from "./definitions";
+import { IconField } from "./icon_field";
 import { iconSource } from "./icons";
 import { MeasureField } from "./measure_field";
 import { reference } from "./texts";
@@ -14,6 +15,7 @@ let registered = false;
 export function registerBlocks(): void {
   if (registered) return;
   registered = true;
+  Blockly.fieldRegistry.register("field_icon", IconField);
   Blockly.fieldRegistry.register("field_measure", MeasureField);
   Blockly.Extensions.register("turn_arrow", turnArrow);
   Blockly.common.defineBlocks(
