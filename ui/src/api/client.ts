@@ -1,0 +1,88 @@
+import type { Language } from "../i18n/language";
+import { ApiError, ServerGone } from "./errors";
+import type {
+  Content,
+  Group,
+  Program,
+  ProgramWithVersion,
+  Run,
+  RunEvent,
+  RunList,
+  RunWithVersion,
+  SavedVersion,
+  Status,
+  World,
+} from "./model";
+
+/** A keepalive request may carry no more than this, by the fetch standard. */
+const KEEPALIVE_LIMIT = 60_000;
+
+type Method = "GET" | "POST" | "PUT" | "PATCH";
+
+async function request(method: Method, path: string, body?: object, last = false) {
+  const init: RequestInit = { method };
+  if (body) {
+    init.headers = { "Content-Type": "application/json" };
+    init.body = JSON.stringify(body);
+    init.keepalive = last && init.body.length < KEEPALIVE_LIMIT;
+  }
+  let response: Response;
+  try {
+    response = await fetch(path, init);
+  } catch (error) {
+    throw new ServerGone(String(error));
+  }
+  if (!response.ok) throw await errorOf(response);
+  return response;
+}
+
+async function errorOf(response: Response): Promise<ApiError> {
+  const answer = await response.json().catch(() => ({}));
+  return new ApiError(response.status, answer?.error ?? {});
+}
+
+async function json<T>(method: Method, path: string, body?: object, last = false): Promise<T> {
+  const response = await request(method, path, body, last);
+  return (await response.json()) as T;
+}
+
+export const api = {
+  status: () => json<Status>("GET", "/api/status"),
+  setLanguage: (language: Language) =>
+    json<{ language: Language }>("PUT", "/api/settings", { language }),
+
+  groups: async () => (await json<{ groups: Group[] }>("GET", "/api/groups")).groups,
+  createGroup: (name: string) => json<Group>("POST", "/api/groups", { name }),
+
+  programs: async (group: string) =>
+    (await json<{ programs: Program[] }>("GET", `/api/groups/${group}/programs`)).programs,
+  createProgram: (group: string, name: string) =>
+    json<Program>("POST", `/api/groups/${group}/programs`, { name }),
+  program: (id: string) => json<ProgramWithVersion>("GET", `/api/programs/${id}`),
+  renameProgram: (id: string, name: string) =>
+    json<Program>("PATCH", `/api/programs/${id}`, { name }),
+  /** `last`: the page is closing, the request must outlive it. */
+  saveVersion: (program: string, content: Content, last = false) =>
+    json<SavedVersion>("POST", `/api/programs/${program}/versions`, content, last),
+
+  runs: (group: string, before: string | null = null, limit = 50) =>
+    json<RunList>(
+      "GET",
+      `/api/groups/${group}/runs?limit=${limit}${before ? `&before=${before}` : ""}`,
+    ),
+  startRun: (versionId: string, world: string) =>
+    json<Run>("POST", "/api/runs", { version_id: versionId, world }),
+  pause: (run: string) => json<object>("POST", `/api/runs/${run}/pause`),
+  resume: (run: string) => json<object>("POST", `/api/runs/${run}/resume`),
+  stop: (run: string) => json<object>("POST", `/api/runs/${run}/stop`),
+  answerCapture: (run: string, result: string) =>
+    json<object>("POST", `/api/runs/${run}/capture`, { result }),
+
+  run: (id: string) => json<RunWithVersion>("GET", `/api/runs/${id}`),
+  runEvents: async (id: string) =>
+    (await json<{ events: RunEvent[] }>("GET", `/api/runs/${id}/events`)).events,
+  runTelemetry: async (id: string) =>
+    (await request("GET", `/api/runs/${id}/telemetry`)).arrayBuffer(),
+
+  worlds: async () => (await json<{ worlds: World[] }>("GET", "/api/worlds")).worlds,
+};

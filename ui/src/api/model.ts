@@ -1,0 +1,26 @@
+import type { components } from "./types";
+
+type Schemas = components["schemas"];
+
+export type Fault = Schemas["Fault"];
+export type Group = Schemas["Group"];
+export type Notice = Schemas["Notice"];
+export type Program = Schemas["Program"];
+export type ProgramWithVersion = Schemas["ProgramWithVersion"];
+export type Run = Schemas["Run"];
+export type RunList = Schemas["RunList"];
+export type RunWithVersion = Schemas["RunWithVersion"];
+export type SavedVersion = Schemas["SavedVersion"];
+export type Status = Schemas["Status"];
+export type World = Schemas["World"];
+export type RunEvent = Schemas["Event"];
+export type TelemetryEvent = Schemas["TelemetryEvent"];
+export type RunEndedEvent = Schemas["RunEndedEvent"];
+export type StreamEvent = Schemas["StreamEvent"];
+export type ErrorBody = Schemas["ErrorBody"];
+
+/** What the editor hands over and the server keeps. */
+export interface Content {
+  workspace: object;
+  document: object | null;
+}

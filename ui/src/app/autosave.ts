@@ -1,0 +1,101 @@
+import { signal } from "@preact/signals";
+import type { Content, SavedVersion } from "../api/model";
+
+export type SaveState = "saved" | "saving" | "failed";
+
+type Save = (content: Content, last: boolean) => Promise<SavedVersion>;
+
+/** A pupil who goes on editing is still saved: an edit is on disk within a second. */
+const QUIET_MS = 300;
+const AT_MOST_MS = 600;
+const RETRY_MS = [1000, 2000, 5000];
+
+/** Keeps one program on the server's disk: the newest content wins, one request at a time. */
+export class Autosave {
+  readonly state = signal<SaveState>("saved");
+  readonly problem = signal<unknown>(null);
+  /** The newest version on disk. */
+  readonly version = signal<SavedVersion | null>(null);
+
+  private pending: Content | null = null;
+  private pendingSince = 0;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private running: Promise<void> | null = null;
+  private failures = 0;
+
+  constructor(
+    private readonly save: Save,
+    version: SavedVersion | null = null,
+  ) {
+    this.version.value = version;
+  }
+
+  edit(content: Content): void {
+    const now = Date.now();
+    if (!this.pending) this.pendingSince = now;
+    this.pending = content;
+    this.failures = 0;
+    this.state.value = "saving";
+    const left = this.pendingSince + AT_MOST_MS - now;
+    this.schedule(Math.max(0, Math.min(QUIET_MS, left)));
+  }
+
+  /** Saves now. Resolves when everything edited is on disk, rejects when it could not be saved. */
+  async flush(): Promise<SavedVersion | null> {
+    clearTimeout(this.timer);
+    while (this.running || this.pending) await this.push();
+    return this.version.value;
+  }
+
+  /** The page is closing: sends what is left without waiting for an answer. */
+  flushLast(): void {
+    clearTimeout(this.timer);
+    if (!this.pending) return;
+    const content = this.pending;
+    this.pending = null;
+    this.save(content, true).catch(() => {
+      this.pending ??= content;
+    });
+  }
+
+  dispose(): void {
+    this.flushLast();
+    clearTimeout(this.timer);
+  }
+
+  private schedule(delay: number): void {
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => void this.flush().catch(() => {}), delay);
+  }
+
+  private push(): Promise<void> {
+    this.running ??= this.pushOnce().finally(() => {
+      this.running = null;
+    });
+    return this.running;
+  }
+
+  private async pushOnce(): Promise<void> {
+    const content = this.pending;
+    if (!content) return;
+    this.pending = null;
+    try {
+      this.version.value = await this.save(content, false);
+    } catch (error) {
+      this.pending ??= content;
+      this.failed(error);
+      throw error;
+    }
+    this.failures = 0;
+    this.problem.value = null;
+    this.state.value = this.pending ? "saving" : "saved";
+  }
+
+  private failed(error: unknown): void {
+    this.problem.value = error;
+    this.state.value = "failed";
+    const delay = RETRY_MS[Math.min(this.failures, RETRY_MS.length - 1)] ?? 5000;
+    this.failures += 1;
+    this.schedule(delay);
+  }
+}

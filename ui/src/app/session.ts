@@ -1,0 +1,123 @@
+import { computed, effect, signal } from "@preact/signals";
+import { api } from "../api/client";
+import { ApiError, ServerGone } from "../api/errors";
+import type { Group, Notice, Program, Status, StreamEvent, World } from "../api/model";
+import { language, texts } from "../i18n";
+import { isLanguage, type Language } from "../i18n/language";
+import { live, receive, resync } from "../run/live";
+import { openStream } from "../run/stream";
+
+/** How the page stands with the program behind it. */
+export type Connection = "opening" | "open" | "gone" | "locked";
+
+export interface Problem {
+  message: string;
+  remedy: string;
+}
+
+export const connection = signal<Connection>("opening");
+export const status = signal<Status | null>(null);
+export const notice = signal<Notice | null>(null);
+export const problem = signal<Problem | null>(null);
+export const worlds = signal<World[]>([]);
+
+/** Group and program in the header, whatever the screen. */
+export const group = signal<Group | null>(null);
+export const program = signal<Program | null>(null);
+
+export const engine = computed(() => status.value?.engine ?? "starting");
+
+const POLL_MS = 1000;
+
+/** An error in words, in the line under the header; 401 and a lost server have their own places. */
+export function report(error: unknown): void {
+  if (error instanceof ServerGone) return lost();
+  if (error instanceof ApiError && error.status === 401) {
+    connection.value = "locked";
+    return;
+  }
+  problem.value = wordsOf(error);
+}
+
+export function wordsOf(error: unknown): Problem {
+  if (error instanceof ApiError && error.message) {
+    return { message: error.message, remedy: error.remedy };
+  }
+  const { trouble } = texts.value;
+  if (error instanceof ServerGone) return { message: trouble.goneTitle, remedy: trouble.gone };
+  return { message: trouble.failedTitle, remedy: "" };
+}
+
+let polling = 0;
+
+function lost(): void {
+  if (connection.value === "open" || connection.value === "opening") connection.value = "gone";
+  poll();
+}
+
+function poll(): void {
+  if (!polling) {
+    polling = window.setTimeout(() => {
+      polling = 0;
+      void refreshStatus();
+    }, POLL_MS);
+  }
+}
+
+/** Asks the server how it is; goes on asking while it is gone or its engine is not ready. */
+export async function refreshStatus(): Promise<void> {
+  try {
+    const answer = await api.status();
+    status.value = answer;
+    notice.value = answer.database.notice;
+    if (isLanguage(answer.language)) language.value = answer.language;
+    connection.value = "open";
+    if (answer.engine !== "ready") poll();
+  } catch (error) {
+    report(error);
+  }
+}
+
+export async function chooseLanguage(chosen: Language): Promise<void> {
+  language.value = chosen;
+  try {
+    await api.setLanguage(chosen);
+    if (notice.value) await refreshStatus();
+  } catch (error) {
+    report(error);
+  }
+}
+
+function onStream(event: StreamEvent): void {
+  switch (event.type) {
+    case "hello":
+      void refreshStatus();
+      void resync(event.run).catch(report);
+      break;
+    case "notice":
+      notice.value = event;
+      break;
+    default:
+      receive(event);
+      if (event.type === "run_ended" && event.state === "failed") void refreshStatus();
+  }
+}
+
+/** Opens the page's line to the server. */
+export async function open(): Promise<void> {
+  effect(() => {
+    document.documentElement.lang = language.value;
+  });
+  await refreshStatus();
+  if (connection.value === "locked") return;
+  openStream({ onEvent: onStream, onLost: () => void refreshStatus() });
+  try {
+    worlds.value = await api.worlds();
+  } catch (error) {
+    report(error);
+  }
+}
+
+export const isRunning = computed(() =>
+  ["starting", "running", "paused"].includes(live.value.phase),
+);

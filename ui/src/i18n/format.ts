@@ -1,0 +1,57 @@
+import type { Texts } from "./pt-BR";
+import type { Language } from "./language";
+
+const cache = new Map<string, Intl.NumberFormat>();
+
+/** A number as people of the language write it, always with `digits` decimals. */
+export function decimal(value: number, digits: number, language: Language): string {
+  const key = `${language}/${digits}`;
+  let format = cache.get(key);
+  if (!format) {
+    format = new Intl.NumberFormat(language, {
+      minimumFractionDigits: digits,
+      maximumFractionDigits: digits,
+      signDisplay: "negative",
+    });
+    cache.set(key, format);
+  }
+  return format.format(value).replace("-", "\u2212");
+}
+
+export const metres = (value: number, language: Language) => `${decimal(value, 2, language)}\u00a0m`;
+
+export const seconds = (value: number, language: Language) =>
+  `${decimal(value, 1, language)}\u00a0s`;
+
+export const degrees = (value: number, language: Language) => `${decimal(value, 0, language)}°`;
+
+/** Radians as degrees in (-180, 180], the way headings are told. */
+export function headingDegrees(yaw: number): number {
+  const turned = (yaw * 180) / Math.PI;
+  const wrapped = turned - 360 * Math.ceil((turned - 180) / 360);
+  return Math.abs(wrapped) < 0.05 ? 0 : wrapped;
+}
+
+/** How long something took: "17,2 s", "2 min 05 s". */
+export function duration(total: number, language: Language): string {
+  if (total < 60) return seconds(total, language);
+  const minutes = Math.floor(total / 60);
+  return `${minutes} min ${String(Math.floor(total % 60)).padStart(2, "0")} s`;
+}
+
+/** When something was, the way one would say it on that day. */
+export function when(iso: string, now: Date, language: Language, texts: Texts): string {
+  const then = new Date(iso);
+  const minutes = Math.floor((now.getTime() - then.getTime()) / 60_000);
+  if (minutes >= 0 && minutes < 1) return texts.units.now;
+  if (minutes >= 0 && minutes < 60) return texts.units.minutesAgo(minutes);
+  const time = then.toLocaleTimeString(language, { hour: "2-digit", minute: "2-digit" });
+  const days = dayNumber(now) - dayNumber(then);
+  if (days === 0) return texts.units.today(time);
+  if (days === 1) return texts.units.yesterday(time);
+  return then.toLocaleDateString(language, { day: "numeric", month: "long", year: "numeric" });
+}
+
+function dayNumber(date: Date): number {
+  return Math.round(new Date(date.getFullYear(), date.getMonth(), date.getDate()).getTime() / 864e5);
+}

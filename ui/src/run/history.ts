@@ -1,0 +1,95 @@
+import type { RunEvent } from "../api/model";
+import { IDLE, type Pose, type RunView, reduce } from "./reducer";
+import { between } from "./motion_buffer";
+import { type Telemetry, telemetryEvent } from "./telemetry";
+
+/** States are kept this often, so that any moment opens at once. */
+const KEEP_EVERY_TICKS = 30;
+
+/** Puts the events of a run and its telemetry back into the order in which they happened. */
+export function* inOrder(
+  run: string,
+  events: readonly RunEvent[],
+  telemetry: Telemetry,
+): Generator<RunEvent> {
+  const ticks = telemetry.columns.get("tick");
+  let row = 0;
+  for (const event of events) {
+    const last = event.type === "run_ended" ? event.tick : event.tick - 1;
+    while (row < telemetry.rows && (ticks?.[row] ?? 0) <= last) {
+      yield telemetryEvent(telemetry, row++, run);
+    }
+    yield event;
+  }
+  while (row < telemetry.rows) yield telemetryEvent(telemetry, row++, run);
+}
+
+/** A whole run at hand: its state at any tick. Built with the same reducer that follows a live run. */
+export class History {
+  private readonly ordered: RunEvent[];
+  private readonly marks: { next: number; view: RunView }[] = [];
+  readonly lastTick: number;
+  /** The state after everything that is known. */
+  readonly end: RunView;
+
+  constructor(
+    run: string,
+    events: readonly RunEvent[],
+    private readonly telemetry: Telemetry,
+  ) {
+    this.ordered = [...inOrder(run, events, telemetry)];
+    let view: RunView = { ...IDLE, run };
+    let kept = Number.NEGATIVE_INFINITY;
+    for (const [index, event] of this.ordered.entries()) {
+      if (event.tick >= kept + KEEP_EVERY_TICKS) {
+        kept = event.tick;
+        this.marks.push({ next: index, view });
+      }
+      view = reduce(view, event);
+    }
+    this.end = view;
+    this.lastTick = view.tick;
+  }
+
+  /** The state when everything up to and including `tick` had happened. */
+  at(tick: number): RunView {
+    const before = (mark: { next: number }) => (this.ordered[mark.next]?.tick ?? 0) <= tick;
+    const mark = this.marks.findLast(before) ?? this.marks[0];
+    let view = mark?.view ?? this.end;
+    for (let index = mark?.next ?? 0; index < this.ordered.length; index++) {
+      const event = this.ordered[index];
+      if (!event || event.tick > tick) break;
+      view = reduce(view, event);
+    }
+    return view;
+  }
+
+  /** The pose at a moment between two ticks. */
+  poseAt(tick: number): Pose {
+    const { columns, rows } = this.telemetry;
+    const ticks = columns.get("tick");
+    if (!ticks || rows === 0) return this.end.pose;
+    const after = firstAfter(ticks, tick);
+    if (after === 0) return { x: 0, y: 0, yaw: 0 };
+    if (after >= rows) return this.rowPose(rows - 1);
+    const from = ticks[after - 1] ?? 0;
+    const part = (tick - from) / ((ticks[after] ?? from + 1) - from);
+    return between(this.rowPose(after - 1), this.rowPose(after), part);
+  }
+
+  private rowPose(row: number): Pose {
+    const value = (name: string) => this.telemetry.columns.get(name)?.[row] ?? 0;
+    return { x: value("x_m"), y: value("y_m"), yaw: value("yaw_rad") };
+  }
+}
+
+function firstAfter(sorted: Float32Array, value: number): number {
+  let low = 0;
+  let high = sorted.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if ((sorted[middle] ?? 0) <= value) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}

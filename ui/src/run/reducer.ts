@@ -1,0 +1,167 @@
+import type { RunEndedEvent, RunEvent, TelemetryEvent } from "../api/model";
+import { EMPTY_TRAIL, extend, type Trail } from "./trail";
+
+export type Phase = "idle" | "starting" | "running" | "paused" | "finished" | "stopped" | "failed";
+
+export interface Pose {
+  readonly x: number;
+  readonly y: number;
+  readonly yaw: number;
+}
+
+/** A block that has begun and not ended; the last one of the stack is the innermost. */
+export interface LitBlock {
+  readonly block: string | null;
+  readonly pointer: string;
+  readonly action: string;
+  readonly amount: number | null;
+  /** How many times the first command inside has begun: the round of a loop. */
+  readonly round: number;
+}
+
+export interface Motion {
+  readonly kind: string;
+  readonly amount: number;
+  readonly done: number;
+}
+
+export interface Capture {
+  readonly block: string | null;
+  readonly timeoutS: number;
+  readonly sinceTick: number;
+}
+
+export interface Ending {
+  readonly reason: string | null;
+  readonly params: Record<string, unknown>;
+  readonly block: string | null;
+  readonly durationS: number | null;
+  readonly pathLengthM: number | null;
+  readonly closingErrorM: number | null;
+}
+
+/** All that the page shows of a run at one moment, live or replayed. */
+export interface RunView {
+  readonly run: string | null;
+  readonly phase: Phase;
+  /** `seq` of the newest event applied, telemetry not counted. */
+  readonly seq: number;
+  readonly tick: number;
+  readonly stack: readonly LitBlock[];
+  readonly pose: Pose;
+  readonly setpoint: Pose;
+  readonly path: Trail;
+  readonly idealPath: Trail;
+  readonly motion: Motion | null;
+  readonly capture: Capture | null;
+  readonly gesture: string | null;
+  readonly ending: Ending | null;
+}
+
+const AT_START: Pose = { x: 0, y: 0, yaw: 0 };
+
+export const IDLE: RunView = {
+  run: null,
+  phase: "idle",
+  seq: -1,
+  tick: 0,
+  stack: [],
+  pose: AT_START,
+  setpoint: AT_START,
+  path: EMPTY_TRAIL,
+  idealPath: EMPTY_TRAIL,
+  motion: null,
+  capture: null,
+  gesture: null,
+  ending: null,
+};
+
+export const starting = (run: string | null): RunView => ({ ...IDLE, run, phase: "starting" });
+
+export const isLive = (view: RunView) =>
+  view.phase === "starting" || view.phase === "running" || view.phase === "paused";
+
+/** The id of the innermost running block that has one. */
+export function litBlock(view: RunView): string | null {
+  return view.stack.findLast((entry) => entry.block !== null)?.block ?? null;
+}
+
+/** One step of a run. Events of another run, and events already applied, change nothing. */
+export function reduce(view: RunView, event: RunEvent): RunView {
+  if (event.run !== view.run) return view;
+  if (event.type === "telemetry") return withTelemetry(view, event);
+  if (event.seq <= view.seq) return view;
+  const next = { ...view, seq: event.seq, tick: Math.max(view.tick, event.tick) };
+  switch (event.type) {
+    case "run_state":
+      return { ...next, phase: event.state };
+    case "block_started":
+      return begun(next, event);
+    case "block_ended":
+      return ended(next, event.pointer);
+    case "capture_started":
+      return {
+        ...next,
+        capture: { block: event.block, timeoutS: event.timeout_s, sinceTick: event.tick },
+      };
+    case "gesture_result":
+      return { ...next, gesture: event.result, capture: null };
+    case "run_ended":
+      return closed(next, event);
+  }
+}
+
+function withTelemetry(view: RunView, event: TelemetryEvent): RunView {
+  if (event.tick < view.tick || view.ending) return view;
+  const setpoint = { x: event.goal_x_m, y: event.goal_y_m, yaw: event.goal_yaw_rad };
+  return {
+    ...view,
+    tick: event.tick,
+    pose: { x: event.x_m, y: event.y_m, yaw: event.yaw_rad },
+    setpoint,
+    path: extend(view.path, [event.x_m, event.y_m]),
+    idealPath: extend(view.idealPath, [setpoint.x, setpoint.y]),
+    motion: view.motion && { ...view.motion, done: event.done ?? view.motion.done },
+  };
+}
+
+type BlockStarted = Extract<RunEvent, { type: "block_started" }>;
+
+function begun(view: RunView, event: BlockStarted): RunView {
+  const { block, pointer, action, amount } = event;
+  const stack = view.stack.map((entry) =>
+    pointer === `${entry.pointer}/commands/0` ? { ...entry, round: entry.round + 1 } : entry,
+  );
+  return {
+    ...view,
+    stack: [...stack, { block, pointer, action, amount, round: 0 }],
+    motion: amount === null ? null : { kind: action, amount, done: 0 },
+  };
+}
+
+function ended(view: RunView, pointer: string): RunView {
+  const at = view.stack.findLastIndex((entry) => entry.pointer === pointer);
+  if (at < 0) return view;
+  return { ...view, stack: view.stack.slice(0, at), motion: null, capture: null };
+}
+
+function closed(view: RunView, event: RunEndedEvent): RunView {
+  return {
+    ...view,
+    phase: event.state,
+    stack: [],
+    motion: null,
+    capture: null,
+    pose: event.pose
+      ? { x: event.pose.x_m, y: event.pose.y_m, yaw: event.pose.yaw_rad }
+      : view.pose,
+    ending: {
+      reason: event.reason,
+      params: event.params,
+      block: event.block,
+      durationS: event.duration_s,
+      pathLengthM: event.path_length_m,
+      closingErrorM: event.closing_error_m,
+    },
+  };
+}

@@ -1,0 +1,55 @@
+import type { Box, XY } from "./frames";
+
+/** Maps the world's frame to the canvas: `x`, `y` is the middle in metres, `scale` in pixels per metre. */
+export interface Camera {
+  x: number;
+  y: number;
+  scale: number;
+}
+
+export interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Room for the rulers and the walls' thickness, in pixels. */
+export const EDGE = { left: 34, right: 14, top: 14, bottom: 28 };
+
+const MIN_SCALE = 12;
+const MAX_SCALE = 320;
+
+export function fit(box: Box, size: Size): Camera {
+  const width = Math.max(1, size.width - EDGE.left - EDGE.right);
+  const height = Math.max(1, size.height - EDGE.top - EDGE.bottom);
+  const scale = Math.min(width / (box.right - box.left), height / (box.top - box.bottom));
+  return {
+    x: (box.left + box.right) / 2 - (EDGE.left - EDGE.right) / 2 / scale,
+    y: (box.bottom + box.top) / 2 - (EDGE.bottom - EDGE.top) / 2 / scale,
+    scale: clampScale(scale),
+  };
+}
+
+export function clampScale(scale: number): number {
+  return Math.min(MAX_SCALE, Math.max(MIN_SCALE, scale));
+}
+
+export function toScreen(camera: Camera, size: Size, point: XY): XY {
+  return {
+    x: size.width / 2 + (point.x - camera.x) * camera.scale,
+    y: size.height / 2 - (point.y - camera.y) * camera.scale,
+  };
+}
+
+/** Moves a camera towards another; true while there is way to go. */
+export function approach(camera: Camera, target: Camera, elapsedMs: number, still: boolean): boolean {
+  const part = still ? 1 : 1 - Math.exp(-elapsedMs / 90);
+  camera.x += (target.x - camera.x) * part;
+  camera.y += (target.y - camera.y) * part;
+  camera.scale *= (target.scale / camera.scale) ** part;
+  const off =
+    Math.hypot(target.x - camera.x, target.y - camera.y) * camera.scale +
+    Math.abs(target.scale / camera.scale - 1) * 400;
+  if (off > 0.3) return true;
+  Object.assign(camera, target);
+  return false;
+}

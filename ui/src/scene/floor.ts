@@ -1,0 +1,154 @@
+import type { World } from "../api/model";
+import { type Camera, EDGE, type Size, toScreen } from "./camera";
+import { roomOf, startOf, toStart, toWorld } from "./frames";
+import type { Palette } from "./palette";
+
+/** All of these draw in the world's frame, in metres, y up. */
+type Ctx = CanvasRenderingContext2D;
+
+export function drawFloor(ctx: Ctx, world: World | null, palette: Palette, scale: number): void {
+  const room = roomOf(world);
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(room.left, room.bottom, room.right - room.left, room.top - room.bottom);
+  ctx.fillStyle = palette.tile;
+  ctx.fill();
+  ctx.clip();
+  drawTiles(ctx, world, palette, scale);
+  ctx.restore();
+  for (const box of world?.boxes ?? []) drawBox(ctx, box, palette);
+  drawWalls(ctx, world, palette);
+}
+
+/** Which metres of the start frame the room spans. */
+function spanOf(world: World | null): [left: number, right: number, bottom: number, top: number] {
+  const room = roomOf(world);
+  const start = startOf(world);
+  const corners = [room.left, room.right].flatMap((x) =>
+    [room.bottom, room.top].map((y) => toStart(start, x, y)),
+  );
+  const xs = corners.map((corner) => corner.x);
+  const ys = corners.map((corner) => corner.y);
+  return [
+    Math.floor(Math.min(...xs)),
+    Math.ceil(Math.max(...xs)),
+    Math.floor(Math.min(...ys)),
+    Math.ceil(Math.max(...ys)),
+  ];
+}
+
+function drawTiles(ctx: Ctx, world: World | null, palette: Palette, scale: number): void {
+  const start = startOf(world);
+  const [left, right, bottom, top] = spanOf(world);
+  ctx.translate(start.x, start.y);
+  ctx.rotate(start.yaw);
+  ctx.fillStyle = palette.otherTile;
+  for (let x = left; x < right; x++) {
+    for (let y = bottom; y < top; y++) if ((x + y) % 2 !== 0) ctx.fillRect(x, y, 1, 1);
+  }
+  ctx.strokeStyle = palette.line;
+  ctx.lineWidth = 1 / scale;
+  ctx.beginPath();
+  for (let x = left; x <= right; x++) {
+    ctx.moveTo(x, bottom);
+    ctx.lineTo(x, top);
+  }
+  for (let y = bottom; y <= top; y++) {
+    ctx.moveTo(left, y);
+    ctx.lineTo(right, y);
+  }
+  ctx.stroke();
+}
+
+function drawWalls(ctx: Ctx, world: World | null, palette: Palette): void {
+  ctx.strokeStyle = palette.wall;
+  ctx.lineCap = "round";
+  ctx.lineJoin = "round";
+  ctx.lineWidth = 0.09;
+  ctx.beginPath();
+  for (const wall of world?.walls ?? []) {
+    ctx.moveTo(wall.from[0] ?? 0, wall.from[1] ?? 0);
+    ctx.lineTo(wall.to[0] ?? 0, wall.to[1] ?? 0);
+  }
+  ctx.stroke();
+}
+
+function drawBox(ctx: Ctx, box: World["boxes"][number], palette: Palette): void {
+  const [width = 0, depth = 0] = box.size;
+  ctx.save();
+  ctx.translate(box.center[0] ?? 0, box.center[1] ?? 0);
+  ctx.rotate((box.heading_deg * Math.PI) / 180);
+  ctx.beginPath();
+  ctx.roundRect(-width / 2, -depth / 2, width, depth, 0.05);
+  ctx.save();
+  ctx.shadowColor = palette.shadow;
+  ctx.shadowBlur = 10;
+  ctx.shadowOffsetY = 3;
+  ctx.fillStyle = palette.box;
+  ctx.fill();
+  ctx.restore();
+  ctx.strokeStyle = palette.boxSide;
+  ctx.lineWidth = 0.04;
+  ctx.stroke();
+  ctx.beginPath();
+  ctx.moveTo(-width / 2 + 0.1, 0);
+  ctx.lineTo(width / 2 - 0.1, 0);
+  ctx.lineWidth = 0.02;
+  ctx.stroke();
+  ctx.restore();
+}
+
+/** Numbers of the metre grid along the edges; drawn in pixels, over everything else. */
+export function drawRulers(
+  ctx: Ctx,
+  world: World | null,
+  camera: Camera,
+  size: Size,
+  palette: Palette,
+): void {
+  const start = startOf(world);
+  const [left, right, bottom, top] = spanOf(world);
+  const every = camera.scale < 34 ? 2 : 1;
+  ctx.font = `600 13px ${palette.font}`;
+  ctx.textAlign = "center";
+  ctx.textBaseline = "middle";
+  const label = (metre: number, from: [number, number], to: [number, number]) => {
+    if (metre % every !== 0) return;
+    const a = toScreen(camera, size, toWorld(start, ...from));
+    const b = toScreen(camera, size, toWorld(start, ...to));
+    const place = edgePoint(a, b, size);
+    if (place) number(ctx, metre, place, palette);
+  };
+  for (let x = left; x <= right; x++) label(x, [x, bottom], [x, top]);
+  for (let y = bottom; y <= top; y++) label(y, [left, y], [right, y]);
+}
+
+interface Place {
+  x: number;
+  y: number;
+}
+
+/** Where a grid line meets the lower edge, or the left one when it runs across. */
+function edgePoint(a: Place, b: Place, size: Size): Place | null {
+  const dx = b.x - a.x;
+  const dy = b.y - a.y;
+  if (Math.abs(dy) >= Math.abs(dx)) {
+    const y = size.height - EDGE.bottom / 2;
+    const x = a.x + (dx * (y - a.y)) / dy;
+    return x > EDGE.left && x < size.width - EDGE.right ? { x, y } : null;
+  }
+  const x = EDGE.left / 2;
+  const y = a.y + (dy * (x - a.x)) / dx;
+  return y > EDGE.top && y < size.height - EDGE.bottom ? { x, y } : null;
+}
+
+function number(ctx: Ctx, metre: number, { x, y }: Place, palette: Palette): void {
+  const text = metre < 0 ? `\u2212${-metre}` : metre === 0 ? "0" : `${metre}`;
+  const width = ctx.measureText(text).width + 10;
+  ctx.fillStyle = palette.tile;
+  ctx.beginPath();
+  ctx.roundRect(x - width / 2, y - 9, width, 18, 9);
+  ctx.fill();
+  ctx.fillStyle = palette.number;
+  ctx.fillText(text, x, y + 0.5);
+}

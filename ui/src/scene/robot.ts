@@ -1,0 +1,122 @@
+import type { Pose } from "../run/reducer";
+import type { Palette } from "./palette";
+
+type Ctx = CanvasRenderingContext2D;
+
+/** Pioneer 3-DX, metres, from its data sheet: 455 x 381 mm, wheels of 195 mm, nose along +x. */
+const LENGTH = 0.455;
+const WIDTH = 0.381;
+const WHEEL = { length: 0.195, width: 0.05, x: 0.03, y: 0.165 };
+const SONARS = [-75, -50, -30, -10, 10, 30, 50, 75];
+
+/** Draws the robot from above, in metres, y up. `pixels` are those of a metre. */
+export function drawRobot(ctx: Ctx, pose: Pose, palette: Palette, pixels: number): void {
+  ctx.save();
+  ctx.translate(pose.x, pose.y);
+  ctx.rotate(pose.yaw);
+  drawShadow(ctx, pose.yaw, palette, pixels);
+  drawWheels(ctx, palette);
+  drawBody(ctx, palette);
+  drawSonars(ctx);
+  drawDeck(ctx, palette);
+  ctx.restore();
+}
+
+function outline(ctx: Ctx, grow = 0): void {
+  const front = LENGTH / 2 + grow;
+  const back = -LENGTH / 2 - grow;
+  const side = WIDTH / 2 - 0.03 + grow;
+  ctx.beginPath();
+  ctx.moveTo(back + 0.07, -side);
+  ctx.lineTo(front - 0.13, -side);
+  ctx.quadraticCurveTo(front, -side * 0.72, front, 0);
+  ctx.quadraticCurveTo(front, side * 0.72, front - 0.13, side);
+  ctx.lineTo(back + 0.07, side);
+  ctx.quadraticCurveTo(back, side, back, side * 0.45);
+  ctx.lineTo(back, -side * 0.45);
+  ctx.quadraticCurveTo(back, -side, back + 0.07, -side);
+  ctx.closePath();
+}
+
+/** The light stands still while the robot turns, so the shadow falls the same way always. */
+function drawShadow(ctx: Ctx, yaw: number, palette: Palette, pixels: number): void {
+  ctx.save();
+  ctx.rotate(-yaw);
+  ctx.translate(0.015, -0.035);
+  ctx.rotate(yaw);
+  ctx.shadowColor = palette.shadow;
+  ctx.shadowBlur = Math.min(24, pixels * 0.08);
+  ctx.fillStyle = palette.shadow;
+  outline(ctx, 0.01);
+  ctx.fill();
+  ctx.restore();
+}
+
+function drawWheels(ctx: Ctx, palette: Palette): void {
+  ctx.fillStyle = palette.wheel;
+  for (const side of [-1, 1]) {
+    ctx.beginPath();
+    ctx.roundRect(
+      WHEEL.x - WHEEL.length / 2,
+      side * WHEEL.y - WHEEL.width / 2,
+      WHEEL.length,
+      WHEEL.width,
+      0.018,
+    );
+    ctx.fill();
+  }
+}
+
+function drawBody(ctx: Ctx, palette: Palette): void {
+  outline(ctx);
+  ctx.fillStyle = palette.robot;
+  ctx.fill();
+  ctx.strokeStyle = palette.deck;
+  ctx.lineWidth = 0.012;
+  ctx.stroke();
+}
+
+function drawSonars(ctx: Ctx): void {
+  ctx.fillStyle = "#e9b949";
+  for (const angle of SONARS) {
+    const turn = (angle * Math.PI) / 180;
+    ctx.beginPath();
+    ctx.arc(0.04 + Math.cos(turn) * 0.165, Math.sin(turn) * 0.135, 0.0125, 0, 2 * Math.PI);
+    ctx.fill();
+  }
+}
+
+function drawDeck(ctx: Ctx, palette: Palette): void {
+  ctx.beginPath();
+  ctx.roundRect(-0.19, -0.115, 0.33, 0.23, 0.06);
+  ctx.fillStyle = palette.deck;
+  ctx.fill();
+  ctx.beginPath();
+  ctx.moveTo(0.115, 0);
+  ctx.lineTo(-0.03, 0.085);
+  ctx.lineTo(0, 0);
+  ctx.lineTo(-0.03, -0.085);
+  ctx.closePath();
+  ctx.fillStyle = palette.mark;
+  ctx.fill();
+}
+
+/** Where and in which direction the robot began. */
+export function drawStart(ctx: Ctx, palette: Palette, pixels: number): void {
+  const line = Math.max(2, 0.025 * pixels) / pixels;
+  ctx.save();
+  ctx.strokeStyle = palette.start;
+  ctx.fillStyle = palette.start;
+  ctx.lineWidth = line;
+  ctx.beginPath();
+  ctx.arc(0, 0, 0.29, 0, 2 * Math.PI);
+  ctx.setLineDash([0.07, 0.05]);
+  ctx.stroke();
+  ctx.beginPath();
+  ctx.moveTo(0.42, 0);
+  ctx.lineTo(0.32, 0.055);
+  ctx.lineTo(0.32, -0.055);
+  ctx.closePath();
+  ctx.fill();
+  ctx.restore();
+}

@@ -1,0 +1,75 @@
+import type { World } from "../api/model";
+import type { RunView } from "../run/reducer";
+import { points } from "../run/trail";
+import { type Box, include, roomOf, startOf, toWorld } from "./frames";
+
+/** Around the start and around what stands in the room, in metres. */
+const AROUND_START = 2.1;
+const AROUND_PATH = 0.6;
+const WALL = 0.12;
+
+/**
+ * What is worth seeing: the start, the path so far and everything that stands in the room. An empty room is
+ * not shown whole, because the robot would be a speck.
+ */
+export function subjectOf(world: World | null, view: RunView): Box {
+  const room = roomOf(world);
+  const start = startOf(world);
+  const box: Box = { left: start.x, right: start.x, bottom: start.y, top: start.y };
+  include(box, start.x, start.y, AROUND_START);
+  for (const thing of world?.boxes ?? []) {
+    const [x, y] = thing.center;
+    include(box, x ?? 0, y ?? 0, Math.hypot(...thing.size) / 2);
+  }
+  for (const wall of world?.walls ?? []) {
+    if (isOuter(wall, room)) continue;
+    for (const [x, y] of [wall.from, wall.to]) include(box, x ?? 0, y ?? 0);
+  }
+  for (const [x, y] of points(view.path)) {
+    const place = toWorld(start, x, y);
+    include(box, place.x, place.y, AROUND_PATH);
+  }
+  return inside(box, room);
+}
+
+/** The whole room with its walls. */
+export function wholeRoom(world: World | null): Box {
+  const room = roomOf(world);
+  return {
+    left: room.left - WALL,
+    right: room.right + WALL,
+    bottom: room.bottom - WALL,
+    top: room.top + WALL,
+  };
+}
+
+function isOuter(wall: World["walls"][number], room: Box): boolean {
+  const at = (a: number | undefined, b: number | undefined, edge: number) =>
+    Math.abs((a ?? 0) - edge) < 0.01 && Math.abs((b ?? 0) - edge) < 0.01;
+  const [fromX, fromY] = wall.from;
+  const [toX, toY] = wall.to;
+  return (
+    at(fromX, toX, room.left) ||
+    at(fromX, toX, room.right) ||
+    at(fromY, toY, room.bottom) ||
+    at(fromY, toY, room.top)
+  );
+}
+
+/** Shifts the box into the room where it hangs out, then cuts off what still does. */
+function inside(box: Box, room: Box): Box {
+  const outer = {
+    left: room.left - WALL,
+    right: room.right + WALL,
+    bottom: room.bottom - WALL,
+    top: room.top + WALL,
+  };
+  const dx = Math.max(0, outer.left - box.left) - Math.max(0, box.right - outer.right);
+  const dy = Math.max(0, outer.bottom - box.bottom) - Math.max(0, box.top - outer.top);
+  return {
+    left: Math.max(outer.left, box.left + dx),
+    right: Math.min(outer.right, box.right + dx),
+    bottom: Math.max(outer.bottom, box.bottom + dy),
+    top: Math.min(outer.top, box.top + dy),
+  };
+}
