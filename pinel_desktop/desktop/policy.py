@@ -32,6 +32,8 @@ def fitted_size(screen_width: int, screen_height: int) -> Size:
     """The size for a screen: all of a small one, most of a large one."""
     smallest = (min(SMALLEST[0], screen_width), min(SMALLEST[1], screen_height))
     maximized = screen_width <= _FILL_UP_TO[0] or screen_height <= _FILL_UP_TO[1]
-    width = min(LARGEST[0], screen_width if maximized else screen_width * 85 // 100)
-    height = min(LARGEST[1], screen_height if maximized else screen_height * 85 // 100)
+    if maximized:
+        return Size(screen_width, screen_height, smallest, maximized)
+    width = min(LARGEST[0], screen_width * 85 // 100)
+    height = min(LARGEST[1], screen_height * 85 // 100)
     return Size(width, height, smallest, maximized)

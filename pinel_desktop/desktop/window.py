@@ -3,6 +3,7 @@
 import logging
 import os
 import signal
+import sys
 import threading
 from collections.abc import Callable
 from typing import Any
@@ -135,6 +136,19 @@ class NativeWindow:
         }
 
 
+def end_process(status: int) -> None:
+    """Ends the process although pywebview may have left a thread that waits for ever.
+
+    A script that is under way when the window closes never answers, and pywebview's own scripts run on threads
+    that Python would wait for. Call it last: everything else must have been closed.
+    """
+    waiting = (thread for thread in threading.enumerate() if not thread.daemon)
+    if any(thread is not threading.main_thread() for thread in waiting):
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(status)
+
+
 def _require_gtk_screen() -> None:
     """GTK ends the whole process when it is used without a screen that answers."""
     import gi  # noqa: PLC0415 - only there where backends.gtk_problem says so
@@ -147,7 +161,7 @@ def _require_gtk_screen() -> None:
 
 
 def _guard_gtk(window: webview.Window, own: str) -> None:
-    """Keeps WebKit on our own page, lets the page keep small settings, and ends at SIGTERM."""
+    """Keeps WebKit on our own page, lets the page keep small settings, and closes at a signal."""
     from gi.repository import GLib, WebKit2  # noqa: PLC0415
     from webview.platforms.gtk import BrowserView  # noqa: PLC0415
 
@@ -172,4 +186,5 @@ def _guard_gtk(window: webview.Window, own: str) -> None:
     view.webview.connect("decide-policy", decide)
     # Private mode switches this off, and a page that asks for it would stumble; nothing is kept on disk.
     view.webview.get_settings().props.enable_html5_local_storage = True
-    GLib.unix_signal_add(GLib.PRIORITY_DEFAULT, signal.SIGTERM, window.destroy)
+    for number in (signal.SIGTERM, signal.SIGINT):
+        GLib.unix_signal_add(GLib.PRIORITY_DEFAULT, number, window.destroy)

@@ -1,0 +1,51 @@
+"""Where the window may go, and how large it opens."""
+
+import pytest
+
+from pinel_desktop.desktop.policy import fitted_size, may_open
+
+OWN = "http://127.0.0.1:40123/?key=abc"
+
+
+@pytest.mark.parametrize(
+    "address", ["http://127.0.0.1:40123/", "http://127.0.0.1:40123/api/status?x=1#top"]
+)
+def test_our_own_page_may_open(address: str) -> None:
+    assert may_open(address, OWN)
+
+
+@pytest.mark.parametrize(
+    "address",
+    [
+        "http://127.0.0.1:40124/",
+        "https://127.0.0.1:40123/",
+        "http://localhost:40123/",
+        "http://127.0.0.1:40123@example.org/",
+        "http://example.org/http://127.0.0.1:40123/",
+        "http://127.0.0.1:999999/",
+        "http://[broken",
+        "file:///etc/passwd",
+        "data:text/html,hello",
+        "javascript:alert(1)",
+        "about:blank",
+        "",
+    ],
+)
+def test_nothing_else_may_open(address: str) -> None:
+    assert not may_open(address, OWN)
+
+
+@pytest.mark.parametrize("screen", [(1366, 768), (1280, 1024), (1024, 768), (1440, 900)])
+def test_a_small_screen_is_filled(screen: tuple[int, int]) -> None:
+    size = fitted_size(*screen)
+    assert size.maximized
+    assert (size.width, size.height) == screen
+
+
+def test_a_large_screen_keeps_room_around_the_window() -> None:
+    size = fitted_size(1920, 1080)
+    assert (size.width, size.height, size.maximized) == (1600, 918, False)
+
+
+def test_the_window_may_never_be_larger_than_the_screen_asks_for() -> None:
+    assert fitted_size(800, 600).smallest == (800, 600)

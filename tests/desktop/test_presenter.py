@@ -1,0 +1,132 @@
+"""One way after the other, each failure with a remedy, and the plain address at the end."""
+
+import itertools
+import os
+import stat
+import threading
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from pinel_desktop.desktop.backends import Pc
+from pinel_desktop.desktop.presenter import Presenter
+from pinel_desktop.messages import describe
+
+
+class Said(list[str]):
+    """What was printed; `wait_for` waits until a line holds the text."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._changed = threading.Condition()
+
+    def say(self, line: str) -> None:
+        with self._changed:
+            self.append(line)
+            self._changed.notify_all()
+
+    def wait_for(self, text: str) -> None:
+        with self._changed:
+            assert self._changed.wait_for(lambda: any(text in line for line in self), 20), self
+
+
+@pytest.fixture
+def said() -> Said:
+    return Said()
+
+
+@pytest.fixture
+def addresses() -> Callable[[], str]:
+    numbers = itertools.count(1)
+    return lambda: f"http://127.0.0.1:1/?key={next(numbers)}"
+
+
+def pc_without_gtk(browser: str | None, *, screen: bool = True) -> Pc:
+    return Pc(
+        platform="linux",
+        environ={"DISPLAY": ":0"} if screen else {},
+        which=lambda name: browser,
+        is_file=lambda path: False,
+        gtk_problem=lambda: "no WebKit2 here",
+        qt_problem=lambda: "PyQt6",
+    )
+
+
+def fake_browser(folder: Path, script: str) -> str:
+    program = folder / "fake browser"
+    program.write_text(f"#!/bin/sh\n{script}\n", "utf-8")
+    program.chmod(program.stat().st_mode | stat.S_IXUSR)
+    return str(program)
+
+
+def test_without_a_screen_the_address_is_printed_and_the_app_stays(
+    said: Said, addresses: Callable[[], str]
+) -> None:
+    presenter = Presenter(addresses, said.say, "en", pc=pc_without_gtk(None, screen=False))
+    running = threading.Thread(target=presenter.run)
+    running.start()
+    said.wait_for("Ctrl+C")
+    assert running.is_alive()
+    presenter.close()
+    running.join(10)
+    assert not running.is_alive()
+    assert "There is no screen" in said[0]
+    assert "  http://127.0.0.1:1/?key=1" in said
+
+
+def test_the_browser_takes_the_window_s_place_and_the_reason_is_said(
+    said: Said, addresses: Callable[[], str], tmp_path: Path
+) -> None:
+    browser = fake_browser(tmp_path, f'printf "%s\\n" "$@" >"{tmp_path}/called"')
+    presenter = Presenter(addresses, said.say, "en", pc=pc_without_gtk(browser))
+    presenter.run()
+    assert presenter.backend == "browser"
+    called = (tmp_path / "called").read_text("utf-8").splitlines()
+    assert called[0] == "--app=http://127.0.0.1:1/?key=1"
+    assert said == [
+        "PINEL's own window does not open: the system's WebKit is missing (no WebKit2 here). "
+        "Install it: sudo apt install python3-gi gir1.2-gtk-3.0 gir1.2-webkit2-4.1"
+    ]
+
+
+def test_a_browser_that_dies_at_once_is_followed_by_an_address_of_its_own(
+    said: Said, addresses: Callable[[], str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened: list[str] = []
+    monkeypatch.setattr("webbrowser.open", opened.append)
+    presenter = Presenter(
+        addresses, said.say, "pt-BR", pc=pc_without_gtk(fake_browser(tmp_path, "exit 3"))
+    )
+    running = threading.Thread(target=presenter.run)
+    running.start()
+    said.wait_for("Ctrl+C")
+    presenter.close()
+    running.join(10)
+    assert "status 3" in said[1]
+    assert opened == ["http://127.0.0.1:1/?key=2"]
+
+
+def test_closing_ends_the_browser(said: Said, addresses: Callable[[], str], tmp_path: Path) -> None:
+    began = tmp_path / "began"
+    os.mkfifo(began)
+    browser = fake_browser(tmp_path, f'echo began >"{began}"; exec sleep 600')
+    presenter = Presenter(addresses, said.say, "en", pc=pc_without_gtk(browser))
+    running = threading.Thread(target=presenter.run)
+    running.start()
+    began.read_text("utf-8")
+    presenter.close()
+    running.join(10)
+    assert not running.is_alive()
+
+
+@pytest.mark.parametrize("language", ["pt-BR", "en", "es"])
+def test_every_failure_has_a_remedy_in_every_language(language: str) -> None:
+    for code in (
+        "window_gtk_missing", "window_qt_missing", "window_webview2_missing", "window_failed",
+        "window_browser_missing", "window_no_screen", "screen_virtual_missing",
+    ):  # fmt: skip
+        words = describe(code, {"reason": "x", "backend": "y"}, language)
+        assert words.message != code
+        assert words.remedy
+        assert "{" not in words.message + words.remedy

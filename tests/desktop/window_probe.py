@@ -1,0 +1,108 @@
+"""Opens the real window on a small page, tries to leave it, and prints what happened as JSON.
+
+A program of its own, because GTK belongs to a main thread and to one screen for the life of a process.
+"""
+
+import json
+import sys
+import threading
+import time
+from typing import Any
+
+from flask import Flask, Response
+from werkzeug.serving import make_server
+
+from pinel_desktop.desktop.window import NativeWindow, end_process
+
+_PAGE = "<!doctype html><title>page</title><h1>PINEL</h1><script src='/ready.js'></script>"
+_READY = """
+document.documentElement.dataset.ready = "true";
+localStorage.setItem("kept", "yes");
+"""
+_POLICY = "default-src 'self'; form-action 'none'; frame-ancestors 'none'"
+
+
+class Site:
+    """A server on a port of its own that remembers who asked for what."""
+
+    def __init__(self) -> None:
+        self.asked: list[str] = []
+        app = Flask(__name__)
+        app.add_url_rule("/", view_func=self._page)
+        app.add_url_rule(
+            "/ready.js", view_func=lambda: Response(_READY, mimetype="text/javascript")
+        )
+        self._server = make_server("127.0.0.1", 0, app, threaded=True)
+        self.address = f"http://127.0.0.1:{self._server.port}/"
+        threading.Thread(target=self._server.serve_forever, daemon=True).start()
+
+    def _page(self) -> Response:
+        self.asked.append("/")
+        return Response(_PAGE, mimetype="text/html", headers={"Content-Security-Policy": _POLICY})
+
+
+class Probe:
+    """The experiments, in the order in which a pupil might come upon them."""
+
+    def __init__(self) -> None:
+        self.own, self.stranger = Site(), Site()
+        self.window = NativeWindow(
+            self.own.address, "PINEL Desktop", "pt-BR", on_open=self._try_everything
+        )
+        self.found: dict[str, Any] = {}
+        self.closed_at = 0.0
+
+    def _script(self, script: str) -> Any:
+        return self.window.run_script(script)
+
+    def _until(self, script: str) -> None:
+        """Asks the page again and again; each question takes a turn of its event loop."""
+        deadline = time.monotonic() + 30
+        while self._script(script) is not True:
+            if time.monotonic() > deadline:
+                raise TimeoutError(script)
+
+    def _leave(self, script: str) -> None:
+        """Starts something in the page and lets its event loop come around a few times."""
+        self._script(f"window.turns = 0; {script}")
+        self._until("(setTimeout(() => { window.turns += 1 }), window.turns > 5)")
+
+    def _try_everything(self) -> None:
+        try:
+            self._until("document.documentElement.dataset.ready === 'true'")
+            self.found["ready"] = True
+            self.found["storage"] = self._script("localStorage.getItem('kept')")
+            self.found["size"] = [self._script("innerWidth"), self._script("innerHeight")]
+            there = self.stranger.address
+            self._leave(f"location.href = '{there}'")
+            self._leave(f"window.open('{there}')")
+            self._leave(
+                "{const link = Object.assign(document.createElement('a'),"
+                f"{{href: '{there}', target: '_blank'}}); document.body.append(link); link.click()}}"
+            )
+            self._leave("location.href = 'data:text/html,hello'")
+            self._leave("location.href = 'file:///etc/hostname'")
+            self.found["stranger_asked"] = len(self.stranger.asked)
+            self.found["address"] = self._script("location.href")
+            self.window.show()
+            self._script("delete document.documentElement.dataset.ready; location.reload()")
+            self._until("document.documentElement.dataset.ready === 'true'")
+            self.found["reloaded"] = len(self.own.asked) == 2
+        except Exception as error:
+            self.found["error"] = repr(error)
+        if "--wait" in sys.argv:
+            print("open", flush=True)
+            return
+        self.closed_at = time.monotonic()
+        self.window.close()
+
+    def run(self) -> None:
+        self.window.run("gtk")
+        if "--wait" not in sys.argv:
+            self.found["closing_s"] = round(time.monotonic() - self.closed_at, 3)
+        print(json.dumps(self.found | {"own": self.own.address}), flush=True)
+
+
+if __name__ == "__main__":
+    Probe().run()
+    end_process(0)
