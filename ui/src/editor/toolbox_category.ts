@@ -12,6 +12,12 @@ const ICONS: Readonly<Record<Exclude<Category, "start">, IconName>> = {
 
 /** A category as a coloured tile with its icon above its word: wide enough for a finger, narrow enough for the blocks. */
 class ToolboxCategory extends Blockly.ToolboxCategory {
+  protected override createContainer_(): HTMLDivElement {
+    const container = super.createContainer_();
+    container.dataset.testid = `toolbox-${this.toolboxItemDef_.id}`;
+    return container;
+  }
+
   protected override createIconDom_(): Element {
     const tile = document.createElement("span");
     tile.className = "pinelCategoryTile";
