@@ -7,8 +7,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
-from storage import Recorder, RunStart, open_store  # noqa: E402 - the path comes first
-from tests.storage.sample_runs import ended, sample  # noqa: E402
+from storage import Recorder, RunStart, open_store
+from tests.storage.sample_runs import ended, sample
 
 
 def say(kept: str, row_id: str, text: str = "") -> None:

@@ -1,0 +1,130 @@
+"""Plain HTTP as a browser speaks it, with nothing hidden: what is sent is what the test says."""
+
+import http.client
+import json
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import Any
+from urllib.parse import urlsplit
+
+TIMEOUT_S = 10.0
+
+
+@dataclass(frozen=True)
+class Answer:
+    status: int
+    headers: dict[str, str]
+    body: bytes
+
+    @property
+    def data(self) -> Any:
+        return json.loads(self.body)
+
+    @property
+    def text(self) -> str:
+        return self.body.decode("utf-8")
+
+    @property
+    def error(self) -> dict[str, Any]:
+        found: dict[str, Any] = self.data["error"]
+        return found
+
+
+@dataclass
+class Browser:
+    host: str
+    port: int
+    headers: dict[str, str] = field(default_factory=dict)
+
+    @classmethod
+    def at(cls, address: str) -> "Browser":
+        """A browser that has not opened the page yet."""
+        parts = urlsplit(address)
+        assert parts.hostname is not None
+        assert parts.port is not None
+        return cls(parts.hostname, parts.port)
+
+    @classmethod
+    def signed_in(cls, address: str) -> "Browser":
+        """Opens the address with its key and keeps the cookie."""
+        browser = cls.at(address)
+        answer = browser.get(address.partition(f":{browser.port}")[2])
+        assert answer.status == 302, answer.body
+        cookie = answer.headers["Set-Cookie"].partition(";")[0]
+        browser.headers = {"Cookie": cookie, "Sec-Fetch-Site": "same-origin"}
+        return browser
+
+    def get(self, path: str, headers: Mapping[str, str] | None = None) -> Answer:
+        return self.send("GET", path, headers=headers)
+
+    def post(self, path: str, data: Any = None) -> Answer:
+        return self.send("POST", path, data)
+
+    def send(
+        self,
+        method: str,
+        path: str,
+        data: Any = None,
+        *,
+        body: bytes | None = None,
+        headers: Mapping[str, str] | None = None,
+    ) -> Answer:
+        """Sends `data` as JSON, or `body` as it is. A header given as "" is left out."""
+        sent = {**self.headers, **(headers or {})}
+        if data is not None:
+            body = json.dumps(data).encode()
+            sent.setdefault("Content-Type", "application/json")
+        connection = http.client.HTTPConnection(self.host, self.port, timeout=TIMEOUT_S)
+        try:
+            connection.request(
+                method, path, body=body, headers={k: v for k, v in sent.items() if v}
+            )
+            answer = connection.getresponse()
+            return Answer(answer.status, dict(answer.getheaders()), answer.read())
+        finally:
+            connection.close()
+
+    @contextmanager
+    def stream(self) -> Iterator["Stream"]:
+        """The event stream, open."""
+        connection = http.client.HTTPConnection(self.host, self.port, timeout=TIMEOUT_S)
+        try:
+            connection.request("GET", "/api/stream", headers=self.headers)
+            answer = connection.getresponse()
+            try:
+                yield Stream(answer)
+            finally:
+                answer.close()
+        finally:
+            connection.close()
+
+
+class Stream:
+    def __init__(self, answer: http.client.HTTPResponse) -> None:
+        self.status = answer.status
+        self.type = answer.getheader("Content-Type")
+        self._answer = answer
+
+    def lines(self) -> Iterator[str]:
+        """Lines until the stream ends."""
+        while line := self._answer.readline():
+            yield line.decode("utf-8").rstrip("\n")
+
+    def events(self) -> Iterator[dict[str, Any]]:
+        """Events until the stream ends."""
+        for line in self.lines():
+            if line.startswith("data: "):
+                yield json.loads(line.removeprefix("data: "))
+
+    def next(self) -> dict[str, Any]:
+        return next(self.events())
+
+    def until(self, kind: str) -> list[dict[str, Any]]:
+        """Events up to the first of that type."""
+        found = []
+        for event in self.events():
+            found.append(event)
+            if event["type"] == kind:
+                break
+        return found

@@ -1,0 +1,60 @@
+"""An engine that does what a test says, with the interface of EngineClient."""
+
+from collections.abc import Callable
+from typing import Any, Literal
+
+from pinel_desktop.errors import PinelError
+
+Event = dict[str, Any]
+
+
+class FakeEngine:
+    def __init__(self, on_event: Callable[[Event], None]) -> None:
+        self.on_event = on_event
+        self.state: Literal["starting", "ready", "lost"] = "starting"
+        self.live_run: str | None = None
+        self.told: list[tuple[str, ...]] = []
+        self.begun: dict[str, Any] = {}
+
+    def start(self) -> None:
+        self.state = "ready"
+
+    def run(
+        self, run_id: str, document: dict[str, Any], *, world: str, seed: int = 0, link: str = "sim"
+    ) -> None:
+        if self.state != "ready":
+            raise PinelError("engine_not_ready")
+        self.live_run = run_id
+        self.begun = {
+            "run": run_id,
+            "document": document,
+            "world": world,
+            "seed": seed,
+            "link": link,
+        }
+
+    def pause(self, run_id: str) -> None:
+        self._tell("pause", run_id)
+
+    def resume(self, run_id: str) -> None:
+        self._tell("resume", run_id)
+
+    def stop(self, run_id: str) -> None:
+        self._tell("stop", run_id)
+
+    def answer_capture(self, run_id: str, result: str) -> None:
+        self._tell("answer_capture", run_id, result)
+
+    def close(self) -> None:
+        self.live_run = None
+
+    def send(self, event: Event) -> None:
+        """An event of the live run arrives."""
+        if event["type"] == "run_ended":
+            self.live_run = None
+        self.on_event(event)
+
+    def _tell(self, what: str, run_id: str, *values: str) -> None:
+        if run_id != self.live_run:
+            raise PinelError("run_not_live")
+        self.told.append((what, run_id, *values))

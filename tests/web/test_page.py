@@ -1,0 +1,74 @@
+"""The page's files, and what stands in for them."""
+
+from pathlib import Path
+
+import pytest
+
+from pinel_desktop.web import page
+from tests.web.browser import Browser
+
+
+@pytest.fixture
+def built(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    folder = tmp_path / "static"
+    (folder / "assets").mkdir(parents=True)
+    (folder / "index.html").write_text("<!doctype html><title>PINEL</title>", "utf-8")
+    (folder / "assets" / "index-4f2a.js").write_text("export {}", "utf-8")
+    (folder.parent / "secret.txt").write_text("not yours", "utf-8")
+    monkeypatch.setattr(page, "STATIC", folder)
+    return folder
+
+
+def test_the_page_is_asked_for_anew_each_time_and_its_assets_never(
+    built: Path, browser: Browser
+) -> None:
+    index, asset = browser.get("/"), browser.get("/assets/index-4f2a.js")
+    assert index.headers["Content-Type"] == "text/html; charset=utf-8"
+    assert index.headers["Cache-Control"] == "no-cache"
+    assert asset.headers["Content-Type"].startswith("text/javascript")
+    assert "immutable" in asset.headers["Cache-Control"]
+
+
+def test_a_file_that_did_not_change_is_not_sent_again(built: Path, browser: Browser) -> None:
+    tag = browser.get("/").headers["ETag"]
+    again = browser.get("/", {"If-None-Match": tag})
+    assert (again.status, again.body) == (304, b"")
+
+
+@pytest.mark.parametrize(
+    "path", ["/../secret.txt", "/..%2fsecret.txt", "/assets/../../secret.txt", "/assets/no.js"]
+)
+def test_nothing_outside_the_page_s_folder_is_served(
+    built: Path, browser: Browser, path: str
+) -> None:
+    answer = browser.get(path)
+    assert answer.status == 404
+    assert "not yours" not in answer.text
+
+
+def test_a_page_that_was_not_built_says_what_to_do(
+    tmp_path: Path, browser: Browser, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(page, "STATIC", tmp_path / "none")
+    answer = browser.get("/")
+    assert answer.status == 503
+    assert "make run" in answer.text
+
+
+@pytest.mark.parametrize("path", ["/", "/api/status", "/api/nothing", "/nothing"])
+def test_every_answer_carries_the_headers_that_keep_the_page_to_itself(
+    built: Path, browser: Browser, path: str
+) -> None:
+    headers = browser.get(path).headers
+    policy = dict(part.split(" ", 1) for part in headers["Content-Security-Policy"].split("; "))
+    assert policy["default-src"] == "'self'"
+    assert policy["style-src"] == "'self' 'unsafe-inline'"
+    assert policy["img-src"] == "'self' data:"
+    assert "unsafe-eval" not in headers["Content-Security-Policy"]
+    assert "script-src" not in policy  # so scripts fall back to 'self'
+    assert headers["Referrer-Policy"] == "no-referrer"
+    assert headers["X-Content-Type-Options"] == "nosniff"
+
+
+def test_nothing_of_the_api_is_cached(browser: Browser) -> None:
+    assert browser.get("/api/status").headers["Cache-Control"] == "no-store"

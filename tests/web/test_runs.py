@@ -1,0 +1,148 @@
+"""Runs over HTTP, with an engine that does what the test says."""
+
+import json
+import struct
+from typing import Any
+
+import pytest
+
+from tests.storage.sample_runs import block_started, ended, sample, square
+from tests.web.browser import Browser
+from tests.web.fake_engine import FakeEngine
+
+
+def test_a_run_begins_in_the_engine_and_in_the_list(
+    browser: Browser,
+    engine: FakeEngine,
+    group: dict[str, Any],
+    program: dict[str, Any],
+    version: dict[str, Any],
+    run: dict[str, Any],
+) -> None:
+    assert run["state"] == "running"
+    assert (run["group_id"], run["program_id"]) == (group["id"], program["id"])
+    assert (run["version_id"], run["program_name"]) == (version["id"], "Quadrado")
+    assert engine.begun["run"] == run["id"]
+    assert (engine.begun["world"], engine.begun["seed"]) == ("empty_room", 0)
+    assert engine.begun["document"]["commands"][0]["action"] == "repeat"
+    assert browser.get(f"/api/groups/{group['id']}/runs").data == {"runs": [run], "next": None}
+    assert browser.get("/api/status").data["run"] == run["id"]
+
+
+def test_a_second_run_waits_for_the_first(
+    browser: Browser, version: dict[str, Any], run: dict[str, Any]
+) -> None:
+    answer = browser.post("/api/runs", {"version_id": version["id"], "world": "empty_room"})
+    assert (answer.status, answer.error["code"]) == (409, "run_in_progress")
+
+
+def test_a_version_with_faults_does_not_run_and_says_which(
+    browser: Browser, program: dict[str, Any]
+) -> None:
+    document = {
+        "pinel_ir": 1,
+        "name": "x",
+        "commands": [{"action": "turn", "block": "b", "angle": 9999}],
+    }
+    saved = browser.post(
+        f"/api/programs/{program['id']}/versions", {"workspace": {}, "document": document}
+    ).data
+    answer = browser.post("/api/runs", {"version_id": saved["id"], "world": "empty_room"})
+    assert (answer.status, answer.error["code"]) == (422, "invalid_program")
+    assert answer.error["faults"] == saved["faults"]
+    assert answer.error["faults"][0]["block"] == "b"
+
+
+def test_an_unknown_world_is_refused_with_those_there_are(
+    browser: Browser, version: dict[str, Any]
+) -> None:
+    answer = browser.post("/api/runs", {"version_id": version["id"], "world": "mars"})
+    assert (answer.status, answer.error["code"]) == (422, "unknown_world")
+    assert "empty_room" in answer.error["remedy"]
+
+
+@pytest.mark.parametrize("what", ["pause", "resume", "stop"])
+def test_the_live_run_is_steered(
+    browser: Browser, engine: FakeEngine, run: dict[str, Any], what: str
+) -> None:
+    answer = browser.post(f"/api/runs/{run['id']}/{what}")
+    assert (answer.status, answer.data) == (200, {})
+    assert engine.told == [(what, run["id"])]
+
+
+def test_a_capture_is_answered_by_hand(
+    browser: Browser, engine: FakeEngine, run: dict[str, Any]
+) -> None:
+    assert browser.post(f"/api/runs/{run['id']}/capture", {"result": "B"}).data == {}
+    assert engine.told == [("answer_capture", run["id"], "B")]
+
+
+@pytest.mark.parametrize(
+    ("what", "data"), [("pause", None), ("stop", None), ("capture", {"result": "B"})]
+)
+def test_a_run_that_has_ended_cannot_be_steered(
+    browser: Browser, engine: FakeEngine, run: dict[str, Any], what: str, data: Any
+) -> None:
+    engine.send(ended(run["id"], 0, 0))
+    answer = browser.post(f"/api/runs/{run['id']}/{what}", data)
+    assert (answer.status, answer.error["code"]) == (409, "run_not_live")
+
+
+def test_a_recorded_run_reads_back_with_version_and_world(
+    browser: Browser, engine: FakeEngine, version: dict[str, Any], run: dict[str, Any]
+) -> None:
+    samples = list(square(run["id"]))
+    engine.send(block_started(run["id"], seq=0))
+    for event in samples:
+        engine.send({**event, "seq": event["tick"] + 1})
+    end = ended(run["id"], len(samples) + 1, len(samples))
+    engine.send(end)
+    read = browser.get(f"/api/runs/{run['id']}").data
+    assert (read["state"], read["reason"], read["message"]) == ("finished", None, None)
+    assert read["duration_s"] == end["duration_s"]
+    assert len(read["path"]) == 5
+    assert read["version"]["id"] == version["id"]
+    assert read["world_document"]["name"] == "empty_room"
+    events = browser.get(f"/api/runs/{run['id']}/events").data["events"]
+    assert events == [block_started(run["id"], seq=0), end]
+
+
+def test_a_run_that_failed_says_why_in_words(
+    browser: Browser, engine: FakeEngine, run: dict[str, Any]
+) -> None:
+    engine.send(ended(run["id"], 0, 0, state="failed", reason="blocked", block="m"))
+    read = browser.get(f"/api/runs/{run['id']}").data
+    assert (read["state"], read["reason"], read["block"]) == ("failed", "blocked", "m")
+    assert read["message"]
+    assert read["remedy"]
+
+
+def test_telemetry_is_an_aligned_header_and_float_columns(
+    browser: Browser, engine: FakeEngine, run: dict[str, Any]
+) -> None:
+    for tick in range(3):
+        engine.send(sample(run["id"], tick))
+    engine.send(ended(run["id"], 3, 3))
+    answer = browser.get(f"/api/runs/{run['id']}/telemetry")
+    assert answer.headers["Content-Type"] == "application/octet-stream"
+    (length,) = struct.unpack_from("<I", answer.body)
+    header = json.loads(answer.body[4 : 4 + length])
+    assert header["rows"] == 3
+    assert len(answer.body) == 4 + length + 4 * 3 * len(header["columns"])
+
+
+def test_runs_come_in_pages(
+    browser: Browser, engine: FakeEngine, group: dict[str, Any], version: dict[str, Any]
+) -> None:
+    ids = []
+    for _ in range(3):
+        run = browser.post(
+            "/api/runs", {"version_id": version["id"], "world": "obstacles", "seed": 5}
+        ).data
+        engine.send(ended(run["id"], 0, 0))
+        ids.append(run["id"])
+    path = f"/api/groups/{group['id']}/runs?limit=2"
+    first = browser.get(path).data
+    second = browser.get(f"{path}&before={first['next']}").data
+    assert [run["id"] for run in first["runs"] + second["runs"]] == ids[::-1]
+    assert second["next"] is None
