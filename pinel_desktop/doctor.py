@@ -52,14 +52,10 @@ def examine(database: Path, pc: Pc | None = None) -> Iterator[Finding]:
 
 
 def size_words(n_bytes: int) -> str:
-    """A size as people say it: 512 MB, 3 GB."""
+    """A size as people say it, without decimals, which each language writes in its own way: 1500 MB, 83 GB."""
     for unit, factor in (("GB", 10**9), ("MB", 10**6), ("kB", 10**3)):
-        if n_bytes >= factor:
-            return (
-                f"{n_bytes / factor:.3g} {unit}"
-                if n_bytes < 100 * factor
-                else f"{n_bytes // factor} {unit}"
-            )
+        if n_bytes >= 10 * factor:
+            return f"{n_bytes // factor} {unit}"
     return f"{n_bytes} B"
 
 

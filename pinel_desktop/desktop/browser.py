@@ -5,6 +5,7 @@ import shutil
 import subprocess
 import tempfile
 import threading
+from collections.abc import Callable
 
 from pinel_desktop.desktop.backends import Pc, find_browser
 from pinel_desktop.errors import PinelError
@@ -33,11 +34,12 @@ def app_command(program: str, address: str, profile: str, *, as_root: bool) -> l
 class BrowserWindow:
     """Shows an address in app mode and ends with it."""
 
-    def __init__(self, address: str, pc: Pc | None = None) -> None:
-        self._address = address
+    def __init__(self, fresh_address: Callable[[], str], pc: Pc | None = None) -> None:
+        self._fresh_address = fresh_address
         self._pc = pc or Pc()
         self._process: subprocess.Popen[bytes] | None = None
         self._closed = threading.Event()
+        self._command: Callable[[], list[str]] | None = None
 
     def run(self) -> None:
         """Returns when the window is closed. Raises PinelError `window_browser_missing` or `window_failed`."""
@@ -45,8 +47,11 @@ class BrowserWindow:
         if program is None:
             raise PinelError("window_browser_missing")
         profile = tempfile.mkdtemp(prefix="pinel-browser-")
+        self._command = lambda: app_command(
+            program, self._fresh_address(), profile, as_root=_is_root()
+        )
         try:
-            self._run(app_command(program, self._address, profile, as_root=_is_root()))
+            self._run(self._command())
         finally:
             shutil.rmtree(profile, ignore_errors=True)
 
@@ -57,7 +62,15 @@ class BrowserWindow:
             self._process.terminate()
 
     def show(self) -> None:
-        """A browser's window cannot be brought forward from outside."""
+        """Asks the browser for another window on the page: its old one cannot be reached from outside."""
+        if self._command is not None:
+            subprocess.run(
+                self._command(),
+                stdin=subprocess.DEVNULL,
+                capture_output=True,
+                check=False,
+                timeout=10,
+            )
 
     def _run(self, command: list[str]) -> None:
         with subprocess.Popen(

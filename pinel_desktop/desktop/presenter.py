@@ -29,20 +29,23 @@ class Presenter:
     """Keeps the page on the screen until the person closes it.
 
     `fresh_address` gives an address that works once: every way that is tried gets its own. `say` is given the
-    lines that a person should read. `show` and `close` may be called from any thread, at any time.
+    lines that a person should read, `give` the address that a person or a program may open. `show` and `close`
+    may be called from any thread, at any time.
     """
 
     def __init__(
         self,
         fresh_address: Callable[[], str],
-        say: Callable[[str], None],
         language: str,
         *,
+        say: Callable[[str], None],
+        give: Callable[[str], None],
         pc: Pc | None = None,
         on_open: Callable[[], None] | None = None,
     ) -> None:
         self._fresh_address = fresh_address
         self._say = say
+        self._give = give
         self._language = language
         self._pc = pc or Pc()
         self._on_open = on_open
@@ -97,7 +100,7 @@ class Presenter:
         window.run(toolkit)
 
     def _show_in_browser(self) -> None:
-        window = BrowserWindow(self._fresh_address(), self._pc)
+        window = BrowserWindow(self._fresh_address, self._pc)
         self._window = window
         window.run()
 
@@ -106,11 +109,13 @@ class Presenter:
         self.backend = "address"
         address = self._fresh_address()
         self._say(describe("window_address", {}, self._language).message)
-        self._say(f"  {address}")
+        self._give(address)
         self._say(describe("window_address", {}, self._language).remedy)
         if self._pc.has_screen:
             webbrowser.open(address)
-        self._closed.wait()
+        # in steps, because Windows hears Ctrl+C only between them
+        while not self._closed.wait(0.5):
+            pass
 
     def _say_words(self, code: str, params: Mapping[str, object]) -> None:
         words = describe(code, params, self._language)

@@ -3,7 +3,6 @@
 import logging
 import os
 import signal
-import sys
 import threading
 from collections.abc import Callable
 from typing import Any
@@ -134,19 +133,6 @@ class NativeWindow:
         return {
             key: describe(code, {}, self._language).message for key, code in _DIALOG_WORDS.items()
         }
-
-
-def end_process(status: int) -> None:
-    """Ends the process although pywebview may have left a thread that waits for ever.
-
-    A script that is under way when the window closes never answers, and pywebview's own scripts run on threads
-    that Python would wait for. Call it last: everything else must have been closed.
-    """
-    waiting = (thread for thread in threading.enumerate() if not thread.daemon)
-    if any(thread is not threading.main_thread() for thread in waiting):
-        sys.stdout.flush()
-        sys.stderr.flush()
-        os._exit(status)
 
 
 def _require_gtk_screen() -> None:

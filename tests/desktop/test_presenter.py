@@ -63,7 +63,9 @@ def fake_browser(folder: Path, script: str) -> str:
 def test_without_a_screen_the_address_is_printed_and_the_app_stays(
     said: Said, addresses: Callable[[], str]
 ) -> None:
-    presenter = Presenter(addresses, said.say, "en", pc=pc_without_gtk(None, screen=False))
+    presenter = Presenter(
+        addresses, "en", say=said.say, give=said.say, pc=pc_without_gtk(None, screen=False)
+    )
     running = threading.Thread(target=presenter.run)
     running.start()
     said.wait_for("Ctrl+C")
@@ -72,14 +74,14 @@ def test_without_a_screen_the_address_is_printed_and_the_app_stays(
     running.join(10)
     assert not running.is_alive()
     assert "There is no screen" in said[0]
-    assert "  http://127.0.0.1:1/?key=1" in said
+    assert "http://127.0.0.1:1/?key=1" in said
 
 
 def test_the_browser_takes_the_window_s_place_and_the_reason_is_said(
     said: Said, addresses: Callable[[], str], tmp_path: Path
 ) -> None:
     browser = fake_browser(tmp_path, f'printf "%s\\n" "$@" >"{tmp_path}/called"')
-    presenter = Presenter(addresses, said.say, "en", pc=pc_without_gtk(browser))
+    presenter = Presenter(addresses, "en", say=said.say, give=said.say, pc=pc_without_gtk(browser))
     presenter.run()
     assert presenter.backend == "browser"
     called = (tmp_path / "called").read_text("utf-8").splitlines()
@@ -96,7 +98,11 @@ def test_a_browser_that_dies_at_once_is_followed_by_an_address_of_its_own(
     opened: list[str] = []
     monkeypatch.setattr("webbrowser.open", opened.append)
     presenter = Presenter(
-        addresses, said.say, "pt-BR", pc=pc_without_gtk(fake_browser(tmp_path, "exit 3"))
+        addresses,
+        "pt-BR",
+        say=said.say,
+        give=said.say,
+        pc=pc_without_gtk(fake_browser(tmp_path, "exit 3")),
     )
     running = threading.Thread(target=presenter.run)
     running.start()
@@ -111,7 +117,7 @@ def test_closing_ends_the_browser(said: Said, addresses: Callable[[], str], tmp_
     began = tmp_path / "began"
     os.mkfifo(began)
     browser = fake_browser(tmp_path, f'echo began >"{began}"; exec sleep 600')
-    presenter = Presenter(addresses, said.say, "en", pc=pc_without_gtk(browser))
+    presenter = Presenter(addresses, "en", say=said.say, give=said.say, pc=pc_without_gtk(browser))
     running = threading.Thread(target=presenter.run)
     running.start()
     began.read_text("utf-8")

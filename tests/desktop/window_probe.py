@@ -12,7 +12,8 @@ from typing import Any
 from flask import Flask, Response
 from werkzeug.serving import make_server
 
-from pinel_desktop.desktop.window import NativeWindow, end_process
+from pinel_desktop.desktop.ending import end_process
+from pinel_desktop.desktop.window import NativeWindow
 
 _PAGE = "<!doctype html><title>page</title><h1>PINEL</h1><script src='/ready.js'></script>"
 _READY = """

@@ -1,0 +1,207 @@
+"""`--self-check`: the whole way once, from the window to a run read back from the disk.
+
+What it does is what the page does: it speaks HTTP to the app, which has the engine drive a square of 1 m in the
+simulator at the robot's own pace.
+"""
+
+import contextlib
+import http.cookiejar
+import json
+import platform
+import tempfile
+import time
+import urllib.request
+from collections.abc import Iterator
+from importlib import metadata
+from pathlib import Path
+from typing import Any
+
+from pinel_desktop import __version__
+from pinel_desktop.app import App
+from pinel_desktop.desktop.backends import Pc, Toolkit, backends
+from pinel_desktop.desktop.presenter import TITLE
+from pinel_desktop.desktop.screen import any_screen
+from pinel_desktop.errors import PinelError
+from pinel_desktop.messages import describe, language_of_system
+from storage import open_store
+
+Json = dict[str, Any]
+
+SQUARE: Json = {
+    "pinel_ir": 1,
+    "name": "self-check",
+    "functions": [],
+    "commands": [
+        {
+            "action": "repeat",
+            "times": 4,
+            "commands": [
+                {"action": "move_forward", "distance": 1},
+                {"action": "turn", "angle": 90},
+            ],
+        }
+    ],
+}
+LARGEST_CLOSING_ERROR_M = 1e-4
+_READY_S = 60.0
+_RUN_S = 60.0
+_PAUSE_S = 0.05
+_USABLE = "document.documentElement.dataset.ready === 'true'"
+_LIBRARIES = ("pywebview", "flask", "pydantic", "pymunk", "numpy", "sqlite-utils")
+
+
+def check(database: Path | None) -> Json:
+    """Tries everything on `database`, or on one of its own that is deleted afterwards.
+
+    Returns `{"ok", "window", "run", "store", "versions"}`, and `"error"` with code, message and remedy when
+    something did not work; parts that were not reached are missing.
+    """
+    result: Json = {"ok": False, "versions": _versions()}
+    try:
+        with _database(database) as path, any_screen() as virtual:
+            result["window"] = {"virtual_screen": virtual}
+            with App(path) as app:
+                _in_window(app, result)
+            result["store"] = _read_back(path, result["run"]["id"])
+        result["ok"] = _is_well(result)
+    except PinelError as error:
+        words = describe(error.code, error.params, language_of_system())
+        result["error"] = {"code": error.code, "message": words.message, "remedy": words.remedy}
+    return result
+
+
+def _is_well(result: Json) -> bool:
+    run, store = result["run"], result["store"]
+    drove = run["state"] == "finished" and run["closing_error_m"] <= LARGEST_CLOSING_ERROR_M
+    kept = store["telemetry_sha256"] == run["telemetry_sha256"] and store["ticks"] > 0
+    return bool(drove and kept)
+
+
+def _in_window(app: App, result: Json) -> None:
+    """Opens the window on this thread and does the work beside it, on the window's thread."""
+    # no import before there is a screen: GTK looks for one when it is loaded
+    from pinel_desktop.desktop.window import NativeWindow  # noqa: PLC0415
+
+    failures: list[BaseException] = []
+    started = time.monotonic()
+
+    def work() -> None:
+        try:
+            _wait_until_usable(window)
+            result["window"]["ready_s"] = round(time.monotonic() - started, 2)
+            result["run"] = _drive_square(app)
+        except Exception as failure:  # handed over to the thread that waits for the window
+            failures.append(failure)
+        finally:
+            window.close()
+
+    window = NativeWindow(app.address, TITLE, app.language, on_open=work)
+    toolkit = _toolkit()
+    result["window"]["backend"] = toolkit
+    window.run(toolkit)
+    if failures:
+        raise failures[0]
+    if "run" not in result:
+        raise PinelError("self_check_page_silent", seconds=0)
+
+
+def _toolkit() -> Toolkit:
+    """The first toolkit that loads; raises PinelError with what the best one lacks."""
+    tried = backends(Pc())
+    for backend in tried:
+        if backend.problem is None and backend.name != "browser":
+            return backend.name
+    raise PinelError(tried[0].problem or "window_no_screen", **tried[0].params)
+
+
+def _wait_until_usable(window: Any) -> None:
+    deadline = time.monotonic() + _READY_S
+    while window.run_script(_USABLE) is not True:
+        if time.monotonic() > deadline:
+            raise PinelError("self_check_page_silent", seconds=_READY_S)
+        time.sleep(_PAUSE_S)
+
+
+class _Client:
+    """Speaks to the app as its page does."""
+
+    def __init__(self, app: App) -> None:
+        cookies = urllib.request.HTTPCookieProcessor(http.cookiejar.CookieJar())
+        self._opener = urllib.request.build_opener(urllib.request.ProxyHandler({}), cookies)
+        address = app.address
+        self._origin = address.partition("/?")[0]
+        self._opener.open(address, timeout=_READY_S).close()
+
+    def get(self, path: str) -> Json:
+        return self._ask(urllib.request.Request(self._origin + path))
+
+    def post(self, path: str, body: Json) -> Json:
+        data = json.dumps(body).encode()
+        headers = {"Content-Type": "application/json"}
+        return self._ask(urllib.request.Request(self._origin + path, data, headers))
+
+    def _ask(self, request: urllib.request.Request) -> Json:
+        with self._opener.open(request, timeout=_READY_S) as answer:
+            found: Json = json.load(answer)
+            return found
+
+
+def _drive_square(app: App) -> Json:
+    client = _Client(app)
+    _wait_for(lambda: client.get("/api/status")["engine"] == "ready", _READY_S)
+    group = client.post("/api/groups", {"name": f"self-check {time.time_ns()}"})
+    program = client.post(f"/api/groups/{group['id']}/programs", {"name": SQUARE["name"]})
+    content = {"workspace": {}, "document": SQUARE}
+    version = client.post(f"/api/programs/{program['id']}/versions", content)
+    run = client.post("/api/runs", {"version_id": version["id"], "world": "empty_room"})
+    _wait_for(lambda: client.get(f"/api/runs/{run['id']}")["ended_at"] is not None, _RUN_S)
+    ended = client.get(f"/api/runs/{run['id']}")
+    kept = (
+        "id",
+        "state",
+        "reason",
+        "closing_error_m",
+        "duration_s",
+        "n_executed",
+        "telemetry_sha256",
+    )
+    return {key: ended[key] for key in kept}
+
+
+def _wait_for(reached: Any, timeout_s: float) -> None:
+    deadline = time.monotonic() + timeout_s
+    while not reached():
+        if time.monotonic() > deadline:
+            raise PinelError("engine_not_ready")
+        time.sleep(_PAUSE_S)
+
+
+def _read_back(path: Path, run_id: str) -> Json:
+    """What the file says, opened anew after the app has closed it."""
+    with contextlib.closing(open_store(path)) as store:
+        run = store.runs.get(run_id)
+        return {
+            "state": run.state,
+            "telemetry_sha256": run.telemetry_sha256,
+            "events": len(store.runs.events(run_id)),
+            "ticks": len(store.runs.telemetry(run_id).rows),
+        }
+
+
+@contextlib.contextmanager
+def _database(given: Path | None) -> Iterator[Path]:
+    if given is not None:
+        yield given
+        return
+    with tempfile.TemporaryDirectory(prefix="pinel-self-check-") as folder:
+        yield Path(folder) / "pinel.db"
+
+
+def _versions() -> Json:
+    versions = {"pinel-desktop": __version__, "python": platform.python_version()}
+    for library in _LIBRARIES:
+        with contextlib.suppress(
+            metadata.PackageNotFoundError
+        ):  # a package may ship without metadata
+            versions[library] = metadata.version(library)
+    return versions
