@@ -8,30 +8,27 @@ export interface Fault {
   remedy: string;
 }
 
-const GAP = 24;
+const GAP = 12;
+/** From the corner of a block to the middle of its icon, which bubbles hang on. */
+const ICON_INSET = 16;
 const WARNING = "pinel_fault";
 
-/** Shows each fault where it is: a red ring, and words in a bubble that opens at the first of them. */
+/** Shows each fault where it is: a red ring, and words in a bubble that opens at the first new one. */
 export class Faults {
-  private readonly marked = new Set<string>();
+  private readonly marked = new Map<string, string>();
 
   constructor(private readonly workspace: Blockly.WorkspaceSvg) {}
 
+  /** What is shown already stays as it is, so that a bubble that was closed is not opened with every save. */
   show(faults: readonly Fault[]): void {
-    this.clear();
-    for (const [id, words] of wordsByBlock(faults)) {
-      const block = this.workspace.getBlockById(id);
-      if (!block) continue;
-      this.marked.add(id);
-      setRing(block, "fault", true);
-      block.setWarningText(words, WARNING);
-    }
-    const [first] = this.marked;
-    if (first) this.openBubble(first);
+    const wanted = wordsByBlock(faults);
+    for (const [id, words] of this.marked) if (wanted.get(id) !== words) this.clearBlock(id);
+    const added = [...wanted].filter(([id, words]) => this.mark(id, words));
+    if (added[0]) this.openBubble(added[0][0]);
   }
 
   clear(): void {
-    for (const id of [...this.marked]) this.clearBlock(id);
+    for (const id of [...this.marked.keys()]) this.clearBlock(id);
   }
 
   /** A pupil who works on a block has understood; the next check will tell whether it is well now. */
@@ -43,23 +40,32 @@ export class Faults {
     block.setWarningText(null, WARNING);
   }
 
-  private openBubble(id: string): void {
+  openBubble(id: string): void {
     const block = this.workspace.getBlockById(id);
     const icon = block?.getIcons().find(hasBubble);
     if (!block || !icon) return;
     void icon.setBubbleVisible(true).then(() => placeBeside(block, icon.getBubble()));
   }
+
+  private mark(id: string, words: string): boolean {
+    const block = this.workspace.getBlockById(id);
+    if (!block || this.marked.has(id)) return false;
+    this.marked.set(id, words);
+    setRing(block, "fault", true);
+    block.setWarningText(words, WARNING);
+    return true;
+  }
 }
 
-/** Beside its block the bubble hides no other; where there is no room it stays where Blockly put it. */
+/** Beside its block the bubble hides no other and needs no tail; without room it stays where Blockly put it. */
 function placeBeside(block: Blockly.BlockSvg, bubble: Blockly.IBubble | null): void {
   if (!(bubble instanceof Blockly.bubbles.TextBubble)) return;
   const view = block.workspace.getMetricsManager().getViewMetrics(true);
-  const { left, right, top } = block.getBoundingRectangleWithoutChildren();
-  const width = (bubble.getSvgRoot() as SVGGraphicsElement).getBBox().width;
-  if (right + GAP + width > view.left + view.width) return;
-  bubble.setPositionRelativeToAnchor(right - left + GAP, 0);
-  if (top < view.top) block.workspace.centerOnBlock(block.id, true);
+  const { left, right } = block.getBoundingRectangleWithoutChildren();
+  const root = bubble.getSvgRoot() as SVGGraphicsElement;
+  if (right + GAP + root.getBBox().width > view.left + view.width) return;
+  bubble.setPositionRelativeToAnchor(right - left + GAP - ICON_INSET, -ICON_INSET);
+  Blockly.utils.dom.addClass(root, "pinelBesideBubble");
 }
 
 function hasBubble(icon: Blockly.IIcon): icon is Blockly.IIcon & Blockly.IHasBubble {

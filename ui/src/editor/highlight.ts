@@ -12,7 +12,7 @@ export class Highlight {
     this.ring(false);
     this.blockId = blockId;
     this.ring(true);
-    this.bringIntoView();
+    if (blockId) bringIntoView(this.workspace, blockId);
   }
 
   private ring(shown: boolean): void {
@@ -20,13 +20,14 @@ export class Highlight {
     if (block) setRing(block, "running", shown);
   }
 
-  private bringIntoView(): void {
-    const block = this.block();
-    if (!block || this.workspace.isDragging()) return;
-    this.workspace.scrollBoundsIntoView(block.getBoundingRectangleWithoutChildren(), 24);
-  }
-
   private block(): Blockly.BlockSvg | null {
     return this.blockId === null ? null : this.workspace.getBlockById(this.blockId);
   }
+}
+
+/** Scrolls until the block can be seen; a hand that drags is not disturbed. */
+export function bringIntoView(workspace: Blockly.WorkspaceSvg, blockId: string): void {
+  const block = workspace.getBlockById(blockId);
+  if (!block || workspace.isDragging()) return;
+  workspace.scrollBoundsIntoView(block.getBoundingRectangleWithoutChildren(), 24);
 }

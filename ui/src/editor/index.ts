@@ -6,7 +6,7 @@ import { generateDocument } from "../generator";
 import type { Language } from "../i18n/language";
 import { watchContent } from "./changes";
 import { type Fault, Faults } from "./faults";
-import { Highlight } from "./highlight";
+import { bringIntoView, Highlight } from "./highlight";
 import { injectWorkspace } from "./inject";
 import { applyLanguage } from "./locale";
 import { ensureStartBlock, markLooseBlocks } from "./start_block";
@@ -35,6 +35,8 @@ export interface Editor {
   highlight(blockId: string | null): void;
   /** Shows faults on their blocks until that block is edited or an empty list comes. */
   showFaults(faults: Fault[]): void;
+  /** Brings a block into view and opens the words of its fault, if it has one. */
+  reveal(blockId: string): void;
   setLanguage(language: Language): void;
   setTheme(theme: ThemeName): void;
   setReadOnly(readOnly: boolean): void;
@@ -47,6 +49,9 @@ export interface Editor {
   resize(): void;
   dispose(): void;
 }
+
+/** From the corner of the workspace to the start block, in pixels. */
+const MARGIN = 32;
 
 export function createEditor(options: EditorOptions): Editor {
   applyLanguage(options.language);
@@ -82,6 +87,7 @@ class BlockEditor implements Editor {
     this.running.show(null);
     this.faults.clear();
     this.replace(workspace);
+    this.showFromTheStart();
     this.workspace.clearUndo();
     this.known = this.fingerprint();
   }
@@ -100,6 +106,11 @@ class BlockEditor implements Editor {
 
   showFaults(faults: Fault[]): void {
     this.faults.show(faults);
+  }
+
+  reveal(blockId: string): void {
+    bringIntoView(this.workspace, blockId);
+    this.faults.openBubble(blockId);
   }
 
   setLanguage(language: Language): void {
@@ -179,6 +190,14 @@ class BlockEditor implements Editor {
       Blockly.Events.enable();
     }
     this.refreshHint();
+  }
+
+  /** A program opens in full size with its start block in the corner, wherever it was put. */
+  private showFromTheStart(): void {
+    const [start] = this.workspace.getBlocksByType("program_start") as Blockly.BlockSvg[];
+    this.workspace.setScale(1);
+    const { x, y } = start?.getRelativeToSurfaceXY() ?? { x: 0, y: 0 };
+    this.workspace.scroll(MARGIN - x, MARGIN - y);
   }
 
   private onEvent(event: Blockly.Events.Abstract): void {
