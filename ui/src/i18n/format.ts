@@ -1,5 +1,5 @@
-import type { Texts } from "./pt-BR";
 import type { Language } from "./language";
+import type { Texts } from "./pt-BR";
 
 const cache = new Map<string, Intl.NumberFormat>();
 
@@ -18,7 +18,8 @@ export function decimal(value: number, digits: number, language: Language): stri
   return format.format(value).replace("-", "\u2212");
 }
 
-export const metres = (value: number, language: Language) => `${decimal(value, 2, language)}\u00a0m`;
+export const metres = (value: number, language: Language) =>
+  `${decimal(value, 2, language)}\u00a0m`;
 
 export const seconds = (value: number, language: Language) =>
   `${decimal(value, 1, language)}\u00a0s`;
@@ -53,5 +54,7 @@ export function when(iso: string, now: Date, language: Language, texts: Texts): 
 }
 
 function dayNumber(date: Date): number {
-  return Math.round(new Date(date.getFullYear(), date.getMonth(), date.getDate()).getTime() / 864e5);
+  return Math.round(
+    new Date(date.getFullYear(), date.getMonth(), date.getDate()).getTime() / 864e5,
+  );
 }

@@ -21,7 +21,8 @@ export const ptBR = {
   start: {
     title: "Quem vai programar?",
     firstTitle: "Olá! Como se chama o grupo?",
-    firstHint: "Escolham um nome para o grupo e entrem. Tudo o que vocês fizerem fica guardado com ele.",
+    firstHint:
+      "Escolham um nome para o grupo e entrem. Tudo o que vocês fizerem fica guardado com ele.",
     newGroup: "Novo grupo",
     nameLabel: "Nome do grupo",
     namePlaceholder: "Nome do grupo",
@@ -44,8 +45,7 @@ export const ptBR = {
     redo: "Refazer",
     tidy: "Arrumar",
     opening: "Abrindo o programa…",
-    faultsTitle: (n: number) =>
-      n === 1 ? "1 coisa para consertar" : `${n} coisas para consertar`,
+    faultsTitle: (n: number) => (n === 1 ? "1 coisa para consertar" : `${n} coisas para consertar`),
     goToBlock: "Mostrar o bloco",
     hideFaults: "Fechar a lista",
     unreadable:
@@ -136,7 +136,8 @@ export const ptBR = {
     emptyProgram: "Ainda sem caminho",
     older: "Mostrar mais antigas",
     loading: "Carregando…",
-    runCount: (n: number) => (n === 0 ? "nunca rodou" : n === 1 ? "rodou 1 vez" : `rodou ${n} vezes`),
+    runCount: (n: number) =>
+      n === 0 ? "nunca rodou" : n === 1 ? "rodou 1 vez" : `rodou ${n} vezes`,
     changed: (when: string) => `mudou ${when}`,
     states: {
       running: "Rodando agora",

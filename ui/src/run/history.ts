@@ -1,6 +1,6 @@
 import type { RunEvent } from "../api/model";
-import { IDLE, type Pose, type RunView, reduce } from "./reducer";
 import { between } from "./motion_buffer";
+import { IDLE, type Pose, type RunView, reduce } from "./reducer";
 import { type Telemetry, telemetryEvent } from "./telemetry";
 
 /** States are kept this often, so that any moment opens at once. */

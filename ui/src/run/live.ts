@@ -104,8 +104,7 @@ export async function resync(runId: string | null): Promise<void> {
 export const pause = () => withRun(api.pause);
 export const resume = () => withRun(api.resume);
 export const stop = () => withRun(api.stop);
-export const answerCapture = (result: string) =>
-  withRun((run) => api.answerCapture(run, result));
+export const answerCapture = (result: string) => withRun((run) => api.answerCapture(run, result));
 
 async function withRun(send: (run: string) => Promise<object>): Promise<void> {
   const { run } = live.value;

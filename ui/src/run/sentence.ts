@@ -1,5 +1,5 @@
-import { degrees, metres, seconds } from "../i18n/format";
 import type { Language, Texts } from "../i18n";
+import { degrees, metres, seconds } from "../i18n/format";
 import { reasonWords } from "../i18n/reasons";
 import type { LitBlock, Motion, RunView } from "./reducer";
 

@@ -41,7 +41,12 @@ export function toScreen(camera: Camera, size: Size, point: XY): XY {
 }
 
 /** Moves a camera towards another; true while there is way to go. */
-export function approach(camera: Camera, target: Camera, elapsedMs: number, still: boolean): boolean {
+export function approach(
+  camera: Camera,
+  target: Camera,
+  elapsedMs: number,
+  still: boolean,
+): boolean {
   const part = still ? 1 : 1 - Math.exp(-elapsedMs / 90);
   camera.x += (target.x - camera.x) * part;
   camera.y += (target.y - camera.y) * part;

@@ -1,0 +1,19 @@
+import { api } from "../api/client";
+import type { Group, Program } from "../api/model";
+import { texts } from "../i18n";
+import { go } from "./route";
+
+/** Opens the newest program of a group, or its first one, made now. */
+export async function enterGroup(group: Group): Promise<void> {
+  const [newest] = await api.programs(group.id);
+  const program = newest ?? (await createProgram(group.id, []));
+  go({ screen: "studio", program: program.id });
+}
+
+/** Makes a program with the first free name of its kind: "Programa 1", "Programa 2". */
+export function createProgram(groupId: string, others: readonly Program[]): Promise<Program> {
+  const taken = new Set(others.map((program) => program.name));
+  let number = others.length + 1;
+  while (taken.has(texts.value.start.firstProgram(number))) number += 1;
+  return api.createProgram(groupId, texts.value.start.firstProgram(number));
+}

@@ -1,0 +1,58 @@
+/**
+ * Handles for the end-to-end tests, `data-testid` in the page. They stay when words, looks and languages
+ * change. Those marked "of each" occur once for every card, letter or line.
+ */
+export const TEST = {
+  // header
+  home: "home",
+  headerGroup: "header-group",
+  programName: "program-name",
+  savedMark: "saved-mark", // data-state: saved | saving | failed
+  openWork: "open-work",
+  theme: "theme", // data-theme: light | dark | contrast
+  language: "language", // a select: pt-BR, en, es
+  notice: "notice",
+  problem: "problem",
+  locked: "locked",
+  gone: "gone",
+
+  // start
+  groupName: "group-name",
+  createGroup: "create-group",
+  groupCard: "group-card", // of each
+
+  // studio
+  editor: "editor",
+  undo: "undo",
+  redo: "redo",
+  tidy: "tidy",
+  faultList: "fault-list",
+  fault: "fault", // of each
+  run: "run", // data-does: run | pause | resume
+  stop: "stop",
+  world: "world", // a select
+  statusLine: "status-line", // data-tone: calm | moving | done | notice | fault
+  scene: "scene", // data-phase: phase of the run shown
+  poseX: "pose-x", // data-value: metres
+  poseY: "pose-y", // data-value: metres
+  poseHeading: "pose-heading", // data-value: degrees
+  elapsed: "elapsed", // data-value: seconds
+  irToggle: "ir-toggle",
+  irJson: "ir-json",
+  irCopy: "ir-copy",
+  capture: "capture",
+  captureLetter: "capture-letter", // of each; data-letter, "" for none
+
+  // our work
+  newProgram: "new-program",
+  programCard: "program-card", // of each
+  runCard: "run-card", // of each; data-state
+
+  // replay
+  replaySlider: "replay-slider", // a range; its value is the tick
+  replayPlay: "replay-play", // data-does: play | pause
+  replayBack: "replay-back",
+  replayForward: "replay-forward",
+  replaySpeed: "replay-speed",
+  replayProgram: "replay-program",
+} as const;

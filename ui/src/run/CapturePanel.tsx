@@ -1,0 +1,70 @@
+import { Hand } from "lucide-preact";
+import { TEST } from "../app/testids";
+import { language, texts } from "../i18n";
+import { decimal } from "../i18n/format";
+import type { Capture } from "./reducer";
+
+/** The static letters of the LIBRAS alphabet; both ways to sign D are one letter. */
+export const LETTERS = [..."ABCDEFGIKLMNOPQRSTUVW"];
+
+interface CapturePanelProps {
+  capture: Capture;
+  tick: number;
+  onAnswer(result: string): void;
+}
+
+/** The program waits for a sign; until a camera sees it, the group says which one it was. */
+export function CapturePanel({ capture, tick, onAnswer }: CapturePanelProps) {
+  const words = texts.value.capture;
+  const left = Math.max(0, capture.timeoutS - (tick - capture.sinceTick) / 30);
+  const shown = decimal(Math.ceil(left), 0, language.value);
+  return (
+    <section class="capture" aria-label={words.title} data-testid={TEST.capture}>
+      <div class="capture__head">
+        <Hand class="icon capture__hand" aria-hidden="true" />
+        <div>
+          <h2>{words.title}</h2>
+          <p>{words.hint}</p>
+        </div>
+        <span class="capture__left" role="timer" aria-label={words.leftHelp(shown)}>
+          {words.left(shown)}
+        </span>
+      </div>
+      <div class="capture__bar" aria-hidden="true">
+        <div style={{ width: `${(100 * left) / capture.timeoutS}%` }} />
+      </div>
+      <div class="capture__letters">
+        {LETTERS.map((letter) => (
+          <Answer key={letter} result={letter} label={words.letter(letter)} onAnswer={onAnswer}>
+            {letter}
+          </Answer>
+        ))}
+        <Answer result="" label={words.noneHelp} onAnswer={onAnswer}>
+          {words.none}
+        </Answer>
+      </div>
+    </section>
+  );
+}
+
+interface AnswerProps {
+  result: string;
+  label: string;
+  children: string;
+  onAnswer(result: string): void;
+}
+
+function Answer({ result, label, children, onAnswer }: AnswerProps) {
+  return (
+    <button
+      type="button"
+      class={`button capture__letter ${result === "" ? "capture__none" : ""}`}
+      data-testid={TEST.captureLetter}
+      data-letter={result}
+      aria-label={label}
+      onClick={() => onAnswer(result)}
+    >
+      {children}
+    </button>
+  );
+}

@@ -1,0 +1,73 @@
+import type { ReadonlySignal } from "@preact/signals";
+import { TEST } from "../app/testids";
+import { language, texts } from "../i18n";
+import { decimal, headingDegrees } from "../i18n/format";
+import type { RunView } from "./reducer";
+
+interface Cell {
+  name: string;
+  help: string;
+  value: number;
+  digits: number;
+  unit: string;
+  testId: string;
+}
+
+/** Where the robot is and how long it has been on its way. */
+export function Readout({ view }: { view: ReadonlySignal<RunView> }) {
+  const { readout } = texts.value;
+  const { pose, tick } = view.value;
+  const heading = headingDegrees(pose.yaw);
+  const cells: Cell[] = [
+    {
+      name: readout.x,
+      help: readout.xHelp,
+      value: pose.x,
+      digits: 2,
+      unit: "m",
+      testId: TEST.poseX,
+    },
+    {
+      name: readout.y,
+      help: readout.yHelp,
+      value: pose.y,
+      digits: 2,
+      unit: "m",
+      testId: TEST.poseY,
+    },
+    {
+      name: readout.heading,
+      help: readout.headingHelp,
+      value: heading,
+      digits: 0,
+      unit: "°",
+      testId: TEST.poseHeading,
+    },
+    {
+      name: readout.elapsed,
+      help: readout.elapsed,
+      value: tick / 30,
+      digits: 1,
+      unit: "s",
+      testId: TEST.elapsed,
+    },
+  ];
+  return (
+    <dl class="readout" aria-label={readout.label}>
+      {cells.map((cell) => (
+        <div class="readout__cell" key={cell.testId} title={cell.help}>
+          <dt>{cell.name}</dt>
+          <dd data-testid={cell.testId} data-value={cell.value.toFixed(4)}>
+            {rounded(cell)}
+            {cell.unit === "°" ? "" : "\u00a0"}
+            <span class="readout__unit">{cell.unit}</span>
+          </dd>
+        </div>
+      ))}
+    </dl>
+  );
+}
+
+function rounded({ value, digits }: Cell): string {
+  return decimal(value, digits, language.value);
+}

@@ -1,0 +1,102 @@
+import { ChevronDown, Map as MapIcon, Pause, Play, Square } from "lucide-preact";
+import type { World } from "../api/model";
+import { TEST } from "../app/testids";
+import { language, texts } from "../i18n";
+import type { Phase } from "./reducer";
+
+interface RunBarProps {
+  phase: Phase;
+  /** Run is out of reach, for a reason that the status line tells. */
+  unable: boolean;
+  worlds: readonly World[];
+  world: string;
+  onRun(): void;
+  onPause(): void;
+  onResume(): void;
+  onStop(): void;
+  onWorld(name: string): void;
+}
+
+/** Run, which becomes Pause; Stop, always there and always red; and where the robot drives. */
+export function RunBar(props: RunBarProps) {
+  const { run } = texts.value;
+  return (
+    <section class="run-bar" aria-label={run.bar}>
+      <RunButton {...props} />
+      <button
+        type="button"
+        class="button button--stop run-bar__stop"
+        data-testid={TEST.stop}
+        onClick={props.onStop}
+      >
+        <Square class="icon" fill="currentColor" aria-hidden="true" />
+        {run.stop}
+      </button>
+      <WorldChoice {...props} />
+    </section>
+  );
+}
+
+function RunButton({ phase, unable, onRun, onPause, onResume }: RunBarProps) {
+  const { run } = texts.value;
+  const look = "button button--run run-bar__run";
+  if (phase === "running") {
+    return (
+      <button type="button" class={look} data-testid={TEST.run} data-does="pause" onClick={onPause}>
+        <Pause class="icon" fill="currentColor" aria-hidden="true" />
+        {run.pause}
+      </button>
+    );
+  }
+  if (phase === "paused") {
+    return (
+      <button
+        type="button"
+        class={look}
+        data-testid={TEST.run}
+        data-does="resume"
+        onClick={onResume}
+      >
+        <Play class="icon" fill="currentColor" aria-hidden="true" />
+        {run.resume}
+      </button>
+    );
+  }
+  return (
+    <button
+      type="button"
+      class={look}
+      data-testid={TEST.run}
+      data-does="run"
+      disabled={unable || phase === "starting"}
+      onClick={onRun}
+    >
+      <Play class="icon" fill="currentColor" aria-hidden="true" />
+      {phase === "starting" ? run.starting : run.run}
+    </button>
+  );
+}
+
+function WorldChoice({ phase, worlds, world, onWorld }: RunBarProps) {
+  const busy = phase === "starting" || phase === "running" || phase === "paused";
+  return (
+    <span class="select run-bar__world">
+      <MapIcon class="icon" aria-hidden="true" />
+      <select
+        aria-label={texts.value.run.world}
+        title={texts.value.run.world}
+        data-testid={TEST.world}
+        value={world}
+        disabled={busy}
+        onChange={(event) => onWorld(event.currentTarget.value)}
+      >
+        {worlds.map((one) => (
+          <option key={one.name} value={one.name}>
+            {one.title[language.value]}
+          </option>
+        ))}
+      </select>
+      <ChevronDown class="icon icon--end" aria-hidden="true" />
+    </span>
+  );
+}

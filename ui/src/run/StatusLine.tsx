@@ -1,0 +1,55 @@
+import { CircleCheck, Info, Navigation, TriangleAlert } from "lucide-preact";
+import { useEffect, useState } from "preact/hooks";
+import { TEST } from "../app/testids";
+import { texts } from "../i18n";
+import type { Sentence, Tone } from "./sentence";
+
+const ICONS: Record<Tone, typeof Info> = {
+  calm: Info,
+  moving: Navigation,
+  done: CircleCheck,
+  notice: Info,
+  fault: TriangleAlert,
+};
+
+/** A screen reader hears a new sentence, not every centimetre of it. */
+const SETTLE_MS = 400;
+
+/** What the robot does now, in one line of words. */
+export function StatusLine({ sentence }: { sentence: Sentence }) {
+  const Icon = ICONS[sentence.tone];
+  return (
+    <div
+      class={`status status--${sentence.tone}`}
+      data-testid={TEST.statusLine}
+      data-tone={sentence.tone}
+    >
+      <Icon class="icon status__icon" aria-hidden="true" />
+      <p class="status__words" title={`${sentence.text} ${sentence.more}`.trim()}>
+        <span class="status__text">{sentence.text}</span>
+        {sentence.more && <span class="status__more">{sentence.more}</span>}
+      </p>
+      <Spoken text={`${sentence.text}. ${sentence.more}`} />
+    </div>
+  );
+}
+
+function Spoken({ text }: { text: string }) {
+  const [said, setSaid] = useState("");
+  const kind = text.replace(/[\d,.\u2212]+/g, "");
+  // biome-ignore lint/correctness/useExhaustiveDependencies: figures alone are no news
+  useEffect(() => {
+    const timer = setTimeout(() => setSaid(text), SETTLE_MS);
+    return () => clearTimeout(timer);
+  }, [kind]);
+  return (
+    <p
+      class="visually-hidden"
+      role="status"
+      aria-live="polite"
+      aria-label={texts.value.status.label}
+    >
+      {said}
+    </p>
+  );
+}

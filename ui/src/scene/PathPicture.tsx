@@ -1,0 +1,74 @@
+type Points = readonly (readonly number[])[];
+
+const WIDTH = 240;
+const HEIGHT = 150;
+const MARGIN = 24;
+/** A short path is not blown up beyond this, so that pictures can be compared. Pixels per metre. */
+const LARGEST_SCALE = 56;
+
+interface Frame {
+  scale: number;
+  x: number;
+  y: number;
+}
+
+/** The path of a run as a small picture, with a metre grid for its size. */
+export function PathPicture({ path }: { path: Points }) {
+  const frame = frameOf(path);
+  const place = ([x = 0, y = 0]: readonly number[]) =>
+    [frame.x + x * frame.scale, frame.y - y * frame.scale] as const;
+  const [startX, startY] = place([0, 0]);
+  const last = path.at(-1);
+  return (
+    <svg
+      class="path-picture"
+      viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
+      preserveAspectRatio="xMidYMid slice"
+      aria-hidden="true"
+    >
+      <path class="path-picture__grid" d={grid(frame)} />
+      {path.length > 1 && (
+        <polyline
+          class="path-picture__path"
+          points={path.map((at) => place(at).join()).join(" ")}
+        />
+      )}
+      <circle class="path-picture__start" cx={startX} cy={startY} r="5" />
+      {last && path.length > 1 && <Robot at={place(last)} />}
+    </svg>
+  );
+}
+
+function Robot({ at: [x, y] }: { at: readonly [number, number] }) {
+  return <circle class="path-picture__robot" cx={x} cy={y} r="8" />;
+}
+
+function frameOf(path: Points): Frame {
+  const xs = [0, ...path.map(([x = 0]) => x)];
+  const ys = [0, ...path.map(([, y = 0]) => y)];
+  const [left, right] = [Math.min(...xs), Math.max(...xs)];
+  const [bottom, top] = [Math.min(...ys), Math.max(...ys)];
+  const scale = Math.min(
+    LARGEST_SCALE,
+    (WIDTH - 2 * MARGIN) / Math.max(0.1, right - left),
+    (HEIGHT - 2 * MARGIN) / Math.max(0.1, top - bottom),
+  );
+  return {
+    scale,
+    x: WIDTH / 2 - ((left + right) / 2) * scale,
+    y: HEIGHT / 2 + ((bottom + top) / 2) * scale,
+  };
+}
+
+function grid({ scale, x, y }: Frame): string {
+  const metres = scale < 12 ? 5 : 1;
+  const step = scale * metres;
+  const lines: string[] = [];
+  for (let at = ((x % step) + step) % step; at < WIDTH; at += step) {
+    lines.push(`M${at.toFixed(1)} 0V${HEIGHT}`);
+  }
+  for (let at = ((y % step) + step) % step; at < HEIGHT; at += step) {
+    lines.push(`M0 ${at.toFixed(1)}H${WIDTH}`);
+  }
+  return lines.join("");
+}

@@ -1,0 +1,35 @@
+import { route } from "../app/route";
+import { connection } from "../app/session";
+import { Header } from "./Header";
+import { Locked } from "./Locked";
+import { Messages } from "./Messages";
+import { ReplayScreen } from "./ReplayScreen";
+import { StartScreen } from "./StartScreen";
+import { StudioScreen } from "./StudioScreen";
+import { WorkScreen } from "./WorkScreen";
+
+export function App() {
+  if (connection.value === "locked") return <Locked />;
+  return (
+    <div class="page">
+      <Header />
+      <Messages />
+      <Screen />
+    </div>
+  );
+}
+
+function Screen() {
+  const now = route.value;
+  if (connection.value === "opening") return <main class="screen" aria-busy="true" />;
+  switch (now.screen) {
+    case "studio":
+      return <StudioScreen key={now.program} programId={now.program} />;
+    case "work":
+      return <WorkScreen key={now.group} groupId={now.group} />;
+    case "replay":
+      return <ReplayScreen key={now.run} runId={now.run} />;
+    default:
+      return <StartScreen />;
+  }
+}

@@ -1,0 +1,42 @@
+import { useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import { api } from "../api/client";
+import type { Group } from "../api/model";
+import { enterGroup } from "../app/entering";
+import { report } from "../app/session";
+import { TEST } from "../app/testids";
+import { texts } from "../i18n";
+import { PathPicture } from "../scene/PathPicture";
+
+/** A group by name, colour and the path of its last run. */
+export function GroupCard({ group }: { group: Group }) {
+  const { start } = texts.value;
+  const path = useSignal<readonly (readonly number[])[]>([]);
+  useEffect(() => {
+    if (group.n_runs === 0) return;
+    api.runs(group.id, null, 1).then(({ runs }) => {
+      path.value = runs[0]?.path ?? [];
+    }, report);
+  }, [group.id]);
+  const runs = group.n_runs === 0 ? start.noRuns : start.runs(group.n_runs);
+  return (
+    <button
+      type="button"
+      class="group-card card"
+      style={{ "--group": group.color, "--picture": group.color }}
+      data-testid={TEST.groupCard}
+      aria-label={start.open(group.name)}
+      onClick={() => void enterGroup(group).catch(report)}
+    >
+      <span class="group-card__picture">
+        <PathPicture path={path.value} />
+      </span>
+      <span class="group-card__words">
+        <span class="group-card__name">{group.name}</span>
+        <span class="group-card__counts">
+          {start.programs(group.n_programs)} · {runs}
+        </span>
+      </span>
+    </button>
+  );
+}

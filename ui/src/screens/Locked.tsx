@@ -1,0 +1,18 @@
+import { Lock } from "lucide-preact";
+import { TEST } from "../app/testids";
+import { texts } from "../i18n";
+
+/** No cookie, no page: it can only be opened by the program. */
+export function Locked() {
+  const { trouble } = texts.value;
+  return (
+    <main class="locked" data-testid={TEST.locked}>
+      <Lock class="locked__icon" aria-hidden="true" />
+      <h1>{trouble.lockedTitle}</h1>
+      <p>{trouble.locked}</p>
+      <p>
+        <strong>{trouble.lockedRemedy}</strong>
+      </p>
+    </main>
+  );
+}

@@ -1,0 +1,108 @@
+import { useComputed } from "@preact/signals";
+import { ArrowLeft, Eye } from "lucide-preact";
+import { useEffect, useRef } from "preact/hooks";
+import { report } from "../app/session";
+import { TEST } from "../app/testids";
+import { theme } from "../app/theme";
+import type { Editor } from "../editor";
+import { language, texts } from "../i18n";
+import { Readout } from "../run/Readout";
+import { litBlock } from "../run/reducer";
+import { StatusLine } from "../run/StatusLine";
+import { type Sentence, sentenceOf, timesIn } from "../run/sentence";
+import { Scene } from "../scene/Scene";
+import { loadEditor } from "./editor_loader";
+import type { Recording } from "./ReplayScreen";
+import { Transport } from "./Transport";
+import "../run/run.css";
+
+interface ReplayProps {
+  recording: Recording;
+  onOpen(): void;
+}
+
+/** Floor, blocks and time of a run that was. */
+export function Replay({ recording, onOpen }: ReplayProps) {
+  const { run, playback } = recording;
+  const { replay } = texts.value;
+  return (
+    <main class="screen replay">
+      <h1 class="visually-hidden">{replay.title}</h1>
+      <section class="blocks" aria-label={replay.ofVersion}>
+        <div class="blocks__tools replay__tools">
+          <Eye class="icon" aria-hidden="true" />
+          <p>{run.version ? replay.readOnly : replay.noVersion}</p>
+          {run.program_id && (
+            <button type="button" class="button" data-testid={TEST.replayProgram} onClick={onOpen}>
+              <ArrowLeft class="icon" aria-hidden="true" />
+              {replay.openProgram}
+            </button>
+          )}
+        </div>
+        <ReadOnlyBlocks recording={recording} />
+      </section>
+      <section class="floor" aria-label={texts.value.studio.floor}>
+        <Words recording={recording} />
+        <div class="floor__stage">
+          <div class="floor__scene">
+            <Scene world={run.world_document} view={playback.view} poseAt={playback.pose} />
+          </div>
+        </div>
+        <div class="floor__foot card">
+          <Readout view={playback.view} />
+        </div>
+      </section>
+      <Transport recording={recording} />
+    </main>
+  );
+}
+
+function Words({ recording: { run, playback } }: { recording: Recording }) {
+  const sentence = useComputed<Sentence>(() => {
+    const begin: Sentence = { text: texts.value.replay.begin, more: "", tone: "calm" };
+    if (playback.tick.value < 1) return begin;
+    const voice = {
+      texts: texts.value,
+      language: language.value,
+      timesOf: (pointer: string) => timesIn(run.version?.document, pointer),
+    };
+    return sentenceOf(playback.view.value, voice) ?? begin;
+  });
+  return <StatusLine sentence={sentence.value} />;
+}
+
+function ReadOnlyBlocks({ recording: { run, playback } }: { recording: Recording }) {
+  const container = useRef<HTMLDivElement>(null);
+  const editor = useRef<Editor | null>(null);
+
+  useEffect(() => {
+    let left = false;
+    let stop = () => {};
+    loadEditor().then(({ createEditor }) => {
+      if (left || !container.current || !run.version) return;
+      const made = createEditor({
+        container: container.current,
+        language: language.value,
+        theme: theme.value,
+        mediaPath: "/media/",
+        onChange: () => {},
+      });
+      editor.current = made;
+      made.load(run.version.workspace);
+      made.setReadOnly(true);
+      made.zoomToFit();
+      stop = playback.view.subscribe((view) => made.highlight(litBlock(view)));
+    }, report);
+    return () => {
+      left = true;
+      stop();
+      editor.current?.dispose();
+      editor.current = null;
+    };
+  }, [run.id]);
+
+  useEffect(() => editor.current?.setTheme(theme.value), [theme.value]);
+  useEffect(() => editor.current?.setLanguage(language.value), [language.value]);
+
+  return <div class="blocks__editor" ref={container} data-testid={TEST.editor} />;
+}

@@ -1,0 +1,46 @@
+import { CircleCheck, CircleStop, CircleX, LoaderCircle } from "lucide-preact";
+import type { Run } from "../api/model";
+import { hashOf } from "../app/route";
+import { TEST } from "../app/testids";
+import { language, texts } from "../i18n";
+import { duration, when } from "../i18n/format";
+import { PathPicture } from "../scene/PathPicture";
+
+const ICONS = {
+  running: LoaderCircle,
+  finished: CircleCheck,
+  stopped: CircleStop,
+  failed: CircleX,
+} as const;
+
+export function RunCard({ run }: { run: Run }) {
+  const { work } = texts.value;
+  const Icon = ICONS[run.state];
+  const facts = [
+    when(run.started_at, new Date(), language.value, texts.value),
+    run.duration_s === null ? null : duration(run.duration_s, language.value),
+  ];
+  return (
+    <a
+      class="work-card card"
+      href={hashOf({ screen: "replay", run: run.id })}
+      data-testid={TEST.runCard}
+      data-state={run.state}
+      aria-label={`${work.replay}: ${run.program_name ?? work.noName}, ${work.states[run.state]}`}
+    >
+      <span class="work-card__picture">
+        <PathPicture path={run.path} />
+      </span>
+      <span class="work-card__words">
+        <span class={`work-card__state work-card__state--${run.state}`}>
+          <Icon class="icon" aria-hidden="true" />
+          {work.states[run.state]}
+        </span>
+        <span class="work-card__line work-card__line--strong">
+          {run.program_name ?? work.noName}
+        </span>
+        <span class="work-card__line">{facts.filter(Boolean).join(" · ")}</span>
+      </span>
+    </a>
+  );
+}

@@ -1,0 +1,29 @@
+import { Check, LoaderCircle, TriangleAlert } from "lucide-preact";
+import { opened } from "../app/open_program";
+import { TEST } from "../app/testids";
+import { texts } from "../i18n";
+
+const ICONS = { saved: Check, saving: LoaderCircle, failed: TriangleAlert } as const;
+
+/** Whether the work is on disk: a fact, never a question. */
+export function SavedMark() {
+  const { saved } = texts.value;
+  const open = opened.value;
+  if (!open) return null;
+  const state = open.autosave.state.value;
+  const Icon = ICONS[state];
+  const retry = () => void open.autosave.flush().catch(() => {});
+  return (
+    <span class={`saved saved--${state}`} data-testid={TEST.savedMark} data-state={state}>
+      <Icon class="icon" aria-hidden="true" />
+      <span role="status" title={state === "failed" ? saved.failedRemedy : undefined}>
+        {saved[state]}
+      </span>
+      {state === "failed" && (
+        <button type="button" class="button" onClick={retry} title={saved.failedRemedy}>
+          {saved.retry}
+        </button>
+      )}
+    </span>
+  );
+}

@@ -1,0 +1,52 @@
+import { useEffect, useState } from "preact/hooks";
+import { api } from "../api/client";
+import { OpenProgram, opened } from "../app/open_program";
+import { group, program, report } from "../app/session";
+import { texts } from "../i18n";
+import { clear, live, liveRun } from "../run/live";
+import { isLive } from "../run/reducer";
+import { Studio } from "./Studio";
+import "./studio.css";
+
+/** Opens a program and puts it on the desk. */
+export function StudioScreen({ programId }: { programId: string }) {
+  const [open, setOpen] = useState<OpenProgram | null>(null);
+  useEffect(() => {
+    let left = false;
+    let made: OpenProgram | null = null;
+    load(programId).then((loaded) => {
+      if (left) return;
+      made = new OpenProgram(loaded);
+      opened.value = made;
+      program.value = loaded;
+      forgetOtherRun(programId);
+      setOpen(made);
+    }, report);
+    return () => {
+      left = true;
+      made?.close();
+    };
+  }, [programId]);
+  if (!open) {
+    return (
+      <main class="screen studio studio--opening" aria-busy="true">
+        <p>{texts.value.studio.opening}</p>
+      </main>
+    );
+  }
+  return <Studio open={open} />;
+}
+
+async function load(programId: string) {
+  const loaded = await api.program(programId);
+  if (group.value?.id !== loaded.group_id) {
+    const groups = await api.groups();
+    group.value = groups.find((one) => one.id === loaded.group_id) ?? null;
+  }
+  return loaded;
+}
+
+/** The path on the floor belongs to the program that drove it. */
+function forgetOtherRun(programId: string): void {
+  if (!isLive(live.value) && liveRun.value?.program_id !== programId) clear();
+}

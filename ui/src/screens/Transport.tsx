@@ -1,0 +1,157 @@
+import { Pause, Play, RotateCcw, StepBack, StepForward } from "lucide-preact";
+import { useEffect } from "preact/hooks";
+import { TEST } from "../app/testids";
+import { CATEGORY_COLOURS, categoryOf } from "../design/categories";
+import { language, texts } from "../i18n";
+import { decimal, duration } from "../i18n/format";
+import { coarse, SPEEDS, stepFrom } from "../run/playback";
+import type { Recording } from "./ReplayScreen";
+
+/** Time of a replay: play, step from block to block, speed, and the slider coloured by block. */
+export function Transport({ recording }: { recording: Recording }) {
+  const { playback } = recording;
+  const { replay } = texts.value;
+  const step = (way: -1 | 1) => {
+    playback.pause();
+    playback.seek(stepFrom(recording.stretches, playback.tick.value, way, playback.end));
+  };
+  useEffect(() => listenToKeys(() => playback.toggle(), step), [recording]);
+  return (
+    <section class="transport" aria-label={replay.title}>
+      <PlayButton recording={recording} />
+      <div class="transport__steps">
+        <button
+          type="button"
+          class="button button--icon"
+          aria-label={replay.back}
+          title={replay.back}
+          data-testid={TEST.replayBack}
+          onClick={() => step(-1)}
+        >
+          <StepBack class="icon" aria-hidden="true" />
+        </button>
+        <button
+          type="button"
+          class="button button--icon"
+          aria-label={replay.forward}
+          title={replay.forward}
+          data-testid={TEST.replayForward}
+          onClick={() => step(1)}
+        >
+          <StepForward class="icon" aria-hidden="true" />
+        </button>
+      </div>
+      <Slider recording={recording} />
+      <Speed recording={recording} />
+    </section>
+  );
+}
+
+function PlayButton({ recording: { playback } }: { recording: Recording }) {
+  const { replay } = texts.value;
+  const playing = playback.playing.value;
+  const over = !playing && playback.tick.value >= playback.end;
+  const Icon = playing ? Pause : over ? RotateCcw : Play;
+  return (
+    <button
+      type="button"
+      class="button button--run transport__play"
+      data-testid={TEST.replayPlay}
+      data-does={playing ? "pause" : "play"}
+      onClick={() => playback.toggle()}
+    >
+      <Icon class="icon" fill={over ? "none" : "currentColor"} aria-hidden="true" />
+      {playing ? replay.pause : over ? replay.again : replay.play}
+    </button>
+  );
+}
+
+function Slider({ recording }: { recording: Recording }) {
+  const { playback } = recording;
+  const { replay } = texts.value;
+  const end = Math.max(1, playback.end);
+  const time = (tick: number) => duration(tick / 30, language.value);
+  const said = replay.at(time(playback.tick.value), time(playback.end));
+  return (
+    <div class="slider">
+      <div class="slider__track" aria-hidden="true">
+        <Stretches recording={recording} />
+      </div>
+      <input
+        type="range"
+        class="slider__input"
+        min="0"
+        max={playback.end}
+        step="1"
+        value={Math.floor(playback.tick.value)}
+        aria-label={replay.slider}
+        aria-valuetext={said}
+        data-testid={TEST.replaySlider}
+        style={{ "--at": `${(100 * playback.tick.value) / end}%` }}
+        onInput={(event) => playback.seek(event.currentTarget.valueAsNumber)}
+      />
+      <output class="slider__time" aria-hidden="true">
+        {said}
+      </output>
+    </div>
+  );
+}
+
+function Stretches({ recording: { playback, stretches } }: { recording: Recording }) {
+  const end = Math.max(1, playback.end);
+  return (
+    <>
+      {coarse(stretches, end).map(({ from, to, action }) => (
+        <span
+          key={`${from}/${action}`}
+          class="slider__stretch"
+          style={{
+            left: `${(100 * from) / end}%`,
+            width: `${(100 * (to - from)) / end}%`,
+            background: CATEGORY_COLOURS[categoryOf(action)],
+          }}
+        />
+      ))}
+    </>
+  );
+}
+
+function Speed({ recording: { playback } }: { recording: Recording }) {
+  const { replay } = texts.value;
+  return (
+    <span class="select transport__speed">
+      <select
+        aria-label={replay.speed}
+        title={replay.speed}
+        data-testid={TEST.replaySpeed}
+        value={String(playback.speed.value)}
+        onChange={(event) => {
+          playback.speed.value = Number(event.currentTarget.value);
+        }}
+      >
+        {SPEEDS.map((speed) => (
+          <option key={speed} value={String(speed)}>
+            {decimal(speed, speed < 0.5 ? 2 : speed < 1 ? 1 : 0, language.value)}×
+          </option>
+        ))}
+      </select>
+    </span>
+  );
+}
+
+/** Space plays, the arrows step, wherever the focus is but in a field of its own. */
+function listenToKeys(toggle: () => void, step: (way: -1 | 1) => void): () => void {
+  const onKey = (event: KeyboardEvent) => {
+    const target = event.target as HTMLElement;
+    if (target.closest("input, select, button, a, textarea, .injectionDiv")) {
+      if (event.key !== " " || target.closest("button, select, a, .injectionDiv")) return;
+    }
+    if (event.key === " ") toggle();
+    else if (event.key === "ArrowLeft") step(-1);
+    else if (event.key === "ArrowRight") step(1);
+    else return;
+    event.preventDefault();
+  };
+  window.addEventListener("keydown", onKey);
+  return () => window.removeEventListener("keydown", onKey);
+}

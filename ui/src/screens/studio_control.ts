@@ -1,0 +1,130 @@
+import { computed, effect, signal } from "@preact/signals";
+import { ApiError } from "../api/errors";
+import type { Fault } from "../api/model";
+import type { OpenProgram } from "../app/open_program";
+import { connection, engine, problem, report, worlds } from "../app/session";
+import type { Editor } from "../editor";
+import { language, texts } from "../i18n";
+import { reasonWords } from "../i18n/reasons";
+import * as robot from "../run/live";
+import { isLive, litBlock } from "../run/reducer";
+import { type Sentence, sentenceOf, timesIn } from "../run/sentence";
+
+const POINTING_MS = 2500;
+
+/** Chosen once, kept from program to program. */
+const chosenWorld = signal<string | null>(null);
+
+/** What the two panes of the studio have in common: the open program, its editor and the robot. */
+export class StudioControl {
+  editor: Editor | null = null;
+  /** Run was pressed with nothing to run. */
+  readonly asked = signal(false);
+  /** What the robot is driving was made from this program. */
+  readonly mine = computed(() => robot.liveRun.value?.program_id === this.open.id);
+  readonly worldName = computed(() => {
+    const { value: run } = robot.liveRun;
+    if (run && isLive(robot.live.value)) return run.world;
+    return chosenWorld.value ?? worlds.value[0]?.name ?? "";
+  });
+  readonly world = computed(
+    () => worlds.value.find((world) => world.name === this.worldName.value) ?? null,
+  );
+  readonly sentence = computed<Sentence>(() => this.say());
+  private runDocument: unknown = null;
+  private pointing = 0;
+
+  constructor(readonly open: OpenProgram) {}
+
+  /** Ties an editor to the program; the answer unties it. */
+  attach(editor: Editor): () => void {
+    this.editor = editor;
+    const stops = [
+      effect(() => editor.highlight(this.running)),
+      effect(() => editor.showFaults([...this.open.faults.value, ...this.runFaults()])),
+    ];
+    return () => {
+      for (const stop of stops) stop();
+      this.editor = null;
+    };
+  }
+
+  chooseWorld(name: string): void {
+    chosenWorld.value = name;
+    robot.clear();
+  }
+
+  async run(): Promise<void> {
+    const { open } = this;
+    if (open.isEmpty) {
+      this.asked.value = true;
+      return;
+    }
+    problem.value = null;
+    try {
+      const version = await open.autosave.flush();
+      if (!version || version.faults.length > 0) return this.showFirst();
+      this.runDocument = open.content.value?.document ?? null;
+      await robot.start(version.id, this.worldName.value);
+    } catch (error) {
+      if (error instanceof ApiError && error.faults.length > 0) open.faults.value = error.faults;
+      else report(error);
+    }
+  }
+
+  showFirst(): void {
+    const first = this.open.faults.value.find((fault) => fault.block);
+    if (first) this.goTo(first);
+  }
+
+  /** Brings the block into view and lights it for a moment. */
+  goTo(fault: Fault): void {
+    this.editor?.highlight(fault.block);
+    clearTimeout(this.pointing);
+    this.pointing = window.setTimeout(() => this.editor?.highlight(this.running), POINTING_MS);
+  }
+
+  private get running(): string | null {
+    return this.mine.value ? litBlock(robot.live.value) : null;
+  }
+
+  send(message: () => Promise<void>): void {
+    message().catch(report);
+  }
+
+  /** A run that failed at a block shows why, there. */
+  private runFaults() {
+    const { phase, ending } = robot.live.value;
+    if (phase !== "failed" || !ending?.block || !this.mine.value) return [];
+    const words = reasonWords(ending.reason, ending.params, language.value);
+    return words ? [{ block: ending.block, ...words }] : [];
+  }
+
+  private say(): Sentence {
+    const { status, run } = texts.value;
+    const view = robot.live.value;
+    const voice = {
+      texts: texts.value,
+      language: language.value,
+      timesOf: (pointer: string) => timesIn(this.runDocument, pointer),
+    };
+    const calm = (text: string): Sentence => ({ text, more: "", tone: "calm" });
+    if (isLive(view) && view.run && !this.mine.value) {
+      return { text: run.other, more: "", tone: "notice" };
+    }
+    if (isLive(view)) return sentenceOf(view, voice) ?? calm(status.ready);
+    const faults = this.open.faults.value.length;
+    if (faults > 0) return { text: status.faults(faults), more: "", tone: "notice" };
+    if (this.open.isEmpty) {
+      return this.asked.value
+        ? { text: status.emptyRun, more: "", tone: "notice" }
+        : calm(status.empty);
+    }
+    const ended = sentenceOf(view, voice);
+    if (ended) return ended;
+    if (connection.value === "open" && engine.value !== "ready") {
+      return calm(engine.value === "lost" ? status.engineLost : status.engineStarting);
+    }
+    return calm(status.ready);
+  }
+}
