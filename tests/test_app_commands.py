@@ -1,0 +1,179 @@
+"""`pinel serve` and `pinel runs` as a person types them."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from pinel_desktop.cli import main
+from storage import Recorder, RunStart, open_store
+from tests.storage.sample_runs import ended
+from tests.web.browser import Browser
+
+START = RunStart(
+    link="sim", world="empty_room", world_document={}, seed=3, app_version="1", document={}
+)
+
+
+@pytest.fixture
+def database(tmp_path: Path) -> Path:
+    return tmp_path / "pinel.db"
+
+
+@pytest.fixture
+def run_ids(database: Path) -> list[str]:
+    """Three runs, the oldest first; the last was blocked."""
+    with open_store(database) as store:
+        ids = [store.runs.begin(START).id for _ in range(3)]
+        recorder = Recorder(store)
+        for run_id in ids[:2]:
+            recorder(ended(run_id, 0, 60))
+        recorder(ended(ids[2], 0, 60, state="failed", reason="blocked"))
+    return ids
+
+
+def pinel(*arguments: str) -> Result:
+    return CliRunner().invoke(main, arguments, env={"PINEL_LANG": "en"})
+
+
+def test_runs_are_listed_newest_first(database: Path, run_ids: list[str]) -> None:
+    lines = pinel("--db", str(database), "runs", "list").output.splitlines()
+    assert [line.split()[0] for line in lines] == run_ids[::-1]
+    assert "failed blocked" in lines[0]
+    assert "2.0 s" in lines[0]
+
+
+def test_a_limit_is_kept_and_json_is_one_object_per_line(
+    database: Path, run_ids: list[str]
+) -> None:
+    output = pinel("runs", "--db", str(database), "list", "--limit", "2", "--json").output
+    rows = [json.loads(line) for line in output.splitlines()]
+    assert [row["id"] for row in rows] == run_ids[:0:-1]
+    assert (rows[0]["reason"], rows[0]["seed"]) == ("blocked", 3)
+    assert rows[0]["message"]
+
+
+def test_a_run_is_shown_with_the_reason_in_words(database: Path, run_ids: list[str]) -> None:
+    result = pinel("--db", str(database), "runs", "show", run_ids[2])
+    assert result.exit_code == 0
+    assert "world: empty_room" in result.output
+    assert "blocked: " in result.output
+
+
+def test_the_beginning_of_an_id_is_enough_where_only_one_run_has_it(
+    database: Path, run_ids: list[str]
+) -> None:
+    unique = next(
+        run_ids[1][:n]
+        for n in range(36)
+        if sum(run.startswith(run_ids[1][:n]) for run in run_ids) == 1
+    )
+    shown = json.loads(
+        pinel("--db", str(database), "runs", "show", unique.upper(), "--json").output
+    )
+    assert (shown["id"], shown["n_events"]) == (run_ids[1], 1)
+
+
+@pytest.mark.parametrize("prefix", ["01", ""])
+def test_a_beginning_that_several_runs_share_is_an_error_with_a_remedy(
+    database: Path, run_ids: list[str], prefix: str
+) -> None:
+    result = pinel("--db", str(database), "runs", "show", prefix)
+    assert result.exit_code == 1
+    assert "More than one run" in result.output
+
+
+def test_an_unknown_run_is_an_error_with_a_remedy(database: Path, run_ids: list[str]) -> None:
+    result = pinel("--db", str(database), "runs", "show", "ffff")
+    assert result.exit_code == 1
+    assert "Choose a run" in result.output
+
+
+def test_listing_where_nothing_was_kept_makes_no_file(database: Path) -> None:
+    result = pinel("--db", str(database), "runs", "list")
+    assert result.exit_code == 1
+    assert str(database)[:40] in result.output
+    assert not database.exists()
+
+
+@pytest.mark.parametrize("command", [["serve"], ["runs"], ["runs", "list"], ["runs", "show"]])
+def test_every_command_helps(command: list[str]) -> None:
+    result = pinel(*command, "--help")
+    assert result.exit_code == 0
+    assert "Usage:" in result.output
+
+
+@contextmanager
+def serving(database: Path, *options: str) -> Iterator["subprocess.Popen[str]"]:
+    command = [sys.executable, "-m", "pinel_desktop", "--db", str(database), "serve", *options]
+    environment = {**os.environ, "PINEL_LANG": "en"}
+    with subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment
+    ) as process:
+        try:
+            yield process
+        finally:
+            if process.poll() is None:
+                process.kill()
+
+
+def address_of(process: "subprocess.Popen[str]") -> str:
+    assert process.stdout is not None
+    return process.stdout.readline().strip()
+
+
+def wait_for_engine(browser: Browser) -> None:
+    deadline = time.monotonic() + 30
+    while browser.get("/api/status").data["engine"] != "ready":
+        assert time.monotonic() < deadline
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_serve_prints_an_address_and_ends_cleanly(database: Path, number: signal.Signals) -> None:
+    with serving(database) as process:
+        browser = Browser.signed_in(address_of(process))
+        wait_for_engine(browser)
+        began = time.perf_counter()
+        process.send_signal(number)
+        _, errors = process.communicate(timeout=10)
+        print(f"serve ended {time.perf_counter() - began:.2f} s after the signal")
+        assert time.perf_counter() - began < 2.0
+    assert process.returncode == 0
+    assert "Traceback" not in errors
+    assert not database.with_name("pinel.instance.json").exists()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="kill -9")
+def test_a_second_serve_prints_a_fresh_address_of_the_first_even_after_a_crash(
+    database: Path,
+) -> None:
+    with serving(database) as first:
+        address_of(first)
+        first.kill()
+        first.wait()
+    with serving(database) as second, serving(database) as third:
+        own = address_of(second)
+        other = address_of(third)
+        assert third.wait(timeout=10) == 0
+        assert other.partition("?")[0] == own.partition("?")[0]
+        assert other != own
+        assert Browser.signed_in(other).get("/api/status").status == 200
+
+
+def test_serve_on_a_taken_port_says_so(database: Path, tmp_path: Path) -> None:
+    with serving(database) as first:
+        port = str(Browser.at(address_of(first)).port)
+        with serving(tmp_path / "other.db", "--port", port) as second:
+            output, errors = second.communicate(timeout=20)
+    assert (second.returncode, output) == (1, "")
+    assert f"Port {port}" in errors
+    assert "--port" in errors
