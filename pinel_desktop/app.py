@@ -162,7 +162,9 @@ class Preferences:
 
     def __init__(self, store: Store) -> None:
         self._store = store
-        kept = store.settings.get("language")
+        kept = None
+        with contextlib.suppress(StoreError):
+            kept = store.settings.get("language")
         self._language: str = kept if kept in LANGUAGES else language_of_system()
 
     @property

@@ -160,10 +160,11 @@ def test_a_second_serve_prints_a_fresh_address_of_the_first_even_after_a_crash(
         address_of(first)
         first.kill()
         first.wait()
-    with serving(database) as second, serving(database) as third:
+    with serving(database) as second:
         own = address_of(second)
-        other = address_of(third)
-        assert third.wait(timeout=10) == 0
+        with serving(database) as third:
+            other = address_of(third)
+            assert third.wait(timeout=10) == 0
         assert other.partition("?")[0] == own.partition("?")[0]
         assert other != own
         assert Browser.signed_in(other).get("/api/status").status == 200

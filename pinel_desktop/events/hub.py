@@ -31,10 +31,10 @@ class Subscription:
     def put(self, event: Event) -> None:
         """Adds an event; where the queue is full of telemetry, the oldest telemetry makes room."""
         with self._changed:
-            if self._closed:
-                return
-            self._make_room(event)
-            self._waiting.append(event)
+            if not self._closed:
+                self._make_room(event)
+            if not self._closed:
+                self._waiting.append(event)
             self._changed.notify()
 
     def get(self, timeout_s: float) -> Event | None:
