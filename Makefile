@@ -89,7 +89,7 @@ $(VENV_DEV): requirements-dev.lock pyproject.toml scripts/venv.sh | system-test
 $(NODE_MODULES): ui/package.json ui/package-lock.json | $(VENV_RUN)
 	@. scripts/words.sh; say "Installing the page's libraries (about 1 minute)…" \
 		"Instalando as bibliotecas da página (cerca de 1 minuto)…" "Instalando las bibliotecas de la página (cerca de 1 minuto)…"
-	@$(NPM) ci --silent --no-fund --no-audit
+	@$(NPM) ci --loglevel=error --no-fund --no-audit >/dev/null
 	@touch $@
 
 $(PAGE): $(PAGE_SOURCES)

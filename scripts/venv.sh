@@ -48,5 +48,5 @@ if ! .venv/bin/python -c 'import pip' 2>/dev/null || ! grep -qF "$PWD/.venv" .ve
 fi
 say "Installing Python libraries (about 1 minute)…" "Instalando bibliotecas Python (cerca de 1 minuto)…" \
     "Instalando bibliotecas de Python (cerca de 1 minuto)…"
-.venv/bin/python -m pip install --quiet --disable-pip-version-check --require-hashes -r "$lock"
-.venv/bin/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
+.venv/bin/python -m pip install -qq --disable-pip-version-check --require-hashes -r "$lock"
+.venv/bin/python -m pip install -qq --disable-pip-version-check --no-deps --no-build-isolation --editable .
