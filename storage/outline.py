@@ -6,17 +6,32 @@ from numpy.typing import NDArray
 Points = NDArray[np.float64]
 MAX_POINTS = 64
 _FINEST_M = 0.005
+_COARSEST = 0.05  # of the path's extent: what cannot be seen in a small picture
+_GROWTH = 1.5
 _ROUNDED = 4  # decimals: 0.1 mm
 
 
 def outline(points: Points) -> list[list[float]]:
-    """At most 64 of the points (n, 2) in m, chosen by Douglas and Peucker's method; ends are kept."""
-    tolerance = _FINEST_M
-    kept = _simplified(points, tolerance)
-    while len(kept) > MAX_POINTS:
-        tolerance *= 1.5
-        kept = _simplified(points, tolerance)
+    """At most 64 of the points (n, 2) in m, chosen by Douglas and Peucker's method.
+
+    A path with more corners than that is cut off after its first 64: ten rounds look like one, and a line that
+    was never driven is never drawn.
+    """
+    kept = _coarsened(points, _FINEST_M, limit=_COARSEST * _extent(points))[:MAX_POINTS]
     return [[round(float(x), _ROUNDED), round(float(y), _ROUNDED)] for x, y in kept]
+
+
+def _extent(points: Points) -> float:
+    return float(np.ptp(points, axis=0).max()) if len(points) else 0.0
+
+
+def _coarsened(points: Points, tolerance: float, *, limit: float) -> Points:
+    """The points, with a tolerance that grows until they are few enough or it reaches the limit."""
+    kept = _simplified(points, tolerance)
+    while len(kept) > MAX_POINTS and tolerance * _GROWTH <= limit:
+        tolerance *= _GROWTH
+        kept = _simplified(kept, tolerance)
+    return kept
 
 
 def _simplified(points: Points, tolerance: float) -> Points:

@@ -60,24 +60,28 @@ class Recorder:
             if event["type"] == "run_ended":
                 _wait(written)
 
-    def flush(self) -> "Future[None]":
+    def flush(self) -> "Future[list[Batch]]":
         """Hands what is pending to the writer."""
         self._flushed_at = self._clock()
-        with self._lock:
-            batch = self._run.taken()
-            if batch is not None:
+        batch = self._run.taken()
+        if batch is not None:
+            with self._lock:
                 self._unsaved.append(batch)
-            batches = list(self._unsaved)
-        written = self._store.record(batches)
-        written.add_done_callback(lambda future: self._settle(future, batches))
+        written = self._store.record(self._waiting)
+        written.add_done_callback(self._settle)
         return written
 
-    def _settle(self, written: "Future[None]", batches: list[Batch]) -> None:
+    def _waiting(self) -> list[Batch]:
+        with self._lock:
+            return list(self._unsaved)
+
+    def _settle(self, written: "Future[list[Batch]]") -> None:
         error = written.exception()
         problem = error if isinstance(error, StoreError) else None
         if error is None:
+            done = written.result()
             with self._lock:
-                self._unsaved = [batch for batch in self._unsaved if batch not in batches]
+                self._unsaved = [batch for batch in self._unsaved if batch not in done]
         elif problem is None:
             problem = StoreError("database_failed", path=str(self._store.path), problem=str(error))
         changed = (problem and problem.code) != (self.problem and self.problem.code)
@@ -126,7 +130,7 @@ class _Recording:
             self._trail.extend((x_m, y_m))
 
 
-def _wait(written: "Future[None]") -> None:
+def _wait(written: "Future[list[Batch]]") -> None:
     """Gives the disk a moment; the page should find the run ended when it hears of the end."""
     try:
         written.result(_PATIENCE_S)

@@ -29,7 +29,7 @@ _FIGURES = (
 )
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False)
 class Batch:
     """What is written of a run in one transaction.
 

@@ -46,13 +46,15 @@ class Store:
         self.settings = Settings(access)
         self._keep_alive: sqlite3.Connection | None = None
 
-    def record(self, batches: list[Batch]) -> "Future[None]":
-        """Writes what was recorded of runs, in one transaction; the future tells when it is on disk."""
+    def record(self, waiting: Callable[[], list[Batch]]) -> "Future[list[Batch]]":
+        """Writes what is waiting when its turn comes, in one transaction; the future gives what is on disk."""
         now = self._access.now()
 
-        def write(db: sqlite3.Connection) -> None:
+        def write(db: sqlite3.Connection) -> list[Batch]:
+            batches = waiting()
             for batch in batches:
                 write_batch(db, batch, now)
+            return batches
 
         return self._access.submit(write)
 

@@ -79,12 +79,22 @@ def test_the_outline_of_a_square_has_five_points() -> None:
     assert np.allclose(points, [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]], atol=0.02)
 
 
-def test_the_outline_of_a_scribble_has_at_most_64_points_and_both_ends() -> None:
+@pytest.mark.parametrize("laps", [2, 30])
+def test_the_outline_of_many_rounds_looks_like_one(laps: int) -> None:
+    rows = Telemetry(rows_of(square("r", laps=laps)))
+    points = np.array(outline(rows.rows[:, 1:3]))
+    assert len(points) <= MAX_POINTS
+    for corner in ([0, 0], [1, 0], [1, 1], [0, 1]):
+        assert np.hypot(*(points - corner).T).min() < 0.03
+    assert np.hypot(*np.diff(points, axis=0).T).max() < 1.05  # along the sides, never across
+
+
+def test_the_outline_of_a_scribble_has_at_most_64_points_and_begins_where_it_began() -> None:
     rng = np.random.default_rng(3)
     points = np.cumsum(rng.normal(0, 0.05, (5000, 2)), axis=0)
     kept = outline(points)
-    assert len(kept) <= MAX_POINTS
-    assert np.allclose([kept[0], kept[-1]], points[[0, -1]], atol=1e-4)
+    assert 16 < len(kept) <= MAX_POINTS
+    assert np.allclose(kept[0], points[0], atol=1e-4)
 
 
 def test_the_outline_of_nothing_is_nothing() -> None:

@@ -65,7 +65,9 @@ def test_every_operation_says_what_it_does_and_how_it_fails() -> None:
 
 def test_every_reference_leads_to_a_schema() -> None:
     document = description()
-    wanted = {part.split('"')[0] for part in json.dumps(document).split("#/components/schemas/")[1:]}
+    wanted = {
+        part.split('"')[0] for part in json.dumps(document).split("#/components/schemas/")[1:]
+    }
     assert wanted <= set(document["components"]["schemas"])
 
 
