@@ -159,7 +159,7 @@ def _end(
 
 
 def _insert(db: sqlite3.Connection, start: RunStart, now: str) -> str:
-    origin = _origin(db, start.version_id)
+    origin = _origin(db, start)
     row = {
         "id": new_id(),
         **origin,
@@ -181,10 +181,12 @@ def _insert(db: sqlite3.Connection, start: RunStart, now: str) -> str:
     return str(row["id"])
 
 
-def _origin(db: sqlite3.Connection, version_id: str | None) -> dict[str, str | None]:
-    """Group and program of a version; all None for a run of the command line."""
+def _origin(db: sqlite3.Connection, start: RunStart) -> dict[str, str | None]:
+    """Group and program of a version; a run of the command line has its document's name only."""
+    version_id = start.version_id
     if version_id is None:
-        return {"group_id": None, "program_id": None, "program_name": None}
+        name = (start.document or {}).get("name")
+        return {"group_id": None, "program_id": None, "program_name": str(name) if name else None}
     row = db.execute(
         """SELECT programs.group_id, programs.id AS program_id, programs.name AS program_name
            FROM versions JOIN programs ON programs.id = versions.program_id WHERE versions.id = ?""",

@@ -56,6 +56,7 @@ def test_a_run_of_the_command_line_keeps_its_document_instead_of_a_version(store
     )
     row = store.runs.begin(start)
     assert (row.group_id, row.program_id, row.version_id) == (None, None, None)
+    assert row.program_name == "square"
     assert (row.document, row.parameters) == (SQUARE, {"pace": "max"})
 
 
