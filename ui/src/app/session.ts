@@ -31,12 +31,9 @@ const POLL_MS = 1000;
 
 /** An error in words, in the line under the header; 401 and a lost server have their own places. */
 export function report(error: unknown): void {
-  if (error instanceof ServerGone) return lost();
-  if (error instanceof ApiError && error.status === 401) {
-    connection.value = "locked";
-    return;
-  }
-  problem.value = wordsOf(error);
+  if (error instanceof ServerGone) lost();
+  else if (error instanceof ApiError && error.status === 401) connection.value = "locked";
+  else problem.value = wordsOf(error);
 }
 
 export function wordsOf(error: unknown): Problem {
@@ -70,7 +67,9 @@ export async function refreshStatus(): Promise<void> {
     const answer = await api.status();
     status.value = answer;
     notice.value = answer.database.notice;
-    if (isLanguage(answer.language)) language.value = answer.language;
+    if (connection.value === "opening" && isLanguage(answer.language)) {
+      language.value = answer.language;
+    }
     connection.value = "open";
     if (answer.engine !== "ready") poll();
   } catch (error) {

@@ -22,7 +22,7 @@ export const en: Texts = {
   start: {
     title: "Who is going to program?",
     firstTitle: "Hello! What is your group called?",
-    firstHint: "Choose a name for the group and go in. Everything you make is kept with it.",
+    firstHint: "Choose a name and go in. Everything you make is kept with it.",
     newGroup: "New group",
     nameLabel: "Name of the group",
     namePlaceholder: "Name of the group",
@@ -32,10 +32,9 @@ export const en: Texts = {
     groups: "Groups",
     programs: (n: number) => (n === 1 ? "1 program" : `${n} programs`),
     runs: (n: number) => (n === 1 ? "1 run" : `${n} runs`),
-    noRuns: "No runs yet",
+    nothingYet: "New group: no programs yet",
     open: (name: string) => `Go in as ${name}`,
     firstProgram: (n: number) => `Program ${n}`,
-    tagline: "Program a real robot with blocks.",
     more: "Show more groups",
   },
   studio: {
@@ -47,7 +46,6 @@ export const en: Texts = {
     opening: "Opening the program…",
     faultsTitle: (n: number) => (n === 1 ? "1 thing to mend" : `${n} things to mend`),
     goToBlock: "Show the block",
-    hideFaults: "Close the list",
     unreadable:
       "This program has blocks that this version of PINEL does not know. It stays saved; make another program.",
   },
@@ -63,7 +61,7 @@ export const en: Texts = {
   },
   status: {
     label: "What the robot does now",
-    empty: "Drag a block and attach it below “when run”.",
+    empty: "Drag a block to begin.",
     emptyRun: "There is nothing to run yet: attach a block below the start block.",
     ready: "All set. Press Run.",
     faults: (n: number) =>
@@ -106,7 +104,6 @@ export const en: Texts = {
     copy: "Copy",
     copied: "Copied",
     empty: "Build the program: its text appears here.",
-    close: "Close",
   },
   scene: {
     label: (x: string, y: string, heading: string) =>
@@ -135,7 +132,6 @@ export const en: Texts = {
     emptyRuns: "Open a program and press Run: the picture of its path appears here.",
     emptyProgram: "No path yet",
     older: "Show older ones",
-    loading: "Loading…",
     runCount: (n: number) => (n === 0 ? "never run" : n === 1 ? "run once" : `run ${n} times`),
     changed: (when: string) => `changed ${when}`,
     states: {
@@ -161,7 +157,6 @@ export const en: Texts = {
     openProgram: "Open the program",
     ofVersion: "The blocks as they were in this run",
     readOnly: "To look at only: the blocks as they were in this run.",
-    live: "This run has not ended yet. Go back to the program to follow it.",
     noVersion: "The blocks of this run were not kept.",
   },
   trouble: {
@@ -173,7 +168,6 @@ export const en: Texts = {
     failedTitle: "That did not work.",
     back: "Back to the beginning",
     close: "Close the message",
-    retry: "Try again",
   },
   units: {
     now: "now",

@@ -22,7 +22,7 @@ export const es: Texts = {
   start: {
     title: "¿Quién va a programar?",
     firstTitle: "¡Hola! ¿Cómo se llama el grupo?",
-    firstHint: "Elijan un nombre para el grupo y entren. Todo lo que hagan queda guardado con él.",
+    firstHint: "Elijan un nombre y entren. Todo lo que hagan queda guardado con él.",
     newGroup: "Grupo nuevo",
     nameLabel: "Nombre del grupo",
     namePlaceholder: "Nombre del grupo",
@@ -32,10 +32,9 @@ export const es: Texts = {
     groups: "Grupos",
     programs: (n: number) => (n === 1 ? "1 programa" : `${n} programas`),
     runs: (n: number) => (n === 1 ? "1 recorrido" : `${n} recorridos`),
-    noRuns: "Ningún recorrido todavía",
+    nothingYet: "Grupo nuevo: todavía sin programas",
     open: (name: string) => `Entrar como ${name}`,
     firstProgram: (n: number) => `Programa ${n}`,
-    tagline: "Programen un robot de verdad con bloques.",
     more: "Mostrar más grupos",
   },
   studio: {
@@ -47,7 +46,6 @@ export const es: Texts = {
     opening: "Abriendo el programa…",
     faultsTitle: (n: number) => (n === 1 ? "1 cosa por arreglar" : `${n} cosas por arreglar`),
     goToBlock: "Mostrar el bloque",
-    hideFaults: "Cerrar la lista",
     unreadable:
       "Este programa tiene bloques que esta versión de PINEL no conoce. Sigue guardado; creen otro programa.",
   },
@@ -63,7 +61,7 @@ export const es: Texts = {
   },
   status: {
     label: "Qué hace el robot ahora",
-    empty: "Arrastren un bloque y encájenlo debajo de “al ejecutar”.",
+    empty: "Arrastren un bloque para empezar.",
     emptyRun: "Todavía no hay nada que ejecutar: encajen un bloque debajo del bloque de inicio.",
     ready: "Todo listo. Pulsen Ejecutar.",
     faults: (n: number) =>
@@ -106,7 +104,6 @@ export const es: Texts = {
     copy: "Copiar",
     copied: "Copiado",
     empty: "Armen el programa: el texto aparece aquí.",
-    close: "Cerrar",
   },
   scene: {
     label: (x: string, y: string, heading: string) =>
@@ -135,7 +132,6 @@ export const es: Texts = {
     emptyRuns: "Abran un programa y pulsen Ejecutar: el dibujo del camino aparece aquí.",
     emptyProgram: "Todavía sin camino",
     older: "Mostrar más antiguos",
-    loading: "Cargando…",
     runCount: (n: number) =>
       n === 0 ? "nunca se ejecutó" : n === 1 ? "ejecutado 1 vez" : `ejecutado ${n} veces`,
     changed: (when: string) => `cambió ${when}`,
@@ -162,7 +158,6 @@ export const es: Texts = {
     openProgram: "Abrir el programa",
     ofVersion: "Los bloques como estaban en este recorrido",
     readOnly: "Solo para ver: los bloques como estaban en este recorrido.",
-    live: "Este recorrido aún no termina. Vuelvan al programa para seguirlo.",
     noVersion: "Los bloques de este recorrido no se guardaron.",
   },
   trouble: {
@@ -174,7 +169,6 @@ export const es: Texts = {
     failedTitle: "Eso no funcionó.",
     back: "Volver al inicio",
     close: "Cerrar el aviso",
-    retry: "Intentar de nuevo",
   },
   units: {
     now: "ahora",

@@ -30,6 +30,7 @@ export const degrees = (value: number, language: Language) => `${decimal(value, 
 export function headingDegrees(yaw: number): number {
   const turned = (yaw * 180) / Math.PI;
   const wrapped = turned - 360 * Math.ceil((turned - 180) / 360);
+  if (wrapped < -179.5) return 180;
   return Math.abs(wrapped) < 0.05 ? 0 : wrapped;
 }
 

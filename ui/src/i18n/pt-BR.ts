@@ -21,8 +21,7 @@ export const ptBR = {
   start: {
     title: "Quem vai programar?",
     firstTitle: "Olá! Como se chama o grupo?",
-    firstHint:
-      "Escolham um nome para o grupo e entrem. Tudo o que vocês fizerem fica guardado com ele.",
+    firstHint: "Escolham um nome e entrem. Tudo o que vocês fizerem fica guardado com ele.",
     newGroup: "Novo grupo",
     nameLabel: "Nome do grupo",
     namePlaceholder: "Nome do grupo",
@@ -32,10 +31,9 @@ export const ptBR = {
     groups: "Grupos",
     programs: (n: number) => (n === 1 ? "1 programa" : `${n} programas`),
     runs: (n: number) => (n === 1 ? "1 rodada" : `${n} rodadas`),
-    noRuns: "Nenhuma rodada ainda",
+    nothingYet: "Grupo novo: ainda sem programas",
     open: (name: string) => `Entrar como ${name}`,
     firstProgram: (n: number) => `Programa ${n}`,
-    tagline: "Programe um robô de verdade com blocos.",
     more: "Mostrar mais grupos",
   },
   studio: {
@@ -47,7 +45,6 @@ export const ptBR = {
     opening: "Abrindo o programa…",
     faultsTitle: (n: number) => (n === 1 ? "1 coisa para consertar" : `${n} coisas para consertar`),
     goToBlock: "Mostrar o bloco",
-    hideFaults: "Fechar a lista",
     unreadable:
       "Este programa tem blocos que esta versão do PINEL não conhece. Ele continua guardado; crie outro programa.",
   },
@@ -63,7 +60,7 @@ export const ptBR = {
   },
   status: {
     label: "O que o robô faz agora",
-    empty: "Arraste um bloco e encaixe embaixo de “quando rodar”.",
+    empty: "Arraste um bloco para começar.",
     emptyRun: "Ainda não há nada para rodar: encaixe um bloco embaixo do bloco de início.",
     ready: "Tudo pronto. Aperte Rodar.",
     faults: (n: number) =>
@@ -106,7 +103,6 @@ export const ptBR = {
     copy: "Copiar",
     copied: "Copiado",
     empty: "Monte o programa: o texto aparece aqui.",
-    close: "Fechar",
   },
   scene: {
     label: (x: string, y: string, heading: string) =>
@@ -135,7 +131,6 @@ export const ptBR = {
     emptyRuns: "Abram um programa e apertem Rodar: o desenho do caminho aparece aqui.",
     emptyProgram: "Ainda sem caminho",
     older: "Mostrar mais antigas",
-    loading: "Carregando…",
     runCount: (n: number) =>
       n === 0 ? "nunca rodou" : n === 1 ? "rodou 1 vez" : `rodou ${n} vezes`,
     changed: (when: string) => `mudou ${when}`,
@@ -162,7 +157,6 @@ export const ptBR = {
     openProgram: "Abrir o programa",
     ofVersion: "Os blocos como estavam nesta rodada",
     readOnly: "Só para ver: os blocos como estavam nesta rodada.",
-    live: "Esta rodada ainda não terminou. Volte ao programa para acompanhar.",
     noVersion: "Os blocos desta rodada não foram guardados.",
   },
   trouble: {
@@ -174,7 +168,6 @@ export const ptBR = {
     failedTitle: "Isto não deu certo.",
     back: "Voltar ao início",
     close: "Fechar aviso",
-    retry: "Tentar de novo",
   },
   units: {
     now: "agora",

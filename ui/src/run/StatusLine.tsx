@@ -29,6 +29,13 @@ export function StatusLine({ sentence }: { sentence: Sentence }) {
         <span class="status__text">{sentence.text}</span>
         {sentence.more && <span class="status__more">{sentence.more}</span>}
       </p>
+      {sentence.part != null && (
+        <span
+          class="status__part"
+          aria-hidden="true"
+          style={{ transform: `scaleX(${sentence.part})` }}
+        />
+      )}
       <Spoken text={`${sentence.text}. ${sentence.more}`} />
     </div>
   );
@@ -37,7 +44,6 @@ export function StatusLine({ sentence }: { sentence: Sentence }) {
 function Spoken({ text }: { text: string }) {
   const [said, setSaid] = useState("");
   const kind = text.replace(/[\d,.\u2212]+/g, "");
-  // biome-ignore lint/correctness/useExhaustiveDependencies: figures alone are no news
   useEffect(() => {
     const timer = setTimeout(() => setSaid(text), SETTLE_MS);
     return () => clearTimeout(timer);

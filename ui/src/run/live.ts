@@ -15,6 +15,8 @@ export const liveRun = signal<Run | null>(null);
 const motion = new MotionBuffer();
 /** Events that came while nobody could say yet where they belong. */
 let waiting: RunEvent[] | null = null;
+/** Stop was pressed before the run had a name. */
+let stopWanted = false;
 
 /** Where the robot is drawn at this moment of the screen's clock. */
 export function livePose(now: number): Pose {
@@ -51,10 +53,12 @@ export function clear(): void {
 export async function start(versionId: string, world: string): Promise<Run> {
   const before = live.value;
   waiting = [];
+  stopWanted = false;
   live.value = starting(null);
   motion.reset();
   try {
     const run = await api.startRun(versionId, world);
+    if (stopWanted) await api.stop(run.id);
     batch(() => {
       liveRun.value = run;
       live.value = starting(run.id);
@@ -103,7 +107,10 @@ export async function resync(runId: string | null): Promise<void> {
 
 export const pause = () => withRun(api.pause);
 export const resume = () => withRun(api.resume);
-export const stop = () => withRun(api.stop);
+export async function stop(): Promise<void> {
+  stopWanted = live.value.run === null;
+  await withRun(api.stop);
+}
 export const answerCapture = (result: string) => withRun((run) => api.answerCapture(run, result));
 
 async function withRun(send: (run: string) => Promise<object>): Promise<void> {

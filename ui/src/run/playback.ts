@@ -67,6 +67,7 @@ export interface Stretch {
   from: number;
   to: number;
   action: string;
+  amount: number | null;
   block: string | null;
 }
 
@@ -79,7 +80,8 @@ export function stretches(events: readonly RunEvent[], lastTick: number): Stretc
     const open = found.at(-1);
     if (event.type === "block_started" && !HOLDERS.has(event.action)) {
       if (open && open.to > event.tick) open.to = event.tick;
-      found.push({ from: event.tick, to: lastTick, action: event.action, block: event.block });
+      const { tick, action, amount, block } = event;
+      found.push({ from: tick, to: lastTick, action, amount, block });
     }
     if (event.type === "block_ended" && open?.block === event.block && open.to === lastTick) {
       open.to = event.tick;

@@ -5,11 +5,12 @@ import type { LitBlock, Motion, RunView } from "./reducer";
 
 export type Tone = "calm" | "moving" | "done" | "notice" | "fault";
 
-/** What is said of a run in one line: `text`, and `more` for what to do about it. */
+/** What is said of a run in one line: `text`, `more` for what to do about it, `part` of the motion done. */
 export interface Sentence {
   text: string;
   more: string;
   tone: Tone;
+  part?: number | null;
 }
 
 /** Nearer to the start than this counts as having come back. */
@@ -32,7 +33,12 @@ export function sentenceOf(view: RunView, voice: Voice): Sentence | null {
     case "paused":
       return { text: status.paused, more: "", tone: "notice" };
     case "running":
-      return { text: doing(view, voice), more: round(view, voice), tone: "moving" };
+      return {
+        text: doing(view, voice),
+        more: round(view, voice),
+        tone: "moving",
+        part: partOf(view.motion),
+      };
     default:
       return ending(view, voice);
   }
@@ -70,6 +76,11 @@ function moving(motion: Motion, texts: Texts, language: Language): string {
     default:
       return status.running;
   }
+}
+
+function partOf(motion: Motion | null): number | null {
+  if (!motion || motion.amount === 0) return null;
+  return Math.min(1, Math.max(0, motion.done / motion.amount));
 }
 
 function round(view: RunView, { texts, timesOf }: Voice): string {

@@ -33,14 +33,32 @@ export function PathPicture({ path }: { path: Points }) {
           points={path.map((at) => place(at).join()).join(" ")}
         />
       )}
-      <circle class="path-picture__start" cx={startX} cy={startY} r="5" />
-      {last && path.length > 1 && <Robot at={place(last)} />}
+      {last && path.length > 1 ? (
+        <>
+          <circle class="path-picture__start" cx={startX} cy={startY} r="5" />
+          <Robot at={place(last)} />
+        </>
+      ) : (
+        <WaitingRobot at={[startX, startY]} />
+      )}
     </svg>
   );
 }
 
 function Robot({ at: [x, y] }: { at: readonly [number, number] }) {
   return <circle class="path-picture__robot" cx={x} cy={y} r="8" />;
+}
+
+/** Nothing has been driven yet: the robot stands at the start and looks ahead. */
+function WaitingRobot({ at: [x, y] }: { at: readonly [number, number] }) {
+  return (
+    <g class="path-picture__waiting" transform={`translate(${x} ${y})`}>
+      <rect x="-5" y="-14" width="14" height="5" rx="2" />
+      <rect x="-5" y="9" width="14" height="5" rx="2" />
+      <path class="path-picture__robot" d="M-16-7q0-4 5-4H6q11 1.500 11 11T6 11h-17q-5 0-5-4z" />
+      <path fill="#fff" d="M9 0-4 6l3-6-3-6z" />
+    </g>
+  );
 }
 
 function frameOf(path: Points): Frame {

@@ -18,7 +18,7 @@ export const EDGE = { left: 34, right: 14, top: 14, bottom: 28 };
 const MIN_SCALE = 12;
 const MAX_SCALE = 320;
 
-export function fit(box: Box, size: Size): Camera {
+export function cameraFor(box: Box, size: Size): Camera {
   const width = Math.max(1, size.width - EDGE.left - EDGE.right);
   const height = Math.max(1, size.height - EDGE.top - EDGE.bottom);
   const scale = Math.min(width / (box.right - box.left), height / (box.top - box.bottom));

@@ -1,7 +1,7 @@
 import type { World } from "../api/model";
 import { IDLE, type Pose, type RunView } from "../run/reducer";
 import { points, type Trail } from "../run/trail";
-import { approach, type Camera, clampScale, fit, type Size } from "./camera";
+import { approach, type Camera, cameraFor, clampScale, type Size } from "./camera";
 import { drawFloor, drawRulers } from "./floor";
 import { startOf } from "./frames";
 import { type Palette, readPalette } from "./palette";
@@ -91,8 +91,9 @@ export class SceneRenderer {
   }
 
   private aim(): void {
-    if (this.framing === "subject") this.target = fit(subjectOf(this.world, this.view), this.size);
-    if (this.framing === "room") this.target = fit(wholeRoom(this.world), this.size);
+    if (this.framing === "subject")
+      this.target = cameraFor(subjectOf(this.world, this.view), this.size);
+    if (this.framing === "room") this.target = cameraFor(wholeRoom(this.world), this.size);
     this.wake();
   }
 
@@ -143,17 +144,18 @@ export class SceneRenderer {
     const pixel = 1 / camera.scale;
     ctx.lineCap = "round";
     ctx.lineJoin = "round";
+    // beneath the path, so that it is seen where the robot did not do what it should
+    ctx.strokeStyle = palette.ideal;
+    ctx.lineWidth = 2 * pixel;
+    ctx.setLineDash([5 * pixel, 6 * pixel]);
+    line(ctx, this.view.idealPath);
+    ctx.stroke();
+    ctx.setLineDash([]);
     ctx.strokeStyle = palette.path;
     ctx.lineWidth = 5 * pixel;
     line(ctx, this.view.path);
     if (this.view.run) ctx.lineTo(pose.x, pose.y);
     ctx.stroke();
-    ctx.strokeStyle = palette.ideal;
-    ctx.lineWidth = 1.5 * pixel;
-    ctx.setLineDash([5 * pixel, 6 * pixel]);
-    line(ctx, this.view.idealPath);
-    ctx.stroke();
-    ctx.setLineDash([]);
   }
 }
 

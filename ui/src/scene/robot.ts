@@ -81,21 +81,21 @@ function drawSonars(ctx: Ctx): void {
   for (const angle of SONARS) {
     const turn = (angle * Math.PI) / 180;
     ctx.beginPath();
-    ctx.arc(0.04 + Math.cos(turn) * 0.165, Math.sin(turn) * 0.135, 0.0125, 0, 2 * Math.PI);
+    ctx.arc(0.035 + Math.cos(turn) * 0.168, Math.sin(turn) * 0.138, 0.011, 0, 2 * Math.PI);
     ctx.fill();
   }
 }
 
 function drawDeck(ctx: Ctx, palette: Palette): void {
   ctx.beginPath();
-  ctx.roundRect(-0.19, -0.115, 0.33, 0.23, 0.06);
+  ctx.roundRect(-0.16, -0.1, 0.26, 0.2, 0.06);
   ctx.fillStyle = palette.deck;
   ctx.fill();
   ctx.beginPath();
-  ctx.moveTo(0.115, 0);
-  ctx.lineTo(-0.03, 0.085);
-  ctx.lineTo(0, 0);
-  ctx.lineTo(-0.03, -0.085);
+  ctx.moveTo(0.085, 0);
+  ctx.lineTo(-0.07, 0.085);
+  ctx.lineTo(-0.035, 0);
+  ctx.lineTo(-0.07, -0.085);
   ctx.closePath();
   ctx.fillStyle = palette.mark;
   ctx.fill();

@@ -1,6 +1,6 @@
 import { AlignVerticalJustifyStart, Redo2, Undo2 } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
-import { program, report } from "../app/session";
+import { problem, program, report } from "../app/session";
 import { TEST } from "../app/testids";
 import { theme } from "../app/theme";
 import type { Editor } from "../editor";
@@ -90,6 +90,12 @@ function Workspace({ control }: { control: StudioControl }) {
 }
 
 function openIn(editor: Editor, { open }: StudioControl): void {
-  editor.load(open.program.version?.workspace ?? null);
-  open.content.value = editor.content();
+  try {
+    editor.load(open.program.version?.workspace ?? null);
+    open.content.value = editor.content();
+  } catch {
+    // blocks of a newer version: shown nothing, and above all nothing saved over them
+    editor.setReadOnly(true);
+    problem.value = { message: texts.value.studio.unreadable, remedy: "" };
+  }
 }

@@ -16,6 +16,7 @@ import "../run/run.css";
 
 export function FloorPane({ control }: { control: StudioControl }) {
   const irOpen = useSignal(false);
+  const asking = useComputed(() => robot.live.value.capture !== null);
   return (
     <section class="floor" aria-label={texts.value.studio.floor}>
       <Controls control={control} />
@@ -23,12 +24,15 @@ export function FloorPane({ control }: { control: StudioControl }) {
       <div class="floor__stage">
         <div class="floor__scene">
           <Scene world={control.world.value} view={robot.live} poseAt={robot.livePose} />
-          <CaptureWhileAsked control={control} />
         </div>
-        {irOpen.value && (
-          <div class="floor__drawer">
-            <IrPanel document={control.open.content.value?.document ?? null} />
-          </div>
+        {asking.value ? (
+          <CaptureWhileAsked control={control} />
+        ) : (
+          irOpen.value && (
+            <div class="floor__drawer">
+              <IrPanel document={control.open.content.value?.document ?? null} />
+            </div>
+          )
         )}
       </div>
       <div class="floor__foot card">

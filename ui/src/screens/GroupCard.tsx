@@ -18,7 +18,8 @@ export function GroupCard({ group }: { group: Group }) {
       path.value = runs[0]?.path ?? [];
     }, report);
   }, [group.id]);
-  const runs = group.n_runs === 0 ? start.noRuns : start.runs(group.n_runs);
+  const made = [start.programs(group.n_programs), start.runs(group.n_runs)];
+  const counts = group.n_programs === 0 ? start.nothingYet : made.join(" · ");
   return (
     <button
       type="button"
@@ -33,9 +34,7 @@ export function GroupCard({ group }: { group: Group }) {
       </span>
       <span class="group-card__words">
         <span class="group-card__name">{group.name}</span>
-        <span class="group-card__counts">
-          {start.programs(group.n_programs)} · {runs}
-        </span>
+        <span class="group-card__counts">{counts}</span>
       </span>
     </button>
   );

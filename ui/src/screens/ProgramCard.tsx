@@ -23,7 +23,7 @@ export function ProgramCard({ program, path }: ProgramCardProps) {
     >
       <span class="work-card__picture">
         <PathPicture path={path} />
-        {path.length === 0 && <span class="work-card__none">{work.emptyProgram}</span>}
+        {path.length < 2 && <span class="work-card__none">{work.emptyProgram}</span>}
       </span>
       <span class="work-card__words">
         <span class="work-card__name">{program.name}</span>

@@ -90,7 +90,6 @@ function ReadOnlyBlocks({ recording: { run, playback } }: { recording: Recording
       editor.current = made;
       made.load(run.version.workspace);
       made.setReadOnly(true);
-      made.zoomToFit();
       stop = playback.view.subscribe((view) => made.highlight(litBlock(view)));
     }, report);
     return () => {

@@ -7,6 +7,7 @@ import { texts } from "../i18n";
 import { History } from "../run/history";
 import { Playback, type Stretch, stretches } from "../run/playback";
 import { decodeTelemetry } from "../run/telemetry";
+import { NotOpened } from "./NotOpened";
 import { Replay } from "./Replay";
 import "./studio.css";
 import "./replay.css";
@@ -20,19 +21,27 @@ export interface Recording {
 
 export function ReplayScreen({ runId }: { runId: string }) {
   const [recording, setRecording] = useState<Recording | null>(null);
+  const [failed, setFailed] = useState(false);
   useEffect(() => {
     let left = false;
     let made: Recording | null = null;
-    load(runId).then((loaded) => {
-      if (left) return;
-      made = loaded;
-      setRecording(loaded);
-    }, report);
+    load(runId).then(
+      (loaded) => {
+        if (left) return;
+        made = loaded;
+        setRecording(loaded);
+      },
+      (error) => {
+        setFailed(true);
+        report(error);
+      },
+    );
     return () => {
       left = true;
       made?.playback.dispose();
     };
   }, [runId]);
+  if (failed) return <NotOpened />;
   if (!recording) {
     return (
       <main class="screen studio studio--opening" aria-busy="true">

@@ -13,6 +13,14 @@ const ICONS = {
   failed: CircleX,
 } as const;
 
+/** What still runs is followed, what is over is replayed. */
+function placeOf(run: Run): string {
+  if (run.state === "running" && run.program_id) {
+    return hashOf({ screen: "studio", program: run.program_id });
+  }
+  return hashOf({ screen: "replay", run: run.id });
+}
+
 export function RunCard({ run }: { run: Run }) {
   const { work } = texts.value;
   const Icon = ICONS[run.state];
@@ -23,7 +31,7 @@ export function RunCard({ run }: { run: Run }) {
   return (
     <a
       class="work-card card"
-      href={hashOf({ screen: "replay", run: run.id })}
+      href={placeOf(run)}
       data-testid={TEST.runCard}
       data-state={run.state}
       aria-label={`${work.replay}: ${run.program_name ?? work.noName}, ${work.states[run.state]}`}

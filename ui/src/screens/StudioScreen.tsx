@@ -5,28 +5,37 @@ import { group, program, report } from "../app/session";
 import { texts } from "../i18n";
 import { clear, live, liveRun } from "../run/live";
 import { isLive } from "../run/reducer";
+import { NotOpened } from "./NotOpened";
 import { Studio } from "./Studio";
 import "./studio.css";
 
 /** Opens a program and puts it on the desk. */
 export function StudioScreen({ programId }: { programId: string }) {
   const [open, setOpen] = useState<OpenProgram | null>(null);
+  const [failed, setFailed] = useState(false);
   useEffect(() => {
     let left = false;
     let made: OpenProgram | null = null;
-    load(programId).then((loaded) => {
-      if (left) return;
-      made = new OpenProgram(loaded);
-      opened.value = made;
-      program.value = loaded;
-      forgetOtherRun(programId);
-      setOpen(made);
-    }, report);
+    load(programId).then(
+      (loaded) => {
+        if (left) return;
+        made = new OpenProgram(loaded);
+        opened.value = made;
+        program.value = loaded;
+        forgetOtherRun(programId);
+        setOpen(made);
+      },
+      (error) => {
+        setFailed(true);
+        report(error);
+      },
+    );
     return () => {
       left = true;
       made?.close();
     };
   }, [programId]);
+  if (failed) return <NotOpened />;
   if (!open) {
     return (
       <main class="screen studio studio--opening" aria-busy="true">

@@ -1,11 +1,41 @@
-import { Pause, Play, RotateCcw, StepBack, StepForward } from "lucide-preact";
+import {
+  ArrowDown,
+  ArrowUp,
+  Clock,
+  Hand,
+  Pause,
+  Pencil,
+  Play,
+  RotateCcw,
+  RotateCw,
+  Square,
+  StepBack,
+  StepForward,
+} from "lucide-preact";
 import { useEffect } from "preact/hooks";
 import { TEST } from "../app/testids";
 import { CATEGORY_COLOURS, categoryOf } from "../design/categories";
 import { language, texts } from "../i18n";
 import { decimal, duration } from "../i18n/format";
-import { coarse, SPEEDS, stepFrom } from "../run/playback";
+import { coarse, SPEEDS, type Stretch, stepFrom } from "../run/playback";
 import type { Recording } from "./ReplayScreen";
+
+/** A stretch narrower than this part of the slider has no room for a picture. */
+const LEGIBLE_PART = 0.035;
+
+const ICONS: Record<string, typeof Play> = {
+  move_forward: ArrowUp,
+  move_backward: ArrowDown,
+  stop: Square,
+  wait: Clock,
+  classify_gestures: Hand,
+  set_gesture_result: Pencil,
+};
+
+function iconOf({ action, amount }: Stretch): typeof Play | null {
+  if (action === "turn") return (amount ?? 0) < 0 ? RotateCw : RotateCcw;
+  return ICONS[action] ?? null;
+}
 
 /** Time of a replay: play, step from block to block, speed, and the slider coloured by block. */
 export function Transport({ recording }: { recording: Recording }) {
@@ -101,17 +131,24 @@ function Stretches({ recording: { playback, stretches } }: { recording: Recordin
   const end = Math.max(1, playback.end);
   return (
     <>
-      {coarse(stretches, end).map(({ from, to, action }) => (
-        <span
-          key={`${from}/${action}`}
-          class="slider__stretch"
-          style={{
-            left: `${(100 * from) / end}%`,
-            width: `${(100 * (to - from)) / end}%`,
-            background: CATEGORY_COLOURS[categoryOf(action)],
-          }}
-        />
-      ))}
+      {coarse(stretches, end).map((stretch) => {
+        const { from, to, action } = stretch;
+        const part = (to - from) / end;
+        const Icon = part > LEGIBLE_PART ? iconOf(stretch) : null;
+        return (
+          <span
+            key={`${from}/${action}`}
+            class="slider__stretch"
+            style={{
+              left: `${(100 * from) / end}%`,
+              width: `${100 * part}%`,
+              background: CATEGORY_COLOURS[categoryOf(action)],
+            }}
+          >
+            {Icon && <Icon class="icon" />}
+          </span>
+        );
+      })}
     </>
   );
 }

@@ -33,6 +33,7 @@ export class StudioControl {
   readonly sentence = computed<Sentence>(() => this.say());
   private runDocument: unknown = null;
   private pointing = 0;
+  private busy = false;
 
   constructor(readonly open: OpenProgram) {}
 
@@ -55,13 +56,21 @@ export class StudioControl {
   }
 
   async run(): Promise<void> {
-    const { open } = this;
-    if (open.isEmpty) {
-      this.asked.value = true;
-      return;
+    if (this.busy || isLive(robot.live.value)) return;
+    if (this.open.isEmpty) this.asked.value = true;
+    else {
+      this.busy = true;
+      await this.saveAndStart();
+      this.busy = false;
     }
+  }
+
+  private async saveAndStart(): Promise<void> {
+    const { open } = this;
     problem.value = null;
     try {
+      // what is on the screen is what runs; content that is on disk already makes no new version
+      if (this.editor) open.edit(this.editor.content());
       const version = await open.autosave.flush();
       if (!version || version.faults.length > 0) return this.showFirst();
       this.runDocument = open.content.value?.document ?? null;
