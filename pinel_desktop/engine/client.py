@@ -135,6 +135,8 @@ class EngineClient:
             process, reader = self._process, self._reader
         if process is None or reader is None:
             return
+        if self._state == "starting":  # it drives nothing yet, and its imports would keep us waiting
+            process.kill()
         with contextlib.suppress(OSError):  # it may have gone already
             _pipe(process.stdin).close()
         try:

@@ -170,3 +170,9 @@ def test_noise_on_the_pipe_is_passed_over() -> None:
     harness = Harness([sys.executable, "-c", noise])
     assert harness.client.wait_until_ready(WAIT_S)
     harness.client.close()
+
+
+def test_engine_that_is_still_starting_does_not_keep_the_app_from_closing() -> None:
+    harness = Harness([sys.executable, "-c", "import signal; signal.sigwait([signal.SIGUSR1])"])
+    harness.client.close()
+    assert not harness.client.wait_until_ready(0)
