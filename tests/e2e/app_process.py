@@ -1,0 +1,83 @@
+"""The real app as a process of its own, as a school's PC runs it."""
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+_START_S = 30.0
+
+
+class AppProcess:
+    """`pinel serve` on a folder of its own; the one-time address is the first line it prints."""
+
+    def __init__(self, home: Path) -> None:
+        self._home = home
+        self._process: subprocess.Popen[str] | None = None
+        self.link = ""
+        self.signed_in: Any = None  # the cookie of the first browser, for others on the same PC
+
+    def start(self) -> str:
+        """Starts the app and gives its one-time address."""
+        log = (self._home / "serve.log").open("a", encoding="utf-8")
+        with log:
+            self._process = self._spawn(log.fileno())
+        self.signed_in = None
+        self.link = self._first_line(self._process)
+        return self.link
+
+    @property
+    def origin(self) -> str:
+        return self.link.split("?")[0]
+
+    def fresh_link(self) -> str:
+        """What a second start of the command prints: another one-time address of the running app."""
+        second = self._spawn(subprocess.DEVNULL)
+        try:
+            link = self._first_line(second)
+            second.wait(_START_S)
+        finally:
+            _end(second, signal.SIGKILL)
+        return link
+
+    def kill(self) -> None:
+        """The power is cut: no goodbye, no last write."""
+        self._stop(signal.SIGKILL)
+
+    def stop(self) -> None:
+        self._stop(signal.SIGTERM)
+
+    def log(self) -> str:
+        return (self._home / "serve.log").read_text("utf-8")
+
+    def _stop(self, number: signal.Signals) -> None:
+        if self._process is not None:
+            _end(self._process, number)
+            self._process = None
+
+    def _spawn(self, errors: int) -> subprocess.Popen[str]:
+        return subprocess.Popen(
+            [sys.executable, "-m", "pinel_desktop", "serve"],
+            env={**os.environ, "PINEL_HOME": str(self._home), "LANG": "pt_BR.UTF-8"},
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=errors,
+            text=True,
+            encoding="utf-8",
+        )
+
+    def _first_line(self, process: subprocess.Popen[str]) -> str:
+        assert process.stdout is not None
+        line = process.stdout.readline().strip()
+        assert line.startswith("http://127.0.0.1:"), f"no address but {line!r}: {self.log()}"
+        return line
+
+
+def _end(process: subprocess.Popen[str], number: signal.Signals) -> None:
+    if process.poll() is None:
+        process.send_signal(number)
+    process.wait(_START_S)
+    if process.stdout is not None:
+        process.stdout.close()

@@ -1,0 +1,124 @@
+"""The workspace as hands use it: blocks dragged out of the toolbox, fields typed into."""
+
+from dataclasses import dataclass
+
+from playwright.sync_api import Locator, Page, expect
+
+_WORKSPACE = ".blocklySvg .blocklyBlockCanvas"
+_NOTCH_PX = 8  # the bump below a block, outside of the height that stacks
+_MOUTH_PX = 16  # how far the inside of a loop stands to the right
+_GRIP_PX = (20, 26)  # where a block is taken: on its icon
+
+
+@dataclass(frozen=True)
+class Place:
+    """A point of the screen where the upper left corner of a block should come to lie."""
+
+    x: float
+    y: float
+
+
+class Blocks:
+    """Blocks are named by their words, as a person does; a name may be said by its beginning."""
+
+    def __init__(self, page: Page) -> None:
+        self._page = page
+
+    def category(self, name: str) -> Locator:
+        return self._page.get_by_test_id(f"toolbox-{name}")
+
+    def all(self) -> Locator:
+        return self._page.locator(f"{_WORKSPACE} .blocklyDraggable:not(.blocklyInsertionMarker)")
+
+    def by_id(self, block: str) -> Locator:
+        return self._page.locator(f'{_WORKSPACE} [data-id="{block}"]')
+
+    def by_words(self, words: str) -> Locator:
+        """The innermost block that says the words."""
+        return self.all().filter(has_text=words).last
+
+    def start(self) -> Locator:
+        return self.all().first
+
+    def running(self) -> Locator:
+        return self._page.locator(f"{_WORKSPACE} .pinelRunning")
+
+    def faulty(self) -> Locator:
+        return self._page.locator(f"{_WORKSPACE} .pinelFault")
+
+    def loose(self) -> Locator:
+        return self._page.locator(f"{_WORKSPACE} .pinelLoose")
+
+    def fault_words(self) -> Locator:
+        return self._page.locator(".blocklyTextBubble")
+
+    def flyout_block(self, category: str, words: str) -> Locator:
+        self.category(category).click()
+        return self._page.locator(
+            ".blocklyFlyout .blocklyBlockCanvas > .blocklyDraggable", has_text=words
+        ).first
+
+    def drag_from_toolbox(self, category: str, words: str, to: Place) -> None:
+        """Takes a block out of its category and lets it go."""
+        before = self.all().count()
+        outline = self.flyout_block(category, words).locator("> .blocklyPath")
+        self._drag(outline, to)
+        expect(self.all()).to_have_count(before + self._parts(words))
+
+    def drag(self, block: Locator, to: Place) -> None:
+        """Moves a block that is in the workspace, with all that hangs below it."""
+        self._drag(block.locator("> .blocklyPath").first, to)
+
+    def select(self, block: Locator) -> None:
+        """Clicks a block where it has neither icon nor field."""
+        box = _box(block.locator("> .blocklyPath").first)
+        self._page.mouse.click(box["x"] + 5, box["y"] + box["height"] - 16)
+
+    def below(self, block: Locator) -> Place:
+        box = _box(block.locator("> .blocklyPath").first)
+        return Place(box["x"], box["y"] + box["height"] - _NOTCH_PX)
+
+    def inside(self, loop: Locator, row_px: float = 50) -> Place:
+        box = _box(loop.locator("> .blocklyPath").first)
+        return Place(box["x"] + _MOUTH_PX, box["y"] + row_px)
+
+    def beside(self, block: Locator, gap_px: float = 160) -> Place:
+        box = _box(block.locator("> .blocklyPath").first)
+        return Place(box["x"] + box["width"] + gap_px, box["y"] + 40)
+
+    def type_into(self, block: Locator, value: str, number: int = 0) -> None:
+        """Clicks a field of the block and types over what it holds."""
+        block.locator("> .blocklyInputField").nth(number).click()
+        editor = self._page.locator(".blocklyHtmlInput")
+        editor.fill(value)
+        editor.press("Enter")
+        expect(editor).to_have_count(0)
+
+    def choose(self, block: Locator, words: str) -> None:
+        """Picks an entry of the block's dropdown."""
+        block.locator("> .blocklyDropdownField").first.click()
+        self._page.locator(".blocklyDropDownDiv .blocklyMenuItem", has_text=words).click()
+
+    def _drag(self, outline: Locator, to: Place) -> None:
+        mouse = self._page.mouse
+        box = _box(outline)
+        mouse.move(box["x"] + _GRIP_PX[0], box["y"] + _GRIP_PX[1])
+        mouse.down()
+        end = (to.x + _GRIP_PX[0], to.y + _GRIP_PX[1])
+        mouse.move(*end, steps=6)
+        # a hand arrives with small movements; the gap that the block opened last closes on the first of them
+        for step in (3, -3, 1, -1):
+            mouse.move(end[0] + step, end[1] + step)
+        mouse.up()
+
+    @staticmethod
+    def _parts(words: str) -> int:
+        """An `if` comes with its comparison of two things."""
+        return 4 if words.startswith(("se", "if", "si")) else 1
+
+
+def _box(locator: Locator) -> dict[str, float]:
+    locator.scroll_into_view_if_needed()
+    box = locator.bounding_box()
+    assert box is not None, f"{locator} is not to be seen"
+    return {"x": box["x"], "y": box["y"], "width": box["width"], "height": box["height"]}

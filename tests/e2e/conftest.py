@@ -1,0 +1,110 @@
+"""A real app, a real browser, and a watch over both."""
+
+import os
+from collections.abc import Callable, Generator, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, BrowserContext, sync_playwright
+
+from pinel_desktop.web.page import STATIC
+from tests.e2e.app_process import AppProcess
+from tests.e2e.studio import Studio
+from tests.e2e.watch import Watch
+
+CHROMIUM = os.environ.get("PINEL_CHROMIUM", "/usr/bin/chromium")
+SCREEN = {"width": 1366, "height": 768}
+ARTIFACTS = Path(__file__).parents[1] / "artifacts"
+
+OpenStudio = Callable[..., Studio]
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    with sync_playwright() as playwright:
+        # Chromium refuses its sandbox to root, as which containers build
+        arguments = ["--no-sandbox"] if os.geteuid() == 0 else []
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=arguments)
+        yield browser
+        browser.close()
+
+
+@pytest.fixture
+def app(tmp_path: Path) -> Iterator[AppProcess]:
+    """The app, started on an empty folder."""
+    yield from _started(tmp_path)
+
+
+@pytest.fixture(scope="module")
+def lasting_app(tmp_path_factory: pytest.TempPathFactory) -> Iterator[AppProcess]:
+    """For tests that need no empty folder: one app for all of a file, each test a group of its own."""
+    yield from _started(tmp_path_factory.mktemp("home"))
+
+
+def _started(home: Path) -> Iterator[AppProcess]:
+    assert (STATIC / "index.html").is_file(), "the page is not built: make setup"
+    app = AppProcess(home)
+    app.start()
+    yield app
+    app.stop()
+
+
+@pytest.fixture
+def watch() -> Iterator[Watch]:
+    watch = Watch()
+    yield watch
+    watch.verdict()
+
+
+@pytest.fixture
+def open_studio(
+    browser: Browser, app: AppProcess, watch: Watch, request: pytest.FixtureRequest
+) -> Iterator[OpenStudio]:
+    """Opens a browser of its own, on the given address or as one that is signed in already."""
+    contexts: list[BrowserContext] = []
+
+    def open_(link: str = "", **options: Any) -> Studio:
+        cookies = None if link else app.signed_in
+        settings = {"viewport": SCREEN, "locale": "pt-BR", "reduced_motion": "reduce", **options}
+        context = browser.new_context(storage_state=cookies, **settings)
+        context.set_default_timeout(15_000)
+        contexts.append(context)
+        watch.over(context)
+        page = context.new_page()
+        page.goto(link or (app.origin if cookies else app.link))
+        app.signed_in = app.signed_in or context.storage_state()
+        return Studio(page)
+
+    yield open_
+    for number, context in enumerate(contexts):
+        _keep_picture(context, f"{request.node.name}-{number}", request)
+        context.close()
+
+
+@pytest.fixture
+def studio(open_studio: OpenStudio) -> Studio:
+    """The page as a group finds it on the first day: no group, no program."""
+    return open_studio()
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(
+    item: pytest.Item,
+) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    report = yield
+    if report.when == "call" and report.failed:
+        item.stash[_FAILED] = True
+    return report
+
+
+_FAILED = pytest.StashKey[bool]()
+
+
+def _keep_picture(context: BrowserContext, name: str, request: pytest.FixtureRequest) -> None:
+    """Of a failed test, what the person saw."""
+    if not request.node.stash.get(_FAILED, False):
+        return
+    ARTIFACTS.mkdir(exist_ok=True)
+    for page in context.pages:
+        page.screenshot(path=ARTIFACTS / f"{name}.png")

@@ -1,0 +1,112 @@
+"""The page as a person sees it; its handles are listed in ui/src/app/testids.ts."""
+
+import itertools
+import re
+import time
+from collections.abc import Callable
+from typing import Any, TypeVar, cast
+
+from playwright.sync_api import Locator, Page, expect
+
+from tests.e2e.blocks import Blocks
+
+RUN_MS = 60_000  # a run in real time, on a busy PC
+SAVE_S = 10.0
+POLL_MS = 50
+
+_NUMBERS = itertools.count(1)
+
+T = TypeVar("T")
+
+
+class Studio:
+    """One open page."""
+
+    def __init__(self, page: Page) -> None:
+        self.page = page
+        self.blocks = Blocks(page)
+
+    def __getitem__(self, test_id: str) -> Locator:
+        return self.page.get_by_test_id(test_id)
+
+    def enter_group(self, name: str) -> None:
+        """Types a new group's name and waits for its first program."""
+        self["group-name"].fill(name)
+        self["create-group"].click()
+        self.wait_until_open()
+
+    def enter_new_group(self, name: str = "Os Tatus") -> None:
+        """A group nobody else in the file has, for tests that share an app."""
+        self.enter_group(f"{name} {next(_NUMBERS)}")
+
+    def wait_until_open(self) -> None:
+        expect(self.blocks.start()).to_be_visible()
+        expect(self["run"]).to_be_visible()
+
+    @property
+    def program_id(self) -> str:
+        match = re.search(r"#/program/([^/]+)", self.page.url)
+        assert match is not None, f"no program is open at {self.page.url}"
+        return match[1]
+
+    def wait_until_saved(self) -> None:
+        expect(self["saved-mark"]).to_have_attribute("data-state", "saved")
+
+    def api(self, path: str) -> Any:
+        """What the server keeps, asked with the page's own cookie."""
+        origin = self.page.url.split("#")[0].rstrip("/")
+        answer = self.page.context.request.get(f"{origin}/api{path}")
+        assert answer.ok, f"{path}: {answer.status} {answer.text()}"
+        return answer.json()
+
+    def eventually(self, read: Callable[[], T], wanted: T) -> None:
+        """Reads again until it is what is wanted: the server hears of an edit a moment after the hand."""
+        deadline = time.monotonic() + SAVE_S
+        while (value := read()) != wanted and time.monotonic() < deadline:
+            self.page.wait_for_timeout(POLL_MS)
+        assert value == wanted
+
+    def document(self) -> dict[str, Any] | None:
+        """The program document on the server's disk."""
+        version = self.api(f"/programs/{self.program_id}")["version"]
+        return cast(dict[str, Any] | None, version and version["document"])
+
+    def commands(self) -> list[dict[str, Any]]:
+        """The commands on the server's disk; none while the program has faults."""
+        return cast(list[dict[str, Any]], (self.document() or {}).get("commands", []))
+
+    def actions(self) -> list[str]:
+        return [command["action"] for command in self.commands()]
+
+    def values(self, key: str) -> list[Any]:
+        """One parameter of each command."""
+        return [command.get(key) for command in self.commands()]
+
+    def build_square(self, side: str = "0,3") -> None:
+        """Drags repeat, move and turn into a square."""
+        blocks = self.blocks
+        blocks.drag_from_toolbox("flow", "repetir", blocks.below(blocks.start()))
+        loop = blocks.by_words("repetir")
+        blocks.drag_from_toolbox("motion", "andar para frente", blocks.inside(loop))
+        move = blocks.by_words("andar para frente")
+        blocks.drag_from_toolbox("motion", "girar", blocks.below(move))
+        blocks.type_into(blocks.by_words("andar para frente"), side)
+        metres = float(side.replace(",", "."))
+        self.eventually(lambda: _inner(self.commands(), "distance"), [metres, None])
+
+    def run(self) -> None:
+        run = self["run"]
+        expect(run).to_have_attribute("data-does", "run")
+        expect(run).to_be_enabled(timeout=RUN_MS)
+        run.click()
+
+    def wait_for_phase(self, phase: str, timeout_ms: float = RUN_MS) -> None:
+        expect(self["scene"]).to_have_attribute("data-phase", phase, timeout=timeout_ms)
+
+    def number(self, test_id: str) -> float:
+        """A number shown in the page, as it is and not as it is written."""
+        return float(self[test_id].get_attribute("data-value") or "nan")
+
+
+def _inner(commands: list[dict[str, Any]], key: str) -> list[Any]:
+    return [inside.get(key) for loop in commands for inside in loop.get("commands", [])]

@@ -1,0 +1,149 @@
+"""The workspace in the page: fields, loose blocks, undo, copies, trash, languages, looks."""
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.e2e.app_process import AppProcess
+from tests.e2e.studio import Studio
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
+
+HINT = ".pinelStartHint"
+TOAST = ".blocklyToast"
+
+
+@pytest.fixture
+def app(lasting_app: AppProcess) -> AppProcess:
+    return lasting_app
+
+
+@pytest.fixture
+def one_move(studio: Studio) -> Studio:
+    """A program of one block."""
+    studio.enter_new_group()
+    blocks = studio.blocks
+    expect(studio.page.locator(HINT)).to_be_visible()
+    blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
+    expect_distances(studio, 1)
+    return studio
+
+
+def expect_distances(studio: Studio, *metres: float) -> None:
+    studio.eventually(lambda: studio.values("distance"), list(metres))
+
+
+def test_the_hint_goes_with_the_first_block(one_move: Studio) -> None:
+    expect(one_move.page.locator(HINT)).to_have_count(0)
+    expect_distances(one_move, 1)
+
+
+@pytest.mark.parametrize(
+    ("typed", "kept", "shown"), [("0,5", 0.5, "0,5"), ("2.25", 2.25, "2,25"), ("7", 7, "7")]
+)
+def test_half_a_metre_is_typed_as_pupils_write_it(
+    one_move: Studio, typed: str, kept: float, shown: str
+) -> None:
+    blocks = one_move.blocks
+    blocks.type_into(blocks.by_words("andar para frente"), typed)
+    expect_distances(one_move, kept)
+    expect(blocks.by_words("andar para frente")).to_contain_text(shown)
+
+
+@pytest.mark.parametrize(("typed", "kept"), [("500", 100), ("-2", 0), ("abc", 1)])
+def test_a_field_keeps_its_range_and_says_so(one_move: Studio, typed: str, kept: float) -> None:
+    blocks = one_move.blocks
+    blocks.type_into(blocks.by_words("andar para frente"), typed)
+    expect(one_move.page.locator(TOAST)).to_contain_text("Aqui")
+    expect_distances(one_move, kept)
+
+
+def test_a_right_turn_is_a_negative_angle(one_move: Studio) -> None:
+    blocks = one_move.blocks
+    blocks.drag_from_toolbox("motion", "girar", blocks.below(blocks.by_words("andar para frente")))
+    blocks.choose(blocks.by_words("girar"), "direita")
+    one_move.eventually(lambda: one_move.values("angle"), [None, -90])
+
+
+def test_a_loose_block_is_dimmed_and_does_not_run(one_move: Studio) -> None:
+    blocks = one_move.blocks
+    move = blocks.by_words("andar para frente")
+    blocks.drag_from_toolbox("motion", "parar", blocks.beside(move))
+    expect(blocks.loose()).to_have_count(1)
+    one_move.eventually(one_move.actions, ["move_forward"])
+
+    blocks.drag(blocks.by_words("parar"), blocks.below(move))
+    expect(blocks.loose()).to_have_count(0)
+    one_move.eventually(one_move.actions, ["move_forward", "stop"])
+
+
+def test_undo_and_redo(one_move: Studio) -> None:
+    blocks = one_move.blocks
+    blocks.type_into(blocks.by_words("andar para frente"), "3")
+    one_move["undo"].click()
+    expect_distances(one_move, 1)
+    one_move["redo"].click()
+    expect_distances(one_move, 3)
+    one_move["undo"].click()
+    one_move["undo"].click()
+    expect(blocks.all()).to_have_count(1)
+    expect_distances(one_move)
+
+
+def test_a_copy_has_an_id_of_its_own(one_move: Studio) -> None:
+    blocks = one_move.blocks
+    blocks.select(blocks.by_words("andar para frente"))
+    one_move.page.keyboard.press("Control+c")
+    one_move.page.keyboard.press("Control+v")
+    expect(blocks.all()).to_have_count(3)
+    ids = {block.get_attribute("data-id") for block in blocks.all().all()}
+    assert len(ids) == 3
+
+
+def test_the_start_can_neither_be_deleted_nor_copied(one_move: Studio) -> None:
+    blocks = one_move.blocks
+    blocks.select(blocks.start())
+    for keys in ("Delete", "Control+c", "Control+v", "Control+x"):
+        one_move.page.keyboard.press(keys)
+    expect_distances(one_move, 1)
+    expect(blocks.all()).to_have_count(2)
+
+
+def test_the_trash_gives_back(one_move: Studio) -> None:
+    blocks = one_move.blocks
+    move = blocks.by_words("andar para frente")
+    blocks.type_into(move, "4")
+    blocks.select(move)
+    one_move.page.keyboard.press("Delete")
+    expect(blocks.all()).to_have_count(1)
+    one_move.page.locator(".blocklyTrash").click()
+    given_back = one_move.page.locator(".blocklyTrashcanFlyout .blocklyDraggable")
+    expect(given_back).to_contain_text("4")
+
+
+def test_another_language_says_the_same_program(one_move: Studio) -> None:
+    blocks = one_move.blocks
+    blocks.type_into(blocks.by_words("andar para frente"), "0,5")
+    expect_distances(one_move, 0.5)
+    before = one_move.commands()
+    for language, words, category in (
+        ("en", "move forward", "Motion"),
+        ("es", "avanzar", "Movimiento"),
+        ("pt-BR", "andar para frente", "Movimento"),
+    ):
+        one_move["language"].select_option(language)
+        expect(blocks.by_id(before[0]["block"])).to_contain_text(words)
+        expect(blocks.category("motion")).to_contain_text(category)
+        assert one_move.commands() == before
+    one_move["undo"].click()
+    expect_distances(one_move, 1)
+
+
+def test_every_look_keeps_the_program(one_move: Studio) -> None:
+    before = one_move.commands()
+    seen = set()
+    for _ in range(3):
+        seen.add(one_move["theme"].get_attribute("data-theme"))
+        one_move["theme"].click()
+        expect(one_move.blocks.by_id(before[0]["block"])).to_be_visible()
+    assert seen == {"light", "dark", "contrast"}
+    assert one_move.commands() == before

@@ -1,0 +1,91 @@
+"""The same square without a mouse."""
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.e2e.studio import Studio
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
+
+
+class Keys:
+    """Blockly's own keys: T to the toolbox, arrows to go, Enter to take, to set down and to edit."""
+
+    def __init__(self, studio: Studio) -> None:
+        self._keyboard = studio.page.keyboard
+        self._focused = studio.page.locator(".blocklyActiveFocus")
+
+    def press(self, *keys: str) -> None:
+        for key in keys:
+            self._keyboard.press(key)
+
+    def walk_to(self, words: str, key: str, at_most: int = 12) -> None:
+        """Presses a key until what has the focus says the words."""
+        for _ in range(at_most):
+            if words in self._said():
+                return
+            self.press(key)
+        raise AssertionError(f"{key} never came to {words!r}, but to {self._said()!r}")
+
+    def take(self, category: str, block: str) -> None:
+        """Out of the toolbox, to be set down with Enter."""
+        self.press("t")
+        self.walk_to(category, "ArrowDown")
+        self.press("ArrowRight")
+        self.walk_to(block, "ArrowDown")
+        self.press("Enter")
+
+    def _said(self) -> str:
+        focused = self._focused.first
+        return (focused.get_attribute("aria-label") or focused.text_content() or "").replace(
+            "\u00a0", " "
+        )
+
+
+def inside(studio: Studio) -> list[str]:
+    return [command["action"] for loop in studio.commands() for command in loop["commands"]]
+
+
+def test_a_square_is_built_and_run_by_keyboard_alone(studio: Studio) -> None:
+    keyboard = studio.page.keyboard
+    expect(studio["group-name"]).to_be_visible()
+    studio["group-name"].focus()
+    keyboard.type("As Capivaras")
+    keyboard.press("Enter")
+    studio.wait_until_open()
+
+    keys = Keys(studio)
+    for _ in range(40):
+        if studio.page.locator(".blocklyToolboxCategoryContainer:focus").count():
+            break
+        keyboard.press("Tab")
+    expect(studio.page.locator(".blocklyToolboxCategoryContainer:focus")).to_have_count(1)
+
+    keys.press("w")
+    keys.walk_to("quando rodar", "ArrowDown")
+    keys.take("Controle", "repetir")
+    keys.press("Enter")
+    keys.take("Movimento", "andar para frente")
+    keys.press("Enter")
+    keys.take("Movimento", "girar")
+    keys.press("Enter")
+
+    studio.eventually(studio.actions, ["repeat"])
+    studio.eventually(lambda: inside(studio), ["move_forward", "turn"])
+
+    keys.walk_to("andar para frente", "ArrowUp")
+    keys.press("ArrowRight", "Enter")
+    expect(studio.page.locator(".blocklyHtmlInput")).to_be_focused()
+    keyboard.type("0,2")
+    keys.press("Enter")
+    expect(studio.blocks.by_words("andar para frente")).to_contain_text("0,2")
+
+    for _ in range(60):
+        if studio.page.locator('[data-testid="run"]:focus').count():
+            break
+        keyboard.press("Shift+Tab" if studio["run"].is_disabled() else "Tab")
+    expect(studio["run"]).to_be_focused()
+    keyboard.press("Enter")
+    studio.wait_for_phase("finished")
+    assert abs(studio.number("pose-x")) < 0.001
+    assert studio.commands()[0]["commands"][0]["distance"] == 0.2

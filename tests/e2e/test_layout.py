@@ -1,0 +1,68 @@
+"""Nothing is cut off on the screens that schools have."""
+
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page
+
+from tests.e2e.app_process import AppProcess
+from tests.e2e.conftest import OpenStudio
+from tests.e2e.studio import Studio
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
+
+# Elements with words of their own whose words are wider or higher than they are, or that leave the window.
+_CUT = """() => {
+  const cut = [];
+  for (const element of document.querySelectorAll('body *')) {
+    if (element.closest('svg, .injectionDiv, .blocklyWidgetDiv, .visually-hidden, option')) continue;
+    const words = [...element.childNodes].filter((n) => n.nodeType === 3 && n.textContent.trim());
+    const control = element.matches('button, a, select, input');
+    if (!words.length && !control) continue;
+    const box = element.getBoundingClientRect();
+    const style = getComputedStyle(element);
+    if (!box.width || style.visibility === 'hidden' || style.clipPath !== 'none') continue;
+    const scrolls = element.closest('[data-scrolls], pre');
+    const name = element.dataset.testid ?? element.className;
+    const what = `${element.tagName} ${name}: ${element.textContent.trim().slice(0, 40)}`;
+    const wide = element.scrollWidth > element.clientWidth + 1;
+    if (style.display !== 'inline' && wide) cut.push(`cut ${what}`);
+    if (!scrolls && (box.right > innerWidth + 1 || box.left < -1)) cut.push(`outside ${what}`);
+  }
+  if (document.documentElement.scrollWidth > innerWidth) cut.push('the page scrolls sideways');
+  return cut;
+}"""
+_SMALL = """() => [...document.querySelectorAll('button, select, a.button')]
+  .filter((e) => !e.closest('.blocklyToast') && e.getBoundingClientRect().width)
+  .map((e) => [e.dataset.testid ?? e.className, e.getBoundingClientRect()])
+  .filter(([, box]) => box.width < 43.5 || box.height < 43.5)
+  .map(([name, box]) => `${name}: ${box.width} x ${box.height}`)"""
+
+SCREENS = [(1366, 768), (1024, 768), (1920, 1080)]
+
+
+@pytest.fixture
+def app(lasting_app: AppProcess) -> AppProcess:
+    return lasting_app
+
+
+def cut(page: Page) -> list[Any]:
+    page.evaluate("document.fonts.ready")
+    return list(page.evaluate(_CUT))
+
+
+@pytest.mark.parametrize("size", SCREENS, ids=lambda size: f"{size[0]}x{size[1]}")
+@pytest.mark.parametrize("language", ["pt-BR", "en", "es"])
+def test_no_words_are_cut(open_studio: OpenStudio, size: tuple[int, int], language: str) -> None:
+    studio: Studio = open_studio(viewport={"width": size[0], "height": size[1]})
+    studio["language"].select_option(language)
+    studio.page.locator(f'html[lang="{language}"]').wait_for(state="attached")
+    assert cut(studio.page) == [], "start"
+    studio.enter_new_group("Os Engenheiros do Nono Ano")
+    assert cut(studio.page) == [], "studio"
+    assert studio.page.evaluate(_SMALL) == []
+    studio["ir-toggle"].click()
+    assert cut(studio.page) == [], "what the robot gets"
+    studio["open-work"].click()
+    studio["program-card"].first.wait_for()
+    assert cut(studio.page) == [], "our work"

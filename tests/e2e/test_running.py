@@ -1,0 +1,121 @@
+"""Run, Stop, faults and failures, as they meet a group."""
+
+from typing import Any
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.e2e.app_process import AppProcess
+from tests.e2e.studio import RUN_MS, Studio
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
+
+_TEN_FRAMES = """() => new Promise((done) => {
+  let left = 10;
+  const frame = () => (left-- ? requestAnimationFrame(frame) : done());
+  frame();
+})"""
+
+
+@pytest.fixture
+def app(lasting_app: AppProcess) -> AppProcess:
+    return lasting_app
+
+
+def add_move(studio: Studio, metres: str) -> None:
+    blocks = studio.blocks
+    blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
+    blocks.type_into(blocks.by_words("andar para frente"), metres)
+    studio.eventually(lambda: studio.values("distance"), [float(metres.replace(",", "."))])
+
+
+def workspace(studio: Studio) -> Any:
+    """The newest workspace on the server's disk."""
+    return studio.api(f"/programs/{studio.program_id}")["version"]["workspace"]
+
+
+def test_stop_stops_where_the_robot_is(studio: Studio) -> None:
+    studio.enter_new_group()
+    add_move(studio, "3")
+    studio.run()
+    studio.page.wait_for_function(
+        "() => Number(document.querySelector('[data-testid=pose-x]').dataset.value) > 0.1",
+        timeout=RUN_MS,
+    )
+    studio["stop"].click()
+    studio.wait_for_phase("stopped")
+
+    stopped_at = studio.number("pose-x")
+    assert 0.1 < stopped_at < 2.5
+    studio.page.evaluate(_TEN_FRAMES)
+    assert studio.number("pose-x") == stopped_at
+    expect(studio.blocks.running()).to_have_count(0)
+    expect(studio["status-line"]).to_have_attribute("data-tone", "notice")
+    expect(studio["run"]).to_have_attribute("data-does", "run")
+
+
+def test_pause_holds_and_resume_goes_on(studio: Studio) -> None:
+    studio.enter_new_group()
+    add_move(studio, "0,5")
+    studio.run()
+    expect(studio["run"]).to_have_attribute("data-does", "pause", timeout=RUN_MS)
+    studio["run"].click()
+    studio.wait_for_phase("paused")
+    studio["run"].click()
+    studio.wait_for_phase("finished")
+    assert studio.number("pose-x") == pytest.approx(0.5, abs=0.001)
+
+
+def test_a_block_with_a_fault_says_so_until_it_is_mended(studio: Studio) -> None:
+    studio.enter_new_group()
+    blocks = studio.blocks
+    blocks.drag_from_toolbox("logic", "se", blocks.below(blocks.start()))
+    comparison = blocks.by_words("=")
+    blocks.drag(comparison, blocks.beside(blocks.by_words("então")))
+
+    expect(blocks.faulty()).to_have_count(1)
+    expect(blocks.faulty()).to_contain_text("então")
+    expect(blocks.fault_words()).to_be_visible()
+    expect(studio["status-line"]).to_have_attribute("data-tone", "fault")
+    expect(blocks.loose()).not_to_have_count(0)
+
+    studio["undo"].click()
+    expect(blocks.faulty()).to_have_count(0)
+    expect(blocks.fault_words()).to_have_count(0)
+    expect(blocks.loose()).to_have_count(0)
+    condition = {"op": "==", "args": [{"gesture": "result"}, "B"]}
+    studio.eventually(lambda: studio.values("condition"), [condition])
+
+
+def test_a_failed_run_says_why_and_leaves_the_workspace_alone(studio: Studio) -> None:
+    studio.enter_new_group()
+    add_move(studio, "9")
+    blocks = studio.blocks
+    blocks.drag_from_toolbox("motion", "parar", blocks.beside(blocks.by_words("andar para frente")))
+    studio.eventually(lambda: len(workspace(studio)["blocks"]["blocks"]), 2)
+    before = workspace(studio)
+
+    studio.run()
+    studio.wait_for_phase("failed")
+    expect(studio["status-line"]).to_have_attribute("data-tone", "fault")
+    expect(blocks.all()).to_have_count(3)
+    studio.wait_until_saved()
+    assert workspace(studio) == before
+
+
+def test_a_sign_answered_by_hand_decides_what_the_robot_does(studio: Studio) -> None:
+    studio.enter_new_group()
+    blocks = studio.blocks
+    blocks.drag_from_toolbox("gestures", "ler gesto", blocks.below(blocks.start()))
+    blocks.drag_from_toolbox("logic", "se", blocks.below(blocks.by_words("ler gesto")))
+    blocks.drag_from_toolbox(
+        "motion", "andar para frente", blocks.inside(blocks.by_words("então"), row_px=56)
+    )
+    blocks.type_into(blocks.by_words("andar para frente"), "0,2")
+    studio.eventually(studio.actions, ["classify_gestures", "conditional_execution"])
+
+    studio.run()
+    expect(studio["capture"]).to_be_visible(timeout=RUN_MS)
+    studio["capture-letter"].and_(studio.page.locator('[data-letter="B"]')).click()
+    studio.wait_for_phase("finished")
+    assert studio.number("pose-x") == pytest.approx(0.2, abs=0.001)

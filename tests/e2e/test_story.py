@@ -1,0 +1,99 @@
+"""A group's first lesson: a square out of three blocks, driven, kept and looked at again."""
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.e2e.app_process import AppProcess
+from tests.e2e.conftest import OpenStudio
+from tests.e2e.studio import RUN_MS, Studio
+from tests.e2e.watch import Watch
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
+
+
+def test_a_group_drags_a_square_and_sees_the_robot_drive_it(studio: Studio) -> None:
+    studio.enter_group("Os Tatus")
+    studio.build_square(side="0,3")
+
+    [loop] = studio.commands()
+    assert loop["action"] == "repeat"
+    assert loop["times"] == 4
+    move, turn = loop["commands"]
+    assert (move["action"], move["distance"]) == ("move_forward", 0.3)
+    assert (turn["action"], turn["angle"]) == ("turn", 90)
+
+    studio.run()
+    lit = studio.blocks.running()
+    expect(lit).to_have_attribute("data-id", move["block"], timeout=RUN_MS)
+    expect(lit).to_have_attribute("data-id", turn["block"], timeout=RUN_MS)
+    expect(studio["status-line"]).to_contain_text("Girando")
+    studio.wait_for_phase("finished")
+
+    expect(lit).to_have_count(0)
+    assert abs(studio.number("pose-x")) < 0.001
+    assert abs(studio.number("pose-y")) < 0.001
+    [run] = studio.api(f"/groups/{_group_of(studio)}/runs")["runs"]
+    assert run["state"] == "finished"
+    assert run["closing_error_m"] < 1e-4
+    assert run["path_length_m"] == pytest.approx(1.2, abs=0.01)
+
+
+def test_a_program_and_its_run_are_there_the_next_day(
+    studio: Studio, open_studio: OpenStudio, app: AppProcess
+) -> None:
+    studio.enter_group("Os Tatus")
+    studio.build_square(side="0,3")
+    [loop] = studio.commands()
+    studio.run()
+    studio.wait_for_phase("finished")
+    studio.page.context.close()
+
+    app.stop()
+    app.start()
+    later = open_studio()
+    later["group-card"].filter(has_text="Os Tatus").click()
+    later.wait_until_open()
+    assert later.commands() == [loop]
+
+    later["open-work"].click()
+    card = later["run-card"]
+    expect(card).to_have_count(1)
+    expect(card).to_have_attribute("data-state", "finished")
+    card.click()
+
+    move, turn = loop["commands"]
+    slider = later["replay-slider"]
+    expect(slider).to_be_visible()
+    ticks = _first_ticks(later)
+    slider.fill(str(ticks[turn["block"]] + 1))
+    expect(later.blocks.running()).to_have_attribute("data-id", turn["block"])
+    assert later.number("pose-x") == pytest.approx(0.3, abs=0.01)
+    slider.fill(str(ticks[move["block"]] + 1))
+    expect(later.blocks.running()).to_have_attribute("data-id", move["block"])
+    assert later.number("pose-x") < 0.05
+
+
+def test_the_link_of_a_second_start_opens_the_same_app(
+    studio: Studio, open_studio: OpenStudio, app: AppProcess, watch: Watch
+) -> None:
+    watch.expect("(UNAUTHORIZED)")  # the address that was used already
+    studio.enter_group("Os Tatus")
+    other = open_studio(app.fresh_link())
+    expect(other["group-card"]).to_have_count(1)
+    used = open_studio(app.link)
+    expect(used.page.get_by_role("heading")).to_be_visible()
+    expect(used["group-card"]).to_have_count(0)
+
+
+def _group_of(studio: Studio) -> str:
+    return str(studio.api(f"/programs/{studio.program_id}")["group_id"])
+
+
+def _first_ticks(studio: Studio) -> dict[str, int]:
+    """When each block of the run that is shown began for the first time."""
+    run = studio.page.url.rsplit("/", 1)[-1]
+    ticks: dict[str, int] = {}
+    for event in studio.api(f"/runs/{run}/events")["events"]:
+        if event["type"] == "block_started" and event["block"]:
+            ticks.setdefault(event["block"], event["tick"])
+    return ticks

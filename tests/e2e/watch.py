@@ -1,0 +1,46 @@
+"""What every test of the page holds besides its own story: nothing from elsewhere, nothing thrown."""
+
+from dataclasses import dataclass, field
+from urllib.parse import urlsplit
+
+from playwright.sync_api import BrowserContext, ConsoleMessage, Request, WebError
+
+_LOCAL_SCHEMES = {"data", "blob"}
+
+
+@dataclass
+class Watch:
+    """Notes each request and each complaint of a browser context."""
+
+    foreign_requests: list[str] = field(default_factory=list)
+    complaints: list[str] = field(default_factory=list)
+    expected: list[str] = field(default_factory=list)
+
+    def over(self, context: BrowserContext) -> None:
+        context.on("request", self._on_request)
+        context.on("console", self._on_console)
+        context.on("weberror", self._on_error)
+
+    def expect(self, part: str) -> None:
+        """A test that breaks something on purpose names the complaint it causes."""
+        self.expected.append(part)
+
+    def verdict(self) -> None:
+        assert self.foreign_requests == []
+        assert [text for text in self.complaints if not self._is_expected(text)] == []
+
+    def _on_request(self, request: Request) -> None:
+        address = urlsplit(request.url)
+        if address.scheme not in _LOCAL_SCHEMES and address.hostname != "127.0.0.1":
+            self.foreign_requests.append(request.url)
+
+    def _on_console(self, message: ConsoleMessage) -> None:
+        if message.type in {"error", "warning"}:
+            where = message.location.get("url", "")
+            self.complaints.append(f"{message.type}: {message.text} ({where})")
+
+    def _on_error(self, error: WebError) -> None:
+        self.complaints.append(f"thrown: {error.error}")
+
+    def _is_expected(self, text: str) -> bool:
+        return any(part in text for part in self.expected)
