@@ -135,7 +135,9 @@ class EngineClient:
             process, reader = self._process, self._reader
         if process is None or reader is None:
             return
-        if self._state == "starting":  # it drives nothing yet, and its imports would keep us waiting
+        if (
+            self._state == "starting"
+        ):  # it drives nothing yet, and its imports would keep us waiting
             process.kill()
         with contextlib.suppress(OSError):  # it may have gone already
             _pipe(process.stdin).close()
@@ -206,6 +208,7 @@ def _pipe(pipe: Any) -> BinaryIO:
 
 
 def _engine_lost(run_id: str, seq: int, tick: int) -> dict[str, Any]:
+    """The closing event that the engine could not send; what only it knew is null."""
     return {
         "v": SCHEMA_VERSION,
         "type": "run_ended",
@@ -216,10 +219,10 @@ def _engine_lost(run_id: str, seq: int, tick: int) -> dict[str, Any]:
         "reason": "engine_lost",
         "params": {},
         "block": None,
-        "n_executed": 0,
+        "n_executed": None,
         "duration_s": tick / 30,
-        "path_length_m": 0.0,
-        "closing_error_m": 0.0,
+        "path_length_m": None,
+        "closing_error_m": None,
         "pose": None,
-        "telemetry_sha256": "",
+        "telemetry_sha256": None,
     }
