@@ -12,12 +12,12 @@ VENV_RUN := .venv/.ready-run
 VENV_DEV := .venv/.ready-dev
 NODE_MODULES := ui/node_modules/.package-lock.json
 PAGE := pinel_desktop/web/static/index.html
-PACKAGE := dist/pinel-desktop/pinel-desktop
+PACKAGE := dist/pinel-desktop/pinel
 
 # The folders of ui/src are named too, so that a deleted file is noticed.
 PAGE_SOURCES := $(shell find ui/src ui/public pinel_desktop/messages/catalogue 2>/dev/null) \
 	$(shell find ui -maxdepth 1 -type f) $(NODE_MODULES)
-PROGRAM_SOURCES := $(shell find pinel_desktop sim storage packaging -name __pycache__ -prune -o -path pinel_desktop/web/static \
+PROGRAM_SOURCES := $(shell find pinel_desktop sim storage packaging LICENSE -name __pycache__ -prune -o -path pinel_desktop/web/static \
 	-prune -o -type f -print) pyproject.toml
 NPM = PATH="$$(sh scripts/node.sh):$$PATH" && cd ui && npm
 WITH_SCREEN := $(if $(DISPLAY)$(WAYLAND_DISPLAY),run,serve)

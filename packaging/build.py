@@ -1,0 +1,65 @@
+"""Builds the package: dist/pinel-desktop, with the notices of everything that ships in it."""
+
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+FOLDER = ROOT / "dist" / "pinel-desktop"
+PROGRAM = FOLDER / ("pinel.exe" if sys.platform == "win32" else "pinel")
+
+
+def size_of(folder: Path) -> int:
+    """Bytes of all files below a folder."""
+    return sum(
+        file.stat().st_size
+        for file in folder.rglob("*")
+        if file.is_file() and not file.is_symlink()
+    )
+
+
+def build() -> None:
+    """Runs PyInstaller; its output is kept and shown when it fails."""
+    shutil.rmtree(FOLDER, ignore_errors=True)
+    log = ROOT / "build" / "pyinstaller.log"
+    log.parent.mkdir(exist_ok=True)
+    options = [
+        "--noconfirm",
+        "--log-level=WARN",
+        f"--distpath={FOLDER.parent}",
+        f"--workpath={ROOT / 'build'}",
+    ]
+    command = [
+        sys.executable,
+        "-m",
+        "PyInstaller",
+        *options,
+        str(ROOT / "packaging" / "pinel.spec"),
+    ]
+    with log.open("w", encoding="utf-8") as output:
+        done = subprocess.run(
+            command, cwd=ROOT, stdout=output, stderr=subprocess.STDOUT, check=False
+        )
+    if done.returncode:
+        sys.exit(f"{log.read_text('utf-8')}\nThe package was not built.")
+
+
+def main() -> None:
+    print("Building the package (about 1 minute)…", flush=True)
+    started = time.monotonic()
+    build()
+    notices = [
+        sys.executable,
+        str(ROOT / "packaging" / "notices.py"),
+        str(FOLDER / "THIRD-PARTY-NOTICES.txt"),
+    ]
+    if subprocess.run(notices, cwd=ROOT, check=False).returncode:
+        sys.exit("The package must not be given to anybody.")
+    seconds = time.monotonic() - started
+    print(f"dist/pinel-desktop: {size_of(FOLDER) / 1e6:.0f} MB, built in {seconds:.0f} s")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,85 @@
+"""What goes into the package and what stays out; used by pinel.spec."""
+
+import json
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+Entry = tuple[str, str, str]  # name in the package, file, kind
+
+DATA_FOLDERS = {
+    "pinel_desktop/web/static": "pinel_desktop/web/static",
+    "pinel_desktop/messages/catalogue": "pinel_desktop/messages/catalogue",
+    "sim/worlds": "sim/worlds",
+    "LICENSE": ".",
+}
+# Their versions are printed by --self-check, or they ask for their own.
+METADATA = ("pywebview", "flask", "werkzeug", "pydantic", "pymunk", "numpy", "sqlite-utils")
+
+_PYTHON_EXTRAS = "tkinter _tkinter turtle idlelib lib2to3 ensurepip venv pydoc_data test pip setuptools pkg_resources"
+# found on the machine that builds, wanted by optional parts of libraries that are not used
+_OPTIONAL = (
+    "cryptography yaml rich pygments markdown_it IPython matplotlib pandas scipy PIL cv2 pygame pyglet "
+    "pytest _pytest hypothesis mypy numpy.f2py numpy.testing numpy.distutils "
+    "webview.platforms.android webview.platforms.cef"
+)
+_GPL = "readline"
+EXCLUDED = [*_PYTHON_EXTRAS.split(), *_OPTIONAL.split(), *_GPL.split()]
+# Analysing gi.repository would collect the whole desktop; gi finds it on the system when it is imported.
+_GTK = (
+    "Atk Gdk GdkPixbuf Gio GLib GModule GObject Gtk HarfBuzz JavaScriptCore Pango Soup WebKit2 cairo freetype2 xlib "
+    "GIRepository Gst Keybinder IBus"
+)
+_OTHER_PLATFORMS = "cocoa winforms edgechromium mshtml win32 qt"
+_OTHER_TOOLKITS = "qtpy PyQt5 PyQt6 PySide2 PySide6 clr clr_loader pythonnet"
+EXCLUDED_ON_LINUX = [
+    *(f"gi.repository.{name}" for name in _GTK.split()),
+    *(f"webview.platforms.{name}" for name in _OTHER_PLATFORMS.split()),
+    *_OTHER_TOOLKITS.split(),
+]
+_SYSTEM_FOLDERS = ("/usr/lib", "/lib", "/usr/lib64", "/lib64")
+
+
+def strangers() -> list[str]:
+    """Modules that happen to be installed on the machine that builds, beside the environment: none but gi ships."""
+    environment = [Path(folder) for folder in sys.path if "site-packages" in folder]
+    system = [Path(folder) for folder in sys.path if "dist-packages" in folder]
+    ours = {entry.name.partition(".")[0] for folder in environment for entry in folder.glob("*")}
+    theirs = {entry.name.partition(".")[0] for folder in system for entry in folder.glob("*")}
+    return sorted(name for name in theirs - ours - {"gi"} if name.isidentifier())
+
+
+def without_gtk(binaries: Iterable[Entry]) -> list[Entry]:
+    """The binaries less the system's libraries that only GTK's bindings asked for."""
+    from PyInstaller.depend import bindepend  # noqa: PLC0415 - here while a package is being built only
+
+    entries = list(binaries)
+    by_file = {Path(file).resolve(): file for _, file, _ in entries}
+    waiting = [file for name, file, _ in entries if _is_root(name, file)]
+    needed: set[str] = set()
+    while waiting:
+        file = waiting.pop()
+        if file in needed:
+            continue
+        needed.add(file)
+        for _, found in bindepend.get_imports(file):
+            if found and (known := by_file.get(Path(found).resolve())):
+                waiting.append(known)
+    return [entry for entry in entries if entry[1] in needed or entry[0].startswith("gi/")]
+
+
+def _is_root(name: str, file: str) -> bool:
+    """Whether it ships for its own sake: what Python imports, and Python itself, which the bootloader loads."""
+    from_system = file.startswith(_SYSTEM_FOLDERS) and "/python3" not in file
+    return name.startswith("libpython") or not (from_system or name.startswith("gi/"))
+
+
+def write_manifest(file: Path, analysis: Any) -> None:
+    """What was packed, for the notices: modules, and where each binary came from."""
+    manifest = {
+        "modules": sorted(name for name, _, _ in analysis.pure),
+        "binaries": sorted([name, source] for name, source, _ in analysis.binaries),
+    }
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(json.dumps(manifest, indent=1), "utf-8")

@@ -1,0 +1,193 @@
+"""The licences of everything of others that ships in the package; nothing under GPL or AGPL may.
+
+Three sources: Python distributions (their metadata), npm packages of the page (ui/package-lock.json), and shared
+libraries of the system, whose licences are listed here because their packages do not tell them apart.
+"""
+
+import json
+import re
+import sys
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from importlib import metadata
+from pathlib import Path
+from typing import Any
+
+_TEXTS = re.compile(r"(^|/)(licen[cs]e|copying|notice|authors)[^/]*$", re.IGNORECASE)
+_FORBIDDEN = re.compile(r"(?<![A-Z])A?GPL|GNU (AFFERO )?GENERAL PUBLIC")
+# Blockly names it for programs without a browser; a browser needs none, and the page holds none.
+NOT_IN_THE_PAGE = ("jsdom",)
+# Shared libraries that Python's own modules need, by the beginning of their file's name.
+SYSTEM_LIBRARIES = {
+    "libpython3": ("Python", "PSF-2.0"),
+    "libssl": ("OpenSSL", "Apache-2.0"),
+    "libcrypto": ("OpenSSL", "Apache-2.0"),
+    "libsqlite3": ("SQLite", "blessing (public domain)"),
+    "libffi": ("libffi", "MIT"),
+    "libz": ("zlib", "Zlib"),
+    "libbz2": ("bzip2", "bzip2-1.0.6"),
+    "liblzma": ("XZ Utils (liblzma)", "0BSD"),
+    "libexpat": ("Expat", "MIT"),
+    "libuuid": ("util-linux (libuuid)", "BSD-3-Clause"),
+    "libmpdec": ("libmpdec", "BSD-2-Clause"),
+    "libncursesw": ("ncurses", "X11"),
+    "libtinfo": ("ncurses", "X11"),
+    "libpanelw": ("ncurses", "X11"),
+    "libnsl": ("libnsl", "LGPL-2.1-only"),
+    "libtirpc": ("libtirpc", "BSD-3-Clause"),
+    "libgssapi_krb5": ("MIT Kerberos", "MIT"),
+    "libkrb5": ("MIT Kerberos", "MIT"),
+    "libk5crypto": ("MIT Kerberos", "MIT"),
+    "libcom_err": ("libcom_err", "MIT"),
+    "libkeyutils": ("keyutils (library)", "LGPL-2.1-or-later"),
+    "libgcc_s": ("GCC runtime", "GPL-3.0-or-later WITH GCC-exception-3.1"),
+    "libstdc++": ("GCC runtime", "GPL-3.0-or-later WITH GCC-exception-3.1"),
+}
+
+
+@dataclass(frozen=True, order=True)
+class Notice:
+    """One thing of others that ships."""
+
+    name: str
+    version: str
+    licence: str
+    texts: tuple[str, ...] = ()
+
+
+class LicenceError(Exception):
+    """Something must not ship, or nobody knows whether it may."""
+
+
+def collect(root: Path) -> str:
+    """The text of the notices for the package that was just built. Raises LicenceError."""
+    manifest = json.loads((root / "build" / "package-contents.json").read_text("utf-8"))
+    found = [
+        *python_notices(manifest["modules"]),
+        *npm_notices(root / "ui"),
+        *system_notices(manifest["binaries"]),
+    ]
+    check(found)
+    return as_text(found)
+
+
+def check(found: list[Notice]) -> None:
+    """Raises LicenceError for what is under GPL or AGPL, and for what says nothing."""
+    wrong = [notice for notice in found if not notice.licence or not may_ship(notice.licence)]
+    if wrong:
+        raise LicenceError(
+            "; ".join(f"{notice.name}: {notice.licence or 'no licence'}" for notice in wrong)
+        )
+
+
+def may_ship(licence: str) -> bool:
+    """Whether one of the choices of a licence expression is neither GPL nor AGPL (exceptions for runtimes allowed)."""
+    choices = re.split(r"\bOR\b", licence)
+    return any(not _FORBIDDEN.search(choice.upper()) or "exception" in choice for choice in choices)
+
+
+def python_notices(modules: list[str]) -> Iterator[Notice]:
+    """The distributions to which the packed modules belong."""
+    owners = metadata.packages_distributions()
+    names = {owner for module in modules for owner in owners.get(module.partition(".")[0], ())}
+    yield Notice("Python", ".".join(map(str, sys.version_info[:3])), "PSF-2.0")
+    yield Notice(
+        "PyInstaller bootloader",
+        metadata.version("pyinstaller"),
+        "GPL-2.0-or-later WITH Bootloader-exception",
+    )
+    for name in sorted(names - {"pinel-desktop", "pyinstaller"}):
+        distribution = metadata.distribution(name)
+        yield Notice(
+            name,
+            distribution.version,
+            _licence_of(distribution.metadata),
+            tuple(_texts_of(distribution)),
+        )
+
+
+def _licence_of(told: Any) -> str:
+    """The expression, else the classifiers, else the first line of the free text."""
+    if expression := told.get("License-Expression"):
+        return str(expression)
+    classifiers = [line for line in told.get_all("Classifier", ()) if line.startswith("License ::")]
+    names = [
+        line.rpartition(" :: ")[2] for line in classifiers if not line.endswith("OSI Approved")
+    ]
+    return " OR ".join(names) or str(told.get("License") or "").partition("\n")[0]
+
+
+def _texts_of(distribution: metadata.Distribution) -> Iterator[str]:
+    for file in distribution.files or ():
+        if ".dist-info/" in str(file) and _TEXTS.search(str(file)):
+            path = Path(str(distribution.locate_file(file)))
+            if path.is_file():
+                yield path.read_text("utf-8", errors="replace").strip()
+
+
+def npm_notices(ui: Path) -> Iterator[Notice]:
+    """The packages of the page: what it depends on, and what these depend on."""
+    packages = json.loads((ui / "package-lock.json").read_text("utf-8"))["packages"]
+    waiting, seen = list(packages[""]["dependencies"]), set(NOT_IN_THE_PAGE)
+    while waiting:
+        name = waiting.pop()
+        if name in seen:
+            continue
+        seen.add(name)
+        package, folder = packages[f"node_modules/{name}"], ui / "node_modules" / name
+        waiting += package.get("dependencies", ())
+        licence = package.get("license") or _npm_licence(folder)
+        yield Notice(name, str(package["version"]), str(licence), tuple(_npm_texts(folder)))
+
+
+def _npm_licence(folder: Path) -> str:
+    told: Mapping[str, Any] = json.loads((folder / "package.json").read_text("utf-8"))
+    return str(told.get("license", ""))
+
+
+def _npm_texts(folder: Path) -> Iterator[str]:
+    for file in sorted(folder.glob("*")):
+        if file.is_file() and _TEXTS.search(file.name):
+            yield file.read_text("utf-8", errors="replace").strip()
+
+
+def system_notices(binaries: list[list[str]]) -> Iterator[Notice]:
+    """The shared libraries that came from the system rather than from a distribution."""
+    found = set()
+    for name, source in binaries:
+        file = Path(name).name
+        if "/" in name or not file.startswith("lib") or "site-packages" in source:
+            continue
+        known = next(
+            (value for stem, value in SYSTEM_LIBRARIES.items() if file.startswith(stem)), (file, "")
+        )
+        found.add(Notice(known[0], "", known[1]))
+    yield from sorted(found)
+
+
+def as_text(found: list[Notice]) -> str:
+    """The list, then the texts of the licences, each once."""
+    lines = ["PINEL Desktop ships the following works of others, with thanks.", ""]
+    lines += [
+        f"{notice.name} {notice.version}".strip() + f": {notice.licence}"
+        for notice in sorted(found)
+    ]
+    by_text: dict[str, list[str]] = {}
+    for notice in sorted(found):
+        for text in notice.texts:
+            by_text.setdefault(text, []).append(notice.name)
+    for text, names in by_text.items():
+        lines += ["", "-" * 80, ", ".join(dict.fromkeys(names)), "-" * 80, "", text]
+    return "\n".join(lines) + "\n"
+
+
+def main() -> None:
+    root = Path(__file__).resolve().parents[1]
+    try:
+        Path(sys.argv[1]).write_text(collect(root), "utf-8")
+    except LicenceError as error:
+        sys.exit(f"May not ship: {error}")
+
+
+if __name__ == "__main__":
+    main()

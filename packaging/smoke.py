@@ -1,0 +1,109 @@
+"""Tries the package as a school would: another folder, an ordinary user, a bare environment, no network.
+
+Copies dist/pinel-desktop into a folder whose name has spaces and accents, runs its `--self-check` there, and
+checks the JSON that it prints. As root it becomes the user `nobody` and cuts off the network beyond this PC; as an
+ordinary user it stays what it is, and says that it could not.
+"""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[1]
+PACKAGE = ROOT / "dist" / "pinel-desktop"
+_NOBODY = 65534
+_TIMEOUT_S = 180
+# In a network of its own, in which 127.0.0.1 works and nothing else, as an ordinary user.
+_LOCKED_UP = """
+import fcntl, os, socket, struct, sys
+with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as any_socket:
+    request = struct.pack("16sh", b"lo", 0x1)  # the flag IFF_UP
+    fcntl.ioctl(any_socket, 0x8914, request)   # SIOCSIFFLAGS
+os.setgroups([]); os.setgid(int(sys.argv[1])); os.setuid(int(sys.argv[1]))
+os.execv(sys.argv[2], sys.argv[2:])
+"""
+
+
+def copy_to(folder: Path) -> Path:
+    """The program, in its new place."""
+    target = folder / "Laboratório de Robótica 1" / "PINEL (cópia)"
+    shutil.copytree(PACKAGE, target, symlinks=True)
+    return target / "pinel"
+
+
+def command_for(program: Path, home: Path) -> list[str]:
+    """The call that runs the program's self-check with nothing around it."""
+    check = [str(program), "--self-check"]
+    bare = ["/usr/bin/env", "-i", f"HOME={home}", "LANG=pt_BR.UTF-8"]
+    if os.geteuid() != 0:
+        print("Not root: the check runs as this user, and the network is not cut off.")
+        return [*bare, *check]
+    os.chown(home, _NOBODY, _NOBODY)
+    locked = ["unshare", "--net", "/usr/bin/python3", "-c", _LOCKED_UP, str(_NOBODY)]
+    return [*locked, *bare, *check]
+
+
+def faults_of(found: dict[str, Any]) -> list[str]:
+    """What is wrong with the object that the program printed."""
+    expected = {
+        "ok": found.get("ok") is True,
+        "window.backend": found.get("window", {}).get("backend") == "gtk",
+        "window.ready_s": found.get("window", {}).get("ready_s", 0) > 0,
+        "run.state": found.get("run", {}).get("state") == "finished",
+        "run.closing_error_m": found.get("run", {}).get("closing_error_m", 1) <= 1e-4,
+        "run.duration_s": found.get("run", {}).get("duration_s", 99) <= 17,
+        "store.telemetry_sha256": bool(found.get("store", {}).get("telemetry_sha256")),
+    }
+    return [name for name, right in expected.items() if not right]
+
+
+def files_of(folder: Path) -> dict[str, int]:
+    """Every file below a folder, with its size."""
+    return {str(file): file.stat().st_size for file in folder.rglob("*") if file.is_file()}
+
+
+def main() -> int:
+    if not PACKAGE.is_dir():
+        sys.exit("There is no package: run `make package` first.")
+    with tempfile.TemporaryDirectory(prefix="pinel-smoke-") as name:
+        folder = Path(name)
+        folder.chmod(0o755)
+        home = folder / "casa"
+        home.mkdir()
+        program = copy_to(folder)
+        before = files_of(program.parent)
+        started = time.monotonic()
+        done = subprocess.run(
+            command_for(program, home),
+            cwd=home,
+            capture_output=True,
+            text=True,
+            timeout=_TIMEOUT_S,
+            check=False,
+        )
+        seconds = time.monotonic() - started
+        changed = files_of(program.parent) != before
+    try:
+        found = json.loads(done.stdout)
+    except ValueError:
+        sys.exit(f"No JSON (status {done.returncode}):\n{done.stdout}\n{done.stderr}")
+    print(json.dumps(found, ensure_ascii=False, indent=2))
+    faults = (
+        faults_of(found)
+        + [f"status {done.returncode}"] * bool(done.returncode)
+        + ["own folder changed"] * changed
+    )
+    if faults:
+        sys.exit(f"The package does not work: {', '.join(faults)}\n{done.stderr}")
+    print(f"The package works: self-check in {seconds:.0f} s.")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
