@@ -76,7 +76,7 @@ def test_a_block_with_a_fault_says_so_until_it_is_mended(studio: Studio) -> None
     expect(blocks.faulty()).to_have_count(1)
     expect(blocks.faulty()).to_contain_text("então")
     expect(blocks.fault_words()).to_be_visible()
-    expect(studio["status-line"]).to_have_attribute("data-tone", "fault")
+    expect(studio["status-line"]).to_have_attribute("data-tone", "notice")
     expect(blocks.loose()).not_to_have_count(0)
 
     studio["undo"].click()
