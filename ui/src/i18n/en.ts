@@ -32,7 +32,7 @@ export const en: Texts = {
     groups: "Groups",
     programs: (n: number) => (n === 1 ? "1 program" : `${n} programs`),
     runs: (n: number) => (n === 1 ? "1 run" : `${n} runs`),
-    nothingYet: "New group: no programs yet",
+    nothingYet: "No programs yet",
     open: (name: string) => `Go in as ${name}`,
     firstProgram: (n: number) => `Program ${n}`,
     more: "Show more groups",

@@ -32,7 +32,7 @@ export const es: Texts = {
     groups: "Grupos",
     programs: (n: number) => (n === 1 ? "1 programa" : `${n} programas`),
     runs: (n: number) => (n === 1 ? "1 recorrido" : `${n} recorridos`),
-    nothingYet: "Grupo nuevo: todavía sin programas",
+    nothingYet: "Todavía sin programas",
     open: (name: string) => `Entrar como ${name}`,
     firstProgram: (n: number) => `Programa ${n}`,
     more: "Mostrar más grupos",

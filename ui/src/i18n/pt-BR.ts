@@ -31,7 +31,7 @@ export const ptBR = {
     groups: "Grupos",
     programs: (n: number) => (n === 1 ? "1 programa" : `${n} programas`),
     runs: (n: number) => (n === 1 ? "1 rodada" : `${n} rodadas`),
-    nothingYet: "Grupo novo: ainda sem programas",
+    nothingYet: "Ainda sem programas",
     open: (name: string) => `Entrar como ${name}`,
     firstProgram: (n: number) => `Programa ${n}`,
     more: "Mostrar mais grupos",

@@ -152,7 +152,7 @@ export class SceneRenderer {
     ctx.stroke();
     ctx.setLineDash([]);
     ctx.strokeStyle = palette.path;
-    ctx.lineWidth = 5 * pixel;
+    ctx.lineWidth = 6 * pixel;
     line(ctx, this.view.path);
     if (this.view.run) ctx.lineTo(pose.x, pose.y);
     ctx.stroke();

@@ -1,0 +1,85 @@
+import { describe, expect, test } from "vitest";
+import { CATALOGUES } from ".";
+import { decimal, duration, headingDegrees, when } from "./format";
+import { LANGUAGES } from "./language";
+import { reasonWords } from "./reasons";
+
+type Leaf = string | ((...args: never[]) => string);
+
+/** Every text of a catalogue by its path; texts with gaps are filled with marks. */
+function leaves(node: object, path = ""): [string, string][] {
+  return Object.entries(node).flatMap(([key, value]: [string, Leaf | object]) => {
+    const here = `${path}/${key}`;
+    if (typeof value === "string") return [[here, value]] as [string, string][];
+    if (typeof value === "object") return leaves(value, here);
+    return [1, 2].map((n) => {
+      const text = (value as (...args: unknown[]) => string)(n, n, n);
+      return [`${here}(${n})`, text] as [string, string];
+    });
+  });
+}
+
+describe.each(LANGUAGES)("the catalogue %s", (language) => {
+  const texts = leaves(CATALOGUES[language]);
+
+  test("has a text for every key", () => {
+    const first = leaves(CATALOGUES["pt-BR"]).map(([path]) => path);
+    expect(texts.map(([path]) => path)).toEqual(first);
+  });
+
+  test("has no empty text and no forgotten gap", () => {
+    for (const [path, text] of texts) {
+      expect(text.trim(), path).not.toBe("");
+      expect(text, path).not.toMatch(/undefined|NaN|\[object|TODO/);
+    }
+  });
+
+  test("does not repeat another language's long texts", () => {
+    const others = LANGUAGES.filter((other) => other !== language).flatMap((other) =>
+      leaves(CATALOGUES[other]).map(([path, text]) => `${path} ${text}`),
+    );
+    for (const [path, text] of texts) {
+      if (text.length > 24) expect(others).not.toContain(`${path} ${text}`);
+    }
+  });
+
+  test("has the server's words for the end of a run", () => {
+    const words = reasonWords("blocked", { done: 0.5, amount: 1, unit: "m" }, language);
+    expect(words?.message).toContain(language === "en" ? "0.5" : "0,5");
+    expect(words?.message).not.toContain("{");
+    expect(reasonWords("no_such_code", {}, language)).toBeNull();
+  });
+});
+
+describe("figures", () => {
+  test("are written as the language writes them", () => {
+    expect(decimal(0.62, 2, "pt-BR")).toBe("0,62");
+    expect(decimal(0.62, 2, "en")).toBe("0.62");
+    expect(decimal(-1, 1, "es")).toBe("\u22121,0");
+    expect(decimal(-0.001, 2, "en")).toBe("0.00");
+  });
+
+  test("of headings lie above -180 and up to 180 degrees", () => {
+    expect(headingDegrees(Math.PI)).toBeCloseTo(180);
+    expect(headingDegrees(-Math.PI + 0.001)).toBe(180);
+    expect(headingDegrees((3 * Math.PI) / 2)).toBeCloseTo(-90);
+    expect(headingDegrees(-0.0001)).toBe(0);
+  });
+
+  test("of durations change to minutes", () => {
+    expect(duration(17.2, "pt-BR")).toBe("17,2\u00a0s");
+    expect(duration(125, "pt-BR")).toBe("2 min 05 s");
+  });
+
+  test("of moments are said as on that day", () => {
+    const texts = CATALOGUES["pt-BR"];
+    const now = new Date(2026, 10, 21, 15, 0, 0);
+    const ago = (minutes: number) =>
+      when(new Date(now.getTime() - minutes * 60_000).toISOString(), now, "pt-BR", texts);
+    expect(ago(0)).toBe("agora");
+    expect(ago(5)).toBe("há 5 min");
+    expect(ago(120)).toMatch(/^hoje, /);
+    expect(ago(60 * 20)).toMatch(/^ontem, /);
+    expect(ago(60 * 24 * 9)).toContain("novembro");
+  });
+});

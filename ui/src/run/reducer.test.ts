@@ -1,0 +1,216 @@
+import { describe, expect, test } from "vitest";
+import type { RunEvent } from "../api/model";
+import { IDLE, isLive, litBlock, type RunView, reduce, starting } from "./reducer";
+import { points } from "./trail";
+
+const RUN = "run-1";
+let seq = 0;
+
+const head = (tick: number, run = RUN) => ({ v: 1, run, seq: seq++, tick }) as const;
+
+const started = (tick: number, pointer: string, action: string, amount: number | null = null) =>
+  ({
+    ...head(tick),
+    type: "block_started",
+    block: `b${pointer}`,
+    pointer,
+    action,
+    amount,
+  }) as const;
+
+const ended = (tick: number, pointer: string) =>
+  ({ ...head(tick), type: "block_ended", block: `b${pointer}`, pointer }) as const;
+
+const telemetry = (tick: number, x: number, y: number, done = 0, run = RUN): RunEvent => ({
+  ...head(tick, run),
+  type: "telemetry",
+  x_m: x,
+  y_m: y,
+  yaw_rad: 0,
+  v_mps: 0,
+  omega_radps: 0,
+  command_v_mps: 0,
+  command_omega_radps: 0,
+  goal_x_m: x + 0.1,
+  goal_y_m: y,
+  goal_yaw_rad: 0,
+  done,
+  bumper: false,
+});
+
+const runEnded = (tick: number, state: "finished" | "stopped" | "failed"): RunEvent => ({
+  ...head(tick),
+  type: "run_ended",
+  state,
+  reason: state === "failed" ? "blocked" : null,
+  params: { done: 1, amount: 9 },
+  block: null,
+  n_executed: 1,
+  duration_s: tick / 30,
+  path_length_m: 1,
+  closing_error_m: 1,
+  pose: { x_m: 1, y_m: 0, yaw_rad: 0 },
+  telemetry_sha256: "0",
+});
+
+const state = (tick: number, name: "running" | "paused"): RunEvent => ({
+  ...head(tick),
+  type: "run_state",
+  state: name,
+});
+
+const viewAfter = (...events: RunEvent[]): RunView => events.reduce(reduce, starting(RUN));
+
+describe("a run", () => {
+  test("goes from starting to running, paused, running and finished", () => {
+    const phases = [
+      state(0, "running"),
+      state(5, "paused"),
+      state(5, "running"),
+      runEnded(9, "finished"),
+    ];
+    let view = starting(RUN);
+    const seen = phases.map((event) => {
+      view = reduce(view, event);
+      return view.phase;
+    });
+    expect(seen).toEqual(["running", "paused", "running", "finished"]);
+    expect(isLive(view)).toBe(false);
+  });
+
+  test("ignores events of another run", () => {
+    const view = starting(RUN);
+    expect(reduce(view, telemetry(1, 1, 1, 0, "another"))).toBe(view);
+    expect(reduce(IDLE, state(0, "running"))).toBe(IDLE);
+  });
+
+  test("applies an event that comes twice once", () => {
+    const begun = started(0, "/commands/0", "move_forward", 1);
+    const view = viewAfter(begun);
+    expect(reduce(view, begun)).toBe(view);
+  });
+
+  test("leaves the state before it as it was", () => {
+    const before = viewAfter(state(0, "running"), telemetry(1, 0, 0));
+    const copy = structuredClone(before);
+    reduce(before, telemetry(2, 1, 0));
+    reduce(before, started(2, "/commands/0", "turn", 90));
+    expect(before).toEqual(copy);
+  });
+
+  test("keeps why and where it failed", () => {
+    const view = viewAfter(state(0, "running"), runEnded(30, "failed"));
+    expect(view.phase).toBe("failed");
+    expect(view.ending).toMatchObject({ reason: "blocked", params: { done: 1, amount: 9 } });
+  });
+});
+
+describe("blocks", () => {
+  test("the innermost running block is lit, and its parent again when it ends", () => {
+    const view = viewAfter(
+      started(0, "/commands/0", "repeat"),
+      started(0, "/commands/0/commands/0", "move_forward", 1),
+    );
+    expect(litBlock(view)).toBe("b/commands/0/commands/0");
+    expect(litBlock(reduce(view, ended(50, "/commands/0/commands/0")))).toBe("b/commands/0");
+  });
+
+  test("a block without an id leaves the block around it lit", () => {
+    const bare = { ...started(0, "/commands/0/commands/0", "stop"), block: null };
+    expect(litBlock(viewAfter(started(0, "/commands/0", "repeat"), bare))).toBe("b/commands/0");
+  });
+
+  test("the end of a block ends what is still open inside it", () => {
+    const view = viewAfter(
+      started(0, "/commands/0", "repeat"),
+      started(0, "/commands/0/commands/0", "wait", 1),
+      ended(30, "/commands/0"),
+    );
+    expect(view.stack).toEqual([]);
+  });
+
+  test("rounds of a loop are counted by its first command", () => {
+    const round = (tick: number) => [
+      started(tick, "/commands/0/commands/0", "move_forward", 1),
+      ended(tick + 1, "/commands/0/commands/0"),
+      started(tick + 1, "/commands/0/commands/1", "turn", 90),
+      ended(tick + 2, "/commands/0/commands/1"),
+    ];
+    const view = viewAfter(
+      started(0, "/commands/0", "repeat"),
+      ...round(0),
+      ...round(2),
+      ...round(4),
+    );
+    expect(view.stack[0]?.round).toBe(3);
+  });
+
+  test("nothing is lit after the end", () => {
+    const view = viewAfter(started(0, "/commands/0", "wait", 1), runEnded(3, "stopped"));
+    expect(litBlock(view)).toBeNull();
+    expect(view.motion).toBeNull();
+  });
+});
+
+describe("telemetry", () => {
+  test("moves pose, path, set-point and the part of the motion that is done", () => {
+    const view = viewAfter(
+      started(0, "/commands/0", "move_forward", 1),
+      telemetry(1, 0, 0, 0),
+      telemetry(2, 0.5, 0, 0.5),
+    );
+    expect(view.pose).toEqual({ x: 0.5, y: 0, yaw: 0 });
+    expect(view.setpoint.x).toBeCloseTo(0.6);
+    expect([...points(view.path)]).toEqual([
+      [0, 0],
+      [0.5, 0],
+    ]);
+    expect(view.motion).toEqual({ kind: "move_forward", amount: 1, done: 0.5 });
+  });
+
+  test("that comes late does not move the robot back", () => {
+    const view = viewAfter(telemetry(9, 1, 0));
+    expect(reduce(view, telemetry(3, 0, 0))).toBe(view);
+  });
+
+  test("a long path keeps its points in order", () => {
+    const view = viewAfter(
+      ...Array.from({ length: 500 }, (_, tick) => telemetry(tick, tick / 10, 0)),
+    );
+    const xs = [...points(view.path)].map(([x]) => x);
+    expect(xs).toHaveLength(500);
+    expect(xs).toEqual(xs.toSorted((a, b) => a - b));
+  });
+
+  test("standing still adds nothing to the path", () => {
+    const view = viewAfter(telemetry(1, 0, 0), telemetry(2, 0.001, 0), telemetry(3, 0.002, 0));
+    expect([...points(view.path)]).toHaveLength(1);
+  });
+});
+
+describe("a capture", () => {
+  const begun = (): RunEvent => ({
+    ...head(30),
+    type: "capture_started",
+    block: "c",
+    timeout_s: 10,
+  });
+  const result = (): RunEvent => ({
+    ...head(60),
+    type: "gesture_result",
+    result: "B",
+    source: "capture",
+  });
+
+  test("asks until there is a result", () => {
+    const asked = viewAfter(started(30, "/commands/0", "classify_gestures"), begun());
+    expect(asked.capture).toEqual({ block: "c", timeoutS: 10, sinceTick: 30 });
+    const answered = reduce(asked, result());
+    expect(answered.capture).toBeNull();
+    expect(answered.gesture).toBe("B");
+  });
+
+  test("ends with the run", () => {
+    expect(viewAfter(begun(), runEnded(40, "stopped")).capture).toBeNull();
+  });
+});
