@@ -11,7 +11,7 @@ import platform
 import tempfile
 import time
 import urllib.request
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from importlib import metadata
 from pathlib import Path
 from typing import Any
@@ -23,7 +23,7 @@ from pinel_desktop.desktop.presenter import TITLE
 from pinel_desktop.desktop.screen import any_screen
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, language_of_system
-from storage import open_store
+from storage import StoreError, open_store
 
 Json = dict[str, Any]
 
@@ -46,7 +46,10 @@ LARGEST_CLOSING_ERROR_M = 1e-4
 _READY_S = 60.0
 _RUN_S = 60.0
 _PAUSE_S = 0.05
-_USABLE = "document.documentElement.dataset.ready === 'true'"
+# The workspace has drawn its first block, and there is a button to run it.
+USABLE = (
+    "!!document.querySelector('.blocklyDraggable') && !!document.querySelector('[data-testid=run]')"
+)
 _LIBRARIES = ("pywebview", "flask", "pydantic", "pymunk", "numpy", "sqlite-utils")
 
 
@@ -64,10 +67,16 @@ def check(database: Path | None) -> Json:
                 _in_window(app, result)
             result["store"] = _read_back(path, result["run"]["id"])
         result["ok"] = _is_well(result)
-    except PinelError as error:
-        words = describe(error.code, error.params, language_of_system())
-        result["error"] = {"code": error.code, "message": words.message, "remedy": words.remedy}
+    except (PinelError, StoreError) as error:
+        result["error"] = _in_words(error.code, error.params)
+    except Exception as error:  # whatever it is, who called waits for an object
+        result["error"] = _in_words("self_check_failed", {"problem": repr(error)})
     return result
+
+
+def _in_words(code: str, params: Mapping[str, object]) -> Json:
+    words = describe(code, params, language_of_system())
+    return {"code": code, "message": words.message, "remedy": words.remedy}
 
 
 def _is_well(result: Json) -> bool:
@@ -82,20 +91,22 @@ def _in_window(app: App, result: Json) -> None:
     # no import before there is a screen: GTK looks for one when it is loaded
     from pinel_desktop.desktop.window import NativeWindow  # noqa: PLC0415
 
-    failures: list[BaseException] = []
+    client = _Client(app)
+    program, version = _make_program(client)
+    failures: list[Exception] = []
     started = time.monotonic()
 
     def work() -> None:
         try:
             _wait_until_usable(window)
             result["window"]["ready_s"] = round(time.monotonic() - started, 2)
-            result["run"] = _drive_square(app)
+            result["run"] = _drive(client, version)
         except Exception as failure:  # handed over to the thread that waits for the window
             failures.append(failure)
         finally:
             window.close()
 
-    window = NativeWindow(app.address, TITLE, app.language, on_open=work)
+    window = NativeWindow(f"{app.address}#/program/{program}", TITLE, app.language, on_open=work)
     toolkit = _toolkit()
     result["window"]["backend"] = toolkit
     window.run(toolkit)
@@ -116,7 +127,7 @@ def _toolkit() -> Toolkit:
 
 def _wait_until_usable(window: Any) -> None:
     deadline = time.monotonic() + _READY_S
-    while window.run_script(_USABLE) is not True:
+    while window.run_script(USABLE) is not True:
         if time.monotonic() > deadline:
             raise PinelError("self_check_page_silent", seconds=_READY_S)
         time.sleep(_PAUSE_S)
@@ -146,14 +157,19 @@ class _Client:
             return found
 
 
-def _drive_square(app: App) -> Json:
-    client = _Client(app)
-    _wait_for(lambda: client.get("/api/status")["engine"] == "ready", _READY_S)
+def _make_program(client: _Client) -> tuple[str, str]:
+    """Ids of a program of a new group and of its version, the square."""
     group = client.post("/api/groups", {"name": f"self-check {time.time_ns()}"})
     program = client.post(f"/api/groups/{group['id']}/programs", {"name": SQUARE["name"]})
     content = {"workspace": {}, "document": SQUARE}
     version = client.post(f"/api/programs/{program['id']}/versions", content)
-    run = client.post("/api/runs", {"version_id": version["id"], "world": "empty_room"})
+    return program["id"], version["id"]
+
+
+def _drive(client: _Client, version: str) -> Json:
+    """Runs the version in the engine and returns what the app says about the run."""
+    _wait_for(lambda: client.get("/api/status")["engine"] == "ready", _READY_S)
+    run = client.post("/api/runs", {"version_id": version, "world": "empty_room"})
     _wait_for(lambda: client.get(f"/api/runs/{run['id']}")["ended_at"] is not None, _RUN_S)
     ended = client.get(f"/api/runs/{run['id']}")
     kept = (
