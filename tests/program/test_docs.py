@@ -4,6 +4,7 @@ from pathlib import Path
 
 from pinel_desktop.execution.primitives import TABLE
 from pinel_desktop.program import read_document
+from pinel_desktop.program.expressions import Model
 from pinel_desktop.program.model import COMMANDS, action_names
 
 PAGE = (Path(__file__).parents[2] / "docs" / "program-document.md").read_text("utf-8")
@@ -13,7 +14,8 @@ OF_EVERY_COMMAND = {"action", "block", "comment"}
 
 def test_the_page_lists_every_action_with_its_parameters() -> None:
     assert list(ROWS) == action_names()
-    for action, model in zip(action_names(), COMMANDS, strict=True):
+    models: tuple[type[Model], ...] = COMMANDS
+    for action, model in zip(action_names(), models, strict=True):
         parameters = {field.alias or name for name, field in model.model_fields.items()}
         assert parameters - OF_EVERY_COMMAND <= set(re.findall(r"`(\w+)`", ROWS[action])), action
 
