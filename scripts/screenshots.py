@@ -194,6 +194,7 @@ class Seed(NamedTuple):
     """What was made for the pictures."""
 
     group: str
+    empty: str
     programs: dict[str, str]
     run: str
 
@@ -217,7 +218,8 @@ def seed(camera: Photographer) -> Seed:
     for name, seconds in {"Triângulo": 60, "Estrela": 3, "Até a parede": 60, "Quadrado": 60}.items():
         drive(camera, programs[name], seconds)
     runs = camera.call("GET", f"/api/groups/{group}/runs?limit=1")["runs"]
-    return Seed(group, programs, runs[0]["id"])
+    empty = camera.call("POST", f"/api/groups/{group}/programs", {"name": "Programa 7"})["id"]
+    return Seed(group, empty, programs, runs[0]["id"])
 
 
 def save(camera: Photographer, group: str, name: str, blocks: dict[str, Any]) -> str:
@@ -245,8 +247,7 @@ def photograph(camera: Photographer, seeded: Seed) -> None:
     camera.of("group-card").first.wait_for()
     camera.page.wait_for_timeout(500)
     camera.round("start")
-    empty = camera.call("POST", f"/api/groups/{seeded.group}/programs", {"name": "Novo"})["id"]
-    camera.open_program(empty)
+    camera.open_program(seeded.empty)
     camera.round("studio-empty")
     studio_running(camera, seeded.programs["Quadrado"])
     camera.open_program(seeded.programs["Com um erro"])

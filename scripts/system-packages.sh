@@ -35,10 +35,6 @@ wanted() {
             # Debian's python3 does not link its own shared library; PyInstaller ships that library.
             printf '%s\n' "libpython$(.venv/bin/python -c 'import sys; print("%d.%d" % sys.version_info[:2])')|Python inside the package|Python dentro do pacote|Python dentro del paquete"
             ;;
-        *)
-            echo "usage: system-packages.sh [--dry-run] serve|run|test|package" >&2
-            exit 2
-            ;;
     esac
 }
 
@@ -74,11 +70,19 @@ show() {
 
 # Package lists that are absent or a week old answer "404 Not Found" for the newest versions.
 lists_are_old() {
-    [ -z "$(find /var/lib/apt/lists -name '*Packages*' -mtime -7 2>/dev/null | head -n 1)" ]
+    [ -z "$(find "${PINEL_APT_LISTS:-/var/lib/apt/lists}" -name '*Packages*' -mtime -7 2>/dev/null | head -n 1)" ]
 }
 
+# Runs apt-get; of what it says, faults are shown, and each package that is ready.
 apt() {
-    $AS_ROOT env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300 "$@" </dev/null
+    failed=$(mktemp)
+    {
+        $AS_ROOT env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300 "$@" </dev/null ||
+            echo "$?" >"$failed"
+    } | sed -n 's/^Setting up \([^ ]*\) .*/  \1/p'
+    status=$(cat "$failed")
+    rm -f "$failed"
+    return "${status:-0}"
 }
 
 # Sets AS_ROOT to what makes a command run as root, or returns 1.
@@ -119,6 +123,13 @@ main() {
         dry_run=1
         shift
     fi
+    case "${1:-}" in
+        serve | run | test | package) ;;
+        *)
+            echo "usage: system-packages.sh [--dry-run] serve|run|test|package" >&2
+            exit 2
+            ;;
+    esac
     if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
         [ ! -x .venv/bin/python ] || exit 0
         say "This is not Debian or Ubuntu: please install what corresponds to these packages yourself:" \

@@ -1,0 +1,71 @@
+"""The sums at the end of `make test` tell the truth."""
+
+import pytest
+
+from tests.packaging.loading import load
+
+run_tests = load("scripts/run_tests.py")
+PYTEST = run_tests.Step("unit", "test", ("pytest",), counts=True)
+LINT = run_tests.Step("ruff", "lint", ("ruff",))
+
+
+def outcome(step: object, output: str, status: int = 0) -> object:
+    return run_tests.Outcome(step, status, 1.0, output)
+
+
+@pytest.mark.parametrize(
+    ("output", "expected"),
+    [
+        ("..\n12 passed in 0.50s\n", (12, 0, 0)),
+        ("=== 1 failed, 11 passed, 2 skipped in 61.20s (0:01:01) ===\n", (11, 1, 2)),
+        ("3 passed, 1 warning, 2 errors in 1.00s\n", (3, 2, 0)),
+        ("2 passed, 5 deselected, 1 xfailed in 1.00s\n", (2, 0, 1)),
+        (" Test Files  4 passed (4)\n      Tests  31 passed | 2 skipped (33)\n", (31, 0, 2)),
+        ("      Tests  1 failed | 30 passed (31)\n", (30, 1, 0)),
+    ],
+)
+def test_the_closing_lines_of_both_runners_are_counted(
+    output: str, expected: tuple[int, int, int]
+) -> None:
+    failing = 1 if expected[1] else 0
+    assert tuple(run_tests.sums([outcome(PYTEST, output, failing)]).values()) == expected
+
+
+def test_sums_are_over_all_runners_and_the_last_closing_line_of_each() -> None:
+    quoted = "E   1 failed in 2.00s\n4 passed in 1.00s\n"
+    assert (
+        run_tests.sums([outcome(PYTEST, quoted), outcome(PYTEST, "2 passed in 1.00s\n")])["passed"]
+        == 6
+    )
+
+
+@pytest.mark.parametrize("output", ["", "no tests ran in 0.01s\n", "5 deselected in 0.10s\n"])
+def test_a_runner_that_ran_nothing_has_failed(output: str) -> None:
+    assert outcome(PYTEST, output).failed  # type: ignore[attr-defined]
+    assert run_tests.sums([outcome(PYTEST, output)]) == {"passed": 0, "failed": 1, "skipped": 0}
+
+
+def test_a_linter_that_fails_counts_as_one_failure() -> None:
+    assert run_tests.sums([outcome(LINT, "Found 20 errors.\n", 1)])["failed"] == 1
+
+
+def test_a_runner_that_breaks_off_counts_as_one_failure() -> None:
+    assert run_tests.sums([outcome(PYTEST, "Segmentation fault\n", -11)])["failed"] == 1
+    assert run_tests.sums([outcome(PYTEST, "3 passed in 1.00s\n", 1)]) == {
+        "passed": 3,
+        "failed": 1,
+        "skipped": 0,
+    }
+
+
+def test_every_test_is_in_exactly_one_step() -> None:
+    """A marker that no step asks for would be a test that never runs."""
+    chosen = [
+        step.command[-1] for step in run_tests.STEPS if step.command[:3] == run_tests.PYTEST[:3]
+    ]
+    assert chosen == [
+        "not e2e and not packaged and not nightly",
+        "e2e and not nightly",
+        "packaged and not nightly",
+        "nightly",
+    ]
