@@ -71,6 +71,15 @@ class Studio:
         version = self.api(f"/programs/{self.program_id}")["version"]
         return cast(dict[str, Any] | None, version and version["document"])
 
+    def workspace(self) -> Any:
+        """The newest workspace on the server's disk."""
+        version = self.api(f"/programs/{self.program_id}")["version"]
+        return version and version["workspace"]
+
+    def stacks(self) -> int:
+        """How many stacks of blocks are on disk, the one that runs and the loose ones."""
+        return len(self.workspace()["blocks"]["blocks"])
+
     def commands(self) -> list[dict[str, Any]]:
         """The commands on the server's disk; none while the program has faults."""
         return cast(list[dict[str, Any]], (self.document() or {}).get("commands", []))

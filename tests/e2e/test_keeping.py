@@ -21,7 +21,7 @@ def test_an_edit_survives_a_cut_of_power(
     blocks.type_into(blocks.by_words("andar para frente"), "0,7")
     blocks.drag_from_toolbox("motion", "parar", blocks.beside(blocks.by_words("andar para frente")))
     studio.eventually(lambda: studio.values("distance"), [0.7])
-    studio.wait_until_saved()
+    studio.eventually(studio.stacks, 2)
     [move] = studio.commands()
     app.kill()
     expect(studio["gone"]).to_be_visible()

@@ -1,7 +1,5 @@
 """Run, Stop, faults and failures, as they meet a group."""
 
-from typing import Any
-
 import pytest
 from playwright.sync_api import expect
 
@@ -27,11 +25,6 @@ def add_move(studio: Studio, metres: str) -> None:
     blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
     blocks.type_into(blocks.by_words("andar para frente"), metres)
     studio.eventually(lambda: studio.values("distance"), [float(metres.replace(",", "."))])
-
-
-def workspace(studio: Studio) -> Any:
-    """The newest workspace on the server's disk."""
-    return studio.api(f"/programs/{studio.program_id}")["version"]["workspace"]
 
 
 def test_stop_stops_where_the_robot_is(studio: Studio) -> None:
@@ -92,15 +85,15 @@ def test_a_failed_run_says_why_and_leaves_the_workspace_alone(studio: Studio) ->
     add_move(studio, "9")
     blocks = studio.blocks
     blocks.drag_from_toolbox("motion", "parar", blocks.beside(blocks.by_words("andar para frente")))
-    studio.eventually(lambda: len(workspace(studio)["blocks"]["blocks"]), 2)
-    before = workspace(studio)
+    studio.eventually(studio.stacks, 2)
+    before = studio.workspace()
 
     studio.run()
     studio.wait_for_phase("failed")
     expect(studio["status-line"]).to_have_attribute("data-tone", "fault")
     expect(blocks.all()).to_have_count(3)
     studio.wait_until_saved()
-    assert workspace(studio) == before
+    assert studio.workspace() == before
 
 
 def test_a_sign_answered_by_hand_decides_what_the_robot_does(studio: Studio) -> None:
