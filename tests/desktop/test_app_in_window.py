@@ -1,0 +1,130 @@
+"""The whole program in its real window: ready, brought forward by a second start, closed as people close it."""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from pinel_desktop.desktop.screen import virtual_screen
+
+pytestmark = pytest.mark.e2e
+PINEL = [sys.executable, "-m", "pinel_desktop"]
+TITLE = "^PINEL Desktop$"
+
+
+class Desktop:
+    """A virtual screen with a window manager, and what a person does to windows there."""
+
+    def __init__(self, display: str, home: Path) -> None:
+        self.environment = os.environ | {
+            "DISPLAY": display,
+            "PINEL_HOME": str(home),
+            "LANG": "en_US.UTF-8",
+        }
+
+    def do(self, *arguments: str) -> str:
+        """One call of xdotool; with --sync it waits for what it asks for."""
+        done = subprocess.run(
+            ["xdotool", *arguments],
+            env=self.environment,
+            capture_output=True,
+            text=True,
+            timeout=60,
+            check=True,
+        )
+        return done.stdout.strip()
+
+    def visible_window(self) -> str:
+        """Waits until PINEL's window can be seen."""
+        return self.do("search", "--sync", "--onlyvisible", "--name", TITLE).splitlines()[0]
+
+    def start(self) -> "subprocess.Popen[str]":
+        return subprocess.Popen(
+            PINEL, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        )
+
+
+@pytest.fixture(scope="module")
+def screen() -> Iterator[str]:
+    with (
+        virtual_screen() as display,
+        subprocess.Popen(
+            # without a window manager nothing is minimised, nothing comes forward, and Alt+F4 is two keys
+            ["openbox"],
+            env=os.environ | {"DISPLAY": display},
+        ) as manager,
+    ):
+        yield display
+        manager.terminate()
+
+
+@pytest.fixture
+def desktop(screen: str, tmp_path: Path) -> Desktop:
+    return Desktop(screen, tmp_path)
+
+
+def test_a_second_start_brings_the_first_window_forward_and_closing_ends_everything(
+    desktop: Desktop,
+) -> None:
+    with desktop.start() as first:
+        try:
+            window = desktop.visible_window()
+            desktop.do("windowminimize", "--sync", window)
+            with desktop.start() as second:
+                out, err = second.communicate(timeout=30)
+            assert second.returncode == 0
+            assert "already open" in err
+            assert re.fullmatch(r"http://127\.0\.0\.1:\d+/\?key=\S+", out.strip())
+            assert desktop.visible_window() == window
+            desktop.do("windowactivate", "--sync", window)
+            asked = time.monotonic()
+            desktop.do("key", "--window", "0", "alt+F4")
+            assert first.wait(20) == 0
+            assert time.monotonic() - asked < 2.5
+        finally:
+            first.kill()
+    assert not list(Path(desktop.environment["PINEL_HOME"]).glob("*.instance.json"))
+
+
+def test_the_self_check_drives_the_square_with_the_window_open(screen: str, tmp_path: Path) -> None:
+    environment = os.environ | {"DISPLAY": screen, "PINEL_HOME": str(tmp_path)}
+    done = subprocess.run(
+        [*PINEL, "--self-check"],
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=100,
+        check=False,
+    )
+    found = json.loads(done.stdout)
+    assert (done.returncode, found["ok"]) == (0, True), found
+    assert found["window"]["backend"] == "gtk"
+    assert found["run"]["duration_s"] <= 17
+    assert found["store"]["ticks"] == pytest.approx(30 * found["run"]["duration_s"], abs=2)
+    assert not list(tmp_path.iterdir()), "the person's own data folder is not for trying things"
+
+
+def test_the_self_check_answers_with_an_object_even_when_the_window_fails(tmp_path: Path) -> None:
+    environment = os.environ | {
+        "DISPLAY": ":12345",
+        "PINEL_HOME": str(tmp_path),
+        "LANG": "en_US.UTF-8",
+    }
+    done = subprocess.run(
+        [*PINEL, "--self-check"],
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    found = json.loads(done.stdout)
+    assert (done.returncode, found["ok"]) == (1, False)
+    assert found["error"]["code"] == "window_no_screen"
+    assert found["error"]["remedy"]

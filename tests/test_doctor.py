@@ -1,0 +1,231 @@
+"""`pinel doctor` tells the truth about PCs of all kinds."""
+
+import json
+import os
+import sqlite3
+from contextlib import closing
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner, Result
+
+from pinel_desktop import doctor
+from pinel_desktop.cli import main
+from pinel_desktop.desktop.backends import Pc
+from pinel_desktop.doctor import Finding
+from pinel_desktop.messages import LANGUAGES, describe
+
+
+def pc(*, screen: bool = True, gtk: str | None = None, browser: str | None = None) -> Pc:
+    return Pc(
+        platform="linux",
+        environ={"DISPLAY": ":0"} if screen else {},
+        which=lambda name: browser,
+        is_file=lambda path: False,
+        gtk_problem=lambda: gtk,
+        qt_problem=lambda: "PyQt6",
+    )
+
+
+def window(this: Pc) -> list[tuple[str, str]]:
+    return [(finding.level, finding.code) for finding in doctor._window(this)]
+
+
+def test_a_native_window_is_all_that_is_said() -> None:
+    assert window(pc(browser="/usr/bin/chromium")) == [("ok", "doctor_window_ok")]
+
+
+def test_a_browser_in_its_place_is_a_warning_with_the_reason() -> None:
+    assert window(pc(gtk="no WebKit2", browser="/usr/bin/chromium")) == [
+        ("warn", "doctor_window_browser"),
+        ("warn", "window_gtk_missing"),
+        ("warn", "window_qt_missing"),
+    ]
+
+
+def test_without_window_and_browser_every_way_out_is_said() -> None:
+    codes = [code for _, code in window(pc(gtk="no WebKit2"))]
+    assert codes == [
+        "doctor_window_address",
+        "window_gtk_missing",
+        "window_qt_missing",
+        "window_browser_missing",
+    ]
+
+
+def test_without_a_screen_the_page_can_still_be_served() -> None:
+    assert window(pc(screen=False)) == [("warn", "doctor_window_none")]
+
+
+def database(path: Path) -> tuple[str, str]:
+    finding = doctor._database(path)
+    return finding.level, finding.code
+
+
+def test_a_database_that_is_not_there_yet_is_no_fault(tmp_path: Path) -> None:
+    assert database(tmp_path / "pinel.db") == ("ok", "doctor_database_new")
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_sound_database_is_read_and_left_as_it_is(tmp_path: Path) -> None:
+    path = tmp_path / "pinel.db"
+    with closing(sqlite3.connect(path)) as connection:
+        connection.executescript("CREATE TABLE things (id INTEGER); INSERT INTO things VALUES (1);")
+    before = path.read_bytes()
+    assert database(path) == ("ok", "doctor_database_ok")
+    assert path.read_bytes() == before
+
+
+def test_a_damaged_database_fails_with_what_will_happen_to_it(tmp_path: Path) -> None:
+    path = tmp_path / "pinel.db"
+    path.write_bytes(b"not a database, whatever its name says" * 100)
+    assert database(path) == ("fail", "doctor_database_damaged")
+
+
+def test_a_database_that_cannot_be_written_fails(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "pinel.db"
+    sqlite3.connect(path).close()
+    # root may write to anything, so that the answer is given for an ordinary user
+    monkeypatch.setattr(os, "access", lambda place, mode: mode != os.W_OK)
+    path.write_bytes(b"")
+    assert database(path) == ("fail", "doctor_database_read_only")
+
+
+@pytest.mark.parametrize(
+    ("free", "level"),
+    [(80 * 10**9, "ok"), (500 * 10**6, "warn"), (20 * 10**6, "fail")],
+    ids=["much", "little", "none"],
+)
+def test_free_space_is_judged_where_the_data_will_be(
+    free: int, level: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[Path] = []
+
+    def usage(folder: Path) -> Any:
+        asked.append(folder)
+        return type("Usage", (), {"free": free})
+
+    monkeypatch.setattr("shutil.disk_usage", usage)
+    (finding,) = doctor._disk(tmp_path / "not" / "there" / "yet")
+    assert (finding.level, asked) == (level, [tmp_path])
+
+
+def test_sizes_are_whole_numbers_that_fit_every_language() -> None:
+    sizes = (900, 25_000, 1_500_000_000, 83_400_000_000)
+    assert [doctor.size_words(size) for size in sizes] == ["900 B", "25 kB", "1500 MB", "83 GB"]
+
+
+def test_a_pc_without_a_camera_is_warned_about_signs_only(tmp_path: Path) -> None:
+    assert doctor._camera(tmp_path).code == "doctor_camera_none"
+
+
+def test_cameras_are_named(tmp_path: Path) -> None:
+    (tmp_path / "video0").touch()
+    finding = doctor._camera(tmp_path)
+    assert (finding.level, dict(finding.params)) == ("ok", {"devices": str(tmp_path / "video0")})
+
+
+def test_a_camera_of_others_is_told_apart_from_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "video0").touch()
+    monkeypatch.setattr(os, "access", lambda place, mode: False)
+    assert doctor._camera(tmp_path).code == "doctor_camera_closed"
+
+
+def ros(folder: Path, *modules: str, **environ: str) -> Finding:
+    return doctor._ros(environ, folder, lambda name: object() if name in modules else None)
+
+
+def test_no_ros_is_no_fault(tmp_path: Path) -> None:
+    assert ros(tmp_path).level == "ok"
+
+
+def test_ros_of_this_terminal_is_named(tmp_path: Path) -> None:
+    found = ros(tmp_path, "rclpy", "cyclonedds", ROS_DISTRO="jazzy")
+    assert dict(found.params) == {"found": "ROS 2 jazzy, Cyclone DDS"}
+
+
+def test_ros_that_was_not_sourced_comes_with_the_command(tmp_path: Path) -> None:
+    (tmp_path / "jazzy").mkdir()
+    (tmp_path / "jazzy" / "setup.bash").touch()
+    found = ros(tmp_path)
+    assert found.level == "warn"
+    assert "setup.bash" in describe(found.code, found.params, "en").remedy
+
+
+def run(home: Path, *arguments: str) -> Result:
+    environment = {
+        "PINEL_HOME": str(home),
+        "PINEL_LANG": "en",
+        "DISPLAY": "",
+        "WAYLAND_DISPLAY": "",
+    }
+    return CliRunner().invoke(main, ["doctor", *arguments], env=environment)
+
+
+def test_the_command_prints_one_object_about_everything(tmp_path: Path) -> None:
+    result = run(tmp_path, "--json")
+    found = json.loads(result.output)
+    levels = {finding["about"]: finding["level"] for finding in found["findings"]}
+    assert set(levels) == {
+        "program",
+        "page",
+        "window",
+        "engine",
+        "disk",
+        "database",
+        "camera",
+        "ros",
+    }
+    assert levels["engine"] == "ok"
+    assert result.exit_code == (0 if found["ok"] else 1)
+
+
+def test_the_command_speaks_in_words_and_writes_nothing(tmp_path: Path) -> None:
+    result = run(tmp_path)
+    assert result.output.startswith("PINEL Desktop 0.")
+    assert "[ok] Engine: ready" in result.output
+    assert not list(tmp_path.iterdir())
+
+
+def test_what_is_essential_decides_the_exit_status(tmp_path: Path) -> None:
+    (tmp_path / "pinel.db").write_bytes(b"rubbish" * 1000)
+    result = run(tmp_path)
+    assert result.exit_code == 1
+    assert "[failure] Database" in result.output
+    assert "PINEL does not work like this" in result.output
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_word_of_the_doctor_exists_in_every_language(language: str) -> None:
+    params = dict.fromkeys(
+        [
+            "version",
+            "python",
+            "system",
+            "backend",
+            "program",
+            "devices",
+            "user",
+            "free",
+            "folder",
+            "size",
+            "path",
+        ],
+        "x",
+    ) | dict.fromkeys(["problem", "found", "seconds"], "x")
+    source = Path(doctor.__file__).read_text("utf-8")
+    codes = {
+        word.strip("\"',)(")
+        for word in source.replace("(", " ").split()
+        if word.startswith('"doctor_')
+    }
+    assert len(codes) > 15
+    for code in codes:
+        words = describe(code, params, language)
+        assert words.message != code
+        assert "{" not in words.message + words.remedy
