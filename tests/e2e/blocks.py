@@ -7,7 +7,7 @@ from playwright.sync_api import Locator, Page, expect
 _WORKSPACE = ".blocklySvg .blocklyBlockCanvas"
 _NOTCH_PX = 8  # the bump below a block, outside of the height that stacks
 _MOUTH_PX = 16  # how far the inside of a loop stands to the right
-_GRIP_PX = (20, 26)  # where a block is taken: on its icon
+GRIP_PX = (20, 26)  # where a block is taken: on its icon
 
 
 @dataclass(frozen=True)
@@ -52,8 +52,8 @@ class Blocks:
     def fault_words(self) -> Locator:
         return self._page.locator(".blocklyTextBubble")
 
-    def flyout_block(self, category: str, words: str) -> Locator:
-        self.category(category).click()
+    def in_flyout(self, words: str) -> Locator:
+        """A block of the category that is open."""
         return self._page.locator(
             ".blocklyFlyout .blocklyBlockCanvas > .blocklyDraggable", has_text=words
         ).first
@@ -61,7 +61,8 @@ class Blocks:
     def drag_from_toolbox(self, category: str, words: str, to: Place) -> None:
         """Takes a block out of its category and lets it go."""
         before = self.all().count()
-        outline = self.flyout_block(category, words).locator("> .blocklyPath")
+        self.category(category).click()
+        outline = self.in_flyout(words).locator("> .blocklyPath")
         self._drag(outline, to)
         expect(self.all()).to_have_count(before + self._parts(words))
 
@@ -71,19 +72,19 @@ class Blocks:
 
     def select(self, block: Locator) -> None:
         """Clicks a block where it has neither icon nor field."""
-        box = _box(block.locator("> .blocklyPath").first)
+        box = box_of(block.locator("> .blocklyPath").first)
         self._page.mouse.click(box["x"] + 5, box["y"] + box["height"] - 16)
 
     def below(self, block: Locator) -> Place:
-        box = _box(block.locator("> .blocklyPath").first)
+        box = box_of(block.locator("> .blocklyPath").first)
         return Place(box["x"], box["y"] + box["height"] - _NOTCH_PX)
 
     def inside(self, loop: Locator, row_px: float = 50) -> Place:
-        box = _box(loop.locator("> .blocklyPath").first)
+        box = box_of(loop.locator("> .blocklyPath").first)
         return Place(box["x"] + _MOUTH_PX, box["y"] + row_px)
 
     def beside(self, block: Locator, gap_px: float = 160) -> Place:
-        box = _box(block.locator("> .blocklyPath").first)
+        box = box_of(block.locator("> .blocklyPath").first)
         return Place(box["x"] + box["width"] + gap_px, box["y"] + 40)
 
     def type_into(self, block: Locator, value: str, number: int = 0) -> None:
@@ -101,10 +102,10 @@ class Blocks:
 
     def _drag(self, outline: Locator, to: Place) -> None:
         mouse = self._page.mouse
-        box = _box(outline)
-        mouse.move(box["x"] + _GRIP_PX[0], box["y"] + _GRIP_PX[1])
+        box = box_of(outline)
+        mouse.move(box["x"] + GRIP_PX[0], box["y"] + GRIP_PX[1])
         mouse.down()
-        end = (to.x + _GRIP_PX[0], to.y + _GRIP_PX[1])
+        end = (to.x + GRIP_PX[0], to.y + GRIP_PX[1])
         mouse.move(*end, steps=6)
         # a hand arrives with small movements; the gap that the block opened last closes on the first of them
         for step in (3, -3, 1, -1):
@@ -117,7 +118,7 @@ class Blocks:
         return 4 if words.startswith(("se", "if", "si")) else 1
 
 
-def _box(locator: Locator) -> dict[str, float]:
+def box_of(locator: Locator) -> dict[str, float]:
     locator.scroll_into_view_if_needed()
     box = locator.bounding_box()
     assert box is not None, f"{locator} is not to be seen"

@@ -4,6 +4,8 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.e2e.app_process import AppProcess
+from tests.e2e.conftest import OpenStudio
+from tests.e2e.finger import Finger
 from tests.e2e.studio import Studio
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
@@ -147,3 +149,27 @@ def test_every_look_keeps_the_program(one_move: Studio) -> None:
         expect(one_move.blocks.by_id(before[0]["block"])).to_be_visible()
     assert seen == {"light", "dark", "contrast"}
     assert one_move.commands() == before
+
+
+def test_the_menu_of_a_block_speaks_the_language_of_the_page(one_move: Studio) -> None:
+    blocks = one_move.blocks
+    menu = one_move.page.locator(".blocklyContextMenu")
+    blocks.by_words("andar para frente").locator("> .blocklyPath").first.click(
+        button="right", position={"x": 5, "y": 40}
+    )
+    expect(menu).to_contain_text("Duplicar")
+    menu.locator(".blocklyMenuItem", has_text="Apagar bloco").click()
+    expect_distances(one_move)
+    one_move.page.keyboard.press("Control+z")
+    expect_distances(one_move, 1)
+
+
+def test_a_finger_drags_as_well_as_a_mouse(open_studio: OpenStudio) -> None:
+    studio = open_studio(has_touch=True)
+    studio.enter_new_group()
+    blocks = studio.blocks
+    blocks.category("motion").tap()
+    outline = blocks.in_flyout("andar para frente").locator("> .blocklyPath")
+    finger = Finger(studio.page)
+    finger.drag(outline, blocks.below(blocks.start()))
+    expect_distances(studio, 1)

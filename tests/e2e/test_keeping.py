@@ -1,5 +1,7 @@
 """What a group did is on disk before it can think of saving."""
 
+import time
+
 import pytest
 from playwright.sync_api import expect
 
@@ -34,6 +36,19 @@ def test_an_edit_survives_a_cut_of_power(
     assert move["distance"] == 0.7
     expect(later.blocks.by_id(move["block"])).to_contain_text("0,7")
     expect(later.blocks.by_words("parar")).to_be_visible()
+
+
+def test_an_edit_is_on_disk_within_a_second(studio: Studio) -> None:
+    studio.enter_group("Os Tatus")
+    blocks = studio.blocks
+    blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
+    studio.eventually(studio.actions, ["move_forward"])
+    for distance in ("2", "3"):
+        with studio.page.expect_response(lambda answer: answer.url.endswith("/versions")) as saved:
+            blocks.type_into(blocks.by_words("andar para frente"), distance)
+            typed = time.monotonic()
+        assert saved.value.ok
+        assert time.monotonic() - typed < 1.0
 
 
 def test_looking_around_makes_no_new_version(studio: Studio) -> None:

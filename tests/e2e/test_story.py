@@ -22,6 +22,7 @@ def test_a_group_drags_a_square_and_sees_the_robot_drive_it(studio: Studio) -> N
     assert (move["action"], move["distance"]) == ("move_forward", 0.3)
     assert (turn["action"], turn["angle"]) == ("turn", 90)
 
+    floor_before = studio["scene"].screenshot()
     studio.run()
     lit = studio.blocks.running()
     expect(lit).to_have_attribute("data-id", move["block"], timeout=RUN_MS)
@@ -32,6 +33,8 @@ def test_a_group_drags_a_square_and_sees_the_robot_drive_it(studio: Studio) -> N
     expect(lit).to_have_count(0)
     assert abs(studio.number("pose-x")) < 0.001
     assert abs(studio.number("pose-y")) < 0.001
+    # the robot is back where it began, so what is new on the floor is its path
+    assert studio["scene"].screenshot() != floor_before
     [run] = studio.api(f"/groups/{_group_of(studio)}/runs")["runs"]
     assert run["state"] == "finished"
     assert run["closing_error_m"] < 1e-4

@@ -5,7 +5,10 @@ import { logic } from "./logic";
 import { motion } from "./motion";
 import { start } from "./start";
 
-/** Every block there is, by category, in the order of the toolbox. */
+/**
+ * Every block there is, by category, in the order of the toolbox. A new one takes a definition in the file of its
+ * category, words in `texts/` and a generator in `generator/`; the compiler and `registry.test.ts` name what is missing.
+ */
 export const DEFINITIONS = { start, motion, flow, logic, gestures } as const satisfies Record<
   Category,
   unknown

@@ -42,14 +42,13 @@ describe.each(TYPES)("block %s", (type) => {
 });
 
 describe.each(LANGUAGES)("texts in %s", (language) => {
-  test.each(Object.entries(BLOCK_TEXTS["pt-BR"]))(
-    "%s says something with the same places",
-    (key, text) => {
-      const here = BLOCK_TEXTS[language][key as TextKey];
-      expect(here.trim()).not.toBe("");
-      expect(placeholders(here)).toEqual(placeholders(text));
-    },
-  );
+  test.each(
+    Object.entries(BLOCK_TEXTS["pt-BR"]),
+  )("%s says something with the same places", (key, text) => {
+    const here = BLOCK_TEXTS[language][key as TextKey];
+    expect(here.trim()).not.toBe("");
+    expect(placeholders(here)).toEqual(placeholders(text));
+  });
 
   test("name every choice of every dropdown", () => {
     setBlockLanguage(language);

@@ -1,0 +1,31 @@
+"""A finger on the screen; Playwright itself only taps."""
+
+from playwright.sync_api import Locator, Page
+
+from tests.e2e.blocks import GRIP_PX, Place, box_of
+
+_STEPS = 8
+
+
+class Finger:
+    """Sends touches the way the browser gets them from a screen."""
+
+    def __init__(self, page: Page) -> None:
+        self._screen = page.context.new_cdp_session(page)
+
+    def drag(self, outline: Locator, to: Place) -> None:
+        """Takes a block at its icon and lets it go with its corner at the place."""
+        box = box_of(outline)
+        x, y = box["x"] + GRIP_PX[0], box["y"] + GRIP_PX[1]
+        end_x, end_y = to.x + GRIP_PX[0], to.y + GRIP_PX[1]
+        self._touch("touchStart", x, y)
+        for step in range(1, _STEPS + 1):
+            part = step / _STEPS
+            self._touch("touchMove", x + (end_x - x) * part, y + (end_y - y) * part)
+        for shake in (2, -2, 1):
+            self._touch("touchMove", end_x + shake, end_y + shake)
+        self._screen.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+
+    def _touch(self, kind: str, x: float, y: float) -> None:
+        points = [{"x": x, "y": y}]
+        self._screen.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
