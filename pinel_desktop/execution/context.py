@@ -35,7 +35,7 @@ class RunContext:
         done: how much of the running motion's amount is done.
         gesture_result: the last result of a capture, or what a block has set.
         n_resumed: how often the run went on after a pause: a motion plans the rest of its way anew.
-        drift: how far the robot was moved by hand during the last pause.
+        moved_by_hand: whether somebody moved the robot during the last pause.
     """
 
     robot: RobotModel
