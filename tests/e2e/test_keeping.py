@@ -51,6 +51,23 @@ def test_an_edit_is_on_disk_within_a_second(studio: Studio) -> None:
         assert time.monotonic() - typed < 1.0
 
 
+def test_what_was_typed_last_is_kept_by_who_leaves_at_once(studio: Studio) -> None:
+    studio.enter_group("Os Tatus")
+    blocks = studio.blocks
+    blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
+    studio.eventually(studio.actions, ["move_forward"])
+    program = f"/programs/{studio.program_id}"
+
+    blocks.by_words("andar para frente").locator("> .blocklyInputField").click()
+    studio.page.locator(".blocklyHtmlInput").fill("0,9")
+    studio.page.evaluate("document.querySelector('[data-testid=open-work]').click()")
+
+    expect(studio["program-card"]).to_be_visible()
+    studio.eventually(
+        lambda: studio.api(program)["version"]["document"]["commands"][0]["distance"], 0.9
+    )
+
+
 def test_looking_around_makes_no_new_version(studio: Studio) -> None:
     studio.enter_group("Os Tatus")
     blocks = studio.blocks

@@ -1,5 +1,5 @@
 import type * as Blockly from "blockly/core";
-import { type BlockType, DEFINITIONS } from "./definitions";
+import { type BlockType, CATEGORIES, DEFINITIONS } from "./definitions";
 import type { Category } from "./hues";
 import { reference } from "./texts";
 import type { TextKey } from "./texts/keys";
@@ -21,26 +21,26 @@ const FILLED: Partial<Record<BlockType, Pick<ToolboxBlock, "inputs">>> = {
   compare: { inputs: gestureIsLetter.block.inputs },
 };
 
+type ToolboxCategory = Exclude<Category, "start">;
+
 /** The categories a pupil chooses from; the start block stands in the workspace already. */
-export const TOOLBOX_CATEGORIES: readonly Exclude<Category, "start">[] = [
-  "motion",
-  "flow",
-  "logic",
-  "gestures",
-];
+export const TOOLBOX_CATEGORIES = CATEGORIES.filter(
+  (category): category is ToolboxCategory => category !== "start",
+);
 
 export function toolbox(): Blockly.utils.toolbox.ToolboxInfo {
   return { kind: "categoryToolbox", contents: TOOLBOX_CATEGORIES.map(category) };
 }
 
-function category(name: Exclude<Category, "start">): Blockly.utils.toolbox.StaticCategoryInfo {
+function category(name: ToolboxCategory): Blockly.utils.toolbox.StaticCategoryInfo {
   return {
     kind: "category",
     id: name,
     name: reference(`CATEGORY_${name.toUpperCase()}` as TextKey),
     categorystyle: name,
-    cssconfig: {},
-    hidden: undefined,
     contents: DEFINITIONS[name].map(({ type }) => ({ kind: "block", type, ...FILLED[type] })),
-  } as unknown as Blockly.utils.toolbox.StaticCategoryInfo;
+    colour: undefined,
+    cssconfig: undefined,
+    hidden: undefined,
+  };
 }

@@ -15,6 +15,8 @@ const WARNING = "pinel_fault";
 
 /** Shows each fault where it is: a red ring, and words in a bubble that opens at the first new one. */
 export class Faults {
+  /** What was asked for last, less what was mended since. */
+  shown: readonly Fault[] = [];
   private readonly marked = new Map<string, string>();
 
   constructor(private readonly workspace: Blockly.WorkspaceSvg) {}
@@ -23,6 +25,7 @@ export class Faults {
   show(faults: readonly Fault[]): void {
     const wanted = wordsByBlock(faults);
     for (const [id, words] of this.marked) if (wanted.get(id) !== words) this.clearBlock(id);
+    this.shown = faults;
     const added = [...wanted].filter(([id, words]) => this.mark(id, words));
     if (added[0]) this.openBubble(added[0][0]);
   }
@@ -34,6 +37,7 @@ export class Faults {
   /** A pupil who works on a block has understood; the next check will tell whether it is well now. */
   clearBlock(id: string | null | undefined): void {
     if (!id || !this.marked.delete(id)) return;
+    this.shown = this.shown.filter((fault) => fault.block !== id);
     const block = this.workspace.getBlockById(id);
     if (!block) return;
     setRing(block, "fault", false);

@@ -67,6 +67,7 @@ class BlockEditor implements Editor {
   private readonly zoomControls: ReturnType<typeof addZoomControls>;
   private readonly sizes: ResizeObserver;
   private known = "";
+  private disposed = false;
 
   constructor(private readonly options: EditorOptions) {
     this.workspace = injectWorkspace(options);
@@ -117,7 +118,6 @@ class BlockEditor implements Editor {
     applyLanguage(language);
     this.workspace.updateToolbox(toolbox());
     this.zoomControls.relabel();
-    this.faults.clear();
     // blocks take their words when they are made
     this.remake();
   }
@@ -156,6 +156,10 @@ class BlockEditor implements Editor {
   }
 
   dispose(): void {
+    // the last edit may still wait for its event
+    Blockly.hideChaff();
+    this.onContent();
+    this.disposed = true;
     this.sizes.disconnect();
     this.zoomControls.remove();
     this.workspace.dispose();
@@ -166,15 +170,19 @@ class BlockEditor implements Editor {
     const font = `600 18px ${pageFont()}`;
     if (!document.fonts || document.fonts.check(font)) return;
     void document.fonts.load(font).then(() => {
-      if (!this.workspace.isDragging()) this.remake();
+      if (!this.disposed && !this.workspace.isDragging()) this.remake();
     });
   }
 
-  /** Makes every block again as it is, ids and undo kept. */
+  /** Makes every block again as it is; ids, undo and what is shown on blocks stay. */
   private remake(): void {
+    Blockly.hideChaff();
     const running = this.running.blockId;
+    const faults = this.faults.shown;
     this.running.show(null);
+    this.faults.clear();
     this.replace(Blockly.serialization.workspaces.save(this.workspace));
+    this.faults.show(faults);
     this.running.show(running);
   }
 
