@@ -102,6 +102,10 @@ function onStream(event: StreamEvent): void {
   }
 }
 
+window.addEventListener("hashchange", () => {
+  problem.value = null;
+});
+
 /** Opens the page's line to the server. */
 export async function open(): Promise<void> {
   effect(() => {

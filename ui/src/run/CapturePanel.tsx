@@ -1,4 +1,5 @@
 import { Hand } from "lucide-preact";
+import { useEffect } from "preact/hooks";
 import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
 import { decimal } from "../i18n/format";
@@ -16,6 +17,7 @@ interface CapturePanelProps {
 /** The program waits for a sign; until a camera sees it, the group says which one it was. */
 export function CapturePanel({ capture, tick, onAnswer }: CapturePanelProps) {
   const words = texts.value.capture;
+  useEffect(() => listenForLetters(onAnswer));
   const left = Math.max(0, capture.timeoutS - (tick - capture.sinceTick) / 30);
   const shown = decimal(Math.ceil(left), 0, language.value);
   return (
@@ -45,6 +47,19 @@ export function CapturePanel({ capture, tick, onAnswer }: CapturePanelProps) {
       </div>
     </section>
   );
+}
+
+/** The letter's key answers too, unless the keyboard is busy elsewhere. */
+function listenForLetters(onAnswer: (result: string) => void): () => void {
+  const onKey = (event: KeyboardEvent) => {
+    const target = event.target as HTMLElement;
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    if (target.closest("input, select, textarea, .injectionDiv")) return;
+    const letter = event.key.toUpperCase();
+    if (LETTERS.includes(letter)) onAnswer(letter);
+  };
+  window.addEventListener("keydown", onKey);
+  return () => window.removeEventListener("keydown", onKey);
 }
 
 interface AnswerProps {

@@ -1,23 +1,19 @@
-import { ChevronDown, Map as MapIcon, Pause, Play, Square } from "lucide-preact";
-import type { World } from "../api/model";
+import { Pause, Play, Square } from "lucide-preact";
 import { TEST } from "../app/testids";
-import { language, texts } from "../i18n";
+import { texts } from "../i18n";
 import type { Phase } from "./reducer";
 
 interface RunBarProps {
   phase: Phase;
   /** Run is out of reach, for a reason that the status line tells. */
   unable: boolean;
-  worlds: readonly World[];
-  world: string;
   onRun(): void;
   onPause(): void;
   onResume(): void;
   onStop(): void;
-  onWorld(name: string): void;
 }
 
-/** Run, which becomes Pause; Stop, always there and always red; and where the robot drives. */
+/** Run, which becomes Pause; and Stop, always there and always red. */
 export function RunBar(props: RunBarProps) {
   const { run } = texts.value;
   return (
@@ -32,7 +28,6 @@ export function RunBar(props: RunBarProps) {
         <Square class="icon" fill="currentColor" aria-hidden="true" />
         {run.stop}
       </button>
-      <WorldChoice {...props} />
     </section>
   );
 }
@@ -74,29 +69,5 @@ function RunButton({ phase, unable, onRun, onPause, onResume }: RunBarProps) {
       <Play class="icon" fill="currentColor" aria-hidden="true" />
       {phase === "starting" ? run.starting : run.run}
     </button>
-  );
-}
-
-function WorldChoice({ phase, worlds, world, onWorld }: RunBarProps) {
-  const busy = phase === "starting" || phase === "running" || phase === "paused";
-  return (
-    <span class="select run-bar__world">
-      <MapIcon class="icon" aria-hidden="true" />
-      <select
-        aria-label={texts.value.run.world}
-        title={texts.value.run.world}
-        data-testid={TEST.world}
-        value={world}
-        disabled={busy}
-        onChange={(event) => onWorld(event.currentTarget.value)}
-      >
-        {worlds.map((one) => (
-          <option key={one.name} value={one.name}>
-            {one.title[language.value]}
-          </option>
-        ))}
-      </select>
-      <ChevronDown class="icon icon--end" aria-hidden="true" />
-    </span>
   );
 }

@@ -21,11 +21,14 @@ const MAX_SCALE = 320;
 export function cameraFor(box: Box, size: Size): Camera {
   const width = Math.max(1, size.width - EDGE.left - EDGE.right);
   const height = Math.max(1, size.height - EDGE.top - EDGE.bottom);
-  const scale = Math.min(width / (box.right - box.left), height / (box.top - box.bottom));
+  const scale = clampScale(
+    Math.min(width / (box.right - box.left), height / (box.top - box.bottom)),
+  );
+  // what is left of the height goes to the top, where the controls lie over the floor
   return {
     x: (box.left + box.right) / 2 - (EDGE.left - EDGE.right) / 2 / scale,
-    y: (box.bottom + box.top) / 2 - (EDGE.bottom - EDGE.top) / 2 / scale,
-    scale: clampScale(scale),
+    y: box.bottom + (size.height / 2 - EDGE.bottom) / scale,
+    scale,
   };
 }
 

@@ -3,6 +3,9 @@ import { type Camera, EDGE, type Size, toScreen } from "./camera";
 import { roomOf, startOf, toStart, toWorld } from "./frames";
 import type { Palette } from "./palette";
 
+/** The choice of the world lies over the upper left corner, down to here. */
+const WORLD_CHOICE = 68;
+
 /** All of these draw in the world's frame, in metres, y up. */
 type Ctx = CanvasRenderingContext2D;
 
@@ -139,7 +142,7 @@ function edgePoint(a: Place, b: Place, size: Size): Place | null {
   }
   const x = EDGE.left / 2;
   const y = a.y + (dy * (x - a.x)) / dx;
-  return y > EDGE.top && y < size.height - EDGE.bottom ? { x, y } : null;
+  return y > WORLD_CHOICE && y < size.height - EDGE.bottom ? { x, y } : null;
 }
 
 function number(ctx: Ctx, metre: number, { x, y }: Place, palette: Palette): void {

@@ -62,7 +62,7 @@ function Workspace({ control }: { control: StudioControl }) {
         theme: theme.value,
         mediaPath: "/media/",
         programName: () => program.value?.name ?? "",
-        onChange: (content) => control.open.edit(content),
+        onChange: (content) => control.onEdit(content),
       });
       editor.current = made;
       openIn(made, control);

@@ -1,6 +1,6 @@
 import { useComputed, useSignal } from "@preact/signals";
 import { Braces } from "lucide-preact";
-import { engine, worlds } from "../app/session";
+import { connection, engine, worlds } from "../app/session";
 import { TEST } from "../app/testids";
 import { texts } from "../i18n";
 import { CapturePanel } from "../run/CapturePanel";
@@ -10,6 +10,7 @@ import { Readout } from "../run/Readout";
 import { RunBar } from "../run/RunBar";
 import { isLive } from "../run/reducer";
 import { StatusLine } from "../run/StatusLine";
+import { WorldChoice } from "../run/WorldChoice";
 import { Scene } from "../scene/Scene";
 import type { StudioControl } from "./studio_control";
 import "../run/run.css";
@@ -24,6 +25,7 @@ export function FloorPane({ control }: { control: StudioControl }) {
       <div class="floor__stage">
         <div class="floor__scene">
           <Scene world={control.world.value} view={robot.live} poseAt={robot.livePose} />
+          <World control={control} />
         </div>
         {asking.value ? (
           <CaptureWhileAsked control={control} />
@@ -57,23 +59,33 @@ export function FloorPane({ control }: { control: StudioControl }) {
 function Controls({ control }: { control: StudioControl }) {
   const phase = useComputed(() => robot.live.value.phase);
   const elsewhere = useComputed(() => isLive(robot.live.value) && !control.mine.value);
+  const ready = engine.value === "ready" && connection.value === "open";
   return (
     <RunBar
       phase={elsewhere.value && robot.live.value.run ? "idle" : phase.value}
-      unable={(elsewhere.value && phase.value !== "starting") || engine.value !== "ready"}
-      worlds={worlds.value}
-      world={control.worldName.value}
+      unable={(elsewhere.value && phase.value !== "starting") || !ready}
       onRun={() => void control.run()}
       onPause={() => control.send(robot.pause)}
       onResume={() => control.send(robot.resume)}
       onStop={() => control.send(robot.stop)}
-      onWorld={(name) => control.chooseWorld(name)}
     />
   );
 }
 
 function Status({ control }: { control: StudioControl }) {
   return <StatusLine sentence={control.sentence.value} />;
+}
+
+function World({ control }: { control: StudioControl }) {
+  const busy = useComputed(() => isLive(robot.live.value));
+  return (
+    <WorldChoice
+      worlds={worlds.value}
+      world={control.worldName.value}
+      busy={busy.value}
+      onWorld={(name) => control.chooseWorld(name)}
+    />
+  );
 }
 
 function CaptureWhileAsked({ control }: { control: StudioControl }) {

@@ -8,14 +8,17 @@ import { TEST } from "../app/testids";
 import { texts } from "../i18n";
 import { PathPicture } from "../scene/PathPicture";
 
-/** A group by name, colour and the path of its last run. */
+/** Of so many runs, the newest that went anywhere makes the picture. */
+const LOOKED_AT = 8;
+
+/** A group by name, colour and the path of its newest run. */
 export function GroupCard({ group }: { group: Group }) {
   const { start } = texts.value;
   const path = useSignal<readonly (readonly number[])[]>([]);
   useEffect(() => {
     if (group.n_runs === 0) return;
-    api.runs(group.id, null, 1).then(({ runs }) => {
-      path.value = runs[0]?.path ?? [];
+    api.runs(group.id, null, LOOKED_AT).then(({ runs }) => {
+      path.value = runs.find((run) => run.path.length > 1)?.path ?? [];
     }, report);
   }, [group.id]);
   const made = [start.programs(group.n_programs), start.runs(group.n_runs)];
@@ -23,8 +26,8 @@ export function GroupCard({ group }: { group: Group }) {
   return (
     <button
       type="button"
-      class="group-card card"
-      style={{ "--group": group.color, "--picture": group.color }}
+      class="group-card card tinted"
+      style={{ "--group": group.color }}
       data-testid={TEST.groupCard}
       aria-label={start.open(group.name)}
       onClick={() => void enterGroup(group).catch(report)}

@@ -39,7 +39,7 @@ function GroupChip() {
   if (!now) return null;
   return (
     <a
-      class="header__group"
+      class="header__group tinted"
       href="#/"
       title={`${texts.value.header.group}: ${now.name}. ${texts.value.header.home}`}
       data-testid={TEST.headerGroup}
@@ -55,10 +55,10 @@ function WorkButton() {
   const { header } = texts.value;
   const now = route.value;
   if (now.screen === "work") {
-    const program = opened.value?.id;
-    if (!program) return null;
+    const program = opened.value?.program;
+    if (program?.group_id !== now.group) return null;
     return (
-      <a class="button" href={hashOf({ screen: "studio", program })}>
+      <a class="button" href={hashOf({ screen: "studio", program: program.id })}>
         <ArrowLeft class="icon" aria-hidden="true" />
         <span class="header__word">{header.backToProgram}</span>
       </a>

@@ -36,6 +36,9 @@ export function WorkScreen({ groupId }: { groupId: string }) {
     load().catch(report);
   }, [groupId]);
 
+  const pictureOf = (id: string) =>
+    runs.value.find((run) => run.program_id === id && run.path.length > 1)?.path ?? [];
+
   const create = async () => {
     const made = await createProgram(groupId, programs.value ?? []);
     program.value = made;
@@ -62,10 +65,7 @@ export function WorkScreen({ groupId }: { groupId: string }) {
           </li>
           {programs.value.map((one) => (
             <li key={one.id}>
-              <ProgramCard
-                program={one}
-                path={runs.value.find((run) => run.program_id === one.id)?.path ?? []}
-              />
+              <ProgramCard program={one} path={pictureOf(one.id)} />
             </li>
           ))}
         </ul>

@@ -1,6 +1,6 @@
 import { computed, effect, signal } from "@preact/signals";
 import { ApiError } from "../api/errors";
-import type { Fault } from "../api/model";
+import type { Content, Fault } from "../api/model";
 import type { OpenProgram } from "../app/open_program";
 import { connection, engine, problem, report, worlds } from "../app/session";
 import type { Editor } from "../editor";
@@ -31,6 +31,13 @@ export class StudioControl {
     () => worlds.value.find((world) => world.name === this.worldName.value) ?? null,
   );
   readonly sentence = computed<Sentence>(() => this.say());
+  private readonly lit = computed(() => (this.mine.value ? litBlock(robot.live.value) : null));
+  private readonly failure = computed(() => {
+    const { phase, ending } = robot.live.value;
+    return phase === "failed" && this.mine.value ? ending : null;
+  });
+  /** The blocks are no longer those that ran. */
+  private readonly edited = signal(false);
   private runDocument: unknown = null;
   private pointing = 0;
   private busy = false;
@@ -41,13 +48,18 @@ export class StudioControl {
   attach(editor: Editor): () => void {
     this.editor = editor;
     const stops = [
-      effect(() => editor.highlight(this.running)),
+      effect(() => editor.highlight(this.lit.value)),
       effect(() => editor.showFaults([...this.open.faults.value, ...this.runFaults()])),
     ];
     return () => {
       for (const stop of stops) stop();
       this.editor = null;
     };
+  }
+
+  onEdit(content: Content): void {
+    this.edited.value = true;
+    this.open.edit(content);
   }
 
   chooseWorld(name: string): void {
@@ -73,6 +85,7 @@ export class StudioControl {
       if (this.editor) open.edit(this.editor.content());
       const version = await open.autosave.flush();
       if (!version || version.faults.length > 0) return this.showFirst();
+      this.edited.value = false;
       this.runDocument = open.content.value?.document ?? null;
       await robot.start(version.id, this.worldName.value);
     } catch (error) {
@@ -90,11 +103,7 @@ export class StudioControl {
   goTo(fault: Fault): void {
     this.editor?.highlight(fault.block);
     clearTimeout(this.pointing);
-    this.pointing = window.setTimeout(() => this.editor?.highlight(this.running), POINTING_MS);
-  }
-
-  private get running(): string | null {
-    return this.mine.value ? litBlock(robot.live.value) : null;
+    this.pointing = window.setTimeout(() => this.editor?.highlight(this.lit.value), POINTING_MS);
   }
 
   send(message: () => Promise<void>): void {
@@ -103,8 +112,8 @@ export class StudioControl {
 
   /** A run that failed at a block shows why, there. */
   private runFaults() {
-    const { phase, ending } = robot.live.value;
-    if (phase !== "failed" || !ending?.block || !this.mine.value) return [];
+    const ending = this.failure.value;
+    if (!ending?.block || this.edited.value) return [];
     const words = reasonWords(ending.reason, ending.params, language.value);
     return words ? [{ block: ending.block, ...words }] : [];
   }
