@@ -38,6 +38,7 @@ class App:
         database: the file; made where there is none. When it cannot be used the app starts all the same, and
             the page says why nothing can be kept.
         port: 0 for any that is free.
+        instance: a lock on the database that was taken before; the app gives it back.
         on_show: brings the window forward when the app is started a second time.
     """
 
@@ -46,6 +47,7 @@ class App:
         database: Path,
         *,
         port: int = 0,
+        instance: Instance | None = None,
         on_show: Callable[[], None] = lambda: None,
         make_engine: Callable[[Callable[[Event], None]], EngineOfApp] = EngineClient,
         read: ReadDocument = read_document,
@@ -53,6 +55,7 @@ class App:
     ) -> None:
         self._database = database
         self._port = port
+        self._instance = instance
         self._on_show = on_show
         self._make_engine = make_engine
         self._read = read
@@ -67,8 +70,9 @@ class App:
             PinelError: `port_taken`, `instance_silent`.
         """
         with contextlib.ExitStack() as undo:
-            instance = Instance(self._database)
-            instance.acquire()
+            instance = self._instance or Instance(self._database)
+            if self._instance is None:
+                instance.acquire()
             undo.callback(instance.release)
             self._assemble(undo)
             instance.announce(self._guard.origin, self._guard.secret)

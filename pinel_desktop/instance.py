@@ -71,7 +71,8 @@ class Instance:
 
     def __init__(self, database: Path) -> None:
         self._file = database.with_name(f"{database.stem}.instance.json")
-        self._lock = FileLock(str(database.with_name(f"{database.stem}.lock")))
+        # the thread that takes the lock need not be the one that announces the address
+        self._lock = FileLock(str(database.with_name(f"{database.stem}.lock")), thread_local=False)
 
     def acquire(self, wait_s: float = _STARTING_S) -> None:
         """Takes the lock. In a folder that cannot be written there is none, and no harm in going without.

@@ -1,19 +1,28 @@
-"""`pinel` without a subcommand: the app in its window; and `pinel --self-check`."""
+"""`pinel` without a subcommand: the app in its window; and `pinel --self-check`.
+
+The window and the app start side by side: the toolkit needs as long to draw an empty window as Python does to
+import the web server. Nothing heavy may be imported at the top of this file.
+"""
 
 import json
 import signal
 import threading
+from concurrent.futures import Future
+from pathlib import Path
 from types import FrameType
+from typing import TYPE_CHECKING
 
 import click
 
-from pinel_desktop.app import App
 from pinel_desktop.desktop.ending import end_process
 from pinel_desktop.desktop.presenter import Presenter
 from pinel_desktop.errors import PinelError
-from pinel_desktop.instance import AlreadyRunningError
+from pinel_desktop.instance import AlreadyRunningError, Instance
 from pinel_desktop.messages import describe, language_of_system
 from pinel_desktop.paths import database_path
+
+if TYPE_CHECKING:
+    from pinel_desktop.app import App
 
 
 def open_app(db: str | None) -> int:
@@ -21,12 +30,17 @@ def open_app(db: str | None) -> int:
 
     Returns the exit status: 0, or 1 when the app cannot start.
     """
+    database = database_path(db)
+    instance = Instance(database)
     try:
-        _present(db)
+        # before anything else, so that a second start is quick and shows no window of its own
+        instance.acquire()
+        _present(database, instance)
     except AlreadyRunningError as first:
         return _bring_forward(first)
     except PinelError as error:
         _say(error.code, error.params, language_of_system())
+        end_process(1)
         return 1
     end_process(0)
     return 0
@@ -43,16 +57,42 @@ def self_check(db: str | None) -> int:
     return status
 
 
-def _present(db: str | None) -> None:
-    presenters: list[Presenter] = []
-    app = App(database_path(db), on_show=lambda: presenters[0].show() if presenters else None)
-    with app:
-        if app.notice is not None:
-            _say(app.notice.code, app.notice.params, app.language)
-        presenter = Presenter(lambda: app.address, app.language, say=_say_line, give=click.echo)
-        presenters.append(presenter)
-        _end_at_signal(presenter)
+def _present(database: Path, instance: Instance) -> None:
+    """Shows the window at once, the page in it as soon as the app answers."""
+    starting: Future[App] = Future()
+    presenter = Presenter(
+        lambda: starting.result().address,
+        lambda: starting.result().language,
+        say=_say_line,
+        give=click.echo,
+    )
+    _end_at_signal(presenter)
+    starter = threading.Thread(
+        target=_start, args=(starting, database, instance, presenter), name="start"
+    )
+    starter.start()
+    try:
         presenter.run()
+    finally:
+        starter.join()
+        if starting.exception() is None:
+            starting.result().close()
+
+
+def _start(
+    starting: "Future[App]", database: Path, instance: Instance, presenter: Presenter
+) -> None:
+    from pinel_desktop.app import App  # noqa: PLC0415 - see above
+
+    app = App(database, instance=instance, on_show=presenter.show)
+    try:
+        app.start()
+    except BaseException as failure:  # it is for the main thread to deal with
+        starting.set_exception(failure)
+        return
+    if app.notice is not None:
+        _say(app.notice.code, app.notice.params, app.language)
+    starting.set_result(app)
 
 
 def _end_at_signal(presenter: Presenter) -> None:

@@ -12,6 +12,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
+from pinel_desktop.errors import PinelError
+
 Toolkit = Literal["gtk", "qt", "edgechromium", "cocoa"]
 BackendName = Toolkit | Literal["browser"]
 
@@ -57,6 +59,10 @@ def qt_problem() -> str | None:
         if importlib.util.find_spec(package) is not None:
             return None
     return "PyQt6, PySide6"
+
+
+class NoWindowError(PinelError):
+    """The page cannot be shown in this way; another may be tried."""
 
 
 @dataclass(frozen=True, slots=True)

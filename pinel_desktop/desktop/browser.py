@@ -7,8 +7,7 @@ import tempfile
 import threading
 from collections.abc import Callable
 
-from pinel_desktop.desktop.backends import Pc, find_browser
-from pinel_desktop.errors import PinelError
+from pinel_desktop.desktop.backends import NoWindowError, Pc, find_browser
 
 # A browser that ends sooner, with a fault, has not shown anything.
 _SHORT_LIFE_S = 5.0
@@ -42,10 +41,10 @@ class BrowserWindow:
         self._command: Callable[[], list[str]] | None = None
 
     def run(self) -> None:
-        """Returns when the window is closed. Raises PinelError `window_browser_missing` or `window_failed`."""
+        """Returns when the window is closed. Raises NoWindowError `window_browser_missing` or `window_failed`."""
         program = find_browser(self._pc)
         if program is None:
-            raise PinelError("window_browser_missing")
+            raise NoWindowError("window_browser_missing")
         profile = tempfile.mkdtemp(prefix="pinel-browser-")
         self._command = lambda: app_command(
             program, self._fresh_address(), profile, as_root=_is_root()
@@ -82,7 +81,7 @@ class BrowserWindow:
                 self._process.wait()
                 return
         if status != 0 and not self._closed.is_set():
-            raise PinelError("window_failed", backend=command[0], reason=f"status {status}")
+            raise NoWindowError("window_failed", backend=command[0], reason=f"status {status}")
 
 
 def _is_root() -> bool:

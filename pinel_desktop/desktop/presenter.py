@@ -5,12 +5,15 @@ import webbrowser
 from collections.abc import Callable, Mapping
 from typing import Protocol
 
-from pinel_desktop.desktop.backends import Backend, Pc, Toolkit, backends
+from pinel_desktop.desktop.backends import Backend, NoWindowError, Pc, Toolkit, backends
 from pinel_desktop.desktop.browser import BrowserWindow
-from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
 
 TITLE = "PINEL Desktop"
+# The workspace has drawn its first block, and there is a button to run it.
+USABLE = (
+    "!!document.querySelector('.blocklyDraggable') && !!document.querySelector('[data-testid=run]')"
+)
 # Qt is an extra: that it is missing is no news to anybody.
 _NO_NEWS = ("window_qt_missing",)
 
@@ -28,7 +31,8 @@ class OpenWindow(Protocol):
 class Presenter:
     """Keeps the page on the screen until the person closes it.
 
-    `fresh_address` gives an address that works once: every way that is tried gets its own. `say` is given the
+    `fresh_address` gives an address that works once: every way that is tried gets its own. It and `language` may
+    wait until the app can answer; what they raise, `run` raises. `say` is given the
     lines that a person should read, `give` the address that a person or a program may open. `show` and `close`
     may be called from any thread, at any time.
     """
@@ -36,7 +40,7 @@ class Presenter:
     def __init__(
         self,
         fresh_address: Callable[[], str],
-        language: str,
+        language: Callable[[], str],
         *,
         say: Callable[[str], None],
         give: Callable[[str], None],
@@ -77,13 +81,13 @@ class Presenter:
         """Whether the page was shown and has been closed."""
         try:
             if backend.problem:
-                raise PinelError(backend.problem, **backend.params)
+                raise NoWindowError(backend.problem, **backend.params)
             self.backend = backend.name
             if backend.name == "browser":
                 self._show_in_browser()
             else:
                 self._show_in_window(backend.name)
-        except PinelError as error:
+        except NoWindowError as error:
             if error.code not in _NO_NEWS:
                 self._say_words(error.code, error.params)
             return False
@@ -95,7 +99,7 @@ class Presenter:
         # pywebview and GTK take half a second to import, and are not there on every PC
         from pinel_desktop.desktop.window import NativeWindow  # noqa: PLC0415
 
-        window = NativeWindow(self._fresh_address(), TITLE, self._language, on_open=self._on_open)
+        window = NativeWindow(self._fresh_address, TITLE, self._language, on_open=self._on_open)
         self._window = window
         window.run(toolkit)
 
@@ -108,9 +112,10 @@ class Presenter:
         """The last way: the person opens the page; the app goes on until it is ended."""
         self.backend = "address"
         address = self._fresh_address()
-        self._say(describe("window_address", {}, self._language).message)
+        words = describe("window_address", {}, self._language())
+        self._say(words.message)
         self._give(address)
-        self._say(describe("window_address", {}, self._language).remedy)
+        self._say(words.remedy)
         if self._pc.has_screen:
             webbrowser.open(address)
         # in steps, because Windows hears Ctrl+C only between them
@@ -118,5 +123,5 @@ class Presenter:
             pass
 
     def _say_words(self, code: str, params: Mapping[str, object]) -> None:
-        words = describe(code, params, self._language)
+        words = describe(code, params, self._language())
         self._say(f"{words.message} {words.remedy}".strip())

@@ -19,7 +19,7 @@ from typing import Any
 from pinel_desktop import __version__
 from pinel_desktop.app import App
 from pinel_desktop.desktop.backends import Pc, Toolkit, backends
-from pinel_desktop.desktop.presenter import TITLE
+from pinel_desktop.desktop.presenter import TITLE, USABLE
 from pinel_desktop.desktop.screen import any_screen
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, language_of_system
@@ -46,10 +46,6 @@ LARGEST_CLOSING_ERROR_M = 1e-4
 _READY_S = 60.0
 _RUN_S = 60.0
 _PAUSE_S = 0.05
-# The workspace has drawn its first block, and there is a button to run it.
-USABLE = (
-    "!!document.querySelector('.blocklyDraggable') && !!document.querySelector('[data-testid=run]')"
-)
 _LIBRARIES = ("pywebview", "flask", "pydantic", "pymunk", "numpy", "sqlite-utils")
 
 
@@ -106,7 +102,9 @@ def _in_window(app: App, result: Json) -> None:
         finally:
             window.close()
 
-    window = NativeWindow(f"{app.address}#/program/{program}", TITLE, app.language, on_open=work)
+    window = NativeWindow(
+        lambda: f"{app.address}#/program/{program}", TITLE, lambda: app.language, on_open=work
+    )
     toolkit = _toolkit()
     result["window"]["backend"] = toolkit
     window.run(toolkit)

@@ -10,9 +10,8 @@ from typing import Any
 import webview
 from webview.guilib import initialize
 
-from pinel_desktop.desktop.backends import Toolkit, renderer_problem
+from pinel_desktop.desktop.backends import NoWindowError, Toolkit, renderer_problem
 from pinel_desktop.desktop.policy import fitted_size, may_open
-from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
 
 # What pywebview calls its own words, and our codes for them.
@@ -29,20 +28,22 @@ _DIALOG_WORDS = {
     "windows.fileFilter.otherFiles": "dialog_other_files",
 }
 _BACKGROUND = "#f6f3ee"
+_EMPTY = f'<body style="background: {_BACKGROUND}"></body>'
 
 
 class NativeWindow:
     """One window with one page; `run` belongs to the main thread, everything else to any.
 
-    `origin` is what the window may show; `address` is opened first. `on_open` is called once, on a thread of
-    its own, when the window is there.
+    The window opens empty, and `address` and `language` are asked on a thread of their own: they may take their
+    time. The page may not leave the origin of the address. `on_open` is called on that thread when the page has
+    begun to load.
     """
 
     def __init__(
         self,
-        address: str,
+        address: Callable[[], str],
         title: str,
-        language: str,
+        language: Callable[[], str],
         *,
         icon: str | None = None,
         on_open: Callable[[], None] | None = None,
@@ -53,14 +54,16 @@ class NativeWindow:
         self._icon = icon
         self._on_open = on_open
         self._window: webview.Window | None = None
+        self._origin = ""
         self._opened = threading.Event()
         self._closing = False
+        self._failure: BaseException | None = None
 
     def run(self, backend: Toolkit) -> None:
         """Returns when the window is closed.
 
-        Raises PinelError `window_webview2_missing`, `window_no_screen` or `window_failed` when it could not
-        be opened; the next way may be tried then.
+        Raises NoWindowError `window_webview2_missing`, `window_no_screen` or `window_failed` when it could not
+        be opened. What `address` and `language` raise closes the window and is raised here.
         """
         if "PYWEBVIEW_LOG" not in os.environ:
             logging.getLogger("pywebview").setLevel(logging.CRITICAL)
@@ -69,17 +72,19 @@ class NativeWindow:
                 _require_gtk_screen()
             toolkit = initialize(backend)
             if problem := renderer_problem(toolkit.renderer):
-                raise PinelError(problem)
+                raise NoWindowError(problem)
             self._create(toolkit.get_screens()[0])
-            webview.start(gui=backend, localization=self._words(), icon=self._icon)
-        except PinelError:
+            webview.start(gui=backend, icon=self._icon)
+        except NoWindowError:
             raise
         except Exception as error:  # pywebview hands on whatever its toolkit raises
-            raise PinelError("window_failed", backend=backend, reason=str(error)) from error
+            raise NoWindowError("window_failed", backend=backend, reason=str(error)) from error
         finally:
             webview.windows.clear()
+        if self._failure is not None:
+            raise self._failure
         if not self._opened.is_set():
-            raise PinelError("window_failed", backend=backend, reason="")
+            raise NoWindowError("window_failed", backend=backend, reason="")
 
     def show(self) -> None:
         """Brings the window forward."""
@@ -103,7 +108,7 @@ class NativeWindow:
         size = fitted_size(screen.width, screen.height)
         window = webview.create_window(
             self._title,
-            self._address,
+            html=_EMPTY,
             width=size.width,
             height=size.height,
             min_size=size.smallest,
@@ -112,27 +117,39 @@ class NativeWindow:
             text_select=True,
         )
         if window is None:
-            raise PinelError("window_failed", backend="pywebview", reason="")
+            raise NoWindowError("window_failed", backend="pywebview", reason="")
         window.events.before_show += self._guard
-        window.events.shown += self._tell_opened
+        window.events.shown += self._load
         self._window = window
 
     def _guard(self) -> None:
-        """Runs on the window's thread before the page is loaded."""
+        """Runs on the window's thread before anything is loaded."""
         if self._window is not None and webview.renderer == "gtkwebkit2":
-            _guard_gtk(self._window, self._address)
+            _guard_gtk(self._window, self._may_open)
 
-    def _tell_opened(self) -> None:
+    def _may_open(self, address: str) -> bool:
+        return address == "about:blank" or may_open(address, self._origin)
+
+    def _load(self) -> None:
+        """Runs on a thread of its own once the window is there."""
         self._opened.set()
+        try:
+            self._origin = self._address()
+            if self._window is not None and not self._closing:
+                self._window.localization.update(_dialog_words(self._language()))
+                self._window.load_url(self._origin)
+        except BaseException as failure:
+            self._failure = failure
+            self.close()
+            return
         if self._closing:
             self.close()
         elif self._on_open is not None:
             self._on_open()
 
-    def _words(self) -> dict[str, str]:
-        return {
-            key: describe(code, {}, self._language).message for key, code in _DIALOG_WORDS.items()
-        }
+
+def _dialog_words(language: str) -> dict[str, str]:
+    return {key: describe(code, {}, language).message for key, code in _DIALOG_WORDS.items()}
 
 
 def _require_gtk_screen() -> None:
@@ -143,10 +160,10 @@ def _require_gtk_screen() -> None:
     from gi.repository import Gtk  # noqa: PLC0415
 
     if not Gtk.init_check([])[0]:
-        raise PinelError("window_no_screen")
+        raise NoWindowError("window_no_screen")
 
 
-def _guard_gtk(window: webview.Window, own: str) -> None:
+def _guard_gtk(window: webview.Window, may_go: Callable[[str], bool]) -> None:
     """Keeps WebKit on our own page, lets the page keep small settings, and closes at a signal."""
     from gi.repository import GLib, WebKit2  # noqa: PLC0415
     from webview.platforms.gtk import BrowserView  # noqa: PLC0415
@@ -158,9 +175,7 @@ def _guard_gtk(window: webview.Window, own: str) -> None:
             allowed = decision.is_mime_type_supported()
         else:
             address = decision.get_navigation_action().get_request().get_uri()
-            allowed = kind == WebKit2.PolicyDecisionType.NAVIGATION_ACTION and may_open(
-                address, own
-            )
+            allowed = kind == WebKit2.PolicyDecisionType.NAVIGATION_ACTION and may_go(address)
         if allowed:
             decision.use()
         else:

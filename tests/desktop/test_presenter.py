@@ -64,7 +64,7 @@ def test_without_a_screen_the_address_is_printed_and_the_app_stays(
     said: Said, addresses: Callable[[], str]
 ) -> None:
     presenter = Presenter(
-        addresses, "en", say=said.say, give=said.say, pc=pc_without_gtk(None, screen=False)
+        addresses, lambda: "en", say=said.say, give=said.say, pc=pc_without_gtk(None, screen=False)
     )
     running = threading.Thread(target=presenter.run)
     running.start()
@@ -81,7 +81,9 @@ def test_the_browser_takes_the_window_s_place_and_the_reason_is_said(
     said: Said, addresses: Callable[[], str], tmp_path: Path
 ) -> None:
     browser = fake_browser(tmp_path, f'printf "%s\\n" "$@" >"{tmp_path}/called"')
-    presenter = Presenter(addresses, "en", say=said.say, give=said.say, pc=pc_without_gtk(browser))
+    presenter = Presenter(
+        addresses, lambda: "en", say=said.say, give=said.say, pc=pc_without_gtk(browser)
+    )
     presenter.run()
     assert presenter.backend == "browser"
     called = (tmp_path / "called").read_text("utf-8").splitlines()
@@ -99,7 +101,7 @@ def test_a_browser_that_dies_at_once_is_followed_by_an_address_of_its_own(
     monkeypatch.setattr("webbrowser.open", opened.append)
     presenter = Presenter(
         addresses,
-        "pt-BR",
+        lambda: "pt-BR",
         say=said.say,
         give=said.say,
         pc=pc_without_gtk(fake_browser(tmp_path, "exit 3")),
@@ -117,7 +119,9 @@ def test_closing_ends_the_browser(said: Said, addresses: Callable[[], str], tmp_
     began = tmp_path / "began"
     os.mkfifo(began)
     browser = fake_browser(tmp_path, f'echo began >"{began}"; exec sleep 600')
-    presenter = Presenter(addresses, "en", say=said.say, give=said.say, pc=pc_without_gtk(browser))
+    presenter = Presenter(
+        addresses, lambda: "en", say=said.say, give=said.say, pc=pc_without_gtk(browser)
+    )
     running = threading.Thread(target=presenter.run)
     running.start()
     began.read_text("utf-8")

@@ -48,7 +48,7 @@ class Probe:
     def __init__(self) -> None:
         self.own, self.stranger = Site(), Site()
         self.window = NativeWindow(
-            self.own.address, "PINEL Desktop", "pt-BR", on_open=self._try_everything
+            lambda: self.own.address, "PINEL Desktop", lambda: "pt-BR", on_open=self._try_everything
         )
         self.found: dict[str, Any] = {}
         self.closed_at = 0.0

@@ -1,0 +1,10 @@
+import { fileURLToPath } from "node:url";
+
+const here = (path) => fileURLToPath(new URL(path, import.meta.url));
+
+export default {
+  root: here("."),
+  base: "./",
+  publicDir: here("../../../ui/node_modules/blockly/media"),
+  build: { outDir: here("../../../build/bare-page"), emptyOutDir: true, target: "es2022", chunkSizeWarningLimit: 1500 },
+};

@@ -1,0 +1,40 @@
+"""The program as `pinel` starts it, opened at a program; prints when its workspace is drawn.
+
+python window_app.py DATABASE PROGRAM_ID
+"""
+
+import sys
+import time
+from collections.abc import Callable
+from typing import Any
+from unittest import mock
+
+from pinel_desktop.cli import main
+from pinel_desktop.desktop.presenter import USABLE, Presenter
+
+DATABASE, PROGRAM = sys.argv[1:]
+
+
+class WatchedPresenter(Presenter):
+    """Goes to the program instead of the first screen, and looks at the page."""
+
+    def __init__(
+        self, fresh_address: Callable[[], str], language: Callable[[], str], **options: Any
+    ) -> None:
+        super().__init__(
+            lambda: f"{fresh_address()}#/program/{PROGRAM}",
+            language,
+            on_open=self._watch,
+            **options,
+        )
+
+    def _watch(self) -> None:
+        window: Any = self._window
+        while window.run_script(USABLE) is not True:
+            time.sleep(0.01)
+        print(time.monotonic(), flush=True)
+        self.close()
+
+
+with mock.patch("pinel_desktop.commands.window.Presenter", WatchedPresenter):
+    main(["--db", DATABASE])
