@@ -110,6 +110,7 @@ window.addEventListener("hashchange", () => {
 export async function open(): Promise<void> {
   effect(() => {
     document.documentElement.lang = language.value;
+    document.title = program.value ? `${program.value.name} · PINEL` : "PINEL";
   });
   await refreshStatus();
   if (connection.value === "locked") return;

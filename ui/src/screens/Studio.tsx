@@ -1,5 +1,6 @@
 import { useSignal } from "@preact/signals";
 import type { OpenProgram } from "../app/open_program";
+import { program } from "../app/session";
 import { BlocksPane } from "./BlocksPane";
 import { FloorPane } from "./FloorPane";
 import { StudioControl } from "./studio_control";
@@ -9,6 +10,7 @@ export function Studio({ open }: { open: OpenProgram }) {
   const control = useSignal(new StudioControl(open)).peek();
   return (
     <main class="screen studio">
+      <h1 class="visually-hidden">{program.value?.name}</h1>
       <BlocksPane control={control} />
       <FloorPane control={control} />
     </main>
