@@ -40,6 +40,8 @@ def bare_app() -> OpenAPI:
 
 def description() -> dict[str, Any]:
     """The description as data."""
+    for module in _RESOURCES:
+        module.api.describe()
     document: dict[str, Any] = bare_app().api_doc
     document["components"]["schemas"] |= _schemas(stream.MODELS)
     return document

@@ -1,10 +1,11 @@
 """The HTTP interface, one file per resource."""
 
+from collections.abc import Callable
 from typing import Any
 
 from flask_openapi3.blueprint import APIBlueprint
 from flask_openapi3.models.tag import Tag
-from flask_openapi3.types import ResponseDict
+from flask_openapi3.types import ParametersTuple, ResponseDict
 from pydantic import BaseModel
 
 from pinel_desktop.web.models.errors import ErrorAnswer
@@ -12,9 +13,32 @@ from pinel_desktop.web.models.errors import ErrorAnswer
 _EVERYWHERE = (400, 401, 403, 421, 422, 500)
 
 
-def resource(name: str, about: str, import_name: str) -> APIBlueprint:
+class Resource(APIBlueprint):
+    """A blueprint whose operations are described when somebody asks.
+
+    The schemas of all answers cost as much time as the rest of the app's start, and the page never asks.
+    """
+
+    def __init__(self, *args: Any, **options: Any) -> None:
+        super().__init__(*args, **options)
+        self._undescribed: list[Callable[[], object]] = []
+
+    def describe(self) -> None:
+        """Makes the descriptions of all operations; the second time there is nothing left to do."""
+        while self._undescribed:
+            self._undescribed.pop(0)()
+
+    def _collect_openapi_info(
+        self, rule: str, func: Callable[..., Any], **options: Any
+    ) -> ParametersTuple:
+        collect = super()._collect_openapi_info
+        self._undescribed.append(lambda: collect(rule, func, **options))
+        return collect(rule, func, **{**options, "doc_ui": False})
+
+
+def resource(name: str, about: str, import_name: str) -> Resource:
     """A blueprint under `/api` whose operations are described with the errors that any route may answer."""
-    return APIBlueprint(
+    return Resource(
         name,
         import_name,
         url_prefix="/api",
