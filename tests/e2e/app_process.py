@@ -53,14 +53,24 @@ class AppProcess:
         return (self._home / "serve.log").read_text("utf-8")
 
     def _stop(self, number: signal.Signals) -> None:
-        if self._process is not None:
-            _end(self._process, number)
-            self._process = None
+        process, self._process = self._process, None
+        if process is None:
+            return
+        try:
+            _end(process, number)
+        except subprocess.TimeoutExpired:
+            _end(process, signal.SIGABRT)  # has Python say where each thread hangs
+            raise AssertionError(f"the app did not end:\n{self.log()}") from None
 
     def _spawn(self, errors: int) -> subprocess.Popen[str]:
         return subprocess.Popen(
             [sys.executable, "-m", "pinel_desktop", "serve"],
-            env={**os.environ, "PINEL_HOME": str(self._home), "LANG": "pt_BR.UTF-8"},
+            env={
+                **os.environ,
+                "PINEL_HOME": str(self._home),
+                "LANG": "pt_BR.UTF-8",
+                "PYTHONFAULTHANDLER": "1",
+            },
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=errors,
