@@ -73,7 +73,11 @@ def turn(angle: float, direction: str = "LEFT") -> Block:
 
 
 def repeat(times: int, *blocks: Block) -> Block:
-    return {"type": "repeat", "fields": {"TIMES": times}, "inputs": {"DO": {"block": chain(*blocks)}}}
+    return {
+        "type": "repeat",
+        "fields": {"TIMES": times},
+        "inputs": {"DO": {"block": chain(*blocks)}},
+    }
 
 
 def sign(timeout: int) -> Block:
@@ -215,7 +219,12 @@ def seed(camera: Photographer) -> Seed:
             "Com um erro": FAULTY,
         }.items()
     }
-    for name, seconds in {"Triângulo": 60, "Estrela": 3, "Até a parede": 60, "Quadrado": 60}.items():
+    for name, seconds in {
+        "Triângulo": 60,
+        "Estrela": 3,
+        "Até a parede": 60,
+        "Quadrado": 60,
+    }.items():
         drive(camera, programs[name], seconds)
     runs = camera.call("GET", f"/api/groups/{group}/runs?limit=1")["runs"]
     empty = camera.call("POST", f"/api/groups/{group}/programs", {"name": "Programa 7"})["id"]

@@ -13,6 +13,7 @@ export const TEST = {
   language: "language", // a select: pt-BR, en, es
   notice: "notice",
   problem: "problem",
+  unsaved: "unsaved",
   locked: "locked",
   gone: "gone",
 

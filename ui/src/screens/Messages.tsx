@@ -1,6 +1,8 @@
-import { Database, TriangleAlert, Unplug, X } from "lucide-preact";
+import { Database, Save, TriangleAlert, Unplug, X } from "lucide-preact";
 import type { ComponentChildren } from "preact";
-import { connection, notice, type Problem, problem } from "../app/session";
+import { opened } from "../app/open_program";
+import { route } from "../app/route";
+import { connection, notice, type Problem, problem, wordsOf } from "../app/session";
 import { TEST } from "../app/testids";
 import { texts } from "../i18n";
 
@@ -16,6 +18,7 @@ export function Messages() {
       {notice.value && (
         <Line words={notice.value} testId={TEST.notice} icon={<Database class="icon" />} />
       )}
+      <Unsaved />
       {problem.value && (
         <Line
           words={problem.value}
@@ -37,6 +40,16 @@ export function Messages() {
       )}
     </div>
   );
+}
+
+/** Why the work is not on disk, when the server itself says so. */
+function Unsaved() {
+  const save = route.value.screen === "studio" ? opened.value?.autosave : undefined;
+  if (save?.state.value !== "failed" || connection.value !== "open") return null;
+  const { saved } = texts.value;
+  const { message, remedy } = wordsOf(save.problem.value);
+  const words = { message, remedy: `${remedy} ${saved.failedRemedy}`.trim() };
+  return <Line words={words} fault testId={TEST.unsaved} icon={<Save class="icon" />} />;
 }
 
 interface LineProps {
