@@ -67,6 +67,8 @@ class EngineClient:
     def start(self) -> None:
         """Starts the process; returns at once, the state tells when it is ready."""
         with self._lock:
+            if self._closing:  # a process that died while the app was ending needs no successor
+                return
             self._state = "starting"
             self._ready.clear()
             try:
@@ -197,7 +199,7 @@ class EngineClient:
         if short_life:
             self._state = "lost"
             self._ready.set()
-        elif not self._closing:
+        else:
             self.start()
 
 
