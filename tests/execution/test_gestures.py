@@ -35,6 +35,17 @@ def test_person_answers_while_the_capture_runs(execute_commands: Any) -> None:
     assert next(tick for tick, event in log if isinstance(event, GestureResult)) == 15
 
 
+def test_answer_in_the_moment_the_capture_is_announced_counts(execute_commands: Any) -> None:
+    gestures = AnsweredGestures()
+
+    def answer(_tick: int, event: Event) -> None:
+        if isinstance(event, CaptureStarted):
+            gestures.answer("L")
+
+    result, _ = execute_commands(CLASSIFY, gestures=gestures, listener=answer)
+    assert result.gesture_result == "L"
+
+
 def test_unanswered_capture_ends_after_its_timeout_with_nothing(execute_commands: Any) -> None:
     result, _ = execute_commands(CLASSIFY, gestures=AnsweredGestures())
     assert result.gesture_result == ""

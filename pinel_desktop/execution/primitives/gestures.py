@@ -12,8 +12,8 @@ from pinel_desktop.program.model import ClassifyGestures, SetGestureResult
 @timed("classify_gestures")
 def classify_gestures(context: RunContext, command: ClassifyGestures) -> Iterator[None]:
     """Waits for a result; "" after the timeout."""
+    context.gestures.begin()  # before anybody hears of it: an answer may come at once
     context.emit(CaptureStarted(command.block, command.timeout))
-    context.gestures.begin()
     try:
         for _ in range(max(1, round(command.timeout * TICK_HZ))):
             yield
