@@ -82,12 +82,12 @@ def _present(database: Path, instance: Instance) -> None:
 def _start(
     starting: "Future[App]", database: Path, instance: Instance, presenter: Presenter
 ) -> None:
-    from pinel_desktop.app import App  # noqa: PLC0415 - see above
-
-    app = App(database, instance=instance, on_show=presenter.show)
     try:
+        from pinel_desktop.app import App  # noqa: PLC0415 - see above
+
+        app = App(database, instance=instance, on_show=presenter.show)
         app.start()
-    except BaseException as failure:  # it is for the main thread to deal with
+    except BaseException as failure:  # whatever it is, the main thread waits for it
         starting.set_exception(failure)
         return
     if app.notice is not None:

@@ -29,7 +29,6 @@ _HEADERS = {
     "Content-Security-Policy": _SECURITY_POLICY,
     "Referrer-Policy": "no-referrer",
     "X-Content-Type-Options": "nosniff",
-    "Cross-Origin-Opener-Policy": "same-origin",
     "Cross-Origin-Resource-Policy": "same-origin",
 }
 _FOR_OTHER_STARTS = "/api/instance/"
