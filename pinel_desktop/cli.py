@@ -12,7 +12,7 @@ _COMMANDS = {
     "runs": "List and show recorded runs.",
     "doctor": "Say what this PC has and lacks.",
 }
-_HIDDEN = ("engine",)
+_HIDDEN = ("app", "engine")
 
 
 class _LazyGroup(click.Group):

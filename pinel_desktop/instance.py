@@ -73,6 +73,14 @@ class Instance:
         self._file = database.with_name(f"{database.stem}.instance.json")
         # the thread that takes the lock need not be the one that announces the address
         self._lock = FileLock(str(database.with_name(f"{database.stem}.lock")), thread_local=False)
+        self._lock_is_parents = False
+
+    @classmethod
+    def of_parent(cls, database: Path) -> "Instance":
+        """For a process whose parent has the lock and keeps it: it only tells others how to be reached."""
+        instance = cls(database)
+        instance._lock_is_parents = True
+        return instance
 
     def acquire(self, wait_s: float = _STARTING_S) -> None:
         """Takes the lock. In a folder that cannot be written there is none, and no harm in going without.
@@ -92,7 +100,7 @@ class Instance:
 
     def announce(self, url: str, secret: str) -> None:
         """Writes how to reach this process, readable by this user alone."""
-        if not self._lock.is_locked:
+        if not self._is_ours():
             return
         text = json.dumps({"url": url, "secret": secret, "pid": os.getpid()})
         self._file.unlink(missing_ok=True)
@@ -102,9 +110,15 @@ class Instance:
 
     def release(self) -> None:
         """Takes the file away and gives the lock back."""
-        if self._lock.is_locked:
-            self._file.unlink(missing_ok=True)
+        if self._is_ours():
+            if (
+                self._told().get("pid") == os.getpid()
+            ):  # not that of a successor, when the parent died first
+                self._file.unlink(missing_ok=True)
             self._lock.release()
+
+    def _is_ours(self) -> bool:
+        return self._lock.is_locked or self._lock_is_parents
 
     def _taken(self) -> bool:
         try:

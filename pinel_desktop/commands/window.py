@@ -1,28 +1,22 @@
 """`pinel` without a subcommand: the app in its window; and `pinel --self-check`.
 
-The window and the app start side by side: the toolkit needs as long to draw an empty window as Python does to
-import the web server. Nothing heavy may be imported at the top of this file.
+This process shows the window and owns the lock; the app runs in another (desktop/backstage.py) and loads while
+the window is drawn. Nothing heavy may be imported at the top of this file.
 """
 
 import json
 import signal
 import threading
-from concurrent.futures import Future
-from pathlib import Path
 from types import FrameType
-from typing import TYPE_CHECKING
 
 import click
 
+from pinel_desktop.desktop.backstage import Backstage
 from pinel_desktop.desktop.ending import end_process
 from pinel_desktop.desktop.presenter import Presenter
 from pinel_desktop.errors import PinelError
-from pinel_desktop.instance import AlreadyRunningError, Instance
 from pinel_desktop.messages import describe, language_of_system
 from pinel_desktop.paths import database_path
-
-if TYPE_CHECKING:
-    from pinel_desktop.app import App
 
 
 def open_app(db: str | None) -> int:
@@ -30,19 +24,46 @@ def open_app(db: str | None) -> int:
 
     Returns the exit status: 0, or 1 when the app cannot start.
     """
-    database = database_path(db)
-    instance = Instance(database)
+    presenters: list[Presenter] = []
+    backstage = Backstage(
+        database_path(db),
+        on_show=lambda: presenters[0].show() if presenters else None,
+        on_lost=lambda: presenters[0].close() if presenters else None,
+    )
     try:
-        # before anything else, so that a second start is quick and shows no window of its own
-        instance.acquire()
-        _present(database, instance)
-    except AlreadyRunningError as first:
-        return _bring_forward(first)
+        status = _open(backstage, db, presenters)
     except PinelError as error:
         _say(error.code, error.params, language_of_system())
-        end_process(1)
-        return 1
-    end_process(0)
+        status = 1
+    finally:
+        backstage.close()
+    end_process(status)
+    return status
+
+
+def _open(backstage: Backstage, db: str | None, presenters: list[Presenter]) -> int:
+    # while the other process is loading
+    from pinel_desktop.instance import AlreadyRunningError, Instance  # noqa: PLC0415
+
+    instance = Instance(database_path(db))
+    try:
+        instance.acquire()
+    except AlreadyRunningError as first:
+        first.running.show()
+        _say(first.code, first.params, language_of_system())
+        click.echo(first.running.fresh_link())
+        return 0
+    try:
+        backstage.start()
+        presenter = Presenter(backstage.address, backstage.language, say=_say_line, give=click.echo)
+        presenters.append(presenter)
+        _end_at_signal(presenter)
+        presenter.run()
+        if backstage.failure is not None:
+            raise backstage.failure
+    finally:
+        backstage.close()
+        instance.release()
     return 0
 
 
@@ -57,44 +78,6 @@ def self_check(db: str | None) -> int:
     return status
 
 
-def _present(database: Path, instance: Instance) -> None:
-    """Shows the window at once, the page in it as soon as the app answers."""
-    starting: Future[App] = Future()
-    presenter = Presenter(
-        lambda: starting.result().address,
-        lambda: starting.result().language,
-        say=_say_line,
-        give=click.echo,
-    )
-    _end_at_signal(presenter)
-    starter = threading.Thread(
-        target=_start, args=(starting, database, instance, presenter), name="start"
-    )
-    starter.start()
-    try:
-        presenter.run()
-    finally:
-        starter.join()
-        if starting.exception() is None:
-            starting.result().close()
-
-
-def _start(
-    starting: "Future[App]", database: Path, instance: Instance, presenter: Presenter
-) -> None:
-    try:
-        from pinel_desktop.app import App  # noqa: PLC0415 - see above
-
-        app = App(database, instance=instance, on_show=presenter.show)
-        app.start()
-    except BaseException as failure:  # whatever it is, the main thread waits for it
-        starting.set_exception(failure)
-        return
-    if app.notice is not None:
-        _say(app.notice.code, app.notice.params, app.language)
-    starting.set_result(app)
-
-
 def _end_at_signal(presenter: Presenter) -> None:
     """For the ways without a toolkit of their own; a native window hears the signals itself."""
 
@@ -104,17 +87,6 @@ def _end_at_signal(presenter: Presenter) -> None:
     if threading.current_thread() is threading.main_thread():
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, end)
-
-
-def _bring_forward(first: AlreadyRunningError) -> int:
-    try:
-        first.running.show()
-        _say(first.code, first.params, language_of_system())
-        click.echo(first.running.fresh_link())
-    except PinelError as error:
-        _say(error.code, error.params, language_of_system())
-        return 1
-    return 0
 
 
 def _say(code: str, params: dict[str, object], language: str) -> None:

@@ -17,11 +17,12 @@ from pathlib import Path
 from typing import Any
 
 from pinel_desktop import __version__
-from pinel_desktop.app import App
 from pinel_desktop.desktop.backends import Pc, Toolkit, backends
+from pinel_desktop.desktop.backstage import Backstage
 from pinel_desktop.desktop.presenter import TITLE, USABLE
 from pinel_desktop.desktop.screen import any_screen
 from pinel_desktop.errors import PinelError
+from pinel_desktop.instance import Instance
 from pinel_desktop.messages import describe, language_of_system
 from storage import StoreError, open_store
 
@@ -59,7 +60,7 @@ def check(database: Path | None) -> Json:
     try:
         with _database(database) as path, any_screen() as virtual:
             result["window"] = {"virtual_screen": virtual}
-            with App(path) as app:
+            with _app(path) as app:
                 _in_window(app, result)
             result["store"] = _read_back(path, result["run"]["id"])
         result["ok"] = _is_well(result)
@@ -82,13 +83,27 @@ def _is_well(result: Json) -> bool:
     return bool(drove and kept)
 
 
-def _in_window(app: App, result: Json) -> None:
+@contextlib.contextmanager
+def _app(database: Path) -> Iterator[Backstage]:
+    """The app as the window has it, in its own process."""
+    instance = Instance(database)
+    instance.acquire()
+    app = Backstage(database, on_show=lambda: None, on_lost=lambda: None)
+    try:
+        app.start()
+        yield app
+    finally:
+        app.close()
+        instance.release()
+
+
+def _in_window(app: Backstage, result: Json) -> None:
     """Opens the window on this thread and does the work beside it, on the window's thread."""
     # no import before there is a screen: GTK looks for one when it is loaded
     from pinel_desktop.desktop.window import NativeWindow  # noqa: PLC0415
 
-    client = _Client(app)
-    program, version = _make_program(client)
+    client = Client(app.address())
+    program, version = make_program(client)
     failures: list[Exception] = []
     started = time.monotonic()
 
@@ -103,7 +118,7 @@ def _in_window(app: App, result: Json) -> None:
             window.close()
 
     window = NativeWindow(
-        lambda: f"{app.address}#/program/{program}", TITLE, lambda: app.language, on_open=work
+        lambda: f"{app.address()}#/program/{program}", TITLE, app.language, on_open=work
     )
     toolkit = _toolkit()
     result["window"]["backend"] = toolkit
@@ -131,13 +146,12 @@ def _wait_until_usable(window: Any) -> None:
         time.sleep(_PAUSE_S)
 
 
-class _Client:
+class Client:
     """Speaks to the app as its page does."""
 
-    def __init__(self, app: App) -> None:
+    def __init__(self, address: str) -> None:
         cookies = urllib.request.HTTPCookieProcessor(http.cookiejar.CookieJar())
         self._opener = urllib.request.build_opener(urllib.request.ProxyHandler({}), cookies)
-        address = app.address
         self._origin = address.partition("/?")[0]
         self._opener.open(address, timeout=_READY_S).close()
 
@@ -155,7 +169,7 @@ class _Client:
             return found
 
 
-def _make_program(client: _Client) -> tuple[str, str]:
+def make_program(client: Client) -> tuple[str, str]:
     """Ids of a program of a new group and of its version, the square."""
     group = client.post("/api/groups", {"name": f"self-check {time.time_ns()}"})
     program = client.post(f"/api/groups/{group['id']}/programs", {"name": SQUARE["name"]})
@@ -164,7 +178,7 @@ def _make_program(client: _Client) -> tuple[str, str]:
     return program["id"], version["id"]
 
 
-def _drive(client: _Client, version: str) -> Json:
+def _drive(client: Client, version: str) -> Json:
     """Runs the version in the engine and returns what the app says about the run."""
     _wait_for(lambda: client.get("/api/status")["engine"] == "ready", _READY_S)
     run = client.post("/api/runs", {"version_id": version, "world": "empty_room"})

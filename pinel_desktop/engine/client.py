@@ -3,7 +3,6 @@
 import contextlib
 import logging
 import subprocess
-import sys
 import threading
 import time
 from collections.abc import Callable, Sequence
@@ -12,6 +11,7 @@ from typing import Any, BinaryIO, Literal, cast
 from pinel_desktop.engine.protocol import Message, read_messages, write_message
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import SCHEMA_VERSION
+from pinel_desktop.processes import own_command
 
 EngineState = Literal["starting", "ready", "lost"]
 EventSink = Callable[[dict[str, Any]], None]
@@ -20,13 +20,6 @@ _log = logging.getLogger(__name__)
 _CLOSE_TIMEOUT_S = 4.0
 # A process that dies sooner than this after its start is not started again: it would die again.
 _SHORT_LIFE_S = 3.0
-
-
-def engine_command() -> list[str]:
-    """How to start the engine: from the packaged program itself, or from this Python."""
-    if getattr(sys, "frozen", False):
-        return [sys.executable, "engine"]
-    return [sys.executable, "-m", "pinel_desktop", "engine"]
 
 
 class EngineClient:
@@ -38,7 +31,7 @@ class EngineClient:
 
     def __init__(self, on_event: EventSink, command: Sequence[str] | None = None) -> None:
         self._on_event = on_event
-        self._command = list(command or engine_command())
+        self._command = list(command or own_command("engine"))
         self._lock = threading.RLock()
         self._process: subprocess.Popen[bytes] | None = None
         self._reader: threading.Thread | None = None

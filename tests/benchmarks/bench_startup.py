@@ -15,7 +15,7 @@ import pytest
 
 from pinel_desktop.app import App
 from pinel_desktop.desktop.screen import virtual_screen
-from pinel_desktop.desktop.self_check import _Client, _make_program
+from pinel_desktop.desktop.self_check import Client, make_program
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
@@ -33,7 +33,7 @@ def build_bare_page() -> None:
 def make_database(path: Path) -> str:
     """A file as a group's second lesson finds it; returns the id of its program."""
     with App(path) as app:
-        return _make_program(_Client(app))[0]
+        return make_program(Client(app.address))[0]
 
 
 def seconds(display: str, *arguments: str) -> float:

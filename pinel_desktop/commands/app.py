@@ -1,0 +1,82 @@
+"""`pinel app`: web server, store and engine behind a window. Started by the window's process, not by people.
+
+JSON lines over pipes. The window says `{"do": "start"}` once it has the lock on the database, then
+`{"do": "address"}` as often as it needs one. The app says `{"type": "ready", "language": ...}`,
+`{"type": "address", "address": ...}`, `{"type": "show"}` when a second start wants the window forward, or
+`{"type": "failed", "code": ..., "params": ...}`. It ends when its input does.
+"""
+
+import contextlib
+import json
+import os
+import signal
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from typing import Any, TextIO
+
+import click
+
+from pinel_desktop.app import App
+from pinel_desktop.errors import PinelError
+from pinel_desktop.instance import Instance
+from pinel_desktop.messages import describe
+from pinel_desktop.paths import database_path
+
+Message = dict[str, Any]
+
+
+@click.command(hidden=True)
+@click.option("--db", type=click.Path(dir_okay=False), required=True)
+def command(db: str) -> None:
+    """Run the app for a window: messages on standard input and output."""
+    # Ctrl+C in a terminal reaches the whole group; the window decides when the app goes, by ending its pipe.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    # What a library prints by accident must not land among the messages.
+    answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
+    os.dup2(2, 1)
+    with answers:
+        _serve(db, _messages(sys.stdin), _sender(answers))
+
+
+def _serve(db: str, messages: Iterator[Message], send: Callable[..., None]) -> None:
+    if next(messages, None) != {"do": "start"}:
+        return
+    database = database_path(db)
+    app = App(database, instance=Instance.of_parent(database), on_show=lambda: send(type="show"))
+    try:
+        app.start()
+    except PinelError as error:
+        send(type="failed", code=error.code, params=error.params)
+        return
+    with contextlib.closing(app):
+        _tell_notice(app)
+        send(type="ready", language=app.language)
+        for message in messages:
+            if message == {"do": "address"}:
+                send(type="address", address=app.address)
+
+
+def _tell_notice(app: App) -> None:
+    if app.notice is not None:
+        words = describe(app.notice.code, app.notice.params, app.language)
+        click.echo(f"{words.message} {words.remedy}".strip(), err=True)
+
+
+def _messages(lines: TextIO) -> Iterator[Message]:
+    for line in lines:
+        yield json.loads(line)
+
+
+def _sender(answers: TextIO) -> Callable[..., None]:
+    lock = threading.Lock()  # `show` comes on a thread of the server
+
+    def send(**message: Any) -> None:
+        with lock:
+            try:
+                answers.write(json.dumps(message, ensure_ascii=False, default=str) + "\n")
+                answers.flush()
+            except OSError:
+                pass  # the window's process is gone; the end of the input says so
+
+    return send

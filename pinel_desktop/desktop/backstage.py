@@ -1,0 +1,126 @@
+"""The window's side of the app, which runs in a process of its own (commands/app.py has the messages).
+
+Two processes, because a window and a web server in one hold each other up: the toolkit's main loop and every
+request take turns with one interpreter lock, at the start most of all.
+"""
+
+import contextlib
+import json
+import queue
+import subprocess
+import threading
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.processes import own_command
+
+_START_S = 60.0
+_ANSWER_S = 10.0
+# the engine's own end may take the app four seconds
+_CLOSE_S = 8.0
+
+
+class Backstage:
+    """Owns the app's process; thread-safe.
+
+    The process begins to load when this is made, so that it is made early; it touches nothing before `start`.
+    """
+
+    def __init__(
+        self, database: Path, on_show: Callable[[], None], on_lost: Callable[[], None]
+    ) -> None:
+        """`on_show`: a second start asks for the window. `on_lost`: the app has died, or could not start."""
+        self._on_show = on_show
+        self._on_lost = on_lost
+        self._answers: queue.Queue[str] = queue.Queue()
+        self._asking = threading.Lock()
+        self._ready = threading.Event()
+        self._failure: PinelError | None = None
+        self._language = ""
+        self._closing = False
+        self._process = subprocess.Popen(
+            own_command("app", "--db", str(database)),
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            encoding="utf-8",
+            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
+        )
+        self._reader = threading.Thread(target=self._read, name="app-reader", daemon=True)
+        self._reader.start()
+
+    def start(self) -> None:
+        """Lets the app open the database; returns at once."""
+        self._send({"do": "start"})
+
+    @property
+    def failure(self) -> PinelError | None:
+        """Why the app could not start, or `app_lost` when it died."""
+        return self._failure
+
+    def language(self) -> str:
+        """The chosen language; waits until the app has started. Raises PinelError when it does not."""
+        if not self._ready.wait(_START_S):
+            raise PinelError("app_lost")
+        if self._failure is not None:
+            raise self._failure
+        return self._language
+
+    def address(self) -> str:
+        """A fresh address that opens the page once; waits like `language`, and raises like it."""
+        self.language()
+        with self._asking:
+            self._send({"do": "address"})
+            try:
+                answer = self._answers.get(timeout=_ANSWER_S)
+            except queue.Empty:
+                answer = ""
+        if not answer:
+            raise self._failure or PinelError("app_lost")
+        return answer
+
+    def close(self) -> None:
+        """Ends the app: it stops the robot and writes what is pending. Waits for its process."""
+        self._closing = True
+        assert self._process.stdin is not None
+        with contextlib.suppress(OSError):  # it may have gone already
+            self._process.stdin.close()
+        try:
+            self._process.wait(_CLOSE_S)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        self._reader.join()
+
+    def _send(self, message: dict[str, str]) -> None:
+        assert self._process.stdin is not None
+        try:
+            self._process.stdin.write(json.dumps(message) + "\n")
+            self._process.stdin.flush()
+        except (OSError, ValueError):
+            pass  # the reader notices that the app is gone
+
+    def _read(self) -> None:
+        assert self._process.stdout is not None
+        with self._process.stdout as lines:
+            for line in lines:
+                self._take(json.loads(line))
+        if not self._closing:
+            self._failure = self._failure or PinelError("app_lost")
+            self._ready.set()
+            self._answers.put("")
+            self._on_lost()
+
+    def _take(self, message: dict[str, Any]) -> None:
+        match message["type"]:
+            case "ready":
+                self._language = message["language"]
+                self._ready.set()
+            case "address":
+                self._answers.put(message["address"])
+            case "show":
+                self._on_show()
+            case "failed":
+                self._failure = PinelError(message["code"], **message["params"])
