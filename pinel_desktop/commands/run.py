@@ -44,7 +44,11 @@ _FINISHED, _NOT_FINISHED, _INVALID = 0, 1, 2
     help="As fast as the robot would be, or as fast as this PC is.",
 )
 @click.option(
-    "--seed", type=int, default=0, show_default=True, help="Seed of the run's random numbers."
+    "--seed",
+    type=click.IntRange(0, 2**53 - 1),
+    default=0,
+    show_default=True,
+    help="Seed of the run's random numbers.",
 )
 @click.option("--gestures", metavar="B,A,...", default="", help="Results of captures, in order.")
 @click.option("--no-store", is_flag=True, help="Do not keep the run.")
@@ -65,6 +69,8 @@ def command(
     if reading.program is None:
         summary = _faulty(reading, language)
     else:
+        for warning in reading.warnings:
+            _warn(warning, language, warning.pointer)
         keeper = None if no_store else _open_keeper(db or (ctx.obj or {}).get("db"), language)
         summary = _run(reading, keeper, language, **options)
     click.echo(json.dumps(summary, ensure_ascii=False) if as_json else "\n".join(_lines(summary)))
@@ -183,9 +189,9 @@ def _open_keeper(db: str | None, language: str) -> _Keeper | None:
     return _Keeper(store, language)
 
 
-def _warn(problem: "StoreError | Notice", language: str) -> None:
+def _warn(problem: StoreError | Notice | Fault, language: str, place: str = "pinel") -> None:
     words = describe(problem.code, problem.params, language)
-    click.echo(f"pinel: {words.message} {words.remedy}", err=True)
+    click.echo(f"{place}: {words.message} {words.remedy}", err=True)
 
 
 def _lines(summary: dict[str, Any]) -> list[str]:

@@ -18,8 +18,9 @@ EventSink = Callable[[dict[str, Any]], None]
 
 _log = logging.getLogger(__name__)
 _CLOSE_TIMEOUT_S = 4.0
-# A process that dies sooner than this after its start is not started again: it would die again.
+# A process that dies sooner than this after its start, so often in a row, is not started again by itself.
 _SHORT_LIFE_S = 3.0
+_SHORT_LIVES = 3
 
 
 class EngineClient:
@@ -40,6 +41,7 @@ class EngineClient:
         self._next_seq = 0
         self._tick = 0
         self._closing = False
+        self._n_short_lives = 0
         self._ready = threading.Event()
 
     @property
@@ -93,6 +95,10 @@ class EngineClient:
         with self._lock:
             if self._live is not None:
                 raise PinelError("run_in_progress")
+            if (
+                self._state == "lost"
+            ):  # somebody wants it: one more try, which the next press of Run will find
+                self.start()
             if self._state != "ready":
                 raise PinelError("engine_not_ready")
             self._live, self._next_seq, self._tick = run_id, 0, 0
@@ -189,7 +195,8 @@ class EngineClient:
         _log.error("the engine died (run: %s)", lost_run)
         if lost_run is not None:
             self._on_event(_engine_lost(lost_run, seq, tick))
-        if short_life:
+        self._n_short_lives = self._n_short_lives + 1 if short_life else 0
+        if self._n_short_lives >= _SHORT_LIVES:
             self._state = "lost"
             self._ready.set()
         else:

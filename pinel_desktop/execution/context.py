@@ -34,6 +34,9 @@ class RunContext:
         setpoint: the moving set-point, for the records.
         done: how much of the running motion's amount is done.
         gesture_result: the last result of a capture, or what a block has set.
+        result_unreported: whether a block has set the result since it was last reported: a loop without motion
+            may set it a thousand times a tick, and is reported once.
+        n_evaluated: how many parts of expressions were evaluated, which counts as work.
         n_resumed: how often the run went on after a pause: a motion plans the rest of its way anew.
         moved_by_hand: whether somebody moved the robot during the last pause.
     """
@@ -51,5 +54,7 @@ class RunContext:
     setpoint: Pose2D = START
     done: float = 0.0
     gesture_result: str = ""
+    result_unreported: bool = False
+    n_evaluated: int = 0
     n_resumed: int = 0
     moved_by_hand: bool = False

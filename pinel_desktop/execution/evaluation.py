@@ -18,6 +18,7 @@ _ORDER: dict[str, Callable[[Any, Any], bool]] = {
 
 def evaluate(expression: Any, context: RunContext) -> Value:
     """The value of a literal, an operation or the gesture result. Raises RunFailureError."""
+    context.n_evaluated += 1
     if isinstance(expression, GestureResult):
         return context.gesture_result
     if isinstance(expression, Operation):

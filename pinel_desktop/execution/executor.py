@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.events.model import Event, RunEnded, RunState, Telemetry
+from pinel_desktop.events.model import Event, GestureResult, RunEnded, RunState, Telemetry
 from pinel_desktop.execution.clock import TICK_HZ, TICK_S, Clock, MaxClock
 from pinel_desktop.execution.context import RunContext, RunFailureError
 from pinel_desktop.execution.control import RunControl
@@ -127,15 +127,25 @@ class _Run:
     def _run(self) -> None:
         control, stack, clock = self._control, self._stack, self._clock
         while True:
-            if control.stop_requested:
-                raise _Stopped
             if control.pause_requested:
                 self._pause()
-            if stack.run_until_time(MAX_STEPS_PER_TICK):
+            time_needed = stack.run_until_time(MAX_STEPS_PER_TICK, self._stop_wanted)
+            if self._context.result_unreported:
+                self._report_result()
+            if control.stop_requested:
+                raise _Stopped
+            if time_needed:
                 clock.wait_for_tick()
                 self._pass_tick()
             elif stack.finished:
                 return
+
+    def _stop_wanted(self) -> bool:
+        return self._control.stop_requested
+
+    def _report_result(self) -> None:
+        self._context.result_unreported = False
+        self._emit(GestureResult(self._context.gesture_result, "block"))
 
     def _pass_tick(self) -> None:
         context = self._context

@@ -1,11 +1,13 @@
 """Where a program is: the running command inside the bodies around it. Stepping never blocks."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 from pinel_desktop.events.model import BlockEnded, BlockStarted
 from pinel_desktop.execution.context import RunContext
 from pinel_desktop.execution.primitives import TABLE, Body
+
+_PARTS_A_STEP = 20  # parts of expressions that take about as long as one command
 
 
 class _Entry(NamedTuple):
@@ -64,15 +66,24 @@ class ProgramStack:
     def finished(self) -> bool:
         return not self._frames and self._running is None
 
-    def run_until_time(self, max_steps: int) -> bool:
-        """Runs commands until a tick has to pass, or `max_steps` are done; False when the program is over before."""
+    def run_until_time(self, max_steps: int, stop: Callable[[], bool]) -> bool:
+        """Runs commands until a tick has to pass, or `max_steps` are done; False when the program is over before.
+
+        Long conditions count as more than one step; `stop` is asked between steps, and ends them too.
+        """
         if self._reported:
             self._reported.clear()
-        for _ in range(max_steps):
+        context = self._context
+        budget = max_steps + context.n_evaluated // _PARTS_A_STEP
+        steps = 0
+        while steps + context.n_evaluated // _PARTS_A_STEP < budget:
             if self._step():
                 return True
             if self.finished:
                 return False
+            if stop():
+                return True
+            steps += 1
         return True
 
     def _step(self) -> bool:

@@ -66,7 +66,7 @@ def _show(value: object, language: str) -> str:
     if isinstance(value, bool) or value is None:
         return json.dumps(value)
     if isinstance(value, float | int):
-        text = f"{value:.10g}"
+        text = f"{value:.10g}" if abs(value) < 1e300 else str(value)[:20]
         return text if language == "en" else text.replace(".", ",")
     if isinstance(value, list | tuple):
         return ", ".join(_show(item, language) for item in value)

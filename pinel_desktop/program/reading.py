@@ -46,14 +46,26 @@ def read_document(source: str | bytes | dict[str, Any] | list[Any]) -> Reading:
     faults = check_outline(parsed)
     if faults:
         return Reading(None, tuple(faults))
+    if parsed is source and (size := _size(parsed)) > MAX_BYTES:
+        return Reading(None, (_too_large(size),))
     if isinstance(parsed, list):
         return _read_bare_list(parsed)
     return _validate(parsed, bare=False)
 
 
+def _size(document: Any) -> int:
+    """Length in bytes of parsed data as JSON."""
+    text = json.dumps(document, ensure_ascii=False, separators=(",", ":"))
+    return len(text.encode("utf-8", "surrogatepass"))
+
+
+def _too_large(size: int) -> Fault:
+    return Fault("document_too_large", params={"value": size, "max": MAX_BYTES})
+
+
 def _parse(text: str | bytes) -> Any:
     if len(text) > MAX_BYTES:
-        return Fault("document_too_large", params={"value": len(text), "max": MAX_BYTES})
+        return _too_large(len(text))
     try:
         return json.loads(text)
     except RecursionError:

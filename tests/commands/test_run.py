@@ -163,3 +163,25 @@ def test_without_json_it_prints_lines_for_people() -> None:
     result = pinel("run", SQUARE, "--no-store")
     assert "state           finished" in result.stdout
     assert "closing error   0.000 mm" in result.stdout
+
+
+def test_what_is_passed_over_in_a_bare_list_is_said() -> None:
+    result = pinel("run", "-", "--no-store", text='[{"action": "stop", "status": "pending"}]')
+    assert result.exit_code == 0
+    assert "/0/status" in result.stderr
+
+
+def test_hostile_values_end_with_2_and_an_object_that_can_be_printed() -> None:
+    for text in (
+        '{"pinel_ir": 1, "name": "\\ud800", "commands": [{"action": "stop", "block": "\\ud800"}]}',
+        '[{"action": "repeat", "commands": [], "times": 1' + "0" * 4000 + "}]",
+        '[{"action": "move_forward", "distance": 1' + "0" * 4000 + "}]",
+    ):
+        status, printed = run_json("-", text=text)
+        assert status == 2
+        assert printed["faults"]
+        assert pinel("run", "-", text=text).exit_code == 2
+
+
+def test_seed_beyond_its_range_is_refused() -> None:
+    assert pinel("run", SQUARE, "--seed", "99999999999999999999").exit_code == 2

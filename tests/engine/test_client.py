@@ -4,7 +4,10 @@ import os
 import queue
 import signal
 import sys
-from collections.abc import Iterator
+import threading
+import time
+from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any
 
 import psutil
@@ -176,3 +179,34 @@ def test_engine_that_is_still_starting_does_not_keep_the_app_from_closing() -> N
     harness = Harness([sys.executable, "-c", "import signal; signal.sigwait([signal.SIGUSR1])"])
     harness.client.close()
     assert not harness.client.wait_until_ready(0)
+
+
+def test_engine_that_dies_soon_is_started_again_and_a_lost_one_when_somebody_wants_to_run() -> None:
+    harness = Harness()
+    try:
+        for _ in range(3):
+            assert harness.client.wait_until_ready(WAIT_S)
+            assert harness.client.pid is not None
+            process = psutil.Process(harness.client.pid)
+            process.kill()
+            process.wait(WAIT_S)
+            _until(partial(_gone_or_lost, harness.client, process.pid))
+        assert harness.client.state == "lost"
+        with pytest.raises(PinelError, match="engine_not_ready"):
+            harness.client.run("r", SHORT, world="empty_room")
+        assert harness.client.wait_until_ready(WAIT_S)
+        harness.client.run("r", SHORT, world="empty_room")
+        assert harness.until("run_ended")[-1]["state"] == "finished"
+    finally:
+        harness.client.close()
+
+
+def _gone_or_lost(client: EngineClient, pid: int) -> bool:
+    return client.pid != pid or client.state == "lost"
+
+
+def _until(true: Callable[[], bool]) -> None:
+    deadline = time.monotonic() + WAIT_S
+    while not true():
+        assert time.monotonic() < deadline
+        threading.Event().wait(0.01)

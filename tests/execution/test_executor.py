@@ -313,3 +313,32 @@ def test_stop_is_answered_wherever_it_comes(execute_commands: Any, kind: type[Ev
         listener=lambda _tick, event: control.stop() if isinstance(event, kind) else None,
     )
     assert result.ended.state == "stopped"
+
+
+HEAVY = {
+    "action": "conditional_execution",
+    "condition": {"op": "or", "args": [{"op": "==", "args": [{"gesture": "result"}, "x"]}] * 3000},
+    "commands": [],
+    "block": "heavy",
+}
+
+
+def test_stop_is_answered_between_the_steps_of_a_tick(execute_commands: Any) -> None:
+    control = RunControl()
+    result, log = execute_commands(
+        {"action": "repeat", "times": 100_000, "commands": [HEAVY]},
+        control=control,
+        listener=lambda _tick, event: (
+            control.stop() if isinstance(event, BlockStarted) and event.block else None
+        ),
+    )
+    assert result.ended.state == "stopped"
+    assert len([event for event in of_type(log, BlockStarted) if event.block == "heavy"]) == 1
+
+
+def test_long_conditions_count_as_many_steps_of_a_tick(execute_commands: Any) -> None:
+    light, _ = execute_commands({"action": "repeat", "times": 100, "commands": [STOP]})
+    heavy, _ = execute_commands({"action": "repeat", "times": 100, "commands": [HEAVY]})
+    # 9,001 parts are 450 steps: two such conditions fit into a tick, not a thousand
+    assert heavy.ended.duration_s * 30 == pytest.approx(100 / 3, abs=17)
+    assert light.ended.state == heavy.ended.state == "finished"

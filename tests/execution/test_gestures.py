@@ -68,3 +68,14 @@ def test_repeating_a_result_reports_it_once(execute_commands: Any) -> None:
         }
     )
     assert len([event for _, event in log if isinstance(event, GestureResult)]) == 1
+
+
+def test_results_set_in_a_loop_without_motion_are_reported_once_a_tick(
+    execute_commands: Any,
+) -> None:
+    both = [{"action": "set_gesture_result", "result": letter} for letter in "AB"]
+    result, log = execute_commands({"action": "repeat", "times": 5000, "commands": both})
+    ticks = [tick for tick, event in log if isinstance(event, GestureResult)]
+    assert len(ticks) == len(set(ticks))
+    assert len(ticks) > 5
+    assert result.gesture_result == "B"

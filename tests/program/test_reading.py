@@ -240,3 +240,36 @@ def resolve(value: Any, pointer: str) -> Any:
         key = part.replace("~1", "/").replace("~0", "~")
         value = value[int(key)] if isinstance(value, list) else value[key]
     return value
+
+
+def test_faults_can_always_be_written_whatever_the_file_holds() -> None:
+    huge = 10**4000
+    reading = read_document(
+        {
+            "pinel_ir": 1,
+            "name": "\ud800",
+            "commands": [
+                {"action": "repeat", "times": huge, "commands": [], "block": "\ud800"},
+                {"action": "move_forward", "distance": huge},
+                {"action": "\ud800" * 5000},
+            ],
+        }
+    )
+    codes = [fault.code for fault in reading.faults]
+    assert {"text_not_unicode", "times_out_of_range", "unknown_action"} <= set(codes)
+    for fault in reading.faults:
+        written = json.dumps([fault.pointer, fault.block, fault.params], ensure_ascii=False)
+        assert len(written.encode("utf-8")) < 1000
+
+
+def test_key_that_is_no_text_is_a_fault() -> None:
+    assert faults({"pinel_ir": 1, "\udfff": 1, "commands": []})[0][0] in (
+        "text_not_unicode",
+        "unknown_key",
+    )
+
+
+def test_parsed_data_has_the_same_limit_of_size_as_text() -> None:
+    big = document(*[{"action": "stop", "comment": "x" * 9000}] * 200)
+    assert [code for code, _ in faults(big)] == ["document_too_large"]
+    assert [code for code, _ in faults(json.dumps(big))] == ["document_too_large"]

@@ -32,4 +32,4 @@ def classify_gestures(context: RunContext, command: ClassifyGestures) -> Iterato
 def set_gesture_result(context: RunContext, command: SetGestureResult) -> None:
     if context.gesture_result != command.result:
         context.gesture_result = command.result
-        context.emit(GestureResult(command.result, "block"))
+        context.result_unreported = True
