@@ -44,7 +44,9 @@ OPERATORS = {
 class Model(BaseModel):
     """Base of everything in a document: unknown keys are faults, values are not converted, nothing changes."""
 
-    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
+    model_config = ConfigDict(
+        extra="forbid", strict=True, frozen=True, allow_inf_nan=False, defer_build=True
+    )
 
 
 class GestureResult(Model):
@@ -118,6 +120,3 @@ def type_of(expression: Any) -> ValueType:
     if isinstance(expression, bool):
         return "boolean"
     return "number" if isinstance(expression, int | float) else "text"
-
-
-Operation.model_rebuild()

@@ -174,10 +174,6 @@ class Program(Model):
     commands: Annotated[list[Command], Field(max_length=MAX_COMMANDS)]
 
 
-for _model in (Repeat, Branch, ConditionalExecution, Program):
-    _model.model_rebuild()
-
-
 def action_names() -> list[str]:
     """The actions there are, in the order of the page's table."""
     return [model.model_fields["action"].annotation.__args__[0] for model in COMMANDS]  # type: ignore[union-attr]
