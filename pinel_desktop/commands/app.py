@@ -32,6 +32,8 @@ def command(db: str) -> None:
     """Run the app for a window: messages on standard input and output."""
     # Ctrl+C in a terminal reaches the whole group; the window decides when the app goes, by ending its pipe.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    # The end of a person's session reaches everybody at once: put everything in order, as at the end of the pipe.
+    signal.signal(signal.SIGTERM, lambda number, frame: sys.exit())
     # What a library prints by accident must not land among the messages.
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)

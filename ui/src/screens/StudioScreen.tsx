@@ -1,5 +1,5 @@
 import { useEffect, useState } from "preact/hooks";
-import { api } from "../api/client";
+import { programAndGroups } from "../app/first_program";
 import { OpenProgram, opened } from "../app/open_program";
 import { group, program, report } from "../app/session";
 import { texts } from "../i18n";
@@ -47,11 +47,8 @@ export function StudioScreen({ programId }: { programId: string }) {
 }
 
 async function load(programId: string) {
-  const loaded = await api.program(programId);
-  if (group.value?.id !== loaded.group_id) {
-    const groups = await api.groups();
-    group.value = groups.find((one) => one.id === loaded.group_id) ?? null;
-  }
+  const [loaded, groups] = await programAndGroups(programId);
+  group.value = groups.find((one) => one.id === loaded.group_id) ?? null;
   return loaded;
 }
 
