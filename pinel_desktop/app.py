@@ -1,6 +1,7 @@
 """Composition root: the only place where store, engine, hub and web are wired together."""
 
 import contextlib
+import threading
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, Protocol
@@ -39,6 +40,7 @@ class App:
             the page says why nothing can be kept.
         port: 0 for any that is free.
         instance: a lock on the database that was taken before; the app gives it back.
+        engine_after_s: lets the page draw first on a PC of two cores, which the engine's start would keep busy.
         on_show: brings the window forward when the app is started a second time.
     """
 
@@ -48,6 +50,7 @@ class App:
         *,
         port: int = 0,
         instance: Instance | None = None,
+        engine_after_s: float = 0.0,
         on_show: Callable[[], None] = lambda: None,
         make_engine: Callable[[Callable[[Event], None]], EngineOfApp] = EngineClient,
         read: ReadDocument = read_document,
@@ -56,6 +59,7 @@ class App:
         self._database = database
         self._port = port
         self._instance = instance
+        self._engine_after_s = engine_after_s
         self._on_show = on_show
         self._make_engine = make_engine
         self._read = read
@@ -112,6 +116,8 @@ class App:
         self._hub = Hub()
         self._recorder = Recorder(self._store, self._tell_problem)
         undo.callback(self._end_recording)
+        if self._store.unfinished:
+            self._recorder.flush()  # goes on trying until the disk has room
         server = Server(self._port)
         undo.callback(server.close)
         undo.callback(self._hub.close)
@@ -120,7 +126,16 @@ class App:
         self._engine = self._make_engine(self._take)
         undo.callback(self._engine.close)
         server.start(create_app(self._services()))
-        self._engine.start()
+        self._start_engine(undo)
+
+    def _start_engine(self, undo: contextlib.ExitStack) -> None:
+        if not self._engine_after_s:
+            self._engine.start()
+            return
+        timer = threading.Timer(self._engine_after_s, self._engine.start)
+        timer.start()
+        undo.callback(timer.join)
+        undo.callback(timer.cancel)
 
     def _services(self) -> Services:
         return Services(
@@ -146,6 +161,7 @@ class App:
         with contextlib.suppress(StoreError):
             self._recorder.flush().result()
             self._store.runs.close_interrupted()
+        self._recorder.close()
 
     def _database_state(self) -> DatabaseState:
         notice = self._recorder.problem or self._store.notice

@@ -64,6 +64,16 @@ class Access:
         future.set_exception(self._refusal or StoreError("database_read_only", path=str(self.path)))
         return future
 
+    def listen(self, on_written: Callable[[], None]) -> None:
+        """Has it called after each write that is on disk, on the writer's thread; it must not raise or wait."""
+        if self._writer is not None:
+            self._writer.on_written = on_written
+
+    @property
+    def can_write(self) -> bool:
+        """False for a file that cannot be written, and after closing."""
+        return self._writer is not None and not self._writer.closed
+
     def close(self) -> None:
         """Finishes what is queued and closes every connection; the writer last, it empties the WAL."""
         while not self._idle.empty():

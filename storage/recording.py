@@ -23,13 +23,28 @@ _EVERY_S = 1.0
 _AT_ONCE = ("run_state", "capture_started", "run_ended")  # after these nothing may come for long
 _PATIENCE_S = 2.0
 _TRAIL_STEP_M = 0.01
+_RETRY_S = 1.5
+
+Cancel = Callable[[], None]
+
+
+def _by_timer(delay_s: float, call: Callable[[], None]) -> Cancel:
+    timer = threading.Timer(delay_s, call)
+    timer.daemon = True
+    timer.start()
+    return timer.cancel
 
 
 class Recorder:
     """Takes every event of a run, in order, from one thread at a time.
 
-    What cannot be written (the disk is full) is kept in memory and tried again with the next batch, so a run
-    never waits for the disk and loses nothing when room is made in time.
+    What cannot be written (the disk is full) is kept in memory and tried again: with the next batch, after
+    anything else that could be written, and every second or two for as long as it is not on disk, also when the
+    run has ended. So a run never waits for the disk and loses nothing when room is made in time.
+
+    Args:
+        on_change: told when writing fails, and with None when it works again.
+        later: calls after a delay in s unless it is cancelled; used only while something is unsaved.
 
     Attributes:
         problem: why the last batch could not be written, None when all is well.
@@ -40,6 +55,7 @@ class Recorder:
         store: Store,
         on_change: Callable[[StoreError | None], None] = lambda problem: None,
         clock: Callable[[], float] = time.monotonic,
+        later: Callable[[float, Callable[[], None]], Cancel] = _by_timer,
     ) -> None:
         self.problem: StoreError | None = None
         self._store = store
@@ -49,6 +65,10 @@ class Recorder:
         self._run = _Recording("")
         self._unsaved: list[Batch] = []
         self._lock = threading.Lock()
+        self._later = later
+        self._cancel_retry: Cancel | None = None
+        self._closed = False
+        store.listen(self._after_write)
 
     def __call__(self, event: Event) -> None:
         """Records one event. Returns after `run_ended` only when the run is on disk, or cannot be."""
@@ -63,10 +83,18 @@ class Recorder:
     def flush(self) -> "Future[list[Batch]]":
         """Hands what is pending to the writer."""
         self._flushed_at = self._clock()
-        batch = self._run.taken()
+        batch = self._run.taken(self._store.now())
         if batch is not None:
             with self._lock:
                 self._unsaved.append(batch)
+        return self._submit()
+
+    def close(self) -> None:
+        """Tries no more. Call `flush` before."""
+        self._closed = True
+        self._plan_retry()
+
+    def _submit(self) -> "Future[list[Batch]]":
         written = self._store.record(self._waiting)
         written.add_done_callback(self._settle)
         return written
@@ -86,8 +114,29 @@ class Recorder:
             problem = StoreError("database_failed", path=str(self._store.path), problem=str(error))
         changed = (problem and problem.code) != (self.problem and self.problem.code)
         self.problem = problem
+        self._plan_retry()
         if changed:
             self._on_change(problem)
+
+    def _after_write(self) -> None:
+        if self.problem is not None and not self._closed:
+            self._submit()
+
+    def _plan_retry(self) -> None:
+        """Has a timer while there is a problem and a file to write to; none otherwise."""
+        with self._lock:
+            hopeful = self.problem is not None and self._store.can_write and not self._closed
+            if hopeful and self._cancel_retry is None:
+                self._cancel_retry = self._later(_RETRY_S, self._retry)
+            elif not hopeful and self._cancel_retry is not None:
+                self._cancel_retry()
+                self._cancel_retry = None
+
+    def _retry(self) -> None:
+        with self._lock:
+            self._cancel_retry = None
+        if not self._closed:
+            self._submit()
 
 
 class _Recording:
@@ -107,11 +156,11 @@ class _Recording:
         self._samples.append(event)
         self._follow(float(event["x_m"]), float(event["y_m"]))
 
-    def taken(self) -> Batch | None:
+    def taken(self, now: str) -> Batch | None:
         """All that is pending as a batch; None when there is nothing."""
         if not self._events and not self._samples:
             return None
-        batch = Batch(self.run_id, events=self._events)
+        batch = Batch(self.run_id, now, events=self._events)
         if self._samples:
             blob = pack(rows_of(self._samples))
             batch.chunks.append(

@@ -37,9 +37,11 @@ class Batch:
         chunks: (chunk, first tick, rows, blob) of telemetry.
         ended: the `run_ended` event, None while the run goes on.
         path: points for the picture, used with `ended`.
+        at: when it happened, which may be long before it can be written.
     """
 
     run_id: str
+    at: str
     events: list[Mapping[str, Any]] = field(default_factory=list)
     chunks: list[tuple[int, int, int, bytes]] = field(default_factory=list)
     ended: Mapping[str, Any] | None = None
@@ -112,22 +114,30 @@ class Runs:
             _require(db, run_id)
             return _telemetry(db, run_id)
 
+    def running(self) -> list[str]:
+        """Ids of the runs that have not ended."""
+        with self._access.reading() as db:
+            return _running(db)
+
     def close_interrupted(self) -> int:
         """Ends every run that is still `running`: the program that ran it is gone. Returns how many."""
         now = self._access.now()
 
         def close_all(db: sqlite3.Connection) -> int:
-            open_runs = [
-                row["id"] for row in db.execute("SELECT id FROM runs WHERE state = 'running'")
-            ]
-            for run_id in open_runs:
-                write_batch(db, _interrupted(db, run_id), now)
-            return len(open_runs)
+            run_ids = _running(db)
+            close_runs(db, run_ids, now)
+            return len(run_ids)
 
         return self._access.write(close_all)
 
 
-def write_batch(db: sqlite3.Connection, batch: Batch, now: str) -> None:
+def close_runs(db: sqlite3.Connection, run_ids: Sequence[str], now: str) -> None:
+    """Ends those of the runs that have not ended, within the caller's transaction."""
+    for run_id in set(run_ids).intersection(_running(db)):
+        write_batch(db, _interrupted(db, run_id, now))
+
+
+def write_batch(db: sqlite3.Connection, batch: Batch) -> None:
     """Writes a batch within the caller's transaction; the same batch twice changes nothing."""
     db.executemany(
         "INSERT OR REPLACE INTO events (run_id, seq, tick, type, data) VALUES (?, ?, ?, ?, ?)",
@@ -141,7 +151,7 @@ def write_batch(db: sqlite3.Connection, batch: Batch, now: str) -> None:
         [[batch.run_id, *chunk] for chunk in batch.chunks],
     )
     if batch.ended is not None:
-        _end(db, batch.run_id, batch.ended, batch.path, now)
+        _end(db, batch.run_id, batch.ended, batch.path, batch.at)
 
 
 def _end(
@@ -149,11 +159,11 @@ def _end(
     run_id: str,
     ended: Mapping[str, Any],
     path: Sequence[Sequence[float]],
-    now: str,
+    at: str,
 ) -> None:
     changes = {name: ended.get(name) for name in _FIGURES}
     changes |= {"params": dumped(ended.get("params") or {}), "summary": dumped(_rest(ended))}
-    changes |= {"path": dumped(path), "ended_at": now}
+    changes |= {"path": dumped(path), "ended_at": at}
     assignments = ", ".join(f"{name} = :{name}" for name in changes)
     db.execute(f"UPDATE runs SET {assignments} WHERE id = :id", {**changes, "id": run_id})
 
@@ -197,7 +207,11 @@ def _origin(db: sqlite3.Connection, start: RunStart) -> dict[str, str | None]:
     return dict(row)
 
 
-def _interrupted(db: sqlite3.Connection, run_id: str) -> Batch:
+def _running(db: sqlite3.Connection) -> list[str]:
+    return [str(row["id"]) for row in db.execute("SELECT id FROM runs WHERE state = 'running'")]
+
+
+def _interrupted(db: sqlite3.Connection, run_id: str, now: str) -> Batch:
     """The end that an interrupted run never had, from what was recorded of it."""
     rows = _telemetry(db, run_id)
     ticks, points = rows.column("tick"), rows.rows[:, 1:3]
@@ -218,7 +232,7 @@ def _interrupted(db: sqlite3.Connection, run_id: str) -> Batch:
         "params": {},
         "duration_s": tick / RATE_HZ,
     }
-    return Batch(run_id, events=[ended], ended=ended, path=outline(points))
+    return Batch(run_id, now, events=[ended], ended=ended, path=outline(points))
 
 
 def _telemetry(db: sqlite3.Connection, run_id: str) -> Telemetry:

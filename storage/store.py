@@ -1,5 +1,6 @@
 """The store as a whole."""
 
+import contextlib
 import sqlite3
 from collections.abc import Callable
 from concurrent.futures import Future
@@ -14,7 +15,7 @@ from storage.errors import StoreError
 from storage.groups import Groups
 from storage.opening import Notice, connect, prepare
 from storage.programs import Programs
-from storage.runs import Batch, Runs, write_batch
+from storage.runs import Batch, Runs, close_runs, write_batch
 from storage.schema import migrations
 from storage.settings import Settings
 from storage.text import new_id
@@ -44,19 +45,55 @@ class Store:
         self.versions = Versions(access)
         self.runs = Runs(access)
         self.settings = Settings(access)
+        self._interrupted: list[str] = []
         self._keep_alive: sqlite3.Connection | None = None
+
+    def now(self) -> str:
+        """The time as text."""
+        return self._access.now()
+
+    @property
+    def can_write(self) -> bool:
+        """False for a file that cannot be written, and after closing."""
+        return self._access.can_write
+
+    @property
+    def unfinished(self) -> bool:
+        """True when runs that were cut off could not be closed at the start; `record` closes them."""
+        return bool(self._interrupted)
+
+    def listen(self, on_written: Callable[[], None]) -> None:
+        """Has it called after each write that is on disk, on the writer's thread; it must not raise or wait."""
+        self._access.listen(on_written)
 
     def record(self, waiting: Callable[[], list[Batch]]) -> "Future[list[Batch]]":
         """Writes what is waiting when its turn comes, in one transaction; the future gives what is on disk."""
-        now = self._access.now()
+        now, interrupted = self._access.now(), self._interrupted
 
         def write(db: sqlite3.Connection) -> list[Batch]:
+            close_runs(db, interrupted, now)
             batches = waiting()
             for batch in batches:
-                write_batch(db, batch, now)
+                write_batch(db, batch)
             return batches
 
-        return self._access.submit(write)
+        written = self._access.submit(write)
+        if interrupted:
+            written.add_done_callback(self._forget_interrupted)
+        return written
+
+    def close_interrupted(self) -> None:
+        """Ends the runs that the program before left `running`; later, with `record`, where the disk is full."""
+        try:
+            self.runs.close_interrupted()
+        except StoreError as error:  # must not keep what is there from being read
+            self.notice = self.notice or Notice(error.code, error.params)
+            with contextlib.suppress(StoreError):
+                self._interrupted = self.runs.running()
+
+    def _forget_interrupted(self, written: "Future[list[Batch]]") -> None:
+        if written.exception() is None:
+            self._interrupted, self.notice = [], None
 
     def close(self) -> None:
         """Finishes what is queued and closes the file."""
@@ -109,8 +146,5 @@ def open_store(path: Path, *, close_interrupted: bool = False, clock: Clock = _u
         Access(path, opened.address, refusal, clock), writable=opened.writable, notice=opened.notice
     )
     if close_interrupted and opened.writable:
-        try:
-            store.runs.close_interrupted()
-        except StoreError as error:  # a full disk must not keep what is there from being read
-            store.notice = store.notice or Notice(error.code, error.params)
+        store.close_interrupted()
     return store

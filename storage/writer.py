@@ -15,12 +15,17 @@ _Task = Callable[[], None]
 
 
 class Writer:
-    """Owns the writing connection. `do` returns after the commit; `submit` returns at once."""
+    """Owns the writing connection. `do` returns after the commit; `submit` returns at once.
+
+    Attributes:
+        on_written: called after each job that is on disk, on the writer's thread; must not raise or wait.
+    """
 
     def __init__(self, connection: sqlite3.Connection, path: Path) -> None:
         self._connection = connection
         self._path = path
         self._tasks: queue.SimpleQueue[_Task | None] = queue.SimpleQueue()
+        self.on_written: Callable[[], None] = lambda: None
         self._closed = False
         self._lock = threading.Lock()
         self._thread = threading.Thread(target=self._work, name="store-writer", daemon=True)
@@ -46,6 +51,11 @@ class Writer:
                 self._tasks.put(lambda: self._fulfil(future, job))
         return future
 
+    @property
+    def closed(self) -> bool:
+        """True when nothing more can be written."""
+        return self._closed
+
     def close(self) -> None:
         """Finishes what is queued, then closes the connection."""
         with self._lock:
@@ -68,6 +78,7 @@ class Writer:
             future.set_exception(error)
         else:
             future.set_result(result)
+            self.on_written()
 
     def _in_transaction(self, job: Callable[[sqlite3.Connection], T]) -> T:
         # IMMEDIATE: a job that reads first must not lose to another process that wrote in between
