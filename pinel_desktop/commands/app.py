@@ -25,6 +25,8 @@ from pinel_desktop.paths import database_path
 
 Message = dict[str, Any]
 
+_ENGINE_AFTER_S = 1.0
+
 
 @click.command(hidden=True)
 @click.option("--db", type=click.Path(dir_okay=False), required=True)
@@ -45,7 +47,12 @@ def _serve(db: str, messages: Iterator[Message], send: Callable[..., None]) -> N
     if next(messages, None) != {"do": "start"}:
         return
     database = database_path(db)
-    app = App(database, instance=Instance.of_parent(database), on_show=lambda: send(type="show"))
+    app = App(
+        database,
+        instance=Instance.of_parent(database),
+        engine_after_s=_ENGINE_AFTER_S,
+        on_show=lambda: send(type="show"),
+    )
     try:
         app.start()
     except PinelError as error:
