@@ -4,6 +4,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.e2e.app_process import AppProcess
+from tests.e2e.conftest import OpenStudio
 from tests.e2e.studio import RUN_MS, Studio
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
@@ -45,6 +46,42 @@ def test_stop_stops_where_the_robot_is(studio: Studio) -> None:
     expect(studio.blocks.running()).to_have_count(0)
     expect(studio["status-line"]).to_have_attribute("data-tone", "notice")
     expect(studio["run"]).to_have_attribute("data-does", "run")
+
+
+def test_stop_reaches_a_run_that_another_window_began(
+    studio: Studio, open_studio: OpenStudio
+) -> None:
+    studio.enter_new_group()
+    add_move(studio, "3")
+    second = open_studio()
+    second.page.goto(studio.page.url)
+    second.wait_until_open()
+
+    studio.run()
+    expect(second["run"]).to_have_attribute("data-does", "pause", timeout=RUN_MS)
+    expect(second.blocks.running()).to_have_count(1)
+    second["stop"].click()
+    second.wait_for_phase("stopped")
+    studio.wait_for_phase("stopped")
+    assert second.number("pose-x") == studio.number("pose-x") < 2.5
+
+
+def test_stop_reaches_the_run_of_another_program(studio: Studio, open_studio: OpenStudio) -> None:
+    studio.enter_new_group()
+    add_move(studio, "3")
+    second = open_studio()
+    second.enter_new_group()
+    add_move(second, "1")
+
+    studio.run()
+    second.wait_for_phase("running")
+    expect(second["status-line"]).to_have_attribute("data-tone", "notice")
+    expect(second["run"]).to_be_disabled()
+    expect(second.blocks.running()).to_have_count(0)
+    second["stop"].click()
+    studio.wait_for_phase("stopped")
+    expect(second["run"]).to_be_enabled()
+    expect(second["status-line"]).to_have_attribute("data-tone", "calm")
 
 
 def test_pause_holds_and_resume_goes_on(studio: Studio) -> None:

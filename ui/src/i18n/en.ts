@@ -58,6 +58,7 @@ export const en: Texts = {
     world: "Place",
     bar: "Robot controls",
     other: "The robot is running another program. Press Stop first.",
+    otherEnded: "The other program has ended. Press Run to run this one.",
   },
   status: {
     label: "What the robot does now",

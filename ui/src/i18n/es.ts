@@ -58,6 +58,7 @@ export const es: Texts = {
     world: "Lugar",
     bar: "Mandos del robot",
     other: "El robot está ejecutando otro programa. Pulsen Parar antes.",
+    otherEnded: "El otro programa terminó. Pulsen Ejecutar para ejecutar este.",
   },
   status: {
     label: "Qué hace el robot ahora",

@@ -57,6 +57,7 @@ export const ptBR = {
     world: "Lugar",
     bar: "Comandos do robô",
     other: "O robô está rodando outro programa. Aperte Parar antes.",
+    otherEnded: "O outro programa parou. Aperte Rodar para rodar este.",
   },
   status: {
     label: "O que o robô faz agora",

@@ -1,6 +1,7 @@
 import { batch, signal } from "@preact/signals";
 import { api } from "../api/client";
-import type { Run, RunEvent } from "../api/model";
+import { ApiError } from "../api/errors";
+import type { Run, RunEvent, RunWithVersion } from "../api/model";
 import { History } from "./history";
 import { MotionBuffer } from "./motion_buffer";
 import { IDLE, isLive, type Pose, type RunView, reduce, starting } from "./reducer";
@@ -9,12 +10,17 @@ import { decodeTelemetry, NO_TELEMETRY } from "./telemetry";
 /** The run that moves the robot now, or the last one that did. */
 export const live = signal<RunView>(IDLE);
 
-/** What the server says of it: program, world. Null until it is known. */
-export const liveRun = signal<Run | null>(null);
+/** What the server says of it: program, world; the version where it was asked for. Null until it is known. */
+export const liveRun = signal<Run | RunWithVersion | null>(null);
 
 const motion = new MotionBuffer();
-/** Events that came while nobody could say yet where they belong. */
-let waiting: RunEvent[] | null = null;
+/** How many requests are under way that will tell where events belong; until then events are held. */
+let holds = 0;
+let held: RunEvent[] = [];
+/** Events that had their run followed: each may try once, or a server in trouble were asked for ever. */
+const tried = new WeakSet<RunEvent>();
+/** Counts what was asked of the server; only the newest answer is shown. */
+let turns = 0;
 /** Stop was pressed before the run had a name. */
 let stopWanted = false;
 
@@ -24,13 +30,20 @@ export function livePose(now: number): Pose {
 }
 
 export function receive(event: RunEvent): void {
-  if (waiting) {
-    waiting.push(event);
-    return;
+  const { value: view } = live;
+  if (holds > 0) held.push(event);
+  else if (event.run === view.run) apply(event);
+  else if (!isLive(view) && isSignOfLife(event) && !tried.has(event)) {
+    // begun in another window
+    tried.add(event);
+    held.push(event);
+    // where this fails, the next such event tries again
+    follow(event.run).catch(() => {});
   }
-  if (event.run !== live.value.run) return;
-  apply(event);
 }
+
+/** Telemetry comes too often to ask the server for each of it, and what has ended is not followed. */
+const isSignOfLife = ({ type }: RunEvent) => type !== "telemetry" && type !== "run_ended";
 
 function apply(event: RunEvent): void {
   const next = reduce(live.value, event);
@@ -49,53 +62,62 @@ export function clear(): void {
   });
 }
 
-/** Starts a run; rejects with the server's words, and leaves what was shown before. */
-export async function start(versionId: string, world: string): Promise<Run> {
+/** Starts a run; rejects with the server's words, and shows what was shown before or the run in its way. */
+export function start(versionId: string, world: string): Promise<Run> {
   const before = live.value;
-  waiting = [];
+  const nameless = starting(null);
   stopWanted = false;
-  live.value = starting(null);
+  live.value = nameless;
   motion.reset();
-  try {
-    const run = await api.startRun(versionId, world);
-    if (stopWanted) await api.stop(run.id);
-    batch(() => {
-      liveRun.value = run;
-      live.value = starting(run.id);
-    });
-    return run;
-  } catch (error) {
-    live.value = before;
-    throw error;
-  } finally {
-    release();
-  }
+  return holding(async () => {
+    try {
+      const run = await api.startRun(versionId, world);
+      turns++;
+      batch(() => {
+        liveRun.value = run;
+        if (live.value.run !== run.id) live.value = starting(run.id);
+      });
+      if (stopWanted) await stop();
+      return run;
+    } catch (error) {
+      if (live.value === nameless) live.value = before;
+      if (isCode(error, "run_in_progress")) await meet(stopWanted);
+      throw error;
+    }
+  });
 }
 
 /** Fetches what a run has done so far and follows it from there. */
-export async function follow(runId: string): Promise<void> {
-  waiting ??= [];
-  try {
+export function follow(runId: string): Promise<void> {
+  const turn = ++turns;
+  return holding(async () => {
     const [run, events, telemetry] = await Promise.all([
       api.run(runId),
       api.runEvents(runId),
       api.runTelemetry(runId).then(decodeTelemetry, () => NO_TELEMETRY),
     ]);
+    if (turn !== turns) return;
     const { end } = new History(runId, events, telemetry);
     batch(() => {
       liveRun.value = run;
       live.value = end.phase === "idle" ? starting(runId) : end;
       motion.reset(end.pose);
     });
-  } finally {
-    release();
-  }
+  });
 }
 
-function release(): void {
-  const events = waiting ?? [];
-  waiting = null;
-  for (const event of events) receive(event);
+/** Holds events back while the work is done, then hands them on; what they already did changes nothing. */
+async function holding<T>(work: () => Promise<T>): Promise<T> {
+  holds++;
+  try {
+    return await work();
+  } finally {
+    if (--holds === 0) {
+      const events = held;
+      held = [];
+      for (const event of events) receive(event);
+    }
+  }
 }
 
 /** The server said which run is live: catch up with it, or with the end of the one that was. */
@@ -107,10 +129,36 @@ export async function resync(runId: string | null): Promise<void> {
 
 export const pause = () => withRun(api.pause);
 export const resume = () => withRun(api.resume);
+
+/** Stops the robot, whoever began the run and whether this page has heard of it or not. */
 export async function stop(): Promise<void> {
-  stopWanted = live.value.run === null;
-  await withRun(api.stop);
+  const { value: view } = live;
+  if (!isLive(view)) await meet(true);
+  else if (view.run === null) stopWanted = true;
+  else {
+    try {
+      await api.stop(view.run);
+    } catch (error) {
+      if (!isCode(error, "run_not_live")) throw error;
+      await meet(true);
+    }
+  }
 }
+
+/** Asks which run is live, stops it where that is wanted, and shows it. */
+async function meet(toStop: boolean): Promise<void> {
+  const { run } = await api.status();
+  if (run && toStop) {
+    await api.stop(run).catch((error) => {
+      // it ended by itself just now
+      if (!isCode(error, "run_not_live")) throw error;
+    });
+  }
+  await resync(run);
+}
+
+const isCode = (error: unknown, code: string) => error instanceof ApiError && error.code === code;
+
 export const answerCapture = (result: string) => withRun((run) => api.answerCapture(run, result));
 
 async function withRun(send: (run: string) => Promise<object>): Promise<void> {

@@ -99,9 +99,11 @@ export class StudioControl {
     if (first) this.goTo(first);
   }
 
-  /** Brings the block into view and lights it for a moment. */
+  /** Brings the block into view and lights it for a moment, with the words of its fault. */
   goTo(fault: Fault): void {
+    if (!fault.block) return;
     this.editor?.highlight(fault.block);
+    this.editor?.reveal(fault.block);
     clearTimeout(this.pointing);
     this.pointing = window.setTimeout(() => this.editor?.highlight(this.lit.value), POINTING_MS);
   }
@@ -124,7 +126,7 @@ export class StudioControl {
     const voice = {
       texts: texts.value,
       language: language.value,
-      timesOf: (pointer: string) => timesIn(this.runDocument, pointer),
+      timesOf: (pointer: string) => timesIn(this.documentThatRuns(), pointer),
     };
     const calm = (text: string): Sentence => ({ text, more: "", tone: "calm" });
     if (isLive(view) && view.run && !this.mine.value) {
@@ -138,11 +140,17 @@ export class StudioControl {
         ? { text: status.emptyRun, more: "", tone: "notice" }
         : calm(status.empty);
     }
-    const ended = sentenceOf(view, voice);
+    const ended = this.mine.value ? sentenceOf(view, voice) : null;
     if (ended) return ended;
     if (connection.value === "open" && engine.value !== "ready") {
       return calm(engine.value === "lost" ? status.engineLost : status.engineStarting);
     }
-    return calm(status.ready);
+    return calm(view.ending && !this.mine.value ? run.otherEnded : status.ready);
+  }
+
+  /** A run begun in another window may be of blocks that this page has not seen. */
+  private documentThatRuns(): unknown {
+    const { value: run } = robot.liveRun;
+    return run && "version" in run ? run.version?.document : this.runDocument;
   }
 }

@@ -1,0 +1,185 @@
+import { beforeEach, describe, expect, test, vi } from "vitest";
+import type { RunEvent, TelemetryEvent } from "../api/model";
+
+const api = {
+  startRun: vi.fn(),
+  stop: vi.fn(),
+  status: vi.fn(),
+  run: vi.fn(),
+  runEvents: vi.fn(),
+  runTelemetry: vi.fn(),
+};
+vi.mock("../api/client", () => ({ api }));
+
+let page: typeof import("./live");
+/** Of the same making as the page: a module that is loaded anew has classes of its own. */
+let ApiError: typeof import("../api/errors").ApiError;
+
+/** What the store of the server has of run `other`. */
+let stored: RunEvent[] = [];
+
+const head = (run: string, seq: number) => ({ v: 1, run, seq, tick: seq }) as const;
+
+const running = (run: string): RunEvent => ({
+  ...head(run, 0),
+  type: "run_state",
+  state: "running",
+});
+
+const started = (run: string, seq: number, n: number): RunEvent => ({
+  ...head(run, seq),
+  type: "block_started",
+  block: `b${n}`,
+  pointer: `/commands/${n}`,
+  action: "move_forward",
+  amount: 1,
+});
+
+const ended = (run: string, seq: number): RunEvent => ({
+  ...head(run, seq),
+  type: "run_ended",
+  state: "stopped",
+  reason: "stopped",
+  params: {},
+  block: null,
+  n_executed: 1,
+  duration_s: 1,
+  path_length_m: 0,
+  closing_error_m: 0,
+  pose: null,
+  telemetry_sha256: "0",
+});
+
+const conflict = (code: string) => new ApiError(409, { code, message: code });
+
+const settled = () => vi.waitFor(() => expect(page.live.value.run).toBe("other"));
+
+/** The times that something was asked and has been answered. */
+const asked = (what: ReturnType<typeof vi.fn>, times: number) =>
+  vi.waitFor(() => expect(what.mock.settledResults.length).toBe(times));
+
+beforeEach(async () => {
+  vi.resetAllMocks();
+  stored = [];
+  api.run.mockImplementation(async (id: string) => ({ id, program_id: "p", version: null }));
+  api.runEvents.mockImplementation(async () => stored);
+  api.runTelemetry.mockRejectedValue(new Error("none yet"));
+  api.status.mockResolvedValue({ run: null });
+  api.stop.mockResolvedValue({});
+  vi.resetModules();
+  ({ ApiError } = await import("../api/errors"));
+  page = await import("./live");
+});
+
+describe("a run begun in another window", () => {
+  test("is followed from its first event, and Stop stops it", async () => {
+    page.receive(running("other"));
+    await settled();
+    expect(page.live.value.phase).toBe("running");
+    expect(page.liveRun.value?.program_id).toBe("p");
+    await page.stop();
+    expect(api.stop.mock.calls).toEqual([["other"]]);
+    expect(api.status).not.toHaveBeenCalled();
+  });
+
+  test("loses no event while it is fetched, and no event counts twice", async () => {
+    stored = [running("other"), started("other", 1, 0)];
+    page.receive(running("other"));
+    page.receive(started("other", 1, 0));
+    page.receive(started("other", 2, 1));
+    await settled();
+    await vi.waitFor(() => expect(page.live.value.seq).toBe(2));
+    expect(page.live.value.stack.map((entry) => entry.block)).toEqual(["b0", "b1"]);
+    expect(api.run).toHaveBeenCalledTimes(1);
+  });
+
+  test("may be over before it was fetched", async () => {
+    page.receive(running("other"));
+    page.receive(ended("other", 1));
+    await settled();
+    await vi.waitFor(() => expect(page.live.value.phase).toBe("stopped"));
+  });
+
+  test("is fetched once an event, not for ever, where the server is in trouble", async () => {
+    api.run.mockRejectedValue(new Error("trouble"));
+    page.receive(running("other"));
+    await asked(api.run, 1);
+    page.receive({ ...head("other", 1), type: "telemetry" } as TelemetryEvent);
+    page.receive(started("other", 2, 0));
+    await asked(api.run, 2);
+    expect(page.live.value.run).toBeNull();
+  });
+
+  test("leaves alone the run that is shown", async () => {
+    page.receive(running("other"));
+    await settled();
+    page.receive(started("older", 7, 0));
+    expect(api.run.mock.calls).toEqual([["other"]]);
+    expect(page.live.value.run).toBe("other");
+  });
+});
+
+describe("Stop", () => {
+  test("asks which run is live where the page knows of none, and shows it", async () => {
+    stored = [running("other")];
+    api.status.mockResolvedValue({ run: "other" });
+    await page.stop();
+    expect(api.stop.mock.calls).toEqual([["other"]]);
+    expect(page.live.value.run).toBe("other");
+  });
+
+  test("does nothing where nothing runs", async () => {
+    await page.stop();
+    expect(api.stop).not.toHaveBeenCalled();
+  });
+
+  test("reaches the run that came after the one that is shown", async () => {
+    page.receive(running("other"));
+    await settled();
+    api.status.mockResolvedValue({ run: "next" });
+    api.stop.mockRejectedValueOnce(conflict("run_not_live"));
+    await page.stop();
+    expect(api.stop.mock.calls).toEqual([["other"], ["next"]]);
+    expect(page.live.value.run).toBe("next");
+  });
+
+  test("is no error where the run has ended just now", async () => {
+    page.receive(running("other"));
+    await settled();
+    stored = [running("other"), ended("other", 1)];
+    api.stop.mockRejectedValueOnce(conflict("run_not_live"));
+    await page.stop();
+    expect(page.live.value.phase).toBe("stopped");
+  });
+});
+
+describe("a start", () => {
+  test("refused because another run is live shows that run", async () => {
+    stored = [running("other")];
+    api.status.mockResolvedValue({ run: "other" });
+    api.startRun.mockRejectedValue(conflict("run_in_progress"));
+    await expect(page.start("v", "w")).rejects.toThrow("run_in_progress");
+    expect(page.live.value).toMatchObject({ run: "other", phase: "running" });
+    expect(api.stop).not.toHaveBeenCalled();
+  });
+
+  test("refused for another reason shows what was shown before", async () => {
+    const before = page.live.value;
+    api.startRun.mockRejectedValue(new ApiError(503, { code: "engine_not_ready" }));
+    await expect(page.start("v", "w")).rejects.toThrow();
+    expect(page.live.value).toBe(before);
+  });
+
+  test("keeps the events that come before its answer, and Stop waits for its name", async () => {
+    api.startRun.mockImplementation(async () => {
+      page.receive(running("mine"));
+      page.receive(started("mine", 1, 0));
+      await page.stop();
+      return { id: "mine", program_id: "p" };
+    });
+    await page.start("v", "w");
+    expect(page.live.value).toMatchObject({ run: "mine", phase: "running", seq: 1 });
+    expect(api.stop.mock.calls).toEqual([["mine"]]);
+    expect(api.run).not.toHaveBeenCalled();
+  });
+});
