@@ -1,13 +1,14 @@
 """The store: one SQLite file with everything that groups made and ran.
 
-A leaf: imports nothing of the application. `open_store` opens the file, `Recorder` records live runs into it.
+A leaf: imports nothing of the application. `open_store` opens the file,
+`open_for_reading` only looks at it, `Recorder` records live runs into it.
 """
 
 from storage.errors import StoreError
 from storage.opening import Notice
 from storage.recording import Recorder
 from storage.records import FaultRow, GroupRow, ProgramRow, RunRow, RunStart, VersionRow
-from storage.store import Store, open_store
+from storage.store import Store, open_for_reading, open_store
 
 __all__ = [
     "FaultRow",
@@ -20,5 +21,6 @@ __all__ = [
     "Store",
     "StoreError",
     "VersionRow",
+    "open_for_reading",
     "open_store",
 ]

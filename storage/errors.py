@@ -21,8 +21,8 @@ class StoreError(Exception):
     """Something a person can act on; the words for the code are the application's.
 
     Codes: `disk_full`, `database_read_only`, `database_locked`, `database_damaged`, `database_newer`,
-    `database_foreign`, `database_failed`; `group_not_found`, `program_not_found`, `version_not_found`,
-    `run_not_found`; `group_exists`, `name_empty`, `name_too_long`.
+    `database_older`, `database_foreign`, `database_unreadable`, `database_failed`; `group_not_found`,
+    `program_not_found`, `version_not_found`, `run_not_found`; `group_exists`, `name_empty`, `name_too_long`.
     """
 
     def __init__(self, code: str, **params: object) -> None:

@@ -64,6 +64,29 @@ def prepare(path: Path, now: datetime) -> Opened:
         raise StoreError("database_read_only", path=str(path), problem=error.strerror) from error
 
 
+def prepare_reading(path: Path) -> Opened:
+    """How to read the file as it is; nothing is written, made or set aside, not even beside it.
+
+    Raises:
+        StoreError: `database_damaged`, `database_older`, `database_newer`, `database_foreign`,
+            `database_unreadable`; `database_locked`, `database_failed`.
+    """
+    try:
+        address = _untouching_address(path)
+        with closing(_tried(address)) as connection:
+            if _damage(connection) is not None:
+                raise StoreError("database_damaged", path=str(path))
+            _check_ownership(connection, path)
+            if _tables(connection) and _applied(connection) == known_migrations():
+                return Opened(address, writable=False, notice=None)
+    except sqlite3.Error as error:
+        problem = translated(error, path)
+        if problem.code != "database_read_only":
+            raise problem from error
+        raise StoreError("database_unreadable", path=str(path)) from error
+    raise StoreError("database_older", path=str(path))
+
+
 class _ReadOnlyError(Exception):
     def __init__(self, address: str) -> None:
         super().__init__(address)
@@ -114,9 +137,7 @@ def _damage(connection: sqlite3.Connection) -> str | None:
 
 
 def _check_ownership(connection: sqlite3.Connection, path: Path) -> None:
-    tables = {
-        row[0] for row in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")
-    }
+    tables = _tables(connection)
     if not tables:
         return
     if migrations.migrations_table not in tables:
@@ -126,6 +147,11 @@ def _check_ownership(connection: sqlite3.Connection, path: Path) -> None:
         raise StoreError("database_foreign", path=str(path))
     if applied - known_migrations():
         raise StoreError("database_newer", path=str(path))
+
+
+def _tables(connection: sqlite3.Connection) -> set[str]:
+    rows = connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")
+    return {str(row[0]) for row in rows}
 
 
 def _applied(connection: sqlite3.Connection) -> set[str]:
@@ -176,6 +202,15 @@ def _readable_address(path: Path) -> str:
         except sqlite3.OperationalError:
             continue
     raise StoreError("database_read_only", path=str(path))
+
+
+def _untouching_address(path: Path) -> str:
+    """The address that reads a file without making anything beside it.
+
+    A reader of a file in WAL mode makes the WAL where there is none; but then nobody has the file open.
+    """
+    address = _address(path, "ro")
+    return address if path.with_name(path.name + "-wal").exists() else address + "&immutable=1"
 
 
 def _address(path: Path, mode: str) -> str:

@@ -13,7 +13,7 @@ from sqlite_utils import Database
 from storage.connection import Access
 from storage.errors import StoreError
 from storage.groups import Groups
-from storage.opening import Notice, connect, prepare
+from storage.opening import Notice, connect, prepare, prepare_reading
 from storage.programs import Programs
 from storage.runs import Batch, Runs, close_runs, write_batch
 from storage.schema import migrations
@@ -148,3 +148,14 @@ def open_store(path: Path, *, close_interrupted: bool = False, clock: Clock = _u
     if close_interrupted and opened.writable:
         store.close_interrupted()
     return store
+
+
+def open_for_reading(path: Path) -> Store:
+    """Opens the file as it is, touching nothing, also while another program has it open; every write is refused.
+
+    Raises:
+        StoreError: the file cannot be read: `database_damaged`, `database_older`, `database_newer` and others.
+    """
+    opened = prepare_reading(path)
+    refusal = StoreError("database_read_only", path=str(path))
+    return Store(Access(path, opened.address, refusal, _utc_now), writable=False)

@@ -2,12 +2,14 @@
 
 import json
 import os
+import random
 import signal
+import sqlite3
 import subprocess
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from pathlib import Path
 
 import pytest
@@ -82,19 +84,83 @@ def test_the_beginning_of_an_id_is_enough_where_only_one_run_has_it(
     assert (shown["id"], shown["n_events"]) == (run_ids[1], 1)
 
 
-@pytest.mark.parametrize("prefix", ["01", ""])
 def test_a_beginning_that_several_runs_share_is_an_error_with_a_remedy(
-    database: Path, run_ids: list[str], prefix: str
+    database: Path, run_ids: list[str]
 ) -> None:
-    result = pinel("--db", str(database), "runs", "show", prefix)
+    result = pinel("--db", str(database), "runs", "show", "01")
     assert result.exit_code == 1
     assert "More than one run" in result.output
 
 
-def test_an_unknown_run_is_an_error_with_a_remedy(database: Path, run_ids: list[str]) -> None:
-    result = pinel("--db", str(database), "runs", "show", "ffff")
+@pytest.mark.parametrize("run", ["ffff", "", " ", "-", "%", "\udcff"])
+def test_an_unknown_run_is_an_error_with_a_remedy(
+    database: Path, run_ids: list[str], run: str
+) -> None:
+    result = pinel("--db", str(database), "runs", "show", "--", run)
     assert result.exit_code == 1
-    assert "Choose a run" in result.output
+    assert result.output == "This run was not found.\nChoose a run from the list.\n"
+
+
+def test_nothing_stands_for_no_run_even_where_there_is_only_one(database: Path) -> None:
+    with open_store(database) as store:
+        store.runs.begin(START)
+    assert pinel("--db", str(database), "runs", "show", "").exit_code == 1
+
+
+def folder_content(folder: Path) -> dict[str, bytes]:
+    return {file.name: file.read_bytes() for file in folder.iterdir()}
+
+
+@pytest.mark.parametrize("command", [["list"], ["show", "01"]])
+def test_looking_at_a_damaged_file_tells_what_to_do_and_touches_nothing(
+    database: Path, command: list[str]
+) -> None:
+    database.write_bytes(random.Random(1).randbytes(9000))
+    before = folder_content(database.parent)
+    result = CliRunner().invoke(
+        main, ["--db", str(database), "runs", *command], env={"PINEL_LANG": "pt"}
+    )
+    assert result.exit_code == 1
+    assert result.stdout == ""
+    message, remedy = result.stderr.splitlines()
+    assert message.startswith("O arquivo com os trabalhos (")
+    assert message.endswith(") está danificado.")
+    assert remedy.startswith("Abra o PINEL")
+    assert folder_content(database.parent) == before
+
+
+def test_looking_at_runs_writes_nothing_and_makes_no_file(
+    database: Path, run_ids: list[str]
+) -> None:
+    before = folder_content(database.parent)
+    assert pinel("--db", str(database), "runs", "list").exit_code == 0
+    assert pinel("--db", str(database), "runs", "show", run_ids[0]).exit_code == 0
+    assert folder_content(database.parent) == before
+
+
+def test_runs_are_listed_while_another_program_has_the_file_open(database: Path) -> None:
+    with open_store(database) as store:
+        run = store.runs.begin(START)
+        output = pinel("--db", str(database), "runs", "list").output
+    assert output.startswith(f"{run.id}  ")
+
+
+def test_an_empty_file_holds_no_work(database: Path) -> None:
+    database.touch()
+    result = pinel("--db", str(database), "runs", "list")
+    assert (result.exit_code, database.stat().st_size) == (1, 0)
+    assert result.output.startswith("No work has been saved yet")
+
+
+def test_a_file_that_an_older_program_left_is_told_with_a_remedy(
+    database: Path, run_ids: list[str]
+) -> None:
+    with closing(sqlite3.connect(database)) as db:
+        db.execute("DELETE FROM _sqlite_migrations WHERE name = 'first_views'")
+        db.commit()
+    result = pinel("--db", str(database), "runs", "list")
+    assert result.exit_code == 1
+    assert "Start PINEL once" in result.output
 
 
 def test_listing_where_nothing_was_kept_makes_no_file(database: Path) -> None:

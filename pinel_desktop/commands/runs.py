@@ -1,17 +1,20 @@
 """`pinel runs`: what was run and how it ended."""
 
 import json
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import asdict
-from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import click
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, language_of_system
 from pinel_desktop.paths import database_path
-from storage import RunRow, Store, StoreError, open_store
+from storage import RunRow, Store, StoreError, open_for_reading
 
+_ID = re.compile(r"[0-9a-f-]+")
 _FIGURES = (
     ("program_name", "program"),
     ("link", "link"),
@@ -69,30 +72,37 @@ def show_run(ctx: click.Context, run: str, as_json: bool) -> None:
 
 
 class _Failure(click.ClickException):
-    """An error in the words of the language."""
+    """An error in the words of the language: what is wrong, and below it what to do."""
 
     def __init__(self, error: PinelError | StoreError) -> None:
         words = describe(error.code, error.params, language_of_system())
-        super().__init__(f"{words.message} {words.remedy}".strip())
+        super().__init__(f"{words.message}\n{words.remedy}")
+
+    def show(self, file: IO[Any] | None = None) -> None:
+        click.echo(self.message, file=file, err=file is None)
 
 
-def _opened(ctx: click.Context) -> Store:
+@contextmanager
+def _opened(ctx: click.Context) -> Iterator[Store]:
+    """The store, to look at only; what goes wrong with it is told in words."""
     path = database_path(ctx.obj["db"])
     try:
-        if not Path(path).is_file():
+        if not path.is_file() or path.stat().st_size == 0:
             raise PinelError("database_missing", path=str(path))
-        return open_store(path)
+        with open_for_reading(path) as store:
+            yield store
     except (PinelError, StoreError) as error:
         raise _Failure(error) from error
 
 
 def _found(store: Store, run: str) -> RunRow:
-    ids = store.runs.ids_beginning_with(run.lower())
+    wanted = run.strip().lower()
+    ids = store.runs.ids_beginning_with(wanted) if _ID.fullmatch(wanted) else []
     if not ids:
-        raise _Failure(StoreError("run_not_found", id=run))
-    if len(ids) > 1 and run.lower() not in ids:
-        raise _Failure(PinelError("run_ambiguous", id=run, ids=ids))
-    return store.runs.get(run.lower() if run.lower() in ids else ids[0])
+        raise StoreError("run_not_found", id=run)
+    if len(ids) > 1 and wanted not in ids:
+        raise PinelError("run_ambiguous", id=run, ids=ids)
+    return store.runs.get(wanted if wanted in ids else ids[0])
 
 
 def _as_object(row: RunRow) -> dict[str, Any]:
