@@ -10,6 +10,11 @@ import uuid6
 from storage.errors import StoreError
 
 MAX_NAME = 60
+_UNSEEN = ("Cf", "Cs")
+# within emoji and within words of several scripts
+_JOINERS = "\u200c\u200d"
+# letters and symbols by their category, empty to the eye: fillers of Hangul and Braille
+_BLANKS = "\u115f\u1160\u3164\uffa0\u2800"
 
 
 def new_id() -> str:
@@ -33,14 +38,13 @@ def loaded(text: str | None) -> Any:
 
 
 def clean_name(name: str) -> str:
-    """A name without control characters and superfluous spaces.
+    """A name without what cannot be seen: control characters, marks of direction, superfluous spaces.
 
     Raises:
         StoreError: `name_empty` or `name_too_long`.
     """
-    visible = "".join(" " if unicodedata.category(char) == "Cc" else char for char in name)
-    clean = " ".join(visible.split())
-    if not clean:
+    clean = " ".join("".join(map(_shown, name)).split())
+    if not any(map(_leaves_ink, clean)):
         raise StoreError("name_empty")
     if len(clean) > MAX_NAME:
         raise StoreError("name_too_long", length=len(clean), max=MAX_NAME)
@@ -48,5 +52,18 @@ def clean_name(name: str) -> str:
 
 
 def name_key(name: str) -> str:
-    """What two groups must not share: the name without case and spaces."""
-    return "".join(unicodedata.normalize("NFKC", name).casefold().split())
+    """What two groups must not share: the name without case, spaces and joiners."""
+    visible = "".join(char for char in name if char not in _JOINERS)
+    return "".join(unicodedata.normalize("NFKC", visible).casefold().split())
+
+
+def _shown(char: str) -> str:
+    if unicodedata.category(char) == "Cc":
+        return " "
+    return "" if unicodedata.category(char) in _UNSEEN and char not in _JOINERS else char
+
+
+def _leaves_ink(char: str) -> bool:
+    # Cn: an emoji newer than Python's tables
+    category = unicodedata.category(char)
+    return (category[0] in "LNPS" or category == "Cn") and char not in _BLANKS

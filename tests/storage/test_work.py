@@ -35,6 +35,60 @@ def test_a_name_that_does_not_fit_is_refused(store: Store, name: str, code: str)
     assert caught.value.code == code
 
 
+@pytest.mark.parametrize(
+    "name",
+    [
+        "\u200b",
+        "\u202e",
+        "\u00a0\u3000",
+        "\u2066\u2069 \u200f",
+        "\u200d",
+        "\ufeff",
+        "\u3164",
+        "\u2800",
+        "\u00ad",
+        "\ufe0f",
+        "\ud800",
+    ],
+    ids=ascii,
+)
+def test_a_name_that_cannot_be_seen_is_empty(
+    store: Store, group: GroupRow, program: ProgramRow, name: str
+) -> None:
+    attempts: list[Callable[[], object]] = [
+        lambda: store.groups.create(name),
+        lambda: store.programs.create(group.id, name),
+        lambda: store.programs.rename(program.id, name),
+    ]
+    for attempt in attempts:
+        with pytest.raises(StoreError, match="name_empty"):
+            attempt()
+
+
+@pytest.mark.parametrize(
+    ("name", "kept"),
+    [
+        ("Zé\u202egpj.exe", "Zégpj.exe"),
+        ("\u2067Os\u2069 \u200eRobôs\u200f", "Os Robôs"),
+        ("Os\u200b Ro\u00adbôs\x1b", "Os Robôs"),
+        ("lone \ud800 half", "lone half"),
+        ("\U0001faea", "\U0001faea"),
+        ("👩\u200d🔬 ❤\ufe0f", "👩\u200d🔬 ❤\ufe0f"),
+    ],
+    ids=ascii,
+)
+def test_a_name_loses_what_turns_or_hides_its_letters(
+    store: Store, group: GroupRow, name: str, kept: str
+) -> None:
+    assert store.programs.create(group.id, name).name == kept
+    assert store.groups.create(f"{name} 2").name == f"{kept} 2"
+
+
+def test_joiners_make_no_second_group_of_the_same_name(store: Store, group: GroupRow) -> None:
+    with pytest.raises(StoreError, match="group_exists"):
+        store.groups.create("Os Ro\u200dbôs")
+
+
 def test_a_name_keeps_its_letters_and_loses_what_cannot_be_seen(store: Store) -> None:
     assert store.groups.create("  Zé\x07  da   Silva 🤖 ").name == "Zé da Silva 🤖"
 
