@@ -12,10 +12,9 @@ from pinel_desktop.events.hub import Hub
 from pinel_desktop.instance import Instance
 from pinel_desktop.messages import LANGUAGES, describe, language_of_system
 from pinel_desktop.program.reading import read_document
-from pinel_desktop.web import Services, create_app
-from pinel_desktop.web.guard import Guard
-from pinel_desktop.web.server import Server
-from pinel_desktop.web.services import DatabaseState, Engine, Problem, ReadDocument
+from pinel_desktop.web.application import create_app
+from pinel_desktop.web.front import Front
+from pinel_desktop.web.services import DatabaseState, Engine, Problem, ReadDocument, Services
 from sim.world import list_worlds
 from storage import Recorder, Store, StoreError, open_store
 
@@ -39,16 +38,18 @@ class App:
         database: the file; made where there is none. When it cannot be used the app starts all the same, and
             the page says why nothing can be kept.
         port: 0 for any that is free.
+        front: a server that gives out the page already; the app closes it.
         instance: a lock on the database that was taken before; the app gives it back.
         engine_after_s: lets the page draw first on a PC of two cores, which the engine's start would keep busy.
         on_show: brings the window forward when the app is started a second time.
     """
 
-    def __init__(
+    def __init__(  # noqa: PLR0913 - everything that may be another, for the window and for tests
         self,
         database: Path,
         *,
         port: int = 0,
+        front: Front | None = None,
         instance: Instance | None = None,
         engine_after_s: float = 0.0,
         on_show: Callable[[], None] = lambda: None,
@@ -58,6 +59,7 @@ class App:
     ) -> None:
         self._database = database
         self._port = port
+        self._given_front = front
         self._instance = instance
         self._engine_after_s = engine_after_s
         self._on_show = on_show
@@ -118,14 +120,13 @@ class App:
         undo.callback(self._end_recording)
         if self._store.unfinished:
             self._recorder.flush()  # goes on trying until the disk has room
-        server = Server(self._port)
-        undo.callback(server.close)
+        front = self._given_front or Front(self._port)
+        undo.callback(front.close)
         undo.callback(self._hub.close)
-        self._guard = Guard()
-        self._guard.bind(server.host, server.port)
+        self._guard = front.guard
         self._engine = self._make_engine(self._take)
         undo.callback(self._engine.close)
-        server.start(create_app(self._services()))
+        front.open(create_app(self._services()))
         self._start_engine(undo)
 
     def _start_engine(self, undo: contextlib.ExitStack) -> None:

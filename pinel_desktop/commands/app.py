@@ -1,9 +1,9 @@
 """`pinel app`: web server, store and engine behind a window. Started by the window's process, not by people.
 
-JSON lines over pipes. The window says `{"do": "start"}` once it has the lock on the database, then
-`{"do": "address"}` as often as it needs one. The app says `{"type": "ready", "language": ...}`,
-`{"type": "address", "address": ...}`, `{"type": "show"}` when a second start wants the window forward, or
-`{"type": "failed", "code": ..., "params": ...}`. It ends when its input does.
+JSON lines over pipes. The window says `{"do": "start"}` once it has the lock on the database; it gets one address at
+once, and more for `{"do": "address"}`. The app says `{"type": "address", "address": ...}`,
+`{"type": "ready", "language": ...}` when everything works, `{"type": "show"}` when a second start wants the window
+forward, or `{"type": "failed", "code": ..., "params": ...}`. It ends when its input does.
 """
 
 import contextlib
@@ -13,15 +13,19 @@ import signal
 import sys
 import threading
 from collections.abc import Callable, Iterator
-from typing import Any, TextIO
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TextIO
 
 import click
 
-from pinel_desktop.app import App
 from pinel_desktop.errors import PinelError
 from pinel_desktop.instance import Instance
 from pinel_desktop.messages import describe
 from pinel_desktop.paths import database_path
+from pinel_desktop.web.front import Front
+
+if TYPE_CHECKING:
+    from pinel_desktop.app import App
 
 Message = dict[str, Any]
 
@@ -46,9 +50,20 @@ def command(db: str) -> None:
 def _serve(db: str, messages: Iterator[Message], send: Callable[..., None]) -> None:
     if next(messages, None) != {"do": "start"}:
         return
-    database = database_path(db)
+    # the page first: the window loads it while the rest is being imported
+    front = Front()
+    send(type="address", address=front.guard.fresh_link())
+    _run(database_path(db), front, messages, send)
+
+
+def _run(
+    database: Path, front: Front, messages: Iterator[Message], send: Callable[..., None]
+) -> None:
+    from pinel_desktop.app import App  # noqa: PLC0415 - see above
+
     app = App(
         database,
+        front=front,
         instance=Instance.of_parent(database),
         engine_after_s=_ENGINE_AFTER_S,
         on_show=lambda: send(type="show"),
@@ -56,6 +71,7 @@ def _serve(db: str, messages: Iterator[Message], send: Callable[..., None]) -> N
     try:
         app.start()
     except PinelError as error:
+        front.close()
         send(type="failed", code=error.code, params=error.params)
         return
     with contextlib.closing(app):
@@ -66,7 +82,7 @@ def _serve(db: str, messages: Iterator[Message], send: Callable[..., None]) -> N
                 send(type="address", address=app.address)
 
 
-def _tell_notice(app: App) -> None:
+def _tell_notice(app: "App") -> None:
     if app.notice is not None:
         words = describe(app.notice.code, app.notice.params, app.language)
         click.echo(f"{words.message} {words.remedy}".strip(), err=True)

@@ -17,7 +17,6 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.processes import own_command
 
 _START_S = 60.0
-_ANSWER_S = 10.0
 # the engine's own end may take the app four seconds
 _CLOSE_S = 8.0
 
@@ -36,6 +35,7 @@ class Backstage:
         self._on_lost = on_lost
         self._answers: queue.Queue[str] = queue.Queue()
         self._asking = threading.Lock()
+        self._has_asked = False
         self._ready = threading.Event()
         self._failure: PinelError | None = None
         self._language = ""
@@ -69,12 +69,14 @@ class Backstage:
         return self._language
 
     def address(self) -> str:
-        """A fresh address that opens the page once; waits like `language`, and raises like it."""
-        self.language()
+        """A fresh address that opens the page once. Raises PinelError when the app does not start."""
         with self._asking:
-            self._send({"do": "address"})
+            # the first one comes unasked, before the app is ready
+            if self._has_asked:
+                self._send({"do": "address"})
+            self._has_asked = True
             try:
-                answer = self._answers.get(timeout=_ANSWER_S)
+                answer = self._answers.get(timeout=_START_S)
             except queue.Empty:
                 answer = ""
         if not answer:

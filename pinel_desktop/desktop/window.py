@@ -136,8 +136,8 @@ class NativeWindow:
         try:
             self._origin = self._address()
             if self._window is not None and not self._closing:
-                self._window.localization.update(_dialog_words(self._language()))
                 self._window.load_url(self._origin)
+                self._window.localization.update(_dialog_words(self._language()))
         except BaseException as failure:
             self._failure = failure
             self.close()

@@ -1,6 +1,5 @@
-"""The HTTP interface: page, API and event stream. Gets all it works with from `app` as `Services`."""
+"""The HTTP interface: page, API and event stream. Gets all it works with from `app` as `Services`.
 
-from pinel_desktop.web.application import create_app
-from pinel_desktop.web.services import Services
-
-__all__ = ["Services", "create_app"]
+Import what you need from its modules: `page`, `guard` and `server` are light, `application` is not, and the page is
+served before the rest has been imported (`front`).
+"""

@@ -81,13 +81,18 @@ def error_answer(
     *,
     faults: Iterable[Fault] = (),
     status: int | None = None,
+    words: str | None = None,
 ) -> Response:
-    """The one error shape, in words of the language; the status follows from the code."""
-    words = describe(code, params, language)
+    """The one error shape, in words of the language; the status follows from the code.
+
+    Args:
+        words: code of the words, where they say more than those of the code itself.
+    """
+    said = describe(words or code, params, language)
     body = ErrorBody(
         code=code,
-        message=words.message,
-        remedy=words.remedy,
+        message=said.message,
+        remedy=said.remedy,
         params=dict(params),
         faults=list(faults),
     )

@@ -10,28 +10,11 @@ from flask_openapi3.openapi import OpenAPI
 from pinel_desktop.errors import PinelError
 from pinel_desktop.web import errors
 from pinel_desktop.web.page import PagePath, page
+from pinel_desktop.web.protection import add_headers, check_guard
 from pinel_desktop.web.routes import bare_app, description_text
-from pinel_desktop.web.services import Services, services
+from pinel_desktop.web.services import Services
 
 MAX_BODY = 4 * 2**20  # a document of 1 MiB and its workspace
-_SECURITY_POLICY = "; ".join(
-    (
-        "default-src 'self'",
-        "style-src 'self' 'unsafe-inline'",  # Blockly writes its style sheet into the page
-        "img-src 'self' data:",
-        "object-src 'none'",
-        "base-uri 'none'",
-        "form-action 'none'",
-        "frame-ancestors 'none'",
-    )
-)
-_HEADERS = {
-    "Content-Security-Policy": _SECURITY_POLICY,
-    "Referrer-Policy": "no-referrer",
-    "X-Content-Type-Options": "nosniff",
-    "Cross-Origin-Resource-Policy": "same-origin",
-}
-_FOR_OTHER_STARTS = "/api/instance/"
 
 
 def create_app(parts: Services) -> OpenAPI:
@@ -43,9 +26,9 @@ def create_app(parts: Services) -> OpenAPI:
     app.add_url_rule("/api/openapi.json", view_func=_description)
     app.url_map.converters["page_path"] = PagePath
     app.register_blueprint(page)
-    app.before_request(_check_guard)
+    app.before_request(check_guard)
     app.before_request(_check_body)
-    app.after_request(_add_headers)
+    app.after_request(add_headers)
     errors.install(app)
     return app
 
@@ -71,19 +54,6 @@ def _finite(text: str) -> float:
     return value
 
 
-def _check_guard() -> None:
-    guard = services().guard
-    guard.check_origin(request.headers)
-    if request.path.startswith(_FOR_OTHER_STARTS):
-        guard.check_secret(request.headers)
-        return
-    try:
-        guard.check_cookie(request.cookies)
-    except PinelError:
-        if request.path != "/" or not guard.redeem(request.args.get("key", "")):
-            raise
-
-
 def _check_body() -> None:
     """Says what is wrong with a body that is no JSON; the models would only miss an object."""
     if not request.get_data(cache=True):
@@ -94,13 +64,6 @@ def _check_body() -> None:
         current_app.json.loads(request.get_data(cache=True))
     except ValueError as error:
         raise PinelError("invalid_json", problem=str(error)) from None
-
-
-def _add_headers(answer: Response) -> Response:
-    answer.headers.update(_HEADERS)
-    if request.path.startswith("/api"):
-        answer.headers["Cache-Control"] = "no-store"
-    return answer
 
 
 def _description() -> Response:

@@ -10,6 +10,7 @@ from werkzeug.exceptions import HTTPException, MethodNotAllowed, RequestEntityTo
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.web.answers import error_answer
+from pinel_desktop.web.invalid import first_problem
 from pinel_desktop.web.models.errors import Fault
 from pinel_desktop.web.page import message_page
 from pinel_desktop.web.services import services
@@ -36,9 +37,8 @@ def install(app: OpenAPI) -> None:
 
 def invalid_request(error: ValidationError) -> Response:
     """A body or a query that does not fit: names the first place and says what is wrong with it."""
-    first = error.errors(include_url=False, include_context=False, include_input=False)[0]
-    where = ".".join(str(part) for part in first["loc"]) or "JSON"
-    return _answer("invalid_request", {"where": where, "problem": first["type"]})
+    words, params = first_problem(error)
+    return _answer("invalid_request", params, words=words)
 
 
 def _known(error: Any) -> Response:
@@ -72,9 +72,10 @@ def _answer(
     *,
     faults: list[Fault] | None = None,
     status: int | None = None,
+    words: str | None = None,
 ) -> Response:
     language = services().preferences.language
-    answer = error_answer(code, params, language, faults=faults or (), status=status)
+    answer = error_answer(code, params, language, faults=faults or (), status=status, words=words)
     if request.path.startswith("/api"):
         return answer
-    return message_page(code, params, language, answer.status_code)
+    return message_page(words or code, params, language, answer.status_code)

@@ -1,17 +1,21 @@
 """What the handlers work with; `app` makes it, handlers ask for it with `services()`."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, Protocol, cast
+from typing import TYPE_CHECKING, Any, Literal, Protocol, cast
 
 from flask import current_app
 
-from pinel_desktop.events.hub import Hub
-from pinel_desktop.program.reading import Reading
 from pinel_desktop.web.guard import Guard
-from storage import Store
 
-ReadDocument = Callable[[dict[str, object] | list[object]], Reading]
+if TYPE_CHECKING:  # heavy, and the page is served without them
+    from pinel_desktop.events.hub import Hub
+    from pinel_desktop.program.reading import Reading
+    from storage import Store
+
+ReadDocument = Callable[[dict[str, object] | list[object]], "Reading"]
 
 
 class Engine(Protocol):

@@ -16,7 +16,10 @@ class Shape(BaseModel):
 
 
 class Body(BaseModel):
-    """Base of all bodies: unknown keys are refused, so that a typing mistake does not pass unseen."""
+    """Base of all that is sent, bodies and queries.
+
+    Unknown keys are refused, so that a typing mistake does not pass unseen.
+    """
 
     model_config = ConfigDict(extra="forbid")
 

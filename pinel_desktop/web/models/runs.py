@@ -2,7 +2,7 @@
 
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import Field
 
 from pinel_desktop.web.models import Body, Id, Json, Shape, Time
 from pinel_desktop.web.models.events import Event
@@ -53,10 +53,8 @@ class RunList(Shape):
     next: Id | None
 
 
-class RunPage(BaseModel):
+class RunPage(Body):
     """Which part of the list."""
-
-    model_config = ConfigDict(extra="forbid")
 
     before: Id | None = None
     limit: Annotated[int, Field(ge=1, le=200)] = 50
