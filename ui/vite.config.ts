@@ -20,9 +20,28 @@ function blocklyMedia(): Plugin {
   };
 }
 
+/** The editor is nearly all of the code: it is fetched beside the page's own, not after it. */
+function editorEarly(): Plugin {
+  return {
+    name: "pinel-editor-early",
+    apply: "build",
+    transformIndexHtml: {
+      order: "post",
+      handler(_html, { bundle }) {
+        const editor = Object.values(bundle ?? {}).find(
+          (file) => file.type === "chunk" && file.facadeModuleId?.endsWith("/src/editor/index.ts"),
+        );
+        if (!editor) throw new Error("the editor is not a chunk of its own");
+        const attrs = { rel: "modulepreload", href: `/${editor.fileName}`, crossorigin: true };
+        return [{ tag: "link", attrs, injectTo: "head" }];
+      },
+    },
+  };
+}
+
 export default defineConfig({
   base: "/",
-  plugins: [blocklyMedia()],
+  plugins: [blocklyMedia(), editorEarly()],
   build: {
     outDir: here("../pinel_desktop/web/static"),
     emptyOutDir: true,

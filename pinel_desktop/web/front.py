@@ -1,0 +1,96 @@
+"""The server from its first moment: gives out the page while the rest of the app is still being imported.
+
+A browser needs as long to load and evaluate the page's code as Python does to import what answers its questions.
+"""
+
+import threading
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from flask import Flask, Response
+from werkzeug.wrappers import Request
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.messages import language_of_system
+from pinel_desktop.web.guard import Guard
+from pinel_desktop.web.page import PagePath, message_page, page
+from pinel_desktop.web.protection import add_headers, check_guard
+from pinel_desktop.web.server import Server, Wsgi
+
+_PATIENCE_S = 60.0
+
+
+class Front:
+    """Server and guard of one app; answers for the page at once, for the API after `open`.
+
+    Raises:
+        PinelError: `port_taken`.
+    """
+
+    def __init__(self, port: int = 0) -> None:
+        self.guard = Guard()
+        self._server = Server(port)
+        self.guard.bind(self._server.host, self._server.port)
+        self._page = _page_alone(self.guard)
+        self._app: Wsgi | None = None
+        self._decided = threading.Event()
+        self._server.start(self)
+
+    def open(self, app: Wsgi) -> None:
+        """From now on `app` answers everything."""
+        self._app = app
+        self._decided.set()
+
+    def close(self) -> None:
+        """Ends the server. Streams end with the hub, which is to be closed first."""
+        self._decided.set()
+        self._server.close()
+
+    def __call__(self, environ: dict[str, Any], start_response: Any) -> Iterable[bytes]:
+        if self._app is None and self._is_for_page(Request(environ)):
+            return self._page(environ, start_response)
+        if self._app is None:
+            self._decided.wait(_PATIENCE_S)
+        answer = self._app or Response(status=503)
+        return answer(environ, start_response)
+
+    def _is_for_page(self, request: Request) -> bool:
+        """Whether it is a file of the page, asked for by who may; all else is for the app, refusals too."""
+        if request.method != "GET" or request.path.partition("/api")[0] == "":
+            return False
+        try:
+            self.guard.check_origin(request.headers)
+            if request.path != "/" or "key" not in request.args:
+                self.guard.check_cookie(request.cookies)
+        except PinelError:
+            return False
+        return True
+
+
+@dataclass(frozen=True, slots=True)
+class _Language:
+    language: str
+
+
+@dataclass(frozen=True, slots=True)
+class _PageServices:
+    """What the page's files need of `Services`."""
+
+    guard: Guard
+    preferences: _Language
+
+
+def _page_alone(guard: Guard) -> Flask:
+    app = Flask(__name__, static_folder=None)
+    app.extensions["pinel"] = _PageServices(guard, _Language(language_of_system()))
+    app.url_map.converters["page_path"] = PagePath
+    app.register_blueprint(page)
+    app.before_request(check_guard)
+    app.after_request(add_headers)
+    app.register_error_handler(PinelError, _refused)
+    return app
+
+
+def _refused(error: PinelError) -> Response:
+    return message_page(error.code, error.params, language_of_system(), 401)
