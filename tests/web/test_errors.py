@@ -79,6 +79,41 @@ def test_every_family_of_routes_answers_errors_in_the_one_shape(
 
 
 @pytest.mark.parametrize(
+    ("method", "path", "data", "words"),
+    [
+        ("POST", "/api/groups", {"name": 7}, ["“name”", "um texto"]),
+        ("POST", "/api/groups", {}, ["Falta “name”"]),
+        ("POST", "/api/groups", {"name": "A", "cor": 1}, ["“cor”", "não existe"]),
+        ("POST", "/api/groups", {"name": "A", "\ud800": 1}, ["objeto JSON"]),
+        ("POST", "/api/groups", {"name": "\ud800"}, ["“name”", "um texto"]),
+        ("POST", "/api/groups", {"name": "x" * 1001}, ["“name”", "1000 caracteres"]),
+        ("POST", "/api/groups", [], ["objeto JSON"]),
+        ("POST", "/api/check", {"document": 7}, ["“document”", "objeto", "lista"]),
+        ("PUT", "/api/settings", {"language": "fr"}, ["“language”", "pt-BR, en, es"]),
+        ("GET", f"/api/groups/{NOWHERE}/runs?limit=0", None, ["“limit”", "de 1 a 200"]),
+        ("GET", f"/api/groups/{NOWHERE}/runs?limit=201", None, ["“limit”", "de 1 a 200"]),
+        ("GET", f"/api/groups/{NOWHERE}/runs?limit=x", None, ["inteiro", "de 1 a 200"]),
+        (
+            "POST",
+            "/api/runs",
+            {"version_id": "v", "world": "w", "seed": -1},
+            ["“seed”", "de 0 a 9007"],
+        ),
+    ],
+    ids=ascii,
+)
+def test_a_value_that_does_not_fit_is_named_and_what_fits_is_told_in_words(
+    browser: Browser, method: str, path: str, data: Any, words: list[str]
+) -> None:
+    browser.send("PUT", "/api/settings", {"language": "pt-BR"})
+    error = check_shape(browser.send(method, path, data), 422, "invalid_request")
+    text = f"{error['message']} {error['remedy']}"
+    assert [word for word in words if word not in text] == []
+    assert "_" not in text
+    assert "dict" not in text
+
+
+@pytest.mark.parametrize(
     "body",
     [b"{", b"\xff\xfe", b'{"name": NaN}', b'{"name": 1e999}', b"[" * 100_000, b'{"name": "A"'],
 )
