@@ -1,7 +1,10 @@
 """From models to answers, and from errors to the one error shape."""
 
 import json
+import re
 from collections.abc import Iterable, Mapping
+from itertools import islice
+from math import isfinite, log10
 from typing import Any
 
 from flask import Response
@@ -42,6 +45,11 @@ _OTHERWISE = (
 )
 
 
+MAX_FAULTS = 100
+_LONE_SURROGATE = re.compile("[\ud800-\udfff]")
+_LARGEST = 10**300
+
+
 def plain(value: object) -> object:
     """JSON data of a model.
 
@@ -58,19 +66,45 @@ def plain(value: object) -> object:
 def answer(model: BaseModel, status: int = 200) -> Response:
     """The model as JSON."""
     text = json.dumps(plain(model), ensure_ascii=False, separators=(",", ":"), allow_nan=False)
-    return Response(text, status=status, mimetype="application/json")
+    return Response(writable(text), status=status, mimetype="application/json")
 
 
-def in_words(problem: Any, language: str) -> Fault:
-    """A fault of a document with its words."""
-    words = describe(problem.code, problem.params, language)
+def writable(text: str) -> str:
+    """The text with a mark in place of lone surrogates, which no encoding can write."""
+    return _LONE_SURROGATE.sub("\ufffd", text)
+
+
+def showable(value: object) -> Any:
+    """A value that words and JSON can hold, whatever a document or a request put into it."""
+    match value:
+        case str():
+            return writable(value)
+        case int() if abs(value) > _LARGEST:
+            return f"{'-' if value < 0 else ''}1e{int(value.bit_length() * log10(2))}"
+        case float() if not isfinite(value):
+            return str(value)
+        case Mapping():
+            return {writable(str(name)): showable(item) for name, item in value.items()}
+        case list() | tuple():
+            return [showable(item) for item in value]
+    return value if value is None or isinstance(value, bool | int | float) else str(value)
+
+
+def faults_in_words(problems: Iterable[Any], language: str) -> list[Fault]:
+    """The first faults of a document with their words: nobody reads more, and each takes its time and place."""
+    return [_in_words(problem, language) for problem in islice(problems, MAX_FAULTS)]
+
+
+def _in_words(problem: Any, language: str) -> Fault:
+    params = showable(problem.params)
+    words = describe(problem.code, params, language)
     return Fault(
         code=problem.code,
-        pointer=problem.pointer,
-        block=problem.block,
+        pointer=writable(problem.pointer),
+        block=None if problem.block is None else writable(problem.block),
         message=words.message,
         remedy=words.remedy,
-        params=dict(problem.params),
+        params=params,
     )
 
 
@@ -88,12 +122,13 @@ def error_answer(
     Args:
         words: code of the words, where they say more than those of the code itself.
     """
-    said = describe(words or code, params, language)
+    shown = showable(params)
+    said = describe(words or code, shown, language)
     body = ErrorBody(
         code=code,
         message=said.message,
         remedy=said.remedy,
-        params=dict(params),
+        params=shown,
         faults=list(faults),
     )
     return answer(ErrorAnswer(error=body), status or STATUS.get(code, _OTHERWISE))

@@ -9,7 +9,7 @@ from pydantic import ValidationError
 from werkzeug.exceptions import HTTPException, MethodNotAllowed, RequestEntityTooLarge
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.web.answers import error_answer
+from pinel_desktop.web.answers import error_answer, showable
 from pinel_desktop.web.invalid import first_problem
 from pinel_desktop.web.models.errors import Fault
 from pinel_desktop.web.page import message_page
@@ -78,4 +78,4 @@ def _answer(
     answer = error_answer(code, params, language, faults=faults or (), status=status, words=words)
     if request.path.startswith("/api"):
         return answer
-    return message_page(words or code, params, language, answer.status_code)
+    return message_page(words or code, showable(params), language, answer.status_code)

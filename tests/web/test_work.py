@@ -1,10 +1,12 @@
 """Groups, programs, versions and settings over HTTP."""
 
+from collections.abc import Callable
 from typing import Any
 
 import pytest
 
 from pinel_desktop.app import App
+from pinel_desktop.program.reading import Reading
 from tests.web.browser import Browser
 from tests.web.conftest import SQUARE
 
@@ -113,6 +115,75 @@ def test_a_document_is_checked_without_being_kept(
 ) -> None:
     faults = browser.post("/api/check", {"document": document}).data["faults"]
     assert [fault["code"] for fault in faults] == codes
+
+
+HOSTILE = (
+    b'{"pinel_ir": 1, "name": "\\ud800", "commands": [{"action": "repeat", "times": 1'
+    + b"0" * 4000
+    + b', "commands": [], "block": "\\ud800"}]}'
+)
+
+
+def test_no_document_makes_an_answer_that_cannot_be_written(
+    browser: Browser, program: dict[str, Any]
+) -> None:
+    json_type = {"Content-Type": "application/json"}
+    path = f"/api/programs/{program['id']}"
+    check = b'{"document": ' + HOSTILE + b"}"
+    version = b'{"workspace": {"text": "\\udc00"}, "document": ' + HOSTILE + b"}"
+    for where, body in (("/api/check", check), (f"{path}/versions", version)):
+        answer = browser.send("POST", where, body=body, headers=json_type)
+        assert answer.status == 200, answer.body
+        assert answer.data["faults"]
+    opened = browser.get(path)
+    assert opened.status == 200, opened.body
+    assert opened.data["version"]["workspace"] == {"text": "\ufffd"}
+
+
+def test_faults_that_hold_what_nothing_can_write_are_answered_all_the_same(
+    start_app: Callable[..., App],
+) -> None:
+    values = {"value": 10**400, "min": -(10**400), "max": float("inf"), "name": ["\ud800"]}
+
+    class Wild:
+        code, pointer, block, params = "times_out_of_range", "/\ud800", "\ud800", values
+
+    browser = Browser.signed_in(start_app(read=lambda source: Reading(None, (Wild(),))).address)  # type: ignore[arg-type]
+    (fault,) = browser.post("/api/check", {"document": {}}).data["faults"]
+    assert (fault["pointer"], fault["block"]) == ("/\ufffd", "\ufffd")
+    assert fault["params"] == {"value": "1e400", "min": "-1e400", "max": "inf", "name": ["\ufffd"]}
+    group = browser.post("/api/groups", {"name": "A"}).data
+    program = browser.post(f"/api/groups/{group['id']}/programs", {"name": "P"}).data
+    path = f"/api/programs/{program['id']}"
+    saved = browser.post(f"{path}/versions", {"workspace": {}, "document": {}})
+    assert (saved.status, saved.data["faults"]) == (200, [fault])
+    assert browser.get(path).data["version"]["faults"] == [fault]
+    run = browser.post("/api/runs", {"version_id": saved.data["id"], "world": "empty_room"})
+    assert (run.status, run.error["faults"]) == (422, [fault])
+
+
+def test_of_thousands_of_faults_the_first_hundred_are_told_and_kept(
+    app: App, browser: Browser, program: dict[str, Any]
+) -> None:
+    document = {"pinel_ir": 1, "name": "x", "commands": [{"action": "fly"}] * 20_000}
+    checked = browser.post("/api/check", {"document": document})
+    path = f"/api/programs/{program['id']}"
+    saved = browser.post(f"{path}/versions", {"workspace": {}, "document": document})
+    opened = browser.get(path)
+    for answer, part in (
+        (checked, checked.data),
+        (saved, saved.data),
+        (opened, opened.data["version"]),
+    ):
+        assert len(part["faults"]) == 100
+        assert part["faults"][0]["pointer"].startswith("/commands/0")
+        assert len(answer.body) < 100_000
+    kept = app._store.versions.newest(program["id"])
+    assert kept is not None
+    assert len(kept.faults) == 100
+    with_many = app._store.versions.save(program["id"], {"b": 1}, None, kept.faults * 20)
+    assert len(with_many.faults) == 2000
+    assert len(browser.get(path).data["version"]["faults"]) == 100
 
 
 def test_the_language_outlives_the_app(app: App, browser: Browser) -> None:

@@ -4,7 +4,7 @@ from flask import Response
 
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.reading import Reading
-from pinel_desktop.web.answers import answer, in_words
+from pinel_desktop.web.answers import MAX_FAULTS, answer, faults_in_words, showable
 from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.work import (
@@ -64,7 +64,10 @@ def save_version(path: IdPath, body: NewVersion) -> Response:
     reading = Reading(None) if body.document is None else parts.read_document(body.document)
     document = None if reading.faults else reading.document
     row = parts.store.versions.save(
-        path.id, body.workspace, document, [_fault_row(fault) for fault in reading.faults]
+        path.id,
+        body.workspace,
+        document,
+        [_fault_row(fault) for fault in reading.faults[:MAX_FAULTS]],
     )
     return answer(
         SavedVersion(id=row.id, created_at=row.created_at, faults=version_model(row).faults)
@@ -76,9 +79,7 @@ def check_document(body: DocumentToCheck) -> Response:
     """All faults of a document, in words."""
     parts = services()
     faults = parts.read_document(body.document).faults
-    return answer(
-        CheckedDocument(faults=[in_words(fault, parts.preferences.language) for fault in faults])
-    )
+    return answer(CheckedDocument(faults=faults_in_words(faults, parts.preferences.language)))
 
 
 def version_model(row: VersionRow) -> Version:
@@ -89,11 +90,11 @@ def version_model(row: VersionRow) -> Version:
         created_at=row.created_at,
         workspace=row.workspace,
         document=row.document,
-        faults=[in_words(fault, language) for fault in row.faults],
+        faults=faults_in_words(row.faults, language),
     )
 
 
 def _fault_row(fault: Fault) -> FaultRow:
     return FaultRow(
-        code=fault.code, pointer=fault.pointer, block=fault.block, params=dict(fault.params)
+        code=fault.code, pointer=fault.pointer, block=fault.block, params=showable(fault.params)
     )

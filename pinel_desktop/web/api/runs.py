@@ -6,7 +6,7 @@ from flask import Response
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
-from pinel_desktop.web.answers import answer, in_words
+from pinel_desktop.web.answers import answer, faults_in_words
 from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.api.programs import version_model
 from pinel_desktop.web.errors import InvalidProgramError
@@ -61,9 +61,7 @@ def begin_run(body: NewRun) -> Response:
 
 def _runnable(version: VersionRow, parts: Services) -> dict[str, object]:
     if version.document is None:
-        raise InvalidProgramError(
-            [in_words(fault, parts.preferences.language) for fault in version.faults]
-        )
+        raise InvalidProgramError(faults_in_words(version.faults, parts.preferences.language))
     return version.document
 
 
