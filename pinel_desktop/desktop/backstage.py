@@ -56,6 +56,11 @@ class Backstage:
         self._send({"do": "start"})
 
     @property
+    def pid(self) -> int:
+        """Id of the app's process."""
+        return self._process.pid
+
+    @property
     def failure(self) -> PinelError | None:
         """Why the app could not start, or `app_lost` when it died."""
         return self._failure
@@ -79,7 +84,7 @@ class Backstage:
                 answer = self._answers.get(timeout=_START_S)
             except queue.Empty:
                 answer = ""
-        if not answer:
+        if self._failure is not None or not answer:
             raise self._failure or PinelError("app_lost")
         return answer
 

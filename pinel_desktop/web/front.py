@@ -42,9 +42,13 @@ class Front:
         self._app = app
         self._decided.set()
 
+    def give_up(self) -> None:
+        """There will be no app: who waits for it is told so."""
+        self._decided.set()
+
     def close(self) -> None:
         """Ends the server. Streams end with the hub, which is to be closed first."""
-        self._decided.set()
+        self.give_up()
         self._server.close()
 
     def __call__(self, environ: dict[str, Any], start_response: Any) -> Iterable[bytes]:
