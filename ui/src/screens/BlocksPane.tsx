@@ -1,5 +1,5 @@
 import { AlignVerticalJustifyStart, Redo2, Undo2 } from "lucide-preact";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { problem, program, report } from "../app/session";
 import { TEST } from "../app/testids";
 import { theme } from "../app/theme";
@@ -51,7 +51,8 @@ function Workspace({ control }: { control: StudioControl }) {
   const container = useRef<HTMLDivElement>(null);
   const editor = useRef<Editor | null>(null);
 
-  useEffect(() => {
+  // before the first paint: a group waits for its blocks, not for an empty frame
+  useLayoutEffect(() => {
     let left = false;
     let untie = () => {};
     loadEditor().then(({ createEditor }) => {

@@ -1,4 +1,4 @@
-import { useEffect, useState } from "preact/hooks";
+import { useLayoutEffect, useState } from "preact/hooks";
 import { programAndGroups } from "../app/first_program";
 import { OpenProgram, opened } from "../app/open_program";
 import { group, program, report } from "../app/session";
@@ -13,7 +13,8 @@ import "./studio.css";
 export function StudioScreen({ programId }: { programId: string }) {
   const [open, setOpen] = useState<OpenProgram | null>(null);
   const [failed, setFailed] = useState(false);
-  useEffect(() => {
+  // before the first paint: a group waits for its blocks, not for an empty frame
+  useLayoutEffect(() => {
     let left = false;
     let made: OpenProgram | null = null;
     load(programId).then(
