@@ -12,6 +12,7 @@ from webview.guilib import initialize
 
 from pinel_desktop.desktop.backends import NoWindowError, Toolkit, renderer_problem
 from pinel_desktop.desktop.policy import fitted_size, may_open
+from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
 
 # What pywebview calls its own words, and our codes for them.
@@ -28,15 +29,14 @@ _DIALOG_WORDS = {
     "windows.fileFilter.otherFiles": "dialog_other_files",
 }
 _BACKGROUND = "#f6f3ee"
-_EMPTY = f'<body style="background: {_BACKGROUND}"></body>'
 
 
 class NativeWindow:
     """One window with one page; `run` belongs to the main thread, everything else to any.
 
-    The window opens empty, and `address` and `language` are asked on a thread of their own: they may take their
-    time. The page may not leave the origin of the address. `on_open` is called on that thread when the page has
-    begun to load.
+    `address` is asked before the window opens, so that the page loads while the window is drawn; `language` on a
+    thread of its own, where it may take its time. The page may not leave the origin of the address. `on_open` is
+    called on that thread when the window is there.
     """
 
     def __init__(
@@ -63,7 +63,7 @@ class NativeWindow:
         """Returns when the window is closed.
 
         Raises NoWindowError `window_webview2_missing`, `window_no_screen` or `window_failed` when it could not
-        be opened. What `address` and `language` raise closes the window and is raised here.
+        be opened. What `address` raises is raised here; what `language` raises closes the window first.
         """
         if "PYWEBVIEW_LOG" not in os.environ:
             logging.getLogger("pywebview").setLevel(logging.CRITICAL)
@@ -73,9 +73,11 @@ class NativeWindow:
             toolkit = initialize(backend)
             if problem := renderer_problem(toolkit.renderer):
                 raise NoWindowError(problem)
-            self._create(toolkit.get_screens()[0])
+            screen = toolkit.get_screens()[0]
+            self._origin = self._address()
+            self._create(screen)
             webview.start(gui=backend, icon=self._icon)
-        except NoWindowError:
+        except PinelError:
             raise
         except Exception as error:  # pywebview hands on whatever its toolkit raises
             raise NoWindowError("window_failed", backend=backend, reason=str(error)) from error
@@ -108,7 +110,7 @@ class NativeWindow:
         size = fitted_size(screen.width, screen.height)
         window = webview.create_window(
             self._title,
-            html=_EMPTY,
+            self._origin,
             width=size.width,
             height=size.height,
             min_size=size.smallest,
@@ -119,7 +121,7 @@ class NativeWindow:
         if window is None:
             raise NoWindowError("window_failed", backend="pywebview", reason="")
         window.events.before_show += self._guard
-        window.events.shown += self._load
+        window.events.shown += self._open
         self._window = window
 
     def _guard(self) -> None:
@@ -130,13 +132,11 @@ class NativeWindow:
     def _may_open(self, address: str) -> bool:
         return address == "about:blank" or may_open(address, self._origin)
 
-    def _load(self) -> None:
+    def _open(self) -> None:
         """Runs on a thread of its own once the window is there."""
         self._opened.set()
         try:
-            self._origin = self._address()
             if self._window is not None and not self._closing:
-                self._window.load_url(self._origin)
                 self._window.localization.update(_dialog_words(self._language()))
         except BaseException as failure:
             self._failure = failure
