@@ -20,10 +20,13 @@ function blocklyMedia(): Plugin {
   };
 }
 
-/** The editor is nearly all of the code: it is fetched beside the page's own, not after it. */
-function editorEarly(): Plugin {
+/**
+ * The editor is nearly all of the code, and blocks that are drawn before their font is there are drawn twice: both
+ * are fetched beside the page's own code, not after it.
+ */
+function editorAndFontsEarly(): Plugin {
   return {
-    name: "pinel-editor-early",
+    name: "pinel-editor-and-fonts-early",
     apply: "build",
     transformIndexHtml: {
       order: "post",
@@ -32,8 +35,12 @@ function editorEarly(): Plugin {
           (file) => file.type === "chunk" && file.facadeModuleId?.endsWith("/src/editor/index.ts"),
         );
         if (!editor) throw new Error("the editor is not a chunk of its own");
-        const attrs = { rel: "modulepreload", href: `/${editor.fileName}`, crossorigin: true };
-        return [{ tag: "link", attrs, injectTo: "head" }];
+        const fonts = Object.keys(bundle ?? {}).filter((name) => name.endsWith(".woff2"));
+        const early = [
+          { rel: "modulepreload", href: `/${editor.fileName}`, crossorigin: true },
+          ...fonts.map((name) => ({ rel: "preload", as: "font", href: `/${name}`, crossorigin: true })),
+        ];
+        return early.map((attrs) => ({ tag: "link", attrs, injectTo: "head" as const }));
       },
     },
   };
@@ -41,7 +48,7 @@ function editorEarly(): Plugin {
 
 export default defineConfig({
   base: "/",
-  plugins: [blocklyMedia(), editorEarly()],
+  plugins: [blocklyMedia(), editorAndFontsEarly()],
   build: {
     outDir: here("../pinel_desktop/web/static"),
     emptyOutDir: true,
