@@ -1,22 +1,27 @@
-"""Composition root: the only place where store, engine, hub and web are wired together."""
+"""Composition root: the only place where store, engine, hub and web are wired together.
+
+What the page can be drawn without is imported a moment later, by `_warm_up`.
+"""
 
 import contextlib
 import threading
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 from pinel_desktop import __version__
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.events.hub import Hub
 from pinel_desktop.instance import Instance
 from pinel_desktop.messages import LANGUAGES, describe, language_of_system
-from pinel_desktop.program.reading import read_document
 from pinel_desktop.web.application import create_app
 from pinel_desktop.web.front import Front
 from pinel_desktop.web.services import DatabaseState, Engine, Problem, ReadDocument, Services
 from sim.world import list_worlds
-from storage import Recorder, Store, StoreError, open_store
+from storage import Recorder, Store, StoreError, open_store, warm_up
+
+if TYPE_CHECKING:
+    from pinel_desktop.program.reading import Reading
 
 Event = dict[str, Any]
 # All is well again, or a remedy was applied: the file is written to.
@@ -40,7 +45,8 @@ class App:
         port: 0 for any that is free.
         front: a server that gives out the page already; the app closes it.
         instance: a lock on the database that was taken before; the app gives it back.
-        engine_after_s: lets the page draw first on a PC of two cores, which the engine's start would keep busy.
+        engine_after_s: lets the page draw first on a PC of two cores, which the engine's start, and loading what
+            the first edit and the first run need, would keep busy.
         on_show: brings the window forward when the app is started a second time.
     """
 
@@ -54,7 +60,7 @@ class App:
         engine_after_s: float = 0.0,
         on_show: Callable[[], None] = lambda: None,
         make_engine: Callable[[Callable[[Event], None]], EngineOfApp] = EngineClient,
-        read: ReadDocument = read_document,
+        read: ReadDocument | None = None,
         worlds: Sequence[dict[str, Any]] | None = None,
     ) -> None:
         self._database = database
@@ -64,7 +70,7 @@ class App:
         self._engine_after_s = engine_after_s
         self._on_show = on_show
         self._make_engine = make_engine
-        self._read = read
+        self._read = read or _read_document
         self._worlds = list_worlds() if worlds is None else worlds
         self._closing = contextlib.ExitStack()
 
@@ -133,7 +139,12 @@ class App:
         if not self._engine_after_s:
             self._engine.start()
             return
-        timer = threading.Timer(self._engine_after_s, self._engine.start)
+
+        def start() -> None:
+            self._engine.start()
+            _warm_up()
+
+        timer = threading.Timer(self._engine_after_s, start)
         timer.start()
         undo.callback(timer.join)
         undo.callback(timer.cancel)
@@ -197,6 +208,19 @@ class Preferences:
         self._language = language
         with contextlib.suppress(StoreError):
             self._store.settings.set("language", language)
+
+
+def _read_document(document: dict[str, object] | list[object]) -> "Reading":
+    from pinel_desktop.program.reading import read_document  # noqa: PLC0415 - see above
+
+    return read_document(document)
+
+
+def _warm_up() -> None:
+    """Loads what the first edit and the first run would have to wait for."""
+    from pinel_desktop.program import reading  # noqa: F401, PLC0415 - see above
+
+    warm_up()
 
 
 def _opened(database: Path) -> Store:

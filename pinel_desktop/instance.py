@@ -7,8 +7,6 @@ believed only while the lock is held and the address answers.
 import json
 import os
 import time
-import urllib.error
-import urllib.request
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -42,6 +40,10 @@ class RunningInstance:
         return str(self._ask("link")["url"])
 
     def _ask(self, what: str) -> dict[str, Any]:
+        # only a second start asks, and every start would have to wait for it
+        import urllib.error  # noqa: PLC0415
+        import urllib.request  # noqa: PLC0415
+
         request = urllib.request.Request(
             f"{self.url}/api/instance/{what}", method="POST", headers={_SECRET_HEADER: self.secret}
         )

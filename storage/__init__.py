@@ -6,7 +6,7 @@ A leaf: imports nothing of the application. `open_store` opens the file,
 
 from storage.errors import StoreError
 from storage.opening import Notice
-from storage.recording import Recorder
+from storage.recording import Recorder, warm_up
 from storage.records import FaultRow, GroupRow, ProgramRow, RunRow, RunStart, VersionRow
 from storage.store import Store, open_for_reading, open_store
 
@@ -23,4 +23,5 @@ __all__ = [
     "VersionRow",
     "open_for_reading",
     "open_store",
+    "warm_up",
 ]

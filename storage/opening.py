@@ -6,10 +6,8 @@ from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
-from sqlite_utils import Database
-
 from storage.errors import StoreError, translated
-from storage.schema import known_migrations, migrations
+from storage.schema import KNOWN_MIGRATIONS, MIGRATION_SET, MIGRATIONS_TABLE, migrate
 
 _BUSY_S = 5.0
 _SIBLINGS = ("", "-wal", "-shm")
@@ -77,7 +75,7 @@ def prepare_reading(path: Path) -> Opened:
             if _damage(connection) is not None:
                 raise StoreError("database_damaged", path=str(path))
             _check_ownership(connection, path)
-            if _tables(connection) and _applied(connection) == known_migrations():
+            if _tables(connection) and _applied(connection) == KNOWN_MIGRATIONS:
                 return Opened(address, writable=False, notice=None)
     except sqlite3.Error as error:
         problem = translated(error, path)
@@ -140,12 +138,12 @@ def _check_ownership(connection: sqlite3.Connection, path: Path) -> None:
     tables = _tables(connection)
     if not tables:
         return
-    if migrations.migrations_table not in tables:
+    if MIGRATIONS_TABLE not in tables:
         raise StoreError("database_foreign", path=str(path))
     applied = _applied(connection)
     if not applied:
         raise StoreError("database_foreign", path=str(path))
-    if applied - known_migrations():
+    if applied - KNOWN_MIGRATIONS:
         raise StoreError("database_newer", path=str(path))
 
 
@@ -156,7 +154,7 @@ def _tables(connection: sqlite3.Connection) -> set[str]:
 
 def _applied(connection: sqlite3.Connection) -> set[str]:
     rows = connection.execute(
-        f"SELECT name FROM {migrations.migrations_table} WHERE migration_set = ?", [migrations.name]
+        f"SELECT name FROM {MIGRATIONS_TABLE} WHERE migration_set = ?", [MIGRATION_SET]
     )
     return {str(row[0]) for row in rows}
 
@@ -184,7 +182,11 @@ def _migrate(path: Path) -> None:
             connection.execute("PRAGMA journal_mode = WAL")
             connection.execute("BEGIN IMMEDIATE")
             connection.execute("ROLLBACK")
-            migrations.apply(Database(connection, execute_plugins=False))
+            if (
+                MIGRATIONS_TABLE not in _tables(connection)
+                or _applied(connection) != KNOWN_MIGRATIONS
+            ):
+                migrate(connection)
     except sqlite3.OperationalError as error:
         if translated(error, path).code != "database_read_only" or not path.exists():
             raise
@@ -197,7 +199,7 @@ def _readable_address(path: Path) -> str:
     for address in (plain, plain + "&immutable=1"):
         try:
             with closing(_tried(address)) as connection:
-                if _applied(connection) == known_migrations():
+                if _applied(connection) == KNOWN_MIGRATIONS:
                     return address
         except sqlite3.OperationalError:
             continue

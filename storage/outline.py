@@ -1,5 +1,7 @@
 """The path of a run as a picture: few points that keep its shape."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -19,6 +21,11 @@ def outline(points: Points) -> list[list[float]]:
     """
     kept = _coarsened(points, _FINEST_M, limit=_COARSEST * _extent(points))[:MAX_POINTS]
     return [[round(float(x), _ROUNDED), round(float(y), _ROUNDED)] for x, y in kept]
+
+
+def outline_of_trail(trail: Sequence[float]) -> list[list[float]]:
+    """The same of x, y, x, y... in m."""
+    return outline(np.array(trail, dtype=np.float64).reshape(-1, 2))
 
 
 def _extent(points: Points) -> float:

@@ -1,4 +1,7 @@
-"""Events of a live run into the store: in batches of about a second, beginning and end at once."""
+"""Events of a live run into the store: in batches of about a second, beginning and end at once.
+
+numpy takes longer to load than the rest of the store: it is imported when first used, or by `warm_up`.
+"""
 
 import threading
 import time
@@ -9,13 +12,9 @@ from concurrent.futures import TimeoutError as FutureTimeout
 from math import hypot
 from typing import Any
 
-import numpy as np
-
 from storage.errors import StoreError
-from storage.outline import outline
 from storage.runs import Batch
 from storage.store import Store
-from storage.telemetry import pack, rows_of
 
 Event = Mapping[str, Any]
 
@@ -139,6 +138,11 @@ class Recorder:
             self._submit()
 
 
+def warm_up() -> None:
+    """Loads what the first run would have to wait for."""
+    from storage import outline, telemetry  # noqa: F401, PLC0415 - see above
+
+
 class _Recording:
     """What is pending of one run."""
 
@@ -160,6 +164,9 @@ class _Recording:
         """All that is pending as a batch; None when there is nothing."""
         if not self._events and not self._samples:
             return None
+        from storage.outline import outline_of_trail  # noqa: PLC0415 - see above
+        from storage.telemetry import pack, rows_of  # noqa: PLC0415
+
         batch = Batch(self.run_id, now, events=self._events)
         if self._samples:
             blob = pack(rows_of(self._samples))
@@ -169,7 +176,7 @@ class _Recording:
             self._n_chunks += 1
         if self._events and self._events[-1]["type"] == "run_ended":
             batch.ended = self._events[-1]
-            batch.path = outline(np.array(self._trail).reshape(-1, 2))
+            batch.path = outline_of_trail(self._trail)
         self._events, self._samples = [], []
         return batch
 

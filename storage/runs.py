@@ -1,17 +1,21 @@
-"""Runs: begun, recorded, ended; read back as they were."""
+"""Runs: begun, recorded, ended; read back as they were.
+
+Telemetry needs numpy, which takes longer to load than the rest of the store: it is imported when first used.
+"""
 
 import sqlite3
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from storage.connection import Access
 from storage.errors import StoreError
 from storage.groups import touch
-from storage.outline import outline
 from storage.records import Json, RunRow, RunStart
-from storage.telemetry import RATE_HZ, Telemetry, joined
 from storage.text import dumped, loaded, new_id
+
+if TYPE_CHECKING:
+    from storage.telemetry import Telemetry
 
 _COLUMNS = ", ".join(column.name for column in fields(RunRow))
 _SELECT = f"SELECT {_COLUMNS} FROM runs"
@@ -108,7 +112,7 @@ class Runs:
             ).fetchall()
         return [_event(run_id, row) for row in rows]
 
-    def telemetry(self, run_id: str) -> Telemetry:
+    def telemetry(self, run_id: str) -> "Telemetry":
         """All samples of a run. Raises StoreError `run_not_found`."""
         with self._access.reading() as db:
             _require(db, run_id)
@@ -213,6 +217,9 @@ def _running(db: sqlite3.Connection) -> list[str]:
 
 def _interrupted(db: sqlite3.Connection, run_id: str, now: str) -> Batch:
     """The end that an interrupted run never had, from what was recorded of it."""
+    from storage.outline import outline  # noqa: PLC0415 - see above
+    from storage.telemetry import RATE_HZ  # noqa: PLC0415
+
     rows = _telemetry(db, run_id)
     ticks, points = rows.column("tick"), rows.rows[:, 1:3]
     last = db.execute(
@@ -235,7 +242,9 @@ def _interrupted(db: sqlite3.Connection, run_id: str, now: str) -> Batch:
     return Batch(run_id, now, events=[ended], ended=ended, path=outline(points))
 
 
-def _telemetry(db: sqlite3.Connection, run_id: str) -> Telemetry:
+def _telemetry(db: sqlite3.Connection, run_id: str) -> "Telemetry":
+    from storage.telemetry import joined  # noqa: PLC0415 - see above
+
     rows = db.execute(
         "SELECT data, n_rows FROM telemetry WHERE run_id = ? ORDER BY chunk", [run_id]
     )

@@ -2,15 +2,21 @@
 
 Keys are UUIDv7 text, so that files of many PCs can be merged by key. Views carry plain names for people who
 open the file with Datasette or `sqlite-utils`; `about` says what is what.
+
+sqlite-utils (and numpy with it) takes longer to load than a group's program to be read, and most starts find the
+tables up to date: it is imported only to change them.
 """
 
-from contextlib import closing
-from functools import cache
+import sqlite3
+from collections.abc import Callable
+from typing import TYPE_CHECKING
 
-from sqlite_utils import Database
-from sqlite_utils.migrations import Migrations
+if TYPE_CHECKING:
+    from sqlite_utils import Database
 
-migrations = Migrations("pinel")
+# as sqlite-utils names them
+MIGRATION_SET = "pinel"
+MIGRATIONS_TABLE = "_sqlite_migrations"
 
 _ABOUT = {
     "groups": "Pupils who work together. name_key is the name without spaces and case; used_at orders the list.",
@@ -26,8 +32,7 @@ _ABOUT = {
 }
 
 
-@migrations()
-def first_tables(db: Database) -> None:
+def first_tables(db: "Database") -> None:
     """Groups, programs, versions, runs with events and telemetry, settings."""
     _tables_of_work(db)
     _tables_of_runs(db)
@@ -36,8 +41,7 @@ def first_tables(db: Database) -> None:
     )
 
 
-@migrations()
-def first_views(db: Database) -> None:
+def first_views(db: "Database") -> None:
     """The same content with plain names."""
     rows = " UNION ALL ".join(
         f"SELECT {db.quote(name)} AS name, {db.quote(meaning)} AS meaning"
@@ -65,14 +69,23 @@ def first_views(db: Database) -> None:
     )
 
 
-@cache
-def known_migrations() -> set[str]:
-    """Names of all migrations of this version of the program."""
-    with closing(Database(memory=True, execute_plugins=False)) as empty:
-        return {migration.name for migration in migrations.pending(empty)}
+# In their order. New ones are added at the end; none is ever changed.
+_MIGRATIONS: tuple[Callable[["Database"], None], ...] = (first_tables, first_views)
+KNOWN_MIGRATIONS = frozenset(migration.__name__ for migration in _MIGRATIONS)
 
 
-def _tables_of_work(db: Database) -> None:
+def migrate(connection: sqlite3.Connection) -> None:
+    """Makes the tables, or brings them up to date, each step in a transaction of its own."""
+    from sqlite_utils import Database  # noqa: PLC0415 - see above
+    from sqlite_utils.migrations import Migrations  # noqa: PLC0415
+
+    migrations = Migrations(MIGRATION_SET)
+    for migration in _MIGRATIONS:
+        migrations()(migration)
+    migrations.apply(Database(connection, execute_plugins=False))
+
+
+def _tables_of_work(db: "Database") -> None:
     db.create_table(
         "groups",
         {"id": str, "name": str, "name_key": str, "color": str, "created_at": str, "used_at": str},
@@ -106,7 +119,7 @@ def _tables_of_work(db: Database) -> None:
     ).create_index(["program_id", "number"])
 
 
-def _tables_of_runs(db: Database) -> None:
+def _tables_of_runs(db: "Database") -> None:
     runs = db.create_table(
         "runs",
         {

@@ -8,15 +8,13 @@ from datetime import UTC, datetime
 from pathlib import Path
 from types import TracebackType
 
-from sqlite_utils import Database
-
 from storage.connection import Access
 from storage.errors import StoreError
 from storage.groups import Groups
 from storage.opening import Notice, connect, prepare, prepare_reading
 from storage.programs import Programs
 from storage.runs import Batch, Runs, close_runs, write_batch
-from storage.schema import migrations
+from storage.schema import migrate
 from storage.settings import Settings
 from storage.text import new_id
 from storage.versions import Versions
@@ -117,7 +115,7 @@ class Store:
         """Stands in for a file that cannot be opened: empty to read, and every write says why."""
         address = f"file:{new_id()}?mode=memory&cache=shared"
         keep_alive = connect(address)
-        migrations.apply(Database(keep_alive, execute_plugins=False))
+        migrate(keep_alive)
         store = cls(
             Access(path, address, refusal, _utc_now),
             writable=False,

@@ -14,7 +14,7 @@ import pytest
 from pinel_desktop.execution.executor import RunOptions, RunResult, execute
 from pinel_desktop.execution.gestures import ScriptedGestures
 from pinel_desktop.links import open_link
-from pinel_desktop.program import read_document
+from pinel_desktop.program.reading import read_document
 
 PROGRAMS = Path(__file__).parent / "programs"
 NAMES = sorted(path.stem for path in PROGRAMS.glob("*.json") if not path.stem.endswith(".values"))

@@ -7,7 +7,6 @@ from typing import Any
 
 import click
 
-import sim
 from pinel_desktop import __version__
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, EventStamp
@@ -18,8 +17,10 @@ from pinel_desktop.execution.summary import faulty_object, run_object, unbegun_o
 from pinel_desktop.links import LINK_NAMES, open_link
 from pinel_desktop.messages import describe, language_of_system
 from pinel_desktop.paths import database_path
-from pinel_desktop.program import Fault, Reading, read_document
+from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.limits import MAX_BYTES
+from pinel_desktop.program.reading import Reading, read_document
+from sim.world import world_document
 from storage import Notice, Recorder, RunStart, Store, StoreError, open_store
 
 _FINISHED, _NOT_FINISHED, _INVALID = 0, 1, 2
@@ -152,7 +153,7 @@ class _Keeper:
         start = RunStart(
             link=options["robot"],
             world=options["world"],
-            world_document=sim.world_document(options["world"]),
+            world_document=world_document(options["world"]),
             seed=options["seed"],
             app_version=__version__,
             document=document,

@@ -12,7 +12,8 @@ from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.execution.gestures import AnsweredGestures
 from pinel_desktop.links import open_link
-from pinel_desktop.program import Program, read_document
+from pinel_desktop.program.model import Program
+from pinel_desktop.program.reading import read_document
 
 _log = logging.getLogger(__name__)
 _EMPTY_SHA256 = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"

@@ -14,8 +14,8 @@ from pinel_desktop.execution.gestures import GestureSource, ScriptedGestures
 from pinel_desktop.execution.motion import at_rest
 from pinel_desktop.execution.recorder import Recorder
 from pinel_desktop.execution.stack import ProgramStack
-from pinel_desktop.program import Program
 from pinel_desktop.program.limits import MAX_RUN_S, MAX_STEPS_PER_TICK
+from pinel_desktop.program.model import Program
 from pinel_desktop.robot import PIONEER_3DX, STANDSTILL, Pose2D, RobotLink, RobotModel, RobotState
 
 Outcome = Literal["finished", "stopped", "failed"]

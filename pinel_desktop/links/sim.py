@@ -1,25 +1,26 @@
 """The built-in simulator as a robot link. Its frame is the world's."""
 
-import sim
 from pinel_desktop.errors import PinelError
 from pinel_desktop.robot import STANDSTILL, Pose2D, RobotModel, RobotState, Twist2D, wrap_angle
+from sim.simulator import SUBSTEP_S, TICK_S, Simulator
+from sim.world import WorldError, load_world
 
 
 class SimLink:
     """Drives the simulated robot; time passes only in `advance`, one tick of 1/30 s at a time."""
 
     simulated = True
-    command_delay_s = sim.SUBSTEP_S
+    command_delay_s = SUBSTEP_S
 
     def __init__(self, *, world: str, robot: RobotModel) -> None:
         try:
-            self._world = sim.load_world(world)
-        except sim.WorldError as error:
+            self._world = load_world(world)
+        except WorldError as error:
             raise PinelError(error.code, **error.params) from error
         self._robot = robot
         self._max_v, self._max_omega = robot.max_v_mps, robot.max_omega_radps
         self._twist = STANDSTILL
-        self.simulator = sim.Simulator(self._world, robot)
+        self.simulator = Simulator(self._world, robot)
 
     def connect(self) -> None:
         """Nothing to do: the simulator is there."""
@@ -42,8 +43,8 @@ class SimLink:
 
     def advance(self, dt_s: float) -> None:
         """Steps the simulator by one tick; `dt_s` must be that tick."""
-        if dt_s != sim.TICK_S:
-            raise ValueError(f"the simulator steps in ticks of {sim.TICK_S} s, not {dt_s}")
+        if dt_s != TICK_S:
+            raise ValueError(f"the simulator steps in ticks of {TICK_S} s, not {dt_s}")
         v, omega = self._twist
         self.simulator.tick(v, omega)
 

@@ -13,9 +13,10 @@ from pathlib import Path
 from pinel_desktop.execution.executor import RunResult, execute
 from pinel_desktop.links import open_link
 from pinel_desktop.links.sim import SimLink
-from pinel_desktop.program import Program, read_document
+from pinel_desktop.program.model import Program
+from pinel_desktop.program.reading import read_document
 from pinel_desktop.robot import PIONEER_3DX
-from sim import SUBSTEP_S, SUBSTEPS
+from sim.simulator import SUBSTEP_S, SUBSTEPS
 
 SQUARE = Path(__file__).parents[1] / "programs" / "square.json"
 PAIRS, RUNS_A_SIDE = 15, 5

@@ -70,7 +70,7 @@ def test_live_run_gives_the_same_telemetry_as_one_in_this_process(
 def execute_here() -> Any:
     from pinel_desktop.execution.executor import execute  # noqa: PLC0415
     from pinel_desktop.links import open_link  # noqa: PLC0415
-    from pinel_desktop.program import read_document  # noqa: PLC0415
+    from pinel_desktop.program.reading import read_document  # noqa: PLC0415
 
     def run(document: dict[str, Any]) -> str:
         program = read_document(document).program

@@ -7,7 +7,7 @@ import pytest
 from pinel_desktop.events.model import Event
 from pinel_desktop.execution.executor import RunOptions, RunResult, execute
 from pinel_desktop.links import open_link
-from pinel_desktop.program import read_document
+from pinel_desktop.program.reading import read_document
 
 Log = list[tuple[int, Event]]
 Execute = Callable[..., tuple[RunResult, Log]]

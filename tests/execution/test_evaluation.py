@@ -5,7 +5,7 @@ import pytest
 from pinel_desktop.execution.context import RunContext
 from pinel_desktop.execution.evaluation import evaluate
 from pinel_desktop.execution.gestures import ScriptedGestures
-from pinel_desktop.program import read_document
+from pinel_desktop.program.reading import read_document
 from pinel_desktop.robot import PIONEER_3DX
 
 

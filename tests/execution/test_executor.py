@@ -17,7 +17,7 @@ from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.links import open_link
 from pinel_desktop.links.sim import SimLink
-from pinel_desktop.program import read_document
+from pinel_desktop.program.reading import read_document
 from pinel_desktop.robot import PIONEER_3DX, STANDSTILL, RobotState, Twist2D
 
 FORWARD = {"action": "move_forward", "distance": 1}

@@ -17,7 +17,7 @@ from pinel_desktop.events.model import (
 from pinel_desktop.execution.executor import RunOptions, RunResult, execute
 from pinel_desktop.execution.gestures import ScriptedGestures
 from pinel_desktop.links import open_link
-from pinel_desktop.program import read_document
+from pinel_desktop.program.reading import read_document
 
 LETTERS = st.sampled_from(["A", "B", "b", ""])
 LEAVES = st.one_of(

@@ -3,9 +3,9 @@ import re
 from pathlib import Path
 
 from pinel_desktop.execution.primitives import TABLE
-from pinel_desktop.program import read_document
 from pinel_desktop.program.expressions import Model
 from pinel_desktop.program.model import COMMANDS, action_names
+from pinel_desktop.program.reading import read_document
 
 PAGE = (Path(__file__).parents[2] / "docs" / "program-document.md").read_text("utf-8")
 ROWS = dict(re.findall(r"^\| `(\w+)` \| (.*?) \|", PAGE, re.MULTILINE))

@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pinel_desktop.program import read_document
 from pinel_desktop.program.limits import MAX_BYTES, MAX_COMMANDS, MAX_NESTING
+from pinel_desktop.program.reading import read_document
 
 
 def document(*commands: Any) -> dict[str, Any]:

@@ -4,7 +4,8 @@ import random
 import pytest
 
 from pinel_desktop.robot import PIONEER_3DX
-from sim import TICK_S, Simulator, load_world
+from sim.simulator import TICK_S, Simulator
+from sim.world import load_world
 
 RADIUS = PIONEER_3DX.radius_m
 WALL_X = 4.0 - 0.01  # inner face of the empty room's wall

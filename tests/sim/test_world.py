@@ -3,7 +3,7 @@ from typing import Any
 
 import pytest
 
-from sim import WorldError, list_worlds, load_world, world_from_document
+from sim.world import WorldError, list_worlds, load_world, world_from_document
 
 
 def test_the_default_world_is_an_empty_room_of_8_by_8_metres_with_the_start_in_its_middle() -> None:

@@ -3,7 +3,6 @@
 from flask import Response
 
 from pinel_desktop.program.faults import Fault
-from pinel_desktop.program.reading import Reading
 from pinel_desktop.web.answers import MAX_FAULTS, answer, faults_in_words, showable
 from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.models import IdPath
@@ -61,14 +60,12 @@ def rename_program(path: IdPath, body: ProgramName) -> Response:
 def save_version(path: IdPath, body: NewVersion) -> Response:
     """Keeps what the editor holds; on disk when answered."""
     parts = services()
-    reading = Reading(None) if body.document is None else parts.read_document(body.document)
-    document = None if reading.faults else reading.document
-    row = parts.store.versions.save(
-        path.id,
-        body.workspace,
-        document,
-        [_fault_row(fault) for fault in reading.faults[:MAX_FAULTS]],
-    )
+    document, faults = None, []
+    if body.document is not None:
+        reading = parts.read_document(body.document)
+        document = None if reading.faults else reading.document
+        faults = [_fault_row(fault) for fault in reading.faults[:MAX_FAULTS]]
+    row = parts.store.versions.save(path.id, body.workspace, document, faults)
     return answer(
         SavedVersion(id=row.id, created_at=row.created_at, faults=version_model(row).faults)
     )
