@@ -38,7 +38,12 @@ function editorAndFontsEarly(): Plugin {
         const fonts = Object.keys(bundle ?? {}).filter((name) => name.endsWith(".woff2"));
         const early = [
           { rel: "modulepreload", href: `/${editor.fileName}`, crossorigin: true },
-          ...fonts.map((name) => ({ rel: "preload", as: "font", href: `/${name}`, crossorigin: true })),
+          ...fonts.map((name) => ({
+            rel: "preload",
+            as: "font",
+            href: `/${name}`,
+            crossorigin: true,
+          })),
         ];
         return early.map((attrs) => ({ tag: "link", attrs, injectTo: "head" as const }));
       },

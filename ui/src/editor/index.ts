@@ -53,6 +53,7 @@ export interface Editor {
 /** From the corner of the workspace to the start block, in pixels. */
 const MARGIN = 32;
 
+/** Makes an editor that is empty, even of its start block, until it is told what to load. */
 export function createEditor(options: EditorOptions): Editor {
   applyLanguage(options.language);
   registerBlocks();
@@ -76,7 +77,6 @@ class BlockEditor implements Editor {
     this.zoomControls = addZoomControls(this.workspace, () => this.zoomToFit());
     this.sizes = new ResizeObserver(() => this.resize());
     this.sizes.observe(options.container);
-    this.load(null);
     this.measureAgainWithFont();
     this.workspace.addChangeListener((event) => this.onEvent(event));
     watchContent(this.workspace, () => this.onContent());
