@@ -64,8 +64,10 @@ def asset(name: str) -> BaseResponse:
 def _file(name: str) -> BaseResponse:
     answer = send_from_directory(STATIC, name, conditional=True)
     # read now: where the browser goes away in the middle, the server would leave the file open
+    close = getattr(answer.response, "close", lambda: None)
     answer.direct_passthrough = False
     answer.freeze()
+    close()
     answer.headers["Cache-Control"] = "no-cache"
     return answer
 
