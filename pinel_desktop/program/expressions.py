@@ -1,44 +1,21 @@
-"""Expressions: literals, operators and the gesture result, as data. Nothing here evaluates anything.
+"""Expressions as data: literals, operators, variables, sensors, the gesture result, calls. Nothing here evaluates.
 
-More are to come (variables, sensors, arithmetic, calls): each becomes a model here, a row in OPERATORS or a tag in
-`_kind`, and a case in `execution/evaluation.py`.
+A new kind of expression is a model here with its tag in `_KINDS`, its checks in `checks.py` and a case in
+`execution/evaluation.py`; a new operator is a row in `operators.py`.
 """
 
+from dataclasses import dataclass
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag, model_validator
-from pydantic_core import PydanticCustomError
+from pydantic import BaseModel, ConfigDict, Discriminator, Field, GetCoreSchemaHandler, Tag
+from pydantic_core import CoreSchema, core_schema
 
-from pinel_desktop.program.limits import MAX_TEXT
+from pinel_desktop.program.limits import MAX_LIDAR_DEG, MAX_LIST, MAX_NAME, MAX_SONAR, MAX_TEXT
 
-ValueType = Literal["number", "text", "boolean"]
-
-
-class Operator:
-    """What an operator takes and gives: number of arguments, their type (None = any), result type."""
-
-    def __init__(
-        self, n_min: int, n_max: int | None, takes: ValueType | None, gives: ValueType
-    ) -> None:
-        self.n_min, self.n_max, self.takes, self.gives = n_min, n_max, takes, gives
-
-    def accepts(self, count: int) -> bool:
-        return count >= self.n_min and (self.n_max is None or count <= self.n_max)
-
-
-_EQUALITY = Operator(2, 2, None, "boolean")
-_ORDER = Operator(2, 2, None, "boolean")
-OPERATORS = {
-    "==": _EQUALITY,
-    "!=": _EQUALITY,
-    "<": _ORDER,
-    "<=": _ORDER,
-    ">": _ORDER,
-    ">=": _ORDER,
-    "and": Operator(2, None, "boolean", "boolean"),
-    "or": Operator(2, None, "boolean", "boolean"),
-    "not": Operator(1, 1, "boolean", "boolean"),
-}
+Text = Annotated[str, Field(max_length=MAX_TEXT)]
+# letters of any script with their marks, digits, underscores; spaces between
+NAME_PATTERN = r"^[\p{L}\p{M}\p{N}_](?:[\p{L}\p{M}\p{N}_ ]*[\p{L}\p{M}\p{N}_])?$"
+Name = Annotated[str, Field(max_length=MAX_NAME, pattern=NAME_PATTERN)]
 
 
 class Model(BaseModel):
@@ -49,10 +26,52 @@ class Model(BaseModel):
     )
 
 
+@dataclass(frozen=True, slots=True)
+class Takes:
+    """Marks a parameter that takes a literal of one type within bounds, or an expression.
+
+    Literals are tried first, in pydantic's own code: nearly all parameters of nearly all programs are literals.
+    """
+
+    type: Literal["number", "text"]
+    ge: float | None = None
+    gt: float | None = None
+    le: float | None = None
+    whole: bool = False
+
+    def __get_pydantic_core_schema__(
+        self, _source: Any, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        node = handler.generate_schema(Node)
+        return core_schema.union_schema([self._literal(), node], mode="left_to_right")
+
+    def _literal(self) -> CoreSchema:
+        if self.type == "text":
+            return core_schema.str_schema(strict=True, max_length=MAX_TEXT)
+        bounds = {"ge": self.ge, "gt": self.gt, "le": self.le}
+        given: Any = {name: bound for name, bound in bounds.items() if bound is not None}
+        if not self.whole:
+            return core_schema.float_schema(strict=True, allow_inf_nan=False, **given)
+        whole: Any = {name: int(bound) for name, bound in given.items()}
+        schema = core_schema.int_schema(strict=True, **whole)
+        return core_schema.no_info_before_validator_function(_whole, schema)
+
+
+def _whole(value: Any) -> Any:
+    """3.0 is the whole number 3: JSON does not tell them apart."""
+    return int(value) if isinstance(value, float) and value.is_integer() else value
+
+
 class GestureResult(Model):
     """The last gesture result, a text."""
 
     gesture: Literal["result"]
+
+
+class Variable(Model):
+    """The value of a variable, or of a parameter of the function around it."""
+
+    var: Name
 
 
 class Operation(Model):
@@ -61,62 +80,114 @@ class Operation(Model):
     op: str
     args: list["Expression"]
 
-    @model_validator(mode="after")
-    def _fits(self) -> "Operation":
-        operator = OPERATORS.get(self.op)
-        if operator is None:
-            raise PydanticCustomError(
-                "unknown_operator", "unknown", {"value": self.op, "allowed": list(OPERATORS)}
-            )
-        if not operator.accepts(len(self.args)):
-            raise PydanticCustomError(
-                "wrong_argument_count",
-                "count",
-                {"operator": self.op, "value": len(self.args), "min": operator.n_min},
-            )
-        self._check_types(operator)
-        return self
 
-    def _check_types(self, operator: Operator) -> None:
-        types = [type_of(argument) for argument in self.args]
-        if operator.takes is not None and any(found != operator.takes for found in types):
-            raise PydanticCustomError("not_boolean", "type", {"operator": self.op})
-        if operator is _ORDER and (types[0] != types[1] or types[0] == "boolean"):
-            raise PydanticCustomError("not_comparable", "type", {"operator": self.op})
+class Sonar(Model):
+    """What one of the 16 sonars measures, in m; 5.0 when nothing is near."""
 
+    sensor: Literal["sonar"]
+    index: Annotated["float | AnyNode", Takes("number", ge=0, le=MAX_SONAR, whole=True)]
+
+
+class Distance(Model):
+    """How much room there is in a direction, in m."""
+
+    sensor: Literal["distance"]
+    direction: Literal["front", "left", "right", "back"]
+
+
+class Lidar(Model):
+    """What the laser scanner measures at an angle in degrees, in m."""
+
+    sensor: Literal["lidar"]
+    angle: Annotated["float | AnyNode", Takes("number", ge=-MAX_LIDAR_DEG, le=MAX_LIDAR_DEG)]
+
+
+class Measure(Model):
+    """x, y in m, heading in degrees, bumper, time in s, colour of the floor, name of the cell."""
+
+    sensor: Literal["x", "y", "heading", "bumper", "time", "floor", "cell"]
+
+
+class FunctionCall(Model):
+    """The value that a function returns."""
+
+    call: Name
+    arguments: dict[Name, "Expression"] = Field(default_factory=dict)
+
+
+AnyNode = Operation | Variable | GestureResult | Sonar | Distance | Lidar | Measure | FunctionCall
 
 # Tags stand in pydantic's error locations; with a space they are never taken for a key of the document.
-_TAGS: dict[object, str] = {
+_LITERALS: dict[type, str] = {
     bool: "a boolean",
     int: "a number",
     float: "a number",
     str: "a text",
+    list: "a list",
+}
+_KINDS = {
     "op": "an operation",
+    "var": "a variable",
     "gesture": "a gesture",
+    "call": "a call",
+}
+_SENSOR_KINDS = {"sonar": "a sonar", "distance": "a distance", "lidar": "a lidar"}
+
+
+_MODELS: dict[type, str] = {
+    Operation: "an operation",
+    Variable: "a variable",
+    GestureResult: "a gesture",
+    Sonar: "a sonar",
+    Distance: "a distance",
+    Lidar: "a lidar",
+    Measure: "a measure",
+    FunctionCall: "a call",
 }
 
 
+def _node_kind(value: Any) -> str | None:
+    """Which model a node is to be read, or written, as; None for what is none."""
+    if not isinstance(value, dict):
+        return _MODELS.get(type(value))
+    for key, tag in _KINDS.items():
+        if key in value:
+            return tag
+    if "sensor" not in value:
+        return None
+    sensor = value["sensor"]
+    return _SENSOR_KINDS.get(sensor, "a measure") if isinstance(sensor, str) else "a measure"
+
+
 def _kind(value: Any) -> str | None:
-    """Which model an expression is to be read as; None for what is no expression."""
-    if isinstance(value, dict):
-        return next((_TAGS[key] for key in ("op", "gesture") if key in value), None)
-    return _TAGS.get(type(value))
+    return _LITERALS.get(type(value)) or _node_kind(value)
 
 
-Expression = Annotated[
+def _unknown(kind: Any) -> Discriminator:
+    return Discriminator(
+        kind, custom_error_type="unknown_expression", custom_error_message="expression"
+    )
+
+
+_Literal = (
     Annotated[bool, Tag("a boolean")]
     | Annotated[float, Tag("a number")]
-    | Annotated[str, Field(max_length=MAX_TEXT), Tag("a text")]
-    | Annotated[Operation, Tag("an operation")]
-    | Annotated[GestureResult, Tag("a gesture")],
-    Discriminator(_kind, custom_error_type="unknown_expression", custom_error_message="expression"),
+    | Annotated[Text, Tag("a text")]
+)
+Item = Annotated[_Literal, _unknown(lambda value: _LITERALS.get(type(value)))]
+
+_Nodes = (
+    Annotated[Operation, Tag("an operation")]
+    | Annotated[Variable, Tag("a variable")]
+    | Annotated[GestureResult, Tag("a gesture")]
+    | Annotated[Sonar, Tag("a sonar")]
+    | Annotated[Distance, Tag("a distance")]
+    | Annotated[Lidar, Tag("a lidar")]
+    | Annotated[Measure, Tag("a measure")]
+    | Annotated[FunctionCall, Tag("a call")]
+)
+Node = Annotated[_Nodes, _unknown(_node_kind)]
+Expression = Annotated[
+    _Literal | Annotated[list[Item], Field(max_length=MAX_LIST), Tag("a list")] | _Nodes,
+    _unknown(_kind),
 ]
-
-
-def type_of(expression: Any) -> ValueType:
-    """The type an expression will have when it is evaluated."""
-    if isinstance(expression, Operation):
-        return OPERATORS[expression.op].gives
-    if isinstance(expression, bool):
-        return "boolean"
-    return "number" if isinstance(expression, int | float) else "text"

@@ -1,65 +1,43 @@
 """The program document as data models (docs/program-document.md, version 1).
 
-Here: the original's actions, move_backward, repeat and wait. Each further command becomes a model in COMMANDS,
-a row on that page, a primitive in `execution/primitives/` and a block; functions become models beside Program.
+Each command is a model in COMMANDS, a row on that page, a primitive in `execution/primitives/` and a block. What one
+model cannot know (types of expressions, functions, loops around a `break`) is checked in `checks.py`.
 """
 
 from typing import Annotated, Any, Literal
 
-from pydantic import AliasChoices, BeforeValidator, Field, field_validator
+from pydantic import AliasChoices, BeforeValidator, Field, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
 from pinel_desktop.program.conditions import ConditionError, parse_condition
-from pinel_desktop.program.expressions import Expression, Model, type_of
+from pinel_desktop.program.expressions import AnyNode, Expression, Model, Name, Takes, Text
 from pinel_desktop.program.limits import (
     MAX_ANGLE_DEG,
     MAX_COMMANDS,
     MAX_DISTANCE_M,
     MAX_REPEATS,
-    MAX_TEXT,
     MAX_WAIT_S,
 )
 
-Text = Annotated[str, Field(max_length=MAX_TEXT)]
+Number = float | AnyNode
+Words = str | AnyNode
+_Distance = Annotated[Number, Takes("number", ge=0, le=MAX_DISTANCE_M)]
+_Place = Annotated[Number, Takes("number", ge=-MAX_DISTANCE_M, le=MAX_DISTANCE_M)]
+_Angle = Annotated[Number, Takes("number", ge=-MAX_ANGLE_DEG, le=MAX_ANGLE_DEG)]
+_AnyNumber = Annotated[Number, Takes("number")]
+_Above0 = Annotated[Number, Takes("number", gt=0)]
+_Seconds = Annotated[Number, Takes("number", ge=0, le=MAX_WAIT_S)]
+_Timeout = Annotated[Number, Takes("number", gt=0, le=MAX_WAIT_S)]
+_Words = Annotated[Words, Takes("text")]
 
-
-def _literal_only(value: Any) -> Any:
-    if isinstance(value, dict):
-        raise PydanticCustomError("expression_not_supported", "literal only", {})
-    return value
-
-
-def _whole(value: Any) -> Any:
-    """3.0 is the whole number 3: JSON does not tell them apart."""
-    return int(value) if isinstance(value, float) and value.is_integer() else value
+Color = Literal["black", "red", "orange", "yellow", "green", "blue", "purple", "white"]
 
 
 def _no_boolean(value: Any) -> Any:
     return None if isinstance(value, bool) else value  # True == 1 in Python
 
 
-Number = Annotated[float, BeforeValidator(_literal_only)]
-WholeNumber = Annotated[int, BeforeValidator(_whole), BeforeValidator(_literal_only)]
-
-
-def _read_condition(value: Any) -> Any:
-    if not isinstance(value, str):
-        return value
-    try:
-        return parse_condition(value)
-    except ConditionError as error:
-        raise PydanticCustomError(
-            "condition_syntax", "condition", {"position": error.position, "found": error.found}
-        ) from error
-
-
-def _gives_boolean(value: Any) -> Any:
-    if type_of(value) != "boolean":
-        raise PydanticCustomError("condition_not_boolean", "condition", {})
-    return value
-
-
-class _Condition(Model):
+class _Conditional(Model):
     """Part of every model that has a condition: a tree, or a string in the original's grammar."""
 
     condition: Expression
@@ -67,12 +45,14 @@ class _Condition(Model):
     @field_validator("condition", mode="before")
     @classmethod
     def _parse(cls, value: Any) -> Any:
-        return _read_condition(value)
-
-    @field_validator("condition", mode="after")
-    @classmethod
-    def _boolean(cls, value: Any) -> Any:
-        return _gives_boolean(value)
+        if not isinstance(value, str):
+            return value
+        try:
+            return parse_condition(value)
+        except ConditionError as error:
+            raise PydanticCustomError(
+                "condition_syntax", "condition", {"position": error.position, "found": error.found}
+            ) from error
 
 
 class _Command(Model):
@@ -84,31 +64,93 @@ class _Command(Model):
 
 class MoveForward(_Command):
     action: Literal["move_forward"]
-    distance: Annotated[Number, Field(ge=0, le=MAX_DISTANCE_M)]
+    distance: _Distance
 
 
 class MoveBackward(_Command):
     action: Literal["move_backward"]
-    distance: Annotated[Number, Field(ge=0, le=MAX_DISTANCE_M)]
+    distance: _Distance
 
 
 class Turn(_Command):
     action: Literal["turn"]
-    angle: Annotated[Number, Field(ge=-MAX_ANGLE_DEG, le=MAX_ANGLE_DEG)]
+    angle: _Angle
 
 
 class Stop(_Command):
     action: Literal["stop"]
 
 
+class Drive(_Command):
+    action: Literal["drive"]
+    linear: _AnyNumber
+    angular: _AnyNumber
+
+
+class Arc(_Command):
+    action: Literal["arc"]
+    radius: _Place
+    angle: _Angle
+
+
+class SetSpeed(_Command):
+    action: Literal["set_speed"]
+    linear: _Above0 | None = None
+    angular: _Above0 | None = None
+
+    @model_validator(mode="after")
+    def _one_of_them(self) -> "SetSpeed":
+        if self.linear is None and self.angular is None:
+            raise PydanticCustomError("missing_speed", "speed", {})
+        return self
+
+
+class GoTo(_Command):
+    action: Literal["go_to"]
+    x: _Place
+    y: _Place
+    avoid: bool = False
+
+
 class Wait(_Command):
     action: Literal["wait"]
-    seconds: Annotated[Number, Field(ge=0, le=MAX_WAIT_S)]
+    seconds: _Seconds
+
+
+class WaitUntil(_Command, _Conditional):
+    action: Literal["wait_until"]
+    timeout: _Timeout | None = None
+
+
+class Pen(_Command):
+    action: Literal["pen"]
+    down: bool
+    color: Color | None = None
+
+
+class Ask(_Command):
+    action: Literal["ask"]
+    question: _Words
+    variable: Name
+
+
+class Mark(_Command):
+    action: Literal["mark"]
+    symbol: Literal["X", "O"]
+
+
+class Say(_Command):
+    action: Literal["say"]
+    text: Expression
+
+
+class Beep(_Command):
+    action: Literal["beep"]
 
 
 class ClassifyGestures(_Command):
     action: Literal["classify_gestures", "classificar_gestos"]
-    timeout: Annotated[Number, Field(gt=0, le=MAX_WAIT_S)] = 10.0
+    timeout: _Timeout = 10.0
 
     @field_validator("action", mode="after")
     @classmethod
@@ -118,51 +160,133 @@ class ClassifyGestures(_Command):
 
 class SetGestureResult(_Command):
     action: Literal["set_gesture_result"]
-    result: Annotated[Text, Field(validation_alias=AliasChoices("result", "resultado"))]
+    result: Annotated[_Words, Field(validation_alias=AliasChoices("result", "resultado"))]
+
+
+class SetVariable(_Command):
+    action: Literal["set_variable"]
+    name: Name
+    value: Expression
+
+
+class ChangeVariable(_Command):
+    action: Literal["change_variable"]
+    name: Name
+    by: _AnyNumber
+
+
+class Append(_Command):
+    action: Literal["append"]
+    list_: Annotated[Name, Field(alias="list")]
+    value: Expression
 
 
 class Repeat(_Command):
     action: Literal["repeat"]
-    times: Annotated[WholeNumber, Field(ge=0, le=MAX_REPEATS)]
+    times: Annotated[Number, Takes("number", ge=0, le=MAX_REPEATS, whole=True)]
     commands: list["Command"]
 
 
-class Branch(_Condition):
+class While(_Command, _Conditional):
+    action: Literal["while"]
+    commands: list["Command"]
+
+
+class Until(_Command, _Conditional):
+    action: Literal["until"]
+    commands: list["Command"]
+
+
+class For(_Command):
+    action: Literal["for"]
+    variable: Name
+    from_: Annotated[_AnyNumber, Field(alias="from")]
+    to: _AnyNumber
+    by: _AnyNumber = 1.0
+    commands: list["Command"]
+
+
+class Forever(_Command):
+    action: Literal["forever"]
+    commands: list["Command"]
+
+
+class Break(_Command):
+    action: Literal["break"]
+
+
+class Continue(_Command):
+    action: Literal["continue"]
+
+
+class Branch(_Conditional):
     """An `elif`."""
 
     commands: list["Command"]
 
 
-class ConditionalExecution(_Command, _Condition):
+class ConditionalExecution(_Command, _Conditional):
     action: Literal["conditional_execution"]
     commands: list["Command"]
     elif_: Annotated[list[Branch], Field(alias="elif", default_factory=list)]
     else_: Annotated[list["Command"], Field(alias="else", default_factory=list)]
 
 
-COMMANDS = (
-    MoveForward,
-    MoveBackward,
-    Turn,
-    Stop,
-    Wait,
-    ClassifyGestures,
-    SetGestureResult,
-    Repeat,
-    ConditionalExecution,
-)
+class Call(_Command):
+    action: Literal["call"]
+    function: Name
+    arguments: dict[Name, Expression] = Field(default_factory=dict)
+
+
+class Return(_Command):
+    action: Literal["return"]
+    value: Expression | None = None
+
+
 Command = Annotated[
     MoveForward
     | MoveBackward
     | Turn
     | Stop
+    | Drive
+    | Arc
+    | SetSpeed
+    | GoTo
     | Wait
+    | WaitUntil
+    | Pen
+    | Ask
+    | Mark
+    | Say
+    | Beep
     | ClassifyGestures
     | SetGestureResult
+    | SetVariable
+    | ChangeVariable
+    | Append
     | Repeat
-    | ConditionalExecution,
+    | While
+    | Until
+    | For
+    | Forever
+    | Break
+    | Continue
+    | ConditionalExecution
+    | Call
+    | Return,
     Field(discriminator="action"),
 ]
+COMMANDS: tuple[type[_Command], ...] = Command.__origin__.__args__  # type: ignore[attr-defined]
+
+
+class Function(Model):
+    """A function of the program: its parameters are its own, all other variables are everybody's."""
+
+    name: Name
+    parameters: list[Name] = Field(default_factory=list)
+    commands: list[Command]
+    block: Text | None = None
+    comment: Text | None = None
 
 
 class Program(Model):
@@ -170,10 +294,15 @@ class Program(Model):
 
     pinel_ir: Annotated[Literal[1], BeforeValidator(_no_boolean)]
     name: Text = ""
-    functions: Annotated[list[Any], Field(max_length=0, default_factory=list)]
+    functions: list[Function] = Field(default_factory=list)
     commands: Annotated[list[Command], Field(max_length=MAX_COMMANDS)]
+
+
+def action_of(model: type[_Command]) -> str:
+    """The action that a model of COMMANDS stands for."""
+    return str(model.model_fields["action"].annotation.__args__[0])  # type: ignore[union-attr]
 
 
 def action_names() -> list[str]:
     """The actions there are, in the order of the page's table."""
-    return [model.model_fields["action"].annotation.__args__[0] for model in COMMANDS]  # type: ignore[union-attr]
+    return [action_of(model) for model in COMMANDS]

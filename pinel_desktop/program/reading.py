@@ -5,12 +5,15 @@ from dataclasses import dataclass
 from typing import Any
 
 from pydantic import ValidationError
+from pydantic_core import ErrorDetails
 
+from pinel_desktop.program.checks import Finding, check_meaning
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.limits import MAX_BYTES, MAX_NESTING
 from pinel_desktop.program.model import Program
-from pinel_desktop.program.outline import check_outline
-from pinel_desktop.program.translation import fault_from_error, path_of_error, pointer
+from pinel_desktop.program.places import Path, in_document_order, pointer
+from pinel_desktop.program.shape import check_shape
+from pinel_desktop.program.translation import fault_from_error, placed_fault, relevant_errors
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +46,7 @@ def read_document(source: str | bytes | dict[str, Any] | list[Any]) -> Reading:
             return Reading(None, (parsed,))
     else:
         parsed = source
-    faults = check_outline(parsed)
+    faults = check_shape(parsed)
     if faults:
         return Reading(None, tuple(faults))
     if parsed is source and (size := _size(parsed)) > MAX_BYTES:
@@ -100,10 +103,27 @@ def _without_keys(value: Any, pointers: set[str], here: str) -> Any:
 
 
 def _validate(document: dict[str, Any], *, bare: bool) -> Reading:
+    findings = check_meaning(document)
     try:
-        return Reading(Program.model_validate(document))
+        program = Program.model_validate(document)
     except ValidationError as error:
         errors = error.errors(include_url=False)
-    located = [(path_of_error(document, item), item) for item in errors]
-    faults = {fault_from_error(document, path, item, bare=bare): None for path, item in located}
-    return Reading(None, tuple(faults))
+    else:
+        errors = []
+    if not errors and not findings:
+        return Reading(program)
+    return Reading(None, tuple(_faults(document, errors, findings, bare=bare)))
+
+
+def _faults(
+    document: Any, errors: list[ErrorDetails], findings: list[Finding], *, bare: bool
+) -> list[Fault]:
+    """Faults in the order of the document, each once."""
+    placed: dict[Path, dict[Fault, None]] = {}
+    for path, error in relevant_errors(document, errors):
+        fault = fault_from_error(document, path, error, bare=bare)
+        placed.setdefault(path, {})[fault] = None
+    for code, path, params in findings:
+        fault = placed_fault(document, path, code, params, bare=bare)
+        placed.setdefault(path, {})[fault] = None
+    return [fault for path in in_document_order(document, placed) for fault in placed[path]]

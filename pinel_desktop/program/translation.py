@@ -1,15 +1,15 @@
 """From what pydantic says of a document to faults a pupil can act on."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any
 
 from pydantic_core import ErrorDetails
 
 from pinel_desktop.program import model
 from pinel_desktop.program.faults import Fault
-from pinel_desktop.program.limits import MAX_TEXT
-
-Path = tuple[str | int, ...]
+from pinel_desktop.program.limits import MAX_LIST, MAX_NAME, MAX_TEXT
+from pinel_desktop.program.places import Path, block_at, pointer, value_at
+from pinel_desktop.program.plans import TAKES
 
 _RANGE_ERRORS = ("greater_than", "greater_than_equal", "less_than", "less_than_equal")
 _WRONG_TYPE = {
@@ -23,17 +23,14 @@ _WRONG_TYPE = {
     "model_type": "object",
     "model_attributes_type": "object",
 }
+# how pydantic names the literal of `expressions.Takes` in an error's location
+_LITERAL_WAYS = ("float", "constrained-float", "str", "constrained-str", "function-before[_whole")
 _SIMPLE = {
     "unknown_expression": "unknown_expression",
     "finite_number": "not_finite",
     "string_unicode": "text_not_unicode",
     "union_tag_not_found": "missing_action",
 }
-
-
-def pointer(path: Sequence[str | int]) -> str:
-    """The JSON pointer (RFC 6901) of a path of keys and indices."""
-    return "".join("/" + str(part).replace("~", "~0").replace("/", "~1") for part in path)
 
 
 def path_of_error(document: Any, error: ErrorDetails) -> Path:
@@ -50,26 +47,40 @@ def path_of_error(document: Any, error: ErrorDetails) -> Path:
 
 def fault_from_error(document: Any, path: Path, error: ErrorDetails, *, bare: bool) -> Fault:
     """The fault for one error. In a bare list the pointer counts from the list."""
-    code, params = _code_and_params(error, path)
+    code, params = _code_and_params(error, path, document)
+    return placed_fault(document, path, code, params, bare=bare)
+
+
+def placed_fault(
+    document: Any, path: Path, code: str, params: dict[str, object], *, bare: bool
+) -> Fault:
+    """A fault at a place of the document, with its block."""
     shown = path[1:] if bare else path
-    return Fault(code, pointer(shown), _block_at(document, path), params)
+    return Fault(code, pointer(shown), block_at(document, path), params)
 
 
-def _block_at(document: Any, path: Path) -> str | None:
-    """Id of the innermost block around a place."""
-    block: str | None = None
-    value = document
-    for part in path:
-        value = value[part]
-        found = value.get("block") if isinstance(value, dict) else None
-        block = found if isinstance(found, str) else block
-    return block
+def relevant_errors(document: Any, errors: list[ErrorDetails]) -> list[tuple[Path, ErrorDetails]]:
+    """The errors with their paths, without those of the ways that a parameter was not meant.
+
+    A parameter is a literal or an expression, and pydantic says what is wrong with it as either.
+    """
+    located = [(path_of_error(document, error), error) for error in errors]
+    return [(path, error) for path, error in located if _is_meant(value_at(document, path), error)]
 
 
-def _code_and_params(error: ErrorDetails, path: Path) -> tuple[str, dict[str, object]]:
+def _is_meant(value: Any, error: ErrorDetails) -> bool:
+    way = str(error["loc"][-1]) if error["loc"] else ""
+    if isinstance(value, dict):
+        return not (error["type"] in _WRONG_TYPE and way.startswith(_LITERAL_WAYS))
+    return not (error["type"] == "unknown_expression" and way.startswith("tagged-union["))
+
+
+def _code_and_params(
+    error: ErrorDetails, path: Path, document: Any
+) -> tuple[str, dict[str, object]]:
     kind = error["type"]
     if kind in _RANGE_ERRORS:
-        return _out_of_range(error, path)
+        return _out_of_range(error, path, document)
     if kind in _WRONG_TYPE:
         return f"wrong_type_{_WRONG_TYPE[kind]}", {"name": _last_key(path)}
     if kind in _SIMPLE:
@@ -87,6 +98,12 @@ def _unknown_action(error: ErrorDetails, _path: Path) -> tuple[str, dict[str, ob
     return "unknown_action", {"value": error["ctx"]["tag"], "allowed": model.action_names()}
 
 
+def _too_long(limit: int, text: str, path: Path) -> tuple[str, dict[str, object]]:
+    if limit == MAX_NAME:
+        return "name_invalid", {"value": text, "max": MAX_NAME}
+    return "text_too_long", {"name": _last_key(path), "value": len(text), "max": MAX_TEXT}
+
+
 def _wrong_value(error: ErrorDetails, path: Path) -> tuple[str, dict[str, object]]:
     return "wrong_value", {"name": _last_key(path), "value": _shown(error["input"])}
 
@@ -95,35 +112,32 @@ _SPECIAL: dict[str, Callable[[ErrorDetails, Path], tuple[str, dict[str, object]]
     "missing": _missing,
     "extra_forbidden": lambda error, _: ("unknown_key", {"name": str(error["loc"][-1])}),
     "union_tag_invalid": _unknown_action,
-    "string_too_long": lambda _, path: (
-        "text_too_long",
-        {"name": _last_key(path), "max": MAX_TEXT},
+    "string_too_long": lambda error, path: _too_long(
+        error["ctx"]["max_length"], error["input"], path
     ),
-    "too_long": lambda _, __: ("functions_not_supported", {}),
+    "string_pattern_mismatch": lambda error, _: (
+        "name_invalid",
+        {"value": error["input"], "max": MAX_NAME},
+    ),
+    "too_long": lambda error, path: (
+        "list_too_long",
+        {"name": _last_key(path), "value": error["ctx"]["actual_length"], "max": MAX_LIST},
+    ),
     "literal_error": _wrong_value,
 }
 
 
-def _out_of_range(error: ErrorDetails, path: Path) -> tuple[str, dict[str, object]]:
+def _out_of_range(error: ErrorDetails, path: Path, document: Any) -> tuple[str, dict[str, object]]:
+    """The bounds stand in the model of the command or sensor around the value."""
     name = _last_key(path)
-    low, high = _RANGES[name]
-    return f"{name}_out_of_range", {"value": error["input"], "min": low, "max": high}
-
-
-def _ranges() -> dict[str, tuple[object, object]]:
-    """Parameter name -> (least, greatest), from the models' own bounds."""
-    ranges: dict[str, tuple[object, object]] = {}
-    for command in model.COMMANDS:
-        for name, field in command.model_fields.items():
-            low = [getattr(m, "ge", getattr(m, "gt", None)) for m in field.metadata]
-            high = [getattr(m, "le", getattr(m, "lt", None)) for m in field.metadata]
-            bounds = [next((b for b in side if b is not None), None) for side in (low, high)]
-            if None not in bounds:
-                ranges[name] = (bounds[0], bounds[1])
-    return ranges
-
-
-_RANGES = _ranges()
+    around = value_at(document, path[:-1])
+    kind = around.get("action", around.get("sensor"))
+    takes = TAKES[kind, name]
+    low = takes.ge if takes.gt is None else takes.gt
+    params = {"value": error["input"], "min": low, "max": takes.le}
+    code = "sonar" if name == "index" else name
+    above = takes.le is None
+    return f"{code}_{'not_positive' if above else 'out_of_range'}", params
 
 
 def _last_key(path: Path) -> str:

@@ -1,0 +1,140 @@
+"""Types of expressions as far as they can be known on reading, and calls in them."""
+
+from typing import Any
+
+from pinel_desktop.program.conditions import ConditionError, parse_condition
+from pinel_desktop.program.functions import Signature
+from pinel_desktop.program.operators import OPERATORS, ORDER, SENSORS, Operator, ValueType
+from pinel_desktop.program.places import Path
+
+Finding = tuple[str, Path, dict[str, object]]
+Type = ValueType | None  # None: only the run will know
+
+_LITERALS: dict[type, ValueType] = {
+    bool: "boolean",
+    int: "number",
+    float: "number",
+    str: "text",
+    list: "list",
+}
+_OPERANDS = {"number": "not_number", "boolean": "not_boolean", "list": "not_list"}
+
+
+class Expressions:
+    """Checks expressions of one document; adds to `found` what is wrong, to `variables` the names that are read."""
+
+    def __init__(
+        self, signatures: dict[str, Signature], variables: set[str], found: list[Finding]
+    ) -> None:
+        self._signatures, self._variables, self._found = signatures, variables, found
+
+    def check(self, value: Any, path: Path, wanted: Type) -> None:
+        """Checks the expression of a parameter, which must have a type. Literals are the models' business."""
+        if wanted == "boolean":
+            self._condition(value, path)
+            return
+        found = self._type(value, path)
+        if wanted is not None and found is not None and found != wanted:
+            self._add(f"wrong_type_{wanted}", path, name=str(path[-1]))
+
+    def name(self, value: Any) -> None:
+        """Notes the name of a variable."""
+        if isinstance(value, str):
+            self._variables.add(value)
+
+    def call(self, function: Any, arguments: Any, path: Path, key: str) -> Signature | None:
+        """Checks a call with its arguments; returns what it calls."""
+        given = arguments if isinstance(arguments, dict) else {}
+        for name, argument in given.items():
+            self._type(argument, (*path, "arguments", name))
+        if not isinstance(function, str):
+            return None
+        signature = self._signatures.get(function)
+        if signature is None:
+            known = sorted(self._signatures)
+            self._add("unknown_function", (*path, key), value=function, allowed=known)
+            return None
+        for name in signature.parameters:
+            if name not in given:
+                self._add("missing_argument", path, function=function, name=name)
+        for name in given:
+            if name not in signature.parameters:
+                place = (*path, "arguments", name)
+                self._add("unknown_argument", place, function=function, name=name)
+        return signature
+
+    def _add(self, code: str, path: Path, **params: object) -> None:
+        self._found.append((code, path, params))
+
+    def _condition(self, value: Any, path: Path) -> None:
+        if isinstance(value, str):
+            try:
+                tree = parse_condition(value)
+            except ConditionError:
+                return  # the models say so
+            inside: list[Finding] = []
+            found = Expressions(self._signatures, self._variables, inside)._type(tree, ())
+            self._found += [(code, path, params) for code, _, params in inside]
+        else:
+            found = self._type(value, path)
+        if found not in (None, "boolean"):
+            self._add("condition_not_boolean", path)
+
+    def _type(self, value: Any, path: Path) -> Type:
+        if value.__class__ is not dict:
+            return _LITERALS.get(type(value))
+        if "op" in value:
+            return self._operation(value, path)
+        if "var" in value:
+            self.name(value["var"])
+            return None
+        if "gesture" in value:
+            return "text"
+        if "call" in value:
+            signature = self.call(value["call"], value.get("arguments"), path, "call")
+            if signature is not None and not signature.gives_value:
+                self._add("function_without_value", (*path, "call"), value=value["call"])
+            return None
+        return self._sensor(value, path)
+
+    def _sensor(self, value: dict[str, Any], path: Path) -> Type:
+        for key in ("index", "angle"):
+            if isinstance(value.get(key), dict):
+                self.check(value[key], (*path, key), "number")
+        sensor = value.get("sensor")
+        return SENSORS.get(sensor) if isinstance(sensor, str) else None
+
+    def _operation(self, value: dict[str, Any], path: Path) -> Type:
+        name, args = value["op"], value.get("args")
+        if not isinstance(name, str) or not isinstance(args, list):
+            return None
+        types = [self._type(argument, (*path, "args", i)) for i, argument in enumerate(args)]
+        operator = OPERATORS.get(name)
+        if operator is None:
+            self._add("unknown_operator", path, value=name, allowed=list(OPERATORS))
+            return None
+        if not operator.accepts(len(args)):
+            code = "wrong_argument_count" if operator.n_max is not None else "too_few_arguments"
+            self._add(code, path, operator=name, value=len(args), min=operator.n_min)
+        else:
+            self._operands(name, operator, types, path)
+        return operator.gives
+
+    def _operands(self, name: str, operator: Operator, types: list[Type], path: Path) -> None:
+        """One fault for the first argument of a wrong type."""
+        for i, found in enumerate(types):
+            wanted = operator.type_at(i)
+            if wanted is not None and found is not None and found != wanted:
+                self._add(_OPERANDS[wanted], path, operator=name)
+                return
+        if operator is ORDER and not _comparable(types):
+            self._add("not_comparable", path, operator=name)
+        elif name == "length" and types[0] in ("number", "boolean"):
+            self._add("not_text_or_list", path, operator=name)
+
+
+def _comparable(types: list[Type]) -> bool:
+    left, right = types
+    if "boolean" in types or "list" in types:
+        return False
+    return left is None or right is None or left == right

@@ -1,0 +1,68 @@
+"""The functions of a document as it was given: their parameters, whether they return a value, doubled names."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from pinel_desktop.program.places import Path
+from pinel_desktop.program.plans import PLANS
+
+
+@dataclass(frozen=True, slots=True)
+class Signature:
+    """What a call must know of a function."""
+
+    parameters: tuple[str, ...]
+    gives_value: bool
+
+
+Doubled = tuple[str, Path, dict[str, object]]
+
+
+def signatures(functions: list[Any]) -> tuple[dict[str, Signature], list[Doubled]]:
+    """The functions by name, the first of each name; and faults of names that are there twice."""
+    known: dict[str, Signature] = {}
+    doubled: list[Doubled] = []
+    for i, function in enumerate(functions):
+        name = function.get("name") if isinstance(function, dict) else None
+        if not isinstance(name, str):
+            continue
+        given = function.get("parameters", [])
+        parameters = [p for p in given if isinstance(p, str)] if isinstance(given, list) else []
+        for j, parameter in enumerate(parameters):
+            if parameter in parameters[:j]:
+                path = (
+                    "functions",
+                    i,
+                    "parameters",
+                    given.index(parameter, given.index(parameter) + 1),
+                )
+                doubled.append(
+                    ("duplicate_parameter", path, {"value": parameter, "function": name})
+                )
+        if name in known:
+            doubled.append(("duplicate_function", ("functions", i, "name"), {"value": name}))
+            continue
+        known[name] = Signature(tuple(parameters), _gives_value(function.get("commands")))
+    return known, doubled
+
+
+def _gives_value(commands: Any) -> bool:
+    return any(
+        command.get("action") == "return" and "value" in command for command in _within(commands)
+    )
+
+
+def _within(commands: Any) -> Iterator[dict[str, Any]]:
+    """All commands of a body, at any depth."""
+    for command in commands if isinstance(commands, list) else ():
+        if not isinstance(command, dict):
+            continue
+        yield command
+        action = command.get("action")
+        plan = PLANS.get(action) if isinstance(action, str) else None
+        for key in plan.bodies if plan else ():
+            yield from _within(command.get(key))
+        branches = command.get("elif")
+        for branch in branches if isinstance(branches, list) else ():
+            yield from _within(branch.get("commands") if isinstance(branch, dict) else None)

@@ -1,0 +1,43 @@
+"""Places in a document: paths, JSON pointers, the block around them."""
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+Path = tuple[str | int, ...]
+
+
+def pointer(path: Sequence[str | int]) -> str:
+    """The JSON pointer (RFC 6901) of a path of keys and indices."""
+    return "".join("/" + str(part).replace("~", "~0").replace("/", "~1") for part in path)
+
+
+def value_at(document: Any, path: Path) -> Any:
+    """What stands at a path."""
+    for part in path:
+        document = document[part]
+    return document
+
+
+def block_at(document: Any, path: Path) -> str | None:
+    """Id of the innermost block around a place."""
+    block: str | None = None
+    value = document
+    for part in path:
+        value = value[part]
+        found = value.get("block") if isinstance(value, dict) else None
+        block = found if isinstance(found, str) else block
+    return block
+
+
+def in_document_order(document: Any, paths: Iterable[Path]) -> list[Path]:
+    """The paths sorted as a person meets them reading the document from its beginning."""
+    return sorted(paths, key=lambda path: _rank(document, path))
+
+
+def _rank(document: Any, path: Path) -> tuple[int, ...]:
+    rank = []
+    value = document
+    for part in path:
+        rank.append(part if isinstance(part, int) else list(value).index(part))
+        value = value[part]
+    return tuple(rank)
