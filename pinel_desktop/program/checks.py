@@ -4,18 +4,14 @@ Works on the document as it was given, whatever else is wrong with it, so that a
 malformed is passed over here, and reported by the models.
 """
 
-from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from pinel_desktop.program.expression_checks import Expressions
-from pinel_desktop.program.functions import Signature, signatures
-from pinel_desktop.program.limits import MAX_VARIABLES
-from pinel_desktop.program.places import Path
+from pinel_desktop.program.functions import signatures
+from pinel_desktop.program.limits import MAX_COMMANDS, MAX_NESTING, MAX_VARIABLES
+from pinel_desktop.program.places import LONGEST_PATH, Finding, Path
 from pinel_desktop.program.plans import PLANS, Plan
-
-# (code, path, params)
-Finding = tuple[str, Path, dict[str, object]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,51 +22,85 @@ class _Around:
     in_loop: bool = False
 
 
-def check_meaning(document: Any) -> list[Finding]:
-    """Findings in a `pinel_ir` document that has the shape of one."""
-    return list(_Checker(document).findings()) if isinstance(document, dict) else []
+@dataclass(slots=True)
+class Meaning:
+    """What was found.
+
+    Attributes:
+        findings: what is wrong, in no order.
+        is_large: whether there may be too many commands or levels; `shape.check_shape` knows for sure.
+    """
+
+    findings: list[Finding] = field(default_factory=list)
+    is_large: bool = False
+
+
+def check_meaning(document: dict[str, Any]) -> Meaning:
+    """Looks through a `pinel_ir` document, no deeper than one may be."""
+    checker = _Checker(document)
+    checker.run()
+    return Meaning(checker.found, checker.is_large)
 
 
 class _Checker:
     def __init__(self, document: dict[str, Any]) -> None:
         self._document = document
         self._variables: set[str] = set()
-        self._signatures: dict[str, Signature] = {}
-        self._found: list[Finding] = []
-        self._expressions = Expressions(self._signatures, self._variables, self._found)
+        self._n_commands = 0
+        self._deepest = 0
+        functions = document.get("functions")
+        self._functions = functions if isinstance(functions, list) else []
+        self._signatures, self.found = signatures(self._functions)
+        self._expressions = Expressions(self._signatures, self._variables, self.found)
 
-    def findings(self) -> Iterator[Finding]:
-        functions = self._document.get("functions")
-        functions = functions if isinstance(functions, list) else []
-        known, doubled = signatures(functions)
-        self._signatures.update(known)
-        yield from doubled
+    @property
+    def is_large(self) -> bool:
+        deepest = max(self._deepest, self._expressions.deepest)
+        return self._n_commands > MAX_COMMANDS or deepest >= MAX_NESTING
+
+    def run(self) -> None:
+        """Fills `found`."""
+        functions = self._functions
         for i, function in enumerate(functions):
             if isinstance(function, dict):
                 body, path = function.get("commands"), ("functions", i, "commands")
                 self._commands(body, path, _Around(in_function=True))
         self._commands(self._document.get("commands"), ("commands",), _Around())
-        yield from self._found
         if len(self._variables) > MAX_VARIABLES:
             params: dict[str, object] = {"value": len(self._variables), "max": MAX_VARIABLES}
-            yield "too_many_variables", (), params
+            self.found.append(("too_many_variables", (), params))
 
     def _commands(self, commands: Any, path: Path, around: _Around) -> None:
         if commands.__class__ is not list:
             return
+        self._n_commands += len(commands)
+        variables = self._variables
         for i, command in enumerate(commands):
             if command.__class__ is not dict:
                 continue
             action = command.get("action")
             plan = PLANS.get(action) if action.__class__ is str else None
-            if plan is not None:
+            if plan is None:
+                continue
+            if not plan.is_simple:
                 self._command(command, plan, (*path, i), around)
+                continue
+            for key in plan.variables:
+                if (name := command.get(key)).__class__ is str:
+                    variables.add(name)
+            for key in plan.simple:  # nearly all parameters are literals, which the models check
+                if command.get(key).__class__ is dict:
+                    self._command(command, plan, (*path, i), around)
+                    break
 
     def _command(self, command: dict[str, Any], plan: Plan, path: Path, around: _Around) -> None:
+        if len(path) > self._deepest:
+            self._deepest = len(path)
+        if len(path) > LONGEST_PATH:
+            return
         for key, wanted in plan.expressions:
             value = command.get(key)
-            kind = value.__class__
-            if kind is dict or key == "condition":
+            if value.__class__ is dict or key == "condition":
                 self._expressions.check(value, (*path, key), wanted)
         for key in plan.variables:
             self._expressions.name(command.get(key))
@@ -91,9 +121,9 @@ class _Checker:
 
     def _role(self, command: dict[str, Any], role: str, path: Path, around: _Around) -> None:
         if role == "jump" and not around.in_loop:
-            self._found.append((f"{command['action']}_outside_loop", path, {}))
+            self.found.append((f"{command['action']}_outside_loop", path, {}))
         elif role == "return" and not around.in_function:
-            self._found.append(("return_outside_function", path, {}))
+            self.found.append(("return_outside_function", path, {}))
         elif role == "call":
             arguments = command.get("arguments", {})
             self._expressions.call(command.get("function"), arguments, path, "function")

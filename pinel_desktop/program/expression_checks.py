@@ -5,9 +5,8 @@ from typing import Any
 from pinel_desktop.program.conditions import ConditionError, parse_condition
 from pinel_desktop.program.functions import Signature
 from pinel_desktop.program.operators import OPERATORS, ORDER, SENSORS, Operator, ValueType
-from pinel_desktop.program.places import Path
+from pinel_desktop.program.places import LONGEST_PATH, Finding, Path
 
-Finding = tuple[str, Path, dict[str, object]]
 Type = ValueType | None  # None: only the run will know
 
 _LITERALS: dict[type, ValueType] = {
@@ -21,12 +20,17 @@ _OPERANDS = {"number": "not_number", "boolean": "not_boolean", "list": "not_list
 
 
 class Expressions:
-    """Checks expressions of one document; adds to `found` what is wrong, to `variables` the names that are read."""
+    """Checks expressions of one document; adds to `found` what is wrong, to `variables` the names that are read.
+
+    Attributes:
+        deepest: length of the longest path to an expression.
+    """
 
     def __init__(
         self, signatures: dict[str, Signature], variables: set[str], found: list[Finding]
     ) -> None:
         self._signatures, self._variables, self._found = signatures, variables, found
+        self.deepest = 0
 
     def check(self, value: Any, path: Path, wanted: Type) -> None:
         """Checks the expression of a parameter, which must have a type. Literals are the models' business."""
@@ -83,6 +87,10 @@ class Expressions:
     def _type(self, value: Any, path: Path) -> Type:
         if value.__class__ is not dict:
             return _LITERALS.get(type(value))
+        if len(path) > self.deepest:
+            self.deepest = len(path)
+        if len(path) > LONGEST_PATH:
+            return None
         if "op" in value:
             return self._operation(value, path)
         if "var" in value:
@@ -108,7 +116,12 @@ class Expressions:
         name, args = value["op"], value.get("args")
         if not isinstance(name, str) or not isinstance(args, list):
             return None
-        types = [self._type(argument, (*path, "args", i)) for i, argument in enumerate(args)]
+        types = [
+            self._type(argument, (*path, "args", i))
+            if argument.__class__ is dict
+            else _LITERALS.get(argument.__class__)
+            for i, argument in enumerate(args)
+        ]
         operator = OPERATORS.get(name)
         if operator is None:
             self._add("unknown_operator", path, value=name, allowed=list(OPERATORS))
@@ -123,8 +136,10 @@ class Expressions:
     def _operands(self, name: str, operator: Operator, types: list[Type], path: Path) -> None:
         """One fault for the first argument of a wrong type."""
         for i, found in enumerate(types):
+            if found is None:
+                continue
             wanted = operator.type_at(i)
-            if wanted is not None and found is not None and found != wanted:
+            if wanted is not None and found != wanted:
                 self._add(_OPERANDS[wanted], path, operator=name)
                 return
         if operator is ORDER and not _comparable(types):

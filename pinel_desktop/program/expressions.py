@@ -118,19 +118,6 @@ class FunctionCall(Model):
 AnyNode = Operation | Variable | GestureResult | Sonar | Distance | Lidar | Measure | FunctionCall
 
 # Tags stand in pydantic's error locations; with a space they are never taken for a key of the document.
-_LITERALS: dict[type, str] = {
-    bool: "a boolean",
-    int: "a number",
-    float: "a number",
-    str: "a text",
-    list: "a list",
-}
-_KINDS = {
-    "op": "an operation",
-    "var": "a variable",
-    "gesture": "a gesture",
-    "call": "a call",
-}
 _SENSOR_KINDS = {"sonar": "a sonar", "distance": "a distance", "lidar": "a lidar"}
 
 
@@ -148,19 +135,22 @@ _MODELS: dict[type, str] = {
 
 def _node_kind(value: Any) -> str | None:
     """Which model a node is to be read, or written, as; None for what is none."""
-    if not isinstance(value, dict):
+    if value.__class__ is not dict:
         return _MODELS.get(type(value))
-    for key, tag in _KINDS.items():
-        if key in value:
-            return tag
-    if "sensor" not in value:
-        return None
-    sensor = value["sensor"]
-    return _SENSOR_KINDS.get(sensor, "a measure") if isinstance(sensor, str) else "a measure"
+    if "op" in value:
+        return "an operation"
+    if "var" in value:
+        return "a variable"
+    if "sensor" in value:
+        sensor = value["sensor"]
+        return _SENSOR_KINDS.get(sensor, "a measure") if isinstance(sensor, str) else "a measure"
+    if "gesture" in value:
+        return "a gesture"
+    return "a call" if "call" in value else None
 
 
 def _kind(value: Any) -> str | None:
-    return _LITERALS.get(type(value)) or _node_kind(value)
+    return "a list" if value.__class__ is list else _node_kind(value)
 
 
 def _unknown(kind: Any) -> Discriminator:
@@ -169,12 +159,9 @@ def _unknown(kind: Any) -> Discriminator:
     )
 
 
-_Literal = (
-    Annotated[bool, Tag("a boolean")]
-    | Annotated[float, Tag("a number")]
-    | Annotated[Text, Tag("a text")]
-)
-Item = Annotated[_Literal, _unknown(lambda value: _LITERALS.get(type(value)))]
+# Literals are tried first and in pydantic's own code: most of what a program holds are literals.
+_FIRST_THAT_FITS = Field(union_mode="left_to_right")
+Item = Annotated[Text | float | bool, _FIRST_THAT_FITS]
 
 _Nodes = (
     Annotated[Operation, Tag("an operation")]
@@ -187,7 +174,7 @@ _Nodes = (
     | Annotated[FunctionCall, Tag("a call")]
 )
 Node = Annotated[_Nodes, _unknown(_node_kind)]
-Expression = Annotated[
-    _Literal | Annotated[list[Item], Field(max_length=MAX_LIST), Tag("a list")] | _Nodes,
-    _unknown(_kind),
+_ListOrNode = Annotated[
+    Annotated[list[Item], Field(max_length=MAX_LIST), Tag("a list")] | _Nodes, _unknown(_kind)
 ]
+Expression = Annotated[Text | float | bool | _ListOrNode, _FIRST_THAT_FITS]

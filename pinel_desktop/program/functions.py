@@ -4,7 +4,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from pinel_desktop.program.places import Path
+from pinel_desktop.program.limits import MAX_NESTING
+from pinel_desktop.program.places import Finding
 from pinel_desktop.program.plans import PLANS
 
 
@@ -16,13 +17,10 @@ class Signature:
     gives_value: bool
 
 
-Doubled = tuple[str, Path, dict[str, object]]
-
-
-def signatures(functions: list[Any]) -> tuple[dict[str, Signature], list[Doubled]]:
+def signatures(functions: list[Any]) -> tuple[dict[str, Signature], list[Finding]]:
     """The functions by name, the first of each name; and faults of names that are there twice."""
     known: dict[str, Signature] = {}
-    doubled: list[Doubled] = []
+    doubled: list[Finding] = []
     for i, function in enumerate(functions):
         name = function.get("name") if isinstance(function, dict) else None
         if not isinstance(name, str):
@@ -53,8 +51,10 @@ def _gives_value(commands: Any) -> bool:
     )
 
 
-def _within(commands: Any) -> Iterator[dict[str, Any]]:
-    """All commands of a body, at any depth."""
+def _within(commands: Any, depth: int = 0) -> Iterator[dict[str, Any]]:
+    """All commands of a body, as deep as a document may be."""
+    if depth > MAX_NESTING:
+        return
     for command in commands if isinstance(commands, list) else ():
         if not isinstance(command, dict):
             continue
@@ -62,7 +62,8 @@ def _within(commands: Any) -> Iterator[dict[str, Any]]:
         action = command.get("action")
         plan = PLANS.get(action) if isinstance(action, str) else None
         for key in plan.bodies if plan else ():
-            yield from _within(command.get(key))
+            yield from _within(command.get(key), depth + 1)
         branches = command.get("elif")
         for branch in branches if isinstance(branches, list) else ():
-            yield from _within(branch.get("commands") if isinstance(branch, dict) else None)
+            body = branch.get("commands") if isinstance(branch, dict) else None
+            yield from _within(body, depth + 1)

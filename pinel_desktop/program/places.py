@@ -3,7 +3,13 @@
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from pinel_desktop.program.limits import MAX_NESTING
+
 Path = tuple[str | int, ...]
+# (code, path, params)
+Finding = tuple[str, Path, dict[str, object]]
+# each level of a document is a key, or a key and an index: what is farther in is certainly too deep
+LONGEST_PATH = 2 * MAX_NESTING + 6
 
 
 def pointer(path: Sequence[str | int]) -> str:

@@ -14,12 +14,19 @@ _NAMES_OF_VARIABLES = ("name", "variable", "list")
 
 @dataclass(slots=True)
 class Plan:
-    """Parameters with an expression, keys that name variables, keys of bodies."""
+    """Parameters with an expression, keys that name variables, keys of bodies.
+
+    Attributes:
+        simple: keys of all expressions; where they hold literals there is nothing to check if `is_simple`.
+        is_simple: whether there are only expressions and names, and no condition, which may be a text to be parsed.
+    """
 
     expressions: list[tuple[str, Wanted]] = field(default_factory=list)
     variables: list[str] = field(default_factory=list)
     bodies: list[str] = field(default_factory=list)
     role: Literal["loop", "jump", "call", "return"] | None = None
+    simple: tuple[str, ...] = ()
+    is_simple: bool = False
 
 
 def _parameters(model: type[Model]) -> list[tuple[str, Any]]:
@@ -58,6 +65,10 @@ def _plans() -> dict[str, Plan]:
         plans[action].role = "jump"
     plans["call"].role = "call"
     plans["return"].role = "return"
+    for plan in plans.values():
+        plan.simple = tuple(key for key, _ in plan.expressions)
+        others = plan.bodies or plan.role
+        plan.is_simple = not others and "condition" not in plan.simple
     return plans
 
 

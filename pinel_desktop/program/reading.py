@@ -1,17 +1,20 @@
 """Reading a document: all of its faults, or the program. Never raises for what a document contains."""
 
+import contextlib
+import gc
 import json
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
 from pydantic import ValidationError
-from pydantic_core import ErrorDetails
+from pydantic_core import ErrorDetails, from_json
 
-from pinel_desktop.program.checks import Finding, check_meaning
+from pinel_desktop.program.checks import Meaning, check_meaning
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.limits import MAX_BYTES, MAX_NESTING
 from pinel_desktop.program.model import Program
-from pinel_desktop.program.places import Path, in_document_order, pointer
+from pinel_desktop.program.places import Finding, Path, in_document_order, pointer
 from pinel_desktop.program.shape import check_shape
 from pinel_desktop.program.translation import fault_from_error, placed_fault, relevant_errors
 
@@ -40,17 +43,53 @@ class Reading:
 
 def read_document(source: str | bytes | dict[str, Any] | list[Any]) -> Reading:
     """Reads a document given as JSON text or as parsed data: a `pinel_ir` document or a bare list of commands."""
-    if isinstance(source, str | bytes):
-        parsed = _parse(source)
-        if isinstance(parsed, Fault):
-            return Reading(None, (parsed,))
-    else:
-        parsed = source
+    with _no_collecting():
+        return _read(source)
+
+
+@contextlib.contextmanager
+def _no_collecting() -> Iterator[None]:
+    """Nothing that is read is garbage yet, and looking for it among 20,000 commands takes as long as reading."""
+    was_on = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        # what was read will be kept: straight to the oldest generation, without being looked through on the way
+        gc.freeze()
+        gc.unfreeze()
+        if was_on:
+            gc.enable()
+
+
+def _read(source: str | bytes | dict[str, Any] | list[Any]) -> Reading:
+    if not isinstance(source, str | bytes):
+        return _read_parsed(source)
+    parsed = _parse(source)
+    if isinstance(parsed, Fault):
+        return Reading(None, (parsed,))
+    if isinstance(parsed, dict):
+        # most documents are good, and then nothing needs to be known of their shape
+        meaning, program, _ = _looked_at(parsed)
+        if program is not None and not meaning.findings and not meaning.is_large:
+            return Reading(program)
+    return _read_shaped(parsed)
+
+
+def _read_parsed(parsed: dict[str, Any] | list[Any]) -> Reading:
     faults = check_shape(parsed)
     if faults:
         return Reading(None, tuple(faults))
-    if parsed is source and (size := _size(parsed)) > MAX_BYTES:
+    size = _size(parsed)
+    if size > MAX_BYTES:
         return Reading(None, (_too_large(size),))
+    return _read_shaped(parsed)
+
+
+def _read_shaped(parsed: Any) -> Reading:
+    faults = check_shape(parsed)
+    if faults:
+        return Reading(None, tuple(faults))
     if isinstance(parsed, list):
         return _read_bare_list(parsed)
     return _validate(parsed, bare=False)
@@ -69,6 +108,10 @@ def _too_large(size: int) -> Fault:
 def _parse(text: str | bytes) -> Any:
     if len(text) > MAX_BYTES:
         return _too_large(len(text))
+    try:
+        return from_json(text)
+    except ValueError:
+        pass  # it says less about what is wrong, and knows no lone surrogates
     try:
         return json.loads(text)
     except RecursionError:
@@ -102,17 +145,19 @@ def _without_keys(value: Any, pointers: set[str], here: str) -> Any:
     return value
 
 
-def _validate(document: dict[str, Any], *, bare: bool) -> Reading:
-    findings = check_meaning(document)
+def _looked_at(document: dict[str, Any]) -> tuple[Meaning, Program | None, list[ErrorDetails]]:
+    meaning = check_meaning(document)
     try:
-        program = Program.model_validate(document)
+        return meaning, Program.model_validate(document), []
     except ValidationError as error:
-        errors = error.errors(include_url=False)
-    else:
-        errors = []
-    if not errors and not findings:
+        return meaning, None, error.errors(include_url=False)
+
+
+def _validate(document: dict[str, Any], *, bare: bool) -> Reading:
+    meaning, program, errors = _looked_at(document)
+    if program is not None and not meaning.findings:
         return Reading(program)
-    return Reading(None, tuple(_faults(document, errors, findings, bare=bare)))
+    return Reading(None, tuple(_faults(document, errors, meaning.findings, bare=bare)))
 
 
 def _faults(

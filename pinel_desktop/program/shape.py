@@ -25,7 +25,10 @@ def check_shape(document: Any) -> list[Fault]:
 
 
 def _count_commands(value: Any, depth: int) -> int:
-    """Commands in a list or object at that depth; goes no deeper than a document may."""
+    """Commands in a list or object at that depth; goes no deeper than a document may.
+
+    Nearly everything in a document is a command with plain parameters: those are counted without a call of their own.
+    """
     if depth > MAX_NESTING + 1:
         raise _TooDeepError
     if value.__class__ is dict:
@@ -35,7 +38,14 @@ def _count_commands(value: Any, depth: int) -> int:
     for child in children:
         kind = child.__class__
         if kind is dict:
-            count += _count_commands(child, depth + 1)
+            if depth > MAX_NESTING:
+                raise _TooDeepError
+            for part in child.values():
+                if part.__class__ is dict or part.__class__ is list:
+                    count += _count_commands(child, depth + 1)
+                    break
+            else:
+                count += "action" in child
         elif kind is list:
             count += _count_commands(child, depth + in_list)
     return count

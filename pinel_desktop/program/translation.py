@@ -24,7 +24,7 @@ _WRONG_TYPE = {
     "model_attributes_type": "object",
 }
 # how pydantic names the literal of `expressions.Takes` in an error's location
-_LITERAL_WAYS = ("float", "constrained-float", "str", "constrained-str", "function-before[_whole")
+_LITERAL_WAYS = ("bool", "float", "constrained-", "str", "function-before[_whole")
 _SIMPLE = {
     "unknown_expression": "unknown_expression",
     "finite_number": "not_finite",
@@ -64,15 +64,29 @@ def relevant_errors(document: Any, errors: list[ErrorDetails]) -> list[tuple[Pat
 
     A parameter is a literal or an expression, and pydantic says what is wrong with it as either.
     """
-    located = [(path_of_error(document, error), error) for error in errors]
-    return [(path, error) for path, error in located if _is_meant(value_at(document, path), error)]
+    at_path: dict[Path, list[ErrorDetails]] = {}
+    for error in errors:
+        at_path.setdefault(path_of_error(document, error), []).append(error)
+    return [
+        (path, error)
+        for path, found in at_path.items()
+        for error in _meant(value_at(document, path), found)
+    ]
 
 
-def _is_meant(value: Any, error: ErrorDetails) -> bool:
-    way = str(error["loc"][-1]) if error["loc"] else ""
-    if isinstance(value, dict):
-        return not (error["type"] in _WRONG_TYPE and way.startswith(_LITERAL_WAYS))
-    return not (error["type"] == "unknown_expression" and way.startswith("tagged-union["))
+def _meant(value: Any, errors: list[ErrorDetails]) -> list[ErrorDetails]:
+    """Of the errors at one place, those of the way that was meant."""
+    types = [error for error in errors if _is_way(error) and error["type"] in _WRONG_TYPE]
+    unknown = [error for error in errors if error["type"] == "unknown_expression"]
+    others = [error for error in errors if error not in types and error not in unknown]
+    if isinstance(value, dict) or len(types) > 1:  # an expression, or where any literal would do
+        return others or unknown
+    return types + others or unknown
+
+
+def _is_way(error: ErrorDetails) -> bool:
+    """Whether it is about one literal that a parameter might have been."""
+    return bool(error["loc"]) and str(error["loc"][-1]).startswith(_LITERAL_WAYS)
 
 
 def _code_and_params(
