@@ -10,6 +10,7 @@ from typing import Protocol
 
 import pymunk
 
+from sim.floor import color_at, zone_at
 from sim.world import World
 
 TICK_S = 1.0 / 30.0
@@ -18,6 +19,8 @@ SUBSTEP_S = TICK_S / SUBSTEPS
 # Chipmunk's default of 0.1 would let things sink 10 cm into each other, as the unit here is the metre.
 COLLISION_SLOP_M = 0.0005
 WALL_RADIUS_M = 0.01
+_ROBOT = 0b10  # category of the robot's shape: rays start inside it and must not hit it
+_ALL_BUT_ROBOT = pymunk.ShapeFilter(mask=pymunk.ShapeFilter.ALL_MASKS() ^ _ROBOT)
 
 
 class RobotBody(Protocol):
@@ -43,6 +46,7 @@ class Simulator:
     def __init__(self, world: World, robot: RobotBody) -> None:
         self.space = pymunk.Space()
         self.space.collision_slop = COLLISION_SLOP_M
+        self._world = world
         self._add_obstacles(world)
         self._body = self._add_robot(world, robot)
         self.wheels = self._add_wheels(robot)
@@ -66,6 +70,7 @@ class Simulator:
         body.position, body.angle = (x, y), yaw
         shape = pymunk.Circle(body, robot.radius_m)
         shape.friction = 0.3
+        shape.filter = pymunk.ShapeFilter(categories=_ROBOT)
         self.space.add(body, shape)
         return body
 
@@ -114,3 +119,19 @@ class Simulator:
 
         self._body.each_arbiter(note)
         return touched
+
+    def ray(self, angle_rad: float, length_m: float) -> float:
+        """Distance from the robot's centre to what is nearest at an angle from its heading; at most `length_m`."""
+        x, y = self._body.position
+        angle = self._yaw + angle_rad
+        end = (x + length_m * math.cos(angle), y + length_m * math.sin(angle))
+        hit = self.space.segment_query_first((x, y), end, 0.0, _ALL_BUT_ROBOT)
+        return length_m if hit is None else hit.alpha * length_m
+
+    def zone(self) -> str:
+        """Name of the world's zone under the robot's centre, or ""."""
+        return zone_at(self._world.zones, *self._body.position)
+
+    def floor_color(self) -> str:
+        """Colour of the floor under the robot's centre."""
+        return color_at(self._world.floor, *self._body.position)

@@ -8,6 +8,8 @@ from functools import cache
 from importlib import resources
 from typing import Any
 
+from sim.floor import Paint, Zone, paint_from_document, point, zone_from_document
+
 DEFAULT_WORLD = "empty_room"
 _NAME = re.compile(r"[a-z0-9_]{1,64}\Z")
 
@@ -47,37 +49,40 @@ class Box:
 
 @dataclass(frozen=True, slots=True)
 class World:
-    """What surrounds the robot. `start` is (x in m, y in m, yaw in rad)."""
+    """What surrounds the robot. `start` is (x in m, y in m, yaw in rad); of zones and floor the last is on top."""
 
     name: str
     walls: tuple[Wall, ...]
     boxes: tuple[Box, ...]
     start: tuple[float, float, float]
+    zones: tuple[Zone, ...] = ()
+    floor: tuple[Paint, ...] = ()
 
 
 def world_from_document(document: dict[str, Any]) -> World:
-    """Reads a world document. Raises WorldError `world_invalid` naming the element."""
+    """Reads a world document. Raises WorldError `world_invalid` naming the element.
+
+    Optional besides walls, boxes and start: `zones`, named parts of the floor that the sensor `cell` knows, and
+    `floor`, painted areas that the sensor `floor` sees. Each is a rectangle or a circle:
+
+        {"name": "A", "center": [x, y], "size": [w, h], "heading_deg": 0}
+        {"color": "green", "center": [x, y], "radius": r}
+    """
     try:
         start = document["start"]
         return World(
             name=str(document["name"]),
-            walls=tuple(Wall(_point(w["from"]), _point(w["to"])) for w in document["walls"]),
+            walls=tuple(Wall(point(w["from"]), point(w["to"])) for w in document["walls"]),
             boxes=tuple(
-                Box(_point(b["center"]), _point(b["size"]), math.radians(b.get("heading_deg", 0.0)))
+                Box(point(b["center"]), point(b["size"]), math.radians(b.get("heading_deg", 0.0)))
                 for b in document.get("boxes", ())
             ),
             start=(float(start["x_m"]), float(start["y_m"]), math.radians(start["heading_deg"])),
+            zones=tuple(zone_from_document(zone) for zone in document.get("zones", ())),
+            floor=tuple(paint_from_document(area) for area in document.get("floor", ())),
         )
     except (KeyError, TypeError, ValueError) as error:
         raise WorldError("world_invalid", world=document.get("name"), detail=str(error)) from error
-
-
-def _point(pair: Any) -> tuple[float, float]:
-    x, y = pair
-    x, y = float(x), float(y)
-    if not (math.isfinite(x) and math.isfinite(y)):
-        raise ValueError(f"{pair} is not a point")
-    return x, y
 
 
 @cache

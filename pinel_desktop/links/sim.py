@@ -1,9 +1,43 @@
 """The built-in simulator as a robot link. Its frame is the world's."""
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.robot import STANDSTILL, Pose2D, RobotModel, RobotState, Twist2D, wrap_angle
+from pinel_desktop.robot import (
+    STANDSTILL,
+    Pose2D,
+    RobotModel,
+    RobotState,
+    Sensors,
+    Twist2D,
+    wrap_angle,
+)
 from sim.simulator import SUBSTEP_S, TICK_S, Simulator
 from sim.world import WorldError, load_world
+
+
+class SimSensors(Sensors):
+    """Everything a program can ask for, computed from the world by rays and areas."""
+
+    def __init__(self, simulator: Simulator, robot: RobotModel) -> None:
+        self._simulator, self._robot = simulator, robot
+
+    def sonar(self, index: int) -> float:
+        robot = self._robot
+        # A ray from the centre: one from the hull could begin inside the wall that the hull touches.
+        reach = robot.radius_m + robot.sonar_range_m
+        seen = self._simulator.ray(robot.sonar_angles_rad[index], reach)
+        return max(0.0, min(seen - robot.radius_m, robot.sonar_range_m))
+
+    def lidar(self, angle_rad: float) -> float:
+        return self._simulator.ray(angle_rad, self._robot.lidar_range_m)
+
+    def bumper(self) -> bool:
+        return self._simulator.touching()
+
+    def floor(self) -> str:
+        return self._simulator.floor_color()
+
+    def cell(self) -> str:
+        return self._simulator.zone()
 
 
 class SimLink:
@@ -21,6 +55,7 @@ class SimLink:
         self._max_v, self._max_omega = robot.max_v_mps, robot.max_omega_radps
         self._twist = STANDSTILL
         self.simulator = Simulator(self._world, robot)
+        self.sensors = SimSensors(self.simulator, robot)
 
     def connect(self) -> None:
         """Nothing to do: the simulator is there."""

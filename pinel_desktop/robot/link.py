@@ -3,6 +3,7 @@
 from typing import NamedTuple, Protocol
 
 from pinel_desktop.robot.geometry import Pose2D, Twist2D
+from pinel_desktop.robot.sensors import Sensors
 
 
 class RobotState(NamedTuple):
@@ -27,10 +28,12 @@ class RobotLink(Protocol):
     Attributes:
         simulated: True when time stands still between calls of `advance`.
         command_delay_s: how much later than `command` a velocity takes effect, in seconds.
+        sensors: what the robot can sense besides its own state.
     """
 
     simulated: bool
     command_delay_s: float
+    sensors: Sensors
 
     def connect(self) -> None:
         """Makes the robot ready. Raises PinelError with what is missing and what to do."""
@@ -40,7 +43,7 @@ class RobotLink(Protocol):
         ...
 
     def bumper(self) -> bool:
-        """True while the robot touches something; asked for only by who wants to know."""
+        """True while the robot touches something, for those who watch; False where the robot cannot tell."""
         ...
 
     def command(self, twist: Twist2D) -> None:

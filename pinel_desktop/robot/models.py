@@ -2,6 +2,9 @@
 
 import math
 from dataclasses import dataclass
+from typing import Literal
+
+Direction = Literal["front", "left", "right", "back"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,6 +22,11 @@ class RobotModel:
         start_v_mps, start_omega_radps: limits of motion commands until a program sets others.
         acceleration_mps2, angular_acceleration_radps2: of planned motions.
         smoothing_s: time over which an acceleration builds up, the S of the S-curve.
+        sonar_angles_rad: where the sonars look, by index, from the heading; each sits on the hull in its direction,
+            `radius_m` from the centre.
+        sonar_range_m: what a sonar measures when nothing is near.
+        distance_sonars: the sonars of each direction; the nearest of them is the distance in that direction.
+        lidar_range_m: what the laser scanner in the robot's centre measures when nothing is near.
     """
 
     name: str
@@ -34,7 +42,16 @@ class RobotModel:
     acceleration_mps2: float
     angular_acceleration_radps2: float
     smoothing_s: float
+    sonar_angles_rad: tuple[float, ...]
+    sonar_range_m: float
+    distance_sonars: dict[Direction, tuple[int, ...]]
+    lidar_range_m: float
 
+
+# Angles of SonarUnit 0 to 15 in ARIA's parameter file p3dx.p (Adept MobileRobots): a ring of eight in front, 0 on the
+# left, and one of eight behind, 8 on the right. ARIA's positions are up to 0.27 m from the centre, as the real hull
+# is longer behind; the simulated hull is a circle, and its ring sits on that.
+_PIONEER_SONARS_DEG = (90, 50, 30, 10, -10, -30, -50, -90, -90, -130, -150, -170, 170, 150, 130, 90)
 
 PIONEER_3DX = RobotModel(
     # Adept MobileRobots, Pioneer 3-DX datasheet: 9 kg, 445 x 393 mm (swing radius 0.26 m with the bumpers),
@@ -52,4 +69,16 @@ PIONEER_3DX = RobotModel(
     acceleration_mps2=1.0,
     angular_acceleration_radps2=4.0,
     smoothing_s=0.1,
+    sonar_angles_rad=tuple(math.radians(angle) for angle in _PIONEER_SONARS_DEG),
+    # Pioneer 3 Operations Manual: sensitivity from 10 cm to 5 m
+    sonar_range_m=5.0,
+    # a quarter of the ring each: wide enough for whatever the hull would hit
+    distance_sonars={
+        "front": (2, 3, 4, 5),
+        "left": (14, 15, 0, 1),
+        "right": (6, 7, 8, 9),
+        "back": (10, 11, 12, 13),
+    },
+    # SICK LMS 200 technical description: 8 m at a resolution of 1 mm; ARIA mounts it 2 cm from the centre
+    lidar_range_m=8.0,
 )

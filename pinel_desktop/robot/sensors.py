@@ -1,0 +1,37 @@
+"""What a robot can sense, as a capability: a link offers what its robot has, and the rest fails in words."""
+
+from typing import NoReturn
+
+from pinel_desktop.errors import PinelError
+
+
+class Sensors:
+    """The sensors of a link; every link has one of these and overrides what its robot can do.
+
+    A sensor is computed when it is read and not before. What is not overridden raises PinelError
+    `sensor_missing`, which fails the run in words.
+    """
+
+    def sonar(self, index: int) -> float:
+        """Distance in m from the hull to what is ahead of sonar `index`; its range when nothing is near."""
+        _missing("sonar")
+
+    def lidar(self, angle_rad: float) -> float:
+        """Distance in m from the scanner at an angle from the heading; its range when nothing is near."""
+        _missing("lidar")
+
+    def bumper(self) -> bool:
+        """True while the robot touches something."""
+        _missing("bumper")
+
+    def floor(self) -> str:
+        """Name of the colour of the floor under the robot."""
+        _missing("floor")
+
+    def cell(self) -> str:
+        """Name of the world's zone under the robot, "" outside of all."""
+        _missing("cell")
+
+
+def _missing(sensor: str) -> NoReturn:
+    raise PinelError("sensor_missing", sensor=sensor)
