@@ -6,6 +6,8 @@ import pytest
 
 import pinel_desktop
 from pinel_desktop.messages import LANGUAGES, catalogue, describe, language_of_system
+from pinel_desktop.program.plans import TAKES
+from pinel_desktop.program.translation import WRONG_TYPE, range_code
 
 PACKAGE = Path(pinel_desktop.__file__).parent
 FILES = sorted((PACKAGE / "messages" / "catalogue").glob("*.json"))
@@ -30,14 +32,16 @@ def test_every_code_has_words_in_every_language_with_the_same_values(code: str) 
 
 def test_every_code_that_the_program_raises_has_words() -> None:
     raised = re.compile(
-        r"(?:PinelError|RunFailureError|StoreError|WorldError|Fault|PydanticCustomError)\(\s*\"(\w+)\""
+        r"(?:PinelError|RunFailureError|StoreError|WorldError|Fault|PydanticCustomError|_add)\(\s*\"(\w+)\""
+        r"|append\(\(\"(\w+)\", "
     )
     sources = [
         *PACKAGE.rglob("*.py"),
         *(PACKAGE.parent / "sim").rglob("*.py"),
         *(PACKAGE.parent / "storage").rglob("*.py"),
     ]
-    codes = {code for source in sources for code in raised.findall(source.read_text("utf-8"))}
+    found = [pair for source in sources for pair in raised.findall(source.read_text("utf-8"))]
+    codes = {code for pair in found for code in pair if code}
     assert (
         "distance_out_of_range" not in codes
     )  # made from the parameter's name, so it is checked below
@@ -46,10 +50,8 @@ def test_every_code_that_the_program_raises_has_words() -> None:
 
 
 def test_every_range_in_the_language_has_words() -> None:
-    from pinel_desktop.program.translation import _RANGES, _WRONG_TYPE  # noqa: PLC0415
-
-    codes = {f"{name}_out_of_range" for name in _RANGES}
-    codes |= {f"wrong_type_{kind}" for kind in _WRONG_TYPE.values()}
+    codes = {range_code(name, takes) for (_, name), takes in TAKES.items() if takes.is_bounded}
+    codes |= {f"wrong_type_{kind}" for kind in WRONG_TYPE.values()}
     assert codes <= set(catalogue())
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from pinel_desktop.program.expression_checks import Expressions
-from pinel_desktop.program.functions import signatures
+from pinel_desktop.program.functions import parameters_of, signatures
 from pinel_desktop.program.limits import MAX_COMMANDS, MAX_NESTING, MAX_VARIABLES
 from pinel_desktop.program.places import LONGEST_PATH, Finding, Path
 from pinel_desktop.program.plans import PLANS, Plan
@@ -64,7 +64,9 @@ class _Checker:
         for i, function in enumerate(functions):
             if isinstance(function, dict):
                 body, path = function.get("commands"), ("functions", i, "commands")
+                self._expressions.parameters = parameters_of(function)
                 self._commands(body, path, _Around(in_function=True))
+        self._expressions.parameters = ()
         self._commands(self._document.get("commands"), ("commands",), _Around())
         if len(self._variables) > MAX_VARIABLES:
             params: dict[str, object] = {"value": len(self._variables), "max": MAX_VARIABLES}
@@ -74,7 +76,7 @@ class _Checker:
         if commands.__class__ is not list:
             return
         self._n_commands += len(commands)
-        variables = self._variables
+        note = self._expressions.name
         for i, command in enumerate(commands):
             if command.__class__ is not dict:
                 continue
@@ -86,16 +88,14 @@ class _Checker:
                 self._command(command, plan, (*path, i), around)
                 continue
             for key in plan.variables:
-                if (name := command.get(key)).__class__ is str:
-                    variables.add(name)
+                note(command.get(key))
             for key in plan.simple:  # nearly all parameters are literals, which the models check
                 if command.get(key).__class__ is dict:
                     self._command(command, plan, (*path, i), around)
                     break
 
     def _command(self, command: dict[str, Any], plan: Plan, path: Path, around: _Around) -> None:
-        if len(path) > self._deepest:
-            self._deepest = len(path)
+        self._deepest = max(self._deepest, len(path))
         if len(path) > LONGEST_PATH:
             return
         for key, wanted in plan.expressions:

@@ -24,6 +24,7 @@ class Expressions:
 
     Attributes:
         deepest: length of the longest path to an expression.
+        parameters: names of the function around, which are no variables.
     """
 
     def __init__(
@@ -31,6 +32,7 @@ class Expressions:
     ) -> None:
         self._signatures, self._variables, self._found = signatures, variables, found
         self.deepest = 0
+        self.parameters: tuple[str, ...] = ()
 
     def check(self, value: Any, path: Path, wanted: Type) -> None:
         """Checks the expression of a parameter, which must have a type. Literals are the models' business."""
@@ -43,7 +45,7 @@ class Expressions:
 
     def name(self, value: Any) -> None:
         """Notes the name of a variable."""
-        if isinstance(value, str):
+        if isinstance(value, str) and value not in self.parameters:
             self._variables.add(value)
 
     def call(self, function: Any, arguments: Any, path: Path, key: str) -> Signature | None:
@@ -87,8 +89,7 @@ class Expressions:
     def _type(self, value: Any, path: Path) -> Type:
         if value.__class__ is not dict:
             return _LITERALS.get(type(value))
-        if len(path) > self.deepest:
-            self.deepest = len(path)
+        self.deepest = max(self.deepest, len(path))
         if len(path) > LONGEST_PATH:
             return None
         if "op" in value:

@@ -25,8 +25,8 @@ def signatures(functions: list[Any]) -> tuple[dict[str, Signature], list[Finding
         name = function.get("name") if isinstance(function, dict) else None
         if not isinstance(name, str):
             continue
-        given = function.get("parameters", [])
-        parameters = [p for p in given if isinstance(p, str)] if isinstance(given, list) else []
+        parameters = parameters_of(function)
+        given = function.get("parameters")
         for j, parameter in enumerate(parameters):
             if parameter in parameters[:j]:
                 path = (
@@ -41,8 +41,14 @@ def signatures(functions: list[Any]) -> tuple[dict[str, Signature], list[Finding
         if name in known:
             doubled.append(("duplicate_function", ("functions", i, "name"), {"value": name}))
             continue
-        known[name] = Signature(tuple(parameters), _gives_value(function.get("commands")))
+        known[name] = Signature(parameters, _gives_value(function.get("commands")))
     return known, doubled
+
+
+def parameters_of(function: dict[str, Any]) -> tuple[str, ...]:
+    """Those of its parameters that can be names."""
+    given = function.get("parameters")
+    return tuple(p for p in given if isinstance(p, str)) if isinstance(given, list) else ()
 
 
 def _gives_value(commands: Any) -> bool:

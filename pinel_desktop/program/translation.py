@@ -6,13 +6,14 @@ from typing import Any
 from pydantic_core import ErrorDetails
 
 from pinel_desktop.program import model
+from pinel_desktop.program.expressions import Takes
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.limits import MAX_LIST, MAX_NAME, MAX_TEXT
 from pinel_desktop.program.places import Path, block_at, pointer, value_at
 from pinel_desktop.program.plans import TAKES
 
 _RANGE_ERRORS = ("greater_than", "greater_than_equal", "less_than", "less_than_equal")
-_WRONG_TYPE = {
+WRONG_TYPE = {
     "float_type": "number",
     "int_type": "whole_number",
     "int_from_float": "whole_number",
@@ -67,19 +68,23 @@ def relevant_errors(document: Any, errors: list[ErrorDetails]) -> list[tuple[Pat
     at_path: dict[Path, list[ErrorDetails]] = {}
     for error in errors:
         at_path.setdefault(path_of_error(document, error), []).append(error)
-    return [
-        (path, error)
-        for path, found in at_path.items()
-        for error in _meant(value_at(document, path), found)
-    ]
+    meant = {path: _meant(value_at(document, path), found) for path, found in at_path.items()}
+    around = {path[:length] for path in at_path for length in range(len(path))}
+    for path, found in at_path.items():
+        # what is no literal, where only literals may stand, has nothing wrong inside
+        if not meant[path] and path not in around:
+            meant[path] = [{**found[0], "type": "unknown_expression"}]
+    return [(path, error) for path, found in meant.items() for error in found]
 
 
 def _meant(value: Any, errors: list[ErrorDetails]) -> list[ErrorDetails]:
     """Of the errors at one place, those of the way that was meant."""
-    types = [error for error in errors if _is_way(error) and error["type"] in _WRONG_TYPE]
+    types = [error for error in errors if _is_way(error) and error["type"] in WRONG_TYPE]
     unknown = [error for error in errors if error["type"] == "unknown_expression"]
     others = [error for error in errors if error not in types and error not in unknown]
-    if isinstance(value, dict) or len(types) > 1:  # an expression, or where any literal would do
+    if len(types) > 1:  # any literal would have done
+        return others or unknown
+    if isinstance(value, dict):
         return others or unknown
     return types + others or unknown
 
@@ -95,8 +100,8 @@ def _code_and_params(
     kind = error["type"]
     if kind in _RANGE_ERRORS:
         return _out_of_range(error, path, document)
-    if kind in _WRONG_TYPE:
-        return f"wrong_type_{_WRONG_TYPE[kind]}", {"name": _last_key(path)}
+    if kind in WRONG_TYPE:
+        return f"wrong_type_{WRONG_TYPE[kind]}", {"name": _last_key(path)}
     if kind in _SIMPLE:
         return _SIMPLE[kind], {"name": _last_key(path)}
     special = _SPECIAL.get(kind)
@@ -149,9 +154,14 @@ def _out_of_range(error: ErrorDetails, path: Path, document: Any) -> tuple[str, 
     takes = TAKES[kind, name]
     low = takes.ge if takes.gt is None else takes.gt
     params = {"value": error["input"], "min": low, "max": takes.le}
-    code = "sonar" if name == "index" else name
-    above = takes.le is None
-    return f"{code}_{'not_positive' if above else 'out_of_range'}", params
+    return range_code(name, takes), params
+
+
+def range_code(name: str, takes: Takes) -> str:
+    """The code of a value of that parameter outside its bounds; execution uses the same."""
+    if takes.le is None:
+        return f"{name}_not_positive"
+    return "sonar_out_of_range" if name == "index" else f"{name}_out_of_range"
 
 
 def _last_key(path: Path) -> str:
