@@ -129,6 +129,10 @@ class EngineClient:
         """Answers the running capture by hand; without one it does nothing."""
         self._tell(run_id, {"do": "answer_capture", "result": result})
 
+    def answer_question(self, run_id: str, value: str) -> None:
+        """Answers the question that the program asks; without one it does nothing."""
+        self._tell(run_id, {"do": "answer", "value": value})
+
     def close(self) -> None:
         """Ends the pipe (the engine sends zeros and exits) and waits for the process."""
         with self._lock:

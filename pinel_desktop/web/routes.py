@@ -13,11 +13,20 @@ from flask_openapi3.openapi import OpenAPI
 from pydantic import BaseModel
 
 from pinel_desktop import __version__
-from pinel_desktop.web.api import groups, instance, programs, runs, status, stream, worlds
+from pinel_desktop.web.api import (
+    groups,
+    instance,
+    programs,
+    python,
+    runs,
+    status,
+    stream,
+    worlds,
+)
 from pinel_desktop.web.errors import invalid_request
 from pinel_desktop.web.models.errors import ErrorAnswer
 
-_RESOURCES = (status, groups, programs, runs, worlds, stream, instance)
+_RESOURCES = (status, groups, programs, runs, python, worlds, stream, instance)
 _REFERENCE = "#/components/schemas/{model}"
 
 

@@ -39,6 +39,8 @@ class Engine(Protocol):
 
     def answer_capture(self, run_id: str, result: str) -> None: ...
 
+    def answer_question(self, run_id: str, value: str) -> None: ...
+
 
 class Problem(Protocol):
     """A code and what fills its words: a PinelError, a StoreError or a notice of the store."""

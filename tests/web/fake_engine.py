@@ -45,6 +45,9 @@ class FakeEngine:
     def answer_capture(self, run_id: str, result: str) -> None:
         self._tell("answer_capture", run_id, result)
 
+    def answer_question(self, run_id: str, value: str) -> None:
+        self._tell("answer_question", run_id, value)
+
     def close(self) -> None:
         self.live_run = None
 

@@ -74,7 +74,8 @@ def test_a_capture_is_answered_by_hand(
     browser: Browser, engine: FakeEngine, run: dict[str, Any]
 ) -> None:
     assert browser.post(f"/api/runs/{run['id']}/capture", {"result": "B"}).data == {}
-    assert engine.told == [("answer_capture", run["id"], "B")]
+    assert browser.post(f"/api/runs/{run['id']}/answer", {"value": "3"}).data == {}
+    assert engine.told == [("answer_capture", run["id"], "B"), ("answer_question", run["id"], "3")]
 
 
 @pytest.mark.parametrize(

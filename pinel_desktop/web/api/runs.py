@@ -14,6 +14,7 @@ from pinel_desktop.web.models import Empty, IdPath
 from pinel_desktop.web.models.runs import (
     CaptureAnswer,
     NewRun,
+    QuestionAnswer,
     Run,
     RunEvents,
     RunList,
@@ -106,6 +107,13 @@ def stop_run(path: IdPath) -> Response:
 def answer_capture(path: IdPath, body: CaptureAnswer) -> Response:
     """Answers the capture that the live run waits for."""
     services().engine.answer_capture(_known(path.id), body.result)
+    return answer(Empty())
+
+
+@api.post("/runs/<id>/answer", responses=answers(Empty, 404, 409))
+def answer_question(path: IdPath, body: QuestionAnswer) -> Response:
+    """Answers the question that the live run waits for."""
+    services().engine.answer_question(_known(path.id), body.value)
     return answer(Empty())
 
 

@@ -57,6 +57,73 @@ class GestureResultEvent(RunEvent):
     source: Literal["capture", "block"]
 
 
+class SaidEvent(RunEvent):
+    """The program says something to the group."""
+
+    type: Literal["said"]
+    block: str | None
+    text: str
+
+
+class MarkedEvent(RunEvent):
+    """A mark on the floor, in the start frame."""
+
+    type: Literal["marked"]
+    block: str | None
+    symbol: Literal["X", "O"]
+    x_m: float
+    y_m: float
+
+
+class BeepedEvent(RunEvent):
+    """The robot beeps."""
+
+    type: Literal["beeped"]
+    block: str | None
+
+
+class PenEvent(RunEvent):
+    """From now on the way is drawn on the floor, or no longer."""
+
+    type: Literal["pen"]
+    block: str | None
+    down: bool
+    color: str
+
+
+class AskedEvent(RunEvent):
+    """The run waits for an answer."""
+
+    type: Literal["asked"]
+    block: str | None
+    question: str
+    variable: str
+
+
+class AnsweredEvent(RunEvent):
+    """A question was answered; what reads as a number is one."""
+
+    type: Literal["answered"]
+    variable: str
+    value: str | float
+
+
+class StackEntry(Shape):
+    """A call that runs, and the block that calls."""
+
+    function: str | None
+    block: str | None
+
+
+class WatchEvent(RunEvent):
+    """Variables as they are now, long ones cut; the calls that run, the outermost first; the gesture result."""
+
+    type: Literal["watch"]
+    variables: Json
+    stack: list[StackEntry]
+    gesture: str
+
+
 class TelemetryEvent(RunEvent):
     """Where the robot is and what it was told, in the start frame."""
 
@@ -121,6 +188,13 @@ _OfRun = (
     | BlockEndedEvent
     | CaptureStartedEvent
     | GestureResultEvent
+    | SaidEvent
+    | MarkedEvent
+    | BeepedEvent
+    | PenEvent
+    | AskedEvent
+    | AnsweredEvent
+    | WatchEvent
     | TelemetryEvent
     | RunEndedEvent
 )

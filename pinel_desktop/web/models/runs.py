@@ -74,6 +74,12 @@ class CaptureAnswer(Body):
     result: Annotated[str, Field(max_length=100)]
 
 
+class QuestionAnswer(Body):
+    """What the group answers to the question of its program; what reads as a number will be one."""
+
+    value: Annotated[str, Field(max_length=1000)]
+
+
 class RunEvents(Shape):
     """All events of a run but telemetry, in their order."""
 

@@ -44,8 +44,29 @@ class Box(Shape):
     heading_deg: float
 
 
+class Area(Shape):
+    """A part of the floor: a disc with `radius`, or a rectangle with `size`; metres."""
+
+    center: Metres2
+    size: Metres2 | None = None
+    heading_deg: float = 0
+    radius: float | None = None
+
+
+class Zone(Area):
+    """A named part of the floor, such as a cell of a board."""
+
+    name: str
+
+
+class Paint(Area):
+    """A coloured part of the floor."""
+
+    color: str
+
+
 class World(Shape):
-    """A floor with what stands on it."""
+    """A floor with what stands on it and what is drawn on it."""
 
     pinel_world: Literal[1]
     name: str
@@ -54,6 +75,8 @@ class World(Shape):
     start: Start
     walls: list[Wall]
     boxes: list[Box]
+    zones: list[Zone] = Field(default_factory=list)
+    floor: list[Paint] = Field(default_factory=list)
 
 
 class WorldList(Shape):

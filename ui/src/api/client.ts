@@ -5,6 +5,7 @@ import type {
   Group,
   Program,
   ProgramWithVersion,
+  ReadPython,
   Run,
   RunEvent,
   RunList,
@@ -12,6 +13,7 @@ import type {
   SavedVersion,
   Status,
   World,
+  WrittenPython,
 } from "./model";
 
 /** A keepalive request may carry no more than this, by the fetch standard. */
@@ -77,6 +79,10 @@ export const api = {
   stop: (run: string) => json<object>("POST", `/api/runs/${run}/stop`),
   answerCapture: (run: string, result: string) =>
     json<object>("POST", `/api/runs/${run}/capture`, { result }),
+  answerQuestion: (run: string, value: string) =>
+    json<object>("POST", `/api/runs/${run}/answer`, { value }),
+  writePython: (document: object) => json<WrittenPython>("POST", "/api/python", { document }),
+  readPython: (text: string) => json<ReadPython>("POST", "/api/python/read", { text }),
 
   run: (id: string) => json<RunWithVersion>("GET", `/api/runs/${id}`),
   runEvents: async (id: string) =>

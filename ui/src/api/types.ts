@@ -143,6 +143,40 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/python": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** The text of a document. */
+        post: operations["write"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/python/read": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** The document of a text, or all of its faults. */
+        post: operations["read"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/runs": {
         parameters: {
             query?: never;
@@ -171,6 +205,23 @@ export interface paths {
         get: operations["getRun"];
         put?: never;
         post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/runs/{id}/answer": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Answers the question that the live run waits for. */
+        post: operations["answerQuestion"];
         delete?: never;
         options?: never;
         head?: never;
@@ -352,6 +403,93 @@ export type webhooks = Record<string, never>;
 export interface components {
     schemas: {
         /**
+         * AnsweredEvent
+         * @description A question was answered; what reads as a number is one.
+         */
+        AnsweredEvent: {
+            /**
+             * Run
+             * @description UUIDv7 text
+             */
+            run: string;
+            /** Seq */
+            seq: number;
+            /** Tick */
+            tick: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "answered";
+            /**
+             * V
+             * @constant
+             */
+            v: 1;
+            /** Value */
+            value: string | number;
+            /** Variable */
+            variable: string;
+        };
+        /**
+         * AskedEvent
+         * @description The run waits for an answer.
+         */
+        AskedEvent: {
+            /** Block */
+            block: string | null;
+            /** Question */
+            question: string;
+            /**
+             * Run
+             * @description UUIDv7 text
+             */
+            run: string;
+            /** Seq */
+            seq: number;
+            /** Tick */
+            tick: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "asked";
+            /**
+             * V
+             * @constant
+             */
+            v: 1;
+            /** Variable */
+            variable: string;
+        };
+        /**
+         * BeepedEvent
+         * @description The robot beeps.
+         */
+        BeepedEvent: {
+            /** Block */
+            block: string | null;
+            /**
+             * Run
+             * @description UUIDv7 text
+             */
+            run: string;
+            /** Seq */
+            seq: number;
+            /** Tick */
+            tick: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "beeped";
+            /**
+             * V
+             * @constant
+             */
+            v: 1;
+        };
+        /**
          * BlockEndedEvent
          * @description A block is done.
          */
@@ -498,6 +636,16 @@ export interface components {
             } | unknown[];
         };
         /**
+         * DocumentToWrite
+         * @description A program document, or a bare list of commands.
+         */
+        DocumentToWrite: {
+            /** Document */
+            document: {
+                [key: string]: unknown;
+            } | unknown[];
+        };
+        /**
          * Empty
          * @description `{}`: it was done.
          */
@@ -534,7 +682,7 @@ export interface components {
          * Event
          * @description One event of a run.
          */
-        Event: components["schemas"]["RunStateEvent"] | components["schemas"]["BlockStartedEvent"] | components["schemas"]["BlockEndedEvent"] | components["schemas"]["CaptureStartedEvent"] | components["schemas"]["GestureResultEvent"] | components["schemas"]["TelemetryEvent"] | components["schemas"]["RunEndedEvent"];
+        Event: components["schemas"]["RunStateEvent"] | components["schemas"]["BlockStartedEvent"] | components["schemas"]["BlockEndedEvent"] | components["schemas"]["CaptureStartedEvent"] | components["schemas"]["GestureResultEvent"] | components["schemas"]["SaidEvent"] | components["schemas"]["MarkedEvent"] | components["schemas"]["BeepedEvent"] | components["schemas"]["PenEvent"] | components["schemas"]["AskedEvent"] | components["schemas"]["AnsweredEvent"] | components["schemas"]["WatchEvent"] | components["schemas"]["TelemetryEvent"] | components["schemas"]["RunEndedEvent"];
         /**
          * Fault
          * @description One thing wrong with a document, with its place and its words.
@@ -644,6 +792,42 @@ export interface components {
             url: string;
         };
         /**
+         * MarkedEvent
+         * @description A mark on the floor, in the start frame.
+         */
+        MarkedEvent: {
+            /** Block */
+            block: string | null;
+            /**
+             * Run
+             * @description UUIDv7 text
+             */
+            run: string;
+            /** Seq */
+            seq: number;
+            /**
+             * Symbol
+             * @enum {string}
+             */
+            symbol: "X" | "O";
+            /** Tick */
+            tick: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "marked";
+            /**
+             * V
+             * @constant
+             */
+            v: 1;
+            /** X M */
+            x_m: number;
+            /** Y M */
+            y_m: number;
+        };
+        /**
          * NewGroup
          * @description A group needs a name only.
          */
@@ -717,6 +901,68 @@ export interface components {
              * @enum {string}
              */
             type: "notice";
+        };
+        /**
+         * Paint
+         * @description A coloured part of the floor.
+         */
+        Paint: {
+            /** Center */
+            center: [
+                number,
+                number
+            ];
+            /** Color */
+            color: string;
+            /**
+             * Heading Deg
+             * @default 0
+             */
+            heading_deg: number;
+            /**
+             * Radius
+             * @default null
+             */
+            radius: number | null;
+            /**
+             * Size
+             * @default null
+             */
+            size: [
+                number,
+                number
+            ] | null;
+        };
+        /**
+         * PenEvent
+         * @description From now on the way is drawn on the floor, or no longer.
+         */
+        PenEvent: {
+            /** Block */
+            block: string | null;
+            /** Color */
+            color: string;
+            /** Down */
+            down: boolean;
+            /**
+             * Run
+             * @description UUIDv7 text
+             */
+            run: string;
+            /** Seq */
+            seq: number;
+            /** Tick */
+            tick: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "pen";
+            /**
+             * V
+             * @constant
+             */
+            v: 1;
         };
         /**
          * Pose
@@ -813,6 +1059,46 @@ export interface components {
              */
             updated_at: string;
             version: components["schemas"]["Version"] | null;
+        };
+        /**
+         * PythonLine
+         * @description What a line of the text stands for; lines count from 1.
+         */
+        PythonLine: {
+            /** Block */
+            block: string | null;
+            /** Line */
+            line: number;
+            /** Pointer */
+            pointer: string;
+        };
+        /**
+         * PythonSource
+         * @description Python text as the page holds it.
+         */
+        PythonSource: {
+            /** Text */
+            text: string;
+        };
+        /**
+         * QuestionAnswer
+         * @description What the group answers to the question of its program; what reads as a number will be one.
+         */
+        QuestionAnswer: {
+            /** Value */
+            value: string;
+        };
+        /**
+         * ReadPython
+         * @description The document, null where the text has faults; those tell `line` and `column` in `params`.
+         */
+        ReadPython: {
+            /** Document */
+            document: {
+                [key: string]: unknown;
+            } | null;
+            /** Faults */
+            faults: components["schemas"]["Fault"][];
         };
         /**
          * Run
@@ -1057,6 +1343,35 @@ export interface components {
             world_document: components["schemas"]["World"] | null;
         };
         /**
+         * SaidEvent
+         * @description The program says something to the group.
+         */
+        SaidEvent: {
+            /** Block */
+            block: string | null;
+            /**
+             * Run
+             * @description UUIDv7 text
+             */
+            run: string;
+            /** Seq */
+            seq: number;
+            /** Text */
+            text: string;
+            /** Tick */
+            tick: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "said";
+            /**
+             * V
+             * @constant
+             */
+            v: 1;
+        };
+        /**
          * SavedVersion
          * @description On disk when this answer arrives.
          */
@@ -1084,6 +1399,16 @@ export interface components {
              * @enum {string}
              */
             language: "pt-BR" | "en" | "es";
+        };
+        /**
+         * StackEntry
+         * @description A call that runs, and the block that calls.
+         */
+        StackEntry: {
+            /** Block */
+            block: string | null;
+            /** Function */
+            function: string | null;
         };
         /**
          * Start
@@ -1122,7 +1447,7 @@ export interface components {
          * StreamEvent
          * @description What one `data:` line of the stream holds.
          */
-        StreamEvent: components["schemas"]["RunStateEvent"] | components["schemas"]["BlockStartedEvent"] | components["schemas"]["BlockEndedEvent"] | components["schemas"]["CaptureStartedEvent"] | components["schemas"]["GestureResultEvent"] | components["schemas"]["TelemetryEvent"] | components["schemas"]["RunEndedEvent"] | components["schemas"]["HelloEvent"] | components["schemas"]["NoticeEvent"];
+        StreamEvent: components["schemas"]["RunStateEvent"] | components["schemas"]["BlockStartedEvent"] | components["schemas"]["BlockEndedEvent"] | components["schemas"]["CaptureStartedEvent"] | components["schemas"]["GestureResultEvent"] | components["schemas"]["SaidEvent"] | components["schemas"]["MarkedEvent"] | components["schemas"]["BeepedEvent"] | components["schemas"]["PenEvent"] | components["schemas"]["AskedEvent"] | components["schemas"]["AnsweredEvent"] | components["schemas"]["WatchEvent"] | components["schemas"]["TelemetryEvent"] | components["schemas"]["RunEndedEvent"] | components["schemas"]["HelloEvent"] | components["schemas"]["NoticeEvent"];
         /**
          * TelemetryEvent
          * @description Where the robot is and what it was told, in the start frame.
@@ -1230,12 +1555,50 @@ export interface components {
             ];
         };
         /**
+         * WatchEvent
+         * @description Variables as they are now, long ones cut; the calls that run, the outermost first; the gesture result.
+         */
+        WatchEvent: {
+            /** Gesture */
+            gesture: string;
+            /**
+             * Run
+             * @description UUIDv7 text
+             */
+            run: string;
+            /** Seq */
+            seq: number;
+            /** Stack */
+            stack: components["schemas"]["StackEntry"][];
+            /** Tick */
+            tick: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "watch";
+            /**
+             * V
+             * @constant
+             */
+            v: 1;
+            /**
+             * Variables
+             * @description any JSON object
+             */
+            variables: {
+                [key: string]: unknown;
+            };
+        };
+        /**
          * World
-         * @description A floor with what stands on it.
+         * @description A floor with what stands on it and what is drawn on it.
          */
         World: {
             /** Boxes */
             boxes: components["schemas"]["Box"][];
+            /** Floor */
+            floor?: components["schemas"]["Paint"][];
             /** Name */
             name: string;
             /**
@@ -1252,6 +1615,8 @@ export interface components {
             title: components["schemas"]["Title"];
             /** Walls */
             walls: components["schemas"]["Wall"][];
+            /** Zones */
+            zones?: components["schemas"]["Zone"][];
         };
         /**
          * WorldList
@@ -1260,6 +1625,49 @@ export interface components {
         WorldList: {
             /** Worlds */
             worlds: components["schemas"]["World"][];
+        };
+        /**
+         * WrittenPython
+         * @description The text, null where the document has faults, and which command each line is.
+         */
+        WrittenPython: {
+            /** Faults */
+            faults: components["schemas"]["Fault"][];
+            /** Lines */
+            lines: components["schemas"]["PythonLine"][];
+            /** Text */
+            text: string | null;
+        };
+        /**
+         * Zone
+         * @description A named part of the floor, such as a cell of a board.
+         */
+        Zone: {
+            /** Center */
+            center: [
+                number,
+                number
+            ];
+            /**
+             * Heading Deg
+             * @default 0
+             */
+            heading_deg: number;
+            /** Name */
+            name: string;
+            /**
+             * Radius
+             * @default null
+             */
+            radius: number | null;
+            /**
+             * Size
+             * @default null
+             */
+            size: [
+                number,
+                number
+            ] | null;
         };
     };
     responses: never;
@@ -2282,6 +2690,180 @@ export interface operations {
             };
         };
     };
+    write: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["DocumentToWrite"];
+            };
+        };
+        responses: {
+            /** @description OK */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WrittenPython"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Misdirected Request */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+        };
+    };
+    read: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PythonSource"];
+            };
+        };
+        responses: {
+            /** @description OK */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReadPython"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Misdirected Request */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+        };
+    };
     beginRun: {
         parameters: {
             query?: never;
@@ -2446,6 +3028,105 @@ export interface operations {
             };
             /** @description Not Found */
             404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Misdirected Request */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+        };
+    };
+    answerQuestion: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description UUIDv7 text */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["QuestionAnswer"];
+            };
+        };
+        responses: {
+            /** @description OK */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Empty"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Conflict */
+            409: {
                 headers: {
                     [name: string]: unknown;
                 };

@@ -1,0 +1,46 @@
+"""The program as Python text, both ways. Nothing of it is ever executed."""
+
+from flask import Response
+
+from pinel_desktop.web.answers import answer, faults_in_words
+from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.models.python import (
+    DocumentToWrite,
+    PythonLine,
+    PythonSource,
+    ReadPython,
+    WrittenPython,
+)
+from pinel_desktop.web.services import services
+
+api = resource("python", "Programs as Python text.", __name__)
+
+
+@api.post("/python", responses=answers(WrittenPython, 413))
+def write(body: DocumentToWrite) -> Response:
+    """The text of a document."""
+    # the page is drawn before anybody looks at Python
+    from pinel_desktop.program.python_text import write_python  # noqa: PLC0415
+
+    parts = services()
+    reading = parts.read_document(body.document)
+    if reading.document is None:
+        faults = faults_in_words(reading.faults, parts.preferences.language)
+        return answer(WrittenPython(text=None, lines=[], faults=faults))
+    written = write_python(reading.document)
+    lines = [
+        PythonLine(line=number, pointer=line.pointer, block=line.block)
+        for number, line in sorted(written.lines.items())
+    ]
+    return answer(WrittenPython(text=written.text, lines=lines, faults=[]))
+
+
+@api.post("/python/read", responses=answers(ReadPython, 413))
+def read(body: PythonSource) -> Response:
+    """The document of a text, or all of its faults."""
+    from pinel_desktop.program.python_text import read_python  # noqa: PLC0415 - see above
+
+    language = services().preferences.language
+    reading = read_python(body.text)
+    faults = faults_in_words(reading.faults, language)
+    return answer(ReadPython(document=reading.document, faults=faults))
