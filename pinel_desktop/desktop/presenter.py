@@ -3,13 +3,17 @@
 import threading
 import webbrowser
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Protocol
 
+import pinel_desktop
 from pinel_desktop.desktop.backends import Backend, NoWindowError, Pc, Toolkit, backends
 from pinel_desktop.desktop.browser import BrowserWindow
 from pinel_desktop.messages import describe
 
 TITLE = "PINEL Desktop"
+# of the page, which is built after a clone
+_ICON = Path(pinel_desktop.__file__).parent / "web" / "static" / "icon.png"
 # The workspace has drawn its first block, and there is a button to run it.
 USABLE = (
     "!!document.querySelector('.blocklyDraggable') && !!document.querySelector('[data-testid=run]')"
@@ -99,7 +103,13 @@ class Presenter:
         # pywebview and GTK take half a second to import, and are not there on every PC
         from pinel_desktop.desktop.window import NativeWindow  # noqa: PLC0415
 
-        window = NativeWindow(self._fresh_address, TITLE, self._language, on_open=self._on_open)
+        window = NativeWindow(
+            self._fresh_address,
+            TITLE,
+            self._language,
+            icon=str(_ICON) if _ICON.is_file() else None,
+            on_open=self._on_open,
+        )
         self._window = window
         window.run(toolkit)
 
