@@ -29,6 +29,7 @@ _DIALOG_WORDS = {
     "windows.fileFilter.otherFiles": "dialog_other_files",
 }
 _BACKGROUND = "#f6f3ee"
+_PROGRAM = "pinel-desktop"
 
 
 class NativeWindow:
@@ -157,8 +158,9 @@ def _require_gtk_screen() -> None:
     import gi  # noqa: PLC0415 - only there where backends.gtk_problem says so
 
     gi.require_version("Gtk", "3.0")
-    from gi.repository import Gtk  # noqa: PLC0415
+    from gi.repository import GLib, Gtk  # noqa: PLC0415
 
+    GLib.set_prgname(_PROGRAM)  # what the desktop's bar calls the window's program
     if not Gtk.init_check([])[0]:
         raise NoWindowError("window_no_screen")
 
