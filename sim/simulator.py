@@ -51,6 +51,7 @@ class Simulator:
         self._body = self._add_robot(world, robot)
         self.wheels = self._add_wheels(robot)
         self._yaw, self._omega = world.start[2], 0.0
+        self._rolls = False
 
     def _add_obstacles(self, world: World) -> None:
         static = self.space.static_body
@@ -93,9 +94,11 @@ class Simulator:
         half_angle = omega_radps * TICK_S / 2.0
         heading = self._yaw + self._omega * SUBSTEP_S + half_angle
         chord = v_mps if half_angle == 0.0 else v_mps * math.sin(half_angle) / half_angle
-        self.wheels.velocity = (chord * math.cos(heading), chord * math.sin(heading))
-        self.wheels.angular_velocity = omega_radps
-        self._omega = omega_radps
+        if chord != 0.0 or self._rolls:  # telling pymunk takes longer than a substep
+            self.wheels.velocity = (chord * math.cos(heading), chord * math.sin(heading))
+            self._rolls = chord != 0.0
+        if omega_radps != self._omega:
+            self.wheels.angular_velocity = self._omega = omega_radps
         step = self.space.step
         for _ in range(SUBSTEPS):
             step(SUBSTEP_S)

@@ -1,5 +1,6 @@
 """`pinel run FILE`: executes a program in this process and prints its result (docs/program-document.md)."""
 
+import csv
 import json
 import math
 import sys
@@ -10,6 +11,7 @@ import click
 from pinel_desktop import __version__
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, EventStamp
+from pinel_desktop.execution.answers import ScriptedAnswers
 from pinel_desktop.execution.clock import LiveClock, MaxClock
 from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.execution.gestures import ScriptedGestures
@@ -23,6 +25,7 @@ from pinel_desktop.program.reading import Reading, read_document
 from sim.world import world_document
 from storage import Notice, Recorder, RunStart, Store, StoreError, open_store
 
+_LONGEST_VALUE = 200  # of a variable, for people; --json gives it whole
 _FINISHED, _NOT_FINISHED, _INVALID = 0, 1, 2
 
 
@@ -52,6 +55,12 @@ _FINISHED, _NOT_FINISHED, _INVALID = 0, 1, 2
     help="Seed of the run's random numbers.",
 )
 @click.option("--gestures", metavar="B,A,...", default="", help="Results of captures, in order.")
+@click.option(
+    "--answers",
+    metavar="3,Ana,...",
+    multiple=True,
+    help="Answers to questions, in order; one with a comma stands in quotes: '3,\"1,5\"'.",
+)
 @click.option("--no-store", is_flag=True, help="Do not keep the run.")
 @click.option(
     "--db", type=click.Path(dir_okay=False), help="Database file instead of the user's own."
@@ -129,6 +138,8 @@ def _run(
         observer=keeper.observe if keeper else None,
         clock=LiveClock() if options["pace"] == "live" else MaxClock(),
         gestures=ScriptedGestures(_results(options["gestures"])),
+        answers=ScriptedAnswers(_answers(options["answers"])),
+        seed=options["seed"],
     )
     result = execute(program, link, setup)
     ended = result.ended
@@ -139,6 +150,11 @@ def _run(
 
 def _results(text: str) -> list[str]:
     return [part.strip() for part in text.split(",")] if text else []
+
+
+def _answers(texts: tuple[str, ...]) -> list[str]:
+    rows = [row for text in texts for row in csv.reader([text], skipinitialspace=True)]
+    return [answer for row in rows for answer in row]
 
 
 class _Keeper:
@@ -157,7 +173,11 @@ class _Keeper:
             seed=options["seed"],
             app_version=__version__,
             document=document,
-            parameters={"pace": options["pace"], "gestures": _results(options["gestures"])},
+            parameters={
+                "pace": options["pace"],
+                "gestures": _results(options["gestures"]),
+                "answers": _answers(options["answers"]),
+            },
         )
         try:
             self._stamp = EventStamp(self._store.runs.begin(start).id)
@@ -205,7 +225,19 @@ def _lines(summary: dict[str, Any]) -> list[str]:
         lines.append(
             f"fault           {fault['pointer'] or '/'}: {fault['message']} {fault['remedy']}"
         )
+    lines += [f"said            {text}" for text in summary["said"]]
+    for mark in summary["marks"]:
+        lines.append(
+            f"marked          {mark['symbol']} at x {mark['x_m']:.3f} m, y {mark['y_m']:.3f} m"
+        )
+    for name, value in summary["variables"].items():
+        lines.append(f"variable        {name} = {_short(value)}")
     return lines + _figures(summary)
+
+
+def _short(value: Any) -> str:
+    text = json.dumps(value, ensure_ascii=False)
+    return text if len(text) <= _LONGEST_VALUE else text[:_LONGEST_VALUE] + "…"
 
 
 def _figures(summary: dict[str, Any]) -> list[str]:

@@ -3,7 +3,7 @@
 import math
 from typing import NamedTuple
 
-from pinel_desktop.robot.geometry import Pose2D, Twist2D
+from pinel_desktop.robot.geometry import Pose2D, Twist2D, wrap_angle
 
 
 class Gains(NamedTuple):
@@ -53,3 +53,57 @@ class Line:
         yaw_error = math.remainder(yaw0 - yaw, math.tau)
         along, across, turn = self.gains
         return Twist2D(v_mps + along * error_m, turn * yaw_error - across * v_mps * across_m)
+
+
+class Arc:
+    """The circular arc from `start`: errors of a pose against a set-point on it, given as the angle turned so far.
+
+    Driving along it changes the heading by the angle, ahead for a positive radius and backwards for a negative one;
+    a radius of 0 turns on the spot. Same law of control as `Line`, in the frame of the set-point.
+    """
+
+    def __init__(
+        self, start: Pose2D, radius_m: float, angle_rad: float, gains: Gains = DEFAULT_GAINS
+    ) -> None:
+        self.start, self.gains = start, gains
+        # signed curvature radius: dx along the heading for each radian of heading
+        self._radius = math.copysign(radius_m, radius_m * angle_rad)
+        self._turned, self._yaw = 0.0, start.yaw_rad
+
+    def turned(self, pose: Pose2D) -> float:
+        """How far the heading has turned since the start, in radians, full circles too; asked at every tick."""
+        self._turned += wrap_angle(pose.yaw_rad - self._yaw)
+        self._yaw = pose.yaw_rad
+        return self._turned
+
+    def point(self, turned_rad: float) -> Pose2D:
+        """The pose on the arc where the heading has turned by so much."""
+        x, y, yaw = self.start
+        end = yaw + turned_rad
+        return Pose2D(
+            x + self._radius * (math.sin(end) - math.sin(yaw)),
+            y - self._radius * (math.cos(end) - math.cos(yaw)),
+            wrap_angle(end),
+        )
+
+    def errors(self, pose: Pose2D, turned_rad: float) -> tuple[float, float]:
+        """How far the set-point is ahead of `pose` (m), and to the left of its heading (rad)."""
+        goal = self.point(turned_rad)
+        along, _ = _offset(goal, pose)
+        return along, wrap_angle(goal.yaw_rad - pose.yaw_rad)
+
+    def correct(self, pose: Pose2D, turned_rad: float, omega_radps: float) -> Twist2D:
+        """The twist that follows the set-point, which turns at `omega_radps`, and takes the errors away."""
+        goal = self.point(turned_rad)
+        along_m, across_m = _offset(goal, pose)
+        yaw_error = wrap_angle(goal.yaw_rad - pose.yaw_rad)
+        along, across, turn = self.gains
+        v = self._radius * omega_radps
+        return Twist2D(v + along * along_m, omega_radps + turn * yaw_error + across * v * across_m)
+
+
+def _offset(goal: Pose2D, pose: Pose2D) -> tuple[float, float]:
+    """Where `goal` is from `pose`, ahead and to the left in the frame of `goal`, in metres."""
+    cos, sin = math.cos(goal.yaw_rad), math.sin(goal.yaw_rad)
+    dx, dy = goal.x_m - pose.x_m, goal.y_m - pose.y_m
+    return cos * dx + sin * dy, cos * dy - sin * dx

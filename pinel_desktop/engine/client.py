@@ -114,7 +114,7 @@ class EngineClient:
             )
 
     def pause(self, run_id: str) -> None:
-        """Raises PinelError `run_not_live` when that run is not the live one; so do the three below."""
+        """Raises PinelError `run_not_live` when that run is not the live one; so do the four below."""
         self._tell(run_id, {"do": "pause"})
 
     def resume(self, run_id: str) -> None:

@@ -7,6 +7,7 @@ from typing import BinaryIO
 from pinel_desktop.engine.protocol import Message, read_messages, write_message
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, EventStamp, RunEnded
+from pinel_desktop.execution.answers import LiveAnswers
 from pinel_desktop.execution.clock import LiveClock, MaxClock
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.executor import RunOptions, execute
@@ -28,6 +29,7 @@ class _LiveRun:
         self.id = str(message["run"])
         self.control = RunControl()
         self.gestures = AnsweredGestures()
+        self.answers = LiveAnswers()
         self._message, self._engine = message, engine
         self._stamp = EventStamp(self.id)
         self.thread = threading.Thread(target=self._execute, name=f"run-{self.id}", daemon=True)
@@ -41,6 +43,8 @@ class _LiveRun:
                 clock=MaxClock() if message.get("pace") == "max" else LiveClock(),
                 control=self.control,
                 gestures=self.gestures,
+                answers=self.answers,
+                seed=int(message.get("seed", 0)),
             )
             execute(_program(message), link, options)
         except PinelError as error:  # before the first tick: unknown world, faults in the document
@@ -110,6 +114,8 @@ class Engine:
                 live.control.stop()
             case "answer_capture":
                 live.gestures.answer(str(message.get("result", "")))
+            case "answer":
+                live.answers.answer(str(message.get("value", "")))
 
     def _begin(self, message: Message) -> None:
         # The app asks for one run at a time; should an old one still be winding down, it goes first.

@@ -60,6 +60,77 @@ class GestureResult(Event):
 
 
 @dataclass(frozen=True, slots=True)
+class Said(Event):
+    """The program says something to the group."""
+
+    type: ClassVar[str] = "said"
+    block: str | None
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Marked(Event):
+    """A mark on the floor, "X" or "O", where the robot stands; start frame."""
+
+    type: ClassVar[str] = "marked"
+    block: str | None
+    symbol: str
+    x_m: float
+    y_m: float
+
+
+@dataclass(frozen=True, slots=True)
+class Beeped(Event):
+    """The robot beeps."""
+
+    type: ClassVar[str] = "beeped"
+    block: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Pen(Event):
+    """From now on the robot draws its way on the floor, or does not. It is up at the start."""
+
+    type: ClassVar[str] = "pen"
+    block: str | None
+    down: bool
+    color: str
+
+
+@dataclass(frozen=True, slots=True)
+class Asked(Event):
+    """The program waits for an answer of the group, which `variable` gets."""
+
+    type: ClassVar[str] = "asked"
+    block: str | None
+    question: str
+    variable: str
+
+
+@dataclass(frozen=True, slots=True)
+class Answered(Event):
+    """A question was answered; what reads as a number is one."""
+
+    type: ClassVar[str] = "answered"
+    variable: str
+    value: str | float
+
+
+@dataclass(frozen=True, slots=True)
+class Watch(Event):
+    """The inside of the program has changed: at most five times a second, when it pauses and when it ends.
+
+    `variables` are those that can be seen, long texts and lists cut; `stack` holds a `{"function", "block"}` for each
+    call that runs, the outermost first, `block` being the one that calls.
+    """
+
+    type: ClassVar[str] = "watch"
+    variables: dict[str, Any]
+    stack: list[dict[str, str | None]]
+    gesture: str
+
+
+@dataclass(frozen=True, slots=True)
 class Telemetry(Event):
     """One tick. Poses in the start frame, metres and radians; `goal_*` is the moving set-point.
 
@@ -106,6 +177,13 @@ EVENT_TYPES: dict[str, type[Event]] = {
         BlockEnded,
         CaptureStarted,
         GestureResult,
+        Said,
+        Marked,
+        Beeped,
+        Pen,
+        Asked,
+        Answered,
+        Watch,
         Telemetry,
         RunEnded,
     )

@@ -1,63 +1,262 @@
-"""The value of an expression while a program runs."""
+"""The values of expressions while a program runs.
 
-from collections.abc import Callable
-from typing import Any
+An expression is compiled once a run. Short ones without calls become one function, which computes the value at once.
+Calls may contain motion, and an expression may be a megabyte long: those become generators, which ask the stack to
+run a function, or take a breath. What was evaluated is counted in `RunContext.n_evaluated` and is work like commands.
+"""
 
-from pinel_desktop.execution.context import RunContext, RunFailureError
-from pinel_desktop.program.expressions import GestureResult, Operation
+from __future__ import annotations
 
-Value = bool | float | str
+from collections.abc import Callable, Generator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-_ORDER: dict[str, Callable[[Any, Any], bool]] = {
-    "<": lambda a, b: a < b,
-    "<=": lambda a, b: a <= b,
-    ">": lambda a, b: a > b,
-    ">=": lambda a, b: a >= b,
-}
+from pinel_desktop.execution.failure import RunFailureError
+from pinel_desktop.execution.operators import Compute, comparison, computations
+from pinel_desktop.execution.parameters import Bounds
+from pinel_desktop.execution.requests import Asked, Breath, Invoke
+from pinel_desktop.execution.sensing import distance, lidar, measures, sonar
+from pinel_desktop.execution.values import Value, literal
+from pinel_desktop.program.expressions import (
+    Distance,
+    FunctionCall,
+    GestureResult,
+    Lidar,
+    Measure,
+    Operation,
+    Sonar,
+    Variable,
+)
 
+if TYPE_CHECKING:
+    from pinel_desktop.execution.context import RunContext
 
-def evaluate(expression: Any, context: RunContext) -> Value:
-    """The value of a literal, an operation or the gesture result. Raises RunFailureError."""
-    context.n_evaluated += 1
-    if isinstance(expression, GestureResult):
-        return context.gesture_result
-    if isinstance(expression, Operation):
-        return _operate(expression, context)
-    value: Value = expression
-    return value
+Simple = Callable[[], Value]
 
-
-def _operate(operation: Operation, context: RunContext) -> bool:
-    op, args = operation.op, operation.args
-    if op == "not":
-        return not _boolean(args[0], op, context)
-    if op == "and":
-        return all(_boolean(arg, op, context) for arg in args)
-    if op == "or":
-        return any(_boolean(arg, op, context) for arg in args)
-    left, right = evaluate(args[0], context), evaluate(args[1], context)
-    if any(isinstance(arg, GestureResult) for arg in args):
-        left, right = _folded(left), _folded(right)
-    if op in ("==", "!="):
-        return (_kind(left) == _kind(right) and left == right) == (op == "==")
-    if _kind(left) != _kind(right) or isinstance(left, bool):
-        raise RunFailureError("not_comparable", operator=op)
-    return _ORDER[op](left, right)
+_LONGEST_AT_ONCE = (
+    500  # parts; takes less than a millisecond for all but texts of thousands of letters
+)
+_COMPARISONS = ("==", "!=", "<", "<=", ">", ">=")
+# parts of an expression that take about as long: a ray of a sensor, an item of a list
+_RAY = 20
+_ITEM_WORK = {"==": 0.25, "!=": 0.25, "join": 4.0}
 
 
-def _boolean(expression: Any, op: str, context: RunContext) -> bool:
-    value = evaluate(expression, context)
+class Compiled(NamedTuple):
+    """An expression ready to be evaluated.
+
+    Attributes:
+        weight: how many parts it has, which is how much work it is.
+        simple: computes the value at once; None where that is not possible.
+        steps: computes it with whatever it has to ask for; works for all.
+    """
+
+    weight: int
+    simple: Simple | None
+    steps: Callable[[], Asked]
+
+
+class Evaluator:
+    """Compiles the expressions of one run, each once."""
+
+    def __init__(self, context: RunContext) -> None:
+        self._context = context
+        self._compute = computations(context.sources.random)
+        self._since_breath = 0
+        self._measures = measures(context)
+        # by identity: the document is there as long as the run, and is frozen
+        self._compiled: dict[int, Compiled] = {}
+        self._compilers: dict[type, Callable[[Any], Compiled]] = {
+            Operation: self._operation,
+            Variable: self._variable,
+            GestureResult: lambda _: _at_once(1, lambda: self._context.gesture_result),
+            Sonar: self._sonar,
+            Distance: self._distance,
+            Lidar: self._lidar,
+            Measure: lambda node: _at_once(2, self._measures[node.sensor]),
+            FunctionCall: self._call,
+        }
+
+    def compiled(self, expression: Any) -> Compiled:
+        """The compiled form of an expression of the program."""
+        compiler = self._compilers.get(expression.__class__)
+        if compiler is None:
+            return self._literal(expression)
+        found = self._compiled.get(id(expression))
+        if found is None:
+            found = self._compiled[id(expression)] = compiler(expression)
+        return found
+
+    def value(self, expression: Any) -> Asked:
+        """Evaluates an expression: `value = yield from evaluator.value(expression)`. Raises RunFailureError."""
+        return self.evaluated(self.compiled(expression))
+
+    def truth(self, condition: Any) -> Asked:
+        """Evaluates a condition. Raises RunFailureError, also `condition_not_boolean`."""
+        value = yield from self.evaluated(self.compiled(condition))
+        if not isinstance(value, bool):
+            raise RunFailureError("condition_not_boolean")
+        return value
+
+    def arguments(
+        self, arguments: Mapping[str, Any]
+    ) -> Generator[Invoke | Breath, Value | None, dict[str, Value]]:
+        """Evaluates the arguments of a call, in their order."""
+        values: dict[str, Value] = {}
+        for name, argument in arguments.items():
+            values[name] = self._own((yield from self.evaluated(self.compiled(argument))))
+        return values
+
+    def evaluated(self, part: Compiled) -> Asked:
+        """Evaluates a compiled expression, and takes a breath after much work."""
+        if part.simple is None:
+            return (yield from part.steps())
+        value = part.simple()
+        self._context.n_evaluated += part.weight
+        self._since_breath += part.weight
+        if self._since_breath > _LONGEST_AT_ONCE:
+            self._since_breath = 0
+            yield Breath.TAKEN
+        return value
+
+    def _own(self, value: Value) -> Value:
+        """A value that no later `append` changes."""
+        if isinstance(value, list):
+            self._context.n_evaluated += len(value) // 2
+            return value.copy()
+        return value
+
+    def _literal(self, expression: Any) -> Compiled:
+        value = literal(expression)
+        return _at_once(1, lambda: value)
+
+    def _variable(self, node: Variable) -> Compiled:
+        variables, name = self._context.variables, node.var
+        return _at_once(1, lambda: variables.get(name))
+
+    def _operation(self, node: Operation) -> Compiled:
+        args = [self.compiled(arg) for arg in node.args]
+        op, weight = node.op, 1 + sum(arg.weight for arg in args)
+        if op in ("and", "or"):
+            return self._short_circuit(op, args, weight)
+        if op in _COMPARISONS:
+            of_gesture = any(isinstance(arg, GestureResult) for arg in node.args)
+            compute = comparison(op, of_gesture=of_gesture)
+        else:
+            compute = self._compute[op]
+        if op in _ITEM_WORK:
+            compute = self._counted(compute, _ITEM_WORK[op])
+        return self._computed(compute, args, weight)
+
+    def _counted(self, compute: Compute, work: float) -> Compute:
+        """The same function, which counts the items of lists as work."""
+
+        def counted(*values: Value) -> Value:
+            for value in values:
+                if value.__class__ is list:
+                    self._context.n_evaluated += int(len(value) * work)
+            return compute(*values)
+
+        return counted
+
+    def _computed(self, compute: Compute, args: Sequence[Compiled], weight: int) -> Compiled:
+        """A function of the values of the arguments."""
+        simple = _all_simple(args, weight)
+        if simple is not None:
+            return _at_once(weight, _applied(compute, simple))
+
+        def steps() -> Asked:
+            values: list[Value] = []
+            for arg in args:
+                values.append(self._own((yield from self.evaluated(arg))))
+            return compute(*values)
+
+        return Compiled(weight, None, steps)
+
+    def _short_circuit(self, op: str, args: Sequence[Compiled], weight: int) -> Compiled:
+        ends_it = op == "or"
+        simple = _all_simple(args, weight)
+        if simple is not None:
+            return _at_once(weight, _joined(op, simple, ends_it=ends_it))
+
+        def steps() -> Asked:
+            for arg in args:
+                if _boolean(op, (yield from self.evaluated(arg))) is ends_it:
+                    return ends_it
+            return not ends_it
+
+        return Compiled(weight, None, steps)
+
+    def _sonar(self, node: Sonar) -> Compiled:
+        context, bounds, index = (
+            self._context,
+            Bounds.of("sonar", "index"),
+            self.compiled(node.index),
+        )
+        return self._computed(
+            lambda value: sonar(context, bounds.checked(value)), [index], index.weight + _RAY
+        )
+
+    def _distance(self, node: Distance) -> Compiled:
+        context, direction = self._context, node.direction
+        n_rays = len(context.robot.distance_sonars[direction])
+        return _at_once(n_rays * _RAY, lambda: distance(context, direction))
+
+    def _lidar(self, node: Lidar) -> Compiled:
+        context, bounds, angle = (
+            self._context,
+            Bounds.of("lidar", "angle"),
+            self.compiled(node.angle),
+        )
+        return self._computed(
+            lambda value: lidar(context, bounds.checked(value)), [angle], angle.weight + _RAY
+        )
+
+    def _call(self, node: FunctionCall) -> Compiled:
+        def steps() -> Asked:
+            values = yield from self.arguments(node.arguments)
+            result = yield Invoke(node.call, values)
+            if result is None:
+                raise RunFailureError("function_gave_nothing", function=node.call)
+            return result
+
+        return Compiled(1, None, steps)
+
+
+def _at_once(weight: int, simple: Simple) -> Compiled:
+    def steps() -> Asked:
+        yield from ()
+        return simple()
+
+    return Compiled(weight, simple, steps)
+
+
+def _all_simple(args: Sequence[Compiled], weight: int) -> list[Simple] | None:
+    """How to compute the arguments at once; None where one cannot be, or all together take too long."""
+    simple = [arg.simple for arg in args if arg.simple is not None]
+    return simple if len(simple) == len(args) and weight <= _LONGEST_AT_ONCE else None
+
+
+def _applied(compute: Compute, args: list[Simple]) -> Simple:
+    if len(args) == 1:
+        (only,) = args
+        return lambda: compute(only())
+    if len(args) == 2:
+        left, right = args
+        return lambda: compute(left(), right())
+    return lambda: compute(*[arg() for arg in args])
+
+
+def _joined(op: str, args: list[Simple], *, ends_it: bool) -> Simple:
+    def joined() -> Value:
+        for arg in args:
+            if _boolean(op, arg()) is ends_it:
+                return ends_it
+        return not ends_it
+
+    return joined
+
+
+def _boolean(op: str, value: Value) -> bool:
     if not isinstance(value, bool):
         raise RunFailureError("not_boolean", operator=op)
     return value
-
-
-def _kind(value: Value) -> str:
-    if isinstance(value, bool):
-        return "boolean"
-    return "text" if isinstance(value, str) else "number"
-
-
-def _folded(value: Value) -> Value:
-    """Gesture results are compared without regard to case: "b" is B."""
-    return value.casefold() if isinstance(value, str) else value

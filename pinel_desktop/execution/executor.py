@@ -3,17 +3,20 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from random import Random
 from typing import Any, Literal
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.events.model import Event, GestureResult, RunEnded, RunState, Telemetry
+from pinel_desktop.events.model import Event, GestureResult, Marked, RunEnded, RunState, Telemetry
+from pinel_desktop.execution.answers import AnswerSource, ScriptedAnswers
 from pinel_desktop.execution.clock import TICK_HZ, TICK_S, Clock, MaxClock
-from pinel_desktop.execution.context import RunContext, RunFailureError
+from pinel_desktop.execution.context import RunContext, RunFailureError, Sources
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.gestures import GestureSource, ScriptedGestures
 from pinel_desktop.execution.motion import at_rest
 from pinel_desktop.execution.recorder import Recorder
 from pinel_desktop.execution.stack import ProgramStack
+from pinel_desktop.execution.watching import Watcher
 from pinel_desktop.program.limits import MAX_RUN_S, MAX_STEPS_PER_TICK
 from pinel_desktop.program.model import Program
 from pinel_desktop.robot import PIONEER_3DX, STANDSTILL, Pose2D, RobotLink, RobotModel, RobotState
@@ -33,11 +36,14 @@ class _Stopped(Exception):  # noqa: N818 - not an error: somebody pressed Stop
 
 @dataclass(frozen=True, slots=True)
 class RunResult:
-    """How a run ended: the closing event and what `pinel run` prints beyond it."""
+    """How a run ended: the closing event and what `pinel run` prints beyond it; variables as JSON data."""
 
     ended: RunEnded
     telemetry: Recorder
     gesture_result: str
+    said: list[str]
+    marks: list[Marked]
+    variables: dict[str, Any]
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +55,8 @@ class RunOptions:
         clock: decides when ticks follow.
         control: lets another thread pause and stop the run.
         gestures: answers captures.
+        answers: answers questions.
+        seed: what the run's random numbers are made from.
         robot: measures and limits of the robot.
     """
 
@@ -56,6 +64,8 @@ class RunOptions:
     clock: Clock = field(default_factory=MaxClock)
     control: RunControl = field(default_factory=RunControl)
     gestures: GestureSource = field(default_factory=ScriptedGestures)
+    answers: AnswerSource = field(default_factory=ScriptedAnswers)
+    seed: int = 0
     robot: RobotModel = PIONEER_3DX
 
 
@@ -78,11 +88,13 @@ class _Run:
         self._context = RunContext(
             options.robot,
             link.command_delay_s,
-            options.gestures,
+            Sources(options.gestures, options.answers, link.sensors, Random(options.seed)),
             self._emit,
             observed=options.observer is not None,
         )
-        self._stack = ProgramStack(program.commands, self._context)
+        self._stack = ProgramStack(program, self._context)
+        observed = options.observer is not None
+        self._watcher = Watcher(self._context, self._stack) if observed else None
 
     def _emit(self, event: Event) -> None:
         if self._observer is not None:
@@ -90,6 +102,8 @@ class _Run:
 
     def to_the_end(self) -> RunResult:
         state, reason, params = self._outcome()
+        self._report()
+        self._watch()
         block = self._stack.block if state != "finished" else None
         self._stack.close()
         reason, params = self._stand_still(reason, params)
@@ -98,7 +112,15 @@ class _Run:
             state = "failed"
         ended = self._ended(state, reason, params, block)
         self._emit(ended)
-        return RunResult(ended, self._recorder, self._context.gesture_result)
+        context = self._context
+        return RunResult(
+            ended,
+            self._recorder,
+            context.gesture_result,
+            context.output.said,
+            context.output.marks,
+            context.variables.everybodys(),
+        )
 
     def _outcome(self) -> tuple[Outcome, str | None, dict[str, Any]]:
         try:
@@ -126,12 +148,15 @@ class _Run:
 
     def _run(self) -> None:
         control, stack, clock = self._control, self._stack, self._clock
+        context, watcher, stop_wanted = self._context, self._watcher, self._stop_wanted
         while True:
             if control.pause_requested:
                 self._pause()
-            time_needed = stack.run_until_time(MAX_STEPS_PER_TICK, self._stop_wanted)
-            if self._context.result_unreported:
-                self._report_result()
+            time_needed = stack.run_until_time(MAX_STEPS_PER_TICK, stop_wanted)
+            if context.unreported:
+                self._report()
+            if watcher is not None:
+                watcher.look()
             if control.stop_requested:
                 raise _Stopped
             if time_needed:
@@ -143,9 +168,18 @@ class _Run:
     def _stop_wanted(self) -> bool:
         return self._control.stop_requested
 
-    def _report_result(self) -> None:
-        self._context.result_unreported = False
-        self._emit(GestureResult(self._context.gesture_result, "block"))
+    def _report(self) -> None:
+        """Reports what a loop without motion may change a thousand times a tick."""
+        context = self._context
+        if "pen" in context.unreported:
+            context.output.report_pen()
+        if "result" in context.unreported:
+            self._emit(GestureResult(context.gesture_result, "block"))
+        context.unreported.clear()
+
+    def _watch(self) -> None:
+        if self._watcher is not None:
+            self._watcher.look(now=True)
 
     def _pass_tick(self) -> None:
         context = self._context
@@ -162,7 +196,7 @@ class _Run:
         v, w = state.twist
         self._recorder.add((tick, x, y, yaw, v, w, command.v_mps, command.omega_radps))
         if self._observer is not None:
-            goal_x, goal_y, goal_yaw = context.setpoint
+            goal_x, goal_y, goal_yaw = context.setpoint if context.driving is None else context.pose
             self._observer(
                 tick,
                 Telemetry(
@@ -183,6 +217,7 @@ class _Run:
     def _pause(self) -> None:
         """Stands still until somebody resumes or stops. Robot time stands still too once the robot does."""
         context = self._context
+        self._watch()
         self._emit(RunState("paused"))
         context.command = STANDSTILL
         self._rest()
@@ -195,7 +230,10 @@ class _Run:
                 self._take(self._link.read())
         if self._control.stop_requested:
             raise _Stopped
-        context.moved_by_hand = context.pose.distance_to(before) > _MOVED_BY_HAND_M
+        if context.pose.distance_to(before) > _MOVED_BY_HAND_M:
+            context.reference_lost = True
+        if context.driving is not None:
+            context.command = context.driving
         context.n_resumed += 1
         self._emit(RunState("running"))
 

@@ -1,17 +1,19 @@
-"""Driving a line and turning on the spot: what the motion primitives have in common."""
+"""Driving lines and arcs and turning on the spot, closed loop: what the motion primitives have in common."""
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
-from pinel_desktop.control import DEFAULT_GAINS, Line, ProgressCheck, s_curve
+from pinel_desktop.control import DEFAULT_GAINS, Arc, Line, ProgressCheck, s_curve
 from pinel_desktop.control.goal import MOVE_GOAL, TURN_GOAL, GoalCheck
 from pinel_desktop.execution.clock import TICK_HZ, TICK_S
 from pinel_desktop.execution.context import RunContext, RunFailureError
+from pinel_desktop.execution.requests import Routine
 from pinel_desktop.robot import STANDSTILL, Pose2D, Twist2D, wrap_angle
 
 _BLOCKED_TICKS = 2 * TICK_HZ
 _MOVE_STEP_M = 0.01
 _TURN_STEP_RAD = math.radians(1.0)
+_ALREADY_THERE_M = 1e-6
 _AT_REST_MPS, _AT_REST_RADPS = 1e-3, 2e-3
 
 
@@ -45,14 +47,14 @@ class _Setpoints:
         return expected, (upcoming - now) * TICK_HZ, index - last - 1
 
 
-def drive_straight(context: RunContext, distance_m: float) -> Iterator[None]:
+def drive_straight(context: RunContext, distance_m: float) -> Routine:
     """Drives from the reference along its heading, backwards for a negative distance; closed loop."""
-    line = Line(_reference(context), DEFAULT_GAINS)
+    line = Line(_begin(context), DEFAULT_GAINS)
     robot = context.robot
 
     def plan(rest_m: float) -> tuple[float, ...]:
         return s_curve(
-            rest_m, robot.start_v_mps, robot.acceleration_mps2, robot.smoothing_s, TICK_S
+            rest_m, context.max_v_mps, robot.acceleration_mps2, robot.smoothing_s, TICK_S
         )
 
     setpoints = _Setpoints(context, distance_m, plan)
@@ -67,20 +69,20 @@ def drive_straight(context: RunContext, distance_m: float) -> Iterator[None]:
         context.command = line.correct(context.pose, expected - along, speed)
         if context.observed:
             context.setpoint, context.done = line.point(expected), along
-        yield
-    context.reference = context.setpoint = line.point(distance_m)
-    context.command = STANDSTILL
+        yield None
+    _end(context, line.point(distance_m))
+    return None
 
 
-def turn_on_the_spot(context: RunContext, angle_rad: float) -> Iterator[None]:
+def turn_on_the_spot(context: RunContext, angle_rad: float) -> Routine:
     """Turns by the whole angle in its sign's direction, also beyond a full circle; closed loop."""
-    start = _reference(context)
+    start = _begin(context)
     robot = context.robot
 
     def plan(rest_rad: float) -> tuple[float, ...]:
         return s_curve(
             rest_rad,
-            robot.start_omega_radps,
+            context.max_omega_radps,
             robot.angular_acceleration_radps2,
             robot.smoothing_s,
             TICK_S,
@@ -96,25 +98,89 @@ def turn_on_the_spot(context: RunContext, angle_rad: float) -> Iterator[None]:
         if past_end >= 0 and _arrived(context, TURN_GOAL, angle_rad - turned, past_end):
             break
         if progress.stuck(turned, context.tick):
-            done = round(math.degrees(turned), 1)
-            amount = round(math.degrees(angle_rad), 6)
-            raise RunFailureError("blocked", done=done, amount=amount, unit="°")
+            raise _blocked_turn(turned, angle_rad)
         context.command = Twist2D(0.0, speed + DEFAULT_GAINS.yaw * (expected - turned))
         if context.observed:
             context.setpoint = start._replace(yaw_rad=wrap_angle(start.yaw_rad + expected))
             context.done = math.degrees(turned)
-        yield
-    context.reference = start._replace(yaw_rad=wrap_angle(start.yaw_rad + angle_rad))
-    context.setpoint, context.command = context.reference, STANDSTILL
+        yield None
+    _end(context, start._replace(yaw_rad=wrap_angle(start.yaw_rad + angle_rad)))
+    return None
 
 
-def come_to_rest(context: RunContext) -> Iterator[None]:
+def drive_arc(context: RunContext, radius_m: float, angle_rad: float) -> Routine:
+    """Drives a circular arc until the heading has changed by the whole angle; closed loop.
+
+    The centre is on the left for a positive angle, on the right for a negative one, and the other way round for a
+    negative radius, which is driven backwards. The set-point's speed follows an S-curve along the arc, within the
+    limits of both velocities.
+    """
+    arc = Arc(_begin(context), radius_m, angle_rad, DEFAULT_GAINS)
+    robot, length = context.robot, abs(radius_m)
+
+    def plan(rest_rad: float) -> tuple[float, ...]:
+        omega, alpha = context.max_omega_radps, robot.angular_acceleration_radps2
+        if length > 0.0:
+            omega = min(omega, context.max_v_mps / length)
+            alpha = min(alpha, robot.acceleration_mps2 / length)
+        return s_curve(rest_rad, omega, alpha, robot.smoothing_s, TICK_S)
+
+    setpoints = _Setpoints(context, angle_rad, plan)
+    progress = ProgressCheck(_TURN_STEP_RAD, _BLOCKED_TICKS)
+    way = ProgressCheck(_MOVE_STEP_M, _BLOCKED_TICKS)
+    while True:
+        turned = arc.turned(context.pose)
+        expected, speed, past_end = setpoints.next(turned)
+        along_m, yaw_error = arc.errors(context.pose, expected)
+        if (
+            past_end >= 0
+            and _arrived(context, MOVE_GOAL, along_m, past_end)
+            and TURN_GOAL.arrived(yaw_error, past_end)
+        ):
+            break
+        stuck = progress.stuck(turned, context.tick), way.stuck(turned * length, context.tick)
+        if all(stuck):
+            raise _blocked_turn(turned, angle_rad)
+        context.command = arc.correct(context.pose, expected, speed)
+        if context.observed:
+            context.setpoint, context.done = arc.point(expected), math.degrees(turned)
+        yield None
+    _end(context, arc.point(angle_rad))
+    return None
+
+
+def drive_to(context: RunContext, x_m: float, y_m: float) -> Routine:
+    """Turns towards a point of the start frame by the smaller angle, and drives to it."""
+    here = _begin(context)
+    dx, dy = x_m - here.x_m, y_m - here.y_m
+    distance = math.hypot(dx, dy)
+    if distance < _ALREADY_THERE_M:
+        return None
+    turn = wrap_angle(math.atan2(dy, dx) - here.yaw_rad)
+    yield from turn_on_the_spot(context, turn)
+    yield from drive_straight(context, distance)
+    return None
+
+
+def drive_on(context: RunContext, twist: Twist2D) -> None:
+    """Sets a velocity that lasts until the next motion, within the limits that were set."""
+    v, omega = context.max_v_mps, context.max_omega_radps
+    context.driving = Twist2D(
+        min(max(twist.v_mps, -v), v), min(max(twist.omega_radps, -omega), omega)
+    )
+    context.command = context.driving
+    context.reference_lost = True
+
+
+def come_to_rest(context: RunContext) -> Routine:
     """Commands standstill until the robot is measured to stand, for at most two seconds."""
+    context.driving = None
     for waited in range(_BLOCKED_TICKS):
         context.command = STANDSTILL
         if waited > 0 and at_rest(context.twist):
-            return
-        yield
+            break
+        yield None
+    return None
 
 
 def at_rest(twist: Twist2D) -> bool:
@@ -126,9 +192,20 @@ def _arrived(context: RunContext, goal: GoalCheck, error: float, ticks_past_end:
     return goal.arrived(error, ticks_past_end) and at_rest(context.twist)
 
 
-def _reference(context: RunContext) -> Pose2D:
-    """Where the next motion begins: the goal of the last one, unless the robot was moved since."""
-    if context.moved_by_hand:
-        context.moved_by_hand = False
+def _begin(context: RunContext) -> Pose2D:
+    """Where the next motion begins: the goal of the last one, or where the robot is measured if it was lost."""
+    context.driving = None
+    if context.reference_lost:
+        context.reference_lost = False
         context.reference = context.pose
     return context.reference
+
+
+def _end(context: RunContext, goal: Pose2D) -> None:
+    context.reference = context.setpoint = goal
+    context.command = STANDSTILL
+
+
+def _blocked_turn(turned_rad: float, angle_rad: float) -> RunFailureError:
+    done, amount = round(math.degrees(turned_rad), 1), round(math.degrees(angle_rad), 6)
+    return RunFailureError("blocked", done=done, amount=amount, unit="°")

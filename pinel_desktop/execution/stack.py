@@ -1,11 +1,21 @@
-"""Where a program is: the running command inside the bodies around it. Stepping never blocks."""
+"""Where a program is: the running command inside the bodies and functions around it. Stepping never blocks.
 
-from collections.abc import Callable, Iterator
+Functions are frames on this stack and not calls of Python, so that their depth is the language's business.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 from pinel_desktop.events.model import BlockEnded, BlockStarted
-from pinel_desktop.execution.context import RunContext
-from pinel_desktop.execution.primitives import TABLE, Body
+from pinel_desktop.execution.context import RunContext, RunFailureError
+from pinel_desktop.execution.plans import CommandPlan, plan_of
+from pinel_desktop.execution.requests import Body, Invoke, Jump, Leave, Returned, Routine
+from pinel_desktop.execution.values import Value
+from pinel_desktop.execution.variables import Names
+from pinel_desktop.program.limits import MAX_RECURSION
+from pinel_desktop.program.model import Program
 
 _PARTS_A_STEP = 20  # parts of expressions that take about as long as one command
 
@@ -19,22 +29,43 @@ class _Entry(NamedTuple):
 
 
 class _Frame:
-    """A control-flow command with the body it is in."""
+    """A body that is run: of a command that is under way, of a function, or of the whole program.
 
-    def __init__(self, entry: _Entry | None, bodies: Iterator[Body]) -> None:
-        self.entry, self.bodies = entry, bodies
-        self.commands: list[Any] = []
-        self.index = 0
-        self.pointer = ""
+    Attributes:
+        entry, routine: the command and what it still has to do; None for functions and the program.
+        is_loop: whether `break` and `continue` end here.
+        function: name of the function whose body this is.
+        outer: the parameters of who called the function.
+        commands, index, pointer: the body, the next command in it, its place in the document.
+        value: what the routine is to be given: the value of the function it has called.
+    """
 
-    def next_body(self) -> bool:
-        """Goes to the next body; False when there is none."""
-        body = next(self.bodies, None)
-        if body is None:
-            return False
-        self.commands, self.index = body.commands, 0
-        self.pointer = (self.entry.pointer if self.entry else "") + body.path
-        return True
+    __slots__ = (
+        "commands",
+        "entry",
+        "function",
+        "index",
+        "is_loop",
+        "outer",
+        "pointer",
+        "routine",
+        "value",
+    )
+
+    def __init__(
+        self,
+        commands: Sequence[Any],
+        pointer: str,
+        *,
+        entry: _Entry | None = None,
+        routine: Routine | None = None,
+        is_loop: bool = False,
+    ) -> None:
+        self.commands, self.pointer, self.index = commands, pointer, 0
+        self.entry, self.routine, self.is_loop = entry, routine, is_loop
+        self.function: str | None = None
+        self.outer: Names = {}
+        self.value: Value | None = None
 
 
 class ProgramStack:
@@ -44,32 +75,37 @@ class ProgramStack:
     a loop without motion cannot flood those who watch.
     """
 
-    def __init__(self, commands: list[Any], context: RunContext) -> None:
+    def __init__(self, program: Program, context: RunContext) -> None:
         self._context = context
-        self._frames = [_Frame(None, iter([Body(commands, "/commands")]))]
-        self._running: tuple[_Entry, Iterator[None]] | None = None
+        self._functions = {
+            function.name: (function, f"/functions/{i}/commands")
+            for i, function in enumerate(program.functions)
+        }
+        self._frames = [_Frame(program.commands, "/commands")]
+        self._beginning: Any = None
         self._reported: set[str] = set()
+        # by identity: the program is there as long as the run, and is frozen
+        self._plans: dict[int, CommandPlan] = {}
+        self.calls: list[dict[str, str | None]] = []
+        self.n_calls = 0
         self.n_executed = 0
 
     @property
     def block(self) -> str | None:
         """Id of the innermost block that is running."""
-        if self._running is not None:
-            return self._block_of(self._running[0])
-        return self._block_of(self._frames[-1].entry) if self._frames else None
-
-    @staticmethod
-    def _block_of(entry: _Entry | None) -> str | None:
-        return entry.command.block if entry else None
+        if self._beginning is not None:
+            return _block(self._beginning)
+        inside = (frame.entry for frame in reversed(self._frames))
+        return next((_block(entry.command) for entry in inside if entry is not None), None)
 
     @property
     def finished(self) -> bool:
-        return not self._frames and self._running is None
+        return not self._frames
 
     def run_until_time(self, max_steps: int, stop: Callable[[], bool]) -> bool:
         """Runs commands until a tick has to pass, or `max_steps` are done; False when the program is over before.
 
-        Long conditions count as more than one step; `stop` is asked between steps, and ends them too.
+        Long expressions count as more than one step; `stop` is asked between steps, and ends them too.
         """
         if self._reported:
             self._reported.clear()
@@ -79,66 +115,150 @@ class ProgramStack:
         while steps + context.n_evaluated // _PARTS_A_STEP < budget:
             if self._step():
                 return True
-            if self.finished:
+            if not self._frames:
                 return False
             if stop():
                 return True
             steps += 1
         return True
 
+    def close(self) -> None:
+        """Ends everything that is under way, so that it can give back what it holds."""
+        while self._frames:
+            routine = self._frames.pop().routine
+            if routine is not None:
+                routine.close()
+
     def _step(self) -> bool:
         """Does one step; True when the running command needs a tick to pass."""
-        if self._running is not None:
-            return self._continue(*self._running)
         frame = self._frames[-1]
         if frame.index < len(frame.commands):
-            frame.index += 1
-            self._begin(frame.commands[frame.index - 1], f"{frame.pointer}/{frame.index - 1}")
-        elif not frame.next_body():
-            self._frames.pop()
-            if frame.entry is not None:
-                self._end(frame.entry)
-        return False
+            index = frame.index
+            frame.index = index + 1
+            self._begin(frame.commands[index], f"{frame.pointer}/{index}")
+            return False
+        if frame.routine is None:
+            self._finish_function(None)
+            return False
+        return self._go_on(frame, frame.routine)
 
-    def close(self) -> None:
-        """Ends the running primitive, so that it can give back what it holds."""
-        if self._running is not None:
-            self._running[1].close()  # type: ignore[attr-defined]  # every timed primitive is a generator
-            self._running = None
-
-    def _continue(self, entry: _Entry, ticks: Iterator[None]) -> bool:
-        for _ in ticks:
+    def _go_on(self, frame: _Frame, routine: Routine) -> bool:
+        """Lets the command of a frame do its next part."""
+        value, frame.value = frame.value, None
+        try:
+            wanted = routine.send(value)
+        except StopIteration as end:
+            self._pop(frame)
+            if end.value is not None:
+                self._jump(end.value)
+            return False
+        if wanted is None:
             return True
-        self._running = None
-        self._context.done = 0.0
-        self._end(entry)
+        if isinstance(wanted, Body):
+            entry = frame.entry
+            frame.commands, frame.index = wanted.commands, 0
+            frame.pointer = (entry.pointer if entry else "") + wanted.path
+        elif isinstance(wanted, Invoke):
+            self._invoke(wanted)
         return False
+
+    def _pop(self, frame: _Frame) -> None:
+        """The frame's command is over."""
+        self._frames.pop()
+        self._context.done = 0.0
+        if frame.entry is not None:
+            self._end(frame.entry)
 
     def _begin(self, command: Any, pointer: str) -> None:
-        primitive = TABLE[command.action]
-        entry = self._report(command, pointer, timed=primitive.timed is not None)
-        if primitive.flow is not None:
-            self._frames.append(_Frame(entry, primitive.flow(self._context, command)))
-            return
-        self.n_executed += 1
-        if primitive.timed is not None:
-            self._running = (entry, primitive.timed(self._context, command))
-        elif primitive.instant is not None:
-            primitive.instant(self._context, command)
-            self._end(entry)
+        self._beginning = command
+        plan = self._plans.get(id(command))
+        if plan is None:
+            plan = self._plans[id(command)] = plan_of(command, self._context)
+        primitive = plan.primitive
+        if not primitive.is_flow:
+            self.n_executed += 1
+        timed = primitive.routine is not None and not primitive.is_flow
+        if plan.values is None:
+            entry = self._report(command, pointer, None, timed=timed)
+            self._push(entry, plan.in_steps(), plan)
+        else:
+            try:
+                values = plan.values()
+            except RunFailureError:
+                self._report(command, pointer, None, timed=timed)
+                raise
+            amount = primitive.amount(*values) if primitive.amount else None
+            entry = self._report(command, pointer, amount, timed=timed)
+            self._perform(entry, plan, values)
+        self._beginning = None
 
-    def _report(self, command: Any, pointer: str, *, timed: bool) -> _Entry:
+    def _perform(self, entry: _Entry, plan: CommandPlan, values: Sequence[Any]) -> None:
+        primitive = plan.primitive
+        if primitive.instant is not None:
+            jump = primitive.instant(self._context, entry.command, *values)
+            self._end(entry)
+            if jump is not None:
+                self._jump(jump)
+        elif primitive.routine is not None:
+            self._push(entry, primitive.routine(self._context, entry.command, *values), plan)
+
+    def _push(self, entry: _Entry, routine: Routine, plan: CommandPlan) -> None:
+        is_loop = plan.primitive.is_loop
+        self._frames.append(_Frame((), "", entry=entry, routine=routine, is_loop=is_loop))
+
+    def _jump(self, jump: Jump) -> None:
+        if isinstance(jump, Returned):
+            while self._frames[-1].routine is not None:
+                self._leave_body()
+            self._finish_function(jump.value)
+            return
+        while not self._frames[-1].is_loop:
+            self._leave_body()
+        loop = self._frames[-1]
+        if jump is Leave.LOOP:
+            self._leave_body()
+        else:
+            loop.index = len(loop.commands)
+
+    def _leave_body(self) -> None:
+        frame = self._frames[-1]
+        if frame.routine is not None:
+            frame.routine.close()
+        self._pop(frame)
+
+    def _invoke(self, wanted: Invoke) -> None:
+        if len(self.calls) >= MAX_RECURSION:
+            raise RunFailureError("recursion_too_deep", function=wanted.function, max=MAX_RECURSION)
+        function, pointer = self._functions[wanted.function]
+        frame = _Frame(function.commands, pointer)
+        frame.outer = self._context.variables.enter(wanted.arguments)
+        frame.function = function.name
+        self.calls.append({"function": function.name, "block": self.block})
+        self.n_calls += 1
+        self._frames.append(frame)
+
+    def _finish_function(self, value: Value | None) -> None:
+        """The function or the program is over; the command that called it gets the value."""
+        frame = self._frames.pop()
+        if frame.function is None:
+            return
+        self._context.variables.leave(frame.outer)
+        self.calls.pop()
+        self.n_calls += 1
+        self._frames[-1].value = value
+
+    def _report(self, command: Any, pointer: str, amount: float | None, *, timed: bool) -> _Entry:
         reported = timed or pointer not in self._reported
         if reported:
             self._reported.add(pointer)
-            amount = TABLE[command.action].amount
-            self._context.emit(
-                BlockStarted(
-                    command.block, pointer, command.action, amount(command) if amount else None
-                )
-            )
+            self._context.emit(BlockStarted(command.block, pointer, command.action, amount))
         return _Entry(command, pointer, reported)
 
     def _end(self, entry: _Entry) -> None:
         if entry.reported:
             self._context.emit(BlockEnded(entry.command.block, entry.pointer))
+
+
+def _block(command: Any) -> str | None:
+    block: str | None = command.block
+    return block

@@ -18,9 +18,9 @@ def run_object(result: RunResult, run_id: str | None, message: str | None) -> di
         "duration_s": ended.duration_s,
         "path_length_m": ended.path_length_m,
         "closing_error_m": ended.closing_error_m,
-        "said": [],
-        "marks": [],
-        "variables": {},
+        "said": result.said,
+        "marks": [{"symbol": m.symbol, "x_m": m.x_m, "y_m": m.y_m} for m in result.marks],
+        "variables": result.variables,
         "faults": [],
         "telemetry_sha256": ended.telemetry_sha256,
     }

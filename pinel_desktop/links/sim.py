@@ -55,7 +55,7 @@ class SimLink:
         self._max_v, self._max_omega = robot.max_v_mps, robot.max_omega_radps
         self._twist = STANDSTILL
         self.simulator = Simulator(self._world, robot)
-        self.sensors = SimSensors(self.simulator, robot)
+        self.sensors: Sensors = SimSensors(self.simulator, robot)
 
     def connect(self) -> None:
         """Nothing to do: the simulator is there."""

@@ -18,10 +18,15 @@ def execute_commands() -> Execute:
     """Runs commands in the real simulator as fast as it goes; gives the result and all events."""
 
     def run(
-        *commands: dict[str, Any], world: str = "empty_room", **options: Any
+        *commands: dict[str, Any],
+        world: str = "empty_room",
+        functions: list[dict[str, Any]] | None = None,
+        **options: Any,
     ) -> tuple[RunResult, Log]:
-        program = read_document({"pinel_ir": 1, "commands": list(commands)}).program
-        assert program is not None
+        document = {"pinel_ir": 1, "functions": functions or [], "commands": list(commands)}
+        reading = read_document(document)
+        program = reading.program
+        assert program is not None, reading.faults
         log: Log = []
         listener = options.pop("listener", None)
 
@@ -34,3 +39,22 @@ def execute_commands() -> Execute:
         return execute(program, open_link("sim", world=world), setup), log
 
     return run
+
+
+@pytest.fixture
+def value_of(execute_commands: Execute) -> Callable[..., Any]:
+    """The value of an expression, worked out by a run; a failure is given as its (reason, params)."""
+
+    def value(expression: Any, *before: dict[str, Any], gesture: str = "", **options: Any) -> Any:
+        result, _ = execute_commands(
+            *before,
+            {"action": "set_gesture_result", "result": gesture},
+            {"action": "set_variable", "name": "value", "value": expression, "block": "here"},
+            **options,
+        )
+        if result.ended.state == "failed":
+            assert result.ended.block == "here"
+            return result.ended.reason, result.ended.params
+        return result.variables["value"]
+
+    return value

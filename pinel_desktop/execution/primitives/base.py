@@ -1,68 +1,64 @@
-"""The three kinds of primitives, and the decorators that enter them into the table."""
+"""The kinds of primitives, and the decorators that enter them into the table."""
 
-from collections.abc import Callable, Iterator
-from typing import Any, NamedTuple
+from collections.abc import Callable
+from typing import NamedTuple
 
-from pinel_desktop.execution.context import RunContext
+from pinel_desktop.execution.requests import Jump, Routine
 
-
-class Body(NamedTuple):
-    """Commands that a control-flow command wants run next; `path` is their place inside it, as a pointer."""
-
-    commands: list[Any]
-    path: str
-
-
-Instant = Callable[[RunContext, Any], None]
-Timed = Callable[[RunContext, Any], Iterator[None]]
-Flow = Callable[[RunContext, Any], Iterator[Body]]
-Amount = Callable[[Any], float]
+# All get the context, the command, and the values of the command's parameters that are expressions.
+Instant = Callable[..., Jump | None]
+Long = Callable[..., Routine]
+Amount = Callable[..., float]
 
 
 class Primitive(NamedTuple):
-    """What a command does; exactly one of the three is set.
+    """What a command does; exactly one of `instant` and `routine` is set.
 
     Attributes:
-        instant: is over at once.
-        timed: yields once for each tick it needs.
-        flow: yields the bodies to run, one after the other; its state lives in the generator.
-        amount: the command's goal in m, degrees or s, for those that have one.
+        parameters: attributes of the command's model that hold expressions, evaluated before it begins.
+        instant: is over at once; what it returns ends bodies around it.
+        routine: yields what it needs: ticks, bodies to run, values of functions.
+        is_flow: whether it runs other commands, and is not counted as one itself.
+        is_loop: whether `break` and `continue` speak of it.
+        amount: the command's goal in m, degrees or s, for those that have one, from the values of the parameters.
     """
 
+    parameters: tuple[str, ...] = ()
     instant: Instant | None = None
-    timed: Timed | None = None
-    flow: Flow | None = None
+    routine: Long | None = None
+    is_flow: bool = False
+    is_loop: bool = False
     amount: Amount | None = None
 
 
 TABLE: dict[str, Primitive] = {}
 
 
-def instant(action: str) -> Callable[[Instant], Instant]:
+def instant(action: str, *parameters: str) -> Callable[[Instant], Instant]:
     """Enters a function that is over at once."""
 
     def enter(function: Instant) -> Instant:
-        TABLE[action] = Primitive(instant=function)
+        TABLE[action] = Primitive(parameters, instant=function)
         return function
 
     return enter
 
 
-def timed(action: str, amount: Amount | None = None) -> Callable[[Timed], Timed]:
-    """Enters a generator function that yields once for each tick it needs."""
+def timed(action: str, *parameters: str, amount: Amount | None = None) -> Callable[[Long], Long]:
+    """Enters a generator function that yields None once for each tick it needs."""
 
-    def enter(function: Timed) -> Timed:
-        TABLE[action] = Primitive(timed=function, amount=amount)
+    def enter(function: Long) -> Long:
+        TABLE[action] = Primitive(parameters, routine=function, amount=amount)
         return function
 
     return enter
 
 
-def flow(action: str) -> Callable[[Flow], Flow]:
-    """Enters a generator function that yields the bodies to run."""
+def flow(action: str, *parameters: str, loop: bool = False) -> Callable[[Long], Long]:
+    """Enters a generator function that yields the bodies to run; its state lives in the generator."""
 
-    def enter(function: Flow) -> Flow:
-        TABLE[action] = Primitive(flow=function)
+    def enter(function: Long) -> Long:
+        TABLE[action] = Primitive(parameters, routine=function, is_flow=True, is_loop=loop)
         return function
 
     return enter

@@ -1,29 +1,87 @@
-"""Moving, turning, stopping."""
+"""Moving, turning, curves, velocities, stopping."""
 
 import math
-from collections.abc import Iterator
 
-from pinel_desktop.execution.context import RunContext
-from pinel_desktop.execution.motion import come_to_rest, drive_straight, turn_on_the_spot
-from pinel_desktop.execution.primitives.base import timed
-from pinel_desktop.program.model import MoveBackward, MoveForward, Stop, Turn
+from pinel_desktop.execution.context import RunContext, RunFailureError
+from pinel_desktop.execution.motion import (
+    come_to_rest,
+    drive_arc,
+    drive_on,
+    drive_straight,
+    drive_to,
+    turn_on_the_spot,
+)
+from pinel_desktop.execution.primitives.base import instant, timed
+from pinel_desktop.execution.requests import Routine
+from pinel_desktop.program.model import (
+    Arc,
+    Drive,
+    GoTo,
+    MoveBackward,
+    MoveForward,
+    SetSpeed,
+    Stop,
+    Turn,
+)
+from pinel_desktop.robot import Twist2D
 
 
-@timed("move_forward", amount=lambda command: command.distance)
-def move_forward(context: RunContext, command: MoveForward) -> Iterator[None]:
-    return drive_straight(context, command.distance)
+@timed("move_forward", "distance", amount=lambda distance: distance)
+def move_forward(context: RunContext, _command: MoveForward, distance: float) -> Routine:
+    return drive_straight(context, distance)
 
 
-@timed("move_backward", amount=lambda command: -command.distance)
-def move_backward(context: RunContext, command: MoveBackward) -> Iterator[None]:
-    return drive_straight(context, -command.distance)
+@timed("move_backward", "distance", amount=lambda distance: -distance)
+def move_backward(context: RunContext, _command: MoveBackward, distance: float) -> Routine:
+    return drive_straight(context, -distance)
 
 
-@timed("turn", amount=lambda command: command.angle)
-def turn(context: RunContext, command: Turn) -> Iterator[None]:
-    return turn_on_the_spot(context, math.radians(command.angle))
+@timed("turn", "angle", amount=lambda angle: angle)
+def turn(context: RunContext, _command: Turn, angle: float) -> Routine:
+    return turn_on_the_spot(context, math.radians(angle))
+
+
+@timed("arc", "radius", "angle", amount=lambda _radius, angle: angle)
+def arc(context: RunContext, _command: Arc, radius: float, angle: float) -> Routine:
+    return drive_arc(context, radius, math.radians(angle))
+
+
+@timed("go_to", "x", "y")
+def go_to(context: RunContext, command: GoTo, x: float, y: float) -> Routine:
+    if command.avoid:
+        raise RunFailureError("avoid_not_supported")
+    return drive_to(context, x, y)
 
 
 @timed("stop")
-def stop(context: RunContext, _command: Stop) -> Iterator[None]:
+def stop(context: RunContext, _command: Stop) -> Routine:
     return come_to_rest(context)
+
+
+@instant("drive", "linear", "angular")
+def drive(context: RunContext, _command: Drive, linear: float, angular: float) -> None:
+    drive_on(context, Twist2D(linear, math.radians(angular)))
+
+
+@instant("set_speed", "linear", "angular")
+def set_speed(
+    context: RunContext, _command: SetSpeed, linear: float | None, angular: float | None
+) -> None:
+    """What is left out stays as it is. Raises RunFailureError `speed_out_of_range` above the robot's maxima."""
+    robot = context.robot
+    if linear is not None:
+        if linear > robot.max_v_mps:
+            raise _too_fast(linear, robot.max_v_mps, "m/s")
+        context.max_v_mps = linear
+    if angular is not None:
+        fastest = math.degrees(robot.max_omega_radps)
+        if angular > fastest + _ROUNDING:
+            raise _too_fast(angular, fastest, "°/s")
+        context.max_omega_radps = min(math.radians(angular), robot.max_omega_radps)
+
+
+_ROUNDING = 1e-9
+
+
+def _too_fast(value: float, fastest: float, unit: str) -> RunFailureError:
+    return RunFailureError("speed_out_of_range", value=value, max=round(fastest, 6), unit=unit)

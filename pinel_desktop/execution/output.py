@@ -1,0 +1,64 @@
+"""What a program gives out besides motion: said, marked, beeped, drawn, asked; each at most so often a run."""
+
+from collections.abc import Callable
+
+from pinel_desktop.events.model import Beeped, Event, Marked, Pen, Said
+from pinel_desktop.execution.failure import RunFailureError
+from pinel_desktop.execution.limits import MAX_BEEPS, MAX_MARKS, MAX_QUESTIONS, MAX_SAID
+
+DEFAULT_COLOR = "blue"
+
+
+class Output:
+    """Keeps what was said and marked, for the end of the run, and reports everything as events.
+
+    A loop without motion may give out a thousand things a tick. What people read is limited: more than that fails the
+    run. The pen is reported once a tick, as only motion draws.
+    """
+
+    def __init__(self, emit: Callable[[Event], None]) -> None:
+        self.said: list[str] = []
+        self.marks: list[Marked] = []
+        self._emit = emit
+        self._n_beeps = 0
+        self._n_questions = 0
+        self._pen: tuple[bool, str] = (False, DEFAULT_COLOR)
+        self._reported_pen = self._pen
+        self._pen_block: str | None = None
+
+    def say(self, block: str | None, text: str) -> None:
+        """Raises RunFailureError `too_many_said`."""
+        if len(self.said) >= MAX_SAID:
+            raise RunFailureError("too_many_said", max=MAX_SAID)
+        self.said.append(text)
+        self._emit(Said(block, text))
+
+    def mark(self, block: str | None, symbol: str, x_m: float, y_m: float) -> None:
+        """A mark on the floor, in the start frame. Raises RunFailureError `too_many_marks`."""
+        if len(self.marks) >= MAX_MARKS:
+            raise RunFailureError("too_many_marks", max=MAX_MARKS)
+        self.marks.append(Marked(block, symbol, x_m, y_m))
+        self._emit(self.marks[-1])
+
+    def beep(self, block: str | None) -> None:
+        """Raises RunFailureError `too_many_beeps`."""
+        if self._n_beeps >= MAX_BEEPS:
+            raise RunFailureError("too_many_beeps", max=MAX_BEEPS)
+        self._n_beeps += 1
+        self._emit(Beeped(block))
+
+    def question(self) -> None:
+        """Counts a question. Raises RunFailureError `too_many_questions`."""
+        if self._n_questions >= MAX_QUESTIONS:
+            raise RunFailureError("too_many_questions", max=MAX_QUESTIONS)
+        self._n_questions += 1
+
+    def pen(self, block: str | None, *, down: bool, color: str | None) -> None:
+        """Puts the pen down or up."""
+        self._pen, self._pen_block = (down, color or DEFAULT_COLOR), block
+
+    def report_pen(self) -> None:
+        """Reports the pen if it has changed; called before a tick passes."""
+        if self._pen != self._reported_pen:
+            self._reported_pen = self._pen
+            self._emit(Pen(self._pen_block, *self._pen))

@@ -1,0 +1,70 @@
+"""Types and ranges of parameters at run time: those of the document's models, with the codes of reading faults."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from pinel_desktop.execution.failure import RunFailureError
+from pinel_desktop.execution.values import Value
+from pinel_desktop.program.expressions import Takes
+from pinel_desktop.program.plans import TAKES
+
+# attributes of models that are called otherwise in the document
+_KEYS = {"from_": "from"}
+
+
+@dataclass(frozen=True, slots=True)
+class Bounds:
+    """What a parameter takes. Only a run can check what a document computes."""
+
+    name: str
+    takes: Takes
+
+    @staticmethod
+    @cache
+    def of(kind: str, name: str) -> Bounds:
+        """Those of a parameter of an action or a sensor."""
+        return Bounds(name, TAKES[kind, name])
+
+    def checked(self, value: Value) -> float:
+        """The value, if it is a number that may stand here. Raises RunFailureError."""
+        takes = self.takes
+        if not isinstance(value, float):
+            raise RunFailureError("wrong_type_number", name=self.name)
+        if takes.whole and not value.is_integer():
+            raise RunFailureError("wrong_type_whole_number", name=self.name)
+        if (
+            (takes.ge is not None and value < takes.ge)
+            or (takes.gt is not None and value <= takes.gt)
+            or (takes.le is not None and value > takes.le)
+        ):
+            low = takes.ge if takes.gt is None else takes.gt
+            raise RunFailureError(self._code(), value=value, min=low, max=takes.le)
+        return value
+
+    def _code(self) -> str:
+        """The code of the reading fault for a value outside."""
+        if self.takes.le is None:
+            return f"{self.name}_not_positive"
+        return "sonar_out_of_range" if self.name == "index" else f"{self.name}_out_of_range"
+
+    def text(self, value: Value) -> str:
+        """The value, if it is a text. Raises RunFailureError `wrong_type_text`."""
+        if not isinstance(value, str):
+            raise RunFailureError("wrong_type_text", name=self.name)
+        return value
+
+
+def checked(bounds: Bounds | None, value: Value) -> Value:
+    """The value of a parameter, which may be anything where it has no bounds."""
+    if bounds is None:
+        return value
+    return bounds.text(value) if bounds.takes.type == "text" else bounds.checked(value)
+
+
+def bounds_of(command: Any, attribute: str) -> Bounds | None:
+    """The bounds of a command's parameter; None where it takes anything."""
+    key = _KEYS.get(attribute, attribute)
+    return Bounds.of(command.action, key) if (command.action, key) in TAKES else None

@@ -1,0 +1,90 @@
+"""What is to be done for one command of a program: its primitive, and how to get the values of its parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator
+from dataclasses import dataclass
+from typing import Any
+
+from pinel_desktop.execution.context import RunContext
+from pinel_desktop.execution.parameters import bounds_of, checked
+from pinel_desktop.execution.primitives import TABLE, Primitive
+from pinel_desktop.execution.requests import Breath, Invoke, Routine
+from pinel_desktop.execution.values import Value
+from pinel_desktop.program.expressions import Model
+
+Values = tuple[Value | None, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class CommandPlan:
+    """How to perform one command, made when it is first met.
+
+    Attributes:
+        primitive: what it does.
+        values: gives the values of its parameters at once; None where that is not possible.
+        in_steps: does the whole command, asking for what its parameters need first.
+    """
+
+    primitive: Primitive
+    values: Callable[[], Values] | None
+    in_steps: Callable[[], Routine]
+
+
+class _Parameter:
+    """One parameter of one command; `command` has None where it was left out."""
+
+    def __init__(self, command: Any, name: str, context: RunContext) -> None:
+        expression = getattr(command, name)
+        self._bounds = bounds_of(command, name)
+        self._evaluator = context.evaluator
+        self._compiled = None if expression is None else self._evaluator.compiled(expression)
+        self.is_constant = not isinstance(expression, Model)
+        self.weight = self._compiled.weight if self._compiled else 0
+
+    @property
+    def is_simple(self) -> bool:
+        return self._compiled is None or self._compiled.simple is not None
+
+    def value(self) -> Value | None:
+        """The value, where it is simple. Raises RunFailureError."""
+        if self._compiled is None or self._compiled.simple is None:
+            return None
+        return checked(self._bounds, self._compiled.simple())
+
+    def in_steps(self) -> Generator[Invoke | Breath, Value | None, Value | None]:
+        if self._compiled is None:
+            return None
+        return checked(self._bounds, (yield from self._evaluator.evaluated(self._compiled)))
+
+
+def plan_of(command: Any, context: RunContext) -> CommandPlan:
+    """The plan for a command of the program."""
+    primitive = TABLE[command.action]
+    parameters = [_Parameter(command, name, context) for name in primitive.parameters]
+
+    def in_steps() -> Routine:
+        values: list[Value | None] = []
+        for parameter in parameters:
+            values.append((yield from parameter.in_steps()))
+        if primitive.instant is not None:
+            return primitive.instant(context, command, *values)
+        assert primitive.routine is not None
+        return (yield from primitive.routine(context, command, *values))
+
+    return CommandPlan(primitive, _at_once(parameters, context), in_steps)
+
+
+def _at_once(parameters: list[_Parameter], context: RunContext) -> Callable[[], Values] | None:
+    if all(parameter.is_constant for parameter in parameters):
+        constant = tuple(parameter.value() for parameter in parameters)
+        return lambda: constant
+    if not all(parameter.is_simple for parameter in parameters):
+        return None
+    weight = sum(parameter.weight for parameter in parameters)
+
+    def values() -> Values:
+        context.n_evaluated += weight
+        return tuple([parameter.value() for parameter in parameters])
+
+    return values

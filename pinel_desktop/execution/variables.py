@@ -1,0 +1,96 @@
+"""The variables of a run: those of everybody, and the parameters of the function that is running."""
+
+from typing import Any
+
+from pinel_desktop.execution.failure import RunFailureError
+from pinel_desktop.execution.limits import MAX_MEMORY
+from pinel_desktop.execution.values import Value, plain, size
+from pinel_desktop.program.limits import MAX_LIST, MAX_VARIABLES
+
+Names = dict[str, Value]
+
+
+class Variables:
+    """Names and their values; a list belongs to one name only and is copied when it gets another.
+
+    Attributes:
+        parameters: of the running function, empty outside of all; they hide variables of the same name.
+        version: counts changes, for those who watch.
+    """
+
+    def __init__(self) -> None:
+        self._everybodys: Names = {}
+        self.parameters: Names = {}
+        self.version = 0
+        self._memory = 0
+
+    def get(self, name: str) -> Value:
+        """The value of a name; a list itself and no copy. Raises RunFailureError `unset_variable`."""
+        names = self.parameters if name in self.parameters else self._everybodys
+        try:
+            return names[name]
+        except KeyError:
+            raise RunFailureError("unset_variable", name=name) from None
+
+    def set(self, name: str, value: Value) -> None:
+        """Gives a name a value. Raises RunFailureError `too_many_variables` or `memory_full`."""
+        names = self.parameters if name in self.parameters else self._everybodys
+        old = names.get(name)
+        if old is None and len(names) >= MAX_VARIABLES:
+            raise RunFailureError("too_many_variables", value=len(names) + 1, max=MAX_VARIABLES)
+        if value.__class__ is list or value.__class__ is str or old.__class__ in (list, str):
+            self._grow(size(value) - (0 if old is None else size(old)))
+        names[name] = value.copy() if isinstance(value, list) else value
+        self.version += 1
+
+    def append(self, name: str, value: Value) -> None:
+        """Adds to the list of that name.
+
+        Raises RunFailureError `unset_variable`, `wrong_type_list`, `list_in_list`, `list_too_long`, `memory_full`.
+        """
+        items = self.get(name)
+        if not isinstance(items, list):
+            raise RunFailureError("wrong_type_list", name=name)
+        if isinstance(value, list):
+            raise RunFailureError("list_in_list", name=name)
+        if len(items) >= MAX_LIST:
+            raise RunFailureError("list_too_long", value=len(items) + 1, max=MAX_LIST)
+        self._grow(1 + size(value))
+        items.append(value)
+        self.version += 1
+
+    def number(self, name: str) -> float:
+        """The value of a name that must be a number. Raises RunFailureError `wrong_type_number`."""
+        value = self.get(name)
+        if not isinstance(value, float):
+            raise RunFailureError("wrong_type_number", name=name)
+        return value
+
+    def enter(self, parameters: Names) -> Names:
+        """A function begins; returns the parameters of the one that called it, for `leave`."""
+        outer, own = self.parameters, {}
+        for name, value in parameters.items():
+            self._grow(size(value))
+            own[name] = value.copy() if isinstance(value, list) else value
+        self.parameters = own
+        self.version += 1
+        return outer
+
+    def leave(self, outer: Names) -> None:
+        """The function is over: its parameters are forgotten."""
+        self._memory -= sum(map(size, self.parameters.values()))
+        self.parameters = outer
+        self.version += 1
+
+    def everybodys(self) -> dict[str, Any]:
+        """The variables of everybody as JSON data."""
+        return {name: plain(value) for name, value in self._everybodys.items()}
+
+    def visible(self) -> Names:
+        """All names and their values as they are seen at this moment; not to be changed."""
+        return {**self._everybodys, **self.parameters}
+
+    def _grow(self, more: int) -> None:
+        if self._memory + more > MAX_MEMORY:
+            raise RunFailureError("memory_full", max=MAX_MEMORY)
+        self._memory += more

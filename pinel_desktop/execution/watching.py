@@ -1,0 +1,56 @@
+"""What can be seen of a program from inside: its variables, the functions that run, the gesture result."""
+
+from typing import Any
+
+from pinel_desktop.events.model import Watch
+from pinel_desktop.execution.clock import TICK_HZ
+from pinel_desktop.execution.context import RunContext
+from pinel_desktop.execution.stack import ProgramStack
+from pinel_desktop.execution.values import Value, plain
+
+_PAUSE_TICKS = TICK_HZ // 5
+_LONGEST_TEXT = 200
+_MOST_ITEMS = 20
+_MOST_LETTERS = 20_000
+_CUT = "…"
+
+
+class Watcher:
+    """Reports changes at most five times a second, and on demand; for runs that somebody watches."""
+
+    def __init__(self, context: RunContext, stack: ProgramStack) -> None:
+        self._context, self._stack = context, stack
+        self._due = 0
+        self._seen = self._state()
+
+    def _state(self) -> tuple[int, int, str]:
+        context = self._context
+        return context.variables.version, self._stack.n_calls, context.gesture_result
+
+    def look(self, *, now: bool = False) -> None:
+        """Reports what has changed since the last time, when it is time or `now`."""
+        context = self._context
+        if (context.tick < self._due and not now) or (state := self._state()) == self._seen:
+            return
+        self._seen, self._due = state, context.tick + _PAUSE_TICKS
+        calls = [dict(call) for call in self._stack.calls]
+        context.emit(Watch(_cut(context.variables.visible()), calls, context.gesture_result))
+
+
+def _cut(variables: dict[str, Value]) -> dict[str, Any]:
+    """The variables for people: long texts and lists end in an ellipsis, and so does what is too much altogether."""
+    room = _MOST_LETTERS
+    shown: dict[str, Any] = {}
+    for name, value in variables.items():
+        shown[name] = _cut_value(value) if room > 0 else _CUT
+        room -= len(str(shown[name])) + len(name)
+    return shown
+
+
+def _cut_value(value: Value) -> Any:
+    if isinstance(value, str):
+        return value if len(value) <= _LONGEST_TEXT else value[:_LONGEST_TEXT] + _CUT
+    if isinstance(value, list):
+        items = [_cut_value(item) for item in value[:_MOST_ITEMS]]
+        return [*items, _CUT] if len(value) > _MOST_ITEMS else items
+    return plain(value)
