@@ -51,6 +51,7 @@ def npm(*arguments: str) -> tuple[str, ...]:
     return ("sh", "-c", script, "npm", *arguments)
 
 
+UNIT = "not e2e and not packaged and not nightly and not fuzz"
 STEPS = (
     Step("ruff", "lint", (sys.executable, "-m", "ruff", "check", ".")),
     Step("format", "lint", (sys.executable, "-m", "ruff", "format", "--check", ".")),
@@ -58,12 +59,14 @@ STEPS = (
     Step("import-rules", "lint", (str(Path(sys.executable).with_name("lint-imports")),)),
     Step("page-lint", "lint", npm("run", "--silent", "check")),
     Step("page-unit", "test", npm("run", "--silent", "test"), counts=True),
-    Step("unit", "test", (*PYTEST, "-m", "not e2e and not packaged and not nightly"), counts=True),
+    Step("unit", "test", (*PYTEST, "-m", UNIT), counts=True),
+    Step("fuzz", "test", (*PYTEST, "-m", "fuzz", "--fuzz-s=30"), counts=True),
     Step("e2e", "test", (*PYTEST, "-m", "e2e and not nightly"), counts=True),
     Step("package", "package", ("make", "package")),
     Step("packaged", "package", (*PYTEST, "-m", "packaged and not nightly"), counts=True),
     Step("smoke", "package", (sys.executable, "packaging/smoke.py")),
     Step("nightly", "nightly", (*PYTEST, "-m", "nightly"), counts=True),
+    Step("long-fuzz", "nightly", (*PYTEST, "-m", "fuzz", "--fuzz-s=300"), counts=True),
     Step("bench", "nightly", ("make", "bench"), counts=True),
 )
 

@@ -22,8 +22,8 @@ class Fault:
 
     def __post_init__(self) -> None:
         # What a fault shows was in a file that may hold anything: it must always be writable as JSON and text.
-        object.__setattr__(self, "pointer", _writable(self.pointer))
-        object.__setattr__(self, "block", None if self.block is None else _writable(self.block))
+        object.__setattr__(self, "pointer", writable(self.pointer))
+        object.__setattr__(self, "block", None if self.block is None else writable(self.block))
         params = {name: _shown(value) for name, value in self.params.items()}
         object.__setattr__(self, "params", params)
 
@@ -32,7 +32,7 @@ _LONGEST_SHOWN = 200
 _LARGEST_SHOWN = 10**15
 
 
-def _writable(text: str) -> str:
+def writable(text: str) -> str:
     """The text with lone surrogates, which no encoding can write, spelled out."""
     return text.encode("utf-8", "backslashreplace").decode("utf-8")
 
@@ -40,7 +40,7 @@ def _writable(text: str) -> str:
 def _shown(value: object) -> object:
     """A value short enough and tame enough to be shown."""
     if isinstance(value, str):
-        return _writable(value[:_LONGEST_SHOWN])
+        return writable(value[:_LONGEST_SHOWN])
     if isinstance(value, int) and abs(value) > _LARGEST_SHOWN:
         digits = str(value)
         return f"{digits[:12]}… ({len(digits)})"

@@ -11,6 +11,7 @@ from pydantic_core import PydanticCustomError
 
 from pinel_desktop.program.conditions import ConditionError, parse_condition
 from pinel_desktop.program.expressions import AnyNode, Expression, Model, Name, Takes, Text
+from pinel_desktop.program.faults import writable
 from pinel_desktop.program.limits import (
     MAX_ANGLE_DEG,
     MAX_COMMANDS,
@@ -51,7 +52,9 @@ class _Conditional(Model):
             return parse_condition(value)
         except ConditionError as error:
             raise PydanticCustomError(
-                "condition_syntax", "condition", {"position": error.position, "found": error.found}
+                "condition_syntax",
+                "condition",
+                {"position": error.position, "found": writable(error.found)},
             ) from error
 
 

@@ -93,7 +93,7 @@ def test_every_command_is_read_and_stays_itself(command: Json) -> None:
 
 @pytest.mark.parametrize("name", OPERATORS)
 def test_every_operator_is_read(name: str) -> None:
-    arguments = {
+    arguments: dict[str, list[Any]] = {
         "and": [True, False],
         "or": [True, False],
         "not": [True],
@@ -235,6 +235,7 @@ def test_strings_of_conditions_are_checked_like_trees() -> None:
         "x" * 1_000_000,
         "result == A",
         "0x10 == 16",
+        "\ud800 == 'A'",
     ],
 )
 def test_conditions_outside_the_grammar_are_one_fault(condition: str) -> None:

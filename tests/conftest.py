@@ -1,0 +1,13 @@
+import pytest
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--fuzz-s", type=float, default=5.0, help="how long each test marked fuzz goes on, in s"
+    )
+
+
+@pytest.fixture
+def fuzz_s(request: pytest.FixtureRequest) -> float:
+    """How long a fuzzing test is to go on, in s."""
+    return float(request.config.getoption("--fuzz-s"))
