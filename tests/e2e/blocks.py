@@ -28,7 +28,9 @@ class Blocks:
         return self._page.get_by_test_id(f"toolbox-{name}")
 
     def all(self) -> Locator:
-        return self._page.locator(f"{_WORKSPACE} .blocklyDraggable:not(.blocklyInsertionMarker)")
+        """Every block, without the fields of others that are blocks to Blockly."""
+        apart = ":not(.blocklyInsertionMarker):not(.blocklyShadow)"
+        return self._page.locator(f"{_WORKSPACE} .blocklyDraggable{apart}")
 
     def by_id(self, block: str) -> Locator:
         return self._page.locator(f'{_WORKSPACE} [data-id="{block}"]')
@@ -89,7 +91,7 @@ class Blocks:
 
     def type_into(self, block: Locator, value: str, number: int = 0) -> None:
         """Clicks a field of the block and types over what it holds."""
-        block.locator("> .blocklyInputField").nth(number).click()
+        block.locator(".blocklyInputField").nth(number).click()
         editor = self._page.locator(".blocklyHtmlInput")
         editor.fill(value)
         editor.press("Enter")
@@ -114,8 +116,8 @@ class Blocks:
 
     @staticmethod
     def _parts(words: str) -> int:
-        """An `if` comes with its comparison of two things."""
-        return 4 if words.startswith(("se", "if", "si")) else 1
+        """An `if` comes with its comparison of a gesture."""
+        return 3 if words.startswith(("se", "if", "si")) else 1
 
 
 def box_of(locator: Locator) -> dict[str, float]:

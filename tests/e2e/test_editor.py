@@ -118,7 +118,9 @@ def test_the_trash_gives_back(one_move: Studio) -> None:
     one_move.page.keyboard.press("Delete")
     expect(blocks.all()).to_have_count(1)
     one_move.page.locator(".blocklyTrash").click()
-    given_back = one_move.page.locator(".blocklyTrashcanFlyout .blocklyDraggable")
+    given_back = one_move.page.locator(
+        ".blocklyTrashcanFlyout .blocklyDraggable:not(.blocklyShadow)"
+    )
     expect(given_back).to_contain_text("4")
 
 

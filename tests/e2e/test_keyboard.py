@@ -56,10 +56,11 @@ def test_a_square_is_built_and_run_by_keyboard_alone(studio: Studio) -> None:
 
     keys = Keys(studio)
     for _ in range(40):
-        if studio.page.locator(".blocklyToolboxCategoryContainer:focus").count():
+        if studio.page.locator(".blocklyToolbox :focus").count():
             break
         keyboard.press("Tab")
-    expect(studio.page.locator(".blocklyToolboxCategoryContainer:focus")).to_have_count(1)
+    expect(studio["toolbox-search"]).to_be_focused()
+    keyboard.press("ArrowDown")
 
     keys.press("w")
     keys.walk_to("quando rodar", "ArrowDown")

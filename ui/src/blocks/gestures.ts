@@ -1,5 +1,5 @@
+import { numberInput, TEXT_LITERAL, TIMEOUT } from "./arguments";
 import type { BlockDefinition } from "./definition";
-import { iconArgument } from "./icons";
 
 const statement = { style: "gestures", previousStatement: null, nextStatement: null } as const;
 
@@ -7,24 +7,41 @@ export const gestures = [
   {
     ...statement,
     type: "classify_gestures",
-    args0: [
-      iconArgument("hand"),
-      { type: "field_measure", name: "TIMEOUT", value: 10, min: 1, max: 60, precision: 1 },
-    ],
+    level: 1,
+    makes: { action: "classify_gestures" },
+    icon: "hand",
+    args0: [numberInput("TIMEOUT", "timeout", 10, TIMEOUT)],
   },
-  { type: "gesture_result", style: "gestures", args0: [], output: "Text" },
+  {
+    type: "gesture_result",
+    style: "gestures",
+    level: 1,
+    makes: { expression: "gesture" },
+    args0: [],
+    output: "String",
+  },
   {
     type: "text_letter",
     style: "gestures",
+    level: 1,
+    makes: { expression: "literal" },
     args0: [{ type: "field_input", name: "TEXT", text: "B", spellcheck: false }],
-    output: "Text",
+    output: TEXT_LITERAL,
   },
   {
     ...statement,
     type: "set_gesture_result",
+    level: 1,
+    makes: { action: "set_gesture_result" },
+    icon: "pencil",
     args0: [
-      iconArgument("pencil"),
-      { type: "field_input", name: "RESULT", text: "B", spellcheck: false },
+      {
+        type: "input_value",
+        name: "RESULT",
+        key: "result",
+        check: "String",
+        shadow: { letter: "B" },
+      },
     ],
   },
 ] as const satisfies readonly BlockDefinition[];

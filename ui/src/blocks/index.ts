@@ -1,8 +1,15 @@
 import * as Blockly from "blockly/core";
-import { ALL_DEFINITIONS } from "./definitions";
-import { IconField } from "./icon_field";
-import { iconSource } from "./icons";
-import { MeasureField } from "./measure_field";
+import { ALL_DEFINITIONS, type Row } from "./definitions";
+import { IconField } from "./fields/icon_field";
+import { MeasureField } from "./fields/measure_field";
+import { NameField } from "./fields/name_field";
+import { OwnNameField } from "./fields/own_name_field";
+import { iconArgument, iconSource } from "./icons";
+import { branches } from "./shapes/branches";
+import { callShape } from "./shapes/call";
+import { functionShape } from "./shapes/function";
+import { listData } from "./shapes/list_data";
+import { variadic } from "./shapes/variadic";
 import { reference } from "./texts";
 import type { TextKey } from "./texts/keys";
 
@@ -15,18 +22,38 @@ let registered = false;
 export function registerBlocks(): void {
   if (registered) return;
   registered = true;
-  Blockly.fieldRegistry.register("field_icon", IconField);
-  Blockly.fieldRegistry.register("field_measure", MeasureField);
-  Blockly.Extensions.register("turn_arrow", turnArrow);
+  registerFields();
+  registerShapes();
   Blockly.common.defineBlocks(
-    Blockly.common.createBlockDefinitionsFromJsonArray(ALL_DEFINITIONS.map(withTexts)),
+    Blockly.common.createBlockDefinitionsFromJsonArray(ALL_DEFINITIONS.map(blocklyJson)),
   );
 }
 
-function withTexts(definition: (typeof ALL_DEFINITIONS)[number]): object {
-  const key = definition.type.toUpperCase() as TextKey;
+function registerFields(): void {
+  Blockly.fieldRegistry.register("field_icon", IconField);
+  Blockly.fieldRegistry.register("field_measure", MeasureField);
+  Blockly.fieldRegistry.register("field_name", NameField);
+  Blockly.fieldRegistry.register("field_function_name", OwnNameField);
+}
+
+function registerShapes(): void {
+  Blockly.Extensions.registerMutator("pinel_branches", ...branches);
+  Blockly.Extensions.registerMutator("pinel_variadic", ...variadic);
+  Blockly.Extensions.registerMutator("pinel_list_data", ...listData);
+  Blockly.Extensions.registerMutator("pinel_function", ...functionShape);
+  Blockly.Extensions.registerMutator("pinel_call", ...callShape);
+  Blockly.Extensions.register("turn_arrow", turnArrow);
+  Blockly.Extensions.register("quiet_colour", quietColour);
+}
+
+/** A row as Blockly takes it: with its words, and its icon as the first of its arguments. */
+function blocklyJson(row: Row): object {
+  const { level, makes, icon, args0, variadic: _, hidden, ...json } = row;
+  const key = row.type.toUpperCase() as TextKey;
   return {
-    ...definition,
+    ...json,
+    args0: icon ? [iconArgument(icon), ...args0] : args0,
+    inputsInline: true,
     message0: reference(key),
     tooltip: reference(`${key}_TIP` as TextKey),
     helpUrl: "",
@@ -38,6 +65,16 @@ function turnArrow(this: Blockly.Block): void {
   const arrow = this.getField("ICON");
   this.getField("DIRECTION")?.setValidator((direction: string) => {
     arrow?.setValue(iconSource(direction === "LEFT" ? "rotateLeft" : "rotateRight"), false);
+    return undefined;
+  });
+}
+
+/** A pen that is lifted has a colour only where a document says so. */
+function quietColour(this: Blockly.Block): void {
+  const colour = this.getField("COLOR");
+  colour?.setVisible(false);
+  colour?.setValidator((value: string) => {
+    colour.setVisible(value !== "");
     return undefined;
   });
 }

@@ -1,51 +1,56 @@
-import type { BlockDefinition } from "./definition";
-import { iconArgument, rowSpacer } from "./icons";
+import { BOOLEAN_LITERAL } from "./arguments";
+import type { BlockDefinition, ValueType } from "./definition";
 
-const statement = { style: "logic", previousStatement: null, nextStatement: null } as const;
-const condition = { type: "input_value", name: "CONDITION", check: "Boolean" };
-const body = (name: string) => ({ type: "input_statement", name });
+const logicValue = { style: "logic", output: "Boolean" } as const;
+const side = (name: string, check?: ValueType) => ({
+  type: "input_value",
+  name,
+  ...(check && { check }),
+});
 
-const logicValue = { style: "logic", output: "Boolean", inputsInline: true } as const;
-const side = (name: string, check: string) => ({ type: "input_value", name, check });
+export const COMPARISONS = ["==", "!=", "<", "<=", ">", ">="] as const;
 
 export const logic = [
   {
-    ...statement,
     type: "if",
-    args0: [iconArgument("split"), condition],
+    style: "logic",
+    level: 1,
+    makes: { action: "conditional_execution" },
+    icon: "split",
+    previousStatement: null,
+    nextStatement: null,
+    args0: [{ type: "input_value", name: "CONDITION", check: "Boolean" }],
     message1: "%1",
-    args1: [body("THEN")],
-  },
-  {
-    ...statement,
-    type: "if_else",
-    args0: [iconArgument("split"), condition],
-    message1: "%1",
-    args1: [body("THEN")],
-    message2: "%1 %{BKY_PINEL_ELSE}",
-    args2: [rowSpacer],
-    message3: "%1",
-    args3: [body("ELSE")],
+    args1: [{ type: "input_statement", name: "THEN" }],
+    mutator: "pinel_branches",
   },
   {
     ...logicValue,
     type: "compare",
+    level: 1,
+    makes: { op: COMPARISONS },
     args0: [
-      side("A", "Text"),
+      side("A"),
       {
         type: "field_dropdown",
         name: "OPERATOR",
         options: [
           ["=", "=="],
           ["≠", "!="],
+          ["<", "<"],
+          ["≤", "<="],
+          [">", ">"],
+          ["≥", ">="],
         ],
       },
-      side("B", "Text"),
+      side("B"),
     ],
   },
   {
     ...logicValue,
     type: "logic_operation",
+    level: 2,
+    makes: { op: ["and", "or"] },
     args0: [
       side("A", "Boolean"),
       {
@@ -58,6 +63,31 @@ export const logic = [
       },
       side("B", "Boolean"),
     ],
+    variadic: { check: "Boolean", min: 2, start: 2, shadow: null },
+    mutator: "pinel_variadic",
   },
-  { ...logicValue, type: "not", args0: [side("A", "Boolean")] },
+  {
+    ...logicValue,
+    type: "not",
+    level: 2,
+    makes: { op: ["not"] },
+    args0: [side("A", "Boolean")],
+  },
+  {
+    type: "boolean",
+    style: "logic",
+    level: 2,
+    makes: { expression: "literal" },
+    output: BOOLEAN_LITERAL,
+    args0: [
+      {
+        type: "field_dropdown",
+        name: "BOOL",
+        options: [
+          ["%{BKY_PINEL_TRUE}", "TRUE"],
+          ["%{BKY_PINEL_FALSE}", "FALSE"],
+        ],
+      },
+    ],
+  },
 ] as const satisfies readonly BlockDefinition[];

@@ -1,36 +1,103 @@
+import { ANGLE, choice, DISTANCE, numberInput, PLACE, SPEED, sides } from "./arguments";
 import type { BlockDefinition } from "./definition";
-import { iconArgument } from "./icons";
 
 const statement = { style: "motion", previousStatement: null, nextStatement: null } as const;
-
-const distance = {
-  type: "field_measure",
-  name: "DISTANCE",
-  value: 1,
-  min: 0,
-  max: 100,
-  precision: 0.01,
-};
+const distance = numberInput("DISTANCE", "distance", 1, DISTANCE);
 
 export const motion = [
-  { ...statement, type: "move_forward", args0: [iconArgument("arrowUp"), distance] },
-  { ...statement, type: "move_backward", args0: [iconArgument("arrowDown"), distance] },
+  {
+    ...statement,
+    type: "move_forward",
+    level: 1,
+    makes: { action: "move_forward" },
+    icon: "arrowUp",
+    args0: [distance],
+  },
+  {
+    ...statement,
+    type: "move_backward",
+    level: 1,
+    makes: { action: "move_backward" },
+    icon: "arrowDown",
+    args0: [distance],
+  },
   {
     ...statement,
     type: "turn",
-    args0: [
-      iconArgument("rotateLeft"),
-      {
-        type: "field_dropdown",
-        name: "DIRECTION",
-        options: [
-          ["%{BKY_PINEL_LEFT}", "LEFT"],
-          ["%{BKY_PINEL_RIGHT}", "RIGHT"],
-        ],
-      },
-      { type: "field_measure", name: "ANGLE", value: 90, min: 0, max: 360, precision: 0.1 },
-    ],
+    level: 1,
+    makes: { action: "turn" },
+    icon: "rotateLeft",
+    args0: [sides, numberInput("ANGLE", "angle", 90, ANGLE)],
     extensions: ["turn_arrow"],
   },
-  { ...statement, type: "stop", args0: [iconArgument("stop")] },
+  {
+    ...statement,
+    type: "stop",
+    level: 1,
+    makes: { action: "stop" },
+    icon: "stop",
+    args0: [],
+  },
+  {
+    ...statement,
+    type: "arc",
+    level: 2,
+    makes: { action: "arc" },
+    icon: "spline",
+    args0: [
+      sides,
+      numberInput("RADIUS", "radius", 1, PLACE),
+      numberInput("ANGLE", "angle", 90, ANGLE),
+    ],
+  },
+  {
+    ...statement,
+    type: "go_to",
+    level: 2,
+    makes: { action: "go_to" },
+    icon: "mapPin",
+    args0: [
+      numberInput("X", "x", 1, PLACE),
+      numberInput("Y", "y", 0, PLACE),
+      choice("AVOID", "avoid", [
+        ["%{BKY_PINEL_STRAIGHT}", "FALSE"],
+        ["%{BKY_PINEL_AROUND}", "TRUE"],
+      ]),
+    ],
+  },
+  {
+    ...statement,
+    type: "set_speed_linear",
+    level: 2,
+    makes: { action: "set_speed" },
+    icon: "gauge",
+    args0: [numberInput("LINEAR", "linear", 0.4, SPEED)],
+  },
+  {
+    ...statement,
+    type: "set_speed_angular",
+    level: 2,
+    makes: { action: "set_speed" },
+    icon: "gauge",
+    args0: [numberInput("ANGULAR", "angular", 60, SPEED)],
+  },
+  {
+    ...statement,
+    type: "set_speed",
+    level: 3,
+    makes: { action: "set_speed" },
+    icon: "gauge",
+    args0: [
+      numberInput("LINEAR", "linear", 0.4, SPEED),
+      numberInput("ANGULAR", "angular", 60, SPEED),
+    ],
+  },
+  {
+    ...statement,
+    type: "drive",
+    level: 3,
+    makes: { action: "drive" },
+    icon: "chevronsUp",
+    args0: [numberInput("LINEAR", "linear", 0.2), numberInput("ANGULAR", "angular", 0)],
+  },
 ] as const satisfies readonly BlockDefinition[];

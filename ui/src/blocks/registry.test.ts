@@ -1,12 +1,14 @@
 import * as Blockly from "blockly/core";
 import { beforeAll, describe, expect, test } from "vitest";
-import { COMMANDS } from "../generator/commands";
+import { CATEGORY_COLOURS, categoryOf } from "../design/categories";
 import { VALUES } from "../generator/values";
 import { LANGUAGES } from "../i18n/language";
 import { ALL_DEFINITIONS, registerBlocks } from ".";
+import type { BlockArgument, Level } from "./definition";
+import { argumentsOf, type Row } from "./definitions";
 import { BLOCK_TEXTS, setBlockLanguage } from "./texts";
 import type { TextKey } from "./texts/keys";
-import { toolbox } from "./toolbox";
+import { flyoutBlocks, TOOLBOX_CATEGORIES, toolbox } from "./toolbox";
 
 beforeAll(() => {
   setBlockLanguage("pt-BR");
@@ -15,30 +17,86 @@ beforeAll(() => {
 
 const TYPES = ALL_DEFINITIONS.map(({ type }) => type);
 
-function toolboxTypes(): string[] {
-  return toolbox().contents.flatMap((category) =>
-    (category as { contents: { type: string }[] }).contents.map(({ type }) => type),
+/** A program with a function that takes a value. */
+function programWithFunction(): Blockly.Workspace {
+  const workspace = new Blockly.Workspace();
+  const definition = workspace.newBlock("function_def");
+  definition.loadExtraState?.({ parameters: ["lado"] });
+  return workspace;
+}
+
+function offered(level: Level): string[] {
+  const workspace = programWithFunction();
+  return TOOLBOX_CATEGORIES.flatMap((name) =>
+    flyoutBlocks(name, level, workspace).map(({ type }) => type as string),
   );
 }
 
 const placeholders = (text: string) => (text.match(/%\d/g) ?? []).sort();
 
-describe.each(TYPES)("block %s", (type) => {
+describe.each(ALL_DEFINITIONS.map((row) => [row.type, row] as const))("block %s", (type, row) => {
   test("is known to Blockly and draws itself with words and without a link to elsewhere", () => {
     const block = new Blockly.Workspace().newBlock(type);
     expect(block.toString()).not.toContain("BKY_");
     expect(Blockly.Tooltip.getTooltipOfObject(block)).not.toBe("");
     expect(block.helpUrl).toBe("");
+    expect(block.getInputsInline()).toBe(true);
   });
 
   test("has a generator", () => {
-    expect(type === "program_start" || type in COMMANDS || type in VALUES).toBe(true);
+    const { makes } = row;
+    const isCommand = makes !== null && "action" in makes;
+    expect(type in VALUES).toBe(row.output !== undefined);
+    expect(isCommand).toBe(row.previousStatement === null);
   });
 
-  test("stands in the toolbox once, unless it is the start", () => {
-    const places = toolboxTypes().filter((place) => place === type);
-    expect(places).toHaveLength(type === "program_start" ? 0 : 1);
+  test("stands in the toolbox from its level on, unless it is the start", () => {
+    for (const level of [1, 2, 3] as const) {
+      const wanted = type !== "program_start" && !row.hidden && row.level <= level;
+      expect(offered(level).includes(type), `level ${level}`).toBe(wanted);
+    }
   });
+
+  test("has a hue that marks its category", () => {
+    expect(["start", ...Object.keys(CATEGORY_COLOURS)]).toContain(row.style);
+    if (row.makes && "action" in row.makes) expect(categoryOf(row.makes.action)).toBe(row.style);
+  });
+});
+
+test("what comes out of the toolbox can be made, at every level", () => {
+  for (const level of [1, 2, 3] as const) {
+    for (const name of TOOLBOX_CATEGORIES) {
+      const workspace = programWithFunction();
+      for (const { kind: _, ...state } of flyoutBlocks(name, level, workspace)) {
+        const block = Blockly.serialization.blocks.append(
+          state as Blockly.serialization.blocks.State,
+          workspace,
+        );
+        expect(block.toString()).not.toContain("BKY_");
+      }
+    }
+  }
+});
+
+test("first steps are five categories, and everything is all of them", () => {
+  const categories = (level: Level) =>
+    toolbox(level)
+      .contents.map((item) => (item as { id?: string }).id)
+      .filter((id) => id !== "search");
+  expect(categories(1)).toEqual(["motion", "flow", "logic", "gestures", "show"]);
+  expect(categories(2)).not.toContain("functions");
+  expect(categories(3)).toEqual(TOOLBOX_CATEGORIES);
+});
+
+test("a hand is held to the limits of the place a number stands in", () => {
+  for (const row of ALL_DEFINITIONS) {
+    for (const { limits, shadow } of argumentsOf(row) as readonly BlockArgument[]) {
+      if (!limits || !shadow || !("number" in shadow)) continue;
+      const { min = -Infinity, max = Infinity } = limits;
+      expect(shadow.number).toBeGreaterThanOrEqual(min);
+      expect(shadow.number).toBeLessThanOrEqual(max);
+    }
+  }
 });
 
 describe.each(LANGUAGES)("texts in %s", (language) => {
@@ -62,8 +120,8 @@ describe.each(LANGUAGES)("texts in %s", (language) => {
 });
 
 test("the number of places in a text is the number of arguments of its block", () => {
-  for (const { type, args0 } of ALL_DEFINITIONS) {
+  for (const { type, args0, icon } of ALL_DEFINITIONS as readonly Row[]) {
     const text = BLOCK_TEXTS["pt-BR"][type.toUpperCase() as TextKey];
-    expect(placeholders(text), type).toHaveLength(args0.length);
+    expect(placeholders(text), type).toHaveLength(args0.length + (icon ? 1 : 0));
   }
 });

@@ -1,12 +1,14 @@
 import type { BlockDefinition } from "./definition";
-import { iconArgument } from "./icons";
 
 /** The one block every program has; what hangs below it runs. */
 export const start = [
   {
     type: "program_start",
     style: "start",
-    args0: [iconArgument("play")],
+    level: 1,
+    makes: null,
+    icon: "play",
+    args0: [],
     nextStatement: null,
     hat: "cap",
   },

@@ -1,46 +1,204 @@
 import type * as Blockly from "blockly/core";
-import { type BlockType, CATEGORIES, DEFINITIONS } from "./definitions";
+import type { BlockArgument, Level } from "./definition";
+import { argumentsOf, type BlockType, CATEGORIES, DEFINITIONS, type Row } from "./definitions";
 import type { Category } from "./hues";
-import { reference } from "./texts";
+import { definitionsIn, freeName, functionName, parametersOf, variableNames } from "./names";
+import { shadowState } from "./shadows";
+import { itemInput } from "./shapes/variadic";
+import { reference, word } from "./texts";
 import type { TextKey } from "./texts/keys";
 
 type ToolboxBlock = Blockly.utils.toolbox.BlockInfo;
-
-const letter = { shadow: { type: "text_letter", fields: { TEXT: "B" } } };
-const gestureIsLetter = {
-  block: {
-    type: "compare",
-    inputs: { A: { block: { type: "gesture_result" } }, B: letter },
-  },
-};
-
-/** Blocks that come out of the toolbox with something in their holes, because an empty one says little. */
-const FILLED: Partial<Record<BlockType, Pick<ToolboxBlock, "inputs">>> = {
-  if: { inputs: { CONDITION: gestureIsLetter } },
-  if_else: { inputs: { CONDITION: gestureIsLetter } },
-  compare: { inputs: gestureIsLetter.block.inputs },
-};
-
+type Inputs = NonNullable<ToolboxBlock["inputs"]>;
 type ToolboxCategory = Exclude<Category, "start">;
+
+export const EVERYTHING: Level = 3;
+
+/** Between blocks of the toolbox, in pixels. */
+const GAP = 16;
 
 /** The categories a pupil chooses from; the start block stands in the workspace already. */
 export const TOOLBOX_CATEGORIES = CATEGORIES.filter(
   (category): category is ToolboxCategory => category !== "start",
 );
 
-export function toolbox(): Blockly.utils.toolbox.ToolboxInfo {
-  return { kind: "categoryToolbox", contents: TOOLBOX_CATEGORIES.map(category) };
+/** The item of the toolbox with the field to search in. */
+export const SEARCH_KIND = "pinel_search";
+
+/** What a level offers: the search, and every category that has blocks of that level. */
+export function toolbox(level: Level = EVERYTHING): Blockly.utils.toolbox.ToolboxInfo {
+  const categories = TOOLBOX_CATEGORIES.filter((name) => rowsOf(name, level).length > 0);
+  const search = {
+    kind: SEARCH_KIND,
+    id: "search",
+    name: reference("SEARCH"),
+    contents: [],
+    level,
+  };
+  return {
+    kind: "categoryToolbox",
+    contents: [
+      search as unknown as Blockly.utils.toolbox.StaticCategoryInfo,
+      ...categories.map((name) => category(name, level)),
+    ],
+  };
 }
 
-function category(name: ToolboxCategory): Blockly.utils.toolbox.StaticCategoryInfo {
+/** The blocks of a category, as they come out of it, in a program. */
+export function flyoutBlocks(
+  name: ToolboxCategory,
+  level: Level,
+  workspace: Blockly.Workspace,
+): ToolboxBlock[] {
+  const rows = rowsOf(name, level);
+  if (name === "variables") return variableBlocks(rows, workspace);
+  if (name === "functions") return functionBlocks(rows, workspace);
+  const blocks = rows.map(({ type }) => block(type));
+  if (name === "logic" && level > 1) blocks.splice(2, 0, numberComparison());
+  if (name === "logic") blocks.splice(1, 0, { ...block("if"), extraState: { else: true } });
+  return blocks;
+}
+
+/** Every block of a level, for the search. */
+export function offeredRows(level: Level): Row[] {
+  return TOOLBOX_CATEGORIES.flatMap((name) => rowsOf(name, level));
+}
+
+/** A block as the toolbox gives it, with something in its holes, because an empty one says little. */
+export function block(type: BlockType): ToolboxBlock {
+  const row = (Object.values(DEFINITIONS) as (readonly Row[])[])
+    .flat()
+    .find((one) => one.type === type) as Row;
+  const inputs = { ...shadows(row), ...FILLED[type]?.() };
+  return { kind: "block", type, inputs, fields: FIELDS[type]?.() ?? {}, gap: GAP };
+}
+
+function rowsOf(name: ToolboxCategory, level: Level): Row[] {
+  return (DEFINITIONS[name] as readonly Row[]).filter(
+    (row) => row.level <= level && row.hidden === undefined,
+  );
+}
+
+function category(
+  name: ToolboxCategory,
+  level: Level,
+): Blockly.utils.toolbox.StaticCategoryInfo & { custom: string } {
   return {
     kind: "category",
     id: name,
     name: reference(`CATEGORY_${name.toUpperCase()}` as TextKey),
     categorystyle: name,
-    contents: DEFINITIONS[name].map(({ type }) => ({ kind: "block", type, ...FILLED[type] })),
+    custom: flyoutKey(name, level),
+    contents: [],
     colour: undefined,
     cssconfig: undefined,
     hidden: undefined,
+  };
+}
+
+function flyoutKey(name: ToolboxCategory, level: Level): string {
+  return `pinel_${name}_${level}`;
+}
+
+/** Fills categories when they are opened: what is in some depends on the program. */
+export function registerFlyouts(workspace: Blockly.WorkspaceSvg): void {
+  for (const level of [1, 2, 3] as const) {
+    for (const name of TOOLBOX_CATEGORIES) {
+      workspace.registerToolboxCategoryCallback(flyoutKey(name, level), () =>
+        flyoutBlocks(name, level, workspace),
+      );
+    }
+  }
+}
+
+function shadows(row: Row): Inputs {
+  const inputs: Inputs = {};
+  for (const { name, shadow } of argumentsOf(row) as readonly BlockArgument[]) {
+    if (name && shadow) inputs[name] = { shadow: shadowState(shadow) };
+  }
+  const { start = 0, shadow } = row.variadic ?? {};
+  for (let index = 0; shadow && index < start; index++) {
+    inputs[itemInput(index)] = { shadow: shadowState(shadow) };
+  }
+  return inputs;
+}
+
+const sides = () => ({
+  A: { block: { type: "gesture_result" } },
+  B: { shadow: shadowState({ letter: "B" }) },
+});
+
+const bumper = { block: { type: "bumper" } };
+
+const listShadow = () => ({
+  shadow: { type: "variable", fields: { NAME: word("LIST_NAME") } },
+});
+
+const FILLED: Partial<Record<BlockType, () => Inputs>> = {
+  if: () => ({ CONDITION: { block: { type: "compare", inputs: sides() } } }),
+  compare: sides,
+  while: () => ({ CONDITION: { block: { type: "not", inputs: { A: bumper } } } }),
+  until: () => ({ CONDITION: bumper }),
+  wait_until: () => ({ CONDITION: bumper }),
+  wait_until_timeout: () => ({ CONDITION: bumper }),
+  item: () => ({ LIST: listShadow() }),
+  length: () => ({ A: listShadow() }),
+};
+
+const FIELDS: Partial<Record<BlockType, () => Record<string, string>>> = {
+  append: () => ({ LIST: word("LIST_NAME") }),
+  text: () => ({ TEXT: word("WORD") }),
+};
+
+function numberComparison(): ToolboxBlock {
+  return {
+    ...block("compare"),
+    fields: { OPERATOR: "<" },
+    inputs: {
+      A: { shadow: shadowState({ number: 1 }) },
+      B: { shadow: shadowState({ number: 2 }) },
+    },
+  };
+}
+
+/** The commands with a name that is in use, then one block for each name. */
+function variableBlocks(rows: readonly Row[], workspace: Blockly.Workspace): ToolboxBlock[] {
+  const used = variableNames(workspace);
+  const names = used.length > 0 ? used : [word("VARIABLE_NAME")];
+  const named = (type: BlockType, NAME: string | undefined): ToolboxBlock => ({
+    ...block(type),
+    fields: { NAME },
+  });
+  return rows.flatMap(({ type }) =>
+    type === "variable" ? names.map((name) => named(type, name)) : [named(type, names[0])],
+  );
+}
+
+/** A definition with a name that is free, what ends a function, and calls of each that is defined. */
+function functionBlocks(rows: readonly Row[], workspace: Blockly.Workspace): ToolboxBlock[] {
+  const definitions = definitionsIn(workspace);
+  const taken = new Set(definitions.map(functionName));
+  return rows.flatMap(({ type }) => {
+    if (type === "call" || type === "call_value") {
+      return definitions.map((definition) => callBlock(type, definition));
+    }
+    if (type !== "function_def") return [block(type)];
+    return [{ ...block(type), fields: { NAME: freeName(word("FUNCTION_NAME"), taken) } }];
+  });
+}
+
+/** A call of a function, with something in each of its holes. */
+export function callBlock(type: "call" | "call_value", definition: Blockly.Block): ToolboxBlock {
+  const parameters = parametersOf(definition);
+  const inputs: Inputs = {};
+  parameters.forEach((_, index) => {
+    inputs[`ARG${index}`] = { shadow: shadowState({ number: 1 }) };
+  });
+  return {
+    kind: "block",
+    type,
+    extraState: { name: functionName(definition), parameters },
+    inputs,
+    gap: GAP,
   };
 }

@@ -1,7 +1,9 @@
 import * as Blockly from "blockly/core";
 import "./editor.css";
 import { registerBlocks } from "../blocks";
-import { toolbox } from "../blocks/toolbox";
+import type { Level } from "../blocks/definition";
+import { EVERYTHING, toolbox } from "../blocks/toolbox";
+import { upgradeWorkspace } from "../blocks/upgrade";
 import { generateDocument } from "../generator";
 import type { Language } from "../i18n/language";
 import { watchContent } from "./changes";
@@ -20,6 +22,8 @@ export interface EditorOptions {
   theme: ThemeName;
   /** Where Blockly's pictures and cursors are served, with a slash at the end. */
   mediaPath: string;
+  /** What the toolbox offers: 1 first steps, 2 explorer, 3 everything (without it). */
+  level?: Level;
   programName?: () => string;
   onChange(content: { workspace: object; document: object | null }): void;
 }
@@ -39,6 +43,8 @@ export interface Editor {
   reveal(blockId: string): void;
   setLanguage(language: Language): void;
   setTheme(theme: ThemeName): void;
+  /** Offers the blocks of another level; blocks of higher ones that are in the program stay. */
+  setLevel(level: Level): void;
   setReadOnly(readOnly: boolean): void;
   undo(): void;
   redo(): void;
@@ -68,10 +74,12 @@ class BlockEditor implements Editor {
   private readonly zoomControls: ReturnType<typeof addZoomControls>;
   private readonly sizes: ResizeObserver;
   private known = "";
+  private level: Level;
   private disposed = false;
 
   constructor(private readonly options: EditorOptions) {
-    this.workspace = injectWorkspace(options);
+    this.level = options.level ?? EVERYTHING;
+    this.workspace = injectWorkspace({ ...options, level: this.level });
     this.faults = new Faults(this.workspace);
     this.running = new Highlight(this.workspace);
     this.zoomControls = addZoomControls(this.workspace, () => this.zoomToFit());
@@ -82,7 +90,8 @@ class BlockEditor implements Editor {
     watchContent(this.workspace, () => this.onContent());
   }
 
-  load(workspace: object | null): void {
+  load(saved: object | null): void {
+    const workspace = saved && upgradeWorkspace(saved);
     assertLoadable(workspace);
     Blockly.hideChaff();
     this.running.show(null);
@@ -116,7 +125,7 @@ class BlockEditor implements Editor {
 
   setLanguage(language: Language): void {
     applyLanguage(language);
-    this.workspace.updateToolbox(toolbox());
+    this.workspace.updateToolbox(toolbox(this.level));
     this.zoomControls.relabel();
     // blocks take their words when they are made
     this.remake();
@@ -124,6 +133,13 @@ class BlockEditor implements Editor {
 
   setTheme(theme: ThemeName): void {
     this.workspace.setTheme(blocklyTheme(theme));
+  }
+
+  setLevel(level: Level): void {
+    if (level === this.level) return;
+    this.level = level;
+    Blockly.hideChaff();
+    this.workspace.updateToolbox(toolbox(level));
   }
 
   setReadOnly(readOnly: boolean): void {

@@ -18,12 +18,15 @@ function newStart(workspace: Blockly.WorkspaceSvg): Blockly.BlockSvg {
   return start;
 }
 
-/** Only what hangs below the start block runs; the rest stays and is drawn dimmed. */
+/** Blocks that a stack may begin with and be part of the program. */
+const ROOTS = [START, "function_def"];
+
+/** Only what hangs below the start block, or defines a function, runs; the rest stays and is drawn dimmed. */
 export function markLooseBlocks(workspace: Blockly.WorkspaceSvg): void {
   Blockly.Events.disable();
   try {
     for (const top of workspace.getTopBlocks(false)) {
-      const loose = top.type !== START;
+      const loose = !ROOTS.includes(top.type);
       for (const block of top.getDescendants(false)) block.setDisabledReason(loose, LOOSE);
     }
   } finally {

@@ -5,9 +5,16 @@ import { svgIcon } from "./svg_icon";
 
 const ICONS: Readonly<Record<Exclude<Category, "start">, IconName>> = {
   motion: "arrowUp",
+  sensing: "eye",
   flow: "repeat",
   logic: "split",
   gestures: "hand",
+  show: "message",
+  variables: "box",
+  maths: "calculator",
+  text: "type",
+  lists: "list",
+  functions: "puzzle",
 };
 
 /** A category as a coloured tile with its icon above its word: wide enough for a finger, narrow enough for the blocks. */

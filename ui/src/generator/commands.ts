@@ -1,56 +1,100 @@
 import type * as Blockly from "blockly/core";
-import type { StatementBlockType } from "../blocks/definitions";
-import type { Command } from "./document";
-import { generateInput } from "./values";
+import type { BlockArgument } from "../blocks/definition";
+import { argumentsOf, definitionOf, type StatementBlockType } from "../blocks/definitions";
+import type { BranchesState } from "../blocks/shapes/branches";
+import { callOf } from "../blocks/shapes/call";
+import type { Branch, Command, Expression } from "./document";
+import { generateCallArguments, generateInput } from "./values";
 
-/** Makes one block's command; `body` makes the commands inside one of its mouths. */
-type CommandGenerator = (block: Blockly.Block, body: (input: string) => Command[]) => Command;
+type Parameters = Record<string, unknown>;
 
-/** One generator per block that stands in a stack. A block without one does not compile. */
-export const COMMANDS: Readonly<Record<StatementBlockType, CommandGenerator>> = {
-  move_forward: (block) => ({ action: "move_forward", distance: numberOf(block, "DISTANCE") }),
-  move_backward: (block) => ({ action: "move_backward", distance: numberOf(block, "DISTANCE") }),
-  turn: (block) => ({ action: "turn", angle: signedAngle(block) }),
-  wait: (block) => ({ action: "wait", seconds: numberOf(block, "SECONDS") }),
-  stop: () => ({ action: "stop" }),
-  repeat: (block, body) => ({
-    action: "repeat",
-    times: numberOf(block, "TIMES"),
-    commands: body("DO"),
-  }),
-  if: (block, body) => ({
-    action: "conditional_execution",
-    ...condition(block),
-    commands: body("THEN"),
-  }),
-  if_else: (block, body) => ({
-    action: "conditional_execution",
-    ...condition(block),
-    commands: body("THEN"),
-    else: body("ELSE"),
-  }),
-  classify_gestures: (block) => ({
-    action: "classify_gestures",
-    timeout: numberOf(block, "TIMEOUT"),
-  }),
-  set_gesture_result: (block) => ({
-    action: "set_gesture_result",
-    result: String(block.getFieldValue("RESULT")),
-  }),
+/** The blocks whose parameters are more than their places on the block, which the block table says. */
+export const SPECIAL: Readonly<
+  Partial<Record<StatementBlockType, (block: Blockly.Block) => Parameters>>
+> = {
+  turn: signedAngle,
+  arc: (block) => ({ ...parameters(block, "radius"), ...signedAngle(block) }),
+  if: conditional,
+  call: (block) => ({ function: callOf(block).name, arguments: generateCallArguments(block) }),
 };
 
-function numberOf(block: Blockly.Block, field: string): number {
-  return Number(block.getFieldValue(field));
+/** The commands of a stack of blocks, from its first block down. */
+export function generateStack(first: Blockly.Block | null): Command[] {
+  const commands: Command[] = [];
+  for (let block = first; block; block = block.getNextBlock()) {
+    if (!block.isInsertionMarker()) commands.push(generateCommand(block));
+  }
+  return commands;
 }
 
-function signedAngle(block: Blockly.Block): number {
-  const angle = numberOf(block, "ANGLE");
+/** What a pupil wrote on the block. */
+export function commentOf(block: Blockly.Block): { comment?: string } {
+  const comment = block.getCommentText();
+  return comment ? { comment } : {};
+}
+
+function generateCommand(block: Blockly.Block): Command {
+  const { makes } = definitionOf(block.type);
+  if (!makes || !("action" in makes)) throw new Error(`${block.type} is no command`);
+  const special = SPECIAL[block.type as StatementBlockType];
+  return {
+    action: makes.action,
+    ...makes.fixed,
+    ...(special ? special(block) : parameters(block)),
+    block: block.id,
+    ...commentOf(block),
+  };
+}
+
+/** The parameters that stand on a block, or one of them. What is empty is left out, for the reader to name. */
+function parameters(block: Blockly.Block, only?: string): Parameters {
+  const found: Parameters = {};
+  for (const argument of argumentsOf(definitionOf(block.type)) as readonly BlockArgument[]) {
+    const { key } = argument;
+    if (key === undefined || (only !== undefined && key !== only)) continue;
+    const value = parameter(block, argument);
+    if (value !== null) found[key] = value;
+  }
+  return found;
+}
+
+function parameter(block: Blockly.Block, { type, name = "", key }: BlockArgument): unknown {
+  if (type === "input_value") return generateInput(block, name);
+  if (type === "input_statement") return generateStack(block.getInputTargetBlock(name));
+  const value = String(block.getFieldValue(name));
+  if (key === "avoid") return value === "TRUE";
+  return value === "" ? null : value;
+}
+
+/** To the right is negative. */
+function signedAngle(block: Blockly.Block): Parameters {
+  const angle = generateInput(block, "ANGLE");
+  if (angle === null) return {};
+  return { angle: block.getFieldValue("DIRECTION") === "RIGHT" ? negated(angle) : angle };
+}
+
+function negated(angle: Expression): Expression {
+  if (typeof angle !== "number") return { op: "-", args: [0, angle] };
   // a right turn by 0 would be -0, which JSON cannot tell and a comparison can
-  return block.getFieldValue("DIRECTION") === "RIGHT" && angle !== 0 ? -angle : angle;
+  return angle === 0 ? 0 : -angle;
 }
 
-/** An empty hole leaves the key out, so that the reader names the fault at this block. */
-function condition(block: Blockly.Block): object {
-  const expression = generateInput(block, "CONDITION");
-  return expression === null ? {} : { condition: expression };
+function conditional(block: Blockly.Block): Parameters {
+  const state = (block.saveExtraState?.() ?? {}) as BranchesState;
+  const others = Array.from({ length: state.elif ?? 0 }, (_, index) =>
+    branch(block, String(index + 1)),
+  );
+  return {
+    ...branch(block, ""),
+    ...(others.length > 0 && { elif: others }),
+    ...(state.else && { else: generateStack(block.getInputTargetBlock("ELSE")) }),
+  };
+}
+
+function branch(block: Blockly.Block, suffix: string): Branch {
+  const condition = generateInput(block, `CONDITION${suffix}`);
+  return {
+    ...(condition !== null && { condition }),
+    commands: generateStack(block.getInputTargetBlock(`THEN${suffix}`)),
+  };
 }

@@ -2,20 +2,39 @@
 export interface ProgramDocument {
   pinel_ir: 1;
   name: string;
-  functions: [];
+  functions: FunctionDefinition[];
   commands: Command[];
+}
+
+export interface FunctionDefinition {
+  name: string;
+  parameters: string[];
+  commands: Command[];
+  block?: string;
+  comment?: string;
 }
 
 /** One command; `block` is the id of the block it came from. */
 export interface Command {
   action: string;
   block?: string;
+  comment?: string;
   [parameter: string]: unknown;
 }
 
+export type Literal = number | string | boolean;
+
 export type Expression =
-  | number
-  | string
-  | boolean
+  | Literal
+  | readonly Literal[]
   | { gesture: "result" }
-  | { op: string; args: Expression[] };
+  | { var: string }
+  | { op: string; args: Expression[] }
+  | { sensor: string; index?: Expression; direction?: string; angle?: Expression }
+  | { call: string; arguments: Record<string, Expression> };
+
+/** A part of a conditional. */
+export interface Branch {
+  condition?: Expression;
+  commands: Command[];
+}

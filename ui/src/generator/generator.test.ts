@@ -2,6 +2,7 @@ import * as Blockly from "blockly/core";
 import { beforeAll, describe, expect, test } from "vitest";
 import { registerBlocks } from "../blocks";
 import { setBlockLanguage } from "../blocks/texts";
+import { upgradeWorkspace } from "../blocks/upgrade";
 import { type Command, generateDocument } from ".";
 
 beforeAll(() => {
@@ -26,8 +27,9 @@ const RESULT_IS_B = compare("==", block("gesture_result", "g"), letter("B", "l")
 
 function workspaceOf(...tops: BlockState[]): Blockly.Workspace {
   const workspace = new Blockly.Workspace();
+  // these are written as workspaces were before there were expressions
   Blockly.serialization.workspaces.load(
-    { blocks: { languageVersion: 0, blocks: tops } },
+    upgradeWorkspace({ blocks: { languageVersion: 0, blocks: tops } }),
     workspace,
   );
   return workspace;

@@ -1,29 +1,32 @@
 import type * as Blockly from "blockly/core";
-import type { StatementBlockType } from "../blocks/definitions";
-import { COMMANDS } from "./commands";
-import type { Command, ProgramDocument } from "./document";
+import { definitionsIn, functionName, parametersOf } from "../blocks/names";
+import { commentOf, generateStack } from "./commands";
+import type { FunctionDefinition, ProgramDocument } from "./document";
 
 export type { Command, ProgramDocument } from "./document";
 
-/** What the robot gets: the commands below the start block. Loose blocks stay out. */
+/**
+ * What the robot gets: the commands below the start block, and the functions in the order in which they were made.
+ * Loose blocks stay out.
+ */
 export function generateDocument(workspace: Blockly.Workspace, name: string): ProgramDocument {
-  const start = workspace.getBlocksByType("program_start", true)[0];
-  const commands = start ? generateStack(start.getNextBlock()) : [];
-  return { pinel_ir: 1, name, functions: [], commands };
+  const start = workspace.getBlocksByType("program_start", false)[0];
+  return {
+    pinel_ir: 1,
+    name,
+    functions: definitionsIn(workspace)
+      .filter((definition) => !definition.isInsertionMarker())
+      .map(generateFunction),
+    commands: start ? generateStack(start.getNextBlock()) : [],
+  };
 }
 
-/** The commands of a stack of blocks, from its first block down. */
-export function generateStack(first: Blockly.Block | null): Command[] {
-  const commands: Command[] = [];
-  for (let block = first; block; block = block.getNextBlock()) {
-    if (!block.isInsertionMarker()) commands.push(generateCommand(block));
-  }
-  return commands;
-}
-
-function generateCommand(block: Blockly.Block): Command {
-  const parameters = COMMANDS[block.type as StatementBlockType](block, (input) =>
-    generateStack(block.getInputTargetBlock(input)),
-  );
-  return { ...parameters, block: block.id };
+function generateFunction(definition: Blockly.Block): FunctionDefinition {
+  return {
+    name: functionName(definition),
+    parameters: parametersOf(definition),
+    commands: generateStack(definition.getNextBlock()),
+    block: definition.id,
+    ...commentOf(definition),
+  };
 }

@@ -1,13 +1,15 @@
 import * as Blockly from "blockly/core";
 import { beforeAll, beforeEach, describe, expect, test } from "vitest";
-import { registerBlocks } from ".";
-import { setBlockLanguage } from "./texts";
+import { registerBlocks } from "..";
+import { setBlockLanguage } from "../texts";
 
 beforeAll(registerBlocks);
 beforeEach(() => setBlockLanguage("pt-BR"));
 
 function distanceField(): Blockly.Field {
-  const field = new Blockly.Workspace().newBlock("move_forward").getField("DISTANCE");
+  const block = new Blockly.Workspace().newBlock("move_forward");
+  block.getInput("DISTANCE")?.connection?.setShadowState({ type: "number" });
+  const field = block.getInputTargetBlock("DISTANCE")?.getField("NUM");
   if (!field) throw new Error("move_forward lost its distance");
   return field;
 }

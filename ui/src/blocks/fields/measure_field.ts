@@ -1,0 +1,106 @@
+import * as Blockly from "blockly/core";
+import type { Limits } from "../definition";
+import { argumentsOf, definitionOf } from "../definitions";
+import { word } from "../texts";
+
+/**
+ * A number as pupils write it: "0,5" where the language writes decimals with a comma. Blockly's own field drops the
+ * comma, so that a Brazilian half metre would become five metres.
+ *
+ * Hands are held to the limits of the place the number stands in; what a saved program holds is shown as it is.
+ */
+export class MeasureField extends Blockly.FieldNumber {
+  /** Typed last and out of range or no number at all; told once the editor closes. */
+  private refused: string | null = null;
+  private loading = false;
+
+  override loadState(state: unknown): void {
+    this.loading = true;
+    super.loadState(state);
+    this.loading = false;
+  }
+
+  protected override doClassValidation_(newValue?: unknown): number | null {
+    const { min, max, precision } = this.loading ? {} : this.limits();
+    this.min_ = min ?? -Number.MAX_VALUE;
+    this.max_ = max ?? Number.MAX_VALUE;
+    this.setPrecisionQuietly(precision ?? 0);
+    return super.doClassValidation_(parseMeasure(newValue));
+  }
+
+  protected override getText_(): string {
+    return formatMeasure(this.getValue());
+  }
+
+  protected override getEditorText_(value: unknown): string {
+    return formatMeasure(value);
+  }
+
+  protected override getValueFromEditorText_(text: string): string {
+    this.refused = this.accepts(text) ? null : text;
+    return text;
+  }
+
+  protected override widgetCreate_(): HTMLInputElement {
+    const input = super.widgetCreate_() as HTMLInputElement;
+    input.inputMode = "decimal";
+    return input;
+  }
+
+  override onFinishEditing_(value: unknown): void {
+    super.onFinishEditing_(value);
+    const typed = this.refused;
+    this.refused = null;
+    if (typed !== null) this.tell(typed);
+  }
+
+  static override fromJson(options: Blockly.FieldNumberFromJsonConfig): MeasureField {
+    return new MeasureField(options.value, undefined, undefined, undefined, undefined, options);
+  }
+
+  /** What the input that the number stands in allows. */
+  private limits(): Limits {
+    const place = this.getSourceBlock()?.outputConnection?.targetConnection;
+    if (!place) return {};
+    const name = place.getParentInput()?.name;
+    const row = definitionOf(place.getSourceBlock().type);
+    return argumentsOf(row).find((argument) => argument.name === name)?.limits ?? {};
+  }
+
+  /** As `setPrecision`, which would look at the value again. */
+  private setPrecisionQuietly(precision: number): void {
+    this.precision_ = precision;
+    const decimals = String(precision).split(".")[1]?.length ?? 0;
+    Object.assign(this, { decimalPlaces: precision ? decimals : null });
+  }
+
+  private accepts(text: string): boolean {
+    const { min = -Infinity, max = Infinity } = this.limits();
+    const value = Number(parseMeasure(text) || Number.NaN);
+    return value >= min && value <= max;
+  }
+
+  private tell(typed: string): void {
+    const workspace = this.getSourceBlock()?.workspace;
+    if (!(workspace instanceof Blockly.WorkspaceSvg)) return;
+    Blockly.Toast.show(workspace, { id: "pinel-range", message: this.complaint(typed) });
+  }
+
+  private complaint(typed: string): string {
+    const kept = this.getText();
+    const { min, max } = this.limits();
+    if (Number.isNaN(Number(parseMeasure(typed) || Number.NaN))) return word("NOT_A_NUMBER", kept);
+    if (max === undefined) return word("AT_LEAST", formatMeasure(min), kept);
+    return word("OUT_OF_RANGE", formatMeasure(min), formatMeasure(max), kept);
+  }
+}
+
+function parseMeasure(value: unknown): string {
+  return String(value ?? "")
+    .trim()
+    .replaceAll(",", ".");
+}
+
+function formatMeasure(value: unknown): string {
+  return String(value ?? "").replace(".", word("DECIMAL_SEPARATOR") || ".");
+}

@@ -1,0 +1,93 @@
+import * as Blockly from "blockly/core";
+import { isName, namesFor, renameVariable } from "../names";
+import { word } from "../texts";
+
+const NEW = "\u0000new";
+const RENAME = "\u0000rename";
+
+/** The name of a variable: one of those in use, a new one, or the same under another name. */
+export class NameField extends Blockly.FieldDropdown {
+  private listing = false;
+
+  constructor(config?: Blockly.FieldDropdownConfig) {
+    super(menu, undefined, config);
+  }
+
+  static override fromJson(options: Blockly.FieldDropdownFromJsonConfig): NameField {
+    return new NameField(options);
+  }
+
+  name_(): string {
+    return String(this.getValue());
+  }
+
+  /** In words, so that the menu of a field that is not open costs nothing. */
+  override getOptions(): Blockly.MenuOption[] {
+    const current = this.getValue() ?? word("VARIABLE_NAME");
+    if (!this.listing) return [[current, current]];
+    const block = this.getSourceBlock();
+    const names = new Set([current, ...(block ? namesFor(block) : [])]);
+    return [
+      ...[...names].map((name): Blockly.MenuOption => [name, name]),
+      "separator",
+      [word("NEW_NAME"), NEW],
+      [word("RENAME", current), RENAME],
+    ];
+  }
+
+  protected override doClassValidation_(newValue?: unknown): string | null {
+    return typeof newValue === "string" && newValue !== "" ? newValue : null;
+  }
+
+  protected override showEditor_(event?: MouseEvent): void {
+    this.listing = true;
+    super.showEditor_(event);
+    this.listing = false;
+  }
+
+  protected override onItemSelected_(menu: Blockly.Menu, item: Blockly.MenuItem): void {
+    const value = item.getValue();
+    if (value === NEW) this.ask(word("ASK_NEW_NAME"), "", (name) => this.setValue(name));
+    else if (value === RENAME) this.askForRename();
+    else super.onItemSelected_(menu, item);
+  }
+
+  private askForRename(): void {
+    const from = this.name_();
+    this.ask(word("ASK_RENAME", from), from, (to) => {
+      const block = this.getSourceBlock();
+      if (block) renameVariable(block, from, to);
+    });
+  }
+
+  private ask(question: string, suggestion: string, take: (name: string) => void): void {
+    Blockly.dialog.prompt(question, suggestion, (answer) => {
+      const name = answer?.trim();
+      if (!name) return;
+      if (isName(name)) inOneStep(() => take(name));
+      else this.refuse();
+    });
+  }
+
+  private refuse(): void {
+    const workspace = this.getSourceBlock()?.workspace;
+    if (!(workspace instanceof Blockly.WorkspaceSvg)) return;
+    const message = word("NAME_REFUSED", this.name_());
+    Blockly.Toast.show(workspace, { id: "pinel-name", message });
+  }
+}
+
+function menu(this: Blockly.FieldDropdown): Blockly.MenuOption[] {
+  return this.getOptions();
+}
+
+/** What is done by one hand is undone by one. */
+export function inOneStep(act: () => void): void {
+  const before = Blockly.Events.getGroup();
+  if (!before) Blockly.Events.setGroup(true);
+  try {
+    act();
+  } finally {
+    Blockly.Events.setGroup(before);
+  }
+}

@@ -1,0 +1,63 @@
+import { anything, nameField } from "./arguments";
+import type { BlockDefinition } from "./definition";
+
+export const lists = [
+  {
+    type: "list_of",
+    style: "lists",
+    level: 3,
+    makes: { expression: "list" },
+    args0: [],
+    output: "Array",
+    variadic: { check: "Literal", min: 0, start: 3, shadow: { number: 0 } },
+    mutator: "pinel_variadic",
+  },
+  {
+    type: "list_data",
+    style: "lists",
+    level: 3,
+    makes: { expression: "list" },
+    args0: [{ type: "field_label", name: "COUNT", text: "0" }],
+    output: "Array",
+    mutator: "pinel_list_data",
+    hidden: true,
+  },
+  {
+    type: "append",
+    style: "lists",
+    level: 3,
+    makes: { action: "append" },
+    icon: "listPlus",
+    previousStatement: null,
+    nextStatement: null,
+    args0: [
+      { type: "input_value", name: "VALUE", key: "value", shadow: { number: 0 } },
+      nameField("LIST", "list"),
+    ],
+  },
+  {
+    type: "item",
+    style: "lists",
+    level: 3,
+    makes: { op: ["item"] },
+    args0: [
+      {
+        type: "input_value",
+        name: "INDEX",
+        check: "Number",
+        shadow: { number: 1 },
+        limits: { precision: 1 },
+      },
+      { type: "input_value", name: "LIST", check: "Array" },
+    ],
+    ...anything,
+  },
+  {
+    type: "length",
+    style: "lists",
+    level: 3,
+    makes: { op: ["length"] },
+    args0: [{ type: "input_value", name: "A", check: ["String", "Array"] }],
+    output: "Number",
+  },
+] as const satisfies readonly BlockDefinition[];

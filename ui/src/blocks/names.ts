@@ -1,0 +1,86 @@
+import type * as Blockly from "blockly/core";
+import { NameField } from "./fields/name_field";
+
+/** Letters of any script, digits and underscores, with spaces between; as the reader of documents takes them. */
+const NAME = /^[\p{L}\p{M}\p{N}_](?:[\p{L}\p{M}\p{N}_ ]*[\p{L}\p{M}\p{N}_])?$/u;
+const MAX_LENGTH = 64;
+
+export function isName(text: string): boolean {
+  return [...text].length <= MAX_LENGTH && NAME.test(text);
+}
+
+/** The name, or the name with the first number that is free. */
+export function freeName(wanted: string, taken: ReadonlySet<string>): string {
+  let name = wanted;
+  for (let number = 2; taken.has(name); number++) name = `${wanted} ${number}`;
+  return name;
+}
+
+/** Every function that is defined, in the order in which the definitions came. */
+export function definitionsIn(workspace: Blockly.Workspace): Blockly.Block[] {
+  return workspace.getTopBlocks(false).filter(({ type }) => type === "function_def");
+}
+
+export function functionName(definition: Blockly.Block): string {
+  return String(definition.getFieldValue("NAME"));
+}
+
+/** The parameters of a function, from its definition. */
+export function parametersOf(definition: Blockly.Block): string[] {
+  return (definition as Blockly.Block & { parameters(): string[] }).parameters();
+}
+
+/** The function around a block, if there is one with a parameter of that name. */
+function scopeOf(block: Blockly.Block, name: string): Blockly.Block | null {
+  const root = block.getRootBlock();
+  return root.type === "function_def" && parametersOf(root).includes(name) ? root : null;
+}
+
+/** Names of variables a block can use: those of all the program and the parameters of its function. */
+export function namesFor(block: Blockly.Block): string[] {
+  const root = block.getRootBlock();
+  const own = root.type === "function_def" ? parametersOf(root) : [];
+  return sorted(new Set([...own, ...variableNames(block.workspace)]));
+}
+
+/** Names of the variables in use, less those that are parameters where they stand. */
+export function variableNames(workspace: Blockly.Workspace): string[] {
+  const names = new Set<string>();
+  for (const field of nameFields(workspace)) {
+    const block = field.getSourceBlock();
+    if (block && !scopeOf(block, field.name_())) names.add(field.name_());
+  }
+  return sorted(names);
+}
+
+/** Gives a variable, or a parameter, another name wherever it means the same. */
+export function renameVariable(block: Blockly.Block, from: string, to: string): void {
+  const scope = scopeOf(block, from);
+  const fields = nameFields(block.workspace).filter((field) => {
+    const source = field.getSourceBlock();
+    return field.name_() === from && source && scopeOf(source, from) === scope;
+  });
+  for (const field of fields) field.setValue(to);
+  const parameter = scope && parametersOf(scope).indexOf(from);
+  if (scope && parameter !== null) scope.setFieldValue(to, `PARAM${parameter}`);
+}
+
+/** The uses of a parameter follow it when its definition gives it another name. */
+export function renameInside(definition: Blockly.Block, from: string, to: string): void {
+  for (const block of definition.getDescendants(false)) {
+    for (const field of fieldsOf(block)) if (field.name_() === from) field.setValue(to);
+  }
+}
+
+function nameFields(workspace: Blockly.Workspace): NameField[] {
+  return workspace.getAllBlocks(false).flatMap(fieldsOf);
+}
+
+function fieldsOf(block: Blockly.Block): NameField[] {
+  if (block.isInsertionMarker()) return [];
+  return [...block.getFields()].filter((field): field is NameField => field instanceof NameField);
+}
+
+function sorted(names: ReadonlySet<string>): string[] {
+  return [...names].sort((one, other) => one.localeCompare(other));
+}

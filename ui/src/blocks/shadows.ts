@@ -1,0 +1,11 @@
+import type * as Blockly from "blockly/core";
+import type { Shadow } from "./definition";
+import { word } from "./texts";
+import type { TextKey } from "./texts/keys";
+
+/** The block that stands in an input until another is put there. */
+export function shadowState(shadow: Shadow): Blockly.serialization.blocks.State {
+  if ("number" in shadow) return { type: "number", fields: { NUM: shadow.number } };
+  if ("letter" in shadow) return { type: "text_letter", fields: { TEXT: shadow.letter } };
+  return { type: "text", fields: { TEXT: word(shadow.words as TextKey) } };
+}

@@ -1,0 +1,70 @@
+import { choice, colourOptions, nameField, wordsInput } from "./arguments";
+import type { BlockDefinition } from "./definition";
+
+const statement = { style: "show", previousStatement: null, nextStatement: null } as const;
+
+export const show = [
+  {
+    ...statement,
+    type: "say",
+    level: 1,
+    makes: { action: "say" },
+    icon: "message",
+    args0: [wordsInput("TEXT", "text", "HELLO")],
+  },
+  {
+    ...statement,
+    type: "beep",
+    level: 1,
+    makes: { action: "beep" },
+    icon: "volume",
+    args0: [],
+  },
+  {
+    ...statement,
+    type: "pen_down",
+    level: 1,
+    makes: { action: "pen", fixed: { down: true } },
+    icon: "penDown",
+    args0: [choice("COLOR", "color", [...colourOptions, ["%{BKY_PINEL_COLOUR_SAME}", ""]])],
+  },
+  {
+    ...statement,
+    type: "pen_up",
+    level: 1,
+    makes: { action: "pen", fixed: { down: false } },
+    icon: "penUp",
+    args0: [choice("COLOR", "color", [["", ""], ...colourOptions])],
+    extensions: ["quiet_colour"],
+  },
+  {
+    ...statement,
+    type: "mark",
+    level: 2,
+    makes: { action: "mark" },
+    icon: "crosshair",
+    args0: [
+      choice("SYMBOL", "symbol", [
+        ["X", "X"],
+        ["O", "O"],
+      ]),
+    ],
+  },
+  {
+    ...statement,
+    type: "ask",
+    level: 2,
+    makes: { action: "ask" },
+    icon: "question",
+    args0: [
+      {
+        type: "input_value",
+        name: "QUESTION",
+        key: "question",
+        check: "String",
+        shadow: { words: "QUESTION" },
+      },
+      nameField("VARIABLE", "variable"),
+    ],
+  },
+] as const satisfies readonly BlockDefinition[];

@@ -1,0 +1,23 @@
+import { TEXT_LITERAL } from "./arguments";
+import type { BlockDefinition } from "./definition";
+
+export const text = [
+  {
+    type: "text",
+    style: "text",
+    level: 2,
+    makes: { expression: "literal" },
+    args0: [{ type: "field_input", name: "TEXT", text: "", spellcheck: false }],
+    output: TEXT_LITERAL,
+  },
+  {
+    type: "join",
+    style: "text",
+    level: 2,
+    makes: { op: ["join"] },
+    args0: [],
+    output: "String",
+    variadic: { check: null, min: 1, start: 2, shadow: { words: "WORD" } },
+    mutator: "pinel_variadic",
+  },
+] as const satisfies readonly BlockDefinition[];

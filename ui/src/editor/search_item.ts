@@ -1,0 +1,93 @@
+import * as Blockly from "blockly/core";
+import type { Level } from "../blocks/definition";
+import { iconShape } from "../blocks/icons";
+import { searchBlocks } from "../blocks/search";
+import { word } from "../blocks/texts";
+import { SEARCH_KIND } from "../blocks/toolbox";
+import { svgIcon } from "./svg_icon";
+
+/** A field at the head of the toolbox; what it finds stands where the blocks of a category stand. */
+class SearchItem extends Blockly.ToolboxCategory {
+  private declare field: HTMLInputElement;
+
+  protected override createDom_(): HTMLDivElement {
+    const container = super.createDom_();
+    container.removeAttribute("id");
+    this.field = this.createField();
+    this.rowDiv_?.replaceChildren(svgIcon(iconShape("search"), "pinelSearchIcon"), this.field);
+    this.rowDiv_?.classList.add("pinelSearch");
+    return container;
+  }
+
+  override getFocusableElement(): HTMLElement {
+    return this.field;
+  }
+
+  override getClickTarget(): Element {
+    return this.field;
+  }
+
+  override onNodeFocus(): void {
+    this.find();
+    super.onNodeFocus();
+  }
+
+  private createField(): HTMLInputElement {
+    const field = document.createElement("input");
+    field.id = this.getId();
+    field.type = "search";
+    field.autocomplete = "off";
+    field.placeholder = this.name_;
+    field.setAttribute("aria-label", this.name_);
+    field.dataset.testid = "toolbox-search";
+    // the toolbox closes what is clicked twice
+    field.addEventListener("pointerdown", (event) => event.stopPropagation());
+    field.addEventListener("keydown", (event) => this.onKey(event));
+    field.addEventListener("input", () => this.search());
+    return field;
+  }
+
+  /** Arrows lead out of the field, as out of a category; Escape empties it first. */
+  private onKey(event: KeyboardEvent): void {
+    const atEnd = this.field.selectionStart === this.field.value.length;
+    const navigator = this.parentToolbox_.getNavigator();
+    if (event.key === "ArrowDown") this.leave(event, navigator.getNextNode(this));
+    else if (event.key === "ArrowRight" && atEnd) this.leave(event, navigator.getInNode(this));
+    else if (event.key === "Escape" && this.field.value !== "") {
+      event.stopPropagation();
+      this.field.value = "";
+      this.search();
+    }
+  }
+
+  private leave(event: KeyboardEvent, to: Blockly.IFocusableNode | null): void {
+    if (!to) return;
+    event.preventDefault();
+    event.stopPropagation();
+    Blockly.getFocusManager().focusNode(to);
+  }
+
+  private search(): void {
+    this.find();
+    this.parentToolbox_.refreshSelection();
+  }
+
+  private find(): void {
+    const query = this.field.value.trim();
+    const { level } = this.toolboxItemDef_ as unknown as { level: Level };
+    const found = query ? searchBlocks(query, level, this.workspace_) : [];
+    this.flyoutItems_ = found.length > 0 ? found : [noteOf(query)];
+    if (!query) return;
+    const said = found.length > 0 ? word("SEARCH_FOUND", String(found.length)) : noteOf(query).text;
+    Blockly.utils.aria.announceDynamicAriaState(said);
+  }
+}
+
+function noteOf(query: string) {
+  const text = word(query ? "SEARCH_NOTHING" : "SEARCH_HINT");
+  return { kind: "label" as const, text, "web-class": "pinelFlyoutNote" };
+}
+
+export function registerSearchItem(): void {
+  Blockly.registry.register(Blockly.registry.Type.TOOLBOX_ITEM, SEARCH_KIND, SearchItem, true);
+}

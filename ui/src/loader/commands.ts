@@ -1,0 +1,158 @@
+import type { BlockArgument } from "../blocks/definition";
+import { ALL_DEFINITIONS, argumentsOf, type Row } from "../blocks/definitions";
+import type { Branch, Command, Expression } from "../generator/document";
+import { parseCondition } from "./conditions";
+import type { BlockState, Connection, Ids } from "./state";
+import { callParts, valueInput } from "./values";
+
+type Parts = Pick<BlockState, "fields" | "inputs" | "extraState">;
+
+/** As files of the original say it. */
+const OTHER_ACTIONS: Readonly<Record<string, string>> = { classificar_gestos: "classify_gestures" };
+
+/** A stack of blocks: the first, with the others below it; nothing for no commands. */
+export function stackOf(commands: readonly Command[], ids: Ids): { block: BlockState } | undefined {
+  let below: { block: BlockState } | undefined;
+  for (const block of commands.map((command) => commandBlock(command, ids)).reverse()) {
+    below = { block: below ? { ...block, next: below } : block };
+  }
+  return below;
+}
+
+/** What a pupil wrote on a block, as Blockly keeps it. */
+export function commentIcon(comment: unknown): Pick<BlockState, "icons"> {
+  if (typeof comment !== "string" || comment === "") return {};
+  return { icons: { comment: { text: comment, pinned: false, height: 100, width: 220 } } };
+}
+
+function commandBlock(command: Command, ids: Ids): BlockState {
+  const head = { ...ids.take(command.block), ...commentIcon(command.comment) };
+  const special = SPECIAL[command.action];
+  if (special) return { ...head, ...special(command, ids) };
+  const row = rowFor(command);
+  return { type: row.type, ...head, ...partsOf(row, command, ids) };
+}
+
+const SPECIAL: Readonly<Record<string, (command: Command, ids: Ids) => Parts & { type: string }>> =
+  {
+    turn: (command) => ({ type: "turn", ...signedAngle(command.angle as Expression) }),
+    arc: (command) => {
+      const parts = signedAngle(command.angle as Expression);
+      const radius = valueInput(command.radius as Expression, { number: 1 });
+      return { type: "arc", ...parts, inputs: { ...parts.inputs, RADIUS: radius } };
+    },
+    conditional_execution: (command, ids) => ({ type: "if", ...conditional(command, ids) }),
+    call: (command) => ({
+      type: "call",
+      ...callParts(
+        String(command.function),
+        command.arguments as Record<string, Expression> | undefined,
+      ),
+    }),
+  };
+
+/** The block whose places fit the parameters best: some actions have one for each way they are used. */
+function rowFor(command: Command): Row {
+  const action = OTHER_ACTIONS[command.action] ?? command.action;
+  let best: { row: Row; fit: number } | null = null;
+  for (const row of ALL_DEFINITIONS) {
+    const { makes } = row;
+    if (!makes || !("action" in makes) || makes.action !== action) continue;
+    const fixed = Object.entries(makes.fixed ?? {});
+    if (fixed.some(([key, value]) => command[key] !== value)) continue;
+    const keys = argumentsOf(row).flatMap(({ key }) => (key === undefined ? [] : [key]));
+    const given = keys.filter((key) => parameter(command, key) !== undefined).length;
+    const fit = 2 * given - (keys.length - given);
+    if (!best || fit > best.fit) best = { row, fit };
+  }
+  if (!best) throw new Error(`there is no block for ${command.action}`);
+  return best.row;
+}
+
+/** A parameter; what the server writes as null was not given. */
+function parameter(command: Command, key: string): unknown {
+  const value = key === "result" ? (command.result ?? command.resultado) : command[key];
+  return value ?? undefined;
+}
+
+function partsOf(row: Row, command: Command, ids: Ids): Parts {
+  const fields: Record<string, unknown> = {};
+  const inputs: Record<string, Connection> = {};
+  for (const argument of argumentsOf(row) as readonly BlockArgument[]) {
+    const { name, key, type, shadow } = argument;
+    if (!name || key === undefined) continue;
+    const value = parameter(command, key);
+    if (type === "input_statement") Object.assign(inputs, inside(name, value as Command[], ids));
+    else if (type === "input_value") {
+      const given = value ?? defaultOf(shadow);
+      if (given !== undefined) inputs[name] = valueInput(expressionOf(key, given), shadow);
+    } else fields[name] = fieldValue(value, key);
+  }
+  return { fields, inputs };
+}
+
+/** Of optional parameters, what the reader of documents takes instead is what stands on the block to begin with. */
+function defaultOf(shadow: BlockArgument["shadow"]): number | undefined {
+  return shadow && "number" in shadow ? shadow.number : undefined;
+}
+
+function expressionOf(key: string, value: unknown): Expression {
+  const isText = key === "condition" && typeof value === "string";
+  return isText ? parseCondition(value) : (value as Expression);
+}
+
+function fieldValue(value: unknown, key: string): unknown {
+  if (key === "avoid") return value === true ? "TRUE" : "FALSE";
+  return value ?? "";
+}
+
+function inside(name: string, commands: readonly Command[], ids: Ids): Record<string, Connection> {
+  const stack = stackOf(commands, ids);
+  return stack ? { [name]: stack } : {};
+}
+
+/** A negative angle, or one that is subtracted from nothing, is a turn to the right. */
+function signedAngle(angle: Expression): Parts {
+  const subtracted = negatedPart(angle);
+  const right = typeof angle === "number" ? angle < 0 : subtracted !== null;
+  const amount = typeof angle === "number" ? Math.abs(angle) : (subtracted ?? angle);
+  return {
+    fields: { DIRECTION: right ? "RIGHT" : "LEFT" },
+    inputs: { ANGLE: valueInput(amount, { number: 90 }) },
+  };
+}
+
+function negatedPart(angle: Expression): Expression | null {
+  if (typeof angle !== "object" || !("op" in angle) || angle.op !== "-") return null;
+  const [zero, part] = angle.args;
+  return zero === 0 && part !== undefined && typeof part !== "number" ? part : null;
+}
+
+function conditional(command: Command, ids: Ids): Parts {
+  const first = { condition: command.condition, commands: command.commands } as Branch;
+  const others = (command.elif ?? []) as Branch[];
+  const last = (command.else ?? []) as Command[];
+  const inputs = Object.assign(
+    {},
+    ...[first, ...others].map((branch, index) => branchInputs(branch, index || "", ids)),
+    inside("ELSE", last, ids),
+  );
+  const extraState = {
+    ...(others.length > 0 && { elif: others.length }),
+    ...(last.length > 0 && { else: true }),
+  };
+  return { inputs, ...(Object.keys(extraState).length > 0 && { extraState }) };
+}
+
+function branchInputs(
+  { condition, commands }: Branch,
+  suffix: number | "",
+  ids: Ids,
+): Record<string, Connection> {
+  const inputs = inside(`THEN${suffix}`, commands, ids);
+  if (condition === undefined) return inputs;
+  return {
+    [`CONDITION${suffix}`]: valueInput(expressionOf("condition", condition)),
+    ...inputs,
+  };
+}

@@ -1,0 +1,56 @@
+import type { Command, FunctionDefinition, ProgramDocument } from "../generator/document";
+import { commentIcon, stackOf } from "./commands";
+import { below, MARGIN, widthOf } from "./layout";
+import { type BlockState, Ids } from "./state";
+
+export { ConditionError, parseCondition } from "./conditions";
+
+/**
+ * The workspace that shows a document: its program on the left, its functions one below the other beside it. Takes
+ * every document the server's reader takes, also a bare list of commands in the spelling of the original, and conditions
+ * as text. What a document's blocks are called they keep.
+ *
+ * Throws where a block cannot be shown, which for a document without faults does not happen.
+ */
+export function workspaceOf(document: object): object {
+  const { functions, commands } = parts(document);
+  const ids = new Ids();
+  const next = stackOf(commands, ids);
+  const start = { type: "program_start", id: "start", x: MARGIN, y: MARGIN, ...(next && { next }) };
+  return {
+    blocks: {
+      languageVersion: 0,
+      blocks: [start, ...definitionBlocks(functions, MARGIN + widthOf(commands), ids)],
+    },
+  };
+}
+
+function parts(document: object): Pick<ProgramDocument, "functions" | "commands"> {
+  if (Array.isArray(document)) return { functions: [], commands: document as Command[] };
+  const { functions = [], commands } = document as ProgramDocument;
+  return { functions, commands };
+}
+
+function definitionBlocks(
+  functions: readonly FunctionDefinition[],
+  x: number,
+  ids: Ids,
+): BlockState[] {
+  let y = MARGIN;
+  return functions.map((definition) => {
+    const { name, parameters = [], commands, block, comment } = definition;
+    const next = stackOf(commands, ids);
+    const state: BlockState = {
+      type: "function_def",
+      ...ids.take(block),
+      x,
+      y,
+      ...(parameters.length > 0 && { extraState: { parameters } }),
+      ...commentIcon(comment),
+      fields: { NAME: name },
+      ...(next && { next }),
+    };
+    y = below(y, commands);
+    return state;
+  });
+}

@@ -1,0 +1,136 @@
+import * as Blockly from "blockly/core";
+import { beforeAll, describe, expect, test } from "vitest";
+import { registerBlocks } from "../blocks";
+import { setBlockLanguage } from "../blocks/texts";
+import { generateDocument } from "../generator";
+import type { Branch, Command, ProgramDocument } from "../generator/document";
+import { workspaceOf } from ".";
+import { parseCondition } from "./conditions";
+import { RandomPrograms } from "./random_programs";
+
+beforeAll(() => {
+  setBlockLanguage("pt-BR");
+  registerBlocks();
+});
+
+function throughBlocks(document: object): ProgramDocument {
+  const workspace = new Blockly.Workspace();
+  Blockly.serialization.workspaces.load(workspaceOf(document), workspace);
+  const saved = JSON.parse(JSON.stringify(Blockly.serialization.workspaces.save(workspace)));
+  const again = new Blockly.Workspace();
+  Blockly.serialization.workspaces.load(saved, again);
+  const { name = "" } = document as Partial<ProgramDocument>;
+  const made = generateDocument(again, name);
+  workspace.dispose();
+  again.dispose();
+  return made;
+}
+
+describe("a document drawn at random from the whole language", () => {
+  test.each(
+    Array.from({ length: 300 }, (_, seed) => seed),
+  )("%i is the same after a journey through blocks", (seed) => {
+    const document = new RandomPrograms(seed).document();
+    expect(throughBlocks(document)).toEqual(document);
+  });
+
+  test("has all of the actions, operators and sensors among them", () => {
+    const text = Array.from({ length: 300 }, (_, seed) =>
+      JSON.stringify(new RandomPrograms(seed).document()),
+    ).join("");
+    for (const action of ACTIONS) expect(text).toContain(`"action":"${action}"`);
+    for (const op of OPERATORS) expect(text).toContain(`"op":"${op}"`);
+    for (const sensor of SENSORS) expect(text).toContain(`"sensor":"${sensor}"`);
+  });
+});
+
+/** The programs that the server's tests run. */
+const PROGRAMS = Object.entries(
+  import.meta.glob<object>("../../../tests/programs/*.json", { eager: true, import: "default" }),
+).filter(([path]) => !path.includes(".values."));
+
+test("there are programs to try", () => expect(PROGRAMS.length).toBeGreaterThan(9));
+
+describe.each(PROGRAMS)("the program %s", (_path, saved) => {
+  test("is the same after a journey through blocks, in the normal form", () => {
+    const { functions = [], commands } = Array.isArray(saved)
+      ? { commands: saved as Command[] }
+      : (saved as ProgramDocument);
+    const made = throughBlocks(saved);
+    expect(withoutIds(made.commands)).toEqual(withoutIds(commands.map(normal)));
+    expect(made.functions.map(({ name }) => name)).toEqual(functions.map(({ name }) => name));
+  });
+
+  test("is the same after a second journey, ids included", () => {
+    const once = throughBlocks(saved);
+    expect(throughBlocks(once)).toEqual(once);
+  });
+});
+
+test("ids of a document stay, and a second block of the same name gets another", () => {
+  const stop = { action: "stop", block: "a" };
+  const { commands } = throughBlocks({ pinel_ir: 1, name: "", commands: [stop, stop] });
+  expect(commands[0]).toEqual(stop);
+  expect(commands[1]?.block).not.toBe("a");
+});
+
+test("a long list of commands is shown, too", () => {
+  const commands = Array.from({ length: 2000 }, () => ({ action: "stop" }));
+  expect(throughBlocks({ pinel_ir: 1, name: "", commands }).commands).toHaveLength(2000);
+});
+
+/** Texts become trees, defaults are written out, empty parts go. */
+function normal(command: Command): Command {
+  const { status: _, resultado, ...kept } = command;
+  const made: Command = {
+    ...DEFAULTS[command.action],
+    ...kept,
+    action: command.action === "classificar_gestos" ? "classify_gestures" : command.action,
+    ...(resultado !== undefined && { result: resultado }),
+    ...branch(command as unknown as Branch),
+  };
+  const { elif, else: last } = made as { elif?: Branch[]; else?: Command[] };
+  delete made.elif;
+  delete made.else;
+  if (elif?.length) made.elif = elif.map(branch);
+  if (last?.length) made.else = last.map(normal);
+  return made;
+}
+
+function branch({ condition, commands }: Branch): Branch {
+  const tree = typeof condition === "string" ? parseCondition(condition) : condition;
+  return {
+    ...(tree !== undefined && { condition: tree }),
+    ...(commands && { commands: commands.map(normal) }),
+  } as Branch;
+}
+
+const DEFAULTS: Readonly<Record<string, object>> = {
+  classify_gestures: { timeout: 10 },
+  classificar_gestos: { timeout: 10 },
+  go_to: { avoid: false },
+  for: { by: 1 },
+  call: { arguments: {} },
+};
+
+function withoutIds(value: unknown): unknown {
+  return JSON.parse(JSON.stringify(value), (_key, one) => {
+    if (one && typeof one === "object") delete one.block;
+    return one;
+  });
+}
+
+const ACTIONS = [
+  ...["move_forward", "move_backward", "turn", "stop", "drive", "arc", "set_speed", "go_to"],
+  ...["wait", "wait_until", "pen", "ask", "mark", "say", "beep", "classify_gestures"],
+  ...["set_gesture_result", "set_variable", "change_variable", "append", "repeat", "while"],
+  ...["until", "for", "forever", "break", "continue", "conditional_execution", "call", "return"],
+];
+const OPERATORS = [
+  ...["+", "-", "*", "/", "%", "**", "==", "!=", "<", "<=", ">", ">=", "and", "or", "not"],
+  ...["min", "max", "abs", "round", "sqrt", "sin", "cos", "tan", "random_int", "join", "length"],
+  "item",
+];
+const SENSORS = [
+  ...["sonar", "distance", "lidar", "x", "y", "heading", "bumper", "time", "floor", "cell"],
+];

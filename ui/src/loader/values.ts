@@ -1,0 +1,142 @@
+import { COLOURS } from "../blocks/arguments";
+import type { BlockArgument, Shadow } from "../blocks/definition";
+import { ALL_DEFINITIONS, argumentsOf, definitionOf, type Row } from "../blocks/definitions";
+import { shadowState } from "../blocks/shadows";
+import { itemInput } from "../blocks/shapes/variadic";
+import type { Expression, Literal } from "../generator/document";
+import type { BlockState, Connection } from "./state";
+
+/** Lists with more values than this are shown by their length. */
+const MAX_SHOWN = 24;
+
+/** What an expression is as a block. */
+export function valueBlock(expression: Expression): BlockState {
+  if (Array.isArray(expression)) return listBlock(expression);
+  if (typeof expression !== "object") return literalBlock(expression as Literal);
+  if ("op" in expression) return operationBlock(expression.op, expression.args);
+  if ("var" in expression) return { type: "variable", fields: { NAME: expression.var } };
+  if ("gesture" in expression) return { type: "gesture_result" };
+  if ("call" in expression) {
+    return { type: "call_value", ...callParts(expression.call, expression.arguments) };
+  }
+  return sensorBlock(expression as Extract<Expression, { sensor: string }>);
+}
+
+/** What stands in an input: a literal as a field of the block, where the input has one of its kind, else a block. */
+export function valueInput(expression: Expression, shadow?: Shadow): Connection {
+  const written = shadow && asShadow(expression, shadow);
+  if (written) return { shadow: written };
+  const block = valueBlock(expression);
+  return shadow ? { shadow: shadowState(shadow), block } : { block };
+}
+
+/** The name and values of a call, as extra state and inputs of its block. */
+export function callParts(
+  name: string,
+  values: Readonly<Record<string, Expression>> = {},
+): Pick<BlockState, "extraState" | "inputs"> {
+  const parameters = Object.keys(values);
+  const inputs: Record<string, Connection> = {};
+  parameters.forEach((parameter, index) => {
+    inputs[`ARG${index}`] = valueInput(values[parameter] as Expression, { number: 0 });
+  });
+  return { extraState: { name, ...(parameters.length > 0 && { parameters }) }, inputs };
+}
+
+function asShadow(expression: Expression, shadow: Shadow): BlockState | null {
+  const { type } = shadowState(shadow);
+  const fits = type === "number" ? "number" : "string";
+  return typeof expression === fits ? literalBlock(expression as Literal, type) : null;
+}
+
+function literalBlock(literal: Literal, textType = "text"): BlockState {
+  if (typeof literal === "boolean") {
+    return { type: "boolean", fields: { BOOL: literal ? "TRUE" : "FALSE" } };
+  }
+  // there is no -0 in JSON
+  if (typeof literal === "number") return { type: "number", fields: { NUM: literal || 0 } };
+  return { type: textType, fields: { TEXT: literal } };
+}
+
+function listBlock(values: readonly Literal[]): BlockState {
+  if (values.length > MAX_SHOWN) return { type: "list_data", extraState: { values: [...values] } };
+  const inputs: Record<string, Connection> = {};
+  values.forEach((value, index) => {
+    const shadow: Shadow = typeof value === "string" ? { words: "WORD" } : { number: 0 };
+    inputs[itemInput(index)] = valueInput(value, shadow);
+  });
+  return { type: "list_of", extraState: { n: values.length }, inputs };
+}
+
+const OPERATIONS = new Map<string, Row>(
+  ALL_DEFINITIONS.flatMap((row) => {
+    const operators = row.makes && "op" in row.makes ? row.makes.op : [];
+    return operators.map((op) => [op, row] as const);
+  }),
+);
+
+function operationBlock(op: string, args: readonly Expression[]): BlockState {
+  const row = OPERATIONS.get(op);
+  if (!row) throw new Error(`there is no operator ${op}`);
+  if (row.type === "compare") return comparison(op, args);
+  const names = row.type === "item" ? ["LIST", "INDEX"] : args.map((_, index) => itemInput(index));
+  const inputs: Record<string, Connection> = {};
+  args.forEach((argument, index) => {
+    const name = names[index] as string;
+    inputs[name] = valueInput(argument, shadowOf(row, name));
+  });
+  const hasChoice = row.args0.some(({ name }) => name === "OPERATOR");
+  return {
+    type: row.type,
+    ...(hasChoice && { fields: { OPERATOR: op } }),
+    ...(row.variadic && args.length !== row.variadic.start && { extraState: { n: args.length } }),
+    inputs,
+  };
+}
+
+/** The two sides of a comparison; a letter or a colour is shown as what it is compared with. */
+function comparison(op: string, [a, b]: readonly Expression[]): BlockState {
+  const [left, right] = [a as Expression, b as Expression];
+  return {
+    type: "compare",
+    fields: { OPERATOR: op },
+    inputs: { A: comparedWith(left, right), B: comparedWith(right, left) },
+  };
+}
+
+function comparedWith(side: Expression, other: Expression): Connection {
+  if (typeof side === "number") return valueInput(side, { number: 0 });
+  if (typeof side !== "string") return valueInput(side);
+  if (isSensor(other, "floor") && COLOURS.some((colour) => colour === side)) {
+    return { shadow: { type: "colour", fields: { COLOUR: side } } };
+  }
+  const isGesture = typeof other === "object" && "gesture" in other;
+  return { shadow: literalBlock(side, isGesture ? "text_letter" : "text") };
+}
+
+function isSensor(expression: Expression, sensor: string): boolean {
+  return typeof expression === "object" && "sensor" in expression && expression.sensor === sensor;
+}
+
+function sensorBlock(expression: Extract<Expression, { sensor: string }>): BlockState {
+  const { sensor, direction, index, angle } = expression;
+  switch (sensor) {
+    case "distance":
+      return { type: "distance_sensor", fields: { DIRECTION: direction } };
+    case "sonar":
+      return { type: "sonar", inputs: { INDEX: valueInput(index ?? 0, { number: 0 }) } };
+    case "lidar":
+      return { type: "lidar", inputs: { ANGLE: valueInput(angle ?? 0, { number: 0 }) } };
+    case "x":
+    case "y":
+      return { type: "position", fields: { AXIS: sensor } };
+    default:
+      return { type: definitionOf(sensor).type };
+  }
+}
+
+/** What stands in an input of a block when nothing else does. */
+export function shadowOf(row: Row, name: string): Shadow | undefined {
+  const argument = (argumentsOf(row) as readonly BlockArgument[]).find((one) => one.name === name);
+  return argument?.shadow ?? row.variadic?.shadow ?? undefined;
+}
