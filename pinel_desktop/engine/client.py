@@ -5,12 +5,13 @@ import logging
 import subprocess
 import threading
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, BinaryIO, Literal, cast
 
 from pinel_desktop.engine.protocol import Message, read_messages, write_message
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import SCHEMA_VERSION
+from pinel_desktop.execution.control import StepMode
 from pinel_desktop.processes import own_command
 
 EngineState = Literal["starting", "ready", "lost"]
@@ -89,9 +90,21 @@ class EngineClient:
         return self._state == "ready"
 
     def run(
-        self, run_id: str, document: dict[str, Any], *, world: str, seed: int = 0, link: str = "sim"
+        self,
+        run_id: str,
+        document: dict[str, Any],
+        *,
+        world: str,
+        seed: int = 0,
+        link: str = "sim",
+        debugging: Mapping[str, Any] | None = None,
     ) -> None:
-        """Begins a live run. Raises PinelError `run_in_progress` or `engine_not_ready`."""
+        """Begins a live run. Raises PinelError `run_in_progress` or `engine_not_ready`.
+
+        Args:
+            debugging: `breakpoints` (ids of blocks), `speed` (a factor) and `paused` (holds at the first block);
+                what is left out is not there.
+        """
         with self._lock:
             if self._live is not None:
                 raise PinelError("run_in_progress")
@@ -110,6 +123,7 @@ class EngineClient:
                     "world": world,
                     "seed": seed,
                     "link": link,
+                    **(debugging or {}),
                 }
             )
 
@@ -124,6 +138,18 @@ class EngineClient:
     def stop(self, run_id: str) -> None:
         """Ends the run; the robot stands still."""
         self._tell(run_id, {"do": "stop"})
+
+    def step(self, run_id: str, mode: StepMode) -> None:
+        """Goes on to the next block and pauses there."""
+        self._tell(run_id, {"do": "step", "mode": mode})
+
+    def set_breakpoints(self, run_id: str, blocks: Sequence[str]) -> None:
+        """The run pauses before these blocks, and no others."""
+        self._tell(run_id, {"do": "breakpoints", "blocks": list(blocks)})
+
+    def set_speed(self, run_id: str, factor: float) -> None:
+        """Slow motion or fast forward, in the simulator."""
+        self._tell(run_id, {"do": "speed", "factor": factor})
 
     def answer_capture(self, run_id: str, result: str) -> None:
         """Answers the running capture by hand; without one it does nothing."""

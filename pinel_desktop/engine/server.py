@@ -14,6 +14,7 @@ from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.execution.gestures import AnsweredGestures
 from pinel_desktop.links import open_link
 from pinel_desktop.program.model import Program
+from pinel_desktop.robot import RobotLink
 from pinel_desktop.program.reading import read_document
 
 _log = logging.getLogger(__name__)
@@ -28,6 +29,9 @@ class _LiveRun:
     def __init__(self, message: Message, engine: "Engine") -> None:
         self.id = str(message["run"])
         self.control = RunControl()
+        self.control.breakpoints = frozenset(message.get("breakpoints", ()))
+        self.control.set_speed(float(message.get("speed", 1.0)))
+        self.control.step = "into" if message.get("paused") else None
         self.gestures = AnsweredGestures()
         self.answers = LiveAnswers()
         self._message, self._engine = message, engine
@@ -40,7 +44,7 @@ class _LiveRun:
             link = open_link(message.get("link", "sim"), world=message["world"])
             options = RunOptions(
                 observer=self._observe,
-                clock=MaxClock() if message.get("pace") == "max" else LiveClock(),
+                clock=MaxClock() if message.get("pace") == "max" else self._live_clock(link),
                 control=self.control,
                 gestures=self.gestures,
                 answers=self.answers,
@@ -51,6 +55,10 @@ class _LiveRun:
             self._observe(0, _never_began(error))
         except OSError:
             _log.warning("nobody reads the events of run %s any more", self.id)
+
+    def _live_clock(self, link: RobotLink) -> LiveClock:
+        """A robot knows one speed only; the simulator is as fast as somebody wants it."""
+        return LiveClock(speed=lambda: self.control.speed) if link.simulated else LiveClock()
 
     def _observe(self, tick: int, event: Event) -> None:
         self._engine.send(self._stamp.wire(tick, event))
@@ -112,6 +120,12 @@ class Engine:
                 live.control.resume()
             case "stop":
                 live.control.stop()
+            case "step":
+                live.control.step_on(message["mode"])
+            case "breakpoints":
+                live.control.breakpoints = frozenset(message["blocks"])
+            case "speed":
+                live.control.set_speed(float(message["factor"]))
             case "answer_capture":
                 live.gestures.answer(str(message.get("result", "")))
             case "answer":

@@ -13,12 +13,20 @@ class Event:
     type: ClassVar[str]
 
 
+PauseCause = Literal["person", "breakpoint", "step"]
+
+
 @dataclass(frozen=True, slots=True)
 class RunState(Event):
-    """The run has begun, was paused or goes on."""
+    """The run has begun, was paused or goes on.
+
+    `cause` is why it pauses; `block` is the one that begins next, or in whose middle the run stands.
+    """
 
     type: ClassVar[str] = "run_state"
     state: Literal["running", "paused"]
+    cause: PauseCause | None = None
+    block: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -25,19 +25,23 @@ class MaxClock:
 
 
 class LiveClock:
-    """30 ticks a second on absolute deadlines, so that lateness does not add up."""
+    """30 ticks a second on absolute deadlines, so that lateness does not add up.
+
+    `speed` tells at each tick how many times faster than that they are to come.
+    """
 
     def __init__(
         self,
         now: Callable[[], float] = time.monotonic,
         sleep: Callable[[float], None] = time.sleep,
+        speed: Callable[[], float] = lambda: 1.0,
     ) -> None:
-        self._now, self._sleep = now, sleep
+        self._now, self._sleep, self._speed = now, sleep, speed
         self._due: float | None = None
 
     def wait_for_tick(self) -> None:
         now = self._now()
-        due = now if self._due is None else self._due + TICK_S
+        due = now if self._due is None else self._due + TICK_S / self._speed()
         self._due = now if now - due > _MAX_LATENESS_S else due
         if self._due > now:
             self._sleep(self._due - now)

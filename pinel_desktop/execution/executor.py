@@ -12,6 +12,7 @@ from pinel_desktop.execution.answers import AnswerSource, ScriptedAnswers
 from pinel_desktop.execution.clock import TICK_HZ, TICK_S, Clock, MaxClock
 from pinel_desktop.execution.context import RunContext, RunFailureError, Sources
 from pinel_desktop.execution.control import RunControl
+from pinel_desktop.execution.debugging import Debugger
 from pinel_desktop.execution.gestures import GestureSource, ScriptedGestures
 from pinel_desktop.execution.motion import at_rest
 from pinel_desktop.execution.recorder import Recorder
@@ -95,6 +96,9 @@ class _Run:
         self._stack = ProgramStack(program, self._context)
         observed = options.observer is not None
         self._watcher = Watcher(self._context, self._stack) if observed else None
+        self._debugger = Debugger(options.control, lambda: len(self._stack.calls))
+        if observed:
+            self._stack.holds = self._debugger.holds
 
     def _emit(self, event: Event) -> None:
         if self._observer is not None:
@@ -159,6 +163,8 @@ class _Run:
                 watcher.look()
             if control.stop_requested:
                 raise _Stopped
+            if stack.is_held:
+                continue  # the debugger has asked for a pause
             if time_needed:
                 clock.wait_for_tick()
                 self._pass_tick()
@@ -218,7 +224,8 @@ class _Run:
         """Stands still until somebody resumes or stops. Robot time stands still too once the robot does."""
         context = self._context
         self._watch()
-        self._emit(RunState("paused"))
+        self._debugger.paused()
+        self._emit(RunState("paused", self._debugger.cause, self._stack.next_block))
         context.command = STANDSTILL
         self._rest()
         before = context.pose
@@ -235,6 +242,7 @@ class _Run:
         if context.driving is not None:
             context.command = context.driving
         context.n_resumed += 1
+        self._debugger.resumed()
         self._emit(RunState("running"))
 
     def _rest(self) -> None:

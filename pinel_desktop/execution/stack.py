@@ -83,6 +83,9 @@ class ProgramStack:
         }
         self._frames = [_Frame(program.commands, "/commands")]
         self._beginning: Any = None
+        # asked before each command; says whether the run is to be held there
+        self.holds: Callable[[Any], bool] | None = None
+        self.is_held = False
         self._reported: set[str] = set()
         # by identity: the program is there as long as the run, and is frozen
         self._plans: dict[int, CommandPlan] = {}
@@ -99,16 +102,25 @@ class ProgramStack:
         return next((_block(entry.command) for entry in inside if entry is not None), None)
 
     @property
+    def next_block(self) -> str | None:
+        """Id of the block that begins next where the run is held, else of the one that is running."""
+        if not self.is_held:
+            return self.block
+        frame = self._frames[-1]
+        return _block(frame.commands[frame.index])
+
+    @property
     def finished(self) -> bool:
         return not self._frames
 
     def run_until_time(self, max_steps: int, stop: Callable[[], bool]) -> bool:
         """Runs commands until a tick has to pass, or `max_steps` are done; False when the program is over before.
 
-        Long expressions count as more than one step; `stop` is asked between steps, and ends them too.
+        Where a command is held (`is_held`), it returns True as well, and no tick has to pass. Long expressions count as more than one step; `stop` is asked between steps, and ends them too.
         """
         if self._reported:
             self._reported.clear()
+        self.is_held = False
         context = self._context
         budget = max_steps + context.n_evaluated // _PARTS_A_STEP
         steps = 0
@@ -134,6 +146,9 @@ class ProgramStack:
         frame = self._frames[-1]
         if frame.index < len(frame.commands):
             index = frame.index
+            if self.holds is not None and self.holds(frame.commands[index]):
+                self.is_held = True
+                return True
             frame.index = index + 1
             self._begin(frame.commands[index], f"{frame.pointer}/{index}")
             return False

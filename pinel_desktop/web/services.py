@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, Protocol, cast
 
@@ -12,6 +12,7 @@ from pinel_desktop.web.guard import Guard
 
 if TYPE_CHECKING:  # heavy, and the page is served without them
     from pinel_desktop.events.hub import Hub
+    from pinel_desktop.execution.control import StepMode
     from pinel_desktop.program.reading import Reading
     from storage import Store
 
@@ -28,7 +29,14 @@ class Engine(Protocol):
     def live_run(self) -> str | None: ...
 
     def run(
-        self, run_id: str, document: dict[str, Any], *, world: str, seed: int = 0, link: str = "sim"
+        self,
+        run_id: str,
+        document: dict[str, Any],
+        *,
+        world: str,
+        seed: int = 0,
+        link: str = "sim",
+        debugging: Mapping[str, Any] | None = None,
     ) -> None: ...
 
     def pause(self, run_id: str) -> None: ...
@@ -36,6 +44,12 @@ class Engine(Protocol):
     def resume(self, run_id: str) -> None: ...
 
     def stop(self, run_id: str) -> None: ...
+
+    def step(self, run_id: str, mode: StepMode) -> None: ...
+
+    def set_breakpoints(self, run_id: str, blocks: Sequence[str]) -> None: ...
+
+    def set_speed(self, run_id: str, factor: float) -> None: ...
 
     def answer_capture(self, run_id: str, result: str) -> None: ...
 

@@ -32,3 +32,15 @@ def test_after_a_freeze_it_goes_on_from_now() -> None:
     assert time.now == 110.0
     clock.wait_for_tick()
     assert time.now == pytest.approx(110.0 + TICK_S)
+
+
+def test_ticks_come_as_much_faster_as_somebody_wants() -> None:
+    time = FakeTime()
+    speed = [2.0]
+    clock = LiveClock(lambda: time.now, time.sleep, speed=lambda: speed[0])
+    for _ in range(3):
+        clock.wait_for_tick()
+    assert time.now == pytest.approx(100.0 + 2 * TICK_S / 2)
+    speed[0] = 0.5
+    clock.wait_for_tick()
+    assert time.now == pytest.approx(100.0 + TICK_S + 2 * TICK_S)

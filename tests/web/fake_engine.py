@@ -1,6 +1,6 @@
 """An engine that does what a test says, with the interface of EngineClient."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Literal
 
 from pinel_desktop.errors import PinelError
@@ -20,7 +20,14 @@ class FakeEngine:
         self.state = "ready"
 
     def run(
-        self, run_id: str, document: dict[str, Any], *, world: str, seed: int = 0, link: str = "sim"
+        self,
+        run_id: str,
+        document: dict[str, Any],
+        *,
+        world: str,
+        seed: int = 0,
+        link: str = "sim",
+        debugging: Mapping[str, Any] | None = None,
     ) -> None:
         if self.state != "ready":
             raise PinelError("engine_not_ready")
@@ -31,6 +38,7 @@ class FakeEngine:
             "world": world,
             "seed": seed,
             "link": link,
+            **(debugging or {}),
         }
 
     def pause(self, run_id: str) -> None:
@@ -41,6 +49,15 @@ class FakeEngine:
 
     def stop(self, run_id: str) -> None:
         self._tell("stop", run_id)
+
+    def step(self, run_id: str, mode: str) -> None:
+        self._tell("step", run_id, mode)
+
+    def set_breakpoints(self, run_id: str, blocks: Sequence[str]) -> None:
+        self._tell("breakpoints", run_id, *blocks)
+
+    def set_speed(self, run_id: str, factor: float) -> None:
+        self._tell("speed", run_id, str(factor))
 
     def answer_capture(self, run_id: str, result: str) -> None:
         self._tell("answer_capture", run_id, result)

@@ -78,6 +78,35 @@ def test_a_capture_is_answered_by_hand(
     assert engine.told == [("answer_capture", run["id"], "B"), ("answer_question", run["id"], "3")]
 
 
+def test_the_live_run_is_debugged(
+    browser: Browser, engine: FakeEngine, run: dict[str, Any]
+) -> None:
+    address = f"/api/runs/{run['id']}"
+    assert browser.post(f"{address}/step", {"mode": "over"}).status == 200
+    assert browser.send("PUT", f"{address}/breakpoints", {"blocks": ["a", "b"]}).status == 200
+    assert browser.send("PUT", f"{address}/speed", {"factor": 0.5}).status == 200
+    assert engine.told == [
+        ("step", run["id"], "over"),
+        ("breakpoints", run["id"], "a", "b"),
+        ("speed", run["id"], "0.5"),
+    ]
+    for method, what, data in (
+        ("POST", "step", {"mode": "back"}),
+        ("PUT", "breakpoints", {"blocks": [1]}),
+        ("PUT", "speed", {"factor": 100}),
+    ):
+        assert browser.send(method, f"{address}/{what}", data).status == 422
+
+
+def test_a_run_may_begin_with_breakpoints_in_slow_motion_and_held(
+    browser: Browser, engine: FakeEngine, version: dict[str, Any]
+) -> None:
+    wish = {"breakpoints": ["b1"], "speed": 0.25, "paused": True}
+    start = {"version_id": version["id"], "world": "empty_room", **wish}
+    assert browser.post("/api/runs", start).status == 200
+    assert {name: engine.begun[name] for name in wish} == wish
+
+
 @pytest.mark.parametrize(
     ("what", "data"), [("pause", None), ("stop", None), ("capture", {"result": "B"})]
 )

@@ -12,6 +12,7 @@ from pinel_desktop.web.api.programs import version_model
 from pinel_desktop.web.errors import InvalidProgramError
 from pinel_desktop.web.models import Empty, IdPath
 from pinel_desktop.web.models.runs import (
+    Breakpoints,
     CaptureAnswer,
     NewRun,
     QuestionAnswer,
@@ -19,7 +20,9 @@ from pinel_desktop.web.models.runs import (
     RunEvents,
     RunList,
     RunPage,
+    RunSpeed,
     RunWithVersion,
+    Step,
 )
 from pinel_desktop.web.services import Services, services
 from storage import RunRow, RunStart, VersionRow
@@ -53,7 +56,17 @@ def begin_run(body: NewRun) -> Response:
         raise PinelError("run_in_progress")
     row = parts.store.runs.begin(start)
     try:
-        parts.engine.run(row.id, document, world=start.world, seed=start.seed, link=_LINK)
+        debugging = body.model_dump(
+            include={"breakpoints", "speed", "paused"}, exclude_defaults=True
+        )
+        parts.engine.run(
+            row.id,
+            document,
+            world=start.world,
+            seed=start.seed,
+            link=_LINK,
+            debugging=debugging,
+        )
     except PinelError:
         parts.store.runs.discard(row.id)
         raise
@@ -100,6 +113,27 @@ def resume_run(path: IdPath) -> Response:
 def stop_run(path: IdPath) -> Response:
     """Stops the robot and ends the live run."""
     services().engine.stop(_known(path.id))
+    return answer(Empty())
+
+
+@api.post("/runs/<id>/step", responses=answers(Empty, 404, 409))
+def step_run(path: IdPath, body: Step) -> Response:
+    """Lets the paused run go on to the next block."""
+    services().engine.step(_known(path.id), body.mode)
+    return answer(Empty())
+
+
+@api.put("/runs/<id>/breakpoints", responses=answers(Empty, 404, 409))
+def set_breakpoints(path: IdPath, body: Breakpoints) -> Response:
+    """Says before which blocks the live run pauses."""
+    services().engine.set_breakpoints(_known(path.id), body.blocks)
+    return answer(Empty())
+
+
+@api.put("/runs/<id>/speed", responses=answers(Empty, 404, 409))
+def set_speed(path: IdPath, body: RunSpeed) -> Response:
+    """Slow motion or fast forward, in the simulator."""
+    services().engine.set_speed(_known(path.id), body.factor)
     return answer(Empty())
 
 

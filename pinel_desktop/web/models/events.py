@@ -17,10 +17,12 @@ class RunEvent(Shape):
 
 
 class RunStateEvent(RunEvent):
-    """The run goes on or waits."""
+    """The run goes on or waits; runs of earlier releases do not tell why and where."""
 
     type: Literal["run_state"]
     state: Literal["running", "paused"]
+    cause: Literal["person", "breakpoint", "step"] | None = None
+    block: str | None = None
 
 
 class BlockStartedEvent(RunEvent):

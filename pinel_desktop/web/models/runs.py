@@ -60,12 +60,19 @@ class RunPage(Body):
     limit: Annotated[int, Field(ge=1, le=200)] = 50
 
 
+Blocks = Annotated[list[Annotated[str, Field(max_length=100)]], Field(max_length=1000)]
+Speed = Annotated[float, Field(ge=0.1, le=10.0)]
+
+
 class NewRun(Body):
     """What to run, and where."""
 
     version_id: Id
     world: Annotated[str, Field(max_length=100)]
     seed: Annotated[int | None, Field(ge=0, le=2**53 - 1)] = None
+    breakpoints: Blocks = Field(default_factory=list)
+    speed: Speed = 1.0
+    paused: Annotated[bool, Field(description="hold before the first block")] = False
 
 
 class CaptureAnswer(Body):
@@ -78,6 +85,24 @@ class QuestionAnswer(Body):
     """What the group answers to the question of its program; what reads as a number will be one."""
 
     value: Annotated[str, Field(max_length=1000)]
+
+
+class Step(Body):
+    """How far to go on: into functions, over them, or out of the one that runs."""
+
+    mode: Literal["into", "over", "out"]
+
+
+class Breakpoints(Body):
+    """Ids of the blocks before which the run pauses."""
+
+    blocks: Blocks
+
+
+class RunSpeed(Body):
+    """Robot time to wall time, from slow motion to ten times."""
+
+    factor: Speed
 
 
 class RunEvents(Shape):
