@@ -35,9 +35,11 @@ Simple = Callable[[], Value]
 _LONGEST_AT_ONCE = (
     500  # parts; takes less than a millisecond for all but texts of thousands of letters
 )
+_JOINED = ("and", "or")
 _COMPARISONS = ("==", "!=", "<", "<=", ">", ">=")
 # parts of an expression that take about as long: a ray of a sensor, an item of a list
 _RAY = 20
+_MAYBE_LISTS = 10  # nobody knows beforehand how long they are
 _ITEM_WORK = {"==": 0.25, "!=": 0.25, "join": 4.0}
 
 
@@ -61,7 +63,7 @@ class Evaluator:
     def __init__(self, context: RunContext) -> None:
         self._context = context
         self._compute = computations(context.sources.random)
-        self._since_breath = 0
+        self._last_breath = 0
         self._measures = measures(context)
         # by identity: the document is there as long as the run, and is frozen
         self._compiled: dict[int, Compiled] = {}
@@ -111,10 +113,10 @@ class Evaluator:
         if part.simple is None:
             return (yield from part.steps())
         value = part.simple()
-        self._context.n_evaluated += part.weight
-        self._since_breath += part.weight
-        if self._since_breath > _LONGEST_AT_ONCE:
-            self._since_breath = 0
+        context = self._context
+        context.n_evaluated += part.weight
+        if context.n_evaluated > self._last_breath + _LONGEST_AT_ONCE:
+            self._last_breath = context.n_evaluated
             yield Breath.TAKEN
         return value
 
@@ -134,18 +136,29 @@ class Evaluator:
         return _at_once(1, lambda: variables.get(name))
 
     def _operation(self, node: Operation) -> Compiled:
+        compute, weight = self._computation(node)
+        long_way = self._in_steps(node.op, compute, node.args)
+        if _is_long(node):
+            return Compiled(weight, None, long_way)
         args = [self.compiled(arg) for arg in node.args]
-        op, weight = node.op, 1 + sum(arg.weight for arg in args)
-        if op in ("and", "or"):
-            return self._short_circuit(op, args, weight)
+        weight += sum(arg.weight for arg in args)
+        simple = [arg.simple for arg in args if arg.simple is not None]
+        if len(simple) < len(args) or weight > _LONGEST_AT_ONCE:
+            return Compiled(weight, None, long_way)
+        joined = _joined(node.op, simple) if node.op in _JOINED else _applied(compute, simple)
+        return _at_once(weight, joined)
+
+    def _computation(self, node: Operation) -> tuple[Compute, int]:
+        """What an operation computes from the values of its arguments, and how much work that alone is."""
+        op = node.op
         if op in _COMPARISONS:
             of_gesture = any(isinstance(arg, GestureResult) for arg in node.args)
             compute = comparison(op, of_gesture=of_gesture)
         else:
-            compute = self._compute[op]
-        if op in _ITEM_WORK:
-            compute = self._counted(compute, _ITEM_WORK[op])
-        return self._computed(compute, args, weight)
+            compute = self._compute.get(op, _nothing)
+        if op == "join" or (op in _ITEM_WORK and not any(map(_is_plain, node.args))):
+            return self._counted(compute, _ITEM_WORK[op]), 1 + _MAYBE_LISTS
+        return compute, 1
 
     def _counted(self, compute: Compute, work: float) -> Compute:
         """The same function, which counts the items of lists as work."""
@@ -158,58 +171,43 @@ class Evaluator:
 
         return counted
 
-    def _computed(self, compute: Compute, args: Sequence[Compiled], weight: int) -> Compiled:
-        """A function of the values of the arguments."""
-        simple = _all_simple(args, weight)
-        if simple is not None:
-            return _at_once(weight, _applied(compute, simple))
+    def _in_steps(self, op: str, compute: Compute, args: Sequence[Any]) -> Callable[[], Asked]:
+        """The long way; arguments are compiled when they are met, as compiling them is work too."""
 
         def steps() -> Asked:
             values: list[Value] = []
             for arg in args:
-                values.append(self._own((yield from self.evaluated(arg))))
+                values.append(self._own((yield from self.value(arg))))
             return compute(*values)
 
-        return Compiled(weight, None, steps)
-
-    def _short_circuit(self, op: str, args: Sequence[Compiled], weight: int) -> Compiled:
-        ends_it = op == "or"
-        simple = _all_simple(args, weight)
-        if simple is not None:
-            return _at_once(weight, _joined(op, simple, ends_it=ends_it))
-
-        def steps() -> Asked:
+        def short_circuit() -> Asked:
+            ends_it = op == "or"
             for arg in args:
-                if _boolean(op, (yield from self.evaluated(arg))) is ends_it:
+                if _boolean(op, (yield from self.value(arg))) is ends_it:
                     return ends_it
             return not ends_it
 
-        return Compiled(weight, None, steps)
+        return short_circuit if op in _JOINED else steps
 
     def _sonar(self, node: Sonar) -> Compiled:
-        context, bounds, index = (
-            self._context,
-            Bounds.of("sonar", "index"),
-            self.compiled(node.index),
-        )
-        return self._computed(
-            lambda value: sonar(context, bounds.checked(value)), [index], index.weight + _RAY
-        )
+        context, bounds = self._context, Bounds.of("sonar", "index")
+        return self._measured(lambda value: sonar(context, bounds.checked(value)), node.index)
+
+    def _lidar(self, node: Lidar) -> Compiled:
+        context, bounds = self._context, Bounds.of("lidar", "angle")
+        return self._measured(lambda value: lidar(context, bounds.checked(value)), node.angle)
+
+    def _measured(self, measure: Compute, parameter: Any) -> Compiled:
+        """What a sensor with a parameter measures."""
+        weight, simple, _ = self.compiled(parameter)
+        if simple is None:
+            return Compiled(weight + _RAY, None, self._in_steps("", measure, [parameter]))
+        return _at_once(weight + _RAY, _applied(measure, [simple]))
 
     def _distance(self, node: Distance) -> Compiled:
         context, direction = self._context, node.direction
         n_rays = len(context.robot.distance_sonars[direction])
         return _at_once(n_rays * _RAY, lambda: distance(context, direction))
-
-    def _lidar(self, node: Lidar) -> Compiled:
-        context, bounds, angle = (
-            self._context,
-            Bounds.of("lidar", "angle"),
-            self.compiled(node.angle),
-        )
-        return self._computed(
-            lambda value: lidar(context, bounds.checked(value)), [angle], angle.weight + _RAY
-        )
 
     def _call(self, node: FunctionCall) -> Compiled:
         def steps() -> Asked:
@@ -230,10 +228,24 @@ def _at_once(weight: int, simple: Simple) -> Compiled:
     return Compiled(weight, simple, steps)
 
 
-def _all_simple(args: Sequence[Compiled], weight: int) -> list[Simple] | None:
-    """How to compute the arguments at once; None where one cannot be, or all together take too long."""
-    simple = [arg.simple for arg in args if arg.simple is not None]
-    return simple if len(simple) == len(args) and weight <= _LONGEST_AT_ONCE else None
+def _is_long(node: Operation) -> bool:
+    """Whether there is so much in an operation that compiling it takes its time; stops counting there."""
+    count, waiting = 0, [node]
+    while waiting and count <= _LONGEST_AT_ONCE:
+        args = waiting.pop().args
+        count += len(args)
+        waiting += [arg for arg in args if isinstance(arg, Operation)]
+    return count > _LONGEST_AT_ONCE
+
+
+def _is_plain(expression: Any) -> bool:
+    """Whether it is a literal that is quickly compared."""
+    return expression.__class__ in (bool, float, str)
+
+
+def _nothing(*_values: Value) -> Value:
+    """What `and` and `or` would compute from values; they take them one by one."""
+    raise NotImplementedError
 
 
 def _applied(compute: Compute, args: list[Simple]) -> Simple:
@@ -246,7 +258,9 @@ def _applied(compute: Compute, args: list[Simple]) -> Simple:
     return lambda: compute(*[arg() for arg in args])
 
 
-def _joined(op: str, args: list[Simple], *, ends_it: bool) -> Simple:
+def _joined(op: str, args: list[Simple]) -> Simple:
+    ends_it = op == "or"
+
     def joined() -> Value:
         for arg in args:
             if _boolean(op, arg()) is ends_it:
