@@ -14,8 +14,8 @@ from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.execution.gestures import AnsweredGestures
 from pinel_desktop.links import open_link
 from pinel_desktop.program.model import Program
-from pinel_desktop.robot import RobotLink
 from pinel_desktop.program.reading import read_document
+from pinel_desktop.robot import RobotLink
 
 _log = logging.getLogger(__name__)
 _EMPTY_SHA256 = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"
@@ -37,6 +37,27 @@ class _LiveRun:
         self._message, self._engine = message, engine
         self._stamp = EventStamp(self.id)
         self.thread = threading.Thread(target=self._execute, name=f"run-{self.id}", daemon=True)
+
+    def take(self, message: Message) -> None:
+        """Does what the app asks of the run."""
+        control = self.control
+        match message.get("do"):
+            case "pause":
+                control.pause()
+            case "resume":
+                control.resume()
+            case "stop":
+                control.stop()
+            case "step":
+                control.step_on(message["mode"])
+            case "breakpoints":
+                control.breakpoints = frozenset(message["blocks"])
+            case "speed":
+                control.set_speed(float(message["factor"]))
+            case "answer_capture":
+                self.gestures.answer(str(message.get("result", "")))
+            case "answer":
+                self.answers.answer(str(message.get("value", "")))
 
     def _execute(self) -> None:
         message = self._message
@@ -113,23 +134,7 @@ class Engine:
         live = self._live
         if live is None or message.get("run") != live.id:
             return  # the run ended while the message was on its way
-        match message.get("do"):
-            case "pause":
-                live.control.pause()
-            case "resume":
-                live.control.resume()
-            case "stop":
-                live.control.stop()
-            case "step":
-                live.control.step_on(message["mode"])
-            case "breakpoints":
-                live.control.breakpoints = frozenset(message["blocks"])
-            case "speed":
-                live.control.set_speed(float(message["factor"]))
-            case "answer_capture":
-                live.gestures.answer(str(message.get("result", "")))
-            case "answer":
-                live.answers.answer(str(message.get("value", "")))
+        live.take(message)
 
     def _begin(self, message: Message) -> None:
         # The app asks for one run at a time; should an old one still be winding down, it goes first.
