@@ -1,0 +1,105 @@
+"""A Python text as a document. The text is parsed against what docs/python-text.md lists, and never executed."""
+
+import ast
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from pinel_desktop.program.faults import Fault
+from pinel_desktop.program.limits import MAX_BYTES
+from pinel_desktop.program.model import Program
+from pinel_desktop.program.python_text.comments import attach
+from pinel_desktop.program.python_text.names import program_name
+from pinel_desktop.program.python_text.notes import Notes
+from pinel_desktop.program.python_text.parsing import Parsed, parse
+from pinel_desktop.program.python_text.read_expressions import Expressions
+from pinel_desktop.program.python_text.read_statements import Statements, docstring_of
+from pinel_desktop.program.python_text.writing import Line
+from pinel_desktop.program.reading import Reading, read_document
+
+# what may only seem wrong while other lines cannot be read
+_FOLLOWS = frozenset(
+    {
+        "break_outside_loop",
+        "continue_outside_loop",
+        "function_without_value",
+        "missing_argument",
+        "python_elif",
+        "python_global_missing",
+        "python_unknown_function",
+        "return_outside_function",
+        "unknown_argument",
+        "unknown_function",
+    }
+)
+
+
+@dataclass(frozen=True, slots=True)
+class PythonReading:
+    """Outcome of reading a Python text.
+
+    Attributes:
+        reading: the document as `read_document` read it.
+        faults: everything that is wrong, in the order of the text; `line` and `column` (from 1) are in `params`.
+        lines: which command is on which line, counted from 1.
+    """
+
+    reading: Reading
+    lines: Mapping[int, Line] = field(default_factory=dict)
+
+    @property
+    def faults(self) -> tuple[Fault, ...]:
+        return self.reading.faults
+
+    @property
+    def program(self) -> Program | None:
+        return self.reading.program
+
+    @property
+    def document(self) -> dict[str, Any] | None:
+        """The document in its normal form, None with faults."""
+        return self.reading.document
+
+
+def read_python(text: str) -> PythonReading:
+    """Reads a Python text. Never raises for what the text contains."""
+    size = len(text.encode("utf-8", "replace"))
+    if size > MAX_BYTES:
+        params: dict[str, object] = {"value": size, "max": MAX_BYTES, "line": 1, "column": 1}
+        return PythonReading(Reading(None, (Fault("document_too_large", params=params),)))
+    lines = text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
+    parsed = parse(lines)
+    notes = Notes(lines.split("\n"))
+    for trouble in parsed.troubles:
+        notes.trouble(trouble)
+    if parsed.tree is None:
+        return PythonReading(Reading(None, notes.faults()))
+    document = _document(parsed, parsed.tree, notes)
+    return PythonReading(_checked(document, notes, parsed), notes.lines)
+
+
+def _document(parsed: Parsed, tree: ast.Module, notes: Notes) -> dict[str, Any]:
+    name = docstring_of(tree.body)
+    body = tree.body if name is None else tree.body[1:]
+    defined = [node for node in body if isinstance(node, ast.FunctionDef)]
+    others = [node for node in body if not isinstance(node, ast.FunctionDef)]
+    signatures = {
+        program_name(node.name): [program_name(arg.arg) for arg in node.args.args]
+        for node in defined
+    }
+    statements = Statements(notes, Expressions(notes, signatures), set(parsed.look.elifs))
+    functions = [statements.function(node, f"/functions/{i}") for i, node in enumerate(defined)]
+    commands = statements.program(others)
+    attach(parsed.look.comments, notes.anchors)
+    return {"pinel_ir": 1, "name": name or "", "functions": functions, "commands": commands}
+
+
+def _checked(document: dict[str, Any], notes: Notes, parsed: Parsed) -> Reading:
+    """The document with its own faults, placed in the text."""
+    reading = read_document(document)
+    for fault in reading.faults:
+        notes.placed(fault)
+    faults = notes.faults()
+    if parsed.troubles:
+        faults = tuple(fault for fault in faults if fault.code not in _FOLLOWS)
+    return Reading(None, faults) if faults else reading

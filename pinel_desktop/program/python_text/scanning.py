@@ -1,0 +1,179 @@
+"""A first look at a Python text: comments, brackets and quotes, before anything parses it.
+
+Finds what Python's parser does not keep (comments, which `if` is an `elif`), what it explains badly (brackets and
+quotes that are not closed), and what must not reach it (too many brackets inside each other).
+"""
+
+import re
+from dataclasses import dataclass, field
+
+from pinel_desktop.program.limits import MAX_NESTING
+from pinel_desktop.program.python_text.comments import Comment
+
+_MAX_BRACKETS = MAX_NESTING + 16  # an expression of 64 levels needs no more
+MAX_FAULTS = 1_000  # more are not noted: nobody reads them
+_MAX_DIGITS = 400  # a double has less than 310
+_CLOSING = {"(": ")", "[": "]", "{": "}"}
+_TOKEN = re.compile(
+    r'''
+    (?P<space>[ \t\f]++|\\\n)
+    |(?P<newline>\n)
+    |(?P<comment>\#[^\n]*+)
+    |(?P<string>(?:[rRbBuUfF]{1,2})?(?:
+        """[^"\\]*(?:(?:\\.|"(?!""))[^"\\]*)*""" | \'\'\'[^'\\]*(?:(?:\\.|'(?!''))[^'\\]*)*\'\'\'
+        | "(?!"")[^"\\\n]*(?:\\.[^"\\\n]*)*" | '(?!'')[^'\\\n]*(?:\\.[^'\\\n]*)*'
+        | ""(?!") | \'\'(?!')
+    ))
+    |(?P<open_bracket>[(\[{])
+    |(?P<close>[)\]}])
+    |(?P<quote>"""|\'\'\'|["'])
+    |(?P<word>\w++)
+    |(?P<sign>[^\w\s"'#()\[\]{}\\]++)
+    |(?P<other>.)
+    ''',
+    re.VERBOSE | re.DOTALL,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A place in a text: line from 1, column from 0."""
+
+    line: int
+    column: int
+
+
+@dataclass(frozen=True, slots=True)
+class Trouble:
+    """Something that keeps the text from being parsed."""
+
+    code: str
+    place: Place
+    params: dict[str, object] = field(default_factory=dict)
+
+
+@dataclass(slots=True)
+class Look:
+    """What a first look at a text finds.
+
+    Attributes:
+        comments: all comments.
+        elifs: where an `elif` begins.
+        troubles: what must be mended before the text can be parsed.
+        spans: first and last line of each command, however many lines it takes.
+        longest: where the command with the most words and signs begins.
+    """
+
+    comments: list[Comment] = field(default_factory=list)
+    elifs: list[Place] = field(default_factory=list)
+    troubles: list[Trouble] = field(default_factory=list)
+    spans: list[tuple[int, int]] = field(default_factory=list)
+    longest: Place = field(default_factory=lambda: Place(1, 0))
+
+
+def look_at(text: str) -> Look:
+    """Looks through a text whose lines end in `\\n`."""
+    return _Scanner(text).scan()
+
+
+class _Scanner:
+    def __init__(self, text: str) -> None:
+        self._text = text
+        self._look = Look()
+        self._line, self._line_start = 1, 0
+        self._open: list[tuple[str, Place]] = []
+        self._first: Place | None = None  # of the command that is being read
+        self._n_tokens = self._most_tokens = 0
+        self._too_deep = False
+
+    def scan(self) -> Look:
+        position, end = 0, len(self._text)
+        while position < end:
+            match = _TOKEN.match(self._text, position)
+            assert match is not None
+            assert match.lastgroup is not None
+            position = match.end()
+            if match.lastgroup == "quote":
+                position = self._unclosed_quote(match)
+            elif match.lastgroup != "space":
+                getattr(self, f"_{match.lastgroup}")(match)
+            self._count_lines(match.start(), position)
+        self._end_command()
+        without_end = {trouble.place.line for trouble in self._look.troubles}
+        for bracket, place in self._open:
+            if place.line in without_end:  # the bracket's end is in a text that is not closed
+                continue
+            self._trouble("python_bracket_not_closed", place, bracket=bracket)
+        return self._look
+
+    def _place(self, match: re.Match[str]) -> Place:
+        return Place(self._line, match.start() - self._line_start)
+
+    def _trouble(self, code: str, place: Place, **params: object) -> None:
+        if len(self._look.troubles) < MAX_FAULTS:
+            self._look.troubles.append(Trouble(code, place, params))
+
+    def _count_lines(self, start: int, end: int) -> None:
+        n_newlines = self._text.count("\n", start, end)
+        if n_newlines:
+            self._line += n_newlines
+            self._line_start = self._text.rindex("\n", start, end) + 1
+
+    def _newline(self, _match: re.Match[str]) -> None:
+        if not self._open:
+            self._end_command()
+
+    def _end_command(self) -> None:
+        if self._first is not None:
+            self._look.spans.append((self._first.line, self._line))
+            if self._n_tokens > self._most_tokens:
+                self._most_tokens, self._look.longest = self._n_tokens, self._first
+        self._first, self._n_tokens = None, 0
+
+    def _comment(self, match: re.Match[str]) -> None:
+        place = self._place(match)
+        before = self._text[self._line_start : match.start()]
+        alone = not before.strip()
+        self._look.comments.append(Comment(place.line, place.column, match[0][1:], alone))
+
+    def _token(self, match: re.Match[str]) -> Place:
+        place = self._place(match)
+        self._n_tokens += 1
+        if self._first is None:
+            self._first = place
+            if match[0] == "elif":
+                self._look.elifs.append(place)
+        return place
+
+    def _word(self, match: re.Match[str]) -> None:
+        place = self._token(match)
+        if len(match[0]) > _MAX_DIGITS and match[0][0].isdigit():
+            self._trouble("python_number_too_large", place)
+
+    def _string(self, match: re.Match[str]) -> None:
+        self._token(match)
+
+    _sign = _string
+
+    def _other(self, match: re.Match[str]) -> None:
+        self._trouble("python_character", self._token(match), character=match[0])
+
+    def _open_bracket(self, match: re.Match[str]) -> None:
+        place = self._token(match)
+        self._open.append((match[0], place))
+        if len(self._open) > _MAX_BRACKETS and not self._too_deep:
+            self._too_deep = True
+            self._trouble("nesting_too_deep", place, max=MAX_NESTING)
+
+    def _close(self, match: re.Match[str]) -> None:
+        place = self._token(match)
+        if self._open and _CLOSING[self._open[-1][0]] == match[0]:
+            self._open.pop()
+        else:
+            self._trouble("python_bracket_not_opened", place, bracket=match[0])
+
+    def _unclosed_quote(self, match: re.Match[str]) -> int:
+        """Notes it; where to go on: a text in three quotes would go on to the end, others to that of the line."""
+        self._trouble("python_text_not_closed", self._token(match))
+        end = self._text.find("\n", match.end())
+        return len(self._text) if end < 0 or len(match[0]) > 1 else end

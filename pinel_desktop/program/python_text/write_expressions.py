@@ -1,0 +1,121 @@
+"""Expressions of a document as Python text, with as few parentheses as keep the tree."""
+
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from pinel_desktop.program.python_text.forms import (
+    AND,
+    ATOM,
+    COMPARISON,
+    GESTURE_RESULT,
+    NOT,
+    OR,
+    POWER,
+    PRECEDENCE,
+    SENSOR_CALLS,
+    SIGN,
+)
+from pinel_desktop.program.python_text.names import python_name
+
+# a function's parameters, by its name
+Signatures = Mapping[str, Sequence[str]]
+_LARGEST_WHOLE = 1e16  # from here on, the shortest way to write a double is with an exponent
+_SIMPLE = re.compile(r"-?[\w.]+")
+
+
+def text_of(value: str) -> str:
+    """A text in quotes, on one line; the quotes are those that need fewer backslashes."""
+    escaped = repr(f"'\"{value}")[4:-1].replace("\\'", "'")
+    if '"' in value and "'" not in value:
+        return f"'{escaped}'"
+    return '"' + escaped.replace('"', '\\"') + '"'
+
+
+def number_text(value: float, *, metres: bool = False) -> str:
+    """The shortest text that reads back to the same double; whole numbers without a point, metres with one."""
+    whole = float(value).is_integer() and abs(value) < _LARGEST_WHOLE
+    if not whole or str(value) == "-0.0":
+        return repr(float(value))
+    return f"{int(value)}.0" if metres else str(int(value))
+
+
+def expression_text(
+    value: Any, signatures: Signatures, least: int = OR, *, metres: bool = False
+) -> str:
+    """An expression where everything that binds at least as tightly as `least` may stand without parentheses."""
+    text, binds = _Writer(signatures).write(value, metres=metres)
+    return text if binds >= least else f"({text})"
+
+
+def call_text(function: str, arguments: Mapping[str, Any], signatures: Signatures) -> str:
+    """A call of a function of the program, its arguments in the order of its parameters."""
+    parameters = signatures.get(function, ())
+    if set(parameters) == set(arguments):
+        given = [expression_text(arguments[name], signatures) for name in parameters]
+    else:
+        given = [
+            f"{python_name(name)}={expression_text(argument, signatures)}"
+            for name, argument in arguments.items()
+        ]
+    return f"{python_name(function)}({', '.join(given)})"
+
+
+class _Writer:
+    """Writes expressions as (text, how tightly it binds)."""
+
+    def __init__(self, signatures: Signatures) -> None:
+        self._signatures = signatures
+
+    def write(self, value: Any, *, metres: bool = False) -> tuple[str, int]:
+        if isinstance(value, bool):
+            return str(value), ATOM
+        if isinstance(value, int | float):
+            text = number_text(value, metres=metres)
+            return text, SIGN if text.startswith("-") else ATOM
+        if isinstance(value, str):
+            return text_of(value), ATOM
+        if isinstance(value, list):
+            return f"[{', '.join(self._at(item, OR) for item in value)}]", ATOM
+        return self._node(value)
+
+    def _at(self, value: Any, least: int) -> str:
+        text, binds = self.write(value)
+        return text if binds >= least else f"({text})"
+
+    def _node(self, node: Mapping[str, Any]) -> tuple[str, int]:
+        if "op" in node:
+            return self._operation(node["op"], node["args"])
+        if "var" in node:
+            return python_name(node["var"]), ATOM
+        if "gesture" in node:
+            return f"robot.{GESTURE_RESULT}", ATOM
+        if "call" in node:
+            return call_text(node["call"], node.get("arguments", {}), self._signatures), ATOM
+        return self._sensor(node), ATOM
+
+    def _sensor(self, node: Mapping[str, Any]) -> str:
+        name = node["sensor"]
+        form = SENSOR_CALLS.get(name)
+        if form is None:
+            return f"robot.{name}"
+        return f"robot.{name}({self._at(node[form.parameters[0].name], OR)})"
+
+    def _operation(self, name: str, args: Sequence[Any]) -> tuple[str, int]:
+        binds = PRECEDENCE.get(name)
+        if binds is None:
+            return f"{name}({', '.join(self._at(argument, OR) for argument in args)})", ATOM
+        if binds == NOT:
+            return f"not {self._at(args[0], NOT)}", NOT
+        if binds == POWER:
+            return self._power(args), POWER
+        # only the left side of sums and products may bind as loosely as the whole
+        first = binds + (binds in (OR, AND, COMPARISON))
+        parts = [self._at(args[0], first), *(self._at(part, binds + 1) for part in args[1:])]
+        return f" {name} ".join(parts), binds
+
+    def _power(self, args: Sequence[Any]) -> str:
+        """A power binds to the right, and a sign on its left side less tightly than itself."""
+        left, right = self._at(args[0], ATOM), self._at(args[1], SIGN)
+        simple = _SIMPLE.fullmatch(left) and _SIMPLE.fullmatch(right)
+        return f"{left}**{right}" if simple else f"{left} ** {right}"
