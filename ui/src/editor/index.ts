@@ -6,11 +6,13 @@ import { EVERYTHING, toolbox } from "../blocks/toolbox";
 import { upgradeWorkspace } from "../blocks/upgrade";
 import { generateDocument } from "../generator";
 import type { Language } from "../i18n/language";
+import { Breakpoints } from "./breakpoints";
 import { watchContent } from "./changes";
 import { type Fault, Faults } from "./faults";
 import { bringIntoView, Highlight } from "./highlight";
 import { injectWorkspace } from "./inject";
 import { applyLanguage } from "./locale";
+import { quietly } from "./quietly";
 import { ensureStartBlock, markLooseBlocks } from "./start_block";
 import { StartHint } from "./start_hint";
 import { blocklyTheme, pageFont, type ThemeName } from "./themes";
@@ -25,6 +27,8 @@ export interface EditorOptions {
   /** What the toolbox offers: 1 first steps, 2 explorer, 3 everything (without it). */
   level?: Level;
   programName?: () => string;
+  /** The ids of the blocks at which a run is to pause have changed; without it there are no such blocks. */
+  onBreakpoints?(ids: readonly string[]): void;
   onChange(content: { workspace: object; document: object | null }): void;
 }
 
@@ -35,6 +39,8 @@ export interface Editor {
    */
   load(workspace: object | null): void;
   content(): { workspace: object; document: object };
+  /** What the robot gets, without the workspace. */
+  document(): object;
   /** Lights the running block and brings it into view; null lights none. */
   highlight(blockId: string | null): void;
   /** Shows faults on their blocks until that block is edited or an empty list comes. */
@@ -70,6 +76,7 @@ class BlockEditor implements Editor {
   private readonly workspace: Blockly.WorkspaceSvg;
   private readonly faults: Faults;
   private readonly running: Highlight;
+  private readonly breakpoints: Breakpoints | undefined;
   private readonly hint = new StartHint();
   private readonly zoomControls: ReturnType<typeof addZoomControls>;
   private readonly sizes: ResizeObserver;
@@ -82,6 +89,8 @@ class BlockEditor implements Editor {
     this.workspace = injectWorkspace({ ...options, level: this.level });
     this.faults = new Faults(this.workspace);
     this.running = new Highlight(this.workspace);
+    const { onBreakpoints } = options;
+    this.breakpoints = onBreakpoints && new Breakpoints(this.workspace, onBreakpoints);
     this.zoomControls = addZoomControls(this.workspace, () => this.zoomToFit());
     this.sizes = new ResizeObserver(() => this.resize());
     this.sizes.observe(options.container);
@@ -103,11 +112,14 @@ class BlockEditor implements Editor {
   }
 
   content(): { workspace: object; document: object } {
-    const name = this.options.programName?.() ?? "";
     return {
       workspace: Blockly.serialization.workspaces.save(this.workspace),
-      document: generateDocument(this.workspace, name),
+      document: this.document(),
     };
+  }
+
+  document(): object {
+    return generateDocument(this.workspace, this.options.programName?.() ?? "");
   }
 
   highlight(blockId: string | null): void {
@@ -203,16 +215,13 @@ class BlockEditor implements Editor {
   }
 
   private replace(workspace: object | null): void {
-    Blockly.Events.disable();
-    try {
+    quietly(() => {
       this.hint.hide();
       this.workspace.clear();
       if (workspace) Blockly.serialization.workspaces.load(workspace, this.workspace);
       ensureStartBlock(this.workspace);
       markLooseBlocks(this.workspace);
-    } finally {
-      Blockly.Events.enable();
-    }
+    });
     this.refreshHint();
   }
 
@@ -256,11 +265,9 @@ class BlockEditor implements Editor {
 function assertLoadable(workspace: object | null): void {
   if (!workspace) return;
   const trial = new Blockly.Workspace();
-  Blockly.Events.disable();
   try {
-    Blockly.serialization.workspaces.load(workspace, trial);
+    quietly(() => Blockly.serialization.workspaces.load(workspace, trial));
   } finally {
     trial.dispose();
-    Blockly.Events.enable();
   }
 }

@@ -3,6 +3,7 @@ import { keepCallsInStep } from "../blocks/function_sync";
 import { registerFlyouts, toolbox } from "../blocks/toolbox";
 import type { EditorOptions } from ".";
 import { adaptMenus } from "./menus";
+import { askOnlyDrawnFields } from "./quietly";
 import { RENDERER, registerRenderer } from "./renderer";
 import { registerSearchItem } from "./search_item";
 import { blocklyTheme } from "./themes";
@@ -18,6 +19,7 @@ export function injectWorkspace(options: EditorOptions): Blockly.WorkspaceSvg {
   // what was deleted comes back with undo or from the trash, so nobody is asked
   Blockly.dialog.setConfirm((_message, answer) => answer(true));
   adaptMenus();
+  askOnlyDrawnFields();
   const workspace = Blockly.inject(options.container, {
     toolbox: toolbox(options.level),
     theme: blocklyTheme(options.theme),

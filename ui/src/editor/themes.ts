@@ -35,6 +35,9 @@ const COMPONENTS: Blockly.Theme.ComponentStyle = {
   selectedGlowColour: "#f5b700",
 };
 
+/** Blocks with nothing above them in these categories begin a part of the program. */
+const BEGIN_STACKS = ["start", "functions"];
+
 /** Zelos in our hues and our font. */
 export function blocklyTheme(name: ThemeName): Blockly.Theme {
   const { face, edge } = LOOKS[name];
@@ -49,7 +52,7 @@ export function blocklyTheme(name: ThemeName): Blockly.Theme {
           colourPrimary: colour,
           colourSecondary: mix(colour, "#ffffff", 0.15),
           colourTertiary: edge(colour),
-          hat: category === "start" ? "cap" : "",
+          hat: BEGIN_STACKS.includes(category) ? "cap" : "",
         },
       ]),
     ),

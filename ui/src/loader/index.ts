@@ -1,12 +1,12 @@
 import type { Command, FunctionDefinition, ProgramDocument } from "../generator/document";
 import { commentIcon, stackOf } from "./commands";
-import { below, MARGIN, widthOf } from "./layout";
+import { below, MARGIN } from "./layout";
 import { type BlockState, Ids } from "./state";
 
 export { ConditionError, parseCondition } from "./conditions";
 
 /**
- * The workspace that shows a document: its program on the left, its functions one below the other beside it. Takes
+ * The workspace that shows a document: its program, and below it its functions one after the other. Takes
  * every document the server's reader takes, also a bare list of commands in the spelling of the original, and conditions
  * as text. What a document's blocks are called they keep.
  *
@@ -20,7 +20,7 @@ export function workspaceOf(document: object): object {
   return {
     blocks: {
       languageVersion: 0,
-      blocks: [start, ...definitionBlocks(functions, MARGIN + widthOf(commands), ids)],
+      blocks: [start, ...definitionBlocks(functions, below(MARGIN, commands), ids)],
     },
   };
 }
@@ -33,17 +33,17 @@ function parts(document: object): Pick<ProgramDocument, "functions" | "commands"
 
 function definitionBlocks(
   functions: readonly FunctionDefinition[],
-  x: number,
+  top: number,
   ids: Ids,
 ): BlockState[] {
-  let y = MARGIN;
+  let y = top;
   return functions.map((definition) => {
     const { name, parameters = [], commands, block, comment } = definition;
     const next = stackOf(commands, ids);
     const state: BlockState = {
       type: "function_def",
       ...ids.take(block),
-      x,
+      x: MARGIN,
       y,
       ...(parameters.length > 0 && { extraState: { parameters } }),
       ...commentIcon(comment),

@@ -2,39 +2,35 @@ import type { Branch, Command } from "../generator/document";
 
 /** From the corner of the workspace, in pixels; see the editor's margin. */
 export const MARGIN = 32;
-const ROW = 56;
-const END_OF_MOUTH = 40;
-const GAP = 64;
-const INDENT = 16;
-const WIDEST_ROW = 560;
+const ROW = 54;
+const NESTED_VALUE = 10;
+const EMPTY_MOUTH = 28;
+const END_OF_MOUTH = 36;
+const GAP = 72;
 
-/** How high a stack of blocks is drawn, about: a document knows nothing of fonts. */
-export function heightOf(commands: readonly Command[]): number {
-  return commands.reduce((height, command) => height + commandHeight(command), 0);
-}
-
-/** How far a stack reaches to the right, about. */
-export function widthOf(commands: readonly Command[]): number {
-  return WIDEST_ROW + INDENT * depthOf(commands);
-}
-
-/** Where the next stack begins below one of that height. */
+/** Where the next stack begins below one that begins there: a document knows nothing of fonts, so about. */
 export function below(top: number, commands: readonly Command[]): number {
   return top + ROW + heightOf(commands) + GAP;
 }
 
+function heightOf(commands: readonly Command[]): number {
+  return commands.reduce((height, command) => height + commandHeight(command), 0);
+}
+
 function commandHeight(command: Command): number {
-  return bodiesOf(command).reduce(
-    (height, body) => height + Math.max(heightOf(body), ROW / 2) + END_OF_MOUTH,
-    ROW,
+  const { commands, elif, else: last, ...values } = command;
+  const bodies = bodiesOf(command);
+  const rows = Math.max(bodies.length, 1) * (ROW + NESTED_VALUE * depthOf(values));
+  return bodies.reduce(
+    (height, body) => height + Math.max(heightOf(body), EMPTY_MOUTH) + END_OF_MOUTH,
+    rows,
   );
 }
 
-function depthOf(commands: readonly Command[]): number {
-  return commands.reduce(
-    (depth, command) => Math.max(depth, ...bodiesOf(command).map((body) => 1 + depthOf(body))),
-    0,
-  );
+/** How deep blocks stand in each other in the values of a command. */
+function depthOf(value: unknown): number {
+  if (typeof value !== "object" || value === null) return 0;
+  return 1 + Math.max(0, ...Object.values(value).map(depthOf));
 }
 
 function bodiesOf(command: Command): Command[][] {

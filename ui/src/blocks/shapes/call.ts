@@ -74,7 +74,7 @@ function addArgument(
   child: Child | undefined,
   filled: boolean,
 ): void {
-  const input = block.appendValueInput(`ARG${index}`).appendField(parameter);
+  const input = block.appendValueInput(`ARG${index}`).appendField(`${parameter}:`);
   const shadow = child?.shadow ?? (filled ? shadowState({ number: 0 }) : null);
   if (shadow) input.connection?.setShadowState(shadow);
   if (child?.block?.outputConnection) input.connection?.connect(child.block.outputConnection);

@@ -60,7 +60,9 @@ const mixin = {
 
 /** The names of parameters are kept with the shape of the block, not with its fields. */
 class ParameterField extends OwnNameField {
-  override SERIALIZABLE = false;
+  override isSerializable(): boolean {
+    return false;
+  }
 }
 
 function parameterField(block: FunctionBlock, index: number, name: string): Blockly.Field {

@@ -25,7 +25,7 @@ export const en: BlockTexts = {
   RIGHT: "right",
   STOP: "%1 stop",
   STOP_TIP: "The robot stops. Then it goes on with the next block.",
-  ARC: "%1 curve %2, radius %3 m, %4 °",
+  ARC: "%1 curve %2 of radius %3 m and %4 °",
   ARC_TIP:
     "The robot drives along part of a circle. The radius is the distance to its middle; negative drives backward.",
   GO_TO: "%1 go to x %2 m, y %3 m, %4",
@@ -88,7 +88,7 @@ export const en: BlockTexts = {
   UNTIL_TIP: "Does what is inside again and again, until the condition is true.",
   WAIT_UNTIL: "%1 wait until %2",
   WAIT_UNTIL_TIP: "The program goes on only when the condition is true.",
-  WAIT_UNTIL_TIMEOUT: "%1 wait until %2, at most %3 s",
+  WAIT_UNTIL_TIMEOUT: "%1 wait until %2 for at most %3 s",
   WAIT_UNTIL_TIMEOUT_TIP:
     "The program goes on when the condition is true or when the time is over.",
   FOR: "%1 count %2 from %3 to %4 in steps of %5",

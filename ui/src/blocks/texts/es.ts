@@ -25,7 +25,7 @@ export const es: BlockTexts = {
   RIGHT: "a la derecha",
   STOP: "%1 parar",
   STOP_TIP: "El robot para. Después sigue con el próximo bloque.",
-  ARC: "%1 hacer curva %2, radio %3 m, %4 °",
+  ARC: "%1 hacer curva %2 de radio %3 m y %4 °",
   ARC_TIP:
     "El robot recorre parte de un círculo. El radio es la distancia hasta su centro; si es negativo, va hacia atrás.",
   GO_TO: "%1 ir hasta x %2 m, y %3 m, %4",
@@ -89,10 +89,10 @@ export const es: BlockTexts = {
   UNTIL_TIP: "Hace lo que está dentro una y otra vez, hasta que la condición sea verdadera.",
   WAIT_UNTIL: "%1 esperar hasta que %2",
   WAIT_UNTIL_TIP: "El programa solo sigue cuando la condición sea verdadera.",
-  WAIT_UNTIL_TIMEOUT: "%1 esperar hasta que %2, como máximo %3 s",
+  WAIT_UNTIL_TIMEOUT: "%1 esperar hasta que %2 por %3 s como máximo",
   WAIT_UNTIL_TIMEOUT_TIP:
     "El programa sigue cuando la condición sea verdadera o cuando se acabe el tiempo.",
-  FOR: "%1 contar %2 de %3 a %4, paso %5",
+  FOR: "%1 contar %2 de %3 a %4 con paso %5",
   FOR_TIP:
     "Repite y cuenta: la variable empieza en el primer número y cambia en cada vuelta, hasta el último.",
   BREAK: "%1 salir de la repetición",

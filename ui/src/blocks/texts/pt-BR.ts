@@ -25,7 +25,7 @@ export const ptBR: BlockTexts = {
   RIGHT: "à direita",
   STOP: "%1 parar",
   STOP_TIP: "O robô para. Depois ele segue com o próximo bloco.",
-  ARC: "%1 fazer curva %2, raio %3 m, %4 °",
+  ARC: "%1 fazer curva %2 de raio %3 m e %4 °",
   ARC_TIP:
     "O robô anda por um pedaço de círculo. O raio é a distância até o meio do círculo; com raio negativo, ele vai de ré.",
   GO_TO: "%1 ir até x %2 m, y %3 m, %4",
@@ -89,10 +89,10 @@ export const ptBR: BlockTexts = {
   UNTIL_TIP: "Faz o que está dentro de novo e de novo, até a condição ser verdadeira.",
   WAIT_UNTIL: "%1 esperar até que %2",
   WAIT_UNTIL_TIP: "O programa só continua quando a condição for verdadeira.",
-  WAIT_UNTIL_TIMEOUT: "%1 esperar até que %2, no máximo %3 s",
+  WAIT_UNTIL_TIMEOUT: "%1 esperar até que %2 por no máximo %3 s",
   WAIT_UNTIL_TIMEOUT_TIP:
     "O programa continua quando a condição for verdadeira ou quando o tempo acabar.",
-  FOR: "%1 contar %2 de %3 até %4, passo %5",
+  FOR: "%1 contar %2 de %3 até %4 com passo %5",
   FOR_TIP:
     "Repete e conta: a variável começa no primeiro número e muda em cada volta, até o último.",
   BREAK: "%1 sair da repetição",
