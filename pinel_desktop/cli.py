@@ -9,6 +9,7 @@ from pinel_desktop import __version__
 _COMMANDS = {
     "run": "Run a program and print its result.",
     "serve": "Serve the page without a window and print its address.",
+    "python": "Print a program as Python text.",
     "runs": "List and show recorded runs.",
     "doctor": "Say what this PC has and lacks.",
 }

@@ -36,16 +36,18 @@ class Language:
 
     def __init__(self, functions: dict[str, list[str]]) -> None:
         self.functions = functions
-        self.numbers = st.deferred(lambda: self._numbers())
-        self.conditions = st.deferred(lambda: self._conditions())
-        self.values = st.deferred(lambda: self._values())
+        self.numbers = st.deferred(lambda: self._numbers())  # noqa: PLW0108 - hypothesis wants a function
+        self.conditions = st.deferred(lambda: self._conditions())  # noqa: PLW0108
+        self.values = st.deferred(lambda: self._values())  # noqa: PLW0108
         self.lists = st.lists(st.one_of(NUMBERS, TEXTS, st.booleans()), max_size=4)
         self.variables = NAMES.map(lambda name: {"var": name})
         self._calls = st.one_of([self._call(name, "call") for name in functions] or [st.nothing()])
 
     def _call(self, name: str, key: str) -> st.SearchStrategy[Document]:
-        given = {parameter: self.values for parameter in self.functions[name]}
-        return st.fixed_dictionaries({key: st.just(name), "arguments": st.fixed_dictionaries(given)})
+        given = dict.fromkeys(self.functions[name], self.values)
+        return st.fixed_dictionaries(
+            {key: st.just(name), "arguments": st.fixed_dictionaries(given)}
+        )
 
     def _numbers(self) -> st.SearchStrategy[Any]:
         inner = self.numbers
@@ -94,9 +96,7 @@ class Language:
             self.lists,
             st.just({"gesture": "result"}),
             st.sampled_from(["floor", "cell"]).map(lambda s: {"sensor": s}),
-            st.lists(self.values, min_size=1, max_size=3).map(
-                lambda parts: _op("join", *parts)
-            ),
+            st.lists(self.values, min_size=1, max_size=3).map(lambda parts: _op("join", *parts)),
             self._calls,
         )
 

@@ -1,0 +1,36 @@
+"""Reading a program from a file or from standard input, and saying what is wrong with it."""
+
+import sys
+
+import click
+
+from pinel_desktop.messages import describe
+from pinel_desktop.program.faults import Fault
+from pinel_desktop.program.limits import MAX_BYTES
+from pinel_desktop.program.reading import Reading
+from pinel_desktop.program.sources import read_source
+
+
+def read_file(file: str) -> Reading:
+    """Reads a document, a bare list or Python text; `-` is standard input. What cannot be opened is a fault."""
+    try:
+        if file == "-":
+            return read_source(sys.stdin.buffer.read(MAX_BYTES + 1))
+        with open(file, "rb") as opened:
+            return read_source(opened.read(MAX_BYTES + 1), file)
+    except (OSError, ValueError):  # ValueError: a null byte in the name
+        return Reading(None, (Fault("file_unreadable", params={"path": file}),))
+
+
+def place_of(fault: Fault, language: str) -> str:
+    """Where a fault is, for people: line and column of a text, or the place in a document."""
+    if {"line", "column"} <= fault.params.keys():
+        return describe("python_at", fault.params, language).message
+    return fault.pointer or "/"
+
+
+def say_faults(faults: tuple[Fault, ...], language: str) -> None:
+    """Says on standard error what is wrong, one line for each fault."""
+    for fault in faults:
+        words = describe(fault.code, fault.params, language)
+        click.echo(f"{place_of(fault, language)}: {words.message} {words.remedy}", err=True)

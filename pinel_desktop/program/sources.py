@@ -1,0 +1,36 @@
+"""The bytes of a file as a program: a document, a bare list of commands, or Python text."""
+
+from pinel_desktop.program.faults import Fault
+from pinel_desktop.program.limits import MAX_BYTES
+from pinel_desktop.program.python_text import read_python
+from pinel_desktop.program.reading import Reading, read_document
+
+_BLANK = b"\xef\xbb\xbf \t\r\n"
+
+
+def is_python(data: bytes, name: str = "") -> bool:
+    """Whether a file holds Python text: by the end of its name, or else by its first character."""
+    ending = name.lower().rpartition(".")[2]
+    if ending in ("py", "json"):
+        return ending == "py"
+    return data.strip(_BLANK)[:1] not in (b"", b"{", b"[")
+
+
+def read_source(data: bytes, name: str = "") -> Reading:
+    """Reads a program from what a file of that name holds. Faults of Python text have `line` and `column`."""
+    if not is_python(data, name):
+        return read_document(data)
+    if len(data) > MAX_BYTES:
+        params: dict[str, object] = {"value": len(data), "max": MAX_BYTES, "line": 1, "column": 1}
+        return Reading(None, (Fault("document_too_large", params=params),))
+    try:
+        text = data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        return Reading(None, (_not_text(data[: error.start]),))
+    return read_python(text).reading
+
+
+def _not_text(before: bytes) -> Fault:
+    lines = before.decode("utf-8").split("\n")
+    params: dict[str, object] = {"line": len(lines), "column": len(lines[-1]) + 1}
+    return Fault("python_not_utf8", params=params)
