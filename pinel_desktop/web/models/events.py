@@ -7,6 +7,10 @@ from pydantic import Field, RootModel
 from pinel_desktop.web.models import Id, Json, Shape
 
 
+# not a default, which the page's types would take for a promise
+_MAYBE_ABSENT = Field(default_factory=lambda: None)
+
+
 class RunEvent(Shape):
     """What every event of a run carries; time in s is tick / 30."""
 
@@ -21,8 +25,8 @@ class RunStateEvent(RunEvent):
 
     type: Literal["run_state"]
     state: Literal["running", "paused"]
-    cause: Literal["person", "breakpoint", "step"] | None = None
-    block: str | None = None
+    cause: Annotated[Literal["person", "breakpoint", "step"] | None, _MAYBE_ABSENT]
+    block: Annotated[str | None, _MAYBE_ABSENT]
 
 
 class BlockStartedEvent(RunEvent):

@@ -75,8 +75,8 @@ class World(Shape):
     start: Start
     walls: list[Wall]
     boxes: list[Box]
-    zones: list[Zone] = Field(default_factory=list)
-    floor: list[Paint] = Field(default_factory=list)
+    zones: list[Zone] = Field(default=[])
+    floor: list[Paint] = Field(default=[])
 
 
 class WorldList(Shape):

@@ -2,6 +2,7 @@ import type { Language } from "../i18n/language";
 import { ApiError, ServerGone } from "./errors";
 import type {
   Content,
+  Debugging,
   Group,
   Program,
   ProgramWithVersion,
@@ -12,6 +13,7 @@ import type {
   RunWithVersion,
   SavedVersion,
   Status,
+  StepMode,
   World,
   WrittenPython,
 } from "./model";
@@ -72,8 +74,13 @@ export const api = {
       "GET",
       `/api/groups/${group}/runs?limit=${limit}${before ? `&before=${before}` : ""}`,
     ),
-  startRun: (versionId: string, world: string) =>
-    json<Run>("POST", "/api/runs", { version_id: versionId, world }),
+  startRun: (versionId: string, world: string, debugging: Debugging) =>
+    json<Run>("POST", "/api/runs", { version_id: versionId, world, ...debugging }),
+  step: (run: string, mode: StepMode) => json<object>("POST", `/api/runs/${run}/step`, { mode }),
+  setBreakpoints: (run: string, blocks: readonly string[]) =>
+    json<object>("PUT", `/api/runs/${run}/breakpoints`, { blocks }),
+  setSpeed: (run: string, factor: number) =>
+    json<object>("PUT", `/api/runs/${run}/speed`, { factor }),
   pause: (run: string) => json<object>("POST", `/api/runs/${run}/pause`),
   resume: (run: string) => json<object>("POST", `/api/runs/${run}/resume`),
   stop: (run: string) => json<object>("POST", `/api/runs/${run}/stop`),

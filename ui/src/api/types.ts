@@ -1325,16 +1325,10 @@ export interface components {
          * @description The run goes on or waits; runs of earlier releases do not tell why and where.
          */
         RunStateEvent: {
-            /**
-             * Block
-             * @default null
-             */
-            block: string | null;
-            /**
-             * Cause
-             * @default null
-             */
-            cause: ("person" | "breakpoint" | "step") | null;
+            /** Block */
+            block?: string | null;
+            /** Cause */
+            cause?: ("person" | "breakpoint" | "step") | null;
             /**
              * Run
              * @description UUIDv7 text
@@ -1698,8 +1692,11 @@ export interface components {
         World: {
             /** Boxes */
             boxes: components["schemas"]["Box"][];
-            /** Floor */
-            floor?: components["schemas"]["Paint"][];
+            /**
+             * Floor
+             * @default []
+             */
+            floor: components["schemas"]["Paint"][];
             /** Name */
             name: string;
             /**
@@ -1716,8 +1713,11 @@ export interface components {
             title: components["schemas"]["Title"];
             /** Walls */
             walls: components["schemas"]["Wall"][];
-            /** Zones */
-            zones?: components["schemas"]["Zone"][];
+            /**
+             * Zones
+             * @default []
+             */
+            zones: components["schemas"]["Zone"][];
         };
         /**
          * WorldList

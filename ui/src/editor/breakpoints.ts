@@ -1,4 +1,5 @@
 import * as Blockly from "blockly/core";
+import { word } from "../blocks/texts";
 
 const MENU = "pinel_breakpoint";
 const MARK = "pinelBreakpoint";
@@ -80,10 +81,9 @@ function registerMenu(): void {
     weight: 7,
     displayText: ({ block }) =>
       block && Breakpoints.at(block)?.has(block)
-        ? (Blockly.Msg.PINEL_BREAKPOINT_REMOVE ?? "")
-        : (Blockly.Msg.PINEL_BREAKPOINT_ADD ?? ""),
-    preconditionFn: ({ block }) =>
-      canHold(block) && Breakpoints.at(block) ? "enabled" : "hidden",
+        ? word("BREAKPOINT_REMOVE")
+        : word("BREAKPOINT_ADD"),
+    preconditionFn: ({ block }) => (canHold(block) && Breakpoints.at(block) ? "enabled" : "hidden"),
     callback: ({ block }) => {
       if (block) Breakpoints.at(block)?.toggle(block);
     },

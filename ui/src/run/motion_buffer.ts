@@ -16,12 +16,20 @@ export class MotionBuffer {
   /** Arrival time of tick 0, as the promptest samples tell it. */
   private origin = Number.NaN;
 
+  private tickMs = TICK_MS;
+
+  /** Samples come faster or slower from now on. */
+  setSpeed(factor: number): void {
+    this.tickMs = TICK_MS / factor;
+    this.origin = Number.NaN;
+  }
+
   push(tick: number, pose: Pose, now: number): void {
     const last = this.samples.at(-1);
     if (last && tick <= last.tick) this.reset();
     this.samples.push({ tick, pose });
     if (this.samples.length > KEPT) this.samples.shift();
-    const origin = now - tick * TICK_MS;
+    const origin = now - tick * this.tickMs;
     // a sample may come late, never early; the slow drift follows a clock that runs differently
     if (!(origin >= this.origin) || origin - this.origin > 500) this.origin = origin;
     else this.origin += (origin - this.origin) * 0.02;
@@ -36,7 +44,7 @@ export class MotionBuffer {
   at(now: number): Pose | null {
     const last = this.samples.at(-1);
     if (!last) return null;
-    const tick = (now - this.origin) / TICK_MS - DELAY_TICKS;
+    const tick = (now - this.origin) / this.tickMs - DELAY_TICKS;
     if (!(tick < last.tick)) return last.pose;
     const next = this.samples.findIndex((sample) => sample.tick > tick);
     const after = this.samples[next];

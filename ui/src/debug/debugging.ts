@@ -1,0 +1,34 @@
+import { effect, signal } from "@preact/signals";
+import * as robot from "../run/live";
+
+/** How many times faster than a real robot the simulated one is. */
+export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10] as const;
+
+export const speed = signal<number>(1);
+
+/** Ids of the blocks before which the run pauses; of the program that is open. */
+export const breakpoints = signal<readonly string[]>([]);
+
+/** What a run is to know from its beginning. */
+export function wishes(paused: boolean): robot.Debugging {
+  return { breakpoints: [...breakpoints.peek()], speed: speed.peek(), paused };
+}
+
+/** Tells the live run what is changed; the answer ends that. */
+export function tellRun(report: (error: unknown) => void): () => void {
+  let first = true;
+  const stops = [
+    effect(() => {
+      const ids = breakpoints.value;
+      if (!first) robot.setBreakpoints(ids).catch(report);
+    }),
+    effect(() => {
+      const factor = speed.value;
+      if (!first) robot.setSpeed(factor).catch(report);
+    }),
+  ];
+  first = false;
+  return () => {
+    for (const stop of stops) stop();
+  };
+}
