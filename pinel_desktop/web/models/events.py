@@ -6,7 +6,6 @@ from pydantic import Field, RootModel
 
 from pinel_desktop.web.models import Id, Json, Shape
 
-
 # not a default, which the page's types would take for a promise
 _MAYBE_ABSENT = Field(default_factory=lambda: None)
 
