@@ -21,6 +21,10 @@ class Gains(NamedTuple):
 DEFAULT_GAINS = Gains()
 
 
+# below, noise in the position would tell nothing of the way along an arc
+_SMALL_RADIUS_M = 0.1
+
+
 class Line:
     """The straight line through `start` along its yaw: errors of a pose against a set-point on it.
 
@@ -68,13 +72,25 @@ class Arc:
         self.start, self.gains = start, gains
         # signed curvature radius: dx along the heading for each radian of heading
         self._radius = math.copysign(radius_m, radius_m * angle_rad)
-        self._turned, self._yaw = 0.0, start.yaw_rad
+        self._center = self._center_of(start)
+        self._done, self._direction = 0.0, self._direction_of(start)
 
-    def turned(self, pose: Pose2D) -> float:
-        """How far the heading has turned since the start, in radians, full circles too; asked at every tick."""
-        self._turned += wrap_angle(pose.yaw_rad - self._yaw)
-        self._yaw = pose.yaw_rad
-        return self._turned
+    def _center_of(self, start: Pose2D) -> tuple[float, float]:
+        x, y, yaw = start
+        return x - self._radius * math.sin(yaw), y + self._radius * math.cos(yaw)
+
+    def _direction_of(self, pose: Pose2D) -> float:
+        """What turns with the robot along the arc: the direction from the centre, the heading on very small arcs."""
+        if abs(self._radius) < _SMALL_RADIUS_M:
+            return pose.yaw_rad
+        return math.atan2(pose.y_m - self._center[1], pose.x_m - self._center[0])
+
+    def done(self, pose: Pose2D) -> float:
+        """How far the robot has come, as an angle in radians, full circles too; to be asked at every tick."""
+        direction = self._direction_of(pose)
+        self._done += wrap_angle(direction - self._direction)
+        self._direction = direction
+        return self._done
 
     def point(self, turned_rad: float) -> Pose2D:
         """The pose on the arc where the heading has turned by so much."""
@@ -86,11 +102,11 @@ class Arc:
             wrap_angle(end),
         )
 
-    def errors(self, pose: Pose2D, turned_rad: float) -> tuple[float, float]:
-        """How far the set-point is ahead of `pose` (m), and to the left of its heading (rad)."""
+    def errors(self, pose: Pose2D, turned_rad: float) -> tuple[float, float, float]:
+        """How far the set-point is ahead of `pose` and to its left (m), and left of its heading (rad)."""
         goal = self.point(turned_rad)
-        along, _ = _offset(goal, pose)
-        return along, wrap_angle(goal.yaw_rad - pose.yaw_rad)
+        along, across = _offset(goal, pose)
+        return along, across, wrap_angle(goal.yaw_rad - pose.yaw_rad)
 
     def correct(self, pose: Pose2D, turned_rad: float, omega_radps: float) -> Twist2D:
         """The twist that follows the set-point, which turns at `omega_radps`, and takes the errors away."""

@@ -13,6 +13,7 @@ from pinel_desktop.robot import STANDSTILL, Pose2D, Twist2D, wrap_angle
 _BLOCKED_TICKS = 2 * TICK_HZ
 _MOVE_STEP_M = 0.01
 _TURN_STEP_RAD = math.radians(1.0)
+_BESIDE_M = 0.05  # the end of an arc; what is less the next motion corrects
 _ALREADY_THERE_M = 1e-6
 _AT_REST_MPS, _AT_REST_RADPS = 1e-3, 2e-3
 
@@ -129,21 +130,22 @@ def drive_arc(context: RunContext, radius_m: float, angle_rad: float) -> Routine
     progress = ProgressCheck(_TURN_STEP_RAD, _BLOCKED_TICKS)
     way = ProgressCheck(_MOVE_STEP_M, _BLOCKED_TICKS)
     while True:
-        turned = arc.turned(context.pose)
-        expected, speed, past_end = setpoints.next(turned)
-        along_m, yaw_error = arc.errors(context.pose, expected)
+        done = arc.done(context.pose)
+        expected, speed, past_end = setpoints.next(done)
+        along_m, across_m, yaw_error = arc.errors(context.pose, expected)
         if (
             past_end >= 0
             and _arrived(context, MOVE_GOAL, along_m, past_end)
             and TURN_GOAL.arrived(yaw_error, past_end)
+            and abs(across_m) <= _BESIDE_M
         ):
             break
-        stuck = progress.stuck(turned, context.tick), way.stuck(turned * length, context.tick)
+        stuck = progress.stuck(done, context.tick), way.stuck(done * length, context.tick)
         if all(stuck):
-            raise _blocked_turn(turned, angle_rad)
+            raise _blocked_turn(done, angle_rad)
         context.command = arc.correct(context.pose, expected, speed)
         if context.observed:
-            context.setpoint, context.done = arc.point(expected), math.degrees(turned)
+            context.setpoint, context.done = arc.point(expected), math.degrees(done)
         yield None
     _end(context, arc.point(angle_rad))
     return None
