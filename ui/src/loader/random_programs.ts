@@ -12,6 +12,8 @@ export class RandomPrograms {
   private state: number;
   private readonly functions: FunctionDefinition[] = [];
   private ids = 0;
+  private inLoop = false;
+  private inFunction = false;
 
   constructor(seed: number) {
     this.state = seed >>> 0;
@@ -19,7 +21,11 @@ export class RandomPrograms {
 
   document(): ProgramDocument {
     for (let count = this.whole(3); count > 0; count--) this.functions.push(this.signature(count));
-    for (const definition of this.functions) definition.commands = this.commands(3);
+    this.inFunction = true;
+    for (const definition of this.functions) {
+      definition.commands = [...this.commands(3), this.named({ action: "return", value: 1 })];
+    }
+    this.inFunction = false;
     return {
       pinel_ir: 1,
       name: "acaso",
@@ -45,11 +51,29 @@ export class RandomPrograms {
 
   private command(depth: number): Command {
     const makers = depth > 0 ? [...this.simple, ...this.nested(depth - 1)] : this.simple;
-    return {
-      ...this.pick(makers)(),
-      block: this.id(),
-      ...this.maybe({ comment: 'um "comentário"\nem duas linhas' }),
-    };
+    return this.named(this.pick(makers)());
+  }
+
+  private named(command: Command): Command {
+    const comment = this.maybe({ comment: 'um "comentário"\nem duas linhas' });
+    return { ...command, block: this.id(), ...comment };
+  }
+
+  /** What may stand inside a loop only, or inside a function only, is drawn nowhere else. */
+  private ending(): Command {
+    const endings: Command[] = [{ action: "beep" }];
+    if (this.inLoop) endings.push({ action: "break" }, { action: "continue" });
+    if (this.inFunction)
+      endings.push({ action: "return" }, { action: "return", value: this.any(2) });
+    return this.pick(endings);
+  }
+
+  private body(depth: number): Command[] {
+    const before = this.inLoop;
+    this.inLoop = true;
+    const commands = this.commands(depth);
+    this.inLoop = before;
+    return commands;
   }
 
   private readonly simple: (() => Command)[] = [
@@ -93,29 +117,29 @@ export class RandomPrograms {
     () => ({ action: "set_variable", name: this.name(), value: this.any(3) }),
     () => ({ action: "change_variable", name: this.name(), by: this.number(-9, 9) }),
     () => ({ action: "append", list: this.name(), value: this.any(2) }),
-    () => ({ action: "break" }),
-    () => ({ action: "continue" }),
-    () => ({ action: "return" }),
-    () => ({ action: "return", value: this.any(2) }),
+    () => this.ending(),
+    () => this.ending(),
+    () => this.ending(),
     () => this.call() ?? { action: "stop" },
   ];
 
   private nested(depth: number): (() => Command)[] {
     const commands = () => this.commands(depth);
     const branch = (): Branch => ({ condition: this.boolean(2), commands: commands() });
+    const loop = () => this.body(depth);
     return [
-      () => ({ action: "repeat", times: this.count(), commands: commands() }),
-      () => ({ action: "while", ...branch() }),
-      () => ({ action: "until", ...branch() }),
+      () => ({ action: "repeat", times: this.count(), commands: loop() }),
+      () => ({ action: "while", condition: this.boolean(2), commands: loop() }),
+      () => ({ action: "until", condition: this.boolean(2), commands: loop() }),
       () => ({
         action: "for",
         variable: this.name(),
         from: this.number(-9, 9),
         to: this.number(-9, 9),
-        by: this.number(-9, 9),
-        commands: commands(),
+        by: this.number(0.1, 9),
+        commands: loop(),
       }),
-      () => ({ action: "forever", commands: commands() }),
+      () => ({ action: "forever", commands: loop() }),
       () => ({
         action: "conditional_execution",
         ...branch(),
@@ -156,8 +180,11 @@ export class RandomPrograms {
       () => ({ op: "random_int", args: [inner(), inner()] }),
       () => ({ op: "length", args: [this.whole(2) ? this.text(depth - 1) : this.list()] }),
       () => ({ sensor: "distance", direction: this.pick(["front", "left", "right", "back"]) }),
-      () => ({ sensor: "sonar", index: this.whole(2) ? this.whole(16) : inner() }),
-      () => ({ sensor: "lidar", angle: this.whole(2) ? this.whole(181) - 90 : inner() }),
+      () => ({ sensor: "sonar", index: this.whole(2) ? this.whole(16) : { var: this.name() } }),
+      () => ({
+        sensor: "lidar",
+        angle: this.whole(2) ? this.whole(181) - 90 : { var: this.name() },
+      }),
       () => ({ sensor: this.pick(["x", "y", "heading", "time"]) }),
       ...this.wild(depth),
     ])();
