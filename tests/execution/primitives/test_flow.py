@@ -141,13 +141,13 @@ def test_break_ends_the_innermost_loop_and_continue_its_round(execute_commands: 
 
 @pytest.mark.parametrize("action", ["while", "until", "for", "repeat", "forever"])
 def test_break_and_continue_work_in_every_loop(action: str, execute_commands: Any) -> None:
-    parameters: dict[str, Any] = {
+    parameters: dict[str, dict[str, Any]] = {
         "while": {"condition": True},
         "until": {"condition": False},
         "for": {"variable": "i", "from": 1, "to": 99},
         "repeat": {"times": 99},
         "forever": {},
-    }[action]
+    }
     result, _ = execute_commands(
         put("n", 0),
         loop(
@@ -156,7 +156,7 @@ def test_break_and_continue_work_in_every_loop(action: str, execute_commands: An
             when(op("<", var("n"), 5), CONTINUE),
             say(var("n")),
             BREAK,
-            **parameters,
+            **parameters[action],
         ),
         say("after"),
     )

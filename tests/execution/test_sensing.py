@@ -1,0 +1,190 @@
+"""What sensors give a program, in the simulator and on links that lack them."""
+
+import math
+from typing import Any
+
+import pytest
+
+from pinel_desktop.execution.executor import execute
+from pinel_desktop.links.sim import SimLink
+from pinel_desktop.program.operators import SENSORS
+from pinel_desktop.program.reading import read_document
+from pinel_desktop.robot import PIONEER_3DX, Sensors
+
+WALL, HULL = 3.99, 0.2225
+
+
+def sonar(index: Any) -> dict[str, Any]:
+    return {"sensor": "sonar", "index": index}
+
+
+def distance(direction: str) -> dict[str, Any]:
+    return {"sensor": "distance", "direction": direction}
+
+
+def measure(sensor: str) -> dict[str, Any]:
+    return {"sensor": sensor}
+
+
+def forward(metres: float) -> dict[str, Any]:
+    return {"action": "move_forward", "distance": metres}
+
+
+def turn(angle: float) -> dict[str, Any]:
+    return {"action": "turn", "angle": angle}
+
+
+@pytest.mark.parametrize(
+    ("index", "metres"),
+    [
+        (0, WALL - HULL),
+        (3, WALL / math.cos(math.radians(10)) - HULL),
+        (4, WALL / math.cos(math.radians(10)) - HULL),
+        (2, WALL / math.cos(math.radians(30)) - HULL),
+        (12, WALL / math.cos(math.radians(10)) - HULL),
+        (1, WALL / math.cos(math.radians(40)) - HULL),
+    ],
+)
+def test_sonar_measures_from_the_hull_along_its_direction(
+    index: int, metres: float, value_of: Any
+) -> None:
+    assert value_of(sonar(index)) == pytest.approx(metres, abs=1e-3)
+
+
+def test_sonar_gives_5_where_nothing_is_near(value_of: Any) -> None:
+    far = [value_of(sonar(index), turn(45)) for index in range(16)]
+    assert max(far) == 5.0
+    assert all(0 < metres <= 5 for metres in far)
+
+
+def test_sonars_on_the_left_see_the_left(value_of: Any) -> None:
+    to_the_left = turn(90), forward(2), turn(-90)
+    assert value_of(sonar(0), *to_the_left) == pytest.approx(WALL - HULL - 2, abs=1e-3)
+    assert value_of(sonar(7), *to_the_left) == 5.0
+    assert value_of(distance("left"), *to_the_left) == pytest.approx(WALL - HULL - 2, abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("direction", "angle"), [("front", 0), ("left", -90), ("back", 180), ("right", 90)]
+)
+def test_distance_looks_where_its_name_says(direction: str, angle: float, value_of: Any) -> None:
+    ahead = forward(2), turn(angle)
+    near = [value_of(distance(name), *ahead) for name in ("front", "left", "right", "back")]
+    assert min(near) == value_of(distance(direction), *ahead)
+    assert near.count(min(near)) == 1
+    beyond = 1.99 / math.cos(math.radians(10)) - HULL
+    assert min(near) == pytest.approx(
+        beyond if direction in ("front", "back") else 1.99 - HULL, abs=2e-3
+    )
+
+
+def test_distance_at_the_wall_is_nothing_and_never_negative(value_of: Any) -> None:
+    drive = {"action": "drive", "linear": 0.6, "angular": 0}
+    at_the_wall = value_of(distance("front"), drive, {"action": "wait", "seconds": 10})
+    assert 0 <= at_the_wall < 0.02
+
+
+def test_lidar_measures_from_the_centre(value_of: Any) -> None:
+    assert value_of({"sensor": "lidar", "angle": 0}) == pytest.approx(WALL, abs=1e-6)
+    assert value_of({"sensor": "lidar", "angle": -60}) == pytest.approx(
+        WALL / math.cos(math.radians(30)), abs=1e-6
+    )
+    assert value_of({"sensor": "lidar", "angle": 90}, forward(1)) == pytest.approx(WALL, abs=1e-3)
+
+
+def test_place_and_heading_are_in_the_start_frame(value_of: Any) -> None:
+    way = forward(1), turn(90), forward(0.5), turn(90)
+    for world in ("empty_room", "tic_tac_toe"):
+        assert value_of(measure("x"), *way, world=world) == pytest.approx(1, abs=1e-3)
+        assert value_of(measure("y"), *way, world=world) == pytest.approx(0.5, abs=1e-3)
+    assert value_of(measure("heading"), turn(-90)) == pytest.approx(-90, abs=0.01)
+    assert -180 < value_of(measure("heading"), turn(180)) <= 180
+
+
+def test_time_is_seconds_since_the_run_began(value_of: Any) -> None:
+    assert value_of(measure("time")) == 0
+    assert value_of(measure("time"), {"action": "wait", "seconds": 1.5}) == 1.5
+
+
+def test_bumper_feels_the_wall(value_of: Any) -> None:
+    drive = {"action": "drive", "linear": 0.6, "angular": 0}
+    assert value_of(measure("bumper")) is False
+    assert value_of(measure("bumper"), drive, {"action": "wait", "seconds": 9}) is True
+
+
+def test_cells_of_the_board_are_those_of_the_dissertation(execute_commands: Any) -> None:
+    read = {"action": "say", "text": measure("cell")}
+    paint = {"action": "say", "text": measure("floor")}
+    row = [forward(1), read]
+    back = [turn(180), forward(2), turn(90), forward(1), turn(90), read]
+    result, _ = execute_commands(
+        read,
+        paint,
+        *row,
+        paint,
+        *row,
+        *row,
+        *back,
+        *row,
+        *row,
+        *back,
+        *row,
+        *row,
+        world="tic_tac_toe",
+    )
+    assert result.ended.state == "finished"
+    assert result.said == ["", "green", "A", "yellow", *"BCDEFGIL"]
+
+
+def test_world_without_zones_and_paint_is_white_and_has_no_cells(value_of: Any) -> None:
+    assert value_of(measure("cell")) == ""
+    assert value_of(measure("floor")) == "white"
+
+
+class Blind(SimLink):
+    """A robot that moves and senses nothing."""
+
+    def __init__(self) -> None:
+        super().__init__(world="empty_room", robot=PIONEER_3DX)
+        self.sensors = Sensors()
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        sonar(0),
+        distance("front"),
+        {"sensor": "lidar", "angle": 0},
+        measure("bumper"),
+        measure("floor"),
+        measure("cell"),
+    ],
+    ids=lambda expression: expression["sensor"],
+)
+def test_sensor_that_the_link_lacks_fails_the_run_at_the_block(expression: Any) -> None:
+    program = read_document(
+        [{"action": "set_variable", "name": "v", "value": expression, "block": "b"}]
+    ).program
+    assert program is not None
+    ended = execute(program, Blind()).ended
+    name = "sonar" if expression["sensor"] == "distance" else expression["sensor"]
+    assert (ended.reason, ended.params, ended.block) == ("sensor_missing", {"sensor": name}, "b")
+
+
+def test_what_is_read_does_not_change_the_telemetry(execute_commands: Any) -> None:
+    def run(expression: Any) -> str:
+        read = {"action": "set_variable", "name": "v", "value": expression}
+        result, _ = execute_commands(read, forward(1), read, turn(90), read)
+        digest: str = result.ended.telemetry_sha256
+        return digest
+
+    digests = {run(expression) for expression in (0, sonar(0), distance("back"), measure("bumper"))}
+    assert len(digests) == 1
+
+
+def test_every_sensor_of_the_language_is_tried_here(value_of: Any) -> None:
+    for sensor, kind in SENSORS.items():
+        more: dict[str, Any] = {"sonar": {"index": 1}, "lidar": {"angle": 1}}.get(sensor, {})
+        more = {"direction": "front"} if sensor == "distance" else more
+        value = value_of({"sensor": sensor, **more})
+        assert isinstance(value, {"number": int | float, "text": str, "boolean": bool}[kind])
