@@ -27,6 +27,7 @@ export const TEST = {
   undo: "undo",
   redo: "redo",
   tidy: "tidy",
+  level: "level", // a select: 1, 2, 3
   faultList: "fault-list",
   fault: "fault", // of each
   run: "run", // data-does: run | pause | resume
@@ -38,7 +39,29 @@ export const TEST = {
   poseY: "pose-y", // data-value: metres
   poseHeading: "pose-heading", // data-value: degrees
   elapsed: "elapsed", // data-value: seconds
-  irToggle: "ir-toggle",
+  mute: "mute", // data-muted
+  talk: "talk",
+  talkLine: "talk-line", // of each; data-kind: said | asked | answered
+  watch: "watch",
+  watchValue: "watch-value", // of each; data-name
+  question: "question",
+  questionText: "question-text",
+  answer: "answer",
+  sendAnswer: "send-answer",
+  irToggle: "ir-toggle", // opens the program as text
+  textTab: "text-tab", // of each; data-tab: python | ir
+  pythonText: "python-text", // data-lit: number of the running line
+  pythonEdit: "python-edit",
+  pythonEditor: "python-editor", // a textarea
+  pythonPut: "python-put",
+  pythonLeave: "python-leave",
+  pythonState: "python-state", // data-state: unchanged | checking | fine | faulty
+  step: "step",
+  stepOver: "step-over",
+  stepOut: "step-out",
+  speed: "speed",
+  pythonFault: "python-fault", // of each; data-line, data-column
+  swapBack: "swap-back",
   irJson: "ir-json",
   irCopy: "ir-copy",
   capture: "capture",

@@ -7,11 +7,14 @@ interface Words {
 
 type Area = Record<string, Record<Language, Words>>;
 
-/** The server's own words for the ends of runs, so that no text exists twice. */
-const AREAS = import.meta.glob<Area>("../../../pinel_desktop/messages/catalogue/run.json", {
-  eager: true,
-  import: "default",
-});
+/**
+ * The server's own words for the ends of runs, so that no text exists twice. What can be known only while running may
+ * have the reason of a fault of the document, such as a distance that comes out below 0.
+ */
+const AREAS = import.meta.glob<Area>(
+  "../../../pinel_desktop/messages/catalogue/{program,run}.json",
+  { eager: true, import: "default" },
+);
 
 const CATALOGUE: Area = Object.assign({}, ...Object.values(AREAS));
 

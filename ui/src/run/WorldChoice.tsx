@@ -15,7 +15,7 @@ interface WorldChoiceProps {
 export function WorldChoice({ worlds, world, busy, onWorld }: WorldChoiceProps) {
   const { run } = texts.value;
   return (
-    <span class="select world">
+    <span class="select">
       <MapIcon class="icon" aria-hidden="true" />
       <select
         aria-label={run.world}

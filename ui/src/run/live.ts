@@ -1,10 +1,11 @@
 import { batch, signal } from "@preact/signals";
 import { api } from "../api/client";
 import { ApiError } from "../api/errors";
-import type { Run, RunEvent, RunWithVersion } from "../api/model";
+import type { Debugging, Run, RunEvent, RunWithVersion, StepMode } from "../api/model";
 import { History } from "./history";
 import { MotionBuffer } from "./motion_buffer";
 import { IDLE, isLive, type Pose, type RunView, reduce, starting } from "./reducer";
+import { beep } from "./sound";
 import { decodeTelemetry, NO_TELEMETRY } from "./telemetry";
 
 /** The run that moves the robot now, or the last one that did. */
@@ -49,6 +50,7 @@ function apply(event: RunEvent): void {
   const next = reduce(live.value, event);
   if (next === live.value) return;
   if (event.type === "telemetry") motion.push(event.tick, next.pose, performance.now());
+  if (event.type === "beeped") beep();
   live.value = next;
 }
 
@@ -63,7 +65,7 @@ export function clear(): void {
 }
 
 /** Starts a run; rejects with the server's words, and shows what was shown before or the run in its way. */
-export function start(versionId: string, world: string): Promise<Run> {
+export function start(versionId: string, world: string, debugging: Debugging = {}): Promise<Run> {
   const before = live.value;
   const nameless = starting(null);
   stopWanted = false;
@@ -71,7 +73,7 @@ export function start(versionId: string, world: string): Promise<Run> {
   motion.reset();
   return holding(async () => {
     try {
-      const run = await api.startRun(versionId, world);
+      const run = await api.startRun(versionId, world, debugging);
       turns++;
       batch(() => {
         liveRun.value = run;
@@ -127,6 +129,18 @@ export async function resync(runId: string | null): Promise<void> {
   else if (isLive(shown) && shown.run) await follow(shown.run);
 }
 
+export type { Debugging, StepMode };
+
+export const step = (mode: StepMode) => withRun((run) => api.step(run, mode));
+export const setBreakpoints = (blocks: readonly string[]) =>
+  withRun((run) => api.setBreakpoints(run, blocks));
+
+/** Slow motion or fast forward, from now on. */
+export function setSpeed(factor: number): Promise<void> {
+  motion.setSpeed(factor);
+  return withRun((run) => api.setSpeed(run, factor));
+}
+
 export const pause = () => withRun(api.pause);
 export const resume = () => withRun(api.resume);
 
@@ -160,6 +174,8 @@ async function meet(toStop: boolean): Promise<void> {
 const isCode = (error: unknown, code: string) => error instanceof ApiError && error.code === code;
 
 export const answerCapture = (result: string) => withRun((run) => api.answerCapture(run, result));
+
+export const answerQuestion = (value: string) => withRun((run) => api.answerQuestion(run, value));
 
 async function withRun(send: (run: string) => Promise<object>): Promise<void> {
   const { run } = live.value;

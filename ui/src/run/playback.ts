@@ -71,9 +71,17 @@ export interface Stretch {
   block: string | null;
 }
 
-const HOLDERS = new Set(["repeat", "conditional_execution"]);
+const HOLDERS = new Set([
+  "repeat",
+  "while",
+  "until",
+  "for",
+  "forever",
+  "conditional_execution",
+  "call",
+]);
 
-/** When each block that does something ran; the loops around them are left out. */
+/** When each block that does something ran; what only holds others is left out. */
 export function stretches(events: readonly RunEvent[], lastTick: number): Stretch[] {
   const found: Stretch[] = [];
   for (const event of events) {

@@ -145,6 +145,19 @@ describe("blocks", () => {
     expect(view.stack[0]?.round).toBe(3);
   });
 
+  test("rounds that take no time are not counted, for the robot tells of one a tick", () => {
+    const spin = (tick: number) => started(tick, "/commands/0/commands/0", "set_variable");
+    const view = viewAfter(started(0, "/commands/0", "forever"), spin(0), spin(1), spin(2));
+    expect(view.stack[0]?.round).toBeNaN();
+  });
+
+  test("of a function that calls itself the innermost call is in its next round", () => {
+    const again = (tick: number) => started(tick, "/functions/0/commands/0", "repeat");
+    const inner = () => started(40, "/functions/0/commands/0/commands/0", "wait", 1);
+    const view = viewAfter(again(0), again(20), inner());
+    expect(view.stack.map((entry) => entry.round)).toEqual([0, 1, 0]);
+  });
+
   test("nothing is lit after the end", () => {
     const view = viewAfter(started(0, "/commands/0", "wait", 1), runEnded(3, "stopped"));
     expect(litBlock(view)).toBeNull();

@@ -1,4 +1,5 @@
 import type { RunEndedEvent, RunEvent, TelemetryEvent } from "../api/model";
+import { given, NOTHING, type Output } from "./output";
 import { EMPTY_TRAIL, extend, type Trail } from "./trail";
 
 export type Phase = "idle" | "starting" | "running" | "paused" | "finished" | "stopped" | "failed";
@@ -15,14 +16,21 @@ export interface LitBlock {
   readonly pointer: string;
   readonly action: string;
   readonly amount: number | null;
-  /** How many times the first command inside has begun: the round of a loop. */
+  /** How many times the first command inside has begun: the round of a loop. NaN where rounds come too fast to tell. */
   readonly round: number;
+  /** When that was the last time. */
+  readonly roundTick: number;
 }
 
 export interface Motion {
   readonly kind: string;
   readonly amount: number;
   readonly done: number;
+}
+
+export interface Speed {
+  readonly linear: number;
+  readonly angular: number;
 }
 
 export interface Capture {
@@ -53,12 +61,16 @@ export interface RunView {
   readonly path: Trail;
   readonly idealPath: Trail;
   readonly motion: Motion | null;
+  /** The velocity that the robot was told, m/s and rad/s. */
+  readonly speed: Speed;
   readonly capture: Capture | null;
   readonly gesture: string | null;
+  readonly output: Output;
   readonly ending: Ending | null;
 }
 
 const AT_START: Pose = { x: 0, y: 0, yaw: 0 };
+const AT_REST: Speed = { linear: 0, angular: 0 };
 
 export const IDLE: RunView = {
   run: null,
@@ -71,8 +83,10 @@ export const IDLE: RunView = {
   path: EMPTY_TRAIL,
   idealPath: EMPTY_TRAIL,
   motion: null,
+  speed: AT_REST,
   capture: null,
   gesture: null,
+  output: NOTHING,
   ending: null,
 };
 
@@ -81,17 +95,20 @@ export const starting = (run: string | null): RunView => ({ ...IDLE, run, phase:
 export const isLive = (view: RunView) =>
   view.phase === "starting" || view.phase === "running" || view.phase === "paused";
 
-/** The id of the innermost running block that has one. */
-export function litBlock(view: RunView): string | null {
-  return view.stack.findLast((entry) => entry.block !== null)?.block ?? null;
+/** The innermost running block that has an id. */
+export function runningBlock(view: RunView): LitBlock | null {
+  return view.stack.findLast((entry) => entry.block !== null) ?? null;
 }
+
+export const litBlock = (view: RunView): string | null => runningBlock(view)?.block ?? null;
 
 /** One step of a run. Events of another run, and events already applied, change nothing. */
 export function reduce(view: RunView, event: RunEvent): RunView {
   if (event.run !== view.run) return view;
   if (event.type === "telemetry") return withTelemetry(view, event);
   if (event.seq <= view.seq) return view;
-  const next = { ...view, seq: event.seq, tick: Math.max(view.tick, event.tick) };
+  const output = given(view.output, event, [view.pose.x, view.pose.y]);
+  const next = { ...view, output, seq: event.seq, tick: Math.max(view.tick, event.tick) };
   switch (event.type) {
     case "run_state":
       return { ...next, phase: event.state };
@@ -106,8 +123,12 @@ export function reduce(view: RunView, event: RunEvent): RunView {
       };
     case "gesture_result":
       return { ...next, gesture: event.result, capture: null };
+    case "watch":
+      return { ...next, gesture: event.gesture || null };
     case "run_ended":
       return closed(next, event);
+    default:
+      return next;
   }
 }
 
@@ -121,6 +142,8 @@ function withTelemetry(view: RunView, event: TelemetryEvent): RunView {
     setpoint,
     path: extend(view.path, [event.x_m, event.y_m]),
     idealPath: extend(view.idealPath, [setpoint.x, setpoint.y]),
+    output: given(view.output, event, [event.x_m, event.y_m]),
+    speed: { linear: event.command_v_mps, angular: event.command_omega_radps },
     motion: view.motion && { ...view.motion, done: event.done ?? view.motion.done },
   };
 }
@@ -128,15 +151,25 @@ function withTelemetry(view: RunView, event: TelemetryEvent): RunView {
 type BlockStarted = Extract<RunEvent, { type: "block_started" }>;
 
 function begun(view: RunView, event: BlockStarted): RunView {
-  const { block, pointer, action, amount } = event;
-  const stack = view.stack.map((entry) =>
-    pointer === `${entry.pointer}/commands/0` ? { ...entry, round: entry.round + 1 } : entry,
-  );
+  const { block, pointer, action, amount, tick } = event;
+  const entry: LitBlock = { block, pointer, action, amount, round: 0, roundTick: -Infinity };
   return {
     ...view,
-    stack: [...stack, { block, pointer, action, amount, round: 0 }],
+    stack: [...withRound(view.stack, pointer, tick), entry],
     motion: amount === null ? null : { kind: action, amount, done: 0 },
   };
+}
+
+/**
+ * The loop whose first command begins is in its next round. Of what takes no time the robot tells once a tick, so
+ * rounds that follow tick upon tick may be many more.
+ */
+function withRound(stack: readonly LitBlock[], pointer: string, tick: number): readonly LitBlock[] {
+  const at = stack.findLastIndex((entry) => pointer === `${entry.pointer}/commands/0`);
+  const loop = stack[at];
+  if (!loop) return stack;
+  const round = tick - loop.roundTick > 1 ? loop.round + 1 : Number.NaN;
+  return stack.with(at, { ...loop, round, roundTick: tick });
 }
 
 function ended(view: RunView, pointer: string): RunView {
@@ -151,6 +184,7 @@ function closed(view: RunView, event: RunEndedEvent): RunView {
     phase: event.state,
     stack: [],
     motion: null,
+    speed: AT_REST,
     capture: null,
     pose: event.pose
       ? { x: event.pose.x_m, y: event.pose.y_m, yaw: event.pose.yaw_rad }

@@ -1,15 +1,15 @@
 import { describe, expect, test } from "vitest";
 import { ptBR } from "../i18n/pt-BR";
 import { IDLE, type RunView } from "./reducer";
-import { sentenceOf, timesIn } from "./sentence";
+import { parameterIn, sentenceOf } from "./sentence";
 
-const voice = { texts: ptBR, language: "pt-BR", timesOf: () => 4 } as const;
+const voice = { texts: ptBR, language: "pt-BR", parameterOf: () => 4 } as const;
 
 const moving = (kind: string, amount: number, done: number): RunView => ({
   ...IDLE,
   run: "r",
   phase: "running",
-  stack: [{ block: "b", pointer: "/commands/0", action: kind, amount, round: 0 }],
+  stack: [{ block: "b", pointer: "/commands/0", action: kind, amount, round: 0, roundTick: 0 }],
   motion: { kind, amount, done },
 });
 
@@ -41,8 +41,84 @@ describe("what the robot does, in words", () => {
     expect(said(view)).toBe(words);
   });
 
+  const command = (action: string): RunView => ({
+    ...moving(action, 0, 0),
+    motion: null,
+  });
+  const written = (values: Record<string, unknown>) => ({
+    ...voice,
+    parameterOf: (_pointer: string, name: string) => values[name],
+  });
+  const words = (view: RunView, values = {}) =>
+    sentenceOf(view, written(values))?.text.replaceAll("\u00a0", " ");
+
+  test("a curve tells its direction and how far it is", () => {
+    expect(said(moving("arc", 90, 30))).toBe("Fazendo curva à esquerda: 30° de 90°");
+    expect(said(moving("arc", -90, -30))).toBe("Fazendo curva à direita: 30° de 90°");
+  });
+
+  test("going to a point names it where it is written in the program", () => {
+    expect(words(command("go_to"), { x: 1, y: -2 })).toBe("Indo até x 1,00 m, y −2,00 m");
+    expect(words(command("go_to"), { x: { var: "a" }, y: 2 })).toBe("Indo até o ponto");
+  });
+
+  test("waiting for a condition tells for how long at most", () => {
+    expect(words(command("wait_until"))).toBe("Esperando até a condição ser verdadeira");
+    expect(words(command("wait_until"), { timeout: 5 })).toBe(
+      "Esperando a condição, no máximo 5,0 s",
+    );
+  });
+
+  test.each([
+    [0.3, 0, "Andando a 0,30 m/s"],
+    [-0.3, 0, "Andando de ré a 0,30 m/s"],
+    [0.3, -1, "Andando em curva à direita a 0,30 m/s"],
+    [0, Math.PI / 4, "Girando à esquerda a 45°/s"],
+    [0, 0, "Rodando o programa"],
+  ])("a velocity that lasts is told: %d m/s, %d rad/s", (linear, angular, text) => {
+    expect(said({ ...command("while"), speed: { linear, angular } })).toBe(text);
+  });
+
+  test("an open question waits for the group", () => {
+    const question = { block: "b", text: "?", variable: "x" };
+    const view = { ...command("ask"), output: { ...IDLE.output, question } };
+    expect(said(view)).toBe("Esperando a resposta do grupo");
+  });
+
+  test("what was just said is in the sentence, for a while", () => {
+    const line = { kind: "said", text: "Olá!", block: "b", tick: 30, number: 0 } as const;
+    const view = { ...moving("wait", 3, 1), output: { ...IDLE.output, talk: [line] } };
+    expect(sentenceOf({ ...view, tick: 60 }, voice)?.more).toBe("Diz: “Olá!”");
+    expect(sentenceOf({ ...view, tick: 300 }, voice)?.more).toBe("");
+  });
+
+  test("a function that runs is named", () => {
+    const output = { ...IDLE.output, calls: [{ function: "lado", block: "c" }] };
+    expect(sentenceOf({ ...moving("turn", 90, 1), output }, voice)?.more).toBe("na função “lado”");
+  });
+
+  test("a loop without a number of rounds tells its round, unless rounds come too fast to tell", () => {
+    const loop = {
+      block: "l",
+      pointer: "/commands/0",
+      action: "while",
+      amount: null,
+      roundTick: 0,
+    };
+    const view = (round: number) => ({ ...moving("turn", 90, 1), stack: [{ ...loop, round }] });
+    expect(sentenceOf(view(7), voice)?.more).toBe("volta 7");
+    expect(sentenceOf(view(Number.NaN), voice)?.more).toBe("");
+  });
+
   test("a loop tells its round", () => {
-    const loop = { block: "l", pointer: "/commands/0", action: "repeat", amount: null, round: 2 };
+    const loop = {
+      block: "l",
+      pointer: "/commands/0",
+      action: "repeat",
+      amount: null,
+      round: 2,
+      roundTick: 0,
+    };
     const view = { ...moving("turn", 90, 1), stack: [loop] };
     expect(sentenceOf(view, voice)?.more).toBe("volta 2 de 4");
   });
@@ -70,9 +146,10 @@ describe("what the robot does, in words", () => {
   });
 });
 
-test("how often a loop goes round is read from the document", () => {
-  const document = { commands: [{ action: "stop" }, { action: "repeat", times: 5, commands: [] }] };
-  expect(timesIn(document, "/commands/1")).toBe(5);
-  expect(timesIn(document, "/commands/9/commands/0")).toBeNull();
-  expect(timesIn(null, "/commands/0")).toBeNull();
+test("a parameter is read out of the document", () => {
+  const commands = [{ action: "stop" }, { action: "repeat", times: 5, commands: [] }];
+  expect(parameterIn({ commands }, "/commands/1", "times")).toBe(5);
+  expect(parameterIn(commands, "/commands/1", "times")).toBe(5);
+  expect(parameterIn({ commands }, "/commands/9/commands/0", "times")).toBeUndefined();
+  expect(parameterIn(null, "/commands/0", "times")).toBeUndefined();
 });

@@ -1,6 +1,7 @@
 import type { Language, Texts } from "../i18n";
 import { degrees, metres, seconds } from "../i18n/format";
 import { reasonWords } from "../i18n/reasons";
+import { drivingWords } from "./driving";
 import type { LitBlock, Motion, RunView } from "./reducer";
 
 export type Tone = "calm" | "moving" | "done" | "notice" | "fault";
@@ -16,11 +17,16 @@ export interface Sentence {
 /** Nearer to the start than this counts as having come back. */
 const CLOSED_M = 0.01;
 
-interface Voice {
+/** What was said stays in the sentence so long. */
+const HEARD_TICKS = 90;
+
+const LOOPS = new Set(["repeat", "while", "until", "for", "forever"]);
+
+export interface Voice {
   texts: Texts;
   language: Language;
-  /** How often a loop goes round, by its pointer in the document; null where nobody knows. */
-  timesOf(pointer: string): number | null;
+  /** A parameter of the command at a pointer of the document, as it is written there. */
+  parameterOf(pointer: string, name: string): unknown;
 }
 
 export function sentenceOf(view: RunView, voice: Voice): Sentence | null {
@@ -35,7 +41,7 @@ export function sentenceOf(view: RunView, voice: Voice): Sentence | null {
     case "running":
       return {
         text: doing(view, voice),
-        more: round(view, voice),
+        more: around(view, voice),
         tone: "moving",
         part: partOf(view.motion),
       };
@@ -44,23 +50,35 @@ export function sentenceOf(view: RunView, voice: Voice): Sentence | null {
   }
 }
 
-function doing(view: RunView, { texts, language }: Voice): string {
-  const { status } = texts;
+function doing(view: RunView, voice: Voice): string {
+  const { status } = voice.texts;
   const current = view.stack.at(-1);
+  if (view.output.question) return status.asking;
   if (view.capture) return status.capture;
   if (!current) return status.running;
-  if (view.motion) return moving(view.motion, texts, language);
-  switch (current.action) {
-    case "stop":
-      return status.stopping;
-    case "set_gesture_result":
-      return view.gesture ? status.gesture(view.gesture) : status.noGesture;
-    default:
-      return status.running;
-  }
+  if (view.motion) return moving(view.motion, voice);
+  return COMMANDS[current.action]?.(current, view, voice) ?? driving(view, voice) ?? status.running;
 }
 
-function moving(motion: Motion, texts: Texts, language: Language): string {
+const COMMANDS: Readonly<
+  Record<string, (command: LitBlock, view: RunView, voice: Voice) => string>
+> = {
+  stop: (_command, _view, { texts }) => texts.status.stopping,
+  set_gesture_result: (_command, { gesture }, { texts }) =>
+    gesture ? texts.status.gesture(gesture) : texts.status.noGesture,
+  go_to: ({ pointer }, _view, { texts, language, parameterOf }) => {
+    const [x, y] = [parameterOf(pointer, "x"), parameterOf(pointer, "y")];
+    if (typeof x !== "number" || typeof y !== "number") return texts.status.goToSomewhere;
+    return texts.status.goTo(metres(x, language), metres(y, language));
+  },
+  wait_until: ({ pointer }, _view, { texts, language, parameterOf }) => {
+    const timeout = parameterOf(pointer, "timeout");
+    if (typeof timeout !== "number") return texts.status.waitUntil;
+    return texts.status.waitUntilAtMost(seconds(timeout, language));
+  },
+};
+
+function moving(motion: Motion, { texts, language }: Voice): string {
   const { status } = texts;
   const show = (format: (value: number, language: Language) => string) =>
     [format(Math.abs(motion.done), language), format(Math.abs(motion.amount), language)] as const;
@@ -71,6 +89,10 @@ function moving(motion: Motion, texts: Texts, language: Language): string {
       return status.backward(...show(metres));
     case "turn":
       return motion.amount < 0 ? status.right(...show(degrees)) : status.left(...show(degrees));
+    case "arc":
+      return motion.amount < 0
+        ? status.arcRight(...show(degrees))
+        : status.arcLeft(...show(degrees));
     case "wait":
       return status.wait(...show(seconds));
     default:
@@ -78,16 +100,37 @@ function moving(motion: Motion, texts: Texts, language: Language): string {
   }
 }
 
+function driving(view: RunView, { texts, language }: Voice): string | null {
+  return drivingWords(view.speed, texts, language);
+}
+
 function partOf(motion: Motion | null): number | null {
   if (!motion || motion.amount === 0) return null;
   return Math.min(1, Math.max(0, motion.done / motion.amount));
 }
 
-function round(view: RunView, { texts, timesOf }: Voice): string {
-  const loop = view.stack.findLast((entry: LitBlock) => entry.action === "repeat");
-  if (!loop || loop.round === 0) return "";
-  const times = timesOf(loop.pointer);
-  return times === null ? "" : texts.status.round(loop.round, String(times));
+/** What goes on around the command: words just said, else the round, the function, and whether the robot rolls on. */
+function around(view: RunView, voice: Voice): string {
+  const { status } = voice.texts;
+  const heard = view.output.talk.findLast((line) => line.kind === "said");
+  if (heard && view.tick - heard.tick < HEARD_TICKS) return status.says(heard.text);
+  const call = view.output.calls.at(-1);
+  const isWaiting = view.motion?.kind === "wait" || view.stack.at(-1)?.action === "wait_until";
+  return [
+    isWaiting ? driving(view, voice) : null,
+    round(view, voice),
+    call ? status.inFunction(call.function) : null,
+  ]
+    .filter(Boolean)
+    .join(" · ");
+}
+
+function round(view: RunView, { texts, parameterOf }: Voice): string {
+  const loop = view.stack.findLast((entry) => LOOPS.has(entry.action));
+  if (!loop?.round) return "";
+  const times = loop.action === "repeat" ? parameterOf(loop.pointer, "times") : null;
+  if (typeof times !== "number") return texts.status.roundOnly(loop.round);
+  return texts.status.round(loop.round, String(times));
 }
 
 function ending(view: RunView, { texts, language }: Voice): Sentence {
@@ -109,12 +152,12 @@ function finished(view: RunView, { status }: Texts, language: Language): string 
   return status.finishedAway(metres(closingErrorM, language));
 }
 
-/** Reads how often a loop goes round out of the document. */
-export function timesIn(document: unknown, pointer: string): number | null {
-  let place: unknown = document;
+/** Reads a parameter of a command out of the document. */
+export function parameterIn(document: unknown, pointer: string, name: string): unknown {
+  // a bare list of commands is a program too
+  let place: unknown = Array.isArray(document) ? { commands: document } : document;
   for (const key of pointer.split("/").slice(1)) {
     place = (place as Record<string, unknown> | undefined)?.[key];
   }
-  const times = (place as { times?: unknown } | undefined)?.times;
-  return typeof times === "number" ? times : null;
+  return (place as Record<string, unknown> | undefined)?.[name];
 }

@@ -1,6 +1,7 @@
 import type { World } from "../api/model";
 import { type Camera, EDGE, type Size, toScreen } from "./camera";
 import { roomOf, startOf, toStart, toWorld } from "./frames";
+import { drawPaint, drawZones } from "./ground";
 import type { Palette } from "./palette";
 
 /** The choice of the world lies over the upper left corner, down to here. */
@@ -19,6 +20,8 @@ export function drawFloor(ctx: Ctx, world: World | null, palette: Palette, scale
   ctx.clip();
   drawTiles(ctx, world, palette, scale);
   ctx.restore();
+  drawPaint(ctx, world, palette, 1 / scale);
+  drawZones(ctx, world, palette, 1 / scale);
   for (const box of world?.boxes ?? []) drawBox(ctx, box, palette);
   drawWalls(ctx, world, palette);
 }

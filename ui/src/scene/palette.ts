@@ -15,6 +15,8 @@ const TOKENS = {
   wheel: "--robot-wheel",
   mark: "--robot-mark",
   shadow: "--robot-shadow",
+  markX: "--floor-mark-x",
+  markO: "--floor-mark-o",
   font: "--font",
 } as const;
 

@@ -2,6 +2,7 @@ import type { World } from "../api/model";
 import { IDLE, type Pose, type RunView } from "../run/reducer";
 import { points, type Trail } from "../run/trail";
 import { approach, type Camera, cameraFor, clampScale, type Size } from "./camera";
+import { drawMarks, drawStrokes } from "./drawings";
 import { drawFloor, drawRulers } from "./floor";
 import { startOf } from "./frames";
 import { type Palette, readPalette } from "./palette";
@@ -27,6 +28,7 @@ export class SceneRenderer {
   private awakeUntil = 0;
   private handle = 0;
   private lastFrame = 0;
+  private moved = false;
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -48,7 +50,9 @@ export class SceneRenderer {
 
   setView(view: RunView): void {
     this.view = view;
-    this.aim();
+    // the camera is aimed when the picture is drawn: many events may come between two pictures
+    this.moved = true;
+    this.wake();
   }
 
   setTheme(): void {
@@ -91,10 +95,15 @@ export class SceneRenderer {
   }
 
   private aim(): void {
+    this.point();
+    this.wake();
+  }
+
+  private point(): void {
+    this.moved = false;
     if (this.framing === "subject")
       this.target = cameraFor(subjectOf(this.world, this.view), this.size);
     if (this.framing === "room") this.target = cameraFor(wholeRoom(this.world), this.size);
-    this.wake();
   }
 
   private wake(): void {
@@ -111,6 +120,7 @@ export class SceneRenderer {
   }
 
   private draw(now: number): boolean {
+    if (this.moved) this.point();
     this.camera ??= { ...this.target };
     const elapsed = Math.min(50, now - this.lastFrame);
     this.lastFrame = now;
@@ -133,7 +143,9 @@ export class SceneRenderer {
     ctx.translate(start.x, start.y);
     ctx.rotate(start.yaw);
     drawStart(ctx, palette, camera.scale);
+    drawMarks(ctx, this.view.output.marks, palette);
     this.drawPath(camera, pose);
+    drawStrokes(ctx, this.view.output, pose, palette, 1 / camera.scale);
     drawRobot(ctx, pose, palette, camera.scale * ratio);
     ctx.restore();
     drawRulers(ctx, world, camera, size, palette);

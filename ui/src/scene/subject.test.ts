@@ -14,6 +14,8 @@ const world = (over: Partial<World> = {}): World => ({
   start: { x_m: 0, y_m: 0, heading_deg: 0 },
   walls: [{ from: [-4, -4], to: [4, -4] }],
   boxes: [],
+  zones: [],
+  floor: [],
   ...over,
 });
 
@@ -21,6 +23,14 @@ describe("what is shown of a room", () => {
   test("an empty one is shown around the start, not whole", () => {
     const box = subjectOf(world(), IDLE);
     expect(box.right - box.left).toBeLessThan(5);
+  });
+
+  test("holds what is painted on the floor, and named places", () => {
+    const place = { center: [3, 0] as [number, number], heading_deg: 0 };
+    const zone = { ...place, name: "A", size: [1, 1] as [number, number], radius: null };
+    const paint = { ...place, color: "red", radius: 0.4, size: null };
+    expect(subjectOf(world({ zones: [zone] }), IDLE).right).toBeGreaterThan(3.4);
+    expect(subjectOf(world({ floor: [paint] }), IDLE).right).toBeGreaterThan(3.3);
   });
 
   test("grows with the path", () => {

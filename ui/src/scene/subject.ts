@@ -21,6 +21,11 @@ export function subjectOf(world: World | null, view: RunView): Box {
     const [x, y] = thing.center;
     include(box, x ?? 0, y ?? 0, Math.hypot(...thing.size) / 2);
   }
+  for (const area of [...(world?.zones ?? []), ...(world?.floor ?? [])]) {
+    const [x, y] = area.center;
+    const reach = area.radius ?? Math.hypot(...(area.size ?? [])) / 2;
+    include(box, x ?? 0, y ?? 0, reach);
+  }
   for (const wall of world?.walls ?? []) {
     if (isOuter(wall, room)) continue;
     for (const [x, y] of [wall.from, wall.to]) include(box, x ?? 0, y ?? 0);

@@ -1,8 +1,10 @@
-import { AlignVerticalJustifyStart, Redo2, Undo2 } from "lucide-preact";
+import { AlignVerticalJustifyStart, ChevronDown, Layers, Redo2, Undo2, X } from "lucide-preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
+import { LEVELS, level, setLevel } from "../app/level";
 import { problem, program, report } from "../app/session";
 import { TEST } from "../app/testids";
 import { theme } from "../app/theme";
+import { breakpoints } from "../debug/debugging";
 import type { Editor } from "../editor";
 import { language, texts } from "../i18n";
 import { loadEditor } from "./editor_loader";
@@ -14,6 +16,7 @@ export function BlocksPane({ control }: { control: StudioControl }) {
   return (
     <section class="blocks" aria-label={studio.blocks}>
       <Tools control={control} />
+      <Swap control={control} />
       <Workspace control={control} />
       <FaultList faults={control.open.faults.value} onGo={(fault) => control.goTo(fault)} />
     </section>
@@ -43,6 +46,67 @@ function Tools({ control }: { control: StudioControl }) {
       {tool(TEST.undo, studio.undo, Undo2, (editor) => editor.undo())}
       {tool(TEST.redo, studio.redo, Redo2, (editor) => editor.redo())}
       {tool(TEST.tidy, studio.tidy, AlignVerticalJustifyStart, (editor) => editor.tidy())}
+      <LevelChoice />
+    </div>
+  );
+}
+
+function LevelChoice() {
+  const words = texts.value.level;
+  const names = { 1: words.first, 2: words.explorer, 3: words.everything };
+  return (
+    <span class="select blocks__level">
+      <Layers class="icon" aria-hidden="true" />
+      <select
+        aria-label={words.label}
+        title={words.label}
+        data-testid={TEST.level}
+        value={String(level.value)}
+        onChange={({ currentTarget: { value } }) => {
+          const chosen = LEVELS.find((one) => String(one) === value);
+          if (chosen) setLevel(chosen);
+        }}
+      >
+        {LEVELS.map((one) => (
+          <option key={one} value={String(one)}>
+            {names[one]}
+          </option>
+        ))}
+      </select>
+      <ChevronDown class="icon icon--end" aria-hidden="true" />
+    </span>
+  );
+}
+
+/** After a whole program took the place of another: the way back. */
+function Swap({ control }: { control: StudioControl }) {
+  const { value: replaced } = control.replaced;
+  if (!replaced) return null;
+  const { python, trouble } = texts.value;
+  const placed = replaced.now === "placed";
+  return (
+    <div class="line-message blocks__swap" role="status">
+      <span>{placed ? python.placed : python.broughtBack}</span>
+      <button
+        type="button"
+        class="button"
+        data-testid={TEST.swapBack}
+        onClick={() => control.swapBack()}
+      >
+        <Undo2 class="icon" aria-hidden="true" />
+        {placed ? python.bringBack : python.placeAgain}
+      </button>
+      <button
+        type="button"
+        class="button button--plain button--icon blocks__swap-close"
+        aria-label={trouble.close}
+        title={trouble.close}
+        onClick={() => {
+          control.replaced.value = null;
+        }}
+      >
+        <X class="icon" aria-hidden="true" />
+      </button>
     </div>
   );
 }
@@ -62,8 +126,12 @@ function Workspace({ control }: { control: StudioControl }) {
         language: language.value,
         theme: theme.value,
         mediaPath: "/media/",
+        level: level.value,
         programName: () => program.value?.name ?? "",
         onChange: (content) => control.onEdit(content),
+        onBreakpoints: (ids) => {
+          breakpoints.value = ids;
+        },
       });
       editor.current = made;
       openIn(made, control);
@@ -78,6 +146,7 @@ function Workspace({ control }: { control: StudioControl }) {
   }, [control]);
 
   useEffect(() => editor.current?.setTheme(theme.value), [theme.value]);
+  useEffect(() => editor.current?.setLevel(level.value), [level.value]);
 
   useEffect(() => {
     const now = editor.current;

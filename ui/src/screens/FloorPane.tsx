@@ -1,40 +1,50 @@
 import { useComputed, useSignal } from "@preact/signals";
-import { Braces } from "lucide-preact";
+import { FileCode } from "lucide-preact";
 import { connection, engine, worlds } from "../app/session";
 import { TEST } from "../app/testids";
 import { texts } from "../i18n";
 import { CapturePanel } from "../run/CapturePanel";
-import { IrPanel } from "../run/IrPanel";
 import * as robot from "../run/live";
+import { MuteButton } from "../run/MuteButton";
+import { QuestionPanel } from "../run/QuestionPanel";
 import { Readout } from "../run/Readout";
 import { RunBar } from "../run/RunBar";
 import { isLive } from "../run/reducer";
+import { Shown } from "../run/Shown";
 import { StatusLine } from "../run/StatusLine";
+import { DRAWER, TextDrawer } from "../run/text/TextDrawer";
 import { WorldChoice } from "../run/WorldChoice";
 import { Scene } from "../scene/Scene";
 import type { StudioControl } from "./studio_control";
 import "../run/run.css";
 
 export function FloorPane({ control }: { control: StudioControl }) {
-  const irOpen = useSignal(false);
-  const asking = useComputed(() => robot.live.value.capture !== null);
+  const textOpen = useSignal(false);
+  const drawer = useSignal(DRAWER);
+  const tall = textOpen.value && drawer.value.tall;
   return (
     <section class="floor" aria-label={texts.value.studio.floor}>
       <Controls control={control} />
       <Status control={control} />
       <div class="floor__stage">
-        <div class="floor__scene">
+        <div class="floor__scene" hidden={tall}>
           <Scene world={control.world.value} view={robot.live} poseAt={robot.livePose} />
-          <World control={control} />
+          <Corner control={control} />
         </div>
-        {asking.value ? (
-          <CaptureWhileAsked control={control} />
-        ) : (
-          irOpen.value && (
-            <div class="floor__drawer">
-              <IrPanel document={control.open.content.value?.document ?? null} />
-            </div>
-          )
+        {!tall && <Shown view={robot.live} />}
+        <Asked control={control} />
+        {textOpen.value && (
+          <div class={`floor__drawer ${tall ? "floor__drawer--tall" : ""}`}>
+            <TextDrawer
+              state={drawer.value}
+              document={control.open.content.value?.document ?? null}
+              running={control.running.value}
+              onState={(state) => {
+                drawer.value = state;
+              }}
+              onPlace={(document) => control.place(document)}
+            />
+          </div>
         )}
       </div>
       <div class="floor__foot card">
@@ -43,13 +53,15 @@ export function FloorPane({ control }: { control: StudioControl }) {
           type="button"
           class="button button--plain floor__ir"
           data-testid={TEST.irToggle}
-          aria-expanded={irOpen.value}
+          aria-expanded={textOpen.value}
+          // what is being written is not thrown away
+          disabled={textOpen.value && drawer.value.editing}
           onClick={() => {
-            irOpen.value = !irOpen.value;
+            textOpen.value = !textOpen.value;
           }}
         >
-          <Braces class="icon" aria-hidden="true" />
-          <span>{texts.value.ir.tab}</span>
+          <FileCode class="icon" aria-hidden="true" />
+          <span>{texts.value.python.open}</span>
         </button>
       </div>
     </section>
@@ -76,14 +88,31 @@ function Status({ control }: { control: StudioControl }) {
   return <StatusLine sentence={control.sentence.value} />;
 }
 
-function World({ control }: { control: StudioControl }) {
+function Corner({ control }: { control: StudioControl }) {
   const busy = useComputed(() => isLive(robot.live.value));
   return (
-    <WorldChoice
-      worlds={worlds.value}
-      world={control.worldName.value}
-      busy={busy.value}
-      onWorld={(name) => control.chooseWorld(name)}
+    <div class="floor__corner">
+      <WorldChoice
+        worlds={worlds.value}
+        world={control.worldName.value}
+        busy={busy.value}
+        onWorld={(name) => control.chooseWorld(name)}
+      />
+      <MuteButton view={robot.live} expected={control.beeps.value} />
+    </div>
+  );
+}
+
+/** What the program waits for a person to say; the group that made the program answers. */
+function Asked({ control }: { control: StudioControl }) {
+  const capturing = useComputed(() => robot.live.value.capture !== null);
+  const question = useComputed(() => robot.live.value.output.question);
+  if (capturing.value) return <CaptureWhileAsked control={control} />;
+  if (!question.value || !control.mine.value) return null;
+  return (
+    <QuestionPanel
+      question={question.value}
+      onAnswer={(value) => control.send(() => robot.answerQuestion(value))}
     />
   );
 }

@@ -6,10 +6,14 @@ import { TEST } from "../app/testids";
 import { theme } from "../app/theme";
 import type { Editor } from "../editor";
 import { language, texts } from "../i18n";
+import { MuteButton } from "../run/MuteButton";
+import type { Playback } from "../run/playback";
 import { Readout } from "../run/Readout";
 import { litBlock } from "../run/reducer";
+import { Shown } from "../run/Shown";
 import { StatusLine } from "../run/StatusLine";
-import { type Sentence, sentenceOf, timesIn } from "../run/sentence";
+import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
+import { beep } from "../run/sound";
 import { Scene } from "../scene/Scene";
 import { loadEditor } from "./editor_loader";
 import type { Recording } from "./ReplayScreen";
@@ -25,6 +29,7 @@ interface ReplayProps {
 export function Replay({ recording, onOpen }: ReplayProps) {
   const { run, playback } = recording;
   const { replay } = texts.value;
+  useEffect(() => soundOf(playback), [playback]);
   return (
     <main class="screen replay">
       <h1 class="visually-hidden">{replay.title}</h1>
@@ -46,7 +51,11 @@ export function Replay({ recording, onOpen }: ReplayProps) {
         <div class="floor__stage">
           <div class="floor__scene">
             <Scene world={run.world_document} view={playback.view} poseAt={playback.pose} />
+            <div class="floor__corner">
+              <MuteButton view={playback.view} />
+            </div>
           </div>
+          <Shown view={playback.view} />
         </div>
         <div class="floor__foot card">
           <Readout view={playback.view} />
@@ -57,6 +66,18 @@ export function Replay({ recording, onOpen }: ReplayProps) {
   );
 }
 
+/** Faster than this a beep is noise. */
+const LOUD_SPEED = 2;
+
+function soundOf(playback: Playback): () => void {
+  let heard = playback.view.value.output.beeps;
+  return playback.view.subscribe(({ output: { beeps } }) => {
+    const { playing, speed } = playback;
+    if (beeps > heard && playing.peek() && speed.peek() <= LOUD_SPEED) beep();
+    heard = beeps;
+  });
+}
+
 function Words({ recording: { run, playback } }: { recording: Recording }) {
   const sentence = useComputed<Sentence>(() => {
     const begin: Sentence = { text: texts.value.replay.begin, more: "", tone: "calm" };
@@ -64,7 +85,8 @@ function Words({ recording: { run, playback } }: { recording: Recording }) {
     const voice = {
       texts: texts.value,
       language: language.value,
-      timesOf: (pointer: string) => timesIn(run.version?.document, pointer),
+      parameterOf: (pointer: string, name: string) =>
+        parameterIn(run.version?.document, pointer, name),
     };
     return sentenceOf(playback.view.value, voice) ?? begin;
   });

@@ -3,17 +3,24 @@ import { ApiError } from "../api/errors";
 import type { Content, Fault } from "../api/model";
 import type { OpenProgram } from "../app/open_program";
 import { connection, engine, problem, report, worlds } from "../app/session";
+import { breakpoints, tellRun, wishes } from "../debug/debugging";
 import type { Editor } from "../editor";
 import { language, texts } from "../i18n";
 import { reasonWords } from "../i18n/reasons";
 import * as robot from "../run/live";
-import { isLive, litBlock } from "../run/reducer";
-import { type Sentence, sentenceOf, timesIn } from "../run/sentence";
+import { isLive, runningBlock } from "../run/reducer";
+import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
 
 const POINTING_MS = 2500;
 
 /** Chosen once, kept from program to program. */
 const chosenWorld = signal<string | null>(null);
+
+export interface Replaced {
+  readonly workspace: object;
+  /** What is there now: blocks made from Python, or those from before, which were brought back. */
+  readonly now: "placed" | "broughtBack";
+}
 
 /** What the two panes of the studio have in common: the open program, its editor and the robot. */
 export class StudioControl {
@@ -31,11 +38,19 @@ export class StudioControl {
     () => worlds.value.find((world) => world.name === this.worldName.value) ?? null,
   );
   readonly sentence = computed<Sentence>(() => this.say());
-  private readonly lit = computed(() => (this.mine.value ? litBlock(robot.live.value) : null));
+  /** The innermost block that runs, of this program. */
+  readonly running = computed(() => (this.mine.value ? runningBlock(robot.live.value) : null));
+  /** The program has a block that beeps. */
+  readonly beeps = computed(() =>
+    JSON.stringify(this.open.content.value?.document ?? null).includes('"action":"beep"'),
+  );
+  private readonly lit = computed(() => this.running.value?.block ?? null);
   private readonly failure = computed(() => {
     const { phase, ending } = robot.live.value;
     return phase === "failed" && this.mine.value ? ending : null;
   });
+  /** The blocks that were there before a whole program took their place, for who wants them back. */
+  readonly replaced = signal<Replaced | null>(null);
   /** The blocks are no longer those that ran. */
   private readonly edited = signal(false);
   private runDocument: unknown = null;
@@ -48,11 +63,13 @@ export class StudioControl {
   attach(editor: Editor): () => void {
     this.editor = editor;
     const stops = [
+      tellRun(report),
       effect(() => editor.highlight(this.lit.value)),
       effect(() => editor.showFaults([...this.open.faults.value, ...this.runFaults()])),
     ];
     return () => {
       for (const stop of stops) stop();
+      breakpoints.value = [];
       this.editor = null;
     };
   }
@@ -62,22 +79,45 @@ export class StudioControl {
     this.open.edit(content);
   }
 
+  /** Shows a document as blocks in place of those that are there. */
+  async place(document: object): Promise<void> {
+    const { workspaceOf } = await import("../loader");
+    this.exchange(workspaceOf(document), "placed");
+  }
+
+  /** Brings back the blocks that were replaced, and keeps those that are there now for the way back. */
+  swapBack(): void {
+    const { value: replaced } = this.replaced;
+    if (!replaced) return;
+    this.exchange(replaced.workspace, replaced.now === "placed" ? "broughtBack" : "placed");
+  }
+
+  private exchange(workspace: object, now: Replaced["now"]): void {
+    const { editor } = this;
+    if (!editor) return;
+    const before = editor.content().workspace;
+    editor.load(workspace);
+    this.replaced.value = { workspace: before, now };
+    this.onEdit(editor.content());
+  }
+
   chooseWorld(name: string): void {
     chosenWorld.value = name;
     robot.clear();
   }
 
-  async run(): Promise<void> {
+  /** Saves the program and runs it; `paused` holds it before its first block. */
+  async run(paused = false): Promise<void> {
     if (this.busy || isLive(robot.live.value)) return;
     if (this.open.isEmpty) this.asked.value = true;
     else {
       this.busy = true;
-      await this.saveAndStart();
+      await this.saveAndStart(paused);
       this.busy = false;
     }
   }
 
-  private async saveAndStart(): Promise<void> {
+  private async saveAndStart(paused: boolean): Promise<void> {
     const { open } = this;
     problem.value = null;
     try {
@@ -87,7 +127,7 @@ export class StudioControl {
       if (!version || version.faults.length > 0) return this.showFirst();
       this.edited.value = false;
       this.runDocument = open.content.value?.document ?? null;
-      await robot.start(version.id, this.worldName.value);
+      await robot.start(version.id, this.worldName.value, wishes(paused));
     } catch (error) {
       if (error instanceof ApiError && error.faults.length > 0) open.faults.value = error.faults;
       else report(error);
@@ -126,7 +166,8 @@ export class StudioControl {
     const voice = {
       texts: texts.value,
       language: language.value,
-      timesOf: (pointer: string) => timesIn(this.documentThatRuns(), pointer),
+      parameterOf: (pointer: string, name: string) =>
+        parameterIn(this.documentThatRuns(), pointer, name),
     };
     const calm = (text: string): Sentence => ({ text, more: "", tone: "calm" });
     if (isLive(view) && view.run && !this.mine.value) {

@@ -1,0 +1,16 @@
+import { signal } from "@preact/signals";
+import type { Level } from "../blocks/definition";
+import { remember, remembered } from "./remembered";
+
+/** From few blocks to all of them. */
+export const LEVELS = [1, 2, 3] as const satisfies readonly Level[];
+
+const COOKIE = "pinel_level";
+
+/** How many blocks the toolbox of this PC offers. */
+export const level = signal<Level>(LEVELS.find((one) => String(one) === remembered(COOKIE)) ?? 3);
+
+export function setLevel(chosen: Level): void {
+  level.value = chosen;
+  remember(COOKIE, String(chosen));
+}

@@ -1,0 +1,71 @@
+import { CircleQuestionMark, Send } from "lucide-preact";
+import { useEffect, useRef, useState } from "preact/hooks";
+import { TEST } from "../app/testids";
+import { texts } from "../i18n";
+import type { Question } from "./output";
+
+/** The server takes no longer answer. */
+const LONGEST = 1000;
+
+interface QuestionPanelProps {
+  question: Question;
+  onAnswer(value: string): void;
+}
+
+/** The program waits for an answer of the group. */
+export function QuestionPanel({ question, onAnswer }: QuestionPanelProps) {
+  const words = texts.value.question;
+  const [value, setValue] = useState("");
+  const field = useRef<HTMLInputElement>(null);
+  useEffect(() => focusUnlessBusy(field.current), [question]);
+  const isBlank = value.trim() === "";
+  return (
+    <form
+      class="question"
+      aria-label={words.title}
+      data-testid={TEST.question}
+      onSubmit={(event) => {
+        event.preventDefault();
+        if (!isBlank) onAnswer(value);
+      }}
+    >
+      <CircleQuestionMark class="icon question__icon" aria-hidden="true" />
+      <div class="question__words">
+        <h2 class="question__title">{words.title}</h2>
+        <p class="question__text" data-testid={TEST.questionText}>
+          {question.text}
+        </p>
+      </div>
+      <div class="question__answer">
+        <input
+          class="field"
+          ref={field}
+          value={value}
+          maxLength={LONGEST}
+          autoComplete="off"
+          spellcheck={false}
+          aria-label={words.answer}
+          placeholder={words.placeholder}
+          data-testid={TEST.answer}
+          onInput={(event) => setValue(event.currentTarget.value)}
+        />
+        <button
+          type="submit"
+          class="button button--run question__send"
+          disabled={isBlank}
+          data-testid={TEST.sendAnswer}
+        >
+          <Send class="icon" aria-hidden="true" />
+          {words.send}
+        </button>
+      </div>
+      <p class="question__hint">{words.keptIn(question.variable)}</p>
+    </form>
+  );
+}
+
+/** Who types elsewhere, or works on blocks, is not torn away. */
+function focusUnlessBusy(field: HTMLInputElement | null): void {
+  const busy = document.activeElement?.closest("input, textarea, select, .injectionDiv");
+  if (!busy) field?.focus();
+}

@@ -1,0 +1,52 @@
+import { CircleQuestionMark, MessageCircle, Reply } from "lucide-preact";
+import { useLayoutEffect, useRef } from "preact/hooks";
+import { TEST } from "../app/testids";
+import { language, texts } from "../i18n";
+import { seconds } from "../i18n/format";
+import type { Line } from "./output";
+
+const ICONS = { said: MessageCircle, asked: CircleQuestionMark, answered: Reply } as const;
+
+/** Nearer to the end than this, in pixels, the list follows its newest line. */
+const AT_END_PX = 48;
+
+/** What the robot says and asks, and what the group answered; the newest in sight. */
+export function Talk({ lines }: { lines: readonly Line[] }) {
+  const { show } = texts.value;
+  const list = useRef<HTMLOListElement>(null);
+  const atEnd = useRef(true);
+  useLayoutEffect(() => {
+    const { current } = list;
+    if (current && atEnd.current) current.scrollTop = current.scrollHeight;
+  }, [lines]);
+  return (
+    <ol
+      class="talk"
+      ref={list}
+      role="log"
+      aria-label={show.talk}
+      // biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard must reach it
+      tabIndex={0}
+      data-testid={TEST.talk}
+      onScroll={({ currentTarget: { scrollTop, clientHeight, scrollHeight } }) => {
+        atEnd.current = scrollTop + clientHeight > scrollHeight - AT_END_PX;
+      }}
+    >
+      {lines.map((line) => (
+        <TalkLine key={line.number} line={line} />
+      ))}
+    </ol>
+  );
+}
+
+function TalkLine({ line: { kind, text, tick } }: { line: Line }) {
+  const Icon = ICONS[kind];
+  return (
+    <li class={`talk__line talk__line--${kind}`} data-kind={kind} data-testid={TEST.talkLine}>
+      <Icon class="icon" aria-hidden="true" />
+      <span class="visually-hidden">{texts.value.show[kind]}</span>
+      <span class="talk__text">{text}</span>
+      <time class="talk__time">{seconds(tick / 30, language.value)}</time>
+    </li>
+  );
+}

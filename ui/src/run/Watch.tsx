@@ -1,0 +1,42 @@
+import { TEST } from "../app/testids";
+import { language, texts } from "../i18n";
+import { valueWords } from "./values";
+
+/** What the variables of the program hold now. */
+export function Watch({ rows }: { rows: readonly (readonly [string, unknown])[] }) {
+  const { show } = texts.value;
+  return (
+    <div
+      class="watch"
+      // biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard must reach it
+      tabIndex={0}
+    >
+      <table class="watch__table" aria-label={show.variables} data-testid={TEST.watch}>
+        <thead class="visually-hidden">
+          <tr>
+            <th scope="col">{show.name}</th>
+            <th scope="col">{show.value}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {rows.map(([name, value]) => (
+            <Row key={name} name={name} words={valueWords(value, texts.value, language.value)} />
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+function Row({ name, words }: { name: string; words: string }) {
+  return (
+    <tr>
+      <th scope="row" title={name}>
+        {name}
+      </th>
+      <td title={words} data-testid={TEST.watchValue} data-name={name}>
+        {words}
+      </td>
+    </tr>
+  );
+}

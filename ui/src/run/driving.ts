@@ -1,0 +1,21 @@
+import type { Language, Texts } from "../i18n";
+import { degrees, metres } from "../i18n/format";
+import type { Speed } from "./reducer";
+
+/** Slower than this is standing, m/s and rad/s. */
+const STANDING_MPS = 0.005;
+const STANDING_RADPS = 0.01;
+
+/** How the robot rolls while no motion has a goal, in words; null where it stands. */
+export function drivingWords(speed: Speed, texts: Texts, language: Language): string | null {
+  const { status } = texts;
+  const { linear, angular } = speed;
+  const rolls = Math.abs(linear) > STANDING_MPS;
+  const turns = Math.abs(angular) > STANDING_RADPS;
+  const pace = `${metres(Math.abs(linear), language)}/s`;
+  if (rolls && turns) return angular > 0 ? status.driveLeft(pace) : status.driveRight(pace);
+  if (rolls) return linear > 0 ? status.drive(pace) : status.driveBack(pace);
+  if (!turns) return null;
+  const spin = `${degrees((Math.abs(angular) * 180) / Math.PI, language)}/s`;
+  return angular > 0 ? status.spinLeft(spin) : status.spinRight(spin);
+}

@@ -1,0 +1,159 @@
+import type { RunEvent } from "../api/model";
+import { EMPTY_TRAIL, extend, lastPoint, type Point, type Trail } from "./trail";
+
+/** A line of the talk between the program and the group. */
+export interface Line {
+  readonly kind: "said" | "asked" | "answered";
+  readonly text: string;
+  readonly block: string | null;
+  readonly tick: number;
+  /** Counts the lines of a run from 0. */
+  readonly number: number;
+}
+
+/** A mark on the floor; metres, start frame. */
+export interface FloorMark {
+  readonly symbol: "X" | "O";
+  readonly x: number;
+  readonly y: number;
+}
+
+/** What the pen has drawn from going down to going up. */
+export interface Stroke {
+  readonly color: string;
+  readonly trail: Trail;
+}
+
+export interface Question {
+  readonly block: string | null;
+  readonly text: string;
+  readonly variable: string;
+}
+
+/** A function that runs, and the block that called it. */
+export interface Call {
+  readonly function: string;
+  readonly block: string | null;
+}
+
+/** All that a program has given out besides motion, and what it has in mind. */
+export interface Output {
+  /** The newest lines, oldest first. */
+  readonly talk: readonly Line[];
+  readonly marks: readonly FloorMark[];
+  /** Strokes that are done. */
+  readonly strokes: readonly Stroke[];
+  /** What the pen draws now; null while it is up. */
+  readonly pen: Stroke | null;
+  /** Open until it is answered or the run goes on without. */
+  readonly question: Question | null;
+  readonly beeps: number;
+  readonly variables: Readonly<Record<string, unknown>>;
+  /** The outermost first. */
+  readonly calls: readonly Call[];
+}
+
+export const NOTHING: Output = {
+  talk: [],
+  marks: [],
+  strokes: [],
+  pen: null,
+  question: null,
+  beeps: 0,
+  variables: {},
+  calls: [],
+};
+
+/** Of more than these the oldest are forgotten: nobody reads further back, and states of a run share what they keep. */
+export const MOST_LINES = 200;
+export const MOST_MARKS = 1000;
+export const MOST_STROKES = 1000;
+
+/** The output after an event; the same object where the event says nothing of it. `at`: where the robot is. */
+export function given(output: Output, event: RunEvent, at: Point): Output {
+  switch (event.type) {
+    case "telemetry":
+      return drawn(output, [event.x_m, event.y_m]);
+    case "said":
+      return { ...output, talk: told(output, "said", event.text, event.block, event.tick) };
+    case "marked": {
+      const mark: FloorMark = { symbol: event.symbol, x: event.x_m, y: event.y_m };
+      return { ...output, marks: newest(output.marks, mark, MOST_MARKS) };
+    }
+    case "beeped":
+      return { ...output, beeps: output.beeps + 1 };
+    case "pen":
+      return withPen(output, event.down ? event.color : null, at);
+    case "asked": {
+      const { block, question, variable, tick } = event;
+      const talk = told(output, "asked", question, block, tick);
+      return { ...output, talk, question: { block, text: question, variable } };
+    }
+    case "answered": {
+      const block = output.question?.block ?? null;
+      const talk = told(output, "answered", String(event.value), block, event.tick);
+      return { ...output, talk, question: null };
+    }
+    case "block_ended":
+      // nothing else runs while a question is open
+      return output.question ? { ...output, question: null } : output;
+    case "watch":
+      return { ...output, variables: event.variables, calls: event.stack.filter(isNamed) };
+    case "run_ended":
+      return withPen({ ...output, question: null, calls: [] }, null, at);
+    default:
+      return output;
+  }
+}
+
+/** Strokes with the one that is being drawn. */
+export function* allStrokes({ strokes, pen }: Output): Generator<Stroke> {
+  yield* strokes;
+  if (pen) yield pen;
+}
+
+const isNamed = (call: { function: string | null; block: string | null }): call is Call =>
+  call.function !== null;
+
+function told(
+  { talk }: Output,
+  kind: Line["kind"],
+  text: string,
+  block: string | null,
+  tick: number,
+): readonly Line[] {
+  const number = (talk.at(-1)?.number ?? -1) + 1;
+  return newest(talk, { kind, text, block, tick, number }, MOST_LINES);
+}
+
+function newest<T>(all: readonly T[], one: T, most: number): readonly T[] {
+  return [...(all.length < most ? all : all.slice(1 - most)), one];
+}
+
+function drawn(output: Output, point: Point): Output {
+  const { pen } = output;
+  if (!pen) return output;
+  const trail = extend(pen.trail, point);
+  return trail === pen.trail ? output : { ...output, pen: { ...pen, trail } };
+}
+
+/** Another colour is another stroke, which begins where the last one ends. */
+function withPen(output: Output, color: string | null, at: Point): Output {
+  const { pen } = output;
+  if (color === (pen?.color ?? null)) return output;
+  const done = pen && { ...pen, trail: extend(pen.trail, at, Number.EPSILON) };
+  const strokes = done && !isRepeated(output.strokes.at(-1), done);
+  return {
+    ...output,
+    strokes: strokes ? newest(output.strokes, done, MOST_STROKES) : output.strokes,
+    pen: color === null ? null : { color, trail: extend(EMPTY_TRAIL, at) },
+  };
+}
+
+/** A pen that goes up and down on the spot makes one dot, however often. */
+function isRepeated(before: Stroke | undefined, stroke: Stroke): boolean {
+  const isDot = stroke.trail.chunks.length === 0 && stroke.trail.tail.length < 2;
+  const [x, y] = lastPoint(stroke.trail) ?? [0, 0];
+  const last = before && lastPoint(before.trail);
+  return isDot && before?.color === stroke.color && last?.[0] === x && last[1] === y;
+}

@@ -1,0 +1,49 @@
+import { Copy, CopyCheck } from "lucide-preact";
+import { useState } from "preact/hooks";
+import { TEST } from "../../app/testids";
+import { texts } from "../../i18n";
+import { copyText } from "../copy";
+import { JSON_TOKENS, tokens } from "./tokens";
+
+const COPIED_MS = 2000;
+
+/** The program document as the robot gets it. */
+export function IrPanel({ document }: { document: object | null }) {
+  const { ir } = texts.value;
+  const text = document ? JSON.stringify(document, null, 2) : "";
+  return (
+    <section class="text__panel" aria-label={ir.tab}>
+      <div class="text__bar">
+        <p class="text__state">{ir.explain}</p>
+        <CopyButton text={text} />
+      </div>
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard must reach it */}
+      <pre class="text__json" tabIndex={0} data-testid={TEST.irJson}>
+        {text ? tokens(text, JSON_TOKENS) : ir.empty}
+      </pre>
+    </section>
+  );
+}
+
+export function CopyButton({ text }: { text: string }) {
+  const { ir } = texts.value;
+  const [copied, setCopied] = useState(false);
+  const copy = async () => {
+    await copyText(text);
+    setCopied(true);
+    setTimeout(() => setCopied(false), COPIED_MS);
+  };
+  const Icon = copied ? CopyCheck : Copy;
+  return (
+    <button
+      type="button"
+      class="button"
+      data-testid={TEST.irCopy}
+      disabled={!text}
+      onClick={() => void copy()}
+    >
+      <Icon class="icon" aria-hidden="true" />
+      <span aria-live="polite">{copied ? ir.copied : ir.copy}</span>
+    </button>
+  );
+}

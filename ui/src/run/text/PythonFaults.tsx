@@ -1,0 +1,52 @@
+import type { Fault } from "../../api/model";
+import { TEST } from "../../app/testids";
+import { texts } from "../../i18n";
+
+interface Place {
+  readonly line: number;
+  readonly column: number;
+}
+
+/** Where in the text a fault is, counted from 1. */
+export function placeOf({ params }: Fault): Place {
+  const { line, column } = params as Partial<Record<"line" | "column", unknown>>;
+  return {
+    line: typeof line === "number" ? line : 1,
+    column: typeof column === "number" ? column : 1,
+  };
+}
+
+interface PythonFaultsProps {
+  faults: readonly Fault[];
+  onGo(fault: Fault): void;
+}
+
+/** What is to be mended in the text; a click goes there. */
+export function PythonFaults({ faults, onGo }: PythonFaultsProps) {
+  const { python } = texts.value;
+  return (
+    <ul class="text__faults" aria-label={python.faults(faults.length)} data-scrolls>
+      {faults.map((fault) => {
+        const { line, column } = placeOf(fault);
+        return (
+          <li key={`${line}/${column}/${fault.code}`}>
+            <button
+              type="button"
+              class="faults__fault"
+              data-testid={TEST.pythonFault}
+              data-code={fault.code}
+              data-line={line}
+              data-column={column}
+              onClick={() => onGo(fault)}
+            >
+              <span>
+                <span class="text__place">{python.place(line, column)}</span>{" "}
+                <strong>{fault.message}</strong> {fault.remedy}
+              </span>
+            </button>
+          </li>
+        );
+      })}
+    </ul>
+  );
+}

@@ -1,0 +1,96 @@
+import { PencilLine } from "lucide-preact";
+import { useEffect, useState } from "preact/hooks";
+import { api } from "../../api/client";
+import type { WrittenPython } from "../../api/model";
+import { report } from "../../app/session";
+import { TEST } from "../../app/testids";
+import { language, texts } from "../../i18n";
+import type { LitBlock } from "../reducer";
+import { CodeSheet } from "./CodeSheet";
+import { CopyButton } from "./IrPanel";
+import { PythonEditor } from "./PythonEditor";
+
+interface PythonPaneProps {
+  document: object | null;
+  /** The command that runs, of the program that is shown. */
+  running: LitBlock | null;
+  editing: boolean;
+  onEditing(editing: boolean): void;
+  /** A text was read without faults, and is to become blocks. */
+  onPlace(document: object): Promise<void>;
+}
+
+/** The program as Python, to be read, and to be written. */
+export function PythonPane(props: PythonPaneProps) {
+  const { document, running, editing, onEditing, onPlace } = props;
+  const written = useWritten(document);
+  const { python } = texts.value;
+  const text = written?.text ?? null;
+  if (editing && written) {
+    return (
+      <PythonEditor
+        original={text ?? ""}
+        onLeave={() => onEditing(false)}
+        onPlace={async (made) => {
+          await onPlace(made);
+          onEditing(false);
+        }}
+      />
+    );
+  }
+  const empty = written && text === null ? python.broken : "";
+  return (
+    <section class="text__panel" aria-label={python.text}>
+      {text === null ? (
+        <p class="text__empty">{empty}</p>
+      ) : (
+        <CodeSheet
+          text={text}
+          lit={running && written ? lineOf(written.lines, running) : null}
+          label={python.text}
+          testId={TEST.pythonText}
+        />
+      )}
+      <div class="text__bar">
+        <button
+          type="button"
+          class="button"
+          disabled={text === null}
+          data-testid={TEST.pythonEdit}
+          onClick={() => onEditing(true)}
+        >
+          <PencilLine class="icon" aria-hidden="true" />
+          {python.edit}
+        </button>
+        <CopyButton text={text ?? ""} />
+      </div>
+    </section>
+  );
+}
+
+/** An edit is written as Python when the hand rests. */
+const QUIET_MS = 250;
+
+function useWritten(document: object | null): WrittenPython | null {
+  const [written, setWritten] = useState<WrittenPython | null>(null);
+  useEffect(() => {
+    if (!document) return;
+    let left = false;
+    const write = () =>
+      api.writePython(document).then((answer) => {
+        if (!left) setWritten(answer);
+      }, report);
+    const timer = setTimeout(write, written ? QUIET_MS : 0);
+    return () => {
+      left = true;
+      clearTimeout(timer);
+    };
+  }, [document, language.value]);
+  return written;
+}
+
+/** The line of the command that runs. After an edit places have moved, but blocks keep their ids. */
+function lineOf(lines: WrittenPython["lines"], { block, pointer }: LitBlock): number | null {
+  const ofBlock = lines.filter((line) => line.block === block);
+  return (ofBlock.find((line) => line.pointer === pointer) ?? ofBlock[0])?.line ?? null;
+}

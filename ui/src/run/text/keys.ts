@@ -1,0 +1,41 @@
+import { type Change, indent, newLine, outdent } from "./typing";
+
+/**
+ * Has Enter and Tab do in a text what they do in every editor of programs; Ctrl and Enter call `done`. After Escape the
+ * next Tab leaves the text, so that the keyboard is not caught in it.
+ */
+export function listenToTyping(field: HTMLTextAreaElement, done: () => void): () => void {
+  let leaving = false;
+  const onKey = (event: KeyboardEvent) => {
+    const { key } = event;
+    if (event.isComposing) return;
+    if (key === "Escape") leaving = true;
+    else if (key === "Enter" && (event.ctrlKey || event.metaKey)) act(event, done);
+    else if (key === "Enter") act(event, () => make(field, newLine));
+    else if (key === "Tab" && !leaving) {
+      act(event, () => make(field, event.shiftKey ? outdent : indent));
+    } else if (key !== "Shift") leaving = false;
+  };
+  field.addEventListener("keydown", onKey);
+  return () => field.removeEventListener("keydown", onKey);
+}
+
+function act(event: KeyboardEvent, what: () => void): void {
+  event.preventDefault();
+  what();
+}
+
+type Edit = (text: string, selected: { start: number; end: number }) => Change;
+
+function make(field: HTMLTextAreaElement, edit: Edit): void {
+  const { value, selectionStart, selectionEnd } = field;
+  const { from, to, text, after } = edit(value, { start: selectionStart, end: selectionEnd });
+  if (value.slice(from, to) === text) return;
+  field.setSelectionRange(from, to);
+  // the only way that leaves the browser's own undo whole
+  if (!document.execCommand("insertText", false, text)) {
+    field.setRangeText(text);
+    field.dispatchEvent(new InputEvent("input", { bubbles: true }));
+  }
+  field.setSelectionRange(after.start, after.end);
+}

@@ -1,0 +1,21 @@
+import { expect, test } from "vitest";
+import { en } from "../i18n/en";
+import { ptBR } from "../i18n/pt-BR";
+import { valueWords } from "./values";
+
+test.each([
+  [3, "3"],
+  [-0.5, "−0,5"],
+  [1 / 3, "0,3333"],
+  [12345, "12345"],
+  [true, "verdadeiro"],
+  ["3", "“3”"],
+  ["", "(vazio)"],
+  [[1.5, "a", false], "[1,5; “a”; falso]"],
+])("%j is shown as %s", (value, words) => {
+  expect(valueWords(value, ptBR, "pt-BR")).toBe(words);
+});
+
+test("numbers and lists are written as in the language", () => {
+  expect(valueWords([1.5, 2], en, "en")).toBe("[1.5, 2]");
+});

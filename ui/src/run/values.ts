@@ -1,0 +1,16 @@
+import type { Language, Texts } from "../i18n";
+
+/** A value of the program as the watch shows it: texts in quotes, numbers as people of the language write them. */
+export function valueWords(value: unknown, texts: Texts, language: Language): string {
+  if (typeof value === "number") {
+    const digits = { maximumFractionDigits: 4, useGrouping: false } as const;
+    return value.toLocaleString(language, digits).replace("-", "\u2212");
+  }
+  if (typeof value === "boolean") return value ? texts.show.yes : texts.show.no;
+  if (typeof value === "string") return value === "" ? texts.show.emptyText : `“${value}”`;
+  if (Array.isArray(value)) {
+    const separator = language === "en" ? ", " : "; ";
+    return `[${value.map((item) => valueWords(item, texts, language)).join(separator)}]`;
+  }
+  return JSON.stringify(value) ?? "";
+}

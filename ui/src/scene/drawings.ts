@@ -1,0 +1,75 @@
+import { allStrokes, type FloorMark, type Output, type Stroke } from "../run/output";
+import type { Pose } from "../run/reducer";
+import { lastPoint, points } from "../run/trail";
+import { edgeOf, paintOf } from "./paints";
+import type { Palette } from "./palette";
+
+type Ctx = CanvasRenderingContext2D;
+
+/** Width of what the pen draws, metres, but wide enough to cover the path beneath it. */
+const PEN_M = 0.07;
+const PEN_PX = 7;
+const EDGE_PX = 1.5;
+
+/** From the middle of a mark to its outermost, and the width of its line; metres. */
+const MARK_M = 0.3;
+const MARK_LINE_M = 0.075;
+
+/** What the pen has drawn, up to where the robot is while it draws. Start frame, metres. */
+export function drawStrokes(
+  ctx: Ctx,
+  output: Output,
+  pose: Pose,
+  palette: Palette,
+  pixel: number,
+): void {
+  ctx.lineCap = "round";
+  ctx.lineJoin = "round";
+  for (const stroke of allStrokes(output)) {
+    const paint = paintOf(stroke.color);
+    const edge = edgeOf(paint, palette.tile, palette.number);
+    const width = Math.max(PEN_M, PEN_PX * pixel);
+    trace(ctx, stroke);
+    if (stroke === output.pen) ctx.lineTo(pose.x, pose.y);
+    if (edge) paintLine(ctx, edge, width + 2 * EDGE_PX * pixel);
+    paintLine(ctx, paint, width);
+  }
+}
+
+function trace(ctx: Ctx, { trail }: Stroke): void {
+  ctx.beginPath();
+  for (const [x, y] of points(trail)) ctx.lineTo(x, y);
+  // a line to where it ends already makes a dot of a single point
+  const [x, y] = lastPoint(trail) ?? [0, 0];
+  ctx.lineTo(x, y);
+}
+
+function paintLine(ctx: Ctx, colour: string, width: number): void {
+  ctx.strokeStyle = colour;
+  ctx.lineWidth = width;
+  ctx.stroke();
+}
+
+/** X and O where the program put them. */
+export function drawMarks(ctx: Ctx, marks: readonly FloorMark[], palette: Palette): void {
+  ctx.lineCap = "round";
+  for (const mark of marks) {
+    ctx.save();
+    ctx.translate(mark.x, mark.y);
+    ctx.beginPath();
+    if (mark.symbol === "X") cross(ctx);
+    else ctx.arc(0, 0, MARK_M, 0, 2 * Math.PI);
+    // a rim of the floor keeps it apart from the path and from other marks
+    paintLine(ctx, palette.tile, MARK_LINE_M + 0.04);
+    paintLine(ctx, mark.symbol === "X" ? palette.markX : palette.markO, MARK_LINE_M);
+    ctx.restore();
+  }
+}
+
+function cross(ctx: Ctx): void {
+  const reach = MARK_M * 0.9;
+  for (const way of [-1, 1]) {
+    ctx.moveTo(-reach, -reach * way);
+    ctx.lineTo(reach, reach * way);
+  }
+}

@@ -1,0 +1,81 @@
+import type { World } from "../api/model";
+import { edgeOf, paintOf } from "./paints";
+import type { Palette } from "./palette";
+
+type Ctx = CanvasRenderingContext2D;
+type Area = World["zones"][number] | World["floor"][number];
+
+/** Painted areas of the floor; the last lies on top. World's frame, metres. */
+export function drawPaint(ctx: Ctx, world: World | null, palette: Palette, pixel: number): void {
+  for (const area of world?.floor ?? []) {
+    const paint = paintOf(area.color);
+    outline(ctx, area);
+    ctx.fillStyle = paint;
+    ctx.globalAlpha = 0.5;
+    ctx.fill();
+    ctx.globalAlpha = 1;
+    ctx.strokeStyle = edgeOf(paint, palette.tile, palette.number) ?? paint;
+    ctx.lineWidth = 1.5 * pixel;
+    ctx.stroke();
+  }
+}
+
+/** Zones as dashed outlines, each with its name in the middle. */
+export function drawZones(ctx: Ctx, world: World | null, palette: Palette, pixel: number): void {
+  const zones = world?.zones ?? [];
+  ctx.save();
+  ctx.strokeStyle = palette.number;
+  ctx.lineWidth = 2 * pixel;
+  for (const zone of zones) {
+    outline(ctx, zone);
+    ctx.stroke();
+  }
+  ctx.fillStyle = palette.number;
+  ctx.textAlign = "center";
+  ctx.textBaseline = "middle";
+  for (const zone of zones) drawName(ctx, zone, palette);
+  ctx.restore();
+}
+
+/** How wide the name may be, as a part of the zone. */
+const NAME_PART = 0.8;
+const NAME_M = 0.34;
+
+function drawName(ctx: Ctx, zone: World["zones"][number], { font }: Palette): void {
+  const [x = 0, y = 0] = zone.center;
+  ctx.save();
+  ctx.translate(x, y);
+  ctx.scale(0.01, -0.01); // a font of less than a pixel is drawn badly
+  ctx.font = `700 ${NAME_M * 100}px ${font}`;
+  const room = 100 * NAME_PART * (zone.size?.[0] ?? 2 * (zone.radius ?? 0.5));
+  const fit = Math.min(1, room / ctx.measureText(zone.name).width);
+  ctx.scale(fit, fit);
+  ctx.globalAlpha = 0.75;
+  ctx.fillText(zone.name, 0, 0);
+  ctx.restore();
+}
+
+function outline(ctx: Ctx, area: Area): void {
+  const [x = 0, y = 0] = area.center;
+  ctx.beginPath();
+  if (area.radius != null) {
+    ctx.arc(x, y, area.radius, 0, 2 * Math.PI);
+    return;
+  }
+  const [width = 0, depth = 0] = area.size ?? [];
+  const turn = ((area.heading_deg ?? 0) * Math.PI) / 180;
+  const corners = [
+    [-1, -1],
+    [1, -1],
+    [1, 1],
+    [-1, 1],
+  ] as const;
+  for (const [right, up] of corners) {
+    const [dx, dy] = [(right * width) / 2, (up * depth) / 2];
+    ctx.lineTo(
+      x + dx * Math.cos(turn) - dy * Math.sin(turn),
+      y + dx * Math.sin(turn) + dy * Math.cos(turn),
+    );
+  }
+  ctx.closePath();
+}
