@@ -6,6 +6,8 @@ from typing import NamedTuple
 
 def wrap_angle(angle_rad: float) -> float:
     """The same direction in (-pi, pi]."""
+    if -math.pi < angle_rad <= math.pi:
+        return angle_rad
     wrapped = math.remainder(angle_rad, math.tau)
     return math.pi if wrapped == -math.pi else wrapped
 
