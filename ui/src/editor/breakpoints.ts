@@ -7,7 +7,7 @@ const RADIUS = 7;
 /** A little outside of the block's left edge, where neither words nor icons are. */
 const INSET = -4;
 
-/** Blocks before which a run pauses: a red dot each, set by the block's menu or the key B. */
+/** Blocks before which a run pauses: a red dot each, set by the block's menu or the key F9. */
 export class Breakpoints {
   private static readonly of = new WeakMap<Blockly.Workspace, Breakpoints>();
   private readonly ids = new Set<string>();
@@ -95,7 +95,7 @@ function registerKey(): void {
   if (registry.getRegistry()[MENU]) return;
   registry.register({
     name: MENU,
-    keyCodes: [Blockly.utils.KeyCodes.B],
+    keyCodes: [Blockly.utils.KeyCodes.F9],
     preconditionFn: (workspace) => !workspace.isDragging(),
     callback: () => {
       const focused = Blockly.getFocusManager().getFocusedNode();

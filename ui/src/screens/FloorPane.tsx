@@ -1,6 +1,6 @@
 import { useComputed, useSignal } from "@preact/signals";
 import { FileCode } from "lucide-preact";
-import { connection, engine, worlds } from "../app/session";
+import { worlds } from "../app/session";
 import { TEST } from "../app/testids";
 import { texts } from "../i18n";
 import { CapturePanel } from "../run/CapturePanel";
@@ -8,13 +8,13 @@ import * as robot from "../run/live";
 import { MuteButton } from "../run/MuteButton";
 import { QuestionPanel } from "../run/QuestionPanel";
 import { Readout } from "../run/Readout";
-import { RunBar } from "../run/RunBar";
 import { isLive } from "../run/reducer";
 import { Shown } from "../run/Shown";
 import { StatusLine } from "../run/StatusLine";
 import { DRAWER, TextDrawer } from "../run/text/TextDrawer";
 import { WorldChoice } from "../run/WorldChoice";
 import { Scene } from "../scene/Scene";
+import { Controls } from "./Controls";
 import type { StudioControl } from "./studio_control";
 import "../run/run.css";
 
@@ -65,22 +65,6 @@ export function FloorPane({ control }: { control: StudioControl }) {
         </button>
       </div>
     </section>
-  );
-}
-
-function Controls({ control }: { control: StudioControl }) {
-  const phase = useComputed(() => robot.live.value.phase);
-  const elsewhere = useComputed(() => isLive(robot.live.value) && !control.mine.value);
-  const ready = engine.value === "ready" && connection.value === "open";
-  return (
-    <RunBar
-      phase={elsewhere.value && robot.live.value.run ? "idle" : phase.value}
-      unable={(elsewhere.value && phase.value !== "starting") || !ready}
-      onRun={() => void control.run()}
-      onPause={() => control.send(robot.pause)}
-      onResume={() => control.send(robot.resume)}
-      onStop={() => control.send(robot.stop)}
-    />
   );
 }
 

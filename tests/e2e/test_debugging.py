@@ -1,0 +1,73 @@
+"""Steps, breakpoints and speed, as a pupil uses them."""
+
+import pytest
+from playwright.sync_api import Locator, expect
+
+from tests.e2e.app_process import AppProcess
+from tests.e2e.studio import Studio
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
+
+
+@pytest.fixture
+def app(lasting_app: AppProcess) -> AppProcess:
+    return lasting_app
+
+
+def add_two_moves(studio: Studio) -> tuple[Locator, Locator]:
+    """Forward, then backward, a little each."""
+    blocks = studio.blocks
+    blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
+    forward = blocks.by_words("andar para frente")
+    blocks.type_into(forward, "0,2")
+    blocks.drag_from_toolbox("motion", "andar para trás", blocks.below(forward))
+    backward = blocks.by_words("andar para trás")
+    blocks.type_into(backward, "0,2")
+    studio.eventually(lambda: studio.values("distance"), [0.2, 0.2])
+    return blocks.by_words("andar para frente"), backward
+
+
+def dots(studio: Studio) -> Locator:
+    return studio.page.locator(".blocklyBlockCanvas .pinelBreakpoint")
+
+
+def test_a_program_is_run_block_by_block(studio: Studio) -> None:
+    studio.enter_new_group()
+    add_two_moves(studio)
+    studio["step"].click()
+    studio.wait_for_phase("paused")
+    expect(studio["run"]).to_have_attribute("data-does", "resume")
+    assert studio.number("pose-x") == pytest.approx(0.0, abs=1e-6)
+
+    studio["step"].click()
+    expect(studio["pose-x"]).to_have_attribute("data-value", "0.2000", timeout=20_000)
+    studio.wait_for_phase("paused")
+    studio["run"].click()
+    studio.wait_for_phase("finished")
+
+
+def test_the_run_pauses_at_a_breakpoint(studio: Studio) -> None:
+    studio.enter_new_group()
+    _, backward = add_two_moves(studio)
+    backward.click(button="right")
+    studio.page.get_by_text("Pausar aqui", exact=True).click()
+    expect(dots(studio)).to_have_count(1)
+
+    studio.run()
+    studio.wait_for_phase("paused")
+    expect(studio["pose-x"]).to_have_attribute("data-value", "0.2000")
+    expect(studio["status-line"]).to_contain_text("pausa")
+    studio["run"].click()
+    studio.wait_for_phase("finished")
+
+
+def test_fast_forward_is_faster_than_the_clock(studio: Studio) -> None:
+    studio.enter_new_group()
+    blocks = studio.blocks
+    blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
+    blocks.type_into(blocks.by_words("andar para frente"), "3")
+    studio.eventually(lambda: studio.values("distance"), [3])
+    studio["speed"].select_option("10")
+    studio.run()
+    studio.wait_for_phase("finished", timeout_ms=4_000)  # six seconds of robot time
+    studio["speed"].select_option("1")
