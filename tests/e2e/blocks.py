@@ -49,7 +49,7 @@ class Blocks:
         return self._page.locator(f"{_WORKSPACE} .pinelFault")
 
     def loose(self) -> Locator:
-        return self._page.locator(f"{_WORKSPACE} .pinelLoose")
+        return self._page.locator(f"{_WORKSPACE} .pinelLoose:not(.blocklyShadow)")
 
     def fault_words(self) -> Locator:
         return self._page.locator(".blocklyTextBubble")

@@ -15,10 +15,15 @@ export function adaptMenus(): void {
   adapt("blockDelete", (item) => {
     item.displayText = ({ block }) => deletionWords(block);
   });
-  adapt("blockComment", (item) => {
-    const allowed = item.preconditionFn;
-    item.preconditionFn = (scope, event) =>
+  adapt("blockComment", (entry) => {
+    const allowed = entry.preconditionFn;
+    entry.preconditionFn = (scope, event) =>
       canHoldComment(scope.block) ? allowed(scope, event) : "hidden";
+    const addOrRemove = entry.callback;
+    entry.callback = (scope, ...rest) => {
+      addOrRemove(scope, ...rest);
+      openComment(scope.block);
+    };
   });
 }
 
@@ -28,6 +33,7 @@ type Scope = Blockly.ContextMenuRegistry.Scope;
 interface Entry {
   displayText: (scope: Scope) => string;
   preconditionFn: (scope: Scope, event: Event) => string;
+  callback: (scope: Scope, ...rest: unknown[]) => void;
 }
 
 function adapt(id: string, change: (entry: Entry) => void): void {
@@ -43,6 +49,17 @@ function deletionWords(block?: Blockly.BlockSvg): string {
   ).length;
   if (count <= 1) return Blockly.Msg.DELETE_BLOCK ?? "";
   return (Blockly.Msg.DELETE_X_BLOCKS ?? "").replace("%1", String(count));
+}
+
+/** A comment that was just added is there to be written, so the hand need not look for its icon first. */
+function openComment(block?: Blockly.BlockSvg): void {
+  const icon = block?.getIcon(Blockly.icons.IconType.COMMENT);
+  if (!icon) return;
+  void icon.setBubbleVisible(true).then(() => {
+    const bubble = icon.getBubble();
+    if (bubble) Blockly.getFocusManager().focusNode(bubble);
+    bubble?.performAction?.();
+  });
 }
 
 /** What is written on a block goes with its command into the document; values have no place there. */

@@ -1,0 +1,224 @@
+"""The whole language by hand: branches, variables, functions, comments, search, levels, and large programs."""
+
+import pytest
+from playwright.sync_api import Locator, Page, expect
+
+from tests.e2e.app_process import AppProcess
+from tests.e2e.studio import Studio
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
+
+N_BLOCKS = 500
+DOCUMENT_MS = 50.0
+
+
+@pytest.fixture
+def app(lasting_app: AppProcess) -> AppProcess:
+    return lasting_app
+
+
+@pytest.fixture
+def empty(studio: Studio) -> Studio:
+    studio.enter_new_group()
+    return studio
+
+
+def flyout(studio: Studio) -> Locator:
+    return studio.page.locator(".blocklyToolboxFlyout .blocklyBlockCanvas > .blocklyDraggable")
+
+
+def press_on_block(studio: Studio, block: Locator, label: str) -> None:
+    """A plus or a minus that stands on a block."""
+    block.locator(f'[aria-label="{label}"]').last.click()
+    studio.page.wait_for_timeout(50)
+
+
+def answer(page: Page, text: str) -> None:
+    """Types into the question that is open."""
+    field = page.locator("dialog input")
+    field.fill(text)
+    field.press("Enter")
+    expect(page.locator("dialog[open]")).to_have_count(0)
+
+
+def test_a_block_is_found_by_its_words_without_accents(empty: Studio) -> None:
+    blocks = empty.blocks
+    empty["toolbox-search"].click()
+    empty.page.keyboard.type("TRAS")
+    expect(flyout(empty).first).to_contain_text("andar para trás")
+    outline = flyout(empty).first.locator("> .blocklyPath")
+    blocks._drag(outline, blocks.below(blocks.start()))
+    empty.eventually(empty.actions, ["move_backward"])
+
+    empty["toolbox-search"].fill("xyzw")
+    expect(empty.page.locator(".blocklyToolboxFlyout")).to_contain_text("Nenhum bloco")
+    empty["toolbox-search"].press("Escape")
+    expect(empty["toolbox-search"]).to_have_value("")
+
+
+def test_an_if_grows_and_shrinks_on_the_block(empty: Studio) -> None:
+    blocks = empty.blocks
+    blocks.drag_from_toolbox("logic", "se", blocks.below(blocks.start()))
+    condition = blocks.by_words("então")
+    press_on_block(empty, condition, "Acrescentar um senão")
+    press_on_block(empty, condition, "Acrescentar um senão")
+    expect(condition).to_contain_text("senão, se")
+    blocks.drag_from_toolbox("show", "apitar", blocks.inside(condition, 220))
+    empty["undo"].click()
+    empty["undo"].click()
+    expect(condition).not_to_contain_text("senão, se")
+    press_on_block(empty, condition, "Tirar esta parte")
+    expect(condition).not_to_contain_text("senão")
+    empty.eventually(empty.actions, ["conditional_execution"])
+    assert "else" not in empty.commands()[0] or empty.commands()[0]["else"] == []
+
+
+def test_a_variable_gets_a_name_and_another(empty: Studio) -> None:
+    blocks = empty.blocks
+    blocks.drag_from_toolbox("variables", "mudar", blocks.below(blocks.start()))
+    blocks.drag_from_toolbox("variables", "somar", blocks.below(blocks.by_words("mudar")))
+    blocks.choose(blocks.by_words("mudar"), "Nova variável")
+    answer(empty.page, "  lado da casa ")
+    empty.eventually(lambda: empty.values("name"), ["lado da casa", "contador"])
+    blocks.choose(blocks.by_words("somar"), "lado da casa")
+    blocks.choose(blocks.by_words("somar"), "Trocar o nome")
+    answer(empty.page, "aresta")
+    empty.eventually(lambda: empty.values("name"), ["aresta", "aresta"])
+    empty["undo"].click()
+    empty.eventually(lambda: empty.values("name"), ["lado da casa", "lado da casa"])
+    blocks.choose(blocks.by_words("mudar"), "Nova variável")
+    answer(empty.page, "a-b")
+    expect(empty.page.locator(".blocklyToast")).to_contain_text("letras, números")
+
+
+def test_a_function_with_a_value_is_made_and_called(empty: Studio) -> None:
+    blocks = empty.blocks
+    start = blocks.start()
+    blocks.drag_from_toolbox("functions", "definir", blocks.beside(start, 120))
+    definition = blocks.by_words("definir")
+    blocks.type_into(definition, "lado")
+    press_on_block(empty, definition, "Acrescentar um valor à função")
+    blocks.type_into(definition, "tamanho", 1)
+    blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(definition))
+    blocks.drag_from_toolbox("functions", "tamanho:", blocks.below(start))
+    call = blocks.by_words("tamanho:")
+    blocks.type_into(call, "0,5")
+    empty.eventually(empty.actions, ["call"])
+    document = empty.document()
+    assert document is not None
+    assert document["commands"][0]["arguments"] == {"tamanho": 0.5}
+    function = document["functions"][0]
+    assert (function["name"], function["parameters"]) == ("lado", ["tamanho"])
+    assert [command["action"] for command in function["commands"]] == ["move_forward"]
+
+    blocks.type_into(definition, "aresta")
+    expect(call).to_contain_text("aresta")
+    empty.eventually(lambda: empty.values("function"), ["aresta"])
+
+
+def test_a_value_of_the_wrong_kind_does_not_snap(empty: Studio) -> None:
+    blocks = empty.blocks
+    blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
+    place = blocks.by_words("andar para frente").locator(".blocklyInputField").first
+    box = place.bounding_box()
+    assert box is not None
+    for category, words, loose in (("text", "juntar", 1), ("sensing", "tempo", 1)):
+        blocks.category(category).click()
+        outline = blocks.in_flyout(words).locator("> .blocklyPath")
+        from_ = outline.bounding_box()
+        assert from_ is not None
+        mouse = empty.page.mouse
+        mouse.move(from_["x"] + 8, from_["y"] + from_["height"] / 2)
+        mouse.down()
+        mouse.move(box["x"] + 10, box["y"] + box["height"] / 2, steps=6)
+        mouse.move(box["x"] + 12, box["y"] + box["height"] / 2)
+        mouse.up()
+        expect(blocks.loose()).to_have_count(loose)
+    empty.eventually(lambda: empty.values("distance"), [{"sensor": "time"}])
+
+
+def test_what_is_written_on_a_block_is_in_the_document(empty: Studio) -> None:
+    blocks = empty.blocks
+    blocks.drag_from_toolbox("show", "apitar", blocks.below(blocks.start()))
+    blocks.by_words("apitar").locator("> .blocklyPath").first.click(
+        button="right", position={"x": 5, "y": 40}
+    )
+    empty.page.locator(".blocklyContextMenu .blocklyMenuItem", has_text="comentário").click()
+    area = empty.page.locator("textarea.blocklyCommentText, textarea").first
+    area.fill("avisa que chegou")
+    area.press("Escape")
+    empty.eventually(lambda: empty.values("comment"), ["avisa que chegou"])
+
+
+def test_plus_is_pressed_by_keyboard(empty: Studio) -> None:
+    blocks = empty.blocks
+    blocks.drag_from_toolbox("logic", "se", blocks.below(blocks.start()))
+    condition = blocks.by_words("então")
+    blocks.select(condition)
+    keyboard = empty.page.keyboard
+    for _ in range(12):
+        focused = empty.page.locator(".blocklyActiveFocus").first.get_attribute("aria-label")
+        if focused == "Acrescentar um senão":
+            break
+        keyboard.press("ArrowRight")
+    keyboard.press("Enter")
+    expect(condition).to_contain_text("senão")
+
+
+# The editor by itself, beside the page, on a program that no hand would build.
+_EDITOR = """async ([level, length]) => {
+  const shadow = { type: 'number', fields: { NUM: 1 } };
+  const sum = { type: 'arithmetic', inputs: { A: { shadow }, B: { shadow } } };
+  let block;
+  for (let i = 0; i < length; i++) {
+    const move = { type: 'move_forward', inputs: { DISTANCE: { shadow, block: sum } } };
+    block = block ? { ...move, next: { block } } : move;
+  }
+  const start = { type: 'program_start', id: 'start', x: 0, y: 0, next: { block } };
+  const workspace = { blocks: { languageVersion: 0, blocks: [start] } };
+  const { href } = document.querySelector('link[rel=modulepreload]');
+  const { createEditor } = await import(href);
+  const container = document.createElement('div');
+  container.id = 'apart';
+  container.style.cssText = 'position: fixed; inset: 0; z-index: 99; background: white';
+  document.body.append(container);
+  const mediaPath = '/media/';
+  const options = { container, language: 'pt-BR', theme: 'light', mediaPath, onChange() {} };
+  window.apart = createEditor({ ...options, level });
+  const time = (act) => { const start = performance.now(); act(); return performance.now() - start; };
+  const opening = time(() => window.apart.load(workspace));
+  const best = (act) => Math.min(...[1, 2, 3, 4, 5].map(() => time(act)));
+  const document_ = best(() => window.apart.document());
+  const both = best(() => window.apart.content());
+  const commands = window.apart.document().commands;
+  return { opening, document: document_, both, commands: commands.length };
+}"""
+
+
+def apart(studio: Studio, level: int, length: int) -> dict[str, float]:
+    """Opens an editor over the page, with that many commands of two blocks; says how long things took, in ms."""
+    timings: dict[str, float] = studio.page.evaluate(_EDITOR, [level, length])
+    return timings
+
+
+def test_a_large_program_becomes_a_document_at_once(empty: Studio) -> None:
+    figures = apart(empty, 3, N_BLOCKS // 2)
+    serialising = figures["both"] - figures["document"]
+    print(
+        f"\n{N_BLOCKS} blocks: document {figures['document']:.1f} ms, saving as blocks"
+        f" {serialising:.1f} ms, opening {figures['opening']:.0f} ms"
+    )
+    assert figures["commands"] == N_BLOCKS // 2
+    assert figures["document"] < DOCUMENT_MS
+
+
+def test_a_level_offers_its_blocks_and_keeps_those_of_others(empty: Studio) -> None:
+    page = empty.page
+    apart(empty, 1, 3)
+    categories = page.locator("#apart [data-testid^=toolbox-]:not(input)")
+    expect(categories).to_have_count(5)
+    expect(page.locator("#apart .blocklyBlockCanvas > .blocklyDraggable")).to_have_count(1)
+    for level, count in ((2, 9), (3, 11), (1, 5)):
+        page.evaluate("(level) => window.apart.setLevel(level)", level)
+        expect(categories).to_have_count(count)
+    assert page.evaluate("window.apart.document().commands.length") == 3
