@@ -15,7 +15,7 @@ from pinel_desktop.program.python_text.scanning import Look, Place, Trouble, loo
 
 _MAX_TRIES = 30
 _UNREADABLE = re.compile("[\x00\ud800-\udfff]")
-_COMPOUND = re.compile(r"[ \t\f]*(?:(else|elif|try|finally|except)\b)?")
+_GOES_ON = re.compile(r"[ \t\f]*(else|elif)\b")
 _BODY_MISSING = re.compile(r"expected an indented block .*on line (\d+)")
 _IN_PYTHONS_WORDS = (
     ("expected an indented block", "python_indent_missing"),
@@ -123,17 +123,27 @@ class _Parser:
             self._lines[line - 1] = f"{heading} pass"
 
     def _replace(self, first: int, last: int) -> None:
-        begin, end = self._lines[first - 1], self._lines[last - 1]
-        match = _COMPOUND.match(begin)
-        assert match is not None
-        indent = begin[: len(begin) - len(begin.lstrip(" \t\f"))]
-        opens = end.split("#")[0].rstrip().endswith(":")
-        if match[1] == "else" and opens:
-            heading = "else:"
-        else:
-            heading = ("elif True:" if match[1] == "elif" else "while True:") if opens else "pass"
-        self._lines[first - 1] = indent + heading
-        self._lines[first:last] = [""] * (last - first)
+        """Puts something in the place of a command that keeps the lines below it in their block."""
+        begin = self._lines[first - 1]
+        indent = begin[: _indent(begin)]
+        heading = "pass"
+        if self._has_a_body(last, len(indent)):
+            word = _GOES_ON.match(begin)
+            heading = {"else": "else:", "elif": "elif True:"}.get(
+                word[1] if word else "", "while True:"
+            )
+        self._lines[first - 1 : last] = [indent + heading, *[""] * (last - first)]
+
+    def _has_a_body(self, line: int, indent: int) -> bool:
+        """Whether the next command is farther in."""
+        for following in self._lines[line:]:
+            if following.strip() and following.lstrip()[0] != "#":
+                return _indent(following) > indent
+        return False
+
+
+def _indent(line: str) -> int:
+    return len(line) - len(line.lstrip(" \t\f"))
 
 
 def _lines_around(trouble: Trouble, look: Look) -> tuple[int, int]:
