@@ -34,10 +34,17 @@ function editorAndFontsEarly(): Plugin {
         const editor = Object.values(bundle ?? {}).find(
           (file) => file.type === "chunk" && file.facadeModuleId?.endsWith("/src/editor/index.ts"),
         );
+        const entry = Object.values(bundle ?? {}).find(
+          (file) => file.type === "chunk" && file.isEntry,
+        );
         if (!editor) throw new Error("the editor is not a chunk of its own");
         const fonts = Object.keys(bundle ?? {}).filter((name) => name.endsWith(".woff2"));
+        // what the editor shares with the code that makes blocks of Python is a chunk of its own
+        const parts = editor.type === "chunk" ? [editor.fileName, ...editor.imports] : [];
         const early = [
-          { rel: "modulepreload", href: `/${editor.fileName}`, crossorigin: true },
+          ...parts
+            .filter((name) => name !== entry?.fileName)
+            .map((name) => ({ rel: "modulepreload", href: `/${name}`, crossorigin: true })),
           ...fonts.map((name) => ({
             rel: "preload",
             as: "font",

@@ -110,6 +110,8 @@ export const en: Texts = {
     gesture: (sign: string) => `Sign: ${sign}`,
     noGesture: "No sign",
     round: (round: number, times: string) => `round ${round} of ${times}`,
+    held: "Paused before this block.",
+    heldHow: "Press Step or Go on.",
     paused: "Paused. Press Go on.",
     finished: "Program finished",
     finishedClosed: "Program finished: back where it started",

@@ -110,6 +110,8 @@ export const es: Texts = {
     gesture: (sign: string) => `Gesto: ${sign}`,
     noGesture: "Ningún gesto",
     round: (round: number, times: string) => `vuelta ${round} de ${times}`,
+    held: "En pausa antes de este bloque.",
+    heldHow: "Pulsa Paso o Continuar.",
     paused: "En pausa. Pulsen Continuar.",
     finished: "El programa terminó",
     finishedClosed: "El programa terminó: volvió al punto de partida",

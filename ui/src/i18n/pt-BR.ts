@@ -109,6 +109,8 @@ export const ptBR = {
     gesture: (sign: string) => `Gesto: ${sign}`,
     noGesture: "Nenhum gesto",
     round: (round: number, times: string) => `volta ${round} de ${times}`,
+    held: "Em pausa antes deste bloco.",
+    heldHow: "Aperte Passo ou Continuar.",
     paused: "Em pausa. Aperte Continuar.",
     finished: "Programa terminou",
     finishedClosed: "Programa terminou: voltou ao ponto de partida",

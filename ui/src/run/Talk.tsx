@@ -1,9 +1,10 @@
 import { CircleQuestionMark, MessageCircle, Reply } from "lucide-preact";
-import { useLayoutEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
 import { seconds } from "../i18n/format";
 import type { Line } from "./output";
+import { numberWords } from "./values";
 
 const ICONS = { said: MessageCircle, asked: CircleQuestionMark, answered: Reply } as const;
 
@@ -15,10 +16,16 @@ export function Talk({ lines }: { lines: readonly Line[] }) {
   const { show } = texts.value;
   const list = useRef<HTMLOListElement>(null);
   const atEnd = useRef(true);
-  useLayoutEffect(() => {
+  const follow = () => {
     const { current } = list;
     if (current && atEnd.current) current.scrollTop = current.scrollHeight;
-  }, [lines]);
+  };
+  useLayoutEffect(follow, [lines]);
+  useEffect(() => {
+    const sizes = new ResizeObserver(follow);
+    if (list.current) sizes.observe(list.current);
+    return () => sizes.disconnect();
+  }, []);
   return (
     <ol
       class="talk"
@@ -41,11 +48,12 @@ export function Talk({ lines }: { lines: readonly Line[] }) {
 
 function TalkLine({ line: { kind, text, tick } }: { line: Line }) {
   const Icon = ICONS[kind];
+  const words = typeof text === "number" ? numberWords(text, language.value) : text;
   return (
     <li class={`talk__line talk__line--${kind}`} data-kind={kind} data-testid={TEST.talkLine}>
       <Icon class="icon" aria-hidden="true" />
       <span class="visually-hidden">{texts.value.show[kind]}</span>
-      <span class="talk__text">{text}</span>
+      <span class="talk__text">{words}</span>
       <time class="talk__time">{seconds(tick / 30, language.value)}</time>
     </li>
   );

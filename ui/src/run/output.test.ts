@@ -56,7 +56,7 @@ describe("talk", () => {
     expect(talk.map(({ kind, text, number }) => [kind, text, number])).toEqual([
       ["said", "Olá", 0],
       ["asked", "Quantos?", 1],
-      ["answered", "4", 2],
+      ["answered", 4, 2],
     ]);
   });
 

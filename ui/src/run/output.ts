@@ -4,7 +4,8 @@ import { EMPTY_TRAIL, extend, lastPoint, type Point, type Trail } from "./trail"
 /** A line of the talk between the program and the group. */
 export interface Line {
   readonly kind: "said" | "asked" | "answered";
-  readonly text: string;
+  /** A number where the group's answer reads as one. */
+  readonly text: string | number;
   readonly block: string | null;
   readonly tick: number;
   /** Counts the lines of a run from 0. */
@@ -91,7 +92,7 @@ export function given(output: Output, event: RunEvent, at: Point): Output {
     }
     case "answered": {
       const block = output.question?.block ?? null;
-      const talk = told(output, "answered", String(event.value), block, event.tick);
+      const talk = told(output, "answered", event.value, block, event.tick);
       return { ...output, talk, question: null };
     }
     case "block_ended":
@@ -118,7 +119,7 @@ const isNamed = (call: { function: string | null; block: string | null }): call 
 function told(
   { talk }: Output,
   kind: Line["kind"],
-  text: string,
+  text: Line["text"],
   block: string | null,
   tick: number,
 ): readonly Line[] {

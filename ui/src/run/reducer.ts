@@ -56,6 +56,8 @@ export interface RunView {
   readonly seq: number;
   readonly tick: number;
   readonly stack: readonly LitBlock[];
+  /** The block that begins next, where the run is held before one. */
+  readonly next: string | null;
   readonly pose: Pose;
   readonly setpoint: Pose;
   readonly path: Trail;
@@ -78,6 +80,7 @@ export const IDLE: RunView = {
   seq: -1,
   tick: 0,
   stack: [],
+  next: null,
   pose: AT_START,
   setpoint: AT_START,
   path: EMPTY_TRAIL,
@@ -100,7 +103,8 @@ export function runningBlock(view: RunView): LitBlock | null {
   return view.stack.findLast((entry) => entry.block !== null) ?? null;
 }
 
-export const litBlock = (view: RunView): string | null => runningBlock(view)?.block ?? null;
+export const litBlock = (view: RunView): string | null =>
+  view.next ?? runningBlock(view)?.block ?? null;
 
 /** One step of a run. Events of another run, and events already applied, change nothing. */
 export function reduce(view: RunView, event: RunEvent): RunView {
@@ -111,7 +115,7 @@ export function reduce(view: RunView, event: RunEvent): RunView {
   const next = { ...view, output, seq: event.seq, tick: Math.max(view.tick, event.tick) };
   switch (event.type) {
     case "run_state":
-      return { ...next, phase: event.state };
+      return { ...next, phase: event.state, next: heldBefore(event) };
     case "block_started":
       return begun(next, event);
     case "block_ended":
@@ -146,6 +150,14 @@ function withTelemetry(view: RunView, event: TelemetryEvent): RunView {
     speed: { linear: event.command_v_mps, angular: event.command_omega_radps },
     motion: view.motion && { ...view.motion, done: event.done ?? view.motion.done },
   };
+}
+
+type RunState = Extract<RunEvent, { type: "run_state" }>;
+
+/** A person pauses in the middle of a block; a step and a breakpoint before one. */
+function heldBefore({ state, cause, block }: RunState): string | null {
+  const held = state === "paused" && (cause === "step" || cause === "breakpoint");
+  return held ? (block ?? null) : null;
 }
 
 type BlockStarted = Extract<RunEvent, { type: "block_started" }>;
@@ -183,6 +195,7 @@ function closed(view: RunView, event: RunEndedEvent): RunView {
     ...view,
     phase: event.state,
     stack: [],
+    next: null,
     motion: null,
     speed: AT_REST,
     capture: null,

@@ -37,7 +37,9 @@ export function sentenceOf(view: RunView, voice: Voice): Sentence | null {
     case "starting":
       return { text: status.starting, more: "", tone: "calm" };
     case "paused":
-      return { text: status.paused, more: "", tone: "notice" };
+      return view.next === null
+        ? { text: status.paused, more: "", tone: "notice" }
+        : { text: status.held, more: status.heldHow, tone: "notice" };
     case "running":
       return {
         text: doing(view, voice),
@@ -113,7 +115,7 @@ function partOf(motion: Motion | null): number | null {
 function around(view: RunView, voice: Voice): string {
   const { status } = voice.texts;
   const heard = view.output.talk.findLast((line) => line.kind === "said");
-  if (heard && view.tick - heard.tick < HEARD_TICKS) return status.says(heard.text);
+  if (heard && view.tick - heard.tick < HEARD_TICKS) return status.says(String(heard.text));
   const call = view.output.calls.at(-1);
   const isWaiting = view.motion?.kind === "wait" || view.stack.at(-1)?.action === "wait_until";
   return [

@@ -1,11 +1,14 @@
 import type { Language, Texts } from "../i18n";
 
+/** A number as people of the language write it, with no more digits than it has. */
+export function numberWords(value: number, language: Language): string {
+  const digits = { maximumFractionDigits: 4, useGrouping: false } as const;
+  return value.toLocaleString(language, digits).replace("-", "\u2212");
+}
+
 /** A value of the program as the watch shows it: texts in quotes, numbers as people of the language write them. */
 export function valueWords(value: unknown, texts: Texts, language: Language): string {
-  if (typeof value === "number") {
-    const digits = { maximumFractionDigits: 4, useGrouping: false } as const;
-    return value.toLocaleString(language, digits).replace("-", "\u2212");
-  }
+  if (typeof value === "number") return numberWords(value, language);
   if (typeof value === "boolean") return value ? texts.show.yes : texts.show.no;
   if (typeof value === "string") return value === "" ? texts.show.emptyText : `“${value}”`;
   if (Array.isArray(value)) {

@@ -66,7 +66,8 @@ export function PythonEditor({ original, onLeave, onPlace }: PythonEditorProps) 
         />
       </CodeSheet>
       {faults.length > 0 && <PythonFaults faults={faults} onGo={jump} />}
-      <p id="python-keys" class="text__keys">
+      {/* known once it is read; faults need the room more */}
+      <p id="python-keys" class={faults.length > 0 ? "visually-hidden" : "text__keys"}>
         {python.keys}
       </p>
       <div class="text__bar">

@@ -45,7 +45,7 @@ export function PythonPane(props: PythonPaneProps) {
         <p class="text__empty">{empty}</p>
       ) : (
         <CodeSheet
-          text={text}
+          text={text.trimEnd()}
           lit={running && written ? lineOf(written.lines, running) : null}
           label={python.text}
           testId={TEST.pythonText}

@@ -8,14 +8,15 @@ import "./text.css";
 
 export type TextTab = "python" | "ir";
 
-/** How the drawer stands: which form of the text, how much room it has, whether Python is being written. */
+/** How the drawer stands: which form of the text, whether it takes the floor's room, whether Python is being written. */
 export interface DrawerState {
+  readonly open: boolean;
   readonly tab: TextTab;
   readonly tall: boolean;
   readonly editing: boolean;
 }
 
-export const DRAWER: DrawerState = { tab: "python", tall: false, editing: false };
+export const DRAWER: DrawerState = { open: false, tab: "python", tall: false, editing: false };
 
 interface TextDrawerProps {
   state: DrawerState;
@@ -27,51 +28,56 @@ interface TextDrawerProps {
 
 /** The program as text: as Python, and as the robot gets it. */
 export function TextDrawer({ state, document, running, onState, onPlace }: TextDrawerProps) {
-  const { python, ir } = texts.value;
-  const { tab, tall, editing } = state;
-  const sizeLabel = tall ? python.smaller : python.larger;
-  const SizeIcon = tall ? Minimize2 : Maximize2;
   return (
     <div class="text card">
-      <div class="text__head">
-        <div class="text__tabs" role="tablist" aria-label={python.tabs}>
-          {(["python", "ir"] as const).map((name) => (
-            <button
-              key={name}
-              type="button"
-              class="text__tab"
-              role="tab"
-              aria-selected={tab === name}
-              disabled={editing && tab !== name}
-              data-testid={TEST.textTab}
-              data-tab={name}
-              onClick={() => onState({ ...state, tab: name })}
-            >
-              {name === "python" ? python.tab : ir.tab}
-            </button>
-          ))}
-        </div>
-        <button
-          type="button"
-          class="button button--plain button--icon"
-          aria-label={sizeLabel}
-          title={sizeLabel}
-          onClick={() => onState({ ...state, tall: !tall })}
-        >
-          <SizeIcon class="icon" aria-hidden="true" />
-        </button>
-      </div>
-      {tab === "ir" ? (
+      {!state.editing && <Head state={state} onState={onState} />}
+      {state.tab === "ir" ? (
         <IrPanel document={document} />
       ) : (
         <PythonPane
           document={document}
           running={running}
-          editing={editing}
-          onEditing={(now) => onState({ ...state, editing: now, tall: now })}
+          editing={state.editing}
+          onEditing={(editing) => onState({ ...state, editing })}
           onPlace={onPlace}
         />
       )}
+    </div>
+  );
+}
+
+function Head({ state, onState }: Pick<TextDrawerProps, "state" | "onState">) {
+  const { python, ir } = texts.value;
+  const { tab, tall } = state;
+  const label = tall ? python.smaller : python.larger;
+  const Icon = tall ? Minimize2 : Maximize2;
+  return (
+    <div class="text__head">
+      <div class="text__tabs" role="tablist" aria-label={python.tabs}>
+        {(["python", "ir"] as const).map((name) => (
+          <button
+            key={name}
+            type="button"
+            class="text__tab"
+            role="tab"
+            aria-selected={tab === name}
+            data-testid={TEST.textTab}
+            data-tab={name}
+            onClick={() => onState({ ...state, tab: name })}
+          >
+            {name === "python" ? python.tab : ir.tab}
+          </button>
+        ))}
+      </div>
+      <button
+        type="button"
+        class="button button--plain button--icon"
+        aria-label={label}
+        title={label}
+        onClick={() => onState({ ...state, tall: !tall })}
+      >
+        <Icon class="icon" aria-hidden="true" />
+      </button>
     </div>
   );
 }

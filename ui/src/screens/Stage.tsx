@@ -1,0 +1,95 @@
+import { type Signal, useComputed } from "@preact/signals";
+import { worlds } from "../app/session";
+import { CapturePanel } from "../run/CapturePanel";
+import * as robot from "../run/live";
+import { MuteButton } from "../run/MuteButton";
+import type { Question } from "../run/output";
+import { QuestionPanel } from "../run/QuestionPanel";
+import { isLive } from "../run/reducer";
+import { Shown } from "../run/Shown";
+import { type DrawerState, TextDrawer } from "../run/text/TextDrawer";
+import { WorldChoice } from "../run/WorldChoice";
+import { Scene } from "../scene/Scene";
+import type { StudioControl } from "./studio_control";
+
+interface StageProps {
+  control: StudioControl;
+  drawer: Signal<DrawerState>;
+}
+
+/**
+ * The floor with what the program shows; under it what it asks for, or else the program as text. There is room for
+ * two of them, so a question comes before the text, and text that is being written before the floor.
+ */
+export function Stage({ control, drawer }: StageProps) {
+  const capturing = useComputed(() => robot.live.value.capture !== null);
+  const asked = useComputed(() => (control.mine.value ? robot.live.value.output.question : null));
+  const waits = capturing.value || asked.value !== null;
+  const { open, tall, editing } = drawer.value;
+  const hasText = open && (editing || !waits);
+  return (
+    <div class="floor__stage">
+      <div
+        class={`floor__view ${hasText ? "floor__view--beside" : ""}`}
+        hidden={hasText && (tall || editing)}
+      >
+        <div class="floor__scene">
+          <Scene world={control.world.value} view={robot.live} poseAt={robot.livePose} />
+          <Corner control={control} />
+        </div>
+        {!waits && <Shown view={robot.live} />}
+      </div>
+      {capturing.value && <CaptureWhileAsked control={control} />}
+      {asked.value && <Asked control={control} question={asked.value} />}
+      {hasText && (
+        <div class={`floor__drawer ${tall || editing ? "floor__drawer--tall" : ""}`}>
+          <TextDrawer
+            state={drawer.value}
+            document={control.open.content.value?.document ?? null}
+            running={control.running.value}
+            onState={(state) => {
+              drawer.value = state;
+            }}
+            onPlace={(document) => control.place(document)}
+          />
+        </div>
+      )}
+    </div>
+  );
+}
+
+function Corner({ control }: { control: StudioControl }) {
+  const busy = useComputed(() => isLive(robot.live.value));
+  return (
+    <div class="floor__corner">
+      <WorldChoice
+        worlds={worlds.value}
+        world={control.worldName.value}
+        busy={busy.value}
+        onWorld={(name) => control.chooseWorld(name)}
+      />
+      <MuteButton view={robot.live} expected={control.beeps.value} />
+    </div>
+  );
+}
+
+function Asked({ control, question }: { control: StudioControl; question: Question }) {
+  return (
+    <QuestionPanel
+      question={question}
+      onAnswer={(value) => control.send(() => robot.answerQuestion(value))}
+    />
+  );
+}
+
+function CaptureWhileAsked({ control }: { control: StudioControl }) {
+  const { capture, tick } = robot.live.value;
+  if (!capture) return null;
+  return (
+    <CapturePanel
+      capture={capture}
+      tick={tick}
+      onAnswer={(result) => control.send(() => robot.answerCapture(result))}
+    />
+  );
+}
