@@ -1,6 +1,7 @@
 """Reading a program from a file or from standard input, and saying what is wrong with it."""
 
 import sys
+from collections.abc import Mapping
 
 import click
 
@@ -22,15 +23,16 @@ def read_file(file: str) -> Reading:
         return Reading(None, (Fault("file_unreadable", params={"path": file}),))
 
 
-def place_of(fault: Fault, language: str) -> str:
+def place_of(pointer: str, params: Mapping[str, object], language: str) -> str:
     """Where a fault is, for people: line and column of a text, or the place in a document."""
-    if {"line", "column"} <= fault.params.keys():
-        return describe("python_at", fault.params, language).message
-    return fault.pointer or "/"
+    if {"line", "column"} <= params.keys():
+        return describe("python_at", params, language).message
+    return pointer or "/"
 
 
 def say_faults(faults: tuple[Fault, ...], language: str) -> None:
     """Says on standard error what is wrong, one line for each fault."""
     for fault in faults:
         words = describe(fault.code, fault.params, language)
-        click.echo(f"{place_of(fault, language)}: {words.message} {words.remedy}", err=True)
+        place = place_of(fault.pointer, fault.params, language)
+        click.echo(f"{place}: {words.message} {words.remedy}", err=True)

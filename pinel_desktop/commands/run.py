@@ -3,12 +3,12 @@
 import csv
 import json
 import math
-import sys
 from typing import Any
 
 import click
 
 from pinel_desktop import __version__
+from pinel_desktop.commands.program_file import place_of, read_file
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, EventStamp
 from pinel_desktop.execution.answers import ScriptedAnswers
@@ -20,8 +20,7 @@ from pinel_desktop.links import LINK_NAMES, open_link
 from pinel_desktop.messages import describe, language_of_system
 from pinel_desktop.paths import database_path
 from pinel_desktop.program.faults import Fault
-from pinel_desktop.program.limits import MAX_BYTES
-from pinel_desktop.program.reading import Reading, read_document
+from pinel_desktop.program.reading import Reading
 from sim.world import world_document
 from storage import Notice, Recorder, RunStart, Store, StoreError, open_store
 
@@ -71,11 +70,11 @@ def command(
 ) -> None:
     """Run a program and print its result.
 
-    FILE is a program document or a bare list of commands, as JSON; - is standard input. Exit status: 0 finished,
-    1 failed or stopped, 2 the program has faults or cannot be read.
+    FILE is a program document or a bare list of commands, as JSON, or Python text; - is standard input. Exit status:
+    0 finished, 1 failed or stopped, 2 the program has faults or cannot be read.
     """
     language = language_of_system()
-    reading = _read(file)
+    reading = read_file(file)
     if reading.program is None:
         summary = _faulty(reading, language)
     else:
@@ -83,7 +82,9 @@ def command(
             _warn(warning, language, warning.pointer)
         keeper = None if no_store else _open_keeper(db or (ctx.obj or {}).get("db"), language)
         summary = _run(reading, keeper, language, **options)
-    click.echo(json.dumps(summary, ensure_ascii=False) if as_json else "\n".join(_lines(summary)))
+    click.echo(
+        json.dumps(summary, ensure_ascii=False) if as_json else "\n".join(_lines(summary, language))
+    )
     ctx.exit(_status(summary))
 
 
@@ -91,16 +92,6 @@ def _status(summary: dict[str, Any]) -> int:
     if summary["reason"] == "invalid_program":
         return _INVALID
     return _FINISHED if summary["state"] == "finished" else _NOT_FINISHED
-
-
-def _read(file: str) -> Reading:
-    try:
-        if file == "-":
-            return read_document(sys.stdin.buffer.read(MAX_BYTES + 1))
-        with open(file, "rb") as opened:
-            return read_document(opened.read(MAX_BYTES + 1))
-    except OSError:
-        return Reading(None, (Fault("file_unreadable", params={"path": file}),))
 
 
 def _faulty(reading: Reading, language: str) -> dict[str, Any]:
@@ -215,16 +206,15 @@ def _warn(problem: StoreError | Notice | Fault, language: str, place: str = "pin
     click.echo(f"{place}: {words.message} {words.remedy}", err=True)
 
 
-def _lines(summary: dict[str, Any]) -> list[str]:
+def _lines(summary: dict[str, Any], language: str) -> list[str]:
     """The object for people, without --json."""
     reason = f" ({summary['reason']})" if summary["reason"] else ""
     lines = [f"state           {summary['state']}{reason}"]
     if summary["message"]:
         lines.append(f"                {summary['message']}")
     for fault in summary["faults"]:
-        lines.append(
-            f"fault           {fault['pointer'] or '/'}: {fault['message']} {fault['remedy']}"
-        )
+        place = place_of(fault["pointer"], fault["params"], language)
+        lines.append(f"fault           {place}: {fault['message']} {fault['remedy']}")
     lines += [f"said            {text}" for text in summary["said"]]
     for mark in summary["marks"]:
         lines.append(

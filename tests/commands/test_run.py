@@ -185,3 +185,24 @@ def test_hostile_values_end_with_2_and_an_object_that_can_be_printed() -> None:
 
 def test_seed_beyond_its_range_is_refused() -> None:
     assert pinel("run", SQUARE, "--seed", "99999999999999999999").exit_code == 2
+
+
+def test_python_text_is_run_like_its_document_from_a_file_and_from_standard_input(
+    tmp_path: Path,
+) -> None:
+    file = tmp_path / "square.py"
+    file.write_text(
+        "for _ in range(4):\n    robot.move_forward(1.0)\n    robot.turn(-90)\n", "utf-8"
+    )
+    runs = [run_json(SQUARE), run_json(str(file)), run_json("-", text=file.read_text("utf-8"))]
+    assert [status for status, _ in runs] == [0, 0, 0]
+    assert len({printed["telemetry_sha256"] for _, printed in runs}) == 1
+
+
+def test_faults_of_python_text_have_line_and_column() -> None:
+    status, printed = run_json("-", text="robot.turn(90)\nrobot.jump()\n")
+    assert (status, printed["reason"]) == (2, "invalid_program")
+    params = printed["faults"][0]["params"]
+    assert (params["line"], params["column"]) == (2, 1)
+    result = pinel("run", "-", text="robot.turn(90)\nrobot.jump()\n")
+    assert "Line 2, column 1: " in result.stdout
