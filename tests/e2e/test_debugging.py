@@ -39,6 +39,7 @@ def test_a_program_is_run_block_by_block(studio: Studio) -> None:
     expect(studio["run"]).to_have_attribute("data-does", "resume")
     assert studio.number("pose-x") == pytest.approx(0.0, abs=1e-6)
 
+    expect(studio.blocks.running()).to_contain_text("andar para frente")
     studio["step"].click()
     expect(studio["pose-x"]).to_have_attribute("data-value", "0.2000", timeout=20_000)
     studio.wait_for_phase("paused")
@@ -56,7 +57,7 @@ def test_the_run_pauses_at_a_breakpoint(studio: Studio) -> None:
     studio.run()
     studio.wait_for_phase("paused")
     expect(studio["pose-x"]).to_have_attribute("data-value", "0.2000")
-    expect(studio["status-line"]).to_contain_text("pausa")
+    expect(studio["status-line"]).to_contain_text("Em pausa antes deste bloco")
     studio["run"].click()
     studio.wait_for_phase("finished")
 

@@ -1,4 +1,11 @@
-import { CornerDownRight, CornerUpLeft, Redo2, StepForward } from "lucide-preact";
+import {
+  ChevronDown,
+  CornerDownRight,
+  CornerUpLeft,
+  Gauge,
+  Redo2,
+  StepForward,
+} from "lucide-preact";
 import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
 import { decimal } from "../i18n/format";
@@ -23,10 +30,11 @@ export function DebugBar(props: DebugBarProps) {
   return (
     <section class="debug-bar" aria-label={debug.bar}>
       <Steps {...props} />
-      <label class="debug-bar__speed">
-        <span>{debug.speed}</span>
+      <span class="select debug-bar__speed">
+        <Gauge class="icon" aria-hidden="true" />
         <select
-          class="field"
+          aria-label={debug.speed}
+          title={debug.speed}
           data-testid={TEST.speed}
           value={String(speed.value)}
           onChange={(event) => {
@@ -39,7 +47,8 @@ export function DebugBar(props: DebugBarProps) {
             </option>
           ))}
         </select>
-      </label>
+        <ChevronDown class="icon icon--end" aria-hidden="true" />
+      </span>
     </section>
   );
 }

@@ -1,4 +1,4 @@
-import { effect, signal } from "@preact/signals";
+import { effect, signal, untracked } from "@preact/signals";
 import * as robot from "../run/live";
 
 /** How many times faster than a real robot the simulated one is. */
@@ -20,11 +20,11 @@ export function tellRun(report: (error: unknown) => void): () => void {
   const stops = [
     effect(() => {
       const ids = breakpoints.value;
-      if (!first) robot.setBreakpoints(ids).catch(report);
+      if (!first) untracked(() => robot.setBreakpoints(ids).catch(report));
     }),
     effect(() => {
       const factor = speed.value;
-      if (!first) robot.setSpeed(factor).catch(report);
+      if (!first) untracked(() => robot.setSpeed(factor).catch(report));
     }),
   ];
   first = false;

@@ -4,8 +4,9 @@ import { word } from "../blocks/texts";
 const MENU = "pinel_breakpoint";
 const MARK = "pinelBreakpoint";
 const RADIUS = 7;
-/** A little outside of the block's left edge, where neither words nor icons are. */
-const INSET = -4;
+/** On the left edge of the block's first row, where neither words nor icons are. */
+const LEFT = -2;
+const MIDDLE = 24;
 
 /** Blocks before which a run pauses: a red dot each, set by the block's menu or the key F9. */
 export class Breakpoints {
@@ -61,7 +62,7 @@ export class Breakpoints {
     if (!this.has(block)) return;
     Blockly.utils.dom.createSvgElement(
       Blockly.utils.Svg.CIRCLE,
-      { class: MARK, r: RADIUS, cx: block.RTL ? -INSET : INSET, cy: INSET + RADIUS },
+      { class: MARK, r: RADIUS, cx: LEFT, cy: MIDDLE },
       root,
     );
   }

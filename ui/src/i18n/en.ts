@@ -152,7 +152,6 @@ export const en: Texts = {
   question: {
     title: "The robot asks",
     answer: "Answer",
-    placeholder: "Write the answer",
     send: "Answer",
     keptIn: (variable: string) => `The answer is kept in “${variable}”.`,
   },
@@ -183,7 +182,7 @@ export const en: Texts = {
     label: "How many blocks to show",
     first: "First steps",
     explorer: "Explorer",
-    everything: "All blocks",
+    everything: "Everything",
   },
   scene: {
     label: (x: string, y: string, heading: string) =>

@@ -152,7 +152,6 @@ export const es: Texts = {
   question: {
     title: "El robot pregunta",
     answer: "Respuesta",
-    placeholder: "Escriban la respuesta",
     send: "Responder",
     keptIn: (variable: string) => `La respuesta queda guardada en “${variable}”.`,
   },
@@ -183,7 +182,7 @@ export const es: Texts = {
     label: "Cuántos bloques mostrar",
     first: "Primeros pasos",
     explorer: "Explorador",
-    everything: "Todos los bloques",
+    everything: "Todo",
   },
   scene: {
     label: (x: string, y: string, heading: string) =>

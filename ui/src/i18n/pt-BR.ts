@@ -151,7 +151,6 @@ export const ptBR = {
   question: {
     title: "O robô pergunta",
     answer: "Resposta",
-    placeholder: "Escrevam a resposta",
     send: "Responder",
     keptIn: (variable: string) => `A resposta fica guardada em “${variable}”.`,
   },
@@ -182,7 +181,7 @@ export const ptBR = {
     label: "Quantos blocos mostrar",
     first: "Primeiros passos",
     explorer: "Explorador",
-    everything: "Todos os blocos",
+    everything: "Tudo",
   },
   scene: {
     label: (x: string, y: string, heading: string) =>

@@ -158,6 +158,16 @@ describe("blocks", () => {
     expect(view.stack.map((entry) => entry.round)).toEqual([0, 1, 0]);
   });
 
+  test("where the run is held before a block, that block is lit until it goes on", () => {
+    const paused = (tick: number, cause: string, block: string) =>
+      ({ ...state(tick, "paused"), cause, block }) as RunEvent;
+    const before = viewAfter(state(0, "running"), started(1, "/commands/0", "repeat"));
+    const held = reduce(before, paused(3, "breakpoint", "b2"));
+    expect(litBlock(held)).toBe("b2");
+    expect(litBlock(reduce(held, state(4, "running")))).toBe(litBlock(before));
+    expect(reduce(before, paused(5, "person", "b1")).next).toBeNull();
+  });
+
   test("nothing is lit after the end", () => {
     const view = viewAfter(started(0, "/commands/0", "wait", 1), runEnded(3, "stopped"));
     expect(litBlock(view)).toBeNull();

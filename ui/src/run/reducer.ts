@@ -93,18 +93,20 @@ export const IDLE: RunView = {
   ending: null,
 };
 
+const NOT_BEGUN = { pointer: "", action: "", amount: null, round: 0, roundTick: 0 };
+
 export const starting = (run: string | null): RunView => ({ ...IDLE, run, phase: "starting" });
 
 export const isLive = (view: RunView) =>
   view.phase === "starting" || view.phase === "running" || view.phase === "paused";
 
-/** The innermost running block that has an id. */
+/** The block before which the run is held, else the innermost running one that has an id. */
 export function runningBlock(view: RunView): LitBlock | null {
+  if (view.next !== null) return { ...NOT_BEGUN, block: view.next };
   return view.stack.findLast((entry) => entry.block !== null) ?? null;
 }
 
-export const litBlock = (view: RunView): string | null =>
-  view.next ?? runningBlock(view)?.block ?? null;
+export const litBlock = (view: RunView): string | null => runningBlock(view)?.block ?? null;
 
 /** One step of a run. Events of another run, and events already applied, change nothing. */
 export function reduce(view: RunView, event: RunEvent): RunView {
