@@ -45,7 +45,7 @@ export function QuestionPanel({ question, onAnswer }: QuestionPanelProps) {
           autoComplete="off"
           spellcheck={false}
           aria-label={words.answer}
-          placeholder={words.placeholder}
+          placeholder={words.answer}
           data-testid={TEST.answer}
           onInput={(event) => setValue(event.currentTarget.value)}
         />

@@ -66,16 +66,12 @@ export function PythonEditor({ original, onLeave, onPlace }: PythonEditorProps) 
         />
       </CodeSheet>
       {faults.length > 0 && <PythonFaults faults={faults} onGo={jump} />}
-      {/* known once it is read; faults need the room more */}
-      <p id="python-keys" class={faults.length > 0 ? "visually-hidden" : "text__keys"}>
-        {python.keys}
-      </p>
+      <State check={check?.text === text ? check : null} isChanged={isChanged} />
       <div class="text__bar">
         <button type="button" class="button" data-testid={TEST.pythonLeave} onClick={onLeave}>
           <Undo2 class="icon" aria-hidden="true" />
           {python.leave}
         </button>
-        <State check={check?.text === text ? check : null} isChanged={isChanged} />
         <button
           type="button"
           class="button button--run"
@@ -97,15 +93,21 @@ function State({ check, isChanged }: { check: Check | null; isChanged: boolean }
   const name = state === "fine" && !isChanged ? "unchanged" : state;
   const words = name === "faulty" ? python.faults(check?.faults.length ?? 0) : python[name];
   return (
-    <p
-      class={`text__state text__state--${name}`}
-      role="status"
-      data-testid={TEST.pythonState}
-      data-state={name}
-    >
-      {name === "fine" && <CircleCheck class="icon" aria-hidden="true" />}
-      {words}
-    </p>
+    <div class="text__states">
+      <p
+        class={`text__state text__state--${name}`}
+        role="status"
+        data-testid={TEST.pythonState}
+        data-state={name}
+      >
+        {name === "fine" && <CircleCheck class="icon" aria-hidden="true" />}
+        {words}
+      </p>
+      {/* known once it is read; what is to be mended needs the room more */}
+      <p id="python-keys" class={name === "unchanged" ? "text__keys" : "visually-hidden"}>
+        {python.keys}
+      </p>
+    </div>
   );
 }
 
