@@ -13,7 +13,7 @@ from tests.python_text.languages import Document, documents, normal
 
 PROGRAMS = Path(__file__).parents[1] / "programs"
 NAMES = sorted(path.stem for path in PROGRAMS.glob("*.json") if not path.stem.endswith(".values"))
-SLOW = settings(max_examples=300, deadline=None, suppress_health_check=list(HealthCheck))
+SLOW = settings(max_examples=200, deadline=None, suppress_health_check=list(HealthCheck))
 
 
 @SLOW

@@ -15,10 +15,13 @@ Positioned = ast.stmt | ast.expr | ast.arg | ast.keyword
 
 
 class Notes:
-    """Faults, places and anchors of one text. Columns count characters from 0 here, from 1 in faults."""
+    """Faults, places and anchors of one text. Columns count characters from 0 here, from 1 in faults.
 
-    def __init__(self, lines: list[str]) -> None:
-        self._lines = lines
+    On lines that were put aside stands something else than the text: nothing more is wrong there.
+    """
+
+    def __init__(self, lines: list[str], put_aside: set[int]) -> None:
+        self._lines, self._put_aside = lines, put_aside
         self._faults: list[tuple[Place, Fault]] = []
         self._offsets = lru_cache(maxsize=16)(self._count_offsets)
         self._is_too_deep = False
@@ -44,7 +47,9 @@ class Notes:
 
     def fault(self, node: Positioned, code: str, **params: object) -> None:
         """Notes what is wrong at a node."""
-        self._add(self.place(node), Fault(code, params=params))
+        place = self.place(node)
+        if place.line not in self._put_aside:
+            self._add(place, Fault(code, params=params))
 
     def trouble(self, trouble: Trouble) -> None:
         """Notes what kept a line from being parsed; the line may have been another one by then."""
@@ -54,7 +59,9 @@ class Notes:
 
     def placed(self, fault: Fault) -> None:
         """Notes a fault of the document at the place in the text that its pointer speaks of."""
-        self._add(self.place_of(fault.pointer), fault)
+        place = self.place_of(fault.pointer)
+        if place.line not in self._put_aside:
+            self._add(place, fault)
 
     def place_of(self, pointer: str) -> Place:
         """The place of a part of the document, or of the nearest part around it."""

@@ -8,7 +8,7 @@ import ast
 import re
 import warnings
 from bisect import bisect_right
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from pinel_desktop.program.limits import MAX_BYTES, MAX_NESTING
 from pinel_desktop.program.python_text.scanning import Look, Place, Trouble, look_at
@@ -32,11 +32,19 @@ _IN_PYTHONS_WORDS = (
 
 @dataclass(frozen=True, slots=True)
 class Parsed:
-    """Python's tree of a text, None where nothing could be made of it; in it, each `elif` is an `if` of its own."""
+    """What Python makes of a text.
+
+    Attributes:
+        tree: Python's tree, None where nothing could be made of it; in it, each `elif` is an `if` of its own.
+        look: the first look at what was parsed in the end.
+        troubles: what Python does not understand.
+        put_aside: lines that had trouble; the tree has something else in their place.
+    """
 
     tree: ast.Module | None
     look: Look
-    troubles: list[Trouble] = field(default_factory=list)
+    troubles: list[Trouble]
+    put_aside: set[int]
 
 
 def parse(text: str) -> Parsed:
@@ -59,12 +67,12 @@ class _Parser:
             if not troubles:
                 found = self._tree(look)
                 if isinstance(found, ast.Module):
-                    return Parsed(found, look, self._troubles)
+                    return Parsed(found, look, self._troubles, self._put_aside)
                 troubles = [found]
             self._troubles += troubles
             if not self._without(troubles, look):
                 break
-        return Parsed(None, look, self._troubles)
+        return Parsed(None, look, self._troubles, self._put_aside)
 
     def _unreadable(self) -> list[Trouble]:
         return [

@@ -69,7 +69,7 @@ def read_python(text: str) -> PythonReading:
         return PythonReading(Reading(None, (Fault("document_too_large", params=params),)))
     lines = text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
     parsed = parse(lines)
-    notes = Notes(lines.split("\n"))
+    notes = Notes(lines.split("\n"), parsed.put_aside)
     for trouble in parsed.troubles:
         notes.trouble(trouble)
     if parsed.tree is None:
