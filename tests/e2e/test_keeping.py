@@ -58,7 +58,7 @@ def test_what_was_typed_last_is_kept_by_who_leaves_at_once(studio: Studio) -> No
     studio.eventually(studio.actions, ["move_forward"])
     program = f"/programs/{studio.program_id}"
 
-    blocks.by_words("andar para frente").locator("> .blocklyInputField").click()
+    blocks.by_words("andar para frente").locator(".blocklyInputField").click()
     studio.page.locator(".blocklyHtmlInput").fill("0,9")
     studio.page.evaluate("document.querySelector('[data-testid=open-work]').click()")
 
