@@ -30,6 +30,11 @@ export function parametersOf(definition: Blockly.Block): string[] {
   return (definition as Blockly.Block & { parameters(): string[] }).parameters();
 }
 
+/** Whether a function returns a value anywhere. */
+export function givesValue(definition: Blockly.Block): boolean {
+  return definition.getDescendants(false).some(({ type }) => type === "return_value");
+}
+
 /** The function around a block, if there is one with a parameter of that name. */
 function scopeOf(block: Blockly.Block, name: string): Blockly.Block | null {
   const root = block.getRootBlock();

@@ -17,11 +17,13 @@ beforeAll(() => {
 
 const TYPES = ALL_DEFINITIONS.map(({ type }) => type);
 
-/** A program with a function that takes a value. */
+/** A program with a function that takes a value and gives one. */
 function programWithFunction(): Blockly.Workspace {
   const workspace = new Blockly.Workspace();
   const definition = workspace.newBlock("function_def");
   definition.loadExtraState?.({ parameters: ["lado"] });
+  const result = workspace.newBlock("return_value").previousConnection;
+  definition.nextConnection?.connect(result as Blockly.Connection);
   return workspace;
 }
 

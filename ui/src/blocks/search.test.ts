@@ -48,7 +48,12 @@ describe("the search", () => {
 
   test("finds the functions of the program by their names", () => {
     const workspace = new Blockly.Workspace();
-    workspace.newBlock("function_def").setFieldValue("polígono", "NAME");
+    const definition = workspace.newBlock("function_def");
+    definition.setFieldValue("polígono", "NAME");
+    expect(found("poligono", 3, workspace)).toEqual(["call"]);
+
+    const result = workspace.newBlock("return_value").previousConnection;
+    definition.nextConnection?.connect(result as Blockly.Connection);
     expect(found("poligono", 3, workspace)).toEqual(["call", "call_value"]);
   });
 });

@@ -1,7 +1,7 @@
 import * as Blockly from "blockly/core";
 import type { BlockArgument, Level } from "./definition";
 import { argumentsOf, type Row } from "./definitions";
-import { definitionsIn, functionName } from "./names";
+import { definitionsIn, functionName, givesValue } from "./names";
 import { word } from "./texts";
 import type { TextKey } from "./texts/keys";
 import { block, callBlock, offeredRows } from "./toolbox";
@@ -30,7 +30,10 @@ export function searchBlocks(
 function calls(wanted: readonly string[], workspace: Blockly.Workspace): ToolboxBlock[] {
   return definitionsIn(workspace)
     .filter((definition) => saysAll(functionName(definition), wanted))
-    .flatMap((definition) => [callBlock("call", definition), callBlock("call_value", definition)]);
+    .flatMap((definition) => [
+      callBlock("call", definition),
+      ...(givesValue(definition) ? [callBlock("call_value", definition)] : []),
+    ]);
 }
 
 function rank(row: Row, wanted: readonly string[]): number {

@@ -2,7 +2,14 @@ import type * as Blockly from "blockly/core";
 import type { BlockArgument, Level } from "./definition";
 import { argumentsOf, type BlockType, CATEGORIES, DEFINITIONS, type Row } from "./definitions";
 import type { Category } from "./hues";
-import { definitionsIn, freeName, functionName, parametersOf, variableNames } from "./names";
+import {
+  definitionsIn,
+  freeName,
+  functionName,
+  givesValue,
+  parametersOf,
+  variableNames,
+} from "./names";
 import { shadowState } from "./shadows";
 import { itemInput } from "./shapes/variadic";
 import { reference, word } from "./texts";
@@ -179,12 +186,17 @@ function functionBlocks(rows: readonly Row[], workspace: Blockly.Workspace): Too
   const definitions = definitionsIn(workspace);
   const taken = new Set(definitions.map(functionName));
   return rows.flatMap(({ type }) => {
-    if (type === "call" || type === "call_value") {
-      return definitions.map((definition) => callBlock(type, definition));
-    }
+    if (type === "call" || type === "call_value") return calls(type, definitions);
     if (type !== "function_def") return [block(type)];
     return [{ ...block(type), fields: { NAME: freeName(word("FUNCTION_NAME"), taken) } }];
   });
+}
+
+/** As a value only what returns one can be called. */
+function calls(type: "call" | "call_value", definitions: readonly Blockly.Block[]): ToolboxBlock[] {
+  return definitions
+    .filter((definition) => type === "call" || givesValue(definition))
+    .map((definition) => callBlock(type, definition));
 }
 
 /** A call of a function, with something in each of its holes. */
