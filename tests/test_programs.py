@@ -2,6 +2,9 @@
 
 A value is given exactly, or as {"equals", "within"}, {"min"} and {"max"}; `heading_deg`, `x_m` and `y_m` are
 those of the final pose. `world` and `gestures` are what the program is run with.
+
+Each program is there three times: as a document, as Python (python/NAME.py) and as blocks with what the generator of
+the page makes of them (blocks/NAME.json, held by ui/src/loader/programs.test.ts).
 """
 
 import json
@@ -14,14 +17,24 @@ import pytest
 from pinel_desktop.execution.executor import RunOptions, RunResult, execute
 from pinel_desktop.execution.gestures import ScriptedGestures
 from pinel_desktop.links import open_link
-from pinel_desktop.program.reading import read_document
+from pinel_desktop.program.python_text import read_python, write_python
+from pinel_desktop.program.reading import Reading, read_document
 
 PROGRAMS = Path(__file__).parent / "programs"
 NAMES = sorted(path.stem for path in PROGRAMS.glob("*.json") if not path.stem.endswith(".values"))
 
 
-def run(name: str, values: dict[str, Any]) -> RunResult:
-    program = read_document((PROGRAMS / f"{name}.json").read_bytes()).program
+def values_of(name: str) -> dict[str, Any]:
+    values: dict[str, Any] = json.loads((PROGRAMS / f"{name}.values.json").read_text("utf-8"))
+    return values
+
+
+def read(name: str) -> Reading:
+    return read_document((PROGRAMS / f"{name}.json").read_bytes())
+
+
+def run(reading: Reading, values: dict[str, Any]) -> RunResult:
+    program = reading.program
     assert program is not None
     link = open_link("sim", world=values.get("world", "empty_room"))
     return execute(program, link, RunOptions(gestures=ScriptedGestures(values.get("gestures", []))))
@@ -54,8 +67,8 @@ def meets(value: Any, wanted: Any) -> bool:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_program_meets_its_values(name: str) -> None:
-    values = json.loads((PROGRAMS / f"{name}.values.json").read_text("utf-8"))
-    figures = measured(run(name, values))
+    values = values_of(name)
+    figures = measured(run(read(name), values))
     checks = {key: wanted for key, wanted in values.items() if key in figures}
     assert len(checks) >= 2
     assert set(values) <= {*figures, "about", "world", "gestures"}
@@ -69,5 +82,26 @@ def test_program_meets_its_values(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_program_runs_the_same_again_to_the_bit(name: str) -> None:
-    values = json.loads((PROGRAMS / f"{name}.values.json").read_text("utf-8"))
-    assert run(name, values).ended == run(name, values).ended
+    values = values_of(name)
+    assert run(read(name), values).ended == run(read(name), values).ended
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_program_runs_alike_from_document_python_and_blocks(name: str) -> None:
+    values = values_of(name)
+    text = (PROGRAMS / "python" / f"{name}.py").read_text("utf-8")
+    blocks = json.loads((PROGRAMS / "blocks" / f"{name}.json").read_text("utf-8"))
+    ways = [read(name), read_python(text), read_document(blocks["document"])]
+    endings = [run(way, values).ended for way in ways]
+    assert {ending.telemetry_sha256 for ending in endings} == {endings[0].telemetry_sha256}
+    assert {(e.state, e.reason, e.n_executed) for e in endings} == {
+        (endings[0].state, endings[0].reason, endings[0].n_executed)
+    }
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_python_beside_a_program_is_what_is_written_of_it(name: str) -> None:
+    document = read(name).document
+    assert document is not None
+    text = (PROGRAMS / "python" / f"{name}.py").read_text("utf-8")
+    assert write_python(document).text == text

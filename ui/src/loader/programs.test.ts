@@ -1,0 +1,48 @@
+// The programs that the server's tests run, as blocks: tests/programs/blocks/NAME.json holds the workspace and what the
+// generator makes of it, which tests/test_programs.py runs. UPDATE_PROGRAMS=1 writes the files anew.
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import * as Blockly from "blockly/core";
+import { beforeAll, describe, expect, test } from "vitest";
+import { registerBlocks } from "../blocks";
+import { setBlockLanguage } from "../blocks/texts";
+import { generateDocument } from "../generator";
+import { workspaceOf } from ".";
+
+const FOLDER = `${process.cwd()}/../tests/programs/blocks/`; // vitest runs in ui/
+const PROGRAMS = Object.entries(
+  import.meta.glob<{ name?: string }>("../../../tests/programs/*.json", {
+    eager: true,
+    import: "default",
+  }),
+).filter(([path]) => !path.includes(".values."));
+
+beforeAll(() => {
+  setBlockLanguage("pt-BR");
+  registerBlocks();
+  mkdirSync(FOLDER, { recursive: true });
+});
+
+/** What the page keeps of a workspace: its blocks, each with an id, and what the robot gets. */
+function kept(workspace: object, name: string): { workspace: object; document: object } {
+  const trial = new Blockly.Workspace();
+  Blockly.serialization.workspaces.load(workspace, trial);
+  const content = {
+    workspace: Blockly.serialization.workspaces.save(trial),
+    document: generateDocument(trial, name),
+  };
+  trial.dispose();
+  return content;
+}
+
+describe.each(PROGRAMS)("%s", (path, program) => {
+  const file = FOLDER + (path.split("/").at(-1) ?? "");
+
+  test("is kept as blocks that make the document kept beside them", () => {
+    const name = program.name ?? "";
+    if (process.env.UPDATE_PROGRAMS) {
+      writeFileSync(file, `${JSON.stringify(kept(workspaceOf(program), name), null, 1)}\n`);
+    }
+    const { workspace, document } = JSON.parse(readFileSync(file, "utf-8"));
+    expect(kept(workspace, name).document).toEqual(document);
+  });
+});
