@@ -52,10 +52,8 @@ class Notes:
             self._add(place, Fault(code, params=params))
 
     def trouble(self, trouble: Trouble) -> None:
-        """Notes what kept a line from being parsed; the line may have been another one by then."""
-        place = trouble.place
-        column = min(place.column, len(self._lines[place.line - 1]))
-        self._add(Place(place.line, column), Fault(trouble.code, params=trouble.params))
+        """Notes what kept a line from being parsed."""
+        self._add(trouble.place, Fault(trouble.code, params=trouble.params))
 
     def placed(self, fault: Fault) -> None:
         """Notes a fault of the document at the place in the text that its pointer speaks of."""
@@ -72,12 +70,14 @@ class Notes:
         return Place(1, 0)
 
     def _add(self, place: Place, fault: Fault) -> None:
+        """Notes a fault. What was parsed may be longer than the line itself, where something was put in its place."""
         if self.is_full or (self._is_too_deep and fault.code == "nesting_too_deep"):
             return
         self._is_too_deep |= (
             fault.code == "nesting_too_deep"
         )  # said once: all that is inside is, too
-        params = {**fault.params, "line": place.line, "column": place.column + 1}
+        column = min(place.column, len(self._lines[place.line - 1]))
+        params = {**fault.params, "line": place.line, "column": column + 1}
         self._faults.append((place, Fault(fault.code, fault.pointer, fault.block, params)))
 
     def faults(self) -> tuple[Fault, ...]:
