@@ -183,3 +183,16 @@ describe("a start", () => {
     expect(api.run).not.toHaveBeenCalled();
   });
 });
+
+describe("a program that computes", () => {
+  test("shows its thousands of blocks no more often than the page is drawn, and all in the end", async () => {
+    page.receive(running("other"));
+    await settled();
+    let drawn = 0;
+    const stop = page.live.subscribe(() => drawn++);
+    for (let seq = 1; seq <= 3000; seq++) page.receive(started("other", seq, seq));
+    expect(drawn).toBeLessThan(100);
+    await vi.waitFor(() => expect(page.live.value.seq).toBe(3000));
+    stop();
+  });
+});

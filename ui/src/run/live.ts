@@ -25,13 +25,45 @@ let turns = 0;
 /** Stop was pressed before the run had a name. */
 let stopWanted = false;
 
+/**
+ * A program that computes tells of thousands of blocks a second; the page is drawn sixty times. What came since it was
+ * drawn last waits here.
+ */
+let waiting: RunView | null = null;
+let timer: ReturnType<typeof setTimeout> | undefined;
+let shownAt = Number.NEGATIVE_INFINITY;
+const FRAME_MS = 16;
+
+const newest = (): RunView => waiting ?? live.value;
+
+/** Shows a view now, in place of whatever waits. */
+function show(view: RunView): void {
+  clearTimeout(timer);
+  waiting = null;
+  shownAt = performance.now();
+  live.value = view;
+}
+
+function showSoon(view: RunView): void {
+  const left = shownAt + FRAME_MS - performance.now();
+  if (left <= 0) show(view);
+  else {
+    if (!waiting) timer = setTimeout(catchUp, left);
+    waiting = view;
+  }
+}
+
+function catchUp(): void {
+  if (waiting) show(waiting);
+}
+
 /** Where the robot is drawn at this moment of the screen's clock. */
 export function livePose(now: number): Pose {
   return motion.at(now) ?? live.value.pose;
 }
 
 export function receive(event: RunEvent): void {
-  const { value: view } = live;
+  const view = newest();
   if (holds > 0) held.push(event);
   else if (event.run === view.run) apply(event);
   else if (!isLive(view) && isSignOfLife(event) && !tried.has(event)) {
@@ -47,18 +79,19 @@ export function receive(event: RunEvent): void {
 const isSignOfLife = ({ type }: RunEvent) => type !== "telemetry" && type !== "run_ended";
 
 function apply(event: RunEvent): void {
-  const next = reduce(live.value, event);
-  if (next === live.value) return;
+  const before = newest();
+  const next = reduce(before, event);
+  if (next === before) return;
   if (event.type === "telemetry") motion.push(event.tick, next.pose, performance.now());
   if (event.type === "beeped") beep();
-  live.value = next;
+  showSoon(next);
 }
 
 /** Shows the robot at the start again, with no run. */
 export function clear(): void {
-  if (isLive(live.value)) return;
+  if (isLive(newest())) return;
   batch(() => {
-    live.value = IDLE;
+    show(IDLE);
     liveRun.value = null;
     motion.reset();
   });
@@ -66,10 +99,10 @@ export function clear(): void {
 
 /** Starts a run; rejects with the server's words, and shows what was shown before or the run in its way. */
 export function start(versionId: string, world: string, debugging: Debugging = {}): Promise<Run> {
-  const before = live.value;
+  const before = newest();
   const nameless = starting(null);
   stopWanted = false;
-  live.value = nameless;
+  show(nameless);
   motion.reset();
   return holding(async () => {
     try {
@@ -77,12 +110,12 @@ export function start(versionId: string, world: string, debugging: Debugging = {
       turns++;
       batch(() => {
         liveRun.value = run;
-        if (live.value.run !== run.id) live.value = starting(run.id);
+        if (newest().run !== run.id) show(starting(run.id));
       });
       if (stopWanted) await stop();
       return run;
     } catch (error) {
-      if (live.value === nameless) live.value = before;
+      if (newest() === nameless) show(before);
       if (isCode(error, "run_in_progress")) await meet(stopWanted);
       throw error;
     }
@@ -102,7 +135,7 @@ export function follow(runId: string): Promise<void> {
     const { end } = new History(runId, events, telemetry);
     batch(() => {
       liveRun.value = run;
-      live.value = end.phase === "idle" ? starting(runId) : end;
+      show(end.phase === "idle" ? starting(runId) : end);
       motion.reset(end.pose);
     });
   });
@@ -118,13 +151,14 @@ async function holding<T>(work: () => Promise<T>): Promise<T> {
       const events = held;
       held = [];
       for (const event of events) receive(event);
+      catchUp();
     }
   }
 }
 
 /** The server said which run is live: catch up with it, or with the end of the one that was. */
 export async function resync(runId: string | null): Promise<void> {
-  const shown = live.value;
+  const shown = newest();
   if (runId) await follow(runId);
   else if (isLive(shown) && shown.run) await follow(shown.run);
 }
@@ -146,7 +180,7 @@ export const resume = () => withRun(api.resume);
 
 /** Stops the robot, whoever began the run and whether this page has heard of it or not. */
 export async function stop(): Promise<void> {
-  const { value: view } = live;
+  const view = newest();
   if (!isLive(view)) await meet(true);
   else if (view.run === null) stopWanted = true;
   else {
@@ -178,6 +212,6 @@ export const answerCapture = (result: string) => withRun((run) => api.answerCapt
 export const answerQuestion = (value: string) => withRun((run) => api.answerQuestion(run, value));
 
 async function withRun(send: (run: string) => Promise<object>): Promise<void> {
-  const { run } = live.value;
-  if (run && isLive(live.value)) await send(run);
+  const view = newest();
+  if (view.run && isLive(view)) await send(view.run);
 }
