@@ -14,7 +14,7 @@ _KINDS: dict[type, ValueType] = {bool: "boolean", float: "number", str: "text", 
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)\Z")
 # up to here a double holds every whole number
 _EXACT = 2.0**53
-_DIGITS = 12
+_DIGITS, _ALL_DIGITS = 12, 16
 _PLAIN_FROM = 1e-6
 
 
@@ -77,13 +77,17 @@ def join(values: list[Any], name: str, between: str = "") -> str:
 
 
 def shown_number(value: float) -> str:
-    """A number with at most 12 digits, without trailing zeros, and without an exponent unless it is huge or tiny."""
+    """A number in 12 digits (16 where it has more before the point), without trailing zeros.
+
+    Exponents are for the huge and the tiny only.
+    """
     if value.is_integer() and abs(value) < _EXACT:
         return str(int(value))
-    text = f"{value:.{_DIGITS}g}"
+    digits = _ALL_DIGITS if 10.0 ** (_DIGITS - 1) <= abs(value) < _EXACT else _DIGITS
+    text = f"{value:.{digits}g}"
     if "e" not in text or abs(value) < _PLAIN_FROM or abs(value) >= _EXACT:
         return text
-    decimals = max(0, _DIGITS - 1 - math.floor(math.log10(abs(value))))
+    decimals = max(0, digits - 1 - math.floor(math.log10(abs(value))))
     plain = f"{float(text):.{decimals}f}"
     return plain.rstrip("0").rstrip(".") if "." in plain else plain
 

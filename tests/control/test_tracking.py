@@ -1,6 +1,8 @@
 import math
 
-from pinel_desktop.control import Line, ProgressCheck
+import pytest
+
+from pinel_desktop.control import Arc, Line, ProgressCheck
 from pinel_desktop.control.goal import GoalCheck
 from pinel_desktop.robot import Pose2D
 
@@ -41,3 +43,41 @@ def test_progress_counts_in_either_direction_and_stuck_is_only_after_patience() 
     assert not check.stuck(-0.02, tick=50)
     assert not check.stuck(-0.025, tick=109)
     assert check.stuck(-0.025, tick=110)
+
+
+@pytest.mark.parametrize(
+    ("radius", "angle", "end"),
+    [
+        (2, math.pi / 2, (2, 2, math.pi / 2)),
+        (2, -math.pi / 2, (2, -2, -math.pi / 2)),
+        (-2, math.pi / 2, (-2, -2, math.pi / 2)),
+        (-2, -math.pi / 2, (-2, 2, -math.pi / 2)),
+        (0, 1, (0, 0, 1)),
+    ],
+)
+def test_arc_ends_left_for_positive_angles_and_behind_for_negative_radii(
+    radius: float, angle: float, end: tuple[float, float, float]
+) -> None:
+    assert Arc(Pose2D(), radius, angle).point(angle) == pytest.approx(end)
+
+
+def test_robot_on_the_arc_gets_the_feedforward_of_both_velocities() -> None:
+    arc = Arc(Pose2D(), -0.5, 2.0)
+    twist = arc.correct(arc.point(0.7), 0.7, 0.8)
+    assert twist == pytest.approx((-0.4, 0.8))
+
+
+def test_robot_beside_the_arc_is_steered_back_to_it() -> None:
+    arc = Arc(Pose2D(), 1.0, 2.0)
+    inside = Pose2D(0.0, 0.05, 0.0)
+    assert arc.correct(inside, 0.0, 0.5).omega_radps < 0.5
+    behind = Pose2D(-0.02, 0.0, 0.0)
+    assert arc.correct(behind, 0.0, 0.5).v_mps > 0.5
+
+
+@pytest.mark.parametrize("radius", [0.01, 0.5, -3.0])
+def test_arc_counts_its_way_beyond_a_full_circle(radius: float) -> None:
+    arc = Arc(Pose2D(1.0, 2.0, 0.5), radius, 10.0)
+    done = [arc.done(arc.point(i / 10)) for i in range(101)]
+    assert done[-1] == pytest.approx(10.0)
+    assert arc.errors(arc.point(10.0), 10.0) == pytest.approx((0, 0, 0))

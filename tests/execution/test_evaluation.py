@@ -94,7 +94,7 @@ def test_conditions_mean_what_the_language_says(
         (op("join", 1e15), "1000000000000000"),
         (op("join", op("*", -1, 0)), "0"),
         (op("join", 0.00001), "0.00001"),
-        (op("join", 123456789012.5), "123456789012"),
+        (op("join", 123456789012.5), "123456789012.5"),
         (op("join", 1e300), "1e+300"),
     ],
     ids=lambda v: json.dumps(v)[:60],

@@ -1,9 +1,18 @@
 """What every robot link must keep; subclassed once per backend."""
 
 import math
+from collections.abc import Callable
 
+from pinel_desktop.errors import PinelError
 from pinel_desktop.execution.clock import TICK_S
 from pinel_desktop.robot import STANDSTILL, Pose2D, RobotLink, Twist2D
+
+
+def _answers_or_is_missing(name: str, is_fine: Callable[[], bool]) -> bool:
+    try:
+        return is_fine()
+    except PinelError as error:
+        return (error.code, error.params) == ("sensor_missing", {"sensor": name})
 
 
 class LinkContract:
@@ -57,4 +66,19 @@ class LinkContract:
     def test_closing_twice_is_fine(self) -> None:
         link = self.open()
         link.close()
+        link.close()
+
+    def test_every_sensor_answers_in_its_range_or_says_that_it_is_missing(self) -> None:
+        link = self.open()
+        sensors = link.sensors
+        readings: dict[str, Callable[[], bool]] = {
+            "sonar": lambda: all(0.0 <= sensors.sonar(index) <= 5.0 for index in range(16)),
+            "lidar": lambda: 0.0 <= sensors.lidar(math.radians(-90)) <= 8.0,
+            "bumper": lambda: sensors.bumper() in (True, False),
+            "floor": lambda: isinstance(sensors.floor(), str),
+            "cell": lambda: isinstance(sensors.cell(), str),
+        }
+        for name, is_fine in readings.items():
+            assert _answers_or_is_missing(name, is_fine), name
+        assert link.bumper() in (True, False)
         link.close()

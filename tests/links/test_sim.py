@@ -1,4 +1,5 @@
 import importlib.util
+import math
 import sys
 from pathlib import Path
 
@@ -6,7 +7,7 @@ import pytest
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links import open_link
-from pinel_desktop.robot import RobotLink
+from pinel_desktop.robot import PIONEER_3DX, RobotLink
 
 # tests are no package (they would shadow the packages they test): the contract is loaded by its file
 _spec = importlib.util.spec_from_file_location(
@@ -33,3 +34,20 @@ def test_unknown_world_and_unknown_link_are_errors_that_list_what_there_is() -> 
         open_link("teleporter", world="empty_room")
     assert (world.value.code, link.value.code) == ("unknown_world", "unknown_link")
     assert link.value.params["allowed"] == ["sim"]
+
+
+def test_simulator_has_every_sensor() -> None:
+    sensors = open_link("sim", world="tic_tac_toe").sensors
+    assert sensors.sonar(0) == sensors.sonar(15) == pytest.approx(1.99 - PIONEER_3DX.radius_m)
+    assert sensors.lidar(0.0) == pytest.approx(5.49)
+    assert (sensors.bumper(), sensors.floor(), sensors.cell()) == (False, "green", "")
+
+
+def test_robot_record_knows_sixteen_sonars_in_four_directions() -> None:
+    assert len(PIONEER_3DX.sonar_angles_rad) == 16
+    directions = PIONEER_3DX.distance_sonars
+    assert sorted(index for indices in directions.values() for index in indices) == list(range(16))
+    for direction, degrees in (("front", 0), ("left", 90), ("right", -90), ("back", 180)):
+        angles = [PIONEER_3DX.sonar_angles_rad[index] for index in directions[direction]]  # type: ignore[index]
+        off = [abs(math.remainder(angle - math.radians(degrees), math.tau)) for angle in angles]
+        assert max(off) <= math.radians(41)
