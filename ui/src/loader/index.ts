@@ -6,9 +6,9 @@ import { type BlockState, Ids } from "./state";
 export { ConditionError, parseCondition } from "./conditions";
 
 /**
- * The workspace that shows a document: its program, and below it its functions one after the other. Takes
- * every document the server's reader takes, also a bare list of commands in the spelling of the original, and conditions
- * as text. What a document's blocks are called they keep.
+ * The workspace that shows a document: its program, and below it its functions one after the other. Takes every document
+ * the server's reader takes, also a bare list of commands in the spelling of the original, and conditions as text. What
+ * a document's blocks are called they keep, and the same document is always the same workspace.
  *
  * Throws where a block cannot be shown, which for a document without faults does not happen.
  */
@@ -17,12 +17,9 @@ export function workspaceOf(document: object): object {
   const ids = new Ids();
   const next = stackOf(commands, ids);
   const start = { type: "program_start", id: "start", x: MARGIN, y: MARGIN, ...(next && { next }) };
-  return {
-    blocks: {
-      languageVersion: 0,
-      blocks: [start, ...definitionBlocks(functions, below(MARGIN, commands), ids)],
-    },
-  };
+  const blocks = [start, ...definitionBlocks(functions, below(MARGIN, commands), ids)];
+  for (const block of blocks) ids.complete(block);
+  return { blocks: { languageVersion: 0, blocks } };
 }
 
 function parts(document: object): Pick<ProgramDocument, "functions" | "commands"> {

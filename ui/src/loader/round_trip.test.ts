@@ -74,6 +74,18 @@ test("ids of a document stay, and a second block of the same name gets another",
   expect(commands[1]?.block).not.toBe("a");
 });
 
+test("the same document is the same workspace, with a name for every block", () => {
+  const document = new RandomPrograms(7).document();
+  const workspace = workspaceOf(document);
+  expect(workspaceOf(document)).toEqual(workspace);
+  const opened = new Blockly.Workspace();
+  Blockly.serialization.workspaces.load(workspace, opened);
+  const saved = Blockly.serialization.workspaces.save(opened);
+  const again = new Blockly.Workspace();
+  Blockly.serialization.workspaces.load(workspaceOf(document), again);
+  expect(Blockly.serialization.workspaces.save(again)).toEqual(saved);
+});
+
 test("a long list of commands is shown, too", () => {
   const commands = Array.from({ length: 1000 }, () => ({ action: "stop" }));
   expect(throughBlocks({ pinel_ir: 1, name: "", commands }).commands).toHaveLength(1000);
