@@ -206,3 +206,77 @@ def test_faults_of_python_text_have_line_and_column() -> None:
     assert (params["line"], params["column"]) == (2, 1)
     result = pinel("run", "-", text="robot.turn(90)\nrobot.jump()\n")
     assert "Line 2, column 1: " in result.stdout
+
+
+TALKING = {
+    "pinel_ir": 1,
+    "commands": [
+        {"action": "ask", "question": "Name?", "variable": "name"},
+        {"action": "ask", "question": "How far?", "variable": "far"},
+        {"action": "set_variable", "name": "l", "value": [1, 0.5, "a", True]},
+        {"action": "say", "text": {"op": "join", "args": ["Hi ", {"var": "name"}]}},
+        {"action": "move_forward", "distance": {"var": "far"}},
+        {"action": "mark", "symbol": "X"},
+    ],
+}
+
+
+def test_what_was_said_and_marked_and_the_variables_are_printed() -> None:
+    status, printed = run_json("-", "--no-store", "--answers", "Ana,0.5", text=json.dumps(TALKING))
+    assert status == 0
+    assert printed["said"] == ["Hi Ana"]
+    (mark,) = printed["marks"]
+    assert (mark["symbol"], mark["x_m"], mark["y_m"]) == ("X", pytest.approx(0.5, abs=1e-4), 0)
+    assert printed["variables"] == {"name": "Ana", "far": 0.5, "l": [1, 0.5, "a", True]}
+
+
+@pytest.mark.parametrize(
+    ("options", "name"),
+    [
+        (["--answers", '"Silva, Ana",0.5'], "Silva, Ana"),
+        (["--answers", "Ana", "--answers", "0.5"], "Ana"),
+        (["--answers", '"",0'], ""),
+        (["--answers", 'Bia, "0,5"'], "Bia"),
+        (["--answers", "João, 0.5"], "João"),
+    ],
+)
+def test_answers_may_hold_commas_in_quotes(options: list[str], name: str) -> None:
+    status, printed = run_json("-", "--no-store", *options, text=json.dumps(TALKING))
+    assert (status, printed["variables"]["name"]) == (0, name)
+
+
+def test_missing_answer_fails_the_run_and_says_what_to_do() -> None:
+    status, printed = run_json("-", "--no-store", "--answers", "Ana", text=json.dumps(TALKING))
+    assert (status, printed["reason"]) == (1, "answer_missing")
+    assert "How far?" in printed["message"]
+    assert printed["variables"] == {"name": "Ana"}
+
+
+def test_for_people_it_prints_what_was_said_marked_and_kept() -> None:
+    lines = pinel("run", "-", "--no-store", "--answers", "Ana,0.5", text=json.dumps(TALKING)).stdout
+    assert "said            Hi Ana" in lines
+    assert "marked          X at x 0.500 m, y 0.000 m" in lines
+    assert "variable        far = 0.5" in lines
+
+
+def test_seed_decides_what_is_drawn(home: Path) -> None:
+    draw = {"action": "say", "text": {"op": "random_int", "args": [1, 1_000_000]}}
+    text = json.dumps([draw, draw])
+    said = [
+        run_json("-", "--no-store", "--seed", str(seed), text=text)[1]["said"] for seed in (1, 1, 2)
+    ]
+    assert said[0] == said[1] != said[2]
+    assert said[0][0] != said[0][1]
+    assert (
+        run_json("-", "--no-store", text=text)[1]["said"]
+        == run_json("-", "--seed", "0", text=text)[1]["said"]
+    )
+
+
+def test_answers_and_events_of_a_program_are_kept(home: Path) -> None:
+    _, printed = run_json("-", "--answers", "Ana,0.5", text=json.dumps(TALKING))
+    with open_store(home / "pinel.db") as store:
+        kept = store.runs.get(printed["run_id"])
+        types = {event["type"] for event in store.runs.events(printed["run_id"])}
+    assert kept.state == "finished"
+    assert {"asked", "answered", "said", "marked", "watch"} <= types
