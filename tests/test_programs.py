@@ -91,7 +91,7 @@ def test_program_runs_alike_from_document_python_and_blocks(name: str) -> None:
     values = values_of(name)
     text = (PROGRAMS / "python" / f"{name}.py").read_text("utf-8")
     blocks = json.loads((PROGRAMS / "blocks" / f"{name}.json").read_text("utf-8"))
-    ways = [read(name), read_python(text), read_document(blocks["document"])]
+    ways = [read(name), read_python(text).reading, read_document(blocks["document"])]
     endings = [run(way, values).ended for way in ways]
     assert {ending.telemetry_sha256 for ending in endings} == {endings[0].telemetry_sha256}
     assert {(e.state, e.reason, e.n_executed) for e in endings} == {

@@ -116,7 +116,8 @@ class ProgramStack:
     def run_until_time(self, max_steps: int, stop: Callable[[], bool]) -> bool:
         """Runs commands until a tick has to pass, or `max_steps` are done; False when the program is over before.
 
-        Where a command is held (`is_held`), it returns True as well, and no tick has to pass. Long expressions count as more than one step; `stop` is asked between steps, and ends them too.
+        Where a command is held (`is_held`), it returns True as well, and no tick has to pass. Long expressions count
+        as more than one step; `stop` is asked between steps, and ends them too.
         """
         if self._reported:
             self._reported.clear()
