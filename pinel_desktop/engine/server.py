@@ -1,5 +1,6 @@
 """The engine process: reads messages, executes one live run at a time, writes its events."""
 
+import gc
 import logging
 import threading
 from typing import BinaryIO
@@ -71,7 +72,12 @@ class _LiveRun:
                 answers=self.answers,
                 seed=int(message.get("seed", 0)),
             )
-            execute(_program(message), link, options)
+            program = _program(message)
+            gc.freeze()  # searching a long program for garbage would take several ticks
+            try:
+                execute(program, link, options)
+            finally:
+                gc.unfreeze()
         except PinelError as error:  # before the first tick: unknown world, faults in the document
             self._observe(0, _never_began(error))
         except OSError:

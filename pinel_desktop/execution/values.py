@@ -94,6 +94,7 @@ def shown_number(value: float) -> str:
 
 def from_answer(text: str) -> Value:
     """What a person typed: a number if it reads as one, with a point or a comma, else the text."""
+    text = text.encode("utf-8", "replace").decode("utf-8")  # lone surrogates cannot be kept
     trimmed = text.strip()
     if not _NUMBER.match(trimmed):
         return text

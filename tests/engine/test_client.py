@@ -100,6 +100,37 @@ def test_capture_is_answered_by_hand(engine: Harness) -> None:
     engine.until("run_ended", state="finished")
 
 
+def test_question_is_answered_by_hand_and_the_seed_reaches_the_run(engine: Harness) -> None:
+    draw = {"op": "random_int", "args": [1, 1_000_000]}
+    document = {
+        "pinel_ir": 1,
+        "commands": [
+            {"action": "ask", "question": "Name?", "variable": "name", "block": "a"},
+            {"action": "say", "text": {"op": "join", "args": [{"var": "name"}, " ", draw]}},
+        ],
+    }
+    said = []
+    for run, seed in (("r", 1), ("s", 1), ("t", 2)):
+        engine.client.run(run, document, world="empty_room", seed=seed)
+        assert engine.until("asked")[-1]["question"] == "Name?"
+        engine.client.answer_question(run, "Ana")
+        said.append(engine.until("said", run=run)[-1]["text"])
+        engine.until("run_ended", run=run, state="finished")
+    assert said[0].startswith("Ana ")
+    assert said[0] == said[1] != said[2]
+
+
+def test_loop_without_motion_leaves_stop_its_100_ms(engine: Harness) -> None:
+    loop = {"action": "forever", "commands": [{"action": "set_variable", "name": "a", "value": 1}]}
+    engine.client.run("r", {"pinel_ir": 1, "commands": [loop]}, world="empty_room")
+    engine.until("telemetry", tick=30)
+    pressed = time.monotonic()
+    engine.client.stop("r")
+    engine.until("run_ended", state="stopped")
+    # the robot has to be measured at rest too: a few ticks more
+    assert time.monotonic() - pressed < 0.5
+
+
 def test_second_run_is_refused_while_one_is_live(engine: Harness) -> None:
     engine.client.run("r", LONG, world="empty_room")
     with pytest.raises(PinelError, match="run_in_progress"):

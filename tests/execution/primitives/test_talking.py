@@ -62,6 +62,7 @@ def test_beep_is_reported(execute_commands: Any) -> None:
         ("1.000,5", "1.000,5"),
         ("9" * 400, "9" * 400),
         ("٣", "٣"),
+        ("a\ud800", "a?"),
     ],
 )
 def test_answer_that_reads_as_a_number_is_one(
