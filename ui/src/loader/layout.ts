@@ -10,7 +10,7 @@ const GAP = 72;
 
 /** Where the next stack begins below one that begins there: a document knows nothing of fonts, so about. */
 export function below(top: number, commands: readonly Command[]): number {
-  return top + ROW + heightOf(commands) + GAP;
+  return top + ROW + Math.max(heightOf(commands), ROW) + GAP;
 }
 
 function heightOf(commands: readonly Command[]): number {
@@ -30,7 +30,8 @@ function commandHeight(command: Command): number {
 /** How deep blocks stand in each other in the values of a command. */
 function depthOf(value: unknown): number {
   if (typeof value !== "object" || value === null) return 0;
-  return 1 + Math.max(0, ...Object.values(value).map(depthOf));
+  const inside = Math.max(0, ...Object.values(value).map(depthOf));
+  return Array.isArray(value) ? inside : 1 + inside;
 }
 
 function bodiesOf(command: Command): Command[][] {
