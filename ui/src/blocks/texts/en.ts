@@ -168,7 +168,7 @@ export const en: BlockTexts = {
   MATH_FUNCTION: "%1 %2",
   MATH_FUNCTION_TIP: "Calculates with one number. Sine, cosine and tangent take degrees.",
   MATH_ROUND: "round",
-  MATH_ABS: "value without sign of",
+  MATH_ABS: "absolute value of",
   MATH_SQRT: "square root of",
   MATH_SIN: "sine of",
   MATH_COS: "cosine of",

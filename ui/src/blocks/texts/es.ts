@@ -170,7 +170,7 @@ export const es: BlockTexts = {
   MATH_FUNCTION: "%1 %2",
   MATH_FUNCTION_TIP: "Una cuenta con un solo número. Seno, coseno y tangente son de grados.",
   MATH_ROUND: "redondear",
-  MATH_ABS: "valor sin signo de",
+  MATH_ABS: "valor absoluto de",
   MATH_SQRT: "raíz cuadrada de",
   MATH_SIN: "seno de",
   MATH_COS: "coseno de",

@@ -170,7 +170,7 @@ export const ptBR: BlockTexts = {
   MATH_FUNCTION: "%1 %2",
   MATH_FUNCTION_TIP: "Uma conta com um número só. Seno, cosseno e tangente são de graus.",
   MATH_ROUND: "arredondar",
-  MATH_ABS: "valor sem sinal de",
+  MATH_ABS: "valor absoluto de",
   MATH_SQRT: "raiz quadrada de",
   MATH_SIN: "seno de",
   MATH_COS: "cosseno de",
