@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from pinel_desktop.program.limits import MAX_BYTES, MAX_NESTING
 from pinel_desktop.program.python_text.scanning import Look, Place, Trouble, look_at
+from pinel_desktop.program.python_text.slips import slip_in
 
 _MAX_TRIES = 30
 _UNREADABLE = re.compile("[\x00\ud800-\udfff]")
@@ -106,10 +107,12 @@ class _Parser:
         if heading is not None:  # Python says so where the next command begins, or at the end
             text = self._lines[int(heading[1]) - 1]
             place = Place(int(heading[1]), len(text) - len(text.lstrip()))
-        for words, code in _IN_PYTHONS_WORDS:
-            if words in said:
-                return Trouble(code, place, _params(code, self._lines[line - 1], place))
-        return Trouble("python_syntax", place)
+        text = self._lines[place.line - 1]
+        code = next((code for words, code in _IN_PYTHONS_WORDS if words in said), "python_syntax")
+        slip = slip_in(text) if code in ("python_syntax", "python_colon_missing") else None
+        if slip is not None:
+            return Trouble(slip[0], place, slip[1])
+        return Trouble(code, place, _params(code, text, place))
 
     def _without(self, troubles: list[Trouble], look: Look) -> bool:
         """Puts the lines with trouble aside; whether that changed anything."""

@@ -4,6 +4,7 @@ import ast
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
+from itertools import pairwise
 from typing import Any
 
 from pinel_desktop.program.limits import MAX_NESTING
@@ -93,10 +94,13 @@ class Expressions:
             bound[given] = argument.value
         fits = fits and not any(isinstance(value, ast.Starred) for value in call.args)
         fits = fits and all(p.optional or p.name in bound for p in parameters)
-        if not fits:
+        if fits:
+            return bound
+        if number := _with_comma(call, len(names)):
+            self._notes.fault(call.args[0], "python_decimal_comma", instead=number)
+        else:
             self._notes.fault(call, "python_arguments", name=name, example=example)
-            return None
-        return bound
+        return None
 
     def literal(self, node: ast.expr, parameter: Parameter, pointer: str) -> Any:
         """A text or True or False that must be written out; None and a fault where something else stands."""
@@ -291,4 +295,20 @@ def is_call_of_robot(node: ast.expr) -> bool:
     """Whether a node is `robot.NAME(...)`."""
     return isinstance(node, ast.Call) and (
         isinstance(node.func, ast.Attribute) and is_robot(node.func.value)
+    )
+
+
+def _with_comma(call: ast.Call, n_parameters: int) -> str | None:
+    """The number that was meant by `1,5` where one argument is one too many."""
+    if len(call.args) != n_parameters + 1 or call.keywords:
+        return None
+    for whole, part in pairwise(call.args):
+        if _is_whole_number(part) and _is_whole_number(getattr(whole, "operand", whole)):
+            return f"{ast.unparse(whole)}.{ast.unparse(part)}"
+    return None
+
+
+def _is_whole_number(node: ast.expr) -> bool:
+    return (
+        isinstance(node, ast.Constant) and type(node.value) is int and node.value < _LARGEST_WHOLE
     )

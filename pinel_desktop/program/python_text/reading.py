@@ -26,6 +26,7 @@ _FOLLOWS = frozenset(
         "missing_argument",
         "python_elif",
         "python_global_missing",
+        "python_loop_else",
         "python_unknown_function",
         "return_outside_function",
         "unknown_argument",

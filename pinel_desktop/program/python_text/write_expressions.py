@@ -36,7 +36,7 @@ def number_text(value: float, *, metres: bool = False) -> str:
     """The shortest text that reads back to the same double; whole numbers without a point, metres with one."""
     whole = float(value).is_integer() and abs(value) < _LARGEST_WHOLE
     if not whole or str(value) == "-0.0":
-        return repr(float(value))
+        return repr(float(value)).replace("e+", "e")
     return f"{int(value)}.0" if metres else str(int(value))
 
 

@@ -1,0 +1,53 @@
+"""Slips that many make, and what Python only calls invalid: what was probably meant."""
+
+import re
+
+_LONGEST = 300  # a longer line was not typed by hand
+_ELSE_IF = re.compile(r"\s*else\s+if\b")
+_STEP = re.compile(r"(\w+)\s*(\+\+|--)\s*;?\s*(?:#.*)?$")
+_TURNED_ROUND = re.compile(r"=<|=>")
+_FIRST_WORD = re.compile(r"\s*(\w+)")
+_KEYWORDS = (
+    "if",
+    "elif",
+    "else",
+    "for",
+    "while",
+    "def",
+    "return",
+    "break",
+    "continue",
+    "pass",
+    "global",
+)
+_MEANT = {
+    **{word: word for word in _KEYWORDS},
+    **dict.fromkeys(("se", "si"), "if"),
+    **dict.fromkeys(("senão", "senao", "sino"), "else"),
+    **dict.fromkeys(("senãose", "elseif", "elsif"), "elif"),
+    **dict.fromkeys(("enquanto", "mientras"), "while"),
+    **dict.fromkeys(("até", "ate", "hasta", "until"), "while not"),
+    **dict.fromkeys(("repita", "repetir", "repite", "repeat"), "for _ in range(4):"),
+    **dict.fromkeys(("para", "foreach"), "for"),
+    **dict.fromkeys(("função", "funcao", "función", "funcion", "function", "func"), "def"),
+    **dict.fromkeys(("retorne", "retorna", "devuelve"), "return"),
+}
+
+
+def slip_in(line: str) -> tuple[str, dict[str, object]] | None:
+    """The fault, with its params, for a line that Python does not understand; None where nothing is guessed."""
+    if len(line) > _LONGEST:
+        return None
+    if _ELSE_IF.match(line):
+        return "python_else_if", {}
+    step = _STEP.search(line)
+    if step:
+        return "python_step", {"instead": f"{step[1]} {step[2][0]}= 1"}
+    turned = _TURNED_ROUND.search(line)
+    if turned:
+        return "python_turned_round", {"value": turned[0], "instead": turned[0][::-1]}
+    word = _FIRST_WORD.match(line)
+    meant = _MEANT.get(word[1].lower()) if word else None
+    if word and meant and word[1] != meant:
+        return "python_word", {"value": word[1], "instead": meant}
+    return None
