@@ -6,6 +6,7 @@ import subprocess
 import threading
 import time
 from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Future
 from typing import Any, BinaryIO, Literal, cast
 
 from pinel_desktop.engine.protocol import Message, read_messages, write_message
@@ -19,6 +20,7 @@ EventSink = Callable[[dict[str, Any]], None]
 
 _log = logging.getLogger(__name__)
 _CLOSE_TIMEOUT_S = 4.0
+_ANSWER_TIMEOUT_S = 2.0
 # A process that dies sooner than this after its start, so often in a row, is not started again by itself.
 _SHORT_LIFE_S = 3.0
 _SHORT_LIVES = 3
@@ -44,6 +46,8 @@ class EngineClient:
         self._closing = False
         self._n_short_lives = 0
         self._ready = threading.Event()
+        self._n_questions = 0
+        self._questions: dict[int, Future[Any]] = {}
 
     @property
     def state(self) -> EngineState:
@@ -151,6 +155,24 @@ class EngineClient:
         """Slow motion or fast forward, in the simulator."""
         self._tell(run_id, {"do": "speed", "factor": factor})
 
+    def evaluate(self, run_id: str, expression: Any) -> Any:
+        """The value that an expression has at this moment of a paused run, as plain data.
+
+        Raises PinelError `run_not_live`, `run_not_paused`, `peek_not_possible`, `peek_invalid` and what evaluating
+        it raises.
+        """
+        answer: Future[Any] = Future()
+        with self._lock:
+            question = self._n_questions = self._n_questions + 1
+            self._questions[question] = answer
+        try:
+            self._tell(run_id, {"do": "evaluate", "question": question, "expression": expression})
+            return answer.result(_ANSWER_TIMEOUT_S)
+        except TimeoutError as error:  # it went on before its turn came
+            raise PinelError("run_not_paused") from error
+        finally:
+            self._questions.pop(question, None)
+
     def answer_capture(self, run_id: str, result: str) -> None:
         """Answers the running capture by hand; without one it does nothing."""
         self._tell(run_id, {"do": "answer_capture", "result": result})
@@ -199,12 +221,24 @@ class EngineClient:
             if message.get("type") == "engine_ready":
                 self._state = "ready"
                 self._ready.set()
+            elif message.get("type") == "evaluated":
+                self._settle(message)
             else:
                 self._hand_on(message)
         events.close()
         process.wait()
         if not self._closing:
             self._revive(short_life=time.monotonic() - born < _SHORT_LIFE_S)
+
+    def _settle(self, message: Message) -> None:
+        """Gives an answer of the engine to who asked."""
+        answer = self._questions.pop(message["question"], None)
+        if answer is None:
+            return
+        if "code" in message:
+            answer.set_exception(PinelError(message["code"], **message["params"]))
+        else:
+            answer.set_result(message["value"])
 
     def _hand_on(self, event: dict[str, Any]) -> None:
         with self._lock:

@@ -3,7 +3,7 @@
 import gc
 import logging
 import threading
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 from pinel_desktop.engine.protocol import Message, read_messages, write_message
 from pinel_desktop.errors import PinelError
@@ -13,6 +13,7 @@ from pinel_desktop.execution.clock import LiveClock, MaxClock
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.execution.gestures import AnsweredGestures
+from pinel_desktop.execution.peeking import Questions
 from pinel_desktop.links import open_link
 from pinel_desktop.program.model import Program
 from pinel_desktop.program.reading import read_document
@@ -30,6 +31,7 @@ class _LiveRun:
     def __init__(self, message: Message, engine: "Engine") -> None:
         self.id = str(message["run"])
         self.control = RunControl()
+        self.questions = Questions()
         self.control.breakpoints = frozenset(message.get("breakpoints", ()))
         self.control.set_speed(float(message.get("speed", 1.0)))
         self.control.step = "into" if message.get("paused") else None
@@ -57,8 +59,23 @@ class _LiveRun:
                 control.set_speed(float(message["factor"]))
             case "answer_capture":
                 self.gestures.answer(str(message.get("result", "")))
+            case "evaluate":
+                self._evaluate(message)
             case "answer":
                 self.answers.answer(str(message.get("value", "")))
+
+    def _evaluate(self, message: Message) -> None:
+        def answer(value: Any, error: PinelError | None) -> None:
+            told: Message = {"type": "evaluated", "run": self.id, "question": message["question"]}
+            if error is None:
+                self._engine.send({**told, "value": value})
+            else:
+                self._engine.send({**told, "code": error.code, "params": error.params})
+
+        if self.control.pause_requested:
+            self.questions.ask(message["expression"], answer)
+        else:
+            answer(None, PinelError("run_not_paused"))
 
     def _execute(self) -> None:
         message = self._message
@@ -68,6 +85,7 @@ class _LiveRun:
                 observer=self._observe,
                 clock=MaxClock() if message.get("pace") == "max" else self._live_clock(link),
                 control=self.control,
+                questions=self.questions,
                 gestures=self.gestures,
                 answers=self.answers,
                 seed=int(message.get("seed", 0)),

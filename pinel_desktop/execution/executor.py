@@ -15,6 +15,7 @@ from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.debugging import Debugger
 from pinel_desktop.execution.gestures import GestureSource, ScriptedGestures
 from pinel_desktop.execution.motion import at_rest
+from pinel_desktop.execution.peeking import Questions
 from pinel_desktop.execution.recorder import Recorder
 from pinel_desktop.execution.stack import ProgramStack
 from pinel_desktop.execution.watching import Watcher
@@ -55,6 +56,7 @@ class RunOptions:
         observer: is called with every event. Without one no events are made, which is faster.
         clock: decides when ticks follow.
         control: lets another thread pause and stop the run.
+        questions: what another thread wants to know while the run is paused.
         gestures: answers captures.
         answers: answers questions.
         seed: what the run's random numbers are made from.
@@ -64,6 +66,7 @@ class RunOptions:
     observer: Observer | None = None
     clock: Clock = field(default_factory=MaxClock)
     control: RunControl = field(default_factory=RunControl)
+    questions: Questions = field(default_factory=Questions)
     gestures: GestureSource = field(default_factory=ScriptedGestures)
     answers: AnswerSource = field(default_factory=ScriptedAnswers)
     seed: int = 0
@@ -83,6 +86,7 @@ class _Run:
     def __init__(self, program: Program, link: RobotLink, options: RunOptions) -> None:
         self._link, self._observer = link, options.observer
         self._clock, self._control = options.clock, options.control
+        self._questions = options.questions
         self._recorder = Recorder()
         self._origin: Pose2D | None = None
         self._tick = 0
@@ -231,6 +235,7 @@ class _Run:
         before = context.pose
         while self._control.pause_requested and not self._control.stop_requested:
             self._clock.wait_for_tick()
+            self._questions.answer_all(context)
             self._link.command(STANDSTILL)
             if not self._link.simulated:
                 self._link.advance(TICK_S)

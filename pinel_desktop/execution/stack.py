@@ -25,6 +25,7 @@ class _Entry(NamedTuple):
 
     command: Any
     pointer: str
+    amount: float | None
     reported: bool
 
 
@@ -169,6 +170,8 @@ class ProgramStack:
                 self._jump(end.value)
             return False
         if wanted is None:
+            if frame.entry is not None and not frame.entry.reported:
+                self._report_late()
             return True
         if isinstance(wanted, Body):
             entry = frame.entry
@@ -193,18 +196,17 @@ class ProgramStack:
         primitive = plan.primitive
         if not primitive.is_flow:
             self.n_executed += 1
-        timed = primitive.routine is not None and not primitive.is_flow
         if plan.values is None:
-            entry = self._report(command, pointer, None, timed=timed)
+            entry = self._report(command, pointer, None)
             self._push(entry, plan.in_steps(), plan)
         else:
             try:
                 values = plan.values()
             except RunFailureError:
-                self._report(command, pointer, None, timed=timed)
+                self._report(command, pointer, None)
                 raise
             amount = primitive.amount(*values) if primitive.amount else None
-            entry = self._report(command, pointer, amount, timed=timed)
+            entry = self._report(command, pointer, amount)
             self._perform(entry, plan, values)
         self._beginning = None
 
@@ -263,12 +265,24 @@ class ProgramStack:
         self.n_calls += 1
         self._frames[-1].value = value
 
-    def _report(self, command: Any, pointer: str, amount: float | None, *, timed: bool) -> _Entry:
-        reported = timed or pointer not in self._reported
-        if reported:
-            self._reported.add(pointer)
-            self._context.emit(BlockStarted(command.block, pointer, command.action, amount))
-        return _Entry(command, pointer, reported)
+    def _report(self, command: Any, pointer: str, amount: float | None) -> _Entry:
+        entry = _Entry(command, pointer, amount, pointer not in self._reported)
+        if entry.reported:
+            self._started(entry)
+        return entry
+
+    def _started(self, entry: _Entry) -> None:
+        self._reported.add(entry.pointer)
+        command = entry.command
+        self._context.emit(BlockStarted(command.block, entry.pointer, command.action, entry.amount))
+
+    def _report_late(self) -> None:
+        """Something takes time after all: its beginning, and what is around it, is reported now."""
+        for frame in self._frames:
+            entry = frame.entry
+            if entry is not None and not entry.reported:
+                self._started(entry)
+                frame.entry = entry._replace(reported=True)
 
     def _end(self, entry: _Entry) -> None:
         if entry.reported:

@@ -42,15 +42,16 @@ def _cut(variables: dict[str, Value]) -> dict[str, Any]:
     room = _MOST_LETTERS
     shown: dict[str, Any] = {}
     for name, value in variables.items():
-        shown[name] = _cut_value(value) if room > 0 else _CUT
+        shown[name] = cut_value(value) if room > 0 else _CUT
         room -= len(str(shown[name])) + len(name)
     return shown
 
 
-def _cut_value(value: Value) -> Any:
+def cut_value(value: Value) -> Any:
+    """A value for people, as plain data: long texts and lists end in an ellipsis."""
     if isinstance(value, str):
         return value if len(value) <= _LONGEST_TEXT else value[:_LONGEST_TEXT] + _CUT
     if isinstance(value, list):
-        items = [_cut_value(item) for item in value[:_MOST_ITEMS]]
+        items = [cut_value(item) for item in value[:_MOST_ITEMS]]
         return [*items, _CUT] if len(value) > _MOST_ITEMS else items
     return plain(value)

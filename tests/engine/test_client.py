@@ -91,6 +91,32 @@ def test_pause_resume_and_stop_reach_the_run(engine: Harness) -> None:
     assert engine.until("run_ended")[-1]["state"] == "stopped"
 
 
+def test_run_begins_held_is_stepped_looked_into_and_hastened(engine: Harness) -> None:
+    begin = {"paused": True, "speed": 10.0, "breakpoints": ["m"]}
+    document = {
+        "pinel_ir": 1,
+        "commands": [
+            {"action": "set_variable", "name": "n", "value": 7, "block": "s"},
+            {"action": "move_forward", "distance": 3, "block": "m"},
+        ],
+    }
+    engine.client.run("r", document, world="empty_room", debugging=begin)
+    held = engine.until("run_state", state="paused")[-1]
+    assert (held["cause"], held["block"]) == ("step", "s")
+    with pytest.raises(PinelError, match="unset_variable"):
+        engine.client.evaluate("r", {"var": "n"})
+    engine.client.step("r", "over")
+    held = engine.until("run_state", state="paused")[-1]
+    assert (held["cause"], held["block"]) == ("breakpoint", "m")
+    assert engine.client.evaluate("r", {"op": "+", "args": [{"var": "n"}, 1]}) == 8
+    engine.client.resume("r")
+    began = time.monotonic()
+    engine.until("run_ended", state="finished")
+    assert time.monotonic() - began < 4.0  # six seconds of robot time
+    with pytest.raises(PinelError, match="run_not_live"):
+        engine.client.evaluate("r", 1)
+
+
 def test_capture_is_answered_by_hand(engine: Harness) -> None:
     document = {"pinel_ir": 1, "commands": [{"action": "classify_gestures"}]}
     engine.client.run("r", document, world="empty_room")

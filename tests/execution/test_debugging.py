@@ -5,9 +5,11 @@ from typing import Any
 
 import pytest
 
+from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, RunEnded, RunState
 from pinel_desktop.execution.control import RunControl, StepMode
 from pinel_desktop.execution.executor import RunOptions, execute
+from pinel_desktop.execution.peeking import Questions
 from pinel_desktop.links import open_link
 from pinel_desktop.program.reading import read_document
 
@@ -161,3 +163,56 @@ def test_speed_stays_within_what_a_pc_can_do() -> None:
     assert control.speed == 10
     control.set_speed(0)
     assert control.speed == 0.1
+
+
+COUNTING: Json = {
+    "pinel_ir": 1,
+    "commands": [
+        {"action": "set_variable", "name": "n", "value": 20},
+        {"action": "set_variable", "name": "l", "value": ["a"] * 50},
+        {"action": "change_variable", "name": "n", "by": 1.5, "block": "here"},
+    ],
+}
+
+
+@pytest.mark.parametrize(
+    ("expression", "value"),
+    [
+        ({"var": "n"}, 20),
+        ({"op": "*", "args": [{"var": "n"}, 2]}, 40),
+        ({"sensor": "x"}, 0),
+        ({"sensor": "cell"}, ""),
+        ({"op": "length", "args": [{"var": "l"}]}, 50),
+        ({"var": "l"}, ["a"] * 20 + ["…"]),
+        ("text", "text"),
+        ({"var": "nothing"}, "unset_variable"),
+        ({"op": "/", "args": [1, 0]}, "division_by_zero"),
+        ({"op": "random_int", "args": [1, 6]}, "peek_not_possible"),
+        ({"op": "+", "args": [1, {"call": "f"}]}, "peek_not_possible"),
+        ({"op": "+", "args": [1]}, "peek_invalid"),
+        ({"what": 1}, "peek_invalid"),
+        (None, "peek_invalid"),
+    ],
+)
+def test_values_are_told_while_the_run_stands(
+    control: RunControl, expression: Any, value: Any
+) -> None:
+    control.breakpoints = frozenset(["here"])
+    questions = Questions()
+    told: list[Any] = []
+
+    def answer(found: Any, error: PinelError | None) -> None:
+        told.append(found if error is None else error.code)
+        control.resume()
+
+    def observe(_tick: int, event: Event) -> None:
+        if isinstance(event, RunState) and event.state == "paused":
+            questions.ask(expression, answer)
+
+    program = read_document(COUNTING).program
+    assert program is not None
+    options = RunOptions(observer=observe, control=control, questions=questions)
+    result = execute(program, open_link("sim", world="empty_room"), options)
+    assert told == [value]
+    assert result.ended.state == "finished"
+    assert result.variables["n"] == 21.5

@@ -59,6 +59,12 @@ class FakeEngine:
     def set_speed(self, run_id: str, factor: float) -> None:
         self._tell("speed", run_id, str(factor))
 
+    def evaluate(self, run_id: str, expression: Any) -> Any:
+        self._tell("evaluate", run_id, str(expression))
+        if expression == {"call": "f"}:
+            raise PinelError("peek_not_possible")
+        return 42
+
     def answer_capture(self, run_id: str, result: str) -> None:
         self._tell("answer_capture", run_id, result)
 

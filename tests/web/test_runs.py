@@ -98,6 +98,21 @@ def test_the_live_run_is_debugged(
         assert browser.send(method, f"{address}/{what}", data).status == 422
 
 
+def test_an_expression_is_evaluated_while_the_run_is_paused(
+    browser: Browser, engine: FakeEngine, run: dict[str, Any]
+) -> None:
+    address = f"/api/runs/{run['id']}/evaluate"
+    assert browser.post(address, {"expression": {"var": "x"}}).data == {
+        "value": 42,
+        "problem": None,
+    }
+    answer = browser.post(address, {"expression": {"call": "f"}}).data
+    assert answer["value"] is None
+    assert answer["problem"]
+    engine.send(ended(run["id"], 0, 0))
+    assert browser.post(address, {"expression": 1}).error["code"] == "run_not_live"
+
+
 def test_a_run_may_begin_with_breakpoints_in_slow_motion_and_held(
     browser: Browser, engine: FakeEngine, version: dict[str, Any]
 ) -> None:

@@ -14,6 +14,8 @@ from pinel_desktop.web.models import Empty, IdPath
 from pinel_desktop.web.models.runs import (
     Breakpoints,
     CaptureAnswer,
+    Evaluated,
+    ExpressionToEvaluate,
     NewRun,
     QuestionAnswer,
     Run,
@@ -135,6 +137,20 @@ def set_speed(path: IdPath, body: RunSpeed) -> Response:
     """Slow motion or fast forward, in the simulator."""
     services().engine.set_speed(_known(path.id), body.factor)
     return answer(Empty())
+
+
+@api.post("/runs/<id>/evaluate", responses=answers(Evaluated, 404, 409, 413))
+def evaluate_expression(path: IdPath, body: ExpressionToEvaluate) -> Response:
+    """The value of an expression while the live run is paused."""
+    parts = services()
+    run_id = _known(path.id)
+    try:
+        return answer(Evaluated(value=parts.engine.evaluate(run_id, body.expression), problem=None))
+    except PinelError as error:
+        if error.code == "run_not_live":
+            raise
+        words = describe(error.code, error.params, parts.preferences.language)
+        return answer(Evaluated(value=None, problem=words.message))
 
 
 @api.post("/runs/<id>/capture", responses=answers(Empty, 404, 409))

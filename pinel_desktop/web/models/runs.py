@@ -1,6 +1,6 @@
 """Runs: begun, live, recorded."""
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
@@ -103,6 +103,19 @@ class RunSpeed(Body):
     """Robot time to wall time, from slow motion to ten times."""
 
     factor: Speed
+
+
+class ExpressionToEvaluate(Body):
+    """An expression of the program document."""
+
+    expression: Any
+
+
+class Evaluated(Shape):
+    """Its value at this moment, or in words why there is none."""
+
+    value: Any
+    problem: str | None
 
 
 class RunEvents(Shape):
