@@ -9,7 +9,7 @@ def open_python(studio: Studio) -> None:
     """Shows the program as Python."""
     if studio["ir-toggle"].get_attribute("aria-expanded") != "true":
         studio["ir-toggle"].click()
-    expect(studio["python-text"]).to_be_visible()
+    expect(studio["python-edit"]).to_be_enabled()
 
 
 def edit_python(studio: Studio, text: str) -> None:

@@ -51,6 +51,7 @@ export const TEST = {
   irToggle: "ir-toggle", // opens the program as text
   textTab: "text-tab", // of each; data-tab: python | ir
   pythonText: "python-text", // data-lit: number of the running line
+  pythonEmpty: "python-empty", // there is nothing to read yet
   pythonEdit: "python-edit",
   pythonEditor: "python-editor", // a textarea
   pythonPut: "python-put",

@@ -44,7 +44,7 @@ export function QuestionPanel({ question, onAnswer }: QuestionPanelProps) {
           maxLength={LONGEST}
           autoComplete="off"
           spellcheck={false}
-          aria-label={words.answer}
+          aria-label={question.text}
           placeholder={words.answer}
           data-testid={TEST.answer}
           onInput={(event) => setValue(event.currentTarget.value)}

@@ -53,8 +53,8 @@ describe("what the robot does, in words", () => {
     sentenceOf(view, written(values))?.text.replaceAll("\u00a0", " ");
 
   test("a curve tells its direction and how far it is", () => {
-    expect(said(moving("arc", 90, 30))).toBe("Fazendo curva à esquerda: 30° de 90°");
-    expect(said(moving("arc", -90, -30))).toBe("Fazendo curva à direita: 30° de 90°");
+    expect(said(moving("arc", 90, 30))).toBe("Curva à esquerda: 30° de 90°");
+    expect(said(moving("arc", -90, -30))).toBe("Curva à direita: 30° de 90°");
   });
 
   test("going to a point names it where it is written in the program", () => {
@@ -63,16 +63,14 @@ describe("what the robot does, in words", () => {
   });
 
   test("waiting for a condition tells for how long at most", () => {
-    expect(words(command("wait_until"))).toBe("Esperando até a condição ser verdadeira");
-    expect(words(command("wait_until"), { timeout: 5 })).toBe(
-      "Esperando a condição, no máximo 5,0 s",
-    );
+    expect(words(command("wait_until"))).toBe("Esperando a condição");
+    expect(words(command("wait_until"), { timeout: 5 })).toBe("Esperando a condição (até 5,0 s)");
   });
 
   test.each([
     [0.3, 0, "Andando a 0,30 m/s"],
     [-0.3, 0, "Andando de ré a 0,30 m/s"],
-    [0.3, -1, "Andando em curva à direita a 0,30 m/s"],
+    [0.3, -1, "Em curva à direita a 0,30 m/s"],
     [0, Math.PI / 4, "Girando à esquerda a 45°/s"],
     [0, 0, "Rodando o programa"],
   ])("a velocity that lasts is told: %d m/s, %d rad/s", (linear, angular, text) => {

@@ -38,11 +38,13 @@ export function PythonPane(props: PythonPaneProps) {
       />
     );
   }
-  const empty = written && text === null ? python.broken : "";
+  const instead = insteadOfText(document, written);
   return (
     <section class="text__panel" aria-label={python.text}>
-      {text === null ? (
-        <p class="text__empty">{empty}</p>
+      {text === null || instead ? (
+        <p class="text__empty" data-testid={TEST.pythonEmpty}>
+          {instead}
+        </p>
       ) : (
         <CodeSheet
           text={text.trimEnd()}
@@ -66,6 +68,15 @@ export function PythonPane(props: PythonPaneProps) {
       </div>
     </section>
   );
+}
+
+/** What is said where there is nothing to read yet. */
+function insteadOfText(document: object | null, written: WrittenPython | null): string {
+  const { python } = texts.value;
+  if (!document || !written) return "";
+  if (written.text === null) return python.broken;
+  const { commands = [], functions = [] } = document as Record<string, unknown[]>;
+  return commands.length + functions.length === 0 ? python.empty : "";
 }
 
 /** An edit is written as Python when the hand rests. */
