@@ -116,6 +116,32 @@ def test_a_function_with_a_value_is_made_and_called(empty: Studio) -> None:
     empty.eventually(lambda: empty.values("function"), ["aresta"])
 
 
+@pytest.mark.parametrize(("typed", "said"), [("a-b", "letras, números"), ("", "letras, números")])
+def test_what_is_no_name_is_refused_in_words(empty: Studio, typed: str, said: str) -> None:
+    blocks = empty.blocks
+    blocks.drag_from_toolbox("functions", "definir", blocks.beside(blocks.start(), 120))
+    definition = blocks.by_words("definir")
+    blocks.type_into(definition, typed)
+    expect(empty.page.locator(".blocklyToast")).to_contain_text(said)
+    expect(definition).to_contain_text("função")
+
+
+def test_a_variable_is_named_by_keyboard(empty: Studio) -> None:
+    blocks = empty.blocks
+    blocks.drag_from_toolbox("variables", "mudar", blocks.below(blocks.start()))
+    blocks.select(blocks.by_words("mudar"))
+    keyboard = empty.page.keyboard
+    keyboard.press("ArrowRight")
+    keyboard.press("Enter")
+    expect(empty.page.locator(".blocklyDropDownDiv .blocklyMenu")).to_be_visible()
+    keyboard.press("ArrowDown")
+    keyboard.press("Enter")
+    expect(empty.page.locator("dialog input")).to_be_focused()
+    keyboard.type("voltas")
+    keyboard.press("Enter")
+    empty.eventually(lambda: empty.values("name"), ["voltas"])
+
+
 def test_a_value_of_the_wrong_kind_does_not_snap(empty: Studio) -> None:
     blocks = empty.blocks
     blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
