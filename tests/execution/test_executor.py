@@ -342,3 +342,44 @@ def test_long_conditions_count_as_many_steps_of_a_tick(execute_commands: Any) ->
     # 9,001 parts are 450 steps: two such conditions fit into a tick, not a thousand
     assert heavy.ended.duration_s * 30 == pytest.approx(100 / 3, abs=17)
     assert light.ended.state == heavy.ended.state == "finished"
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        {"action": "wait", "seconds": 0},
+        {"action": "move_forward", "distance": 0},
+        {"action": "turn", "angle": 0},
+        {"action": "arc", "radius": 1, "angle": 0},
+        {"action": "go_to", "x": 0, "y": 0},
+        {"action": "wait_until", "condition": True},
+        {"action": "set_speed", "linear": 0.5},
+    ],
+    ids=lambda command: command["action"],
+)
+def test_commands_that_turn_out_to_take_no_time_are_reported_once_a_tick(
+    command: Any, execute_commands: Any
+) -> None:
+    result, log = execute_commands(
+        {"action": "repeat", "times": 5_000, "commands": [{**command, "block": "b"}]}
+    )
+    ticks = [tick for tick, event in log if isinstance(event, BlockStarted) and event.block == "b"]
+    assert result.ended.state == "finished"
+    assert len(ticks) == len(set(ticks)) > 5
+
+
+def test_command_that_takes_time_the_second_time_in_a_tick_is_reported_when_it_does(
+    execute_commands: Any,
+) -> None:
+    _, log = execute_commands(
+        {
+            "action": "for",
+            "variable": "i",
+            "from": 0,
+            "to": 1,
+            "commands": [{"action": "wait", "seconds": {"var": "i"}, "block": "w"}],
+        }
+    )
+    waits = [event for _, event in log if isinstance(event, BlockStarted) and event.block == "w"]
+    assert [event.amount for event in waits] == [0, 1]
+    assert len([e for _, e in log if isinstance(e, BlockEnded) and e.block == "w"]) == 2
