@@ -4,6 +4,7 @@ import pytest
 from playwright.sync_api import Locator, expect
 
 from tests.e2e.app_process import AppProcess
+from tests.e2e.python_pane import write_program
 from tests.e2e.studio import Studio
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
@@ -72,3 +73,18 @@ def test_fast_forward_is_faster_than_the_clock(studio: Studio) -> None:
     studio.run()
     studio.wait_for_phase("finished", timeout_ms=4_000)  # six seconds of robot time
     studio["speed"].select_option("1")
+
+
+def test_the_value_of_a_block_is_shown_while_the_run_stands(studio: Studio) -> None:
+    studio.enter_new_group()
+    write_program(studio, "robot.move_forward(0.25)\nrobot.say(robot.x * 2)\n")
+    studio.eventually(studio.actions, ["move_forward", "say"])
+    say = studio.blocks.by_words("dizer")
+    say.click(button="right", position={"x": 20, "y": 26})
+    studio.page.get_by_text("Pausar aqui", exact=True).click()
+    studio.run()
+    studio.wait_for_phase("paused")
+    studio.blocks.by_words("posição").hover(position={"x": 20, "y": 16})
+    expect(studio.page.locator(".pinelValue")).to_have_text("0,25")
+    studio["run"].click()
+    studio.wait_for_phase("finished")

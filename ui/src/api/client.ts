@@ -3,6 +3,7 @@ import { ApiError, ServerGone } from "./errors";
 import type {
   Content,
   Debugging,
+  Evaluated,
   Group,
   Program,
   ProgramWithVersion,
@@ -79,6 +80,8 @@ export const api = {
   step: (run: string, mode: StepMode) => json<object>("POST", `/api/runs/${run}/step`, { mode }),
   setBreakpoints: (run: string, blocks: readonly string[]) =>
     json<object>("PUT", `/api/runs/${run}/breakpoints`, { blocks }),
+  evaluate: (run: string, expression: unknown) =>
+    json<Evaluated>("POST", `/api/runs/${run}/evaluate`, { expression }),
   setSpeed: (run: string, factor: number) =>
     json<object>("PUT", `/api/runs/${run}/speed`, { factor }),
   pause: (run: string) => json<object>("POST", `/api/runs/${run}/pause`),

@@ -19,6 +19,7 @@ export type RunEvent = Schemas["Event"];
 export type TelemetryEvent = Schemas["TelemetryEvent"];
 export type RunEndedEvent = Schemas["RunEndedEvent"];
 export type StreamEvent = Schemas["StreamEvent"];
+export type Evaluated = Schemas["Evaluated"];
 export type StepMode = Schemas["Step"]["mode"];
 /** What a run is to know of breakpoints, speed and steps from its beginning. */
 export type Debugging = Partial<Pick<Schemas["NewRun"], "breakpoints" | "speed" | "paused">>;

@@ -12,6 +12,7 @@ import { type Fault, Faults } from "./faults";
 import { bringIntoView, Highlight } from "./highlight";
 import { injectWorkspace } from "./inject";
 import { applyLanguage } from "./locale";
+import { type Peek, ValueBubble } from "./peek";
 import { quietly } from "./quietly";
 import { ensureStartBlock, markLooseBlocks } from "./start_block";
 import { StartHint } from "./start_hint";
@@ -29,6 +30,8 @@ export interface EditorOptions {
   programName?: () => string;
   /** The ids of the blocks at which a run is to pause have changed; without it there are no such blocks. */
   onBreakpoints?(ids: readonly string[]): void;
+  /** What an expression is worth now; without it values are not shown. */
+  peek?: Peek;
   onChange(content: { workspace: object; document: object | null }): void;
 }
 
@@ -77,6 +80,7 @@ class BlockEditor implements Editor {
   private readonly faults: Faults;
   private readonly running: Highlight;
   private readonly breakpoints: Breakpoints | undefined;
+  private readonly values: ValueBubble | undefined;
   private readonly hint = new StartHint();
   private readonly zoomControls: ReturnType<typeof addZoomControls>;
   private readonly sizes: ResizeObserver;
@@ -91,6 +95,7 @@ class BlockEditor implements Editor {
     this.running = new Highlight(this.workspace);
     const { onBreakpoints } = options;
     this.breakpoints = onBreakpoints && new Breakpoints(this.workspace, onBreakpoints);
+    this.values = options.peek && new ValueBubble(this.workspace, options.peek);
     this.zoomControls = addZoomControls(this.workspace, () => this.zoomToFit());
     this.sizes = new ResizeObserver(() => this.resize());
     this.sizes.observe(options.container);
@@ -190,6 +195,7 @@ class BlockEditor implements Editor {
     this.disposed = true;
     this.sizes.disconnect();
     this.zoomControls.remove();
+    this.values?.dispose();
     this.workspace.dispose();
   }
 
@@ -222,6 +228,7 @@ class BlockEditor implements Editor {
       ensureStartBlock(this.workspace);
       markLooseBlocks(this.workspace);
     });
+    this.breakpoints?.refresh();
     this.refreshHint();
   }
 
@@ -242,6 +249,7 @@ class BlockEditor implements Editor {
 
   private onContent(): void {
     markLooseBlocks(this.workspace);
+    this.breakpoints?.refresh();
     this.refreshHint();
     const fingerprint = this.fingerprint();
     if (fingerprint === this.known) return;

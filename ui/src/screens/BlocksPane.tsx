@@ -129,6 +129,7 @@ function Workspace({ control }: { control: StudioControl }) {
         level: level.value,
         programName: () => program.value?.name ?? "",
         onChange: (content) => control.onEdit(content),
+        peek: (expression) => control.peek(expression),
         onBreakpoints: (ids) => {
           breakpoints.value = ids;
         },

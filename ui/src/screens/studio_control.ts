@@ -1,8 +1,9 @@
 import { computed, effect, signal } from "@preact/signals";
+import { api } from "../api/client";
 import { ApiError } from "../api/errors";
 import type { Content, Fault } from "../api/model";
 import type { OpenProgram } from "../app/open_program";
-import { connection, engine, problem, report, worlds } from "../app/session";
+import { connection, engine, problem, report, wordsOf, worlds } from "../app/session";
 import { breakpoints, tellRun, wishes } from "../debug/debugging";
 import type { Editor } from "../editor";
 import { language, texts } from "../i18n";
@@ -10,6 +11,7 @@ import { reasonWords } from "../i18n/reasons";
 import * as robot from "../run/live";
 import { isLive, runningBlock } from "../run/reducer";
 import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
+import { valueWords } from "../run/values";
 
 const POINTING_MS = 2500;
 
@@ -99,6 +101,16 @@ export class StudioControl {
     editor.load(workspace);
     this.replaced.value = { workspace: before, now };
     this.onEdit(editor.content());
+  }
+
+  /** What an expression is worth in the program that stands, in words. */
+  peek(expression: unknown): Promise<string> | null {
+    const { run, phase } = robot.live.peek();
+    if (!run || phase !== "paused" || !this.mine.peek()) return null;
+    return api.evaluate(run, expression).then(
+      ({ value, problem }) => problem ?? valueWords(value, texts.value, language.value),
+      (error) => wordsOf(error).message,
+    );
   }
 
   chooseWorld(name: string): void {

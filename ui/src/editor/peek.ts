@@ -1,0 +1,66 @@
+import type * as Blockly from "blockly/core";
+import type { Expression } from "../generator/document";
+import { VALUES } from "../generator/values";
+
+/** Says what an expression is worth now, in words; null where that cannot be asked. */
+export type Peek = (expression: Expression) => Promise<string> | null;
+
+const REST_MS = 250;
+const GAP = 8;
+
+/** Shows what a value block is worth when the pointer rests on it, while somebody can say so. */
+export class ValueBubble {
+  private readonly bubble = document.createElement("div");
+  private block: Blockly.BlockSvg | null = null;
+  private timer = 0;
+
+  constructor(
+    private readonly workspace: Blockly.WorkspaceSvg,
+    private readonly peek: Peek,
+  ) {
+    this.bubble.className = "pinelValue";
+    this.bubble.setAttribute("role", "status");
+    this.bubble.hidden = true;
+    workspace.getInjectionDiv().append(this.bubble);
+    workspace.getParentSvg().addEventListener("pointerover", this.onPointer);
+    workspace.getParentSvg().addEventListener("pointerleave", this.hide);
+  }
+
+  dispose(): void {
+    window.clearTimeout(this.timer);
+    this.workspace.getParentSvg().removeEventListener("pointerover", this.onPointer);
+    this.workspace.getParentSvg().removeEventListener("pointerleave", this.hide);
+    this.bubble.remove();
+  }
+
+  private readonly onPointer = (event: Event): void => {
+    const block = this.valueBlockAt(event.target as Element);
+    if (block === this.block) return;
+    this.hide();
+    this.block = block;
+    if (block) this.timer = window.setTimeout(() => void this.ask(block), REST_MS);
+  };
+
+  private readonly hide = (): void => {
+    window.clearTimeout(this.timer);
+    this.block = null;
+    this.bubble.hidden = true;
+  };
+
+  private valueBlockAt(target: Element): Blockly.BlockSvg | null {
+    const id = target.closest(".blocklyDraggable")?.getAttribute("data-id");
+    const block = id ? this.workspace.getBlockById(id) : null;
+    return block?.outputConnection && block.type in VALUES ? block : null;
+  }
+
+  private async ask(block: Blockly.BlockSvg): Promise<void> {
+    const words = await this.peek(VALUES[block.type as keyof typeof VALUES](block));
+    if (words === null || this.block !== block || block.disposed) return;
+    this.bubble.textContent = words;
+    this.bubble.hidden = false;
+    const of = block.getSvgRoot().getBoundingClientRect();
+    const around = this.workspace.getInjectionDiv().getBoundingClientRect();
+    this.bubble.style.left = `${of.left - around.left}px`;
+    this.bubble.style.top = `${of.bottom - around.top + GAP}px`;
+  }
+}
