@@ -84,6 +84,7 @@ class ProgramStack:
         }
         self._frames = [_Frame(program.commands, "/commands")]
         self._beginning: Any = None
+        self._timed: Routine | None = None
         # asked before each command; says whether the run is to be held there
         self.holds: Callable[[Any], bool] | None = None
         self.is_held = False
@@ -123,6 +124,11 @@ class ProgramStack:
         if self._reported:
             self._reported.clear()
         self.is_held = False
+        timed = self._timed
+        if timed is not None:  # what let the last tick pass mostly needs the next one too
+            self._timed = None
+            if self._go_on(self._frames[-1], timed):
+                return True
         context = self._context
         budget = max_steps + context.n_evaluated // _PARTS_A_STEP
         steps = 0
@@ -160,7 +166,7 @@ class ProgramStack:
         return self._go_on(frame, frame.routine)
 
     def _go_on(self, frame: _Frame, routine: Routine) -> bool:
-        """Lets the command of a frame do its next part."""
+        """Lets the command of a frame do its next part; True when it needs a tick to pass."""
         value, frame.value = frame.value, None
         try:
             wanted = routine.send(value)
@@ -170,6 +176,7 @@ class ProgramStack:
                 self._jump(end.value)
             return False
         if wanted is None:
+            self._timed = routine
             if frame.entry is not None and not frame.entry.reported:
                 self._report_late()
             return True
