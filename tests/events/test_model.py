@@ -39,5 +39,7 @@ def test_wire_objects_are_flat_and_numbered() -> None:
         "seq": 0,
         "tick": 0,
         "state": "running",
+        "cause": None,
+        "block": None,
     }
     assert stamp.wire(3, RunState("paused"))["seq"] == 1
