@@ -74,6 +74,27 @@ def test_a_text_becomes_blocks_and_the_blocks_before_can_come_back(studio: Studi
     expect(blocks.by_words("definir")).to_contain_text("lado")
 
 
+def test_the_name_in_the_text_is_the_name_of_the_program(studio: Studio) -> None:
+    studio.enter_new_group()
+    edit_python(studio, '"""Meu quadrado"""\n\nrobot.stop()\n')
+    studio["python-put"].click()
+    expect(studio["program-name"]).to_have_value("Meu quadrado")
+    studio.eventually(lambda: (studio.document() or {}).get("name"), "Meu quadrado")
+    assert studio.api(f"/programs/{studio.program_id}")["name"] == "Meu quadrado"
+
+
+def test_the_other_form_of_the_text_is_a_tab_away(studio: Studio) -> None:
+    studio.enter_new_group()
+    write_program(studio, "robot.stop()\n")
+    open_python(studio)
+    tab = studio["text-tab"].and_(studio.page.locator('[data-tab="python"]'))
+    tab.focus()
+    studio.page.keyboard.press("ArrowRight")
+    expect(studio["ir-json"]).to_contain_text('"action": "stop"')
+    studio.page.keyboard.press("ArrowLeft")
+    expect(studio["python-text"]).to_contain_text("robot.stop()")
+
+
 def test_every_fault_says_where_it_is_and_a_click_goes_there(studio: Studio) -> None:
     studio.enter_new_group()
     edit_python(studio, "robot.stop()\nrobot.fly(1)\nimport os\n")

@@ -1,12 +1,10 @@
 import { Pencil } from "lucide-preact";
 import { useRef, useState } from "preact/hooks";
-import { api } from "../api/client";
+import { LONGEST_NAME, renameProgram } from "../app/rename";
 import { route } from "../app/route";
-import { program, report } from "../app/session";
+import { program } from "../app/session";
 import { TEST } from "../app/testids";
 import { texts } from "../i18n";
-
-const LONGEST = 60;
 
 /** The program's name, changed where it stands: type, then Enter or go elsewhere; Escape takes it back. */
 export function ProgramName() {
@@ -16,17 +14,9 @@ export function ProgramName() {
   const input = useRef<HTMLInputElement>(null);
   if (!now || route.value.screen === "work") return null;
 
-  const finish = async () => {
-    const name = draft?.trim();
+  const finish = () => {
     setDraft(null);
-    if (!name || name === now.name) return;
-    program.value = { ...now, name };
-    try {
-      program.value = await api.renameProgram(now.id, name);
-    } catch (error) {
-      program.value = now;
-      report(error);
-    }
+    if (draft !== null) void renameProgram(draft);
   };
 
   return (
@@ -39,12 +29,12 @@ export function ProgramName() {
         class="program-name__input"
         data-testid={TEST.programName}
         aria-label={header.programName}
-        maxLength={LONGEST}
+        maxLength={LONGEST_NAME}
         spellcheck={false}
         value={draft ?? now.name}
         onFocus={(event) => event.currentTarget.select()}
         onInput={(event) => setDraft(event.currentTarget.value)}
-        onBlur={() => void finish()}
+        onBlur={finish}
         onKeyDown={(event) => {
           if (event.key === "Escape") setDraft(null);
           if (event.key === "Enter") input.current?.blur();

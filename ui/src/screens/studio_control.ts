@@ -3,6 +3,7 @@ import { api } from "../api/client";
 import { ApiError } from "../api/errors";
 import type { Content, Fault } from "../api/model";
 import type { OpenProgram } from "../app/open_program";
+import { renameProgram } from "../app/rename";
 import { connection, engine, problem, report, wordsOf, worlds } from "../app/session";
 import { breakpoints, tellRun, wishes } from "../debug/debugging";
 import type { Editor } from "../editor";
@@ -81,9 +82,11 @@ export class StudioControl {
     this.open.edit(content);
   }
 
-  /** Shows a document as blocks in place of those that are there. */
+  /** Shows a document as blocks in place of those that are there, and gives the program its name. */
   async place(document: object): Promise<void> {
     const { workspaceOf } = await import("../loader");
+    const { name } = document as { name?: string };
+    if (name) await renameProgram(name);
     this.exchange(workspaceOf(document), "placed");
   }
 

@@ -6,7 +6,9 @@ import { IrPanel } from "./IrPanel";
 import { PythonPane } from "./PythonPane";
 import "./text.css";
 
-export type TextTab = "python" | "ir";
+const TABS = ["python", "ir"] as const;
+
+export type TextTab = (typeof TABS)[number];
 
 /** How the drawer stands: which form of the text, whether it takes the floor's room, whether Python is being written. */
 export interface DrawerState {
@@ -53,14 +55,15 @@ function Head({ state, onState }: Pick<TextDrawerProps, "state" | "onState">) {
   const Icon = tall ? Minimize2 : Maximize2;
   return (
     <div class="text__head">
-      <div class="text__tabs" role="tablist" aria-label={python.tabs}>
-        {(["python", "ir"] as const).map((name) => (
+      <div class="text__tabs" role="tablist" aria-label={python.tabs} onKeyDown={toOtherTab}>
+        {TABS.map((name) => (
           <button
             key={name}
             type="button"
             class="text__tab"
             role="tab"
             aria-selected={tab === name}
+            tabIndex={tab === name ? 0 : -1}
             data-testid={TEST.textTab}
             data-tab={name}
             onClick={() => onState({ ...state, tab: name })}
@@ -80,4 +83,12 @@ function Head({ state, onState }: Pick<TextDrawerProps, "state" | "onState">) {
       </button>
     </div>
   );
+}
+
+/** The arrows go from one of the two tabs to the other. */
+function toOtherTab(event: KeyboardEvent & { currentTarget: HTMLElement }): void {
+  if (event.key !== "ArrowLeft" && event.key !== "ArrowRight") return;
+  const other = event.currentTarget.querySelector<HTMLElement>("[aria-selected=false]");
+  other?.focus();
+  other?.click();
 }

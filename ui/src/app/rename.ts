@@ -1,0 +1,19 @@
+import { api } from "../api/client";
+import { program, report } from "./session";
+
+/** No program has a longer name. */
+export const LONGEST_NAME = 60;
+
+/** Gives the program in the header another name; without one, or with the same, it keeps its own. */
+export async function renameProgram(wanted: string): Promise<void> {
+  const { value: now } = program;
+  const name = wanted.trim().slice(0, LONGEST_NAME).trim();
+  if (!now || !name || name === now.name) return;
+  program.value = { ...now, name };
+  try {
+    program.value = await api.renameProgram(now.id, name);
+  } catch (error) {
+    program.value = now;
+    report(error);
+  }
+}
