@@ -64,11 +64,14 @@ def peek(expression: Any, context: RunContext) -> Any:
     if _has_effect(read.value):
         raise RunFailureError("peek_not_possible")
     evaluating = Evaluator(context).compiled(read.value).steps()
-    while True:
-        try:
+    worked = context.n_evaluated
+    try:
+        while True:
             next(evaluating)  # takes breaths only: there is no call in it
-        except StopIteration as end:
-            return cut_value(end.value)
+    except StopIteration as end:
+        return cut_value(end.value)
+    finally:
+        context.n_evaluated = worked  # looking is no work of the program: its ticks stay as they are
 
 
 def _has_effect(node: Any) -> bool:
