@@ -7,6 +7,10 @@ import click
 import pytest
 
 from pinel_desktop.cli import main
+from pinel_desktop.execution.executor import execute
+from pinel_desktop.links import open_link
+from pinel_desktop.program.python_text import read_python
+from pinel_desktop.program.reading import read_document
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = ("README.md", "README.pt-BR.md", "CONTRIBUTING.md")
@@ -71,3 +75,37 @@ def test_every_target_is_explained_by_make_itself() -> None:
 def test_ci_does_what_make_test_does() -> None:
     assert "exec make test" in text_of(".ci/run")
     assert (ROOT / ".ci" / "run").stat().st_mode & 0o111
+
+
+def worked_example() -> list[tuple[str, str]]:
+    """The pieces of CONTRIBUTING's example: a file, and what stands in it."""
+    return re.findall(
+        r"^ +`([\w/.-]+)`\n +```\w+\n(.*?)^ +```$", text_of("CONTRIBUTING.md"), re.M | re.S
+    )
+
+
+def unindented(text: str) -> str:
+    """Lines without what stands before and after them: an example may be set in farther."""
+    return "\n".join(line.strip() for line in text.strip().splitlines())
+
+
+def test_the_example_of_a_block_goes_through_all_layers() -> None:
+    folders = {file.split("/")[0] + "/" + file.split("/")[1] for file, _ in worked_example()}
+    assert len(worked_example()) == 7
+    assert {"pinel_desktop/program", "pinel_desktop/execution", "ui/src"} <= folders
+
+
+@pytest.mark.parametrize(("file", "piece"), worked_example())
+def test_each_piece_of_the_example_stands_in_its_file(file: str, piece: str) -> None:
+    assert unindented(piece) in unindented(text_of(file))
+
+
+def test_the_block_of_the_example_runs_as_it_says() -> None:
+    reading = read_python("robot.wait(2)\n")
+    assert reading.document is not None
+    assert reading.document["commands"] == [{"action": "wait", "seconds": 2.0}]
+    program = read_document(reading.document).program
+    assert program is not None
+    assert execute(program, open_link("sim", world="empty_room")).ended.duration_s == pytest.approx(
+        2.0, abs=0.05
+    )
