@@ -1,5 +1,9 @@
 """The whole language by hand: branches, variables, functions, comments, search, levels, and large programs."""
 
+import json
+from pathlib import Path
+from typing import Any
+
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
@@ -8,6 +12,7 @@ from tests.e2e.studio import Studio
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
 
+SAVED_BY_0_1 = Path(__file__).parents[2] / "ui/src/blocks/saved_by_0_1.json"
 N_BLOCKS = 500
 DOCUMENT_MS = 50.0
 
@@ -189,6 +194,39 @@ def test_plus_is_pressed_by_keyboard(empty: Studio) -> None:
         keyboard.press("ArrowRight")
     keyboard.press("Enter")
     expect(condition).to_contain_text("senão")
+
+
+def test_a_program_of_version_0_1_opens_and_is_the_same(empty: Studio) -> None:
+    saved = json.loads(SAVED_BY_0_1.read_text("utf-8"))
+    empty.page.evaluate(
+        """([program, workspace]) => fetch(`/api/programs/${program}/versions`, {
+            method: 'POST',
+            headers: { 'Content-Type': 'application/json' },
+            body: JSON.stringify({ workspace, document: null }),
+        })""",
+        [empty.program_id, saved["workspace"]],
+    )
+    empty.page.reload()
+    empty.wait_until_open()
+    blocks = empty.blocks
+    expect(blocks.by_words("ler gesto")).to_be_visible()
+    assert empty.document() is None  # opening a program is no edit
+
+    blocks.type_into(blocks.by_words("ler gesto"), "2,5")
+    wanted = saved["document"]["commands"]
+    assert wanted[0]["action"] == "classify_gestures"
+    wanted[0]["timeout"] = 2.5
+    empty.eventually(lambda: without_empty_branches(empty.commands()), wanted)
+
+
+def without_empty_branches(value: Any) -> Any:
+    """The reader writes out branches that a conditional does not have."""
+    if isinstance(value, list):
+        return [without_empty_branches(one) for one in value]
+    if not isinstance(value, dict):
+        return value
+    kept = {key: one for key, one in value.items() if one != [] or key not in ("elif", "else")}
+    return {key: without_empty_branches(one) for key, one in kept.items()}
 
 
 # The editor by itself, beside the page, on a program that no hand would build.
