@@ -1,12 +1,19 @@
 import * as Blockly from "blockly/core";
 
-/** Makes many blocks at once, without an event for each. */
+/**
+ * Makes many blocks at once, without an event for each. What Blockly sets aside for it comes back even when it fails;
+ * by itself it would go on without undo.
+ */
 export function quietly(make: () => void): void {
+  const recordUndo = Blockly.Events.getRecordUndo();
+  const group = Blockly.Events.getGroup();
   Blockly.Events.disable();
   try {
     make();
   } finally {
     Blockly.Events.enable();
+    Blockly.Events.setRecordUndo(recordUndo);
+    Blockly.Events.setGroup(group);
   }
 }
 
