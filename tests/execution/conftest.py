@@ -1,3 +1,4 @@
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
@@ -7,6 +8,7 @@ import pytest
 from pinel_desktop.events.model import Event
 from pinel_desktop.execution.executor import RunOptions, RunResult, execute
 from pinel_desktop.links import open_link
+from pinel_desktop.messages import LANGUAGES, describe
 from pinel_desktop.program.reading import read_document
 
 Log = list[tuple[int, Event]]
@@ -36,9 +38,21 @@ def execute_commands() -> Execute:
                 listener(tick, event)
 
         setup = replace(RunOptions(**options), observer=observe)
-        return execute(program, open_link("sim", world=world), setup), log
+        result = execute(program, open_link("sim", world=world), setup)
+        _assert_in_words(result)
+        return result, log
 
     return run
+
+
+def _assert_in_words(result: RunResult) -> None:
+    """Every reason has words in every language, with all of its values."""
+    ended = result.ended
+    if ended.reason is not None:
+        for language in LANGUAGES:
+            words = describe(ended.reason, ended.params, language)
+            assert words.message != ended.reason
+            assert not re.search(r"\{\w+\}", words.message + words.remedy), (ended.reason, words)
 
 
 @pytest.fixture
