@@ -121,6 +121,8 @@ ONE_FAULT: list[tuple[str, int, int, str]] = [
     ("robot.arc(-1,5, 90)", 1, 11, "python_decimal_comma"),
     ("x = " + "(" * 100 + ")" * 100, 1, 85, "nesting_too_deep"),
     ("x = 1" + " + 1" * 100, 1, 5, "nesting_too_deep"),
+    ("a;" * 200_000, 1, 200_002, "too_many_commands"),
+    ("robot.stop()\n" * 20_001, 1, 1, "too_many_commands"),
     ("x = " + "~" * 50_000 + "1", 1, 1, "nesting_too_deep"),
     ("x = 1" + " + 1" * 100_000, 1, 1, "nesting_too_deep"),
 ]

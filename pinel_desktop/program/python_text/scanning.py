@@ -7,11 +7,12 @@ quotes that are not closed), and what must not reach it (too many brackets insid
 import re
 from dataclasses import dataclass, field
 
-from pinel_desktop.program.limits import MAX_NESTING
+from pinel_desktop.program.limits import MAX_COMMANDS, MAX_NESTING
 from pinel_desktop.program.python_text.comments import Comment
 
 _MAX_BRACKETS = MAX_NESTING + 16  # an expression of 64 levels needs no more
 MAX_FAULTS = 1_000  # more are not noted: nobody reads them
+_MOST_COMMANDS = 5 * MAX_COMMANDS
 _MAX_DIGITS = 400  # a double has less than 310
 _CLOSING = {"(": ")", "[": "]", "{": "}"}
 _TOKEN = re.compile(
@@ -84,7 +85,8 @@ class _Scanner:
         self._open: list[tuple[str, Place]] = []
         self._first: Place | None = None  # of the command that is being read
         self._n_tokens = self._most_tokens = 0
-        self._too_deep = False
+        self._n_commands = 0
+        self._too_deep = self._too_many = False
 
     def scan(self) -> Look:
         position, end = 0, len(self._text)
@@ -125,6 +127,8 @@ class _Scanner:
 
     def _end_command(self) -> None:
         if self._first is not None:
+            self._n_commands += 1
+            self._check_number(self._first)
             self._look.spans.append((self._first.line, self._line))
             if self._n_tokens > self._most_tokens:
                 self._most_tokens, self._look.longest = self._n_tokens, self._first
@@ -153,7 +157,17 @@ class _Scanner:
     def _string(self, match: re.Match[str]) -> None:
         self._token(match)
 
-    _sign = _string
+    def _sign(self, match: re.Match[str]) -> None:
+        place = self._token(match)
+        self._n_commands += match[0].count(";")
+        self._check_number(place)
+
+    def _check_number(self, place: Place) -> None:
+        """So many would take long to parse, and are no program, whatever of them are branches and functions."""
+        if self._n_commands > _MOST_COMMANDS and not self._too_many:
+            self._too_many = True
+            params = {"value": self._n_commands, "max": MAX_COMMANDS}
+            self._trouble("too_many_commands", place, **params)
 
     def _other(self, match: re.Match[str]) -> None:
         self._trouble("python_character", self._token(match), character=match[0])
