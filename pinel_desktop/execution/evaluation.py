@@ -49,12 +49,12 @@ class Compiled(NamedTuple):
     Attributes:
         weight: how many parts it has, which is how much work it is.
         simple: computes the value at once; None where that is not possible.
-        steps: computes it with whatever it has to ask for; works for all.
+        steps: computes it with whatever it has to ask for, where `simple` is None.
     """
 
     weight: int
     simple: Simple | None
-    steps: Callable[[], Asked]
+    steps: Callable[[], Asked] | None = None
 
 
 class Evaluator:
@@ -70,11 +70,11 @@ class Evaluator:
         self._compilers: dict[type, Callable[[Any], Compiled]] = {
             Operation: self._operation,
             Variable: self._variable,
-            GestureResult: lambda _: _at_once(1, lambda: self._context.gesture_result),
+            GestureResult: lambda _: Compiled(1, lambda: self._context.gesture_result),
             Sonar: self._sonar,
             Distance: self._distance,
             Lidar: self._lidar,
-            Measure: lambda node: _at_once(2, self._measures[node.sensor]),
+            Measure: lambda node: Compiled(2, self._measures[node.sensor]),
             FunctionCall: self._call,
         }
 
@@ -110,8 +110,9 @@ class Evaluator:
 
     def evaluated(self, part: Compiled) -> Asked:
         """Evaluates a compiled expression, and takes a breath after much work."""
-        if part.simple is None:
+        if part.steps is not None:
             return (yield from part.steps())
+        assert part.simple is not None
         value = part.simple()
         context = self._context
         context.n_evaluated += part.weight
@@ -129,24 +130,23 @@ class Evaluator:
 
     def _literal(self, expression: Any) -> Compiled:
         value = literal(expression)
-        return _at_once(1, lambda: value)
+        return Compiled(1, lambda: value)
 
     def _variable(self, node: Variable) -> Compiled:
         variables, name = self._context.variables, node.var
-        return _at_once(1, lambda: variables.get(name))
+        return Compiled(1, lambda: variables.get(name))
 
     def _operation(self, node: Operation) -> Compiled:
         compute, weight = self._computation(node)
-        long_way = self._in_steps(node.op, compute, node.args)
         if _is_long(node):
-            return Compiled(weight, None, long_way)
+            return Compiled(weight, None, self._in_steps(node.op, compute, node.args))
         args = [self.compiled(arg) for arg in node.args]
         weight += sum(arg.weight for arg in args)
         simple = [arg.simple for arg in args if arg.simple is not None]
         if len(simple) < len(args) or weight > _LONGEST_AT_ONCE:
-            return Compiled(weight, None, long_way)
+            return Compiled(weight, None, self._in_steps(node.op, compute, node.args))
         joined = _joined(node.op, simple) if node.op in _JOINED else _applied(compute, simple)
-        return _at_once(weight, joined)
+        return Compiled(weight, joined)
 
     def _computation(self, node: Operation) -> tuple[Compute, int]:
         """What an operation computes from the values of its arguments, and how much work that alone is."""
@@ -202,12 +202,12 @@ class Evaluator:
         weight, simple, _ = self.compiled(parameter)
         if simple is None:
             return Compiled(weight + _RAY, None, self._in_steps("", measure, [parameter]))
-        return _at_once(weight + _RAY, _applied(measure, [simple]))
+        return Compiled(weight + _RAY, _applied(measure, [simple]))
 
     def _distance(self, node: Distance) -> Compiled:
         context, direction = self._context, node.direction
         n_rays = len(context.robot.distance_sonars[direction])
-        return _at_once(n_rays * _RAY, lambda: distance(context, direction))
+        return Compiled(n_rays * _RAY, lambda: distance(context, direction))
 
     def _call(self, node: FunctionCall) -> Compiled:
         def steps() -> Asked:
@@ -218,14 +218,6 @@ class Evaluator:
             return result
 
         return Compiled(1, None, steps)
-
-
-def _at_once(weight: int, simple: Simple) -> Compiled:
-    def steps() -> Asked:
-        yield from ()
-        return simple()
-
-    return Compiled(weight, simple, steps)
 
 
 def _is_long(node: Operation) -> bool:

@@ -63,7 +63,7 @@ def peek(expression: Any, context: RunContext) -> Any:
     assert isinstance(read, SetVariable)
     if _has_effect(read.value):
         raise RunFailureError("peek_not_possible")
-    evaluating = Evaluator(context).compiled(read.value).steps()
+    evaluating = Evaluator(context).value(read.value)
     worked = context.n_evaluated
     try:
         while True:
@@ -71,7 +71,9 @@ def peek(expression: Any, context: RunContext) -> Any:
     except StopIteration as end:
         return cut_value(end.value)
     finally:
-        context.n_evaluated = worked  # looking is no work of the program: its ticks stay as they are
+        context.n_evaluated = (
+            worked  # looking is no work of the program: its ticks stay as they are
+        )
 
 
 def _has_effect(node: Any) -> bool:

@@ -23,12 +23,12 @@ class CommandPlan:
     Attributes:
         primitive: what it does.
         values: gives the values of its parameters at once; None where that is not possible.
-        in_steps: does the whole command, asking for what its parameters need first.
+        in_steps: does the whole command, asking for what its parameters need first, where `values` is None.
     """
 
     primitive: Primitive
     values: Callable[[], Values] | None
-    in_steps: Callable[[], Routine]
+    in_steps: Callable[[], Routine] | None = None
 
 
 class _Parameter:
@@ -62,7 +62,27 @@ def plan_of(command: Any, context: RunContext) -> CommandPlan:
     """The plan for a command of the program."""
     primitive = TABLE[command.action]
     parameters = [_Parameter(command, name, context) for name in primitive.parameters]
+    if all(parameter.is_constant for parameter in parameters):
+        constant = tuple([parameter.value() for parameter in parameters])
+        return CommandPlan(primitive, lambda: constant)
+    if all(parameter.is_simple for parameter in parameters):
+        return CommandPlan(primitive, _at_once(parameters, context))
+    return CommandPlan(primitive, None, _in_steps(primitive, command, parameters, context))
 
+
+def _at_once(parameters: list[_Parameter], context: RunContext) -> Callable[[], Values]:
+    weight = sum([parameter.weight for parameter in parameters])
+
+    def values() -> Values:
+        context.n_evaluated += weight
+        return tuple([parameter.value() for parameter in parameters])
+
+    return values
+
+
+def _in_steps(
+    primitive: Primitive, command: Any, parameters: list[_Parameter], context: RunContext
+) -> Callable[[], Routine]:
     def in_steps() -> Routine:
         values: list[Value | None] = []
         for parameter in parameters:
@@ -72,19 +92,4 @@ def plan_of(command: Any, context: RunContext) -> CommandPlan:
         assert primitive.routine is not None
         return (yield from primitive.routine(context, command, *values))
 
-    return CommandPlan(primitive, _at_once(parameters, context), in_steps)
-
-
-def _at_once(parameters: list[_Parameter], context: RunContext) -> Callable[[], Values] | None:
-    if all(parameter.is_constant for parameter in parameters):
-        constant = tuple(parameter.value() for parameter in parameters)
-        return lambda: constant
-    if not all(parameter.is_simple for parameter in parameters):
-        return None
-    weight = sum(parameter.weight for parameter in parameters)
-
-    def values() -> Values:
-        context.n_evaluated += weight
-        return tuple([parameter.value() for parameter in parameters])
-
-    return values
+    return in_steps

@@ -203,10 +203,10 @@ class ProgramStack:
         primitive = plan.primitive
         if not primitive.is_flow:
             self.n_executed += 1
-        if plan.values is None:
+        if plan.in_steps is not None:
             entry = self._report(command, pointer, None)
             self._push(entry, plan.in_steps(), plan)
-        else:
+        elif plan.values is not None:
             try:
                 values = plan.values()
             except RunFailureError:
