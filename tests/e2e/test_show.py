@@ -195,6 +195,20 @@ def test_beeps_are_heard_unless_somebody_wants_silence(studio: Studio) -> None:
     expect(studio["mute"]).to_have_attribute("data-muted", "true")
 
 
+def test_a_replay_beeps_unless_it_hurries(studio: Studio) -> None:
+    studio.page.evaluate(_COUNT_TONES)
+    studio.enter_new_group()
+    write_program(studio, "robot.wait(0.3)\nrobot.beep()\nrobot.wait(0.3)\nrobot.beep()\n")
+    run_to_the_end(studio)
+    studio.page.evaluate("run => { location.hash = `#/run/${run}` }", newest_run(studio))
+    for speed, heard in (("1", 4), ("16", 4)):
+        studio["replay-speed"].select_option(speed)
+        studio["replay-play"].click()
+        slider = studio["replay-slider"]
+        expect(slider).to_have_value(slider.get_attribute("max") or "")
+        assert tones(studio) == heard
+
+
 def test_a_page_reloaded_in_the_middle_of_a_run_knows_what_was_said(studio: Studio) -> None:
     studio.enter_new_group()
     write_program(studio, 'n = 4\nrobot.say("Olá")\nresposta = robot.ask("E agora?")\n')
