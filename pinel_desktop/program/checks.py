@@ -76,7 +76,7 @@ class _Checker:
         if commands.__class__ is not list:
             return
         self._n_commands += len(commands)
-        note = self._expressions.name
+        note, check = self._expressions.name, self._expressions.check
         for i, command in enumerate(commands):
             if command.__class__ is not dict:
                 continue
@@ -89,10 +89,10 @@ class _Checker:
                 continue
             for key in plan.variables:
                 note(command.get(key))
-            for key in plan.simple:  # nearly all parameters are literals, which the models check
-                if command.get(key).__class__ is dict:
-                    self._command(command, plan, (*path, i), around)
-                    break
+            for key, wanted in plan.expressions:  # most are literals, which the models check
+                value = command.get(key)
+                if value.__class__ is dict:
+                    check(value, (*path, i, key), wanted)
 
     def _command(self, command: dict[str, Any], plan: Plan, path: Path, around: _Around) -> None:
         self._deepest = max(self._deepest, len(path))

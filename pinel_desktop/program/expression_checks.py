@@ -127,6 +127,8 @@ class Expressions:
         if operator is None:
             self._add("unknown_operator", path, value=name, allowed=list(OPERATORS))
             return None
+        if operator.fits(types):
+            return operator.gives  # as nearly all do
         if not operator.accepts(len(args)):
             code = "wrong_argument_count" if operator.n_max is not None else "too_few_arguments"
             self._add(code, path, operator=name, value=len(args), min=operator.n_min)

@@ -1,6 +1,6 @@
 """The operators of expressions: what they take and what they give. Nothing here evaluates anything."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 ValueType = Literal["number", "text", "boolean", "list"]
@@ -14,16 +14,30 @@ class Operator:
         n_min, n_max: number of arguments; n_max is None where there is no limit.
         takes: types of the arguments, the last one for all that follow; None is any type.
         gives: type of the result; None where it depends on the arguments.
+        all_take: the one type that all arguments must have; None where there is none.
     """
 
     n_min: int
     n_max: int | None
     takes: tuple[ValueType | None, ...]
     gives: ValueType | None
+    all_take: ValueType | None = field(init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "all_take", self.takes[0] if len(self.takes) == 1 else None)
 
     def accepts(self, count: int) -> bool:
         """Whether it can have that many arguments."""
         return count >= self.n_min and (self.n_max is None or count <= self.n_max)
+
+    def fits(self, types: list[ValueType | None]) -> bool:
+        """Whether arguments of these types are certainly right; None is a type that only the run will know."""
+        if len(types) < self.n_min or (self.n_max is not None and len(types) > self.n_max):
+            return False
+        wanted = self.all_take
+        if wanted is None:
+            return False
+        return all(found is None or found == wanted for found in types)
 
     def type_at(self, index: int) -> ValueType | None:
         """The type of the argument at that place."""

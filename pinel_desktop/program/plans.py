@@ -17,7 +17,6 @@ class Plan:
     """Parameters with an expression, keys that name variables, keys of bodies.
 
     Attributes:
-        simple: keys of all expressions; where they hold literals there is nothing to check if `is_simple`.
         is_simple: whether there are only expressions and names, and no condition, which may be a text to be parsed.
     """
 
@@ -25,7 +24,6 @@ class Plan:
     variables: list[str] = field(default_factory=list)
     bodies: list[str] = field(default_factory=list)
     role: Literal["loop", "jump", "call", "return"] | None = None
-    simple: tuple[str, ...] = ()
     is_simple: bool = False
 
 
@@ -66,9 +64,8 @@ def _plans() -> dict[str, Plan]:
     plans["call"].role = "call"
     plans["return"].role = "return"
     for plan in plans.values():
-        plan.simple = tuple(key for key, _ in plan.expressions)
-        others = plan.bodies or plan.role
-        plan.is_simple = not others and "condition" not in plan.simple
+        conditions = any(key == "condition" for key, _ in plan.expressions)
+        plan.is_simple = not (plan.bodies or plan.role or conditions)
     return plans
 
 
