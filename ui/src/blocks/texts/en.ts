@@ -221,6 +221,8 @@ export const en: BlockTexts = {
   SEARCH_HINT: "Write what the block does.",
   SEARCH_NOTHING: "No block has these words.",
   SEARCH_FOUND: "%1 blocks found",
+  BREAKPOINT_ADD: "Pause here",
+  BREAKPOINT_REMOVE: "Do not pause here",
   HINT_EMPTY: "Drag a block here",
   OUT_OF_RANGE: "A number from %1 to %2 fits here. It is %3 now.",
   AT_LEAST: "A number of %1 or more fits here. It is %2 now.",

@@ -223,6 +223,8 @@ export const es: BlockTexts = {
   SEARCH_HINT: "Escribe lo que hace el bloque.",
   SEARCH_NOTHING: "Ningún bloque tiene esas palabras.",
   SEARCH_FOUND: "%1 bloques encontrados",
+  BREAKPOINT_ADD: "Pausar aquí",
+  BREAKPOINT_REMOVE: "No pausar más aquí",
   HINT_EMPTY: "Arrastra un bloque aquí",
   OUT_OF_RANGE: "Aquí vale un número de %1 a %2. Quedó %3.",
   AT_LEAST: "Aquí vale un número desde %1. Quedó %2.",

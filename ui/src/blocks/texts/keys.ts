@@ -43,6 +43,8 @@ type Word =
   | "SEARCH_NOTHING"
   | "SEARCH_FOUND"
   | "HINT_EMPTY"
+  | "BREAKPOINT_ADD"
+  | "BREAKPOINT_REMOVE"
   | "OUT_OF_RANGE"
   | "AT_LEAST"
   | "NOT_A_NUMBER"

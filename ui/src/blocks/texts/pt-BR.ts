@@ -223,6 +223,8 @@ export const ptBR: BlockTexts = {
   SEARCH_HINT: "Escreva o que o bloco faz.",
   SEARCH_NOTHING: "Nenhum bloco tem essas palavras.",
   SEARCH_FOUND: "%1 blocos encontrados",
+  BREAKPOINT_ADD: "Pausar aqui",
+  BREAKPOINT_REMOVE: "Não pausar mais aqui",
   HINT_EMPTY: "Arraste um bloco para cá",
   OUT_OF_RANGE: "Aqui vale um número de %1 a %2. Ficou %3.",
   AT_LEAST: "Aqui vale um número a partir de %1. Ficou %2.",
