@@ -14,7 +14,14 @@ from pinel_desktop.execution.values import Value, folded, join, same
 
 # takes the values of the arguments
 Compute = Callable[..., Value]
-_QUARTERS = {0.0: (0.0, 1.0), 90.0: (1.0, 0.0), 180.0: (0.0, -1.0), 270.0: (-1.0, 0.0)}
+# 360 is what the remainder of a tiny negative angle is rounded to
+_QUARTERS = {
+    0.0: (0.0, 1.0),
+    90.0: (1.0, 0.0),
+    180.0: (0.0, -1.0),
+    270.0: (-1.0, 0.0),
+    360.0: (0.0, 1.0),
+}
 
 
 def computations(random: Random) -> dict[str, Compute]:

@@ -120,6 +120,7 @@ def test_sine_cosine_and_tangent_are_exact_at_quarters_of_a_turn(
 def test_sine_takes_degrees(value_of: Any) -> None:
     assert value_of(op("sin", 30)) == pytest.approx(0.5)
     assert value_of(op("tan", -45)) == pytest.approx(-1)
+    assert value_of(op("sin", -1e-30)) == 0
 
 
 SET_LIST = {"action": "set_variable", "name": "l", "value": L}
