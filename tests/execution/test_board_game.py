@@ -1,4 +1,4 @@
-"""Experiment 6 of the dissertation, in the whole language: a pupil signs a cell, the robot drives there and marks it."""
+"""Experiment 6 of the dissertation in the whole language: a pupil signs a cell, the robot goes there and marks it."""
 
 from typing import Any
 
