@@ -195,26 +195,23 @@ class _Run:
         context = self._context
         if self._tick >= _MAX_TICKS:
             raise RunFailureError("time_limit", max=MAX_RUN_S)
-        command = context.command
-        self._link.command(command)
-        self._link.advance(TICK_S)
+        link, command = self._link, context.command
+        link.command(command)
+        link.advance(TICK_S)
         self._tick = tick = self._tick + 1
         context.tick = tick + 1
-        state = self._link.read()
-        self._take(state)
-        x, y, yaw = context.pose
-        v, w = state.twist
-        self._recorder.add((tick, x, y, yaw, v, w, command.v_mps, command.omega_radps))
+        pose, twist, _ = link.read()
+        if self._origin is not None:
+            pose = pose.relative_to(self._origin)
+        context.pose, context.twist = pose, twist
+        self._recorder.add((tick, *pose, *twist, *command))
         if self._observer is not None:
             goal_x, goal_y, goal_yaw = context.setpoint if context.driving is None else context.pose
             self._observer(
                 tick,
                 Telemetry(
-                    x,
-                    y,
-                    yaw,
-                    v,
-                    w,
+                    *pose,
+                    *twist,
                     *command,
                     goal_x,
                     goal_y,
