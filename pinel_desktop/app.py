@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from pinel_desktop.program.reading import Reading
 
 Event = dict[str, Any]
+_PATIENCE_S = 2.0
 # All is well again, or a remedy was applied: the file is written to.
 _WRITABLE_NOTICES = ("database_set_aside",)
 
@@ -161,12 +162,17 @@ class App:
             worlds=self._worlds,
             database_state=self._database_state,
             show_window=self._on_show,
+            keep_up=self._keep_up,
         )
 
     def _take(self, event: Event) -> None:
         """An event of the engine: first to the store, so that the page finds ended what it hears has ended."""
         self._recorder(event)
         self._hub.publish(event)
+
+    def _keep_up(self) -> None:
+        with contextlib.suppress(StoreError, TimeoutError):
+            self._recorder.flush().result(_PATIENCE_S)
 
     def _end_recording(self) -> None:
         """Writes what is pending, and closes a run that the engine left open."""

@@ -19,7 +19,7 @@ from storage.store import Store
 Event = Mapping[str, Any]
 
 _EVERY_S = 1.0
-_AT_ONCE = ("run_state", "capture_started", "run_ended")  # after these nothing may come for long
+_AT_ONCE = ("run_state", "capture_started", "asked", "run_ended")  # after these nothing may come for long
 _PATIENCE_S = 2.0
 _TRAIL_STEP_M = 0.01
 _RETRY_S = 1.5
@@ -63,6 +63,7 @@ class Recorder:
         self._flushed_at = clock()
         self._run = _Recording("")
         self._unsaved: list[Batch] = []
+        self._taking = threading.Lock()  # events come on one thread, readers who want them on others
         self._lock = threading.Lock()
         self._later = later
         self._cancel_retry: Cancel | None = None
@@ -71,21 +72,23 @@ class Recorder:
 
     def __call__(self, event: Event) -> None:
         """Records one event. Returns after `run_ended` only when the run is on disk, or cannot be."""
-        if event["run"] != self._run.run_id:
-            self._run = _Recording(event["run"])
-        self._run.add(event)
+        with self._taking:
+            if event["run"] != self._run.run_id:
+                self._run = _Recording(event["run"])
+            self._run.add(event)
         if event["type"] in _AT_ONCE or self._clock() - self._flushed_at >= _EVERY_S:
             written = self.flush()
             if event["type"] == "run_ended":
                 _wait(written)
 
     def flush(self) -> "Future[list[Batch]]":
-        """Hands what is pending to the writer."""
-        self._flushed_at = self._clock()
-        batch = self._run.taken(self._store.now())
-        if batch is not None:
-            with self._lock:
-                self._unsaved.append(batch)
+        """Hands what is pending to the writer; from any thread."""
+        with self._taking:
+            self._flushed_at = self._clock()
+            batch = self._run.taken(self._store.now())
+            if batch is not None:
+                with self._lock:
+                    self._unsaved.append(batch)
         return self._submit()
 
     def close(self) -> None:

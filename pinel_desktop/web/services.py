@@ -88,6 +88,7 @@ class Services:
     """Everything the handlers may touch.
 
     Attributes:
+        keep_up: writes what the live run has done so far; returns when it can be read, or cannot be written.
         show_window: brings the window forward; does nothing where there is none.
     """
 
@@ -101,6 +102,7 @@ class Services:
     worlds: Sequence[dict[str, Any]]
     database_state: Callable[[], DatabaseState]
     show_window: Callable[[], None]
+    keep_up: Callable[[], None]
 
 
 def services() -> Services:

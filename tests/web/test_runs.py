@@ -133,6 +133,18 @@ def test_a_run_that_has_ended_cannot_be_steered(
     assert (answer.status, answer.error["code"]) == (409, "run_not_live")
 
 
+def test_a_page_that_comes_in_the_middle_is_told_everything_up_to_now(
+    browser: Browser, engine: FakeEngine, run: dict[str, Any]
+) -> None:
+    sample = next(iter(square(run["id"])))
+    for seq in range(3):
+        engine.send(block_started(run["id"], seq=seq))
+    engine.send({**sample, "seq": 3})
+    events = browser.get(f"/api/runs/{run['id']}/events").data["events"]
+    assert [event["seq"] for event in events] == [0, 1, 2]
+    assert browser.send("GET", f"/api/runs/{run['id']}/telemetry").status == 200
+
+
 def test_a_recorded_run_reads_back_with_version_and_world(
     browser: Browser, engine: FakeEngine, version: dict[str, Any], run: dict[str, Any]
 ) -> None:

@@ -191,6 +191,7 @@ def get_run(path: IdPath) -> Response:
 @api.get("/runs/<id>/events", responses=answers(RunEvents, 404))
 def get_run_events(path: IdPath) -> Response:
     """Events of a run without telemetry, as they were on the stream."""
+    _keep_up(path.id)
     events = services().store.runs.events(path.id)
     return Response(
         json.dumps({"events": events}, separators=(",", ":")), mimetype="application/json"
@@ -200,9 +201,17 @@ def get_run_events(path: IdPath) -> Response:
 @api.get("/runs/<id>/telemetry", responses=answers(_OCTETS, 404))
 def get_run_telemetry(path: IdPath) -> Response:
     """Telemetry of a run: length of the header (uint32), header (JSON), float32 columns; all little-endian."""
+    _keep_up(path.id)
     return Response(
         services().store.runs.telemetry(path.id).to_wire(), mimetype="application/octet-stream"
     )
+
+
+def _keep_up(run_id: str) -> None:
+    """A page that comes in the middle of a run is told everything up to now."""
+    parts = services()
+    if parts.engine.live_run == run_id:
+        parts.keep_up()
 
 
 def _model(row: RunRow) -> Run:
