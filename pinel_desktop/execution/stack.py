@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 from pinel_desktop.events.model import BlockEnded, BlockStarted
+from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.execution.context import RunContext, RunFailureError
 from pinel_desktop.execution.plans import CommandPlan, plan_of
 from pinel_desktop.execution.requests import Body, Invoke, Jump, Leave, Returned, Routine
@@ -17,6 +18,7 @@ from pinel_desktop.execution.variables import Names
 from pinel_desktop.program.limits import MAX_RECURSION
 from pinel_desktop.program.model import Program
 
+_REPORT_TICKS = TICK_HZ // 5
 _PARTS_A_STEP = 20  # parts of expressions that take about as long as one command
 
 
@@ -72,7 +74,7 @@ class _Frame:
 class ProgramStack:
     """Steps through a program.
 
-    A command that takes no time is reported at most once a tick for each of its places in the program, so that
+    A command that takes no time is reported at most five times a second for each of its places in the program, so that
     a loop without motion cannot flood those who watch.
     """
 
@@ -89,6 +91,7 @@ class ProgramStack:
         self.holds: Callable[[Any], bool] | None = None
         self.is_held = False
         self._reported: set[str] = set()
+        self._forget_at = _REPORT_TICKS
         # by identity: the program is there as long as the run, and is frozen
         self._plans: dict[int, CommandPlan] = {}
         self.calls: list[dict[str, str | None]] = []
@@ -121,8 +124,9 @@ class ProgramStack:
         Where a command is held (`is_held`), it returns True as well, and no tick has to pass. Long expressions count
         as more than one step; `stop` is asked between steps, and ends them too.
         """
-        if self._reported:
+        if self._reported and self._context.tick >= self._forget_at:
             self._reported.clear()
+            self._forget_at = self._context.tick + _REPORT_TICKS
         self.is_held = False
         timed = self._timed
         if timed is not None:  # what let the last tick pass mostly needs the next one too
