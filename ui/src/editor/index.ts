@@ -12,6 +12,7 @@ import { type Fault, Faults } from "./faults";
 import { bringIntoView, Highlight } from "./highlight";
 import { injectWorkspace } from "./inject";
 import { applyLanguage } from "./locale";
+import { Overview } from "./overview";
 import { type Peek, ValueBubble } from "./peek";
 import { quietly } from "./quietly";
 import { ensureStartBlock, markLooseBlocks } from "./start_block";
@@ -81,6 +82,7 @@ class BlockEditor implements Editor {
   private readonly running: Highlight;
   private readonly breakpoints: Breakpoints | undefined;
   private readonly values: ValueBubble | undefined;
+  private readonly overview: Overview;
   private readonly hint = new StartHint();
   private readonly zoomControls: ReturnType<typeof addZoomControls>;
   private readonly sizes: ResizeObserver;
@@ -95,6 +97,7 @@ class BlockEditor implements Editor {
     this.running = new Highlight(this.workspace);
     const { onBreakpoints } = options;
     this.breakpoints = onBreakpoints && new Breakpoints(this.workspace, onBreakpoints);
+    this.overview = new Overview(this.workspace);
     this.values = options.peek && new ValueBubble(this.workspace, options.peek);
     this.zoomControls = addZoomControls(this.workspace, () => this.zoomToFit());
     this.sizes = new ResizeObserver(() => this.resize());
@@ -186,6 +189,7 @@ class BlockEditor implements Editor {
 
   resize(): void {
     Blockly.svgResize(this.workspace);
+    this.overview.refresh();
   }
 
   dispose(): void {
@@ -196,6 +200,7 @@ class BlockEditor implements Editor {
     this.sizes.disconnect();
     this.zoomControls.remove();
     this.values?.dispose();
+    this.overview.dispose();
     this.workspace.dispose();
   }
 
@@ -228,6 +233,7 @@ class BlockEditor implements Editor {
       ensureStartBlock(this.workspace);
       markLooseBlocks(this.workspace);
     });
+    this.overview.refresh();
     this.breakpoints?.refresh();
     this.refreshHint();
   }

@@ -1,13 +1,29 @@
 import { type ReadonlySignal, useComputed } from "@preact/signals";
+import { texts } from "../i18n";
 import type { RunView } from "./reducer";
 import { Talk } from "./Talk";
 import { Watch } from "./Watch";
 
+interface ShownProps {
+  view: ReadonlySignal<RunView>;
+  /** More to watch: what sensors measure while the run stands. */
+  more?: ReadonlySignal<readonly (readonly [string, unknown])[]>;
+}
+
 /** Under the floor: what the robot says, and what its variables hold. Nothing where there is neither. */
-export function Shown({ view }: { view: ReadonlySignal<RunView> }) {
+export function Shown({ view, more }: ShownProps) {
   const talk = useComputed(() => view.value.output.talk);
   const variables = useComputed(() => view.value.output.variables);
-  const rows = Object.entries(variables.value);
+  const calls = useComputed(() => view.value.output.calls.map((call) => call.function).join(" › "));
+  const paused = useComputed(() => view.value.phase === "paused");
+  const gesture = useComputed(() => view.value.gesture);
+  const { debug } = texts.value;
+  const rows: (readonly [string, unknown])[] = Object.entries(variables.value);
+  if (paused.value) {
+    if (calls.value) rows.unshift([debug.calls, calls.value]);
+    if (gesture.value !== null) rows.push([debug.gesture, gesture.value]);
+    rows.push(...(more?.value ?? []));
+  }
   if (talk.value.length === 0 && rows.length === 0) return null;
   return (
     <div class="shown">

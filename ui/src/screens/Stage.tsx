@@ -1,5 +1,6 @@
 import { type Signal, useComputed } from "@preact/signals";
 import { worlds } from "../app/session";
+import { senses } from "../debug/senses";
 import { CapturePanel } from "../run/CapturePanel";
 import * as robot from "../run/live";
 import { MuteButton } from "../run/MuteButton";
@@ -37,7 +38,7 @@ export function Stage({ control, drawer }: StageProps) {
           <Scene world={control.world.value} view={robot.live} poseAt={robot.livePose} />
           <Corner control={control} />
         </div>
-        {!waits && <Shown view={robot.live} />}
+        {!waits && <Shown view={robot.live} more={senses} />}
       </div>
       {capturing.value && <CaptureWhileAsked control={control} />}
       {asked.value && <Asked control={control} question={asked.value} />}

@@ -6,6 +6,7 @@ import type { OpenProgram } from "../app/open_program";
 import { renameProgram } from "../app/rename";
 import { connection, engine, problem, report, wordsOf, worlds } from "../app/session";
 import { breakpoints, tellRun, wishes } from "../debug/debugging";
+import { watchSensors } from "../debug/senses";
 import type { Editor } from "../editor";
 import { language, texts } from "../i18n";
 import { reasonWords } from "../i18n/reasons";
@@ -67,6 +68,7 @@ export class StudioControl {
     this.editor = editor;
     const stops = [
       tellRun(report),
+      watchSensors(() => (this.mine.peek() ? this.documentThatRuns() : null)),
       effect(() => editor.highlight(this.lit.value)),
       effect(() => editor.showFaults([...this.open.faults.value, ...this.runFaults()])),
     ];

@@ -221,6 +221,7 @@ export const en: BlockTexts = {
   SEARCH_HINT: "Write what the block does.",
   SEARCH_NOTHING: "No block has these words.",
   SEARCH_FOUND: "%1 blocks found",
+  OVERVIEW: "The whole program. Drag to go to a part.",
   BREAKPOINT_ADD: "Pause here",
   BREAKPOINT_REMOVE: "Do not pause here",
   HINT_EMPTY: "Drag a block here",

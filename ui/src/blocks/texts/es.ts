@@ -223,6 +223,7 @@ export const es: BlockTexts = {
   SEARCH_HINT: "Escribe lo que hace el bloque.",
   SEARCH_NOTHING: "Ningún bloque tiene esas palabras.",
   SEARCH_FOUND: "%1 bloques encontrados",
+  OVERVIEW: "El programa entero. Arrastra para ir a una parte.",
   BREAKPOINT_ADD: "Pausar aquí",
   BREAKPOINT_REMOVE: "No pausar más aquí",
   HINT_EMPTY: "Arrastra un bloque aquí",

@@ -223,6 +223,7 @@ export const ptBR: BlockTexts = {
   SEARCH_HINT: "Escreva o que o bloco faz.",
   SEARCH_NOTHING: "Nenhum bloco tem essas palavras.",
   SEARCH_FOUND: "%1 blocos encontrados",
+  OVERVIEW: "O programa inteiro. Arraste para ir até uma parte.",
   BREAKPOINT_ADD: "Pausar aqui",
   BREAKPOINT_REMOVE: "Não pausar mais aqui",
   HINT_EMPTY: "Arraste um bloco para cá",
