@@ -88,3 +88,38 @@ def test_the_value_of_a_block_is_shown_while_the_run_stands(studio: Studio) -> N
     expect(studio.page.locator(".pinelValue")).to_have_text("0,25")
     studio["run"].click()
     studio.wait_for_phase("finished")
+
+
+def test_sensors_calls_and_variables_are_watched_while_the_run_stands(studio: Studio) -> None:
+    studio.enter_new_group()
+    write_program(
+        studio,
+        "def look(n):\n    robot.say(robot.sonar(3))\n    robot.say(n)\n\nside = 2\nlook(side)\n",
+    )
+    studio["step"].click()
+    studio.wait_for_phase("paused")
+    watched = studio.page.locator('[data-testid="watch-value"]')
+    expect(watched.filter(visible=True)).to_have_count(1)  # the sonar; nothing has a value yet
+    for _ in range(2):
+        studio["step"].click()
+        studio.wait_for_phase("paused")
+    expect(studio.page.locator('[data-name="side"]')).to_have_text("2")
+    expect(studio.page.locator('[data-name="n"]')).to_have_text("2")
+    expect(studio.page.locator('[data-name="dentro de"]')).to_contain_text("look")
+    expect(studio.page.locator('[data-name="sonar 3"]')).to_have_text(
+        "3,8291"
+    )  # (4 - 0.229) / cos 10°
+    studio["step-out"].click()
+    studio.wait_for_phase("finished")
+
+
+def test_a_long_program_has_a_map(studio: Studio) -> None:
+    studio.enter_new_group()
+    overview = studio.page.locator(".pinelOverview")
+    expect(overview).to_be_hidden()
+    write_program(studio, "robot.beep()\n" * 60 + "robot.stop()\n")
+    expect(overview).to_be_visible()
+    last = studio.blocks.by_words("parar")
+    expect(last).not_to_be_in_viewport()
+    overview.click(position={"x": 12, "y": 168})
+    expect(last).to_be_in_viewport()
