@@ -144,8 +144,14 @@ def _results(text: str) -> list[str]:
 
 
 def _answers(texts: tuple[str, ...]) -> list[str]:
-    rows = [row for text in texts for row in csv.reader([text], skipinitialspace=True)]
-    return [answer for row in rows for answer in row]
+    """The answers in their order; a text that is no row of CSV is one answer."""
+    found: list[str] = []
+    for text in texts:
+        try:
+            found += next(csv.reader([text], skipinitialspace=True), [""])
+        except csv.Error:  # it has lines of its own
+            found.append(text)
+    return found
 
 
 class _Keeper:

@@ -261,7 +261,11 @@ class _Run:
         self._context.command = STANDSTILL
         try:
             self._link.command(STANDSTILL)
-            if self._tick > 0 and reason not in ("link_lost", "internal_error", "time_limit"):
+            if 0 < self._tick < _MAX_TICKS and reason not in (
+                "link_lost",
+                "internal_error",
+                "time_limit",
+            ):
                 self._rest()
         except PinelError as error:
             return reason or error.code, params or error.params

@@ -8,6 +8,7 @@ from pinel_desktop.control.goal import MOVE_GOAL, TURN_GOAL, GoalCheck
 from pinel_desktop.execution.clock import TICK_HZ, TICK_S
 from pinel_desktop.execution.context import RunContext, RunFailureError
 from pinel_desktop.execution.requests import Routine
+from pinel_desktop.program.limits import MAX_RUN_S
 from pinel_desktop.robot import STANDSTILL, Pose2D, Twist2D, wrap_angle
 
 _BLOCKED_TICKS = 2 * TICK_HZ
@@ -15,6 +16,9 @@ _MOVE_STEP_M = 0.01
 _TURN_STEP_RAD = math.radians(1.0)
 _BESIDE_M = 0.05  # the end of an arc; what is less the next motion corrects
 _ALREADY_THERE_M = 1e-6
+_SLOWEST = 1e-6  # m/s, rad/s; such a motion ends as blocked
+_LONGEST_S = MAX_RUN_S + 60.0
+_KEPT_S = 120.0
 _AT_REST_MPS, _AT_REST_RADPS = 1e-3, 2e-3
 
 
@@ -54,9 +58,7 @@ def drive_straight(context: RunContext, distance_m: float) -> Routine:
     robot = context.robot
 
     def plan(rest_m: float) -> tuple[float, ...]:
-        return s_curve(
-            rest_m, context.max_v_mps, robot.acceleration_mps2, robot.smoothing_s, TICK_S
-        )
+        return _profile(rest_m, context.max_v_mps, robot.acceleration_mps2, robot.smoothing_s)
 
     setpoints = _Setpoints(context, distance_m, plan)
     progress = ProgressCheck(_MOVE_STEP_M, _BLOCKED_TICKS)
@@ -77,16 +79,13 @@ def drive_straight(context: RunContext, distance_m: float) -> Routine:
 
 def turn_on_the_spot(context: RunContext, angle_rad: float) -> Routine:
     """Turns by the whole angle in its sign's direction, also beyond a full circle; closed loop."""
+    yield from _stand_first(context)
     start = _begin(context)
     robot = context.robot
 
     def plan(rest_rad: float) -> tuple[float, ...]:
-        return s_curve(
-            rest_rad,
-            context.max_omega_radps,
-            robot.angular_acceleration_radps2,
-            robot.smoothing_s,
-            TICK_S,
+        return _profile(
+            rest_rad, context.max_omega_radps, robot.angular_acceleration_radps2, robot.smoothing_s
         )
 
     setpoints = _Setpoints(context, angle_rad, plan)
@@ -116,6 +115,7 @@ def drive_arc(context: RunContext, radius_m: float, angle_rad: float) -> Routine
     negative radius, which is driven backwards. The set-point's speed follows an S-curve along the arc, within the
     limits of both velocities.
     """
+    yield from _stand_first(context)
     arc = Arc(_begin(context), radius_m, angle_rad, DEFAULT_GAINS)
     robot, length = context.robot, abs(radius_m)
 
@@ -124,7 +124,7 @@ def drive_arc(context: RunContext, radius_m: float, angle_rad: float) -> Routine
         if length > 0.0:
             omega = min(omega, context.max_v_mps / length)
             alpha = min(alpha, robot.acceleration_mps2 / length)
-        return s_curve(rest_rad, omega, alpha, robot.smoothing_s, TICK_S)
+        return _profile(rest_rad, omega, alpha, robot.smoothing_s)
 
     setpoints = _Setpoints(context, angle_rad, plan)
     progress = ProgressCheck(_TURN_STEP_RAD, _BLOCKED_TICKS)
@@ -153,10 +153,12 @@ def drive_arc(context: RunContext, radius_m: float, angle_rad: float) -> Routine
 
 def drive_to(context: RunContext, x_m: float, y_m: float) -> Routine:
     """Turns towards a point of the start frame by the smaller angle, and drives to it."""
+    yield from _stand_first(context)
     here = _begin(context)
     dx, dy = x_m - here.x_m, y_m - here.y_m
     distance = math.hypot(dx, dy)
     if distance < _ALREADY_THERE_M:
+        _end(context, here)
         return None
     turn = wrap_angle(math.atan2(dy, dx) - here.yaw_rad)
     yield from turn_on_the_spot(context, turn)
@@ -192,6 +194,27 @@ def at_rest(twist: Twist2D) -> bool:
 
 def _arrived(context: RunContext, goal: GoalCheck, error: float, ticks_past_end: int) -> bool:
     return goal.arrived(error, ticks_past_end) and at_rest(context.twist)
+
+
+def _profile(
+    rest: float, speed: float, acceleration: float, smoothing_s: float
+) -> tuple[float, ...]:
+    """The S-curve over what is left of a motion, or over as much of it as a run has time for.
+
+    A plan is made at once, and somebody may press Stop meanwhile: 100 m at a snail's pace must not take seconds.
+    """
+    speed = max(speed, _SLOWEST)
+    longest = speed * _LONGEST_S
+    # long plans are not kept: they are large, and nobody drives them twice
+    curve = s_curve if abs(rest) < speed * _KEPT_S else s_curve.__wrapped__
+    return curve(min(max(rest, -longest), longest), speed, acceleration, smoothing_s, TICK_S)
+
+
+def _stand_first(context: RunContext) -> Routine:
+    """After `drive` a motion begins where the robot has come to rest: it would slide off its reference."""
+    if context.reference_lost:
+        yield from come_to_rest(context)
+    return None
 
 
 def _begin(context: RunContext) -> Pose2D:

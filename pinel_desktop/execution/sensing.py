@@ -13,13 +13,16 @@ if TYPE_CHECKING:
     from pinel_desktop.execution.context import RunContext
 
 
+_ROUNDING_DEG = 1e-9
+
+
 def measures(context: RunContext) -> dict[str, Callable[[], Value]]:
     """The sensors without parameters, by name; each is read when it is called."""
     sensors = context.sensors
     return {
         "x": lambda: context.pose.x_m,
         "y": lambda: context.pose.y_m,
-        "heading": lambda: math.degrees(context.pose.yaw_rad),
+        "heading": lambda: _heading_deg(context.pose.yaw_rad),
         "time": lambda: (context.tick - 1) / TICK_HZ,
         "bumper": sensors.bumper,
         "floor": sensors.floor,
@@ -41,3 +44,9 @@ def distance(context: RunContext, direction: str) -> float:
 def lidar(context: RunContext, angle_deg: float) -> float:
     """What the laser scanner measures at an angle from the heading, in m."""
     return float(context.sensors.lidar(math.radians(angle_deg)))
+
+
+def _heading_deg(yaw_rad: float) -> float:
+    """In (-180, 180]: straight back is 180, also where rounding has put it a hair beyond."""
+    degrees = math.degrees(yaw_rad)
+    return degrees if degrees > -180.0 + _ROUNDING_DEG else 180.0
