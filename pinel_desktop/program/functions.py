@@ -53,7 +53,8 @@ def parameters_of(function: dict[str, Any]) -> tuple[str, ...]:
 
 def _gives_value(commands: Any) -> bool:
     return any(
-        command.get("action") == "return" and "value" in command for command in _within(commands)
+        command.get("action") == "return" and command.get("value") is not None
+        for command in _within(commands)
     )
 
 

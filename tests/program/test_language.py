@@ -214,6 +214,13 @@ def test_a_loop_around_a_call_is_not_around_the_commands_of_the_function() -> No
     ]
 
 
+def test_a_function_that_returns_null_gives_no_value() -> None:
+    function = {"name": "f", "commands": [{"action": "return", "value": None}]}
+    assert faults(document(say({"call": "f"}), functions=[function])) == [
+        ("function_without_value", "/commands/0/text/call")
+    ]
+
+
 def test_strings_of_conditions_are_checked_like_trees() -> None:
     command = {"action": "while", "condition": "not (1 < 'a')", "commands": []}
     assert faults(document(command)) == [("not_comparable", "/commands/0/condition")]
