@@ -153,6 +153,11 @@ def test_every_operator_is_read(name: str) -> None:
         (say(op("+", 1, op("eval", 1))), "unknown_operator", "/text/args/1"),
         ({"action": "turn", "angle": op("join", 1)}, "wrong_type_number", "/angle"),
         ({"action": "turn", "angle": {"sensor": "bumper"}}, "wrong_type_number", "/angle"),
+        (
+            {"action": "set_gesture_result", "resultado": op("not", True)},
+            "wrong_type_text",
+            "/resultado",
+        ),
         ({"action": "break"}, "break_outside_loop", ""),
         ({"action": "continue"}, "continue_outside_loop", ""),
         ({"action": "return"}, "return_outside_function", ""),
