@@ -217,12 +217,22 @@ class BlockEditor implements Editor {
   private remake(): void {
     Blockly.hideChaff();
     const running = this.running.blockId;
+    const focused = this.focusedBlock();
     const faults = this.faults.shown;
     this.running.show(null);
     this.faults.clear();
     this.replace(Blockly.serialization.workspaces.save(this.workspace));
     this.faults.show(faults);
     this.running.show(running);
+    const again = focused && this.workspace.getBlockById(focused);
+    if (again) Blockly.getFocusManager().focusNode(again);
+  }
+
+  /** Id of the block that has the keyboard, if one of ours has it. */
+  private focusedBlock(): string | null {
+    if (!this.options.container.contains(document.activeElement)) return null;
+    const node = Blockly.getFocusManager().getFocusedNode();
+    return node instanceof Blockly.BlockSvg && node.workspace === this.workspace ? node.id : null;
   }
 
   private replace(workspace: object | null): void {
