@@ -19,7 +19,12 @@ from storage.store import Store
 Event = Mapping[str, Any]
 
 _EVERY_S = 1.0
-_AT_ONCE = ("run_state", "capture_started", "asked", "run_ended")  # after these nothing may come for long
+_AT_ONCE = (
+    "run_state",
+    "capture_started",
+    "asked",
+    "run_ended",
+)  # after these nothing may come for long
 _PATIENCE_S = 2.0
 _TRAIL_STEP_M = 0.01
 _RETRY_S = 1.5
@@ -63,7 +68,9 @@ class Recorder:
         self._flushed_at = clock()
         self._run = _Recording("")
         self._unsaved: list[Batch] = []
-        self._taking = threading.Lock()  # events come on one thread, readers who want them on others
+        self._taking = (
+            threading.Lock()
+        )  # events come on one thread, readers who want them on others
         self._lock = threading.Lock()
         self._later = later
         self._cancel_retry: Cancel | None = None

@@ -41,7 +41,9 @@ def seconds(work: Callable[[], object]) -> float:
 
 
 @pytest.mark.parametrize(("name", "commands"), [("moves", MOVES), ("mixed", MIXED)])
-def test_reading_costs_at_most_five_times_parsing(name: str, commands: list[dict[str, Any]]) -> None:
+def test_reading_costs_at_most_five_times_parsing(
+    name: str, commands: list[dict[str, Any]]
+) -> None:
     text = document(commands)
     assert read_document(text).program is not None
     pairs = [
