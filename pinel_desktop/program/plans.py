@@ -58,7 +58,7 @@ def _plans() -> dict[str, Plan]:
     plans = {action_of(model): _plan(model) for model in COMMANDS}
     # the original's spellings
     plans["classificar_gestos"] = plans["classify_gestures"]
-    plans["set_gesture_result"].expressions.append(("resultado", "text"))
+    plans["set_gesture_result"].expressions += [("resultado", "text")]
     for action in ("repeat", "while", "until", "for", "forever"):
         plans[action].role = "loop"
     for action in ("break", "continue"):
