@@ -38,6 +38,9 @@ function editorAndFontsEarly(): Plugin {
           (file) => file.type === "chunk" && file.isEntry,
         );
         if (!editor) throw new Error("the editor is not a chunk of its own");
+        if (editor.type === "chunk" && editor.viteMetadata?.importedCss.size) {
+          throw new Error("the editor would wait for a style sheet: import it in editor.css");
+        }
         const fonts = Object.keys(bundle ?? {}).filter((name) => name.endsWith(".woff2"));
         // what the editor shares with the code that makes blocks of Python is a chunk of its own
         const parts = editor.type === "chunk" ? [editor.fileName, ...editor.imports] : [];

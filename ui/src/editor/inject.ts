@@ -1,5 +1,4 @@
 import * as Blockly from "blockly/core";
-import "./dialogs.css";
 import { keepCallsInStep } from "../blocks/function_sync";
 import { registerFlyouts, toolbox } from "../blocks/toolbox";
 import type { EditorOptions } from ".";
