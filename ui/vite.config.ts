@@ -20,42 +20,20 @@ function blocklyMedia(): Plugin {
   };
 }
 
-/**
- * The editor is nearly all of the code, and blocks that are drawn before their font is there are drawn twice: both
- * are fetched beside the page's own code, not after it.
- */
-function editorAndFontsEarly(): Plugin {
+/** Blocks that are drawn before their font is there are drawn twice: fonts are fetched beside the code. */
+function fontsEarly(): Plugin {
   return {
-    name: "pinel-editor-and-fonts-early",
+    name: "pinel-fonts-early",
     apply: "build",
     transformIndexHtml: {
       order: "post",
       handler(_html, { bundle }) {
-        const editor = Object.values(bundle ?? {}).find(
-          (file) => file.type === "chunk" && file.facadeModuleId?.endsWith("/src/editor/index.ts"),
-        );
-        const entry = Object.values(bundle ?? {}).find(
-          (file) => file.type === "chunk" && file.isEntry,
-        );
-        if (!editor) throw new Error("the editor is not a chunk of its own");
-        if (editor.type === "chunk" && editor.viteMetadata?.importedCss.size) {
-          throw new Error("the editor would wait for a style sheet: import it in editor.css");
-        }
         const fonts = Object.keys(bundle ?? {}).filter((name) => name.endsWith(".woff2"));
-        // what the editor shares with the code that makes blocks of Python is a chunk of its own
-        const parts = editor.type === "chunk" ? [editor.fileName, ...editor.imports] : [];
-        const early = [
-          ...parts
-            .filter((name) => name !== entry?.fileName)
-            .map((name) => ({ rel: "modulepreload", href: `/${name}`, crossorigin: true })),
-          ...fonts.map((name) => ({
-            rel: "preload",
-            as: "font",
-            href: `/${name}`,
-            crossorigin: true,
-          })),
-        ];
-        return early.map((attrs) => ({ tag: "link", attrs, injectTo: "head" as const }));
+        return fonts.map((name) => ({
+          tag: "link",
+          attrs: { rel: "preload", as: "font", href: `/${name}`, crossorigin: true },
+          injectTo: "head" as const,
+        }));
       },
     },
   };
@@ -63,12 +41,13 @@ function editorAndFontsEarly(): Plugin {
 
 export default defineConfig({
   base: "/",
-  plugins: [blocklyMedia(), editorAndFontsEarly()],
+  plugins: [blocklyMedia(), fontsEarly()],
   build: {
     outDir: here("../pinel_desktop/web/static"),
     emptyOutDir: true,
     target: "es2022",
     chunkSizeWarningLimit: 1500,
+    modulePreload: { polyfill: false }, // there is one chunk
   },
   server: { fs: { allow: [here("..")] } },
   test: {

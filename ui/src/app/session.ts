@@ -6,6 +6,7 @@ import { language, texts } from "../i18n";
 import { isLanguage, type Language } from "../i18n/language";
 import { live, receive, resync } from "../run/live";
 import { openStream } from "../run/stream";
+import { serverStatus } from "./first_answers";
 
 /** How the page stands with the program behind it. */
 export type Connection = "opening" | "open" | "gone" | "locked";
@@ -64,7 +65,7 @@ function poll(): void {
 /** Asks the server how it is; goes on asking while it is gone or its engine is not ready. */
 export async function refreshStatus(): Promise<void> {
   try {
-    const answer = await api.status();
+    const answer = await serverStatus();
     status.value = answer;
     notice.value = answer.database.notice;
     if (connection.value === "opening" && isLanguage(answer.language)) {

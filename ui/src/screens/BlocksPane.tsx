@@ -1,13 +1,12 @@
 import { AlignVerticalJustifyStart, ChevronDown, Layers, Redo2, Undo2, X } from "lucide-preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { LEVELS, level, setLevel } from "../app/level";
-import { problem, program, report } from "../app/session";
+import { problem, program } from "../app/session";
 import { TEST } from "../app/testids";
 import { theme } from "../app/theme";
 import { breakpoints } from "../debug/debugging";
-import type { Editor } from "../editor";
+import { createEditor, type Editor } from "../editor";
 import { language, texts } from "../i18n";
-import { loadEditor } from "./editor_loader";
 import { FaultList } from "./FaultList";
 import type { StudioControl } from "./studio_control";
 
@@ -117,31 +116,26 @@ function Workspace({ control }: { control: StudioControl }) {
 
   // before the first paint: a group waits for its blocks, not for an empty frame
   useLayoutEffect(() => {
-    let left = false;
-    let untie = () => {};
-    loadEditor().then(({ createEditor }) => {
-      if (left || !container.current) return;
-      const made = createEditor({
-        container: container.current,
-        language: language.value,
-        theme: theme.value,
-        mediaPath: "/media/",
-        level: level.value,
-        programName: () => program.value?.name ?? "",
-        onChange: (content) => control.onEdit(content),
-        peek: (expression) => control.peek(expression),
-        onBreakpoints: (ids) => {
-          breakpoints.value = ids;
-        },
-      });
-      editor.current = made;
-      openIn(made, control);
-      untie = control.attach(made);
-    }, report);
+    if (!container.current) return;
+    const made = createEditor({
+      container: container.current,
+      language: language.value,
+      theme: theme.value,
+      mediaPath: "/media/",
+      level: level.value,
+      programName: () => program.value?.name ?? "",
+      onChange: (content) => control.onEdit(content),
+      peek: (expression) => control.peek(expression),
+      onBreakpoints: (ids) => {
+        breakpoints.value = ids;
+      },
+    });
+    editor.current = made;
+    openIn(made, control);
+    const untie = control.attach(made);
     return () => {
-      left = true;
       untie();
-      editor.current?.dispose();
+      made.dispose();
       editor.current = null;
     };
   }, [control]);

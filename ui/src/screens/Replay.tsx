@@ -1,10 +1,9 @@
 import { useComputed } from "@preact/signals";
 import { ArrowLeft, Eye } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
-import { report } from "../app/session";
 import { TEST } from "../app/testids";
 import { theme } from "../app/theme";
-import type { Editor } from "../editor";
+import { createEditor, type Editor } from "../editor";
 import { language, texts } from "../i18n";
 import { MuteButton } from "../run/MuteButton";
 import type { Playback } from "../run/playback";
@@ -15,7 +14,6 @@ import { StatusLine } from "../run/StatusLine";
 import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
 import { beep } from "../run/sound";
 import { Scene } from "../scene/Scene";
-import { loadEditor } from "./editor_loader";
 import type { Recording } from "./ReplayScreen";
 import { Transport } from "./Transport";
 import "../run/run.css";
@@ -98,26 +96,21 @@ function ReadOnlyBlocks({ recording: { run, playback } }: { recording: Recording
   const editor = useRef<Editor | null>(null);
 
   useEffect(() => {
-    let left = false;
-    let stop = () => {};
-    loadEditor().then(({ createEditor }) => {
-      if (left || !container.current || !run.version) return;
-      const made = createEditor({
-        container: container.current,
-        language: language.value,
-        theme: theme.value,
-        mediaPath: "/media/",
-        onChange: () => {},
-      });
-      editor.current = made;
-      made.load(run.version.workspace);
-      made.setReadOnly(true);
-      stop = playback.view.subscribe((view) => made.highlight(litBlock(view)));
-    }, report);
+    if (!container.current || !run.version) return;
+    const made = createEditor({
+      container: container.current,
+      language: language.value,
+      theme: theme.value,
+      mediaPath: "/media/",
+      onChange: () => {},
+    });
+    editor.current = made;
+    made.load(run.version.workspace);
+    made.setReadOnly(true);
+    const stop = playback.view.subscribe((view) => made.highlight(litBlock(view)));
     return () => {
-      left = true;
       stop();
-      editor.current?.dispose();
+      made.dispose();
       editor.current = null;
     };
   }, [run.id]);

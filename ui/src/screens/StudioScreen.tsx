@@ -1,5 +1,5 @@
 import { useLayoutEffect, useState } from "preact/hooks";
-import { programAndGroups } from "../app/first_program";
+import { programAndGroups } from "../app/first_answers";
 import { OpenProgram, opened } from "../app/open_program";
 import { group, program, report } from "../app/session";
 import { texts } from "../i18n";

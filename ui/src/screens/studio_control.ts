@@ -10,6 +10,7 @@ import { watchSensors } from "../debug/senses";
 import type { Editor } from "../editor";
 import { language, texts } from "../i18n";
 import { reasonWords } from "../i18n/reasons";
+import { workspaceOf } from "../loader";
 import * as robot from "../run/live";
 import { isLive, runningBlock } from "../run/reducer";
 import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
@@ -86,7 +87,6 @@ export class StudioControl {
 
   /** Shows a document as blocks in place of those that are there, and gives the program its name. */
   async place(document: object): Promise<void> {
-    const { workspaceOf } = await import("../loader");
     const { name } = document as { name?: string };
     if (name) await renameProgram(name);
     this.exchange(workspaceOf(document), "placed");
