@@ -11,6 +11,7 @@ import { watchContent } from "./changes";
 import { type Fault, Faults } from "./faults";
 import { bringIntoView, Highlight } from "./highlight";
 import { injectWorkspace } from "./inject";
+import { keepFocus } from "./keep_focus";
 import { applyLanguage } from "./locale";
 import { Overview } from "./overview";
 import { type Peek, ValueBubble } from "./peek";
@@ -86,6 +87,7 @@ class BlockEditor implements Editor {
   private readonly hint = new StartHint();
   private readonly zoomControls: ReturnType<typeof addZoomControls>;
   private readonly sizes: ResizeObserver;
+  private readonly letFocusGo: () => void;
   private known = "";
   private level: Level;
   private disposed = false;
@@ -102,6 +104,7 @@ class BlockEditor implements Editor {
     this.zoomControls = addZoomControls(this.workspace, () => this.zoomToFit());
     this.sizes = new ResizeObserver(() => this.resize());
     this.sizes.observe(options.container);
+    this.letFocusGo = keepFocus(this.workspace);
     this.measureAgainWithFont();
     this.workspace.addChangeListener((event) => this.onEvent(event));
     watchContent(this.workspace, () => this.onContent());
@@ -201,6 +204,7 @@ class BlockEditor implements Editor {
     this.zoomControls.remove();
     this.values?.dispose();
     this.overview.dispose();
+    this.letFocusGo();
     this.workspace.dispose();
   }
 
