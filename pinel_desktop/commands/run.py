@@ -21,6 +21,7 @@ from pinel_desktop.messages import describe, language_of_system
 from pinel_desktop.paths import database_path
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.reading import Reading
+from pinel_desktop.robot import FEEDBACKS, PIONEER_3DX, PRESETS, ROBOTS, Setting
 from sim.world import world_document
 from storage import Notice, Recorder, RunStart, Store, StoreError, open_store
 
@@ -39,6 +40,27 @@ _FINISHED, _NOT_FINISHED, _INVALID = 0, 1, 2
     help="What is to be driven.",
 )
 @click.option("--world", default="empty_room", show_default=True, help="World of the simulator.")
+@click.option(
+    "--model",
+    type=click.Choice(list(ROBOTS)),
+    default=PIONEER_3DX.name,
+    show_default=True,
+    help="Robot in the simulator.",
+)
+@click.option(
+    "--preset",
+    type=click.Choice(PRESETS),
+    default="ideal",
+    show_default=True,
+    help="Noise, slip and latency of the simulator.",
+)
+@click.option(
+    "--feedback",
+    type=click.Choice(FEEDBACKS),
+    default="pose",
+    show_default=True,
+    help="What the robot knows of where it is: its true pose, or what its wheels tell.",
+)
 @click.option(
     "--pace",
     type=click.Choice(["live", "max"]),
@@ -120,7 +142,12 @@ def _run(
     assert program is not None
     assert document is not None
     try:
-        link = open_link(options["robot"], world=options["world"])
+        link = open_link(
+            options["robot"],
+            world=options["world"],
+            setting=_setting(options),
+            seed=options["seed"],
+        )
     except PinelError as error:
         return unbegun_object(error.code, describe(error.code, error.params, language).message)
     if keeper is not None:
@@ -131,12 +158,17 @@ def _run(
         gestures=ScriptedGestures(_results(options["gestures"])),
         answers=ScriptedAnswers(_answers(options["answers"])),
         seed=options["seed"],
+        robot=_setting(options).robot,
     )
     result = execute(program, link, setup)
     ended = result.ended
     message = describe(ended.reason, ended.params, language).message if ended.reason else None
     run_id = keeper.close() if keeper else None
     return run_object(result, run_id, message)
+
+
+def _setting(options: dict[str, Any]) -> Setting:
+    return Setting(options["model"], options["preset"], options["feedback"])
 
 
 def _results(text: str) -> list[str]:
@@ -171,6 +203,7 @@ class _Keeper:
             app_version=__version__,
             document=document,
             parameters={
+                **_setting(options).as_parameters(),
                 "pace": options["pace"],
                 "gestures": _results(options["gestures"]),
                 "answers": _answers(options["answers"]),

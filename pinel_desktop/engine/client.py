@@ -98,14 +98,17 @@ class EngineClient:
         run_id: str,
         document: dict[str, Any],
         *,
-        world: str,
+        world: str | dict[str, Any],
         seed: int = 0,
         link: str = "sim",
+        setting: Mapping[str, Any] | None = None,
         debugging: Mapping[str, Any] | None = None,
     ) -> None:
         """Begins a live run. Raises PinelError `run_in_progress` or `engine_not_ready`.
 
         Args:
+            world: the name of one that ships, or a world document.
+            setting: fields of `robot.Setting`; what is left out is as usual.
             debugging: `breakpoints` (ids of blocks), `speed` (a factor) and `paused` (holds at the first block);
                 what is left out is not there.
         """
@@ -127,6 +130,7 @@ class EngineClient:
                     "world": world,
                     "seed": seed,
                     "link": link,
+                    "setting": dict(setting or {}),
                     **(debugging or {}),
                 }
             )

@@ -17,7 +17,7 @@ from pinel_desktop.execution.peeking import Questions
 from pinel_desktop.links import open_link
 from pinel_desktop.program.model import Program
 from pinel_desktop.program.reading import read_document
-from pinel_desktop.robot import RobotLink
+from pinel_desktop.robot import RobotLink, setting_from
 
 _log = logging.getLogger(__name__)
 _EMPTY_SHA256 = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"
@@ -80,7 +80,10 @@ class _LiveRun:
     def _execute(self) -> None:
         message = self._message
         try:
-            link = open_link(message.get("link", "sim"), world=message["world"])
+            setting, seed = setting_from(message.get("setting", {})), int(message.get("seed", 0))
+            link = open_link(
+                message.get("link", "sim"), world=message["world"], setting=setting, seed=seed
+            )
             options = RunOptions(
                 observer=self._observe,
                 clock=MaxClock() if message.get("pace") == "max" else self._live_clock(link),
@@ -88,7 +91,8 @@ class _LiveRun:
                 questions=self.questions,
                 gestures=self.gestures,
                 answers=self.answers,
-                seed=int(message.get("seed", 0)),
+                seed=seed,
+                robot=setting.robot,
             )
             program = _program(message)
             gc.freeze()  # searching a long program for garbage would take several ticks

@@ -1,5 +1,7 @@
 """The built-in simulator as a robot link. Its frame is the world's."""
 
+from typing import Any
+
 from pinel_desktop.errors import PinelError
 from pinel_desktop.robot import (
     STANDSTILL,
@@ -7,11 +9,12 @@ from pinel_desktop.robot import (
     RobotModel,
     RobotState,
     Sensors,
+    Setting,
     Twist2D,
     wrap_angle,
 )
 from sim.simulator import SUBSTEP_S, TICK_S, Simulator
-from sim.world import WorldError, load_world
+from sim.world import WorldError, load_world, world_from_document
 
 
 class SimSensors(Sensors):
@@ -46,12 +49,14 @@ class SimLink:
     simulated = True
     command_delay_s = SUBSTEP_S
 
-    def __init__(self, *, world: str, robot: RobotModel) -> None:
+    def __init__(self, *, world: str | dict[str, Any], setting: Setting, seed: int) -> None:
         try:
-            self._world = load_world(world)
+            read = load_world if isinstance(world, str) else world_from_document
+            self._world = read(world)  # type: ignore[arg-type] # as its type says
         except WorldError as error:
             raise PinelError(error.code, **error.params) from error
-        self._robot = robot
+        robot = setting.robot
+        self._robot, self._seed = robot, seed
         self._max_v, self._max_omega = robot.max_v_mps, robot.max_omega_radps
         self._twist = STANDSTILL
         self.simulator = Simulator(self._world, robot)

@@ -2,18 +2,33 @@
 
 from pinel_desktop.robot.geometry import STANDSTILL, Pose2D, Twist2D, wrap_angle
 from pinel_desktop.robot.link import RobotLink, RobotState
-from pinel_desktop.robot.models import PIONEER_3DX, Direction, RobotModel
+from pinel_desktop.robot.models import PIONEER_3DX, ROBOTS, Direction, RobotModel
 from pinel_desktop.robot.sensors import Sensors
+from pinel_desktop.robot.setting import (
+    FEEDBACKS,
+    PRESETS,
+    Feedback,
+    Preset,
+    Setting,
+    setting_from,
+)
 
 __all__ = [
+    "FEEDBACKS",
     "PIONEER_3DX",
+    "PRESETS",
+    "ROBOTS",
     "STANDSTILL",
     "Direction",
+    "Feedback",
     "Pose2D",
+    "Preset",
     "RobotLink",
     "RobotModel",
     "RobotState",
     "Sensors",
+    "Setting",
     "Twist2D",
+    "setting_from",
     "wrap_angle",
 ]

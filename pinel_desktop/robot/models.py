@@ -82,3 +82,5 @@ PIONEER_3DX = RobotModel(
     # SICK LMS 200 technical description: 8 m at a resolution of 1 mm; ARIA mounts it 2 cm from the centre
     lidar_range_m=8.0,
 )
+
+ROBOTS = {robot.name: robot for robot in (PIONEER_3DX,)}

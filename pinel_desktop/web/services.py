@@ -33,9 +33,10 @@ class Engine(Protocol):
         run_id: str,
         document: dict[str, Any],
         *,
-        world: str,
+        world: str | dict[str, Any],
         seed: int = 0,
         link: str = "sim",
+        setting: Mapping[str, Any] | None = None,
         debugging: Mapping[str, Any] | None = None,
     ) -> None: ...
 

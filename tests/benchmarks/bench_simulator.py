@@ -15,7 +15,7 @@ from pinel_desktop.links import open_link
 from pinel_desktop.links.sim import SimLink
 from pinel_desktop.program.model import Program
 from pinel_desktop.program.reading import read_document
-from pinel_desktop.robot import PIONEER_3DX
+from pinel_desktop.robot import Setting
 from sim.simulator import SUBSTEP_S, SUBSTEPS
 
 SQUARE = Path(__file__).parents[1] / "programs" / "square.json"
@@ -29,7 +29,7 @@ def ours(program: Program) -> RunResult:
 
 def wheel_velocities(result: RunResult) -> list[tuple[tuple[float, float], float]]:
     """The velocities that the run gave the kinematic body, tick by tick."""
-    link, velocities = SimLink(world="empty_room", robot=PIONEER_3DX), []
+    link, velocities = SimLink(world="empty_room", setting=Setting(), seed=0), []
     simulator, rows = link.simulator, result.telemetry.rows
     for i in range(0, len(rows), 8):
         simulator.tick(rows[i + 6], rows[i + 7])
@@ -39,7 +39,7 @@ def wheel_velocities(result: RunResult) -> list[tuple[tuple[float, float], float
 
 
 def bare(velocities: list[tuple[tuple[float, float], float]]) -> None:
-    simulator = SimLink(world="empty_room", robot=PIONEER_3DX).simulator
+    simulator = SimLink(world="empty_room", setting=Setting(), seed=0).simulator
     step, wheels = simulator.space.step, simulator.wheels
     for velocity, omega in velocities:
         wheels.velocity = velocity

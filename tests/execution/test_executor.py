@@ -19,7 +19,7 @@ from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.links import open_link
 from pinel_desktop.links.sim import SimLink
 from pinel_desktop.program.reading import read_document
-from pinel_desktop.robot import PIONEER_3DX, STANDSTILL, RobotState, Twist2D
+from pinel_desktop.robot import STANDSTILL, RobotState, Setting, Twist2D
 
 FORWARD = {"action": "move_forward", "distance": 1}
 STOP = {"action": "stop"}
@@ -225,7 +225,7 @@ class SlipperyLink(SimLink):
     """A simulated robot that somebody may push, or that falls silent."""
 
     def __init__(self, fail_at: int | None = None) -> None:
-        super().__init__(world="empty_room", robot=PIONEER_3DX)
+        super().__init__(world="empty_room", setting=Setting(), seed=0)
         self.commands: list[Twist2D] = []
         self.fail_at = fail_at
         self.closed = False

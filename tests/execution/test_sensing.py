@@ -9,7 +9,7 @@ from pinel_desktop.execution.executor import execute
 from pinel_desktop.links.sim import SimLink
 from pinel_desktop.program.operators import SENSORS
 from pinel_desktop.program.reading import read_document
-from pinel_desktop.robot import PIONEER_3DX, Sensors
+from pinel_desktop.robot import Sensors, Setting
 
 WALL, HULL = 3.99, 0.2225
 
@@ -145,7 +145,7 @@ class Blind(SimLink):
     """A robot that moves and senses nothing."""
 
     def __init__(self) -> None:
-        super().__init__(world="empty_room", robot=PIONEER_3DX)
+        super().__init__(world="empty_room", setting=Setting(), seed=0)
         self.sensors = Sensors()
 
 

@@ -24,9 +24,10 @@ class FakeEngine:
         run_id: str,
         document: dict[str, Any],
         *,
-        world: str,
+        world: str | dict[str, Any],
         seed: int = 0,
         link: str = "sim",
+        setting: Mapping[str, Any] | None = None,
         debugging: Mapping[str, Any] | None = None,
     ) -> None:
         if self.state != "ready":
@@ -36,6 +37,7 @@ class FakeEngine:
             "run": run_id,
             "document": document,
             "world": world,
+            "setting": dict(setting or {}),
             "seed": seed,
             "link": link,
             **(debugging or {}),

@@ -23,10 +23,28 @@ def test_a_run_begins_in_the_engine_and_in_the_list(
     assert (run["group_id"], run["program_id"]) == (group["id"], program["id"])
     assert (run["version_id"], run["program_name"]) == (version["id"], "Quadrado")
     assert engine.begun["run"] == run["id"]
-    assert (engine.begun["world"], engine.begun["seed"]) == ("empty_room", 0)
+    assert (engine.begun["world"]["name"], engine.begun["seed"]) == ("empty_room", 0)
+    assert engine.begun["setting"] == {
+        "model": "pioneer_3dx",
+        "preset": "ideal",
+        "feedback": "pose",
+    }
     assert engine.begun["document"]["commands"][0]["action"] == "repeat"
     assert browser.get(f"/api/groups/{group['id']}/runs").data == {"runs": [run], "next": None}
     assert browser.get("/api/status").data["run"] == run["id"]
+
+
+def test_a_run_may_begin_elsewhere_and_with_another_setting(
+    browser: Browser, engine: FakeEngine, version: dict[str, Any]
+) -> None:
+    start = {"x_m": 1.0, "y_m": -2.0, "heading_deg": 90.0}
+    wish = {"start": start, "preset": "realistic", "feedback": "odometry"}
+    answer = browser.post("/api/runs", {"version_id": version["id"], "world": "empty_room", **wish})
+    assert engine.begun["world"]["start"] == start
+    assert engine.begun["setting"]["preset"] == "realistic"
+    assert engine.begun["setting"]["feedback"] == "odometry"
+    kept = browser.get(f"/api/runs/{answer.data['id']}").data
+    assert kept["world_document"]["start"] == start
 
 
 def test_a_second_run_waits_for_the_first(

@@ -6,6 +6,7 @@ from flask import Response
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
+from pinel_desktop.robot import Setting
 from pinel_desktop.web.answers import answer, faults_in_words
 from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.api.programs import version_model
@@ -64,9 +65,10 @@ def begin_run(body: NewRun) -> Response:
         parts.engine.run(
             row.id,
             document,
-            world=start.world,
+            world=start.world_document,
             seed=start.seed,
             link=_LINK,
+            setting=start.parameters,
             debugging=debugging,
         )
     except PinelError:
@@ -91,9 +93,10 @@ def _start(version: VersionRow, body: NewRun, parts: Services) -> RunStart:
         version_id=version.id,
         link=_LINK,
         world=body.world,
-        world_document=world,
+        world_document={**world, "start": body.start.model_dump()} if body.start else world,
         seed=body.seed or 0,
         app_version=parts.app_version,
+        parameters=Setting(body.model, body.preset, body.feedback).as_parameters(),
     )
 
 

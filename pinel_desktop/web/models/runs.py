@@ -4,10 +4,11 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
+from pinel_desktop.robot import PIONEER_3DX, ROBOTS, Feedback, Preset
 from pinel_desktop.web.models import Body, Id, Json, Shape, Time
 from pinel_desktop.web.models.events import Event
 from pinel_desktop.web.models.work import Version
-from pinel_desktop.web.models.worlds import World
+from pinel_desktop.web.models.worlds import Start, World
 
 Point = tuple[float, float]
 
@@ -64,12 +65,19 @@ Blocks = Annotated[list[Annotated[str, Field(max_length=100)]], Field(max_length
 Speed = Annotated[float, Field(ge=0.1, le=10.0)]
 
 
+RobotName = Annotated[str, Field(json_schema_extra={"enum": list(ROBOTS)})]
+
+
 class NewRun(Body):
     """What to run, and where."""
 
     version_id: Id
     world: Annotated[str, Field(max_length=100)]
     seed: Annotated[int | None, Field(ge=0, le=2**53 - 1)] = None
+    start: Annotated[Start | None, Field(description="another start than the world's")] = None
+    model: RobotName = PIONEER_3DX.name
+    preset: Preset = "ideal"
+    feedback: Feedback = "pose"
     breakpoints: Blocks = Field(default_factory=list)
     speed: Speed = 1.0
     paused: Annotated[bool, Field(description="hold before the first block")] = False

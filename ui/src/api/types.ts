@@ -940,11 +940,29 @@ export interface components {
             /** Breakpoints */
             breakpoints?: string[];
             /**
+             * Feedback
+             * @default pose
+             * @enum {string}
+             */
+            feedback: "pose" | "odometry";
+            /**
+             * Model
+             * @default pioneer_3dx
+             * @enum {string}
+             */
+            model: "pioneer_3dx";
+            /**
              * Paused
              * @description hold before the first block
              * @default false
              */
             paused: boolean;
+            /**
+             * Preset
+             * @default ideal
+             * @enum {string}
+             */
+            preset: "ideal" | "realistic";
             /**
              * Seed
              * @default null
@@ -955,6 +973,11 @@ export interface components {
              * @default 1
              */
             speed: number;
+            /**
+             * @description another start than the world's
+             * @default null
+             */
+            start: components["schemas"]["Start"] | null;
             /**
              * Version Id
              * @description UUIDv7 text

@@ -1,0 +1,45 @@
+"""How a simulated run is set up besides its world and seed: which robot, how true to life, what the robot knows."""
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from typing import Any, Literal, get_args
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.robot.models import PIONEER_3DX, ROBOTS, RobotModel
+
+Preset = Literal["ideal", "realistic"]
+Feedback = Literal["pose", "odometry"]
+PRESETS: tuple[Preset, ...] = get_args(Preset)
+FEEDBACKS: tuple[Feedback, ...] = get_args(Feedback)
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """Part of what makes a run: kept with it, so that it can be run again.
+
+    Attributes:
+        model: name of the robot's record in ROBOTS.
+        preset: noise, slip and latency of the simulator.
+        feedback: whether the robot knows its true pose, as from a camera above, or only what its wheels tell.
+    """
+
+    model: str = PIONEER_3DX.name
+    preset: Preset = "ideal"
+    feedback: Feedback = "pose"
+
+    @property
+    def robot(self) -> RobotModel:
+        """The record of the robot. Raises PinelError `unknown_robot`."""
+        if self.model not in ROBOTS:
+            raise PinelError("unknown_robot", value=self.model, allowed=list(ROBOTS))
+        return ROBOTS[self.model]
+
+    def as_parameters(self) -> dict[str, Any]:
+        """Plain JSON data, for the run's record and the engine's message."""
+        return asdict(self)
+
+
+def setting_from(parameters: Mapping[str, Any]) -> Setting:
+    """The setting in a run's parameters; what they do not tell is as it was before there was a choice."""
+    known = {name: parameters[name] for name in Setting.__slots__ if name in parameters}
+    return Setting(**known)
