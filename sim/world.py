@@ -11,6 +11,7 @@ from typing import Any
 from sim.floor import Paint, Zone, paint_from_document, point, zone_from_document
 
 DEFAULT_WORLD = "empty_room"
+DEFAULT_BOX_MASS_KG = 2.0
 _NAME = re.compile(r"[a-z0-9_]{1,64}\Z")
 
 
@@ -33,11 +34,13 @@ class Wall:
 
 @dataclass(frozen=True, slots=True)
 class Box:
-    """A rectangular obstacle: centre and size in metres, turned by `angle_rad`."""
+    """A rectangular obstacle: centre and size in metres, turned by `angle_rad`; a movable one can be pushed."""
 
     center: tuple[float, float]
     size: tuple[float, float]
     angle_rad: float = 0.0
+    movable: bool = False
+    mass_kg: float = DEFAULT_BOX_MASS_KG
 
     def corners(self) -> list[tuple[float, float]]:
         """The four corners in metres, counterclockwise."""
@@ -73,16 +76,23 @@ def world_from_document(document: dict[str, Any]) -> World:
         return World(
             name=str(document["name"]),
             walls=tuple(Wall(point(w["from"]), point(w["to"])) for w in document["walls"]),
-            boxes=tuple(
-                Box(point(b["center"]), point(b["size"]), math.radians(b.get("heading_deg", 0.0)))
-                for b in document.get("boxes", ())
-            ),
+            boxes=tuple(_box(b) for b in document.get("boxes", ())),
             start=(float(start["x_m"]), float(start["y_m"]), math.radians(start["heading_deg"])),
             zones=tuple(zone_from_document(zone) for zone in document.get("zones", ())),
             floor=tuple(paint_from_document(area) for area in document.get("floor", ())),
         )
     except (KeyError, TypeError, ValueError) as error:
         raise WorldError("world_invalid", world=document.get("name"), detail=str(error)) from error
+
+
+def _box(entry: dict[str, Any]) -> Box:
+    return Box(
+        center=point(entry["center"]),
+        size=point(entry["size"]),
+        angle_rad=math.radians(entry.get("heading_deg", 0.0)),
+        movable=bool(entry.get("movable", False)),
+        mass_kg=float(entry.get("mass_kg", DEFAULT_BOX_MASS_KG)),
+    )
 
 
 @cache

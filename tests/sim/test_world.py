@@ -38,6 +38,19 @@ def test_box_corners_turn_with_its_heading() -> None:
     assert box.corners()[0] == pytest.approx((1.5, -1.0))
 
 
+def test_boxes_are_fixed_unless_they_are_said_to_be_movable() -> None:
+    place = {"center": [1, 0], "size": [0.4, 0.4]}
+    boxes = world_from_document(
+        {
+            "name": "two",
+            "start": {"x_m": 0, "y_m": 0, "heading_deg": 0},
+            "walls": [],
+            "boxes": [place, {**place, "movable": True, "mass_kg": 3}],
+        }
+    ).boxes
+    assert [(box.movable, box.mass_kg) for box in boxes] == [(False, 2.0), (True, 3.0)]
+
+
 def test_unknown_world_names_those_there_are() -> None:
     for name in ("nowhere", "../worlds/empty_room", "", "a" * 1000):
         with pytest.raises(WorldError) as caught:
