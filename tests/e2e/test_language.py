@@ -13,8 +13,6 @@ from tests.e2e.studio import Studio
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
 
 SAVED_BY_0_1 = Path(__file__).parents[2] / "ui/src/blocks/saved_by_0_1.json"
-N_BLOCKS = 500
-DOCUMENT_MS = 50.0
 
 
 @pytest.fixture
@@ -225,62 +223,3 @@ def without_empty_branches(value: Any) -> Any:
         return value
     kept = {key: one for key, one in value.items() if one != [] or key not in ("elif", "else")}
     return {key: without_empty_branches(one) for key, one in kept.items()}
-
-
-# The editor by itself, beside the page, on a program that no hand would build.
-_EDITOR = """async ([level, length]) => {
-  const shadow = { type: 'number', fields: { NUM: 1 } };
-  const sum = { type: 'arithmetic', inputs: { A: { shadow }, B: { shadow } } };
-  let block;
-  for (let i = 0; i < length; i++) {
-    const move = { type: 'move_forward', inputs: { DISTANCE: { shadow, block: sum } } };
-    block = block ? { ...move, next: { block } } : move;
-  }
-  const start = { type: 'program_start', id: 'start', x: 0, y: 0, next: { block } };
-  const workspace = { blocks: { languageVersion: 0, blocks: [start] } };
-  const { href } = document.querySelector('link[rel=modulepreload]');
-  const { createEditor } = await import(href);
-  const container = document.createElement('div');
-  container.id = 'apart';
-  container.style.cssText = 'position: fixed; inset: 0; z-index: 99; background: white';
-  document.body.append(container);
-  const mediaPath = '/media/';
-  const options = { container, language: 'pt-BR', theme: 'light', mediaPath, onChange() {} };
-  window.apart = createEditor({ ...options, level });
-  const time = (act) => { const start = performance.now(); act(); return performance.now() - start; };
-  const opening = time(() => window.apart.load(workspace));
-  const best = (act) => Math.min(...[1, 2, 3, 4, 5].map(() => time(act)));
-  const document_ = best(() => window.apart.document());
-  const both = best(() => window.apart.content());
-  const commands = window.apart.document().commands;
-  return { opening, document: document_, both, commands: commands.length };
-}"""
-
-
-def apart(studio: Studio, level: int, length: int) -> dict[str, float]:
-    """Opens an editor over the page, with that many commands of two blocks; says how long things took, in ms."""
-    timings: dict[str, float] = studio.page.evaluate(_EDITOR, [level, length])
-    return timings
-
-
-def test_a_large_program_becomes_a_document_at_once(empty: Studio) -> None:
-    figures = apart(empty, 3, N_BLOCKS // 2)
-    serialising = figures["both"] - figures["document"]
-    print(
-        f"\n{N_BLOCKS} blocks: document {figures['document']:.1f} ms, saving as blocks"
-        f" {serialising:.1f} ms, opening {figures['opening']:.0f} ms"
-    )
-    assert figures["commands"] == N_BLOCKS // 2
-    assert figures["document"] < DOCUMENT_MS
-
-
-def test_a_level_offers_its_blocks_and_keeps_those_of_others(empty: Studio) -> None:
-    page = empty.page
-    apart(empty, 1, 3)
-    categories = page.locator("#apart [data-testid^=toolbox-]:not(input)")
-    expect(categories).to_have_count(5)
-    expect(page.locator("#apart .blocklyBlockCanvas > .blocklyDraggable")).to_have_count(1)
-    for level, count in ((2, 9), (3, 11), (1, 5)):
-        page.evaluate("(level) => window.apart.setLevel(level)", level)
-        expect(categories).to_have_count(count)
-    assert page.evaluate("window.apart.document().commands.length") == 3
