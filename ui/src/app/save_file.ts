@@ -1,0 +1,20 @@
+/** Hands a file to the person: the browser keeps it among its downloads, the window asks where to put it. */
+export function saveFile(name: string, content: Blob): void {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(content);
+  link.download = name;
+  link.click();
+  // the download has begun, but may not have been read yet
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+}
+
+/** A name as files may be called everywhere: "Sala do Zé" becomes "sala-do-ze". */
+export function fileName(title: string, otherwise: string): string {
+  const plain = title.normalize("NFD").replace(/\p{M}/gu, "").toLowerCase();
+  return (
+    plain
+      .replace(/[^a-z0-9]+/g, "-")
+      .replace(/^-|-$/g, "")
+      .slice(0, 60) || otherwise
+  );
+}

@@ -1,0 +1,224 @@
+import { batch, computed, signal } from "@preact/signals";
+import type { Fault, World } from "../api/model";
+import type { XY } from "../scene/frames";
+import { aboutOf, documentOf, planOf, type WorldDocument, worldOf } from "./document";
+import {
+  doubled,
+  drawing,
+  freeName,
+  type Gesture,
+  moving,
+  nudged,
+  pulling,
+  type Tool,
+  tapped,
+  type Wishes,
+} from "./gestures";
+import { History } from "./history";
+import { isOuter, type Plan, thingOf, withoutThing, withThing } from "./plan";
+
+/** What is on the editor's table: the plan, what is chosen of it, and the way back. */
+export class WorldDesk {
+  private readonly plan = signal<Plan>(EMPTY);
+  /** The plan as the hand that is drawing would leave it. */
+  private readonly draft = signal<Plan | null>(null);
+  readonly shown = computed(() => this.draft.value ?? this.plan.value);
+  readonly world = computed<World>(() => worldOf(this.shown.value));
+  readonly document = computed<WorldDocument>(() => documentOf(this.plan.value));
+  readonly tool = signal<Tool>("select");
+  /** A thing's id, or "start". */
+  readonly selected = signal<string | null>(null);
+  readonly color = signal("red");
+  readonly movable = signal(false);
+  readonly faults = signal<readonly Fault[]>([]);
+  /** Counts the changes, for what depends on the way back. */
+  private readonly changes = signal(0);
+  readonly canUndo = computed(() => this.changes.value >= 0 && this.history.canUndo);
+  readonly canRedo = computed(() => this.changes.value >= 0 && this.history.canRedo);
+  private readonly history = new History<Plan>();
+  private gesture: Gesture | null = null;
+
+  constructor(
+    world: World,
+    private readonly onChange: (document: WorldDocument) => void,
+  ) {
+    this.plan.value = planOf(world);
+  }
+
+  /** Whether there is anything but the floor and the walls around it. */
+  get isBare(): boolean {
+    const plan = this.shown.value;
+    return plan.things.every((thing) => isOuter(plan, thing));
+  }
+
+  /** What the faults are about: thing, "start" or the world (null). */
+  aboutFault(fault: Fault): string | null {
+    return aboutOf(this.plan.value, fault.pointer);
+  }
+
+  choose(tool: Tool): void {
+    batch(() => {
+      this.tool.value = tool;
+      if (tool === "start") this.selected.value = "start";
+      else if (tool !== "select") this.selected.value = null;
+    });
+  }
+
+  select(id: string | null): void {
+    this.selected.value = id;
+    this.history.rest();
+  }
+
+  /** Changes the plan for good; see History for `stroke`. */
+  change(plan: Plan, stroke: string | null = null): void {
+    if (plan === this.plan.value) return;
+    this.history.keep(this.plan.value, stroke);
+    this.put(plan);
+  }
+
+  /** Takes another world in place of this one; undo brings this one back. */
+  replace(world: World): void {
+    batch(() => {
+      const { name, title } = this.plan.value;
+      this.change({ ...planOf(world), name, title });
+      this.selected.value = null;
+    });
+  }
+
+  begin(gesture: Gesture): void {
+    this.gesture = gesture;
+  }
+
+  /** The hand begins at a point: with a handle, on a thing, or on the floor. */
+  grip(target: { id?: string; handle?: string }, at: XY): void {
+    const plan = this.plan.value;
+    const tool = this.tool.value;
+    if (target.handle && this.selected.value) {
+      this.begin(pulling(plan, this.selected.value, target.handle));
+    } else if (tool !== "select") {
+      this.begin(drawing(plan, tool, at, this.wishes()));
+    } else {
+      this.select(target.id ?? null);
+      if (target.id) this.begin(moving(plan, target.id, at));
+    }
+  }
+
+  get isGripping(): boolean {
+    return this.gesture !== null;
+  }
+
+  drag(at: XY, free: boolean): void {
+    if (this.gesture) this.draft.value = this.gesture(at, free);
+  }
+
+  /** The hand lets go; a hand that did not move has tapped. */
+  letGo(at: XY, hasMoved: boolean): void {
+    const { value: draft } = this.draft;
+    const tool = this.tool.value;
+    this.cancel();
+    if (hasMoved && draft) this.settle(draft);
+    else if (!hasMoved && tool !== "select" && tool !== "wall") this.putDown(at);
+  }
+
+  cancel(): void {
+    this.gesture = null;
+    this.draft.value = null;
+  }
+
+  /** Puts down what the tool draws, in its usual size. */
+  putDown(at: XY): void {
+    this.settle(tapped(this.plan.value, this.tool.value, at, this.wishes()));
+  }
+
+  /** Takes on a plan, and selects what is new in it. */
+  private settle(plan: Plan): void {
+    batch(() => {
+      const before = this.plan.value;
+      const last = plan.things.at(-1);
+      this.change(plan);
+      if (last && plan.things.length > before.things.length) this.selected.value = last.id;
+    });
+  }
+
+  nudge(dx: number, dy: number): void {
+    const { value: id } = this.selected;
+    if (id) this.change(nudged(this.plan.value, id, dx, dy), `nudge ${id}`);
+  }
+
+  remove(): void {
+    const { value: id } = this.selected;
+    if (!thingOf(this.plan.value, id) || !id) return;
+    batch(() => {
+      this.change(withoutThing(this.plan.value, id));
+      this.selected.value = null;
+    });
+  }
+
+  double(): void {
+    const thing = thingOf(this.plan.value, this.selected.value);
+    if (!thing) return;
+    const [plan, id] = doubled(this.plan.value, thing);
+    batch(() => {
+      this.change(plan);
+      this.selected.value = id;
+    });
+  }
+
+  /** Lays a thing over, or under, all others of its kind. */
+  layer(top: boolean): void {
+    const plan = this.plan.value;
+    const thing = thingOf(plan, this.selected.value);
+    if (!thing) return;
+    const { things } = withoutThing(plan, thing.id);
+    this.change({ ...plan, things: top ? [...things, thing] : [thing, ...things] });
+  }
+
+  /** Gives the next things this colour, and the selected one too. */
+  dip(color: string): void {
+    const thing = thingOf(this.plan.value, this.selected.value);
+    batch(() => {
+      this.color.value = color;
+      if (thing?.kind === "paint") this.change(withThing(this.plan.value, { ...thing, color }));
+    });
+  }
+
+  undo(): void {
+    this.back(this.history.undo(this.plan.value));
+  }
+
+  redo(): void {
+    this.back(this.history.redo(this.plan.value));
+  }
+
+  private back(plan: Plan): void {
+    this.cancel();
+    if (plan !== this.plan.value) this.put(plan);
+  }
+
+  private put(plan: Plan): void {
+    batch(() => {
+      this.plan.value = plan;
+      this.changes.value++;
+      const { value: id } = this.selected;
+      if (id !== "start" && !thingOf(plan, id)) this.selected.value = null;
+    });
+    this.onChange(this.document.value);
+  }
+
+  private wishes(): Wishes {
+    return {
+      color: this.color.value,
+      movable: this.movable.value,
+      name: freeName(this.plan.value),
+    };
+  }
+}
+
+const EMPTY: Plan = {
+  name: "",
+  title: { "pt-BR": "", en: "", es: "" },
+  width: 8,
+  depth: 8,
+  start: { x: 0, y: 0, heading: 0 },
+  things: [],
+};

@@ -1,0 +1,124 @@
+import type { World } from "../api/model";
+import { type Area, type Kind, newId, ofKind, type Plan, type Thing } from "./plan";
+
+/** A world document as files and the server hold it. */
+export type WorldDocument = Record<string, unknown>;
+
+/** Which list of a document holds which things, in the order in which they are drawn. */
+export const LISTS = { walls: "wall", boxes: "box", zones: "zone", floor: "paint" } as const;
+
+type Point = [number, number];
+type Shape = { center: Point; size?: Point; heading_deg?: number; radius?: number };
+
+/** Reads a document of the server, or one that the server has found to be sound. */
+export function planOf(world: World): Plan {
+  const { start } = world;
+  return {
+    name: world.name,
+    title: world.title,
+    width: world.size_m[0],
+    depth: world.size_m[1],
+    start: { x: start.x_m, y: start.y_m, heading: start.heading_deg },
+    things: [
+      ...world.walls.map((wall) => ({
+        id: newId(),
+        kind: "wall" as const,
+        from: xy(wall.from),
+        to: xy(wall.to),
+      })),
+      ...(world.boxes ?? []).map(boxOf),
+      ...(world.zones ?? []).map((zone) => ({
+        id: newId(),
+        kind: "zone" as const,
+        ...areaOf(zone),
+        name: zone.name,
+      })),
+      ...(world.floor ?? []).map((paint) => ({
+        id: newId(),
+        kind: "paint" as const,
+        ...areaOf(paint),
+        color: paint.color,
+      })),
+    ],
+  };
+}
+
+function boxOf(
+  box: World["boxes"][number] & { movable?: boolean; mass_kg?: number | null },
+): Thing {
+  return {
+    id: newId(),
+    kind: "box",
+    ...areaOf(box),
+    radius: null,
+    movable: box.movable ?? false,
+    mass: box.mass_kg ?? null,
+  };
+}
+
+const xy = ([x, y]: readonly number[]) => ({ x: x ?? 0, y: y ?? 0 });
+
+function areaOf(area: {
+  center: readonly number[];
+  size?: readonly number[] | null;
+  radius?: number | null;
+  heading_deg?: number;
+}): Area {
+  const radius = area.radius ?? null;
+  const side = 2 * (radius ?? 0);
+  const [width = side, depth = side] = area.size ?? [];
+  return { ...xy(area.center), width, depth, heading: area.heading_deg ?? 0, radius };
+}
+
+/** The document of a plan. Lists that need not be there are left out while they are empty. */
+export function documentOf(plan: Plan): WorldDocument {
+  const { start } = plan;
+  const zones = ofKind(plan, "zone").map(entryOf);
+  const floor = ofKind(plan, "paint").map(entryOf);
+  return {
+    pinel_world: 1,
+    name: plan.name,
+    title: plan.title,
+    size_m: [plan.width, plan.depth],
+    start: { x_m: start.x, y_m: start.y, heading_deg: start.heading },
+    walls: ofKind(plan, "wall").map(entryOf),
+    boxes: ofKind(plan, "box").map(entryOf),
+    ...(zones.length > 0 && { zones }),
+    ...(floor.length > 0 && { floor }),
+  };
+}
+
+/** The plan as the scene draws it. */
+export const worldOf = (plan: Plan): World =>
+  ({ zones: [], floor: [], ...documentOf(plan) }) as unknown as World;
+
+function entryOf(thing: Thing): object {
+  switch (thing.kind) {
+    case "wall":
+      return { from: [thing.from.x, thing.from.y], to: [thing.to.x, thing.to.y] };
+    case "box":
+      return {
+        ...shapeOf(thing),
+        ...(thing.movable && { movable: true }),
+        ...(thing.mass !== null && { mass_kg: thing.mass }),
+      };
+    case "zone":
+      return { name: thing.name, ...shapeOf(thing) };
+    case "paint":
+      return { color: thing.color, ...shapeOf(thing) };
+  }
+}
+
+function shapeOf(area: Area): Shape {
+  const center: Point = [area.x, area.y];
+  if (area.radius !== null) return { center, radius: area.radius };
+  return { center, size: [area.width, area.depth], heading_deg: area.heading };
+}
+
+/** What a fault of the document is about: a thing's id, "start", or null for the world itself. */
+export function aboutOf(plan: Plan, pointer: string): string | null {
+  const [, list = "", index = ""] = pointer.split("/");
+  if (list === "start") return "start";
+  const kind: Kind | undefined = LISTS[list as keyof typeof LISTS];
+  return (kind && ofKind(plan, kind)[Number(index)]?.id) ?? null;
+}

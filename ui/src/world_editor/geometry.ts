@@ -1,0 +1,150 @@
+import type { XY } from "../scene/frames";
+import { type AreaThing, isArea, type Plan, type Start, type Thing, type Wall } from "./plan";
+
+/** Hands work on this grid; with Shift, and where numbers are typed, to the centimetre. Metres, degrees. */
+export const GRID = 0.1;
+export const FINE = 0.01;
+const TURN_STEP = 15;
+/** A wall's end that is as near as this is meant. */
+const END_M = 0.16;
+/** A wall that is off by less than this is meant to be straight. */
+const STRAIGHT_DEG = 5;
+export const LEAST_M = 0.1;
+
+/** A number of metres or degrees without the dust of binary fractions. */
+export const clean = (value: number) => Math.round(value * 1000) / 1000 + 0;
+
+export const snap = (value: number, step: number) => clean(Math.round(value / step) * step);
+
+export const snapPoint = ({ x, y }: XY, step: number): XY => ({
+  x: snap(x, step),
+  y: snap(y, step),
+});
+
+export function insideRoom(plan: Plan, { x, y }: XY): XY {
+  const hold = (value: number, size: number) => Math.min(size / 2, Math.max(-size / 2, value));
+  return { x: hold(x, plan.width), y: hold(y, plan.depth) };
+}
+
+/** Where the end of a wall comes to lie: on the end of another, straight from its own other end, or on the grid. */
+export function snapEnd(plan: Plan, point: XY, own: string, other: XY | null, free: boolean): XY {
+  const held = insideRoom(plan, point);
+  if (free) return snapPoint(held, FINE);
+  const end = nearestEnd(plan, held, own);
+  if (end) return end;
+  return snapPoint(other ? straightened(held, other) : held, GRID);
+}
+
+function nearestEnd(plan: Plan, point: XY, own: string): XY | null {
+  let best: XY | null = null;
+  let least = END_M;
+  for (const thing of plan.things) {
+    if (thing.kind !== "wall" || thing.id === own) continue;
+    for (const end of [thing.from, thing.to]) {
+      const away = Math.hypot(end.x - point.x, end.y - point.y);
+      if (away < least) [best, least] = [end, away];
+    }
+  }
+  return best;
+}
+
+function straightened(point: XY, from: XY): XY {
+  const slope = Math.tan((STRAIGHT_DEG * Math.PI) / 180);
+  const [dx, dy] = [Math.abs(point.x - from.x), Math.abs(point.y - from.y)];
+  if (dy < dx * slope) return { x: point.x, y: from.y };
+  if (dx < dy * slope) return { x: from.x, y: point.y };
+  return point;
+}
+
+/** The part of a floor between two corners. */
+export function between(one: XY, other: XY, free: boolean) {
+  const step = free ? FINE : GRID;
+  const [a, b] = [snapPoint(one, step), snapPoint(other, step)];
+  return {
+    x: clean((a.x + b.x) / 2),
+    y: clean((a.y + b.y) / 2),
+    width: clean(Math.abs(a.x - b.x)),
+    depth: clean(Math.abs(a.y - b.y)),
+  };
+}
+
+export const lengthOf = ({ from, to }: Wall) => Math.hypot(to.x - from.x, to.y - from.y);
+
+/** The middle of a thing. */
+export function middleOf(thing: Thing): XY {
+  if (thing.kind !== "wall") return thing;
+  return { x: (thing.from.x + thing.to.x) / 2, y: (thing.from.y + thing.to.y) / 2 };
+}
+
+/** The thing shifted by metres, its middle still on the floor. */
+export function shifted<T extends Thing>(plan: Plan, thing: T, dx: number, dy: number): T {
+  const middle = middleOf(thing);
+  const goal = insideRoom(plan, { x: middle.x + dx, y: middle.y + dy });
+  const move = ({ x, y }: XY): XY => ({
+    x: clean(x + goal.x - middle.x),
+    y: clean(y + goal.y - middle.y),
+  });
+  if (isArea(thing)) return { ...thing, ...move(thing) };
+  return { ...thing, from: move(thing.from), to: move(thing.to) };
+}
+
+/** A vector of the world in the frame of something turned by `heading` degrees. */
+export function turnedBack({ x, y }: XY, heading: number): XY {
+  return turnedBy({ x, y }, -heading);
+}
+
+export function turnedBy({ x, y }: XY, heading: number): XY {
+  const angle = (heading * Math.PI) / 180;
+  const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+  return { x: x * cos - y * sin, y: x * sin + y * cos };
+}
+
+/** The corners of a rectangle, counterclockwise from its own lower left. */
+export function cornersOf(area: AreaThing): XY[] {
+  return CORNERS.map(([right, up]) => {
+    const offset = turnedBy(
+      { x: (right * area.width) / 2, y: (up * area.depth) / 2 },
+      area.heading,
+    );
+    return { x: area.x + offset.x, y: area.y + offset.y };
+  });
+}
+
+const CORNERS = [
+  [-1, -1],
+  [1, -1],
+  [1, 1],
+  [-1, 1],
+] as const;
+
+/** Pulls one corner to a point; the opposite one stays. */
+export function corneredTo(area: AreaThing, corner: number, point: XY, free: boolean): AreaThing {
+  const step = free ? FINE : GRID;
+  const still = cornersOf(area)[(corner + 2) % 4] ?? area;
+  const reach = turnedBack({ x: point.x - still.x, y: point.y - still.y }, area.heading);
+  const [right, up] = CORNERS[corner] ?? [1, 1];
+  const width = Math.max(LEAST_M, snap(reach.x * right, step));
+  const depth = Math.max(LEAST_M, snap(reach.y * up, step));
+  const half = turnedBy({ x: (right * width) / 2, y: (up * depth) / 2 }, area.heading);
+  return { ...area, width, depth, x: clean(still.x + half.x), y: clean(still.y + half.y) };
+}
+
+/** Gives a disc the radius that reaches to a point. */
+export function reachingTo(area: AreaThing, point: XY, free: boolean): AreaThing {
+  if (area.kind === "box") return area;
+  const away = Math.hypot(point.x - area.x, point.y - area.y);
+  const radius = Math.max(LEAST_M, snap(away, free ? FINE : GRID));
+  return { ...area, radius, width: 2 * radius, depth: 2 * radius };
+}
+
+/** The direction from a middle to a point, in degrees of (-180, 180]; 0 is to the right, 90 up. */
+export function headingTo(middle: XY, point: XY, free: boolean): number {
+  const angle = (Math.atan2(point.y - middle.y, point.x - middle.x) * 180) / Math.PI;
+  const snapped = snap(angle, free ? 1 : TURN_STEP);
+  return snapped <= -180 ? 180 : snapped;
+}
+
+export const placed = (plan: Plan, start: Start, point: XY, free: boolean): Start => ({
+  ...start,
+  ...snapPoint(insideRoom(plan, point), free ? FINE : GRID),
+});
