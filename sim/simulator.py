@@ -3,6 +3,9 @@
 The robot is a dynamic circle. A kinematic body, moved with the commanded velocity, pulls it through a pivot and
 a gear joint whose forces are limited like those of wheels: the robot follows commands exactly on free floor and
 stalls at a wall. Setting the circle's own velocity instead would drive it straight through walls.
+
+A movable box is a dynamic body held to the floor in the same way, by what friction can hold: it slides when it is
+pushed harder, and stands as soon as nobody pushes.
 """
 
 import math
@@ -10,8 +13,9 @@ from typing import Protocol
 
 import pymunk
 
+from sim.chipmunk import Rays, stepper
 from sim.floor import color_at, zone_at
-from sim.world import World
+from sim.world import Box, World
 
 TICK_S = 1.0 / 30.0
 SUBSTEPS = 8
@@ -19,6 +23,10 @@ SUBSTEP_S = TICK_S / SUBSTEPS
 # Chipmunk's default of 0.1 would let things sink 10 cm into each other, as the unit here is the metre.
 COLLISION_SLOP_M = 0.0005
 WALL_RADIUS_M = 0.01
+BOX_FRICTION = 0.4  # cardboard and wood on a school's floor: 0.3 to 0.5
+GRAVITY_MPS2 = 9.81
+# Chipmunk's default of 10 is not enough for a light box between the robot and a wall.
+ITERATIONS_WITH_MOVABLE = 40
 _ROBOT = 0b10  # category of the robot's shape: rays start inside it and must not hit it
 _ALL_BUT_ROBOT = pymunk.ShapeFilter(mask=pymunk.ShapeFilter.ALL_MASKS() ^ _ROBOT)
 
@@ -47,22 +55,44 @@ class Simulator:
         self.space = pymunk.Space()
         self.space.collision_slop = COLLISION_SLOP_M
         self._world = world
+        self._movable: dict[int, pymunk.Body] = {}
         self._add_obstacles(world)
+        if self._movable:
+            self.space.iterations = ITERATIONS_WITH_MOVABLE
         self._body = self._add_robot(world, robot)
         self.wheels = self._add_wheels(robot)
         self._yaw, self._omega = world.start[2], 0.0
         self._rolls = False
+        self._step = stepper(self.space)
+        self._rays = Rays(self.space, _ALL_BUT_ROBOT)
 
     def _add_obstacles(self, world: World) -> None:
         static = self.space.static_body
         for wall in world.walls:
             self._add_fixed(pymunk.Segment(static, wall.start, wall.end, WALL_RADIUS_M))
-        for box in world.boxes:
-            self._add_fixed(pymunk.Poly(static, box.corners()))
+        for index, box in enumerate(world.boxes):
+            if box.movable:
+                self._movable[index] = self._add_movable(box)
+            else:
+                self._add_fixed(pymunk.Poly(static, box.corners()))
 
     def _add_fixed(self, shape: pymunk.Shape) -> None:
         shape.friction = 0.5
         self.space.add(shape)
+
+    def _add_movable(self, box: Box) -> pymunk.Body:
+        body = pymunk.Body(box.mass_kg, pymunk.moment_for_box(box.mass_kg, box.size))
+        body.position, body.angle = box.center, box.angle_rad
+        shape = pymunk.Poly.create_box(body, box.size)
+        shape.friction = 0.5
+        floor = self.space.static_body
+        slide = pymunk.PivotJoint(floor, body, (0.0, 0.0), (0.0, 0.0))
+        turn = pymunk.GearJoint(floor, body, 0.0, 1.0)
+        slide.max_bias = turn.max_bias = 0.0  # held by friction where it is, not pulled back
+        slide.max_force = BOX_FRICTION * box.mass_kg * GRAVITY_MPS2
+        turn.max_force = slide.max_force * _mean_radius(box.size)
+        self.space.add(body, shape, slide, turn)
+        return body
 
     def _add_robot(self, world: World, robot: RobotBody) -> pymunk.Body:
         moment = pymunk.moment_for_circle(robot.mass_kg, 0.0, robot.radius_m)
@@ -99,7 +129,7 @@ class Simulator:
             self._rolls = chord != 0.0
         if omega_radps != self._omega:
             self.wheels.angular_velocity = self._omega = omega_radps
-        step = self.space.step
+        step = self._step
         for _ in range(SUBSTEPS):
             step(SUBSTEP_S)
         self._yaw = self._body.angle
@@ -127,9 +157,12 @@ class Simulator:
         """Distance from the robot's centre to what is nearest at an angle from its heading; at most `length_m`."""
         x, y = self._body.position
         angle = self._yaw + angle_rad
-        end = (x + length_m * math.cos(angle), y + length_m * math.sin(angle))
-        hit = self.space.segment_query_first((x, y), end, 0.0, _ALL_BUT_ROBOT)
-        return length_m if hit is None else hit.alpha * length_m
+        end_x, end_y = x + length_m * math.cos(angle), y + length_m * math.sin(angle)
+        return self._rays.fraction(x, y, end_x, end_y) * length_m
+
+    def boxes(self) -> dict[int, tuple[float, float, float]]:
+        """Where the movable boxes are: by index, x and y of the centre (m) and yaw (rad) in the world's frame."""
+        return {index: (*body.position, body.angle) for index, body in self._movable.items()}
 
     def zone(self) -> str:
         """Name of the world's zone under the robot's centre, or ""."""
@@ -138,3 +171,8 @@ class Simulator:
     def floor_color(self) -> str:
         """Colour of the floor under the robot's centre."""
         return color_at(self._world.floor, *self._body.position)
+
+
+def _mean_radius(size: tuple[float, float]) -> float:
+    """Mean distance of a rectangle's points from its centre, within 5 %: the lever at which friction resists a turn."""
+    return 0.26 * math.hypot(*size)

@@ -1,6 +1,7 @@
 import math
 import random
 
+import pymunk
 import pytest
 
 from pinel_desktop.robot import PIONEER_3DX
@@ -72,18 +73,37 @@ def test_blocked_robot_does_not_jump_when_it_turns_away() -> None:
     assert math.hypot(sim.state()[0] - before[0], sim.state()[1] - before[1]) < 0.01
 
 
-@pytest.mark.parametrize("world", ["empty_room", "obstacles"])
-def test_no_wild_drive_leaves_the_room(world: str) -> None:
-    draw = random.Random(7)
-    half_w, half_h = (4.0, 4.0) if world == "empty_room" else (4.0, 3.0)
-    for _ in range(40):
+def wild_drives(world: str, n_drives: int) -> tuple[float, float]:
+    """The farthest from the middle that the robot comes in each direction, in m."""
+    draw, farthest_x, farthest_y = random.Random(7), 0.0, 0.0
+    for _ in range(n_drives // 30):
         sim = simulator(world)
         for _ in range(30):
             v, omega = draw.uniform(-1.2, 1.2), draw.uniform(-5, 5)
             drive(sim, v, omega, draw.uniform(0.1, 1.0))
             x, y, *_ = sim.state()
-            assert abs(x) < half_w
-            assert abs(y) < half_h
+            farthest_x, farthest_y = max(farthest_x, abs(x)), max(farthest_y, abs(y))
+    return farthest_x, farthest_y
+
+
+ROOMS = {"empty_room": (4.0, 4.0), "obstacles": (4.0, 3.0)}
+
+
+@pytest.mark.parametrize("world", ROOMS)
+def test_no_wild_drive_leaves_the_room(world: str) -> None:
+    assert_inside(wild_drives(world, 1200), ROOMS[world])
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("world", ROOMS)
+def test_none_of_10000_wild_drives_leaves_the_room(world: str) -> None:
+    assert_inside(wild_drives(world, 10_000), ROOMS[world])
+
+
+def assert_inside(farthest: tuple[float, float], half: tuple[float, float]) -> None:
+    inner = [side - 0.01 - RADIUS + 0.006 for side in half]
+    assert farthest[0] <= inner[0]
+    assert farthest[1] <= inner[1]
 
 
 def test_same_commands_give_the_same_numbers_to_the_bit() -> None:
@@ -96,3 +116,25 @@ def test_same_commands_give_the_same_numbers_to_the_bit() -> None:
         return rows
 
     assert numbers() == numbers()
+
+
+def test_fast_calls_give_what_pymunk_gives_to_the_bit() -> None:
+    ours, theirs = simulator("obstacles"), simulator("obstacles")
+    theirs._step = theirs.space.step
+    for tick in range(200):
+        for sim in (ours, theirs):
+            sim.tick(0.8, math.sin(tick / 20))
+    assert ours.state() == theirs.state()
+    x, y, yaw, *_ = ours.state()
+    for degrees in range(-180, 180, 7):
+        angle = math.radians(degrees)
+        end = (x + 8.0 * math.cos(yaw + angle), y + 8.0 * math.sin(yaw + angle))
+        hit = ours.space.segment_query_first(
+            (x, y), end, 0.0, pymunk.ShapeFilter(mask=pymunk.ShapeFilter.ALL_MASKS() ^ 0b10)
+        )
+        assert hit is not None
+        assert ours.ray(angle, 8.0) == hit.alpha * 8.0
+
+
+def test_ray_that_meets_nothing_is_as_long_as_it_may_be() -> None:
+    assert simulator().ray(0.3, 2.0) == 2.0
