@@ -48,6 +48,7 @@ class RunContext:
         emit: reports an event.
         observed: whether anybody reads `setpoint` and `done`; otherwise they need not be kept.
         tick: number of the tick that comes next; the first is 1.
+        origin: the start frame in the link's.
         pose, twist: newest measurement, in the start frame.
         command: what the robot is told at the next tick; a primitive sets it.
         driving: the velocity that `drive` has set, until the next motion command; None without one.
@@ -73,6 +74,7 @@ class RunContext:
     emit: Callable[[Event], None]
     observed: bool = True
     tick: int = 1
+    origin: Pose2D = START
     pose: Pose2D = START
     twist: Twist2D = STANDSTILL
     command: Twist2D = STANDSTILL

@@ -146,6 +146,7 @@ class _Run:
         self._link.connect()
         start = self._link.read()
         self._origin = None if start.pose == Pose2D() else start.pose
+        self._context.origin = start.pose
         self._take(start)
         self._emit(RunState("running"))
 

@@ -22,6 +22,10 @@ _KEPT_S = 120.0
 _AT_REST_MPS, _AT_REST_RADPS = 1e-3, 2e-3
 
 
+def _never() -> bool:
+    return False
+
+
 class _Setpoints:
     """The moving set-point of one motion, one step a tick, planned anew from where the robot is after a pause."""
 
@@ -52,8 +56,13 @@ class _Setpoints:
         return expected, (upcoming - now) * TICK_HZ, index - last - 1
 
 
-def drive_straight(context: RunContext, distance_m: float) -> Routine:
-    """Drives from the reference along its heading, backwards for a negative distance; closed loop."""
+def drive_straight(
+    context: RunContext, distance_m: float, interrupted: Callable[[], bool] = _never
+) -> Routine:
+    """Drives from the reference along its heading, backwards for a negative distance; closed loop.
+
+    Ends early, at rest and without a reference, when `interrupted`, which is asked at every tick.
+    """
     line = Line(_begin(context), DEFAULT_GAINS)
     robot = context.robot
 
@@ -69,6 +78,10 @@ def drive_straight(context: RunContext, distance_m: float) -> Routine:
             break
         if progress.stuck(along, context.tick):
             raise RunFailureError("blocked", done=round(along, 3), amount=distance_m, unit="m")
+        if interrupted():
+            context.reference_lost = True
+            yield from come_to_rest(context)
+            return None
         context.command = line.correct(context.pose, expected - along, speed)
         if context.observed:
             context.setpoint, context.done = line.point(expected), along
@@ -79,7 +92,7 @@ def drive_straight(context: RunContext, distance_m: float) -> Routine:
 
 def turn_on_the_spot(context: RunContext, angle_rad: float) -> Routine:
     """Turns by the whole angle in its sign's direction, also beyond a full circle; closed loop."""
-    yield from _stand_first(context)
+    yield from stand_first(context)
     start = _begin(context)
     robot = context.robot
 
@@ -115,7 +128,7 @@ def drive_arc(context: RunContext, radius_m: float, angle_rad: float) -> Routine
     negative radius, which is driven backwards. The set-point's speed follows an S-curve along the arc, within the
     limits of both velocities.
     """
-    yield from _stand_first(context)
+    yield from stand_first(context)
     arc = Arc(_begin(context), radius_m, angle_rad, DEFAULT_GAINS)
     robot, length = context.robot, abs(radius_m)
 
@@ -151,19 +164,23 @@ def drive_arc(context: RunContext, radius_m: float, angle_rad: float) -> Routine
     return None
 
 
-def drive_to(context: RunContext, x_m: float, y_m: float) -> Routine:
-    """Turns towards a point of the start frame by the smaller angle, and drives to it."""
-    yield from _stand_first(context)
+def drive_to(
+    context: RunContext, x_m: float, y_m: float, interrupted: Callable[[], bool] = _never
+) -> Routine:
+    """Turns towards a point of the start frame by the smaller angle, and drives to it; `interrupted` as above."""
+    yield from stand_first(context)
     here = _begin(context)
-    dx, dy = x_m - here.x_m, y_m - here.y_m
-    distance = math.hypot(dx, dy)
+    distance = math.hypot(x_m - here.x_m, y_m - here.y_m)
     if distance < _ALREADY_THERE_M:
         _end(context, here)
         return None
-    turn = wrap_angle(math.atan2(dy, dx) - here.yaw_rad)
-    yield from turn_on_the_spot(context, turn)
-    yield from drive_straight(context, distance)
+    yield from turn_on_the_spot(context, wrap_angle(_direction(here, x_m, y_m) - here.yaw_rad))
+    yield from drive_straight(context, distance, interrupted)
     return None
+
+
+def _direction(here: Pose2D, x_m: float, y_m: float) -> float:
+    return math.atan2(y_m - here.y_m, x_m - here.x_m)
 
 
 def drive_on(context: RunContext, twist: Twist2D) -> None:
@@ -210,7 +227,7 @@ def _profile(
     return curve(min(max(rest, -longest), longest), speed, acceleration, smoothing_s, TICK_S)
 
 
-def _stand_first(context: RunContext) -> Routine:
+def stand_first(context: RunContext) -> Routine:
     """After `drive` a motion begins where the robot has come to rest: it would slide off its reference."""
     if context.reference_lost:
         yield from come_to_rest(context)

@@ -8,20 +8,21 @@ from pinel_desktop.robot import (
     Pose2D,
     RobotModel,
     RobotState,
+    Segment,
     Sensors,
     Setting,
     Twist2D,
     wrap_angle,
 )
 from sim.simulator import SUBSTEP_S, TICK_S, Simulator
-from sim.world import WorldError, load_world, world_from_document
+from sim.world import World, WorldError, load_world, world_from_document
 
 
 class SimSensors(Sensors):
     """Everything a program can ask for, computed from the world by rays and areas."""
 
-    def __init__(self, simulator: Simulator, robot: RobotModel) -> None:
-        self._simulator, self._robot = simulator, robot
+    def __init__(self, simulator: Simulator, robot: RobotModel, world: World) -> None:
+        self._simulator, self._robot, self._world = simulator, robot, world
 
     def sonar(self, index: int) -> float:
         robot = self._robot
@@ -42,6 +43,13 @@ class SimSensors(Sensors):
     def cell(self) -> str:
         return self._simulator.zone()
 
+    def obstacles(self) -> tuple[Segment, ...]:
+        """Walls and edges of boxes; those that may be pushed about are on no map."""
+        walls = [(*wall.start, *wall.end) for wall in self._world.walls]
+        rings = [box.corners() for box in self._world.boxes if not box.movable]
+        edges = [(*a, *b) for ring in rings for a, b in zip(ring, ring[1:] + ring[:1], strict=True)]
+        return (*walls, *edges)
+
 
 class SimLink:
     """Drives the simulated robot; time passes only in `advance`, one tick of 1/30 s at a time."""
@@ -60,7 +68,7 @@ class SimLink:
         self._max_v, self._max_omega = robot.max_v_mps, robot.max_omega_radps
         self._twist = STANDSTILL
         self.simulator = Simulator(self._world, robot)
-        self.sensors: Sensors = SimSensors(self.simulator, robot)
+        self.sensors: Sensors = SimSensors(self.simulator, robot, self._world)
 
     def connect(self) -> None:
         """Nothing to do: the simulator is there."""

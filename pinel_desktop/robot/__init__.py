@@ -3,7 +3,7 @@
 from pinel_desktop.robot.geometry import STANDSTILL, Pose2D, Twist2D, wrap_angle
 from pinel_desktop.robot.link import RobotLink, RobotState
 from pinel_desktop.robot.models import PIONEER_3DX, ROBOTS, Direction, RobotModel
-from pinel_desktop.robot.sensors import Sensors
+from pinel_desktop.robot.sensors import Segment, Sensors
 from pinel_desktop.robot.setting import (
     FEEDBACKS,
     PRESETS,
@@ -26,6 +26,7 @@ __all__ = [
     "RobotLink",
     "RobotModel",
     "RobotState",
+    "Segment",
     "Sensors",
     "Setting",
     "Twist2D",

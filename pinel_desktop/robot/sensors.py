@@ -5,6 +5,9 @@ from typing import NoReturn
 from pinel_desktop.errors import PinelError
 
 
+Segment = tuple[float, float, float, float]  # x1, y1, x2, y2 in m
+
+
 class Sensors:
     """The sensors of a link; every link has one of these and overrides what its robot can do.
 
@@ -27,6 +30,10 @@ class Sensors:
     def floor(self) -> str:
         """Name of the colour of the floor under the robot."""
         _missing("floor")
+
+    def obstacles(self) -> tuple[Segment, ...]:
+        """What is known beforehand to stand in the way, as on a map, in the link's frame; nothing without a map."""
+        return ()
 
     def cell(self) -> str:
         """Name of the world's zone under the robot, "" outside of all."""

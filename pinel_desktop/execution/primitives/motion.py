@@ -49,7 +49,9 @@ def arc(context: RunContext, _command: Arc, radius: float, angle: float) -> Rout
 @timed("go_to", "x", "y")
 def go_to(context: RunContext, command: GoTo, x: float, y: float) -> Routine:
     if command.avoid:
-        raise RunFailureError("avoid_not_supported")
+        from pinel_desktop.execution.avoiding import drive_around  # noqa: PLC0415 - numpy, which few programs need
+
+        return drive_around(context, x, y)
     return drive_to(context, x, y)
 
 

@@ -249,11 +249,6 @@ def test_go_to_is_in_the_start_frame_and_turns_the_smaller_way(execute_commands:
     assert max(abs(event.done) for event in telemetry(log)) < 181
 
 
-def test_go_to_with_avoid_is_refused_in_words_for_now(execute_commands: Any) -> None:
-    result, _ = execute_commands(go_to(1, 0, avoid=True, block="g"))
-    assert (result.ended.reason, result.ended.block) == ("avoid_not_supported", "g")
-
-
 @pytest.mark.parametrize(
     ("command", "reason", "params"),
     [

@@ -1,0 +1,142 @@
+"""Driving to a point around what stands in the way: what the map shows, and what the sensors see on the way."""
+
+import math
+from collections.abc import Generator
+
+from pinel_desktop.control.planning import (
+    CELL_M,
+    TIGHT_M,
+    Array,
+    Point,
+    as_array,
+    clearances,
+    path_clearance,
+    plan_path,
+)
+from pinel_desktop.errors import PinelError
+from pinel_desktop.execution.context import RunContext, RunFailureError
+from pinel_desktop.execution.motion import drive_to, stand_first
+from pinel_desktop.execution.requests import Breath, Routine
+from pinel_desktop.robot import Pose2D
+
+_SCAN_TICKS = 3  # ten looks a second
+_BEAMS_RAD = tuple(math.radians(angle) for angle in range(-90, 91, 3))
+_KNOWN_M = 0.12  # what is so near to something on the map is that
+_NEAR = 0.98  # of a sensor's range: at the rest of it nothing is there
+_MAX_PLANS = 60
+
+
+class Surroundings:
+    """What is known to stand in the way, in the start frame: the map, and what was seen since."""
+
+    def __init__(self, context: RunContext) -> None:
+        self._context, self._robot = context, context.robot
+        self._map = as_array(
+            [_in_start_frame(s, context.origin) for s in context.sensors.obstacles()]
+        )
+        self._seen: dict[tuple[int, int], Point] = {}
+        self._sees = True
+
+    def obstacles(self) -> Array:
+        """Everything there is to avoid."""
+        points = as_array([(*point, *point) for point in self._seen.values()])
+        return points if not len(self._map) else as_array([*self._map, *points])
+
+    def bar(self, path: list[Point]) -> bool:
+        """Looks around, and says whether something new is so near to the path that the robot would touch it."""
+        new = self.look()
+        if not len(new):
+            return False
+        return path_clearance(path, new) < self._robot.radius_m + TIGHT_M / 2.0
+
+    def look(self) -> Array:
+        """Looks around; gives what is seen now and was not known."""
+        hits = self._hits()
+        if not hits:
+            return as_array([])
+        far = clearances(as_array(hits)[:, :2], self._map) > _KNOWN_M
+        new = [hit for hit, is_new in zip(hits, far, strict=True) if is_new]
+        fresh = {(round(x / CELL_M), round(y / CELL_M)): (x, y) for x, y, *_ in new}
+        fresh = {cell: point for cell, point in fresh.items() if cell not in self._seen}
+        self._seen |= fresh
+        return as_array([(*point, *point) for point in fresh.values()])
+
+    def _hits(self) -> list[tuple[float, float, float, float]]:
+        """Where the beams end on something: those of the scanner, of the sonars without one, or none."""
+        if not self._sees:
+            return []
+        x, y, yaw = self._context.pose
+        hits = []
+        try:
+            for angle, distance in self._beams():
+                px = x + distance * math.cos(yaw + angle)
+                py = y + distance * math.sin(yaw + angle)
+                hits.append((px, py, px, py))
+        except PinelError:  # a robot that sees nothing has only its map
+            self._sees = False
+        return hits
+
+    def _beams(self) -> list[tuple[float, float]]:
+        robot, sensors = self._robot, self._context.sensors
+        try:
+            scan = [(angle, sensors.lidar(angle)) for angle in _BEAMS_RAD]
+        except PinelError:
+            sonars = [(a, sensors.sonar(i)) for i, a in enumerate(robot.sonar_angles_rad)]
+            reach = robot.sonar_range_m * _NEAR
+            return [(angle, robot.radius_m + seen) for angle, seen in sonars if seen < reach]
+        return [(angle, seen) for angle, seen in scan if seen < robot.lidar_range_m * _NEAR]
+
+
+def drive_around(context: RunContext, x_m: float, y_m: float) -> Routine:
+    """Drives to a point of the start frame around obstacles; plans anew when something else turns up.
+
+    Raises RunFailureError `no_way` when nothing is known that leads there.
+    """
+    around, goal = Surroundings(context), (x_m, y_m)
+    around.look()
+    for _ in range(_MAX_PLANS):
+        yield from stand_first(context)
+        here = context.pose if context.reference_lost else context.reference
+        path = yield from _planned(around, here, goal, context.robot.radius_m)
+        if path is None:
+            break
+        yield from _follow(context, around, path)
+        if not context.reference_lost:
+            return None
+    raise RunFailureError("no_way", x=x_m, y=y_m)
+
+
+def _planned(
+    around: Surroundings, here: Pose2D, goal: Point, radius_m: float
+) -> Generator[Breath, None, list[Point] | None]:
+    search = plan_path(around.obstacles(), (here.x_m, here.y_m), goal, radius_m)
+    while True:
+        try:
+            next(search)
+        except StopIteration as end:
+            path: list[Point] | None = end.value
+            return path
+        yield Breath.TAKEN
+
+
+def _follow(context: RunContext, around: Surroundings, path: list[Point]) -> Routine:
+    """Drives the legs one after the other; ends early, at rest and without a reference, when one is not free."""
+    for i, (x, y) in enumerate(path):
+
+        def interrupted(rest: list[Point] = path[i:]) -> bool:
+            if context.tick % _SCAN_TICKS:
+                return False
+            return around.bar([(context.pose.x_m, context.pose.y_m), *rest])
+
+        yield from drive_to(context, x, y, interrupted)
+        if context.reference_lost:
+            return None
+    return None
+
+
+def _in_start_frame(
+    segment: tuple[float, float, float, float], origin: Pose2D
+) -> tuple[float, float, float, float]:
+    x1, y1, x2, y2 = segment
+    a, b = (Pose2D(x, y).relative_to(origin) for x, y in ((x1, y1), (x2, y2)))
+    return a.x_m, a.y_m, b.x_m, b.y_m
