@@ -3,9 +3,10 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any, Literal, Protocol, get_args
 
-COLORS = ("black", "red", "orange", "yellow", "green", "blue", "purple", "white")
+Color = Literal["black", "red", "orange", "yellow", "green", "blue", "purple", "white"]
+COLORS: tuple[Color, ...] = get_args(Color)
 BARE_FLOOR = "white"
 MAX_NAME = 64
 

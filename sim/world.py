@@ -12,6 +12,7 @@ from sim.floor import Paint, Zone, paint_from_document, point, zone_from_documen
 
 DEFAULT_WORLD = "empty_room"
 DEFAULT_BOX_MASS_KG = 2.0
+WALL_RADIUS_M = 0.01
 _NAME = re.compile(r"[a-z0-9_]{1,64}\Z")
 
 
@@ -75,8 +76,8 @@ def world_from_document(document: dict[str, Any]) -> World:
         start = document["start"]
         return World(
             name=str(document["name"]),
-            walls=tuple(Wall(point(w["from"]), point(w["to"])) for w in document["walls"]),
-            boxes=tuple(_box(b) for b in document.get("boxes", ())),
+            walls=tuple(wall_from_document(wall) for wall in document["walls"]),
+            boxes=tuple(box_from_document(box) for box in document.get("boxes", ())),
             start=(float(start["x_m"]), float(start["y_m"]), math.radians(start["heading_deg"])),
             zones=tuple(zone_from_document(zone) for zone in document.get("zones", ())),
             floor=tuple(paint_from_document(area) for area in document.get("floor", ())),
@@ -85,7 +86,13 @@ def world_from_document(document: dict[str, Any]) -> World:
         raise WorldError("world_invalid", world=document.get("name"), detail=str(error)) from error
 
 
-def _box(entry: dict[str, Any]) -> Box:
+def wall_from_document(entry: dict[str, Any]) -> Wall:
+    """Reads `{"from", "to"}`. Raises KeyError, TypeError or ValueError."""
+    return Wall(point(entry["from"]), point(entry["to"]))
+
+
+def box_from_document(entry: dict[str, Any]) -> Box:
+    """Reads `{"center", "size", "heading_deg", "movable", "mass_kg"}`. Raises KeyError, TypeError or ValueError."""
     return Box(
         center=point(entry["center"]),
         size=point(entry["size"]),

@@ -1,0 +1,137 @@
+"""What a world document may hold, as models: types, names and limits. What a place must be to another is `reading`'s.
+
+Metres, degrees and kilograms. pydantic takes longer to load than all worlds: import this only to read a document.
+"""
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
+
+from sim.floor import MAX_NAME, Color
+from sim.world import DEFAULT_BOX_MASS_KG
+
+MAX_BYTES = 256 * 1024
+MAX_WALLS, MAX_BOXES, MAX_AREAS = 500, 200, 200
+MAX_TITLE = 60
+LONGEST_FLOOR_M = 50.0
+WORLD_NAME = r"^[a-z0-9_]{1,64}$"
+_SEEN = r"\S"  # a name of spaces only is none
+
+_Metres = Annotated[float, Field(ge=-1000.0, le=1000.0)]
+_Degrees = Annotated[float, Field(ge=-360.0, le=360.0)]
+_Side = Annotated[float, Field(ge=0.02, le=LONGEST_FLOOR_M)]
+_FloorSide = Annotated[float, Field(ge=1.0, le=LONGEST_FLOOR_M)]
+_Radius = Annotated[float, Field(ge=0.01, le=LONGEST_FLOOR_M / 2)]
+_Pair = Field(min_length=2, max_length=2)
+_Point = Annotated[list[_Metres], _Pair]
+_Text = Annotated[str, Field(max_length=MAX_TITLE, pattern=_SEEN)]
+
+
+class _Part(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False)
+
+
+class Languages(_Part):
+    """One text in the three languages."""
+
+    pt_br: Annotated[_Text, Field(alias="pt-BR")]
+    en: _Text
+    es: _Text
+
+
+class Start(_Part):
+    """Pose of the robot at the start."""
+
+    x_m: _Metres
+    y_m: _Metres
+    heading_deg: _Degrees
+
+
+class Wall(_Part):
+    """A thin straight wall between two points."""
+
+    from_: Annotated[_Point, Field(alias="from")]
+    to: _Point
+
+
+class _Rectangle(_Part):
+    center: _Point
+    size: Annotated[list[_Side], _Pair]
+    heading_deg: _Degrees = 0.0
+
+
+class _Disc(_Part):
+    center: _Point
+    radius: _Radius
+
+
+class Box(_Rectangle):
+    """A box on the floor; a movable one of `mass_kg` can be pushed."""
+
+    movable: bool = False
+    mass_kg: Annotated[float, Field(ge=0.1, le=100.0)] = DEFAULT_BOX_MASS_KG
+
+
+class _Named(_Part):
+    name: Annotated[str, Field(max_length=MAX_NAME, pattern=_SEEN)]
+
+
+class _Painted(_Part):
+    color: Color
+
+
+class RectangularZone(_Rectangle, _Named):
+    """A rectangle of the floor with a name."""
+
+
+class RoundZone(_Disc, _Named):
+    """A circle of the floor with a name."""
+
+
+class RectangularPaint(_Rectangle, _Painted):
+    """A rectangle of the floor with a colour."""
+
+
+class RoundPaint(_Disc, _Painted):
+    """A circle of the floor with a colour."""
+
+
+def _shape(area: Any) -> str:
+    is_disc = "radius" in area if isinstance(area, dict) else isinstance(area, _Disc)
+    return "disc" if is_disc else "rectangle"
+
+
+def _way(title: Any) -> str | None:
+    if isinstance(title, str):
+        return "text"
+    return "languages" if isinstance(title, dict | Languages) else None
+
+
+_Title = Annotated[
+    Annotated[_Text, Tag("text")] | Annotated[Languages, Tag("languages")], Discriminator(_way)
+]
+_Zone = Annotated[
+    Annotated[RectangularZone, Tag("rectangle")] | Annotated[RoundZone, Tag("disc")],
+    Discriminator(_shape),
+]
+_Paint = Annotated[
+    Annotated[RectangularPaint, Tag("rectangle")] | Annotated[RoundPaint, Tag("disc")],
+    Discriminator(_shape),
+]
+
+
+class WorldDocument(_Part):
+    """A floor with its middle at (0, 0), what stands and what is drawn on it, and where the robot starts.
+
+    `title` is one text, or one in each language. Of zones and floor the last is on top.
+    """
+
+    pinel_world: Literal[1]
+    name: Annotated[str, Field(pattern=WORLD_NAME)]
+    title: _Title
+    size_m: Annotated[list[_FloorSide], _Pair]
+    start: Start
+    walls: Annotated[list[Wall], Field(max_length=MAX_WALLS)]
+    boxes: Annotated[list[Box], Field(default_factory=list, max_length=MAX_BOXES)]
+    zones: Annotated[list[_Zone], Field(default_factory=list, max_length=MAX_AREAS)]
+    floor: Annotated[list[_Paint], Field(default_factory=list, max_length=MAX_AREAS)]

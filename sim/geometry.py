@@ -1,0 +1,93 @@
+"""How walls and boxes lie to each other and to a point, many at once. Metres and radians."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Pairs = NDArray[np.intp]
+
+
+def crossings(segments: Array, slack_m: float) -> Pairs:
+    """Which segments of (n, 2, 2) cross: pairs of indices (k, 2), the smaller first.
+
+    What ends at another, or reaches at most `slack_m` beyond it, does not cross it.
+    """
+    sides = _sides(segments)
+    apart = (sides.min(axis=2) < -slack_m) & (sides.max(axis=2) > slack_m)
+    pairs: Pairs = np.argwhere(np.triu(apart & apart.T, k=1))
+    return pairs
+
+
+def _sides(segments: Array) -> Array:
+    """Of segment i, how far to its left the two ends of segment j lie: (n, n, 2)."""
+    starts, along = segments[:, 0], segments[:, 1] - segments[:, 0]
+    length = np.maximum(np.hypot(*along.T), 1e-12)
+    normals = np.stack([-along[:, 1], along[:, 0]], axis=1) / length[:, None]
+    offsets = np.einsum("ik,ik->i", normals, starts)
+    left: Array = np.einsum("ik,jek->ije", normals, segments) - offsets[:, None, None]
+    return left
+
+
+def distances_to_segments(point: Array, segments: Array) -> Array:
+    """From a point to each segment of (n, 2, 2)."""
+    starts, along = segments[:, 0], segments[:, 1] - segments[:, 0]
+    length2 = np.maximum(np.einsum("ik,ik->i", along, along), 1e-24)
+    share = np.clip(np.einsum("ik,ik->i", point - starts, along) / length2, 0.0, 1.0)
+    gaps = point - (starts + share[:, None] * along)
+    distances: Array = np.hypot(*gaps.T)
+    return distances
+
+
+def distances_to_boxes(point: Array, corners: Array) -> Array:
+    """From a point to each rectangle of (n, 4, 2) corners in their order; 0 inside."""
+    centers, axes = corners.mean(axis=1), _axes(corners)
+    halves = np.hypot(*np.moveaxis(corners[:, 1:3] - corners[:, 0:2], 2, 0)) / 2
+    beyond = np.abs(np.einsum("ik,iak->ia", point - centers, axes)) - halves
+    distances: Array = np.hypot(*np.maximum(beyond, 0.0).T)
+    return distances
+
+
+def overlaps(ones: Array, others: Array, slack_m: float) -> Pairs:
+    """Which rectangles (n, 4, 2) lie more than `slack_m` into which rectangles or segments (m, 4 or 2, 2).
+
+    Two convex shapes are apart when the normal of one of their edges tells them apart.
+    """
+    near = np.argwhere(_may_touch(ones, others))
+    one, other = ones[near[:, 0]], others[near[:, 1]]
+    together = _shared(_axes(one), one, other, slack_m) & _shared(_axes(other), one, other, slack_m)
+    found: Pairs = near[together]
+    return found
+
+
+def _may_touch(ones: Array, others: Array) -> NDArray[np.bool_]:
+    centers, reach = ones.mean(axis=1), _reach(ones)
+    other_centers, other_reach = others.mean(axis=1), _reach(others)
+    apart = np.hypot(*np.moveaxis(centers[:, None] - other_centers[None], 2, 0))
+    near: NDArray[np.bool_] = apart < reach[:, None] + other_reach[None]
+    return near
+
+
+def _reach(shapes: Array) -> Array:
+    """From the middle of each shape to its farthest corner."""
+    spread = shapes - shapes.mean(axis=1, keepdims=True)
+    reach: Array = np.hypot(spread[..., 0], spread[..., 1]).max(axis=1)
+    return reach
+
+
+def _axes(shapes: Array) -> Array:
+    """Directions of the first edge of each shape and across it: (n, 2, 2)."""
+    along = shapes[:, 1] - shapes[:, 0]
+    along = along / np.maximum(np.hypot(*along.T), 1e-12)[:, None]
+    axes: Array = np.stack([along, np.stack([-along[:, 1], along[:, 0]], axis=1)], axis=1)
+    return axes
+
+
+def _shared(axes: Array, one: Array, other: Array, slack_m: float) -> NDArray[np.bool_]:
+    """Whether the shadows of both shapes on every axis overlap by more than the slack."""
+    shadow = np.einsum("iak,ick->iac", axes, one)
+    other_shadow = np.einsum("iak,ick->iac", axes, other)
+    depth = np.minimum(
+        shadow.max(axis=2) - other_shadow.min(axis=2), other_shadow.max(axis=2) - shadow.min(axis=2)
+    )
+    shared: NDArray[np.bool_] = (depth > slack_m).all(axis=1)
+    return shared

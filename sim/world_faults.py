@@ -1,0 +1,124 @@
+"""What is wrong with a world document, as data, and how pydantic's errors become that."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from pydantic_core import ErrorDetails
+
+from sim.floor import COLORS
+
+Path = tuple[str | int, ...]
+Params = dict[str, object]
+
+
+@dataclass(frozen=True, slots=True)
+class WorldFault:
+    """One thing wrong with a world document.
+
+    Attributes:
+        code: chooses the words; they are the application's.
+        pointer: JSON pointer (RFC 6901) to the place.
+        params: what fills the words; elements of lists count from 1, as people do.
+    """
+
+    code: str
+    pointer: str = ""
+    params: Params = field(default_factory=dict, hash=False)
+
+
+Placed = tuple[Path, WorldFault]
+
+
+def placed(path: Path, code: str, **params: object) -> Placed:
+    """A fault with its place."""
+    return path, WorldFault(code, pointer(path), params)
+
+
+def pointer(path: Path) -> str:
+    """The JSON pointer of a path of keys and indices."""
+    return "".join("/" + str(part).replace("~", "~0").replace("/", "~1") for part in path)
+
+
+def placed_error(document: Any, error: ErrorDetails) -> Placed:
+    """The fault for one of pydantic's errors."""
+    path = _path(document, error)
+    name = next((part for part in reversed(path) if isinstance(part, str)), "")
+    kind = error["type"]
+    if kind in _CODES:
+        return placed(path, _CODES[kind], name=name)
+    code, params = _SPECIAL[kind](error, name)
+    return placed(path, code, **params)
+
+
+def _path(document: Any, error: ErrorDetails) -> Path:
+    """The error's place: pydantic's location without the names of ways that it holds, and without what is missing."""
+    path: list[str | int] = []
+    value = document
+    for part in error["loc"]:
+        inside = isinstance(value, dict) and part in value
+        if inside or (isinstance(value, list) and isinstance(part, int) and part < len(value)):
+            path.append(part)
+            value = value[part]
+    return tuple(path)
+
+
+def _length(error: ErrorDetails, name: str) -> tuple[str, Params]:
+    if name in _TOO_MANY:
+        return _TOO_MANY[name], {"max": error["ctx"]["max_length"]}
+    return "world_not_a_pair", {"name": name}
+
+
+def _constant(error: ErrorDetails, name: str) -> tuple[str, Params]:
+    if name == "pinel_world":
+        return "world_version_unknown", {"value": _shown(error["input"])}
+    return "unknown_color", {"value": _shown(error["input"]), "allowed": list(COLORS)}
+
+
+def _name(error: ErrorDetails, name: str) -> tuple[str, Params]:
+    if error["ctx"]["pattern"].startswith("^"):
+        return "world_name_invalid", {"value": _shown(error["input"])}
+    return "world_text_blank", {"name": name}
+
+
+def _shown(value: object) -> object:
+    return value if isinstance(value, str | int | float) else type(value).__name__
+
+
+_CODES = {
+    "float_type": "wrong_type_number",
+    "bool_type": "wrong_type_boolean",
+    "string_type": "wrong_type_text",
+    "list_type": "wrong_type_list",
+    "model_type": "world_not_an_object",
+    "model_attributes_type": "world_not_an_object",
+    "finite_number": "not_finite",
+    "string_unicode": "text_not_unicode",
+    "union_tag_not_found": "world_title_invalid",
+}
+_TOO_MANY = {
+    "walls": "too_many_walls",
+    "boxes": "too_many_boxes",
+    "zones": "too_many_zones",
+    "floor": "too_many_paints",
+}
+_SPECIAL: dict[str, Callable[[ErrorDetails, str], tuple[str, Params]]] = {
+    "missing": lambda error, _: ("missing_parameter", {"name": str(error["loc"][-1])}),
+    "extra_forbidden": lambda error, _: ("world_unknown_key", {"name": str(error["loc"][-1])}),
+    "greater_than_equal": lambda error, name: (
+        "world_value_too_small",
+        {"name": name, "value": error["input"], "min": error["ctx"]["ge"]},
+    ),
+    "less_than_equal": lambda error, name: (
+        "world_value_too_large",
+        {"name": name, "value": error["input"], "max": error["ctx"]["le"]},
+    ),
+    "string_too_long": lambda error, name: (
+        "text_too_long",
+        {"name": name, "value": len(error["input"]), "max": error["ctx"]["max_length"]},
+    ),
+    "string_pattern_mismatch": _name,
+    "literal_error": _constant,
+    "too_short": _length,
+    "too_long": _length,
+}

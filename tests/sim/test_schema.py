@@ -1,0 +1,60 @@
+"""The published schema of worlds: current, and of one mind with the reader."""
+
+from pathlib import Path
+from typing import Any
+
+import jsonschema_rs
+import pytest
+
+from sim.reading import read_world
+from sim.schema import schema, schema_text
+from sim.world import list_worlds
+from tests.sim.test_reading import BOX, DISC, world
+
+FILE = Path(__file__).parents[2] / "sim" / "world.schema.json"
+
+
+def test_the_published_schema_is_that_of_the_models() -> None:
+    assert FILE.read_text("utf-8") == schema_text(), (
+        "run python -m sim.schema > sim/world.schema.json"
+    )
+
+
+@pytest.fixture(scope="module")
+def validator() -> jsonschema_rs.Draft202012Validator:
+    return jsonschema_rs.Draft202012Validator(schema())
+
+
+@pytest.mark.parametrize("document", [*list_worlds(), world()], ids=lambda d: d["name"])
+def test_worlds_and_their_normal_forms_keep_to_the_schema(
+    validator: jsonschema_rs.Draft202012Validator, document: dict[str, Any]
+) -> None:
+    normal = read_world(document, robot_radius_m=0.25).document
+    for form in (document, normal):
+        assert [str(error) for error in validator.iter_errors(form)] == []
+
+
+@pytest.mark.parametrize(
+    "parts",
+    [
+        {"pinel_world": 2},
+        {"title": 7},
+        {"title": {"pt-BR": "Sala", "en": "Room"}},
+        {"size_m": [6]},
+        {"colour": "red"},
+        {"walls": [{"from": [0, 0]}]},
+        {"walls": [{"from": [1, 1], "to": [1, 2]}] * 501},
+        {"boxes": [{**BOX, "movable": 1}]},
+        {"boxes": [{**BOX, "mass_kg": 101}]},
+        {"zones": [{"name": " ", **DISC}]},
+        {"zones": [{"name": "A", **DISC, **BOX}]},
+        {"zones": [{"name": "A", "center": [0, 0]}]},
+        {"floor": [{"color": "pink", **DISC}]},
+    ],
+    ids=str,
+)
+def test_the_schema_refuses_what_the_reader_refuses(
+    validator: jsonschema_rs.Draft202012Validator, parts: dict[str, Any]
+) -> None:
+    assert not validator.is_valid(world(**parts))
+    assert read_world(world(**parts), robot_radius_m=0.25).faults
