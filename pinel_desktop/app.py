@@ -21,6 +21,7 @@ from sim.world import list_worlds
 from storage import Recorder, Store, StoreError, open_store, warm_up
 
 if TYPE_CHECKING:
+    from pinel_desktop.program.faults import Fault
     from pinel_desktop.program.reading import Reading
 
 Event = dict[str, Any]
@@ -159,6 +160,7 @@ class App:
             guard=self._guard,
             preferences=self._preferences,
             read_document=self._read,
+            read_world=_read_world,
             worlds=self._worlds,
             database_state=self._database_state,
             show_window=self._on_show,
@@ -222,9 +224,18 @@ def _read_document(document: dict[str, object] | list[object]) -> "Reading":
     return read_document(document)
 
 
+def _read_world(
+    source: Any, *, robot: str | None = None
+) -> tuple[dict[str, Any] | None, "Sequence[Fault]"]:
+    from pinel_desktop.worlds import read_own_world  # noqa: PLC0415 - see above
+
+    return read_own_world(source, robot=robot)
+
+
 def _warm_up() -> None:
     """Loads what the first edit and the first run would have to wait for."""
-    from pinel_desktop.program import reading  # noqa: F401, PLC0415 - see above
+    from pinel_desktop import worlds  # noqa: F401, PLC0415 - see above
+    from pinel_desktop.program import reading  # noqa: F401, PLC0415
 
     warm_up()
 

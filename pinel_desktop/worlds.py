@@ -1,25 +1,27 @@
 """Worlds as the application meets them: a document that a group made is read, and its faults have words."""
 
+from collections.abc import Sequence
 from typing import Any
 
 from pinel_desktop.program.faults import Fault
-from pinel_desktop.robot import ROBOTS
-from sim.reading import WorldReading, read_world
-from sim.world_faults import WorldFault
+from pinel_desktop.robot import ROBOTS, Setting
+from sim.reading import read_world
 
-# a world that is kept must have room for whichever robot its runs will choose
-LARGEST_ROBOT_M = max(robot.radius_m for robot in ROBOTS.values())
+_LARGEST_M = max(robot.radius_m for robot in ROBOTS.values())
 
 
-def read_own_world(source: Any, *, robot_radius_m: float = LARGEST_ROBOT_M) -> WorldReading:
-    """Reads a world document, as JSON text or as parsed data, whose start has room for a robot of that radius."""
-    return read_world(source, robot_radius_m=robot_radius_m)
+def read_own_world(
+    source: Any, *, robot: str | None = None
+) -> tuple[dict[str, Any] | None, Sequence[Fault]]:
+    """A world document, as JSON text or as parsed data, in its normal form; or None, and its faults.
 
+    Args:
+        robot: which one must have room at the start; the largest when not told, so that any has.
 
-def faults_of(reading: WorldReading) -> tuple[Fault, ...]:
-    """The faults as those of programs are told; no block belongs to a world."""
-    return tuple(_fault(fault) for fault in reading.faults)
-
-
-def _fault(fault: WorldFault) -> Fault:
-    return Fault(fault.code, fault.pointer, None, fault.params)
+    Raises:
+        PinelError: `unknown_robot`.
+    """
+    radius_m = Setting(robot).robot.radius_m if robot else _LARGEST_M
+    reading = read_world(source, robot_radius_m=radius_m)
+    faults = [Fault(fault.code, fault.pointer, None, fault.params) for fault in reading.faults]
+    return reading.document, faults

@@ -63,6 +63,7 @@ class _Rectangle(_Part):
 class _Disc(_Part):
     center: _Point
     radius: _Radius
+    heading_deg: _Degrees = 0.0  # of no consequence, and no fault
 
 
 class Box(_Rectangle):

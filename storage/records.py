@@ -44,7 +44,7 @@ class FaultRow:
 
 @dataclass(frozen=True, slots=True)
 class VersionRow:
-    """One state of a program; `document` is None while it has faults."""
+    """One state of a program; `document` is None while it has faults, `world` where none was made for it."""
 
     id: str
     program_id: str
@@ -52,6 +52,7 @@ class VersionRow:
     workspace: Json
     document: Json | None
     faults: tuple[FaultRow, ...]
+    world: Json | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,7 +22,8 @@ _ABOUT = {
     "groups": "Pupils who work together. name_key is the name without spaces and case; used_at orders the list.",
     "programs": "Saved blocks of a group; the content is in versions.",
     "versions": "Every state of a program, never overwritten; number counts within the program. workspace is"
-    " what the editor shows, document what the robot gets (null while faults is not empty).",
+    " what the editor shows, document what the robot gets (null while faults is not empty), world the group's own"
+    " (null where it is chosen by name).",
     "runs": "One execution of a version (or, from the command line, of document) in a world.",
     "events": "What happened in a run, by seq; tick / 30 is the time in s; data holds the other fields.",
     "telemetry": "Samples of a run at 30 Hz in chunks: zlib of byte-shuffled int32 differences, column by"
@@ -43,11 +44,7 @@ def first_tables(db: "Database") -> None:
 
 def first_views(db: "Database") -> None:
     """The same content with plain names."""
-    rows = " UNION ALL ".join(
-        f"SELECT {db.quote(name)} AS name, {db.quote(meaning)} AS meaning"
-        for name, meaning in _ABOUT.items()
-    )
-    db.create_view("about", rows)
+    _view_about(db)
     db.create_view(
         "group_list",
         """SELECT name, color, created_at, used_at,
@@ -69,8 +66,18 @@ def first_views(db: "Database") -> None:
     )
 
 
+def worlds_of_versions(db: "Database") -> None:
+    """A version may hold a world that its group made."""
+    db.table("versions").add_column("world", str)
+    _view_about(db)
+
+
 # In their order. New ones are added at the end; none is ever changed.
-_MIGRATIONS: tuple[Callable[["Database"], None], ...] = (first_tables, first_views)
+_MIGRATIONS: tuple[Callable[["Database"], None], ...] = (
+    first_tables,
+    first_views,
+    worlds_of_versions,
+)
 KNOWN_MIGRATIONS = frozenset(migration.__name__ for migration in _MIGRATIONS)
 
 
@@ -83,6 +90,14 @@ def migrate(connection: sqlite3.Connection) -> None:
     for migration in _MIGRATIONS:
         migrations()(migration)
     migrations.apply(Database(connection, execute_plugins=False))
+
+
+def _view_about(db: "Database") -> None:
+    rows = " UNION ALL ".join(
+        f"SELECT {db.quote(name)} AS name, {db.quote(meaning)} AS meaning"
+        for name, meaning in _ABOUT.items()
+    )
+    db.create_view("about", rows, replace=True)
 
 
 def _tables_of_work(db: "Database") -> None:

@@ -10,7 +10,9 @@ from storage.groups import touch
 from storage.records import FaultRow, Json, VersionRow
 from storage.text import dumped, loaded, new_id
 
-_SELECT = "SELECT id, program_id, created_at, workspace, document, faults FROM versions"
+_SELECT = "SELECT id, program_id, created_at, workspace, document, faults, world FROM versions"
+_CONTENT = ("workspace", "document", "faults", "world")
+_Content = tuple[str, str | None, str, str | None]
 # by number, not by time: the clocks of school PCs are often wrong
 _NEWEST = f"{_SELECT} WHERE program_id = ? ORDER BY number DESC, id DESC LIMIT 1"
 
@@ -41,6 +43,7 @@ class Versions:
         workspace: Json,
         document: Json | None,
         faults: Sequence[FaultRow] = (),
+        world: Json | None = None,
     ) -> VersionRow:
         """Keeps a state; on disk when this returns. The same content as the newest version is that version.
 
@@ -51,24 +54,23 @@ class Versions:
             dumped(workspace),
             None if document is None else dumped(document),
             dumped([astuple(fault) for fault in faults]),
+            None if world is None else dumped(world),
         )
         now = self._access.now()
         return self.get(self._access.write(lambda db: _insert(db, program_id, content, now)))
 
 
-def _insert(
-    db: sqlite3.Connection, program_id: str, content: tuple[str, str | None, str], now: str
-) -> str:
+def _insert(db: sqlite3.Connection, program_id: str, content: _Content, now: str) -> str:
     program = db.execute("SELECT group_id FROM programs WHERE id = ?", [program_id]).fetchone()
     if program is None:
         raise StoreError("program_not_found", id=program_id)
     newest = db.execute(_NEWEST, [program_id]).fetchone()
-    if newest and (newest["workspace"], newest["document"], newest["faults"]) == content:
+    if newest and tuple(newest[name] for name in _CONTENT) == content:
         return str(newest["id"])
     version_id = new_id()
     db.execute(
-        """INSERT INTO versions (id, program_id, number, created_at, workspace, document, faults)
-           VALUES (?, ?, (SELECT coalesce(max(number), 0) + 1 FROM versions WHERE program_id = ?), ?, ?, ?, ?)""",
+        """INSERT INTO versions (id, program_id, number, created_at, workspace, document, faults, world)
+           VALUES (?, ?, (SELECT coalesce(max(number), 0) + 1 FROM versions WHERE program_id = ?), ?, ?, ?, ?, ?)""",
         [version_id, program_id, program_id, now, *content],
     )
     db.execute("UPDATE programs SET updated_at = ? WHERE id = ?", [now, program_id])
@@ -84,4 +86,5 @@ def _record(row: sqlite3.Row) -> VersionRow:
         workspace=loaded(row["workspace"]),
         document=loaded(row["document"]),
         faults=tuple(FaultRow(*fault) for fault in loaded(row["faults"])),
+        world=loaded(row["world"]),
     )

@@ -27,6 +27,14 @@ class InvalidProgramError(PinelError):
         self.faults = faults
 
 
+class InvalidWorldError(PinelError):
+    """A world that no robot can be put into, with the faults that say why."""
+
+    def __init__(self, faults: list[Fault]) -> None:
+        super().__init__("invalid_world", count=len(faults))
+        self.faults = faults
+
+
 def install(app: OpenAPI) -> None:
     """Registers the handlers that give every error its shape."""
     app.register_error_handler(PinelError, _known)

@@ -13,10 +13,24 @@ from pinel_desktop.web.guard import Guard
 if TYPE_CHECKING:  # heavy, and the page is served without them
     from pinel_desktop.events.hub import Hub
     from pinel_desktop.execution.control import StepMode
+    from pinel_desktop.program.faults import Fault
     from pinel_desktop.program.reading import Reading
     from storage import Store
 
 ReadDocument = Callable[[dict[str, object] | list[object]], "Reading"]
+
+
+class ReadWorld(Protocol):
+    """Reads a world document: its normal form, or None and its faults."""
+
+    def __call__(
+        self, source: Any, *, robot: str | None = None
+    ) -> tuple[dict[str, Any] | None, Sequence[Fault]]:
+        """
+        Args:
+            robot: which one must have room at the start; the largest when not told.
+        """
+        ...
 
 
 class Engine(Protocol):
@@ -100,6 +114,7 @@ class Services:
     guard: Guard
     preferences: Preferences
     read_document: ReadDocument
+    read_world: ReadWorld
     worlds: Sequence[dict[str, Any]]
     database_state: Callable[[], DatabaseState]
     show_window: Callable[[], None]

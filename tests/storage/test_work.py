@@ -145,6 +145,18 @@ def test_the_same_content_as_the_newest_version_is_that_version(
     assert len({version.id, other.id, back.id}) == 3
 
 
+def test_a_version_may_hold_a_world_which_is_part_of_its_content(
+    store: Store, program: ProgramRow, version: VersionRow
+) -> None:
+    assert version.world is None
+    world = {"pinel_world": 1, "name": "own", "title": "A nossa sala é grande"}
+    own = store.versions.save(program.id, version.workspace, version.document, world=world)
+    assert own.id != version.id
+    assert store.versions.get(own.id).world == world
+    again = store.versions.save(program.id, version.workspace, version.document, world=dict(world))
+    assert again.id == own.id
+
+
 def test_a_version_with_faults_keeps_the_blocks_and_the_faults(
     store: Store, program: ProgramRow
 ) -> None:

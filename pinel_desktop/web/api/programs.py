@@ -5,6 +5,7 @@ from flask import Response
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.web.answers import MAX_FAULTS, answer, faults_in_words, showable
 from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.api.worlds import sound_world
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.work import (
     CheckedDocument,
@@ -65,7 +66,8 @@ def save_version(path: IdPath, body: NewVersion) -> Response:
         reading = parts.read_document(body.document)
         document = None if reading.faults else reading.document
         faults = [_fault_row(fault) for fault in reading.faults[:MAX_FAULTS]]
-    row = parts.store.versions.save(path.id, body.workspace, document, faults)
+    world = None if body.world is None else sound_world(body.world)
+    row = parts.store.versions.save(path.id, body.workspace, document, faults, world)
     return answer(
         SavedVersion(id=row.id, created_at=row.created_at, faults=version_model(row).faults)
     )
@@ -88,6 +90,7 @@ def version_model(row: VersionRow) -> Version:
         workspace=row.workspace,
         document=row.document,
         faults=faults_in_words(row.faults, language),
+        world=row.world,  # type: ignore[arg-type] # pydantic reads it into the model
     )
 
 

@@ -27,12 +27,14 @@ from pinel_desktop.web.models.runs import (
     RunWithVersion,
     Step,
 )
+from pinel_desktop.web.models.worlds import Start
 from pinel_desktop.web.services import Services, services
 from storage import RunRow, RunStart, VersionRow
 
 api = resource("runs", "Runs: live and recorded.", __name__)
 
 _LINK = "sim"
+_OWN = "own"
 _OCTETS = {
     "content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}}
 }
@@ -84,20 +86,39 @@ def _runnable(version: VersionRow, parts: Services) -> dict[str, object]:
 
 
 def _start(version: VersionRow, body: NewRun, parts: Services) -> RunStart:
-    world = next((world for world in parts.worlds if world["name"] == body.world), None)
-    if world is None:
-        raise PinelError(
-            "unknown_world", value=body.world, allowed=[world["name"] for world in parts.worlds]
-        )
+    world = _world(version, body.world, parts)
+    if body.start:
+        world = _moved(world, body.start, body.model, parts)
     return RunStart(
         version_id=version.id,
         link=_LINK,
         world=body.world,
-        world_document={**world, "start": body.start.model_dump()} if body.start else world,
+        world_document=world,
         seed=body.seed or 0,
         app_version=parts.app_version,
         parameters=Setting(body.model, body.preset, body.feedback).as_parameters(),
     )
+
+
+def _moved(
+    world: dict[str, object], start: Start, robot: str, parts: Services
+) -> dict[str, object]:
+    """The world with another start; only that can be wrong with it, and the error is the first thing that is."""
+    moved, faults = parts.read_world({**world, "start": start.model_dump()}, robot=robot)
+    if moved is None:
+        raise PinelError(faults[0].code, **faults[0].params)
+    return moved
+
+
+def _world(version: VersionRow, name: str, parts: Services) -> dict[str, object]:
+    if name == _OWN:
+        if version.world is None:
+            raise PinelError("world_missing")
+        return version.world
+    for world in parts.worlds:
+        if world["name"] == name:
+            return world
+    raise PinelError("unknown_world", value=name, allowed=[world["name"] for world in parts.worlds])
 
 
 @api.post("/runs/<id>/pause", responses=answers(Empty, 404, 409))

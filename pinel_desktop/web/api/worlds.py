@@ -4,9 +4,10 @@ from typing import Any
 
 from flask import Response
 
-from pinel_desktop.web.answers import answer
+from pinel_desktop.web.answers import answer, faults_in_words
 from pinel_desktop.web.api import answers, resource
-from pinel_desktop.web.models.worlds import World, WorldList
+from pinel_desktop.web.errors import InvalidWorldError
+from pinel_desktop.web.models.worlds import CheckedWorld, World, WorldList, WorldToCheck
 from pinel_desktop.web.services import services
 
 api = resource("worlds", "Worlds a run can take place in.", __name__)
@@ -16,6 +17,23 @@ api = resource("worlds", "Worlds a run can take place in.", __name__)
 def list_worlds() -> Response:
     """All worlds with their walls and boxes."""
     return answer(WorldList(worlds=[_model(world) for world in services().worlds]))
+
+
+@api.post("/worlds/check", responses=answers(CheckedWorld, 413))
+def check_world(body: WorldToCheck) -> Response:
+    """All faults of a world, in words."""
+    parts = services()
+    _, faults = parts.read_world(body.world)
+    return answer(CheckedWorld(faults=faults_in_words(faults, parts.preferences.language)))
+
+
+def sound_world(document: dict[str, Any]) -> dict[str, Any]:
+    """The document in its normal form. Raises InvalidWorldError with its faults in words."""
+    parts = services()
+    sound, faults = parts.read_world(document)
+    if sound is None:
+        raise InvalidWorldError(faults_in_words(faults, parts.preferences.language))
+    return sound
 
 
 def _model(document: dict[str, Any]) -> World:

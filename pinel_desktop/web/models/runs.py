@@ -72,7 +72,7 @@ class NewRun(Body):
     """What to run, and where."""
 
     version_id: Id
-    world: Annotated[str, Field(max_length=100)]
+    world: Annotated[str, Field(max_length=100, description="a name, or `own`: the version's")]
     seed: Annotated[int | None, Field(ge=0, le=2**53 - 1)] = None
     start: Annotated[Start | None, Field(description="another start than the world's")] = None
     model: RobotName = PIONEER_3DX.name

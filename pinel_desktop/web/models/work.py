@@ -6,6 +6,7 @@ from pydantic import Field
 
 from pinel_desktop.web.models import Body, Id, Json, Shape, Time
 from pinel_desktop.web.models.errors import Fault
+from pinel_desktop.web.models.worlds import World
 
 Name = Annotated[
     str, Field(max_length=1000, description="1 to 60 characters; spaces at the ends do not count")
@@ -61,13 +62,17 @@ class ProgramName(Body):
 
 
 class Version(Shape):
-    """One state of a program, never overwritten; `document` is null while it has faults."""
+    """One state of a program, never overwritten; `document` is null while it has faults.
+
+    `world` is the group's own, null where the program runs in one chosen by name.
+    """
 
     id: Id
     created_at: Time
     workspace: Json
     document: Json | None
     faults: list[Fault]
+    world: World | None
 
 
 class ProgramWithVersion(Program):
@@ -81,6 +86,7 @@ class NewVersion(Body):
 
     workspace: Json
     document: dict[str, Any] | list[Any] | None
+    world: Annotated[Json | None, Field(description="a world of the group's own")] = None
 
 
 class SavedVersion(Shape):

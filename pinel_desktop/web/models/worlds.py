@@ -1,10 +1,11 @@
 """World documents as `sim/worlds/NAME.json` holds them."""
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import ConfigDict, Field
 
-from pinel_desktop.web.models import Shape
+from pinel_desktop.web.models import Body, Shape
+from pinel_desktop.web.models.errors import Fault
 
 Metres2 = tuple[float, float]
 
@@ -42,6 +43,8 @@ class Box(Shape):
     center: Metres2
     size: Metres2
     heading_deg: float
+    movable: bool = False
+    mass_kg: Annotated[float, Field(description="of a movable one")] = 2.0
 
 
 class Area(Shape):
@@ -70,13 +73,25 @@ class World(Shape):
 
     pinel_world: Literal[1]
     name: str
-    title: Title
+    title: Annotated[Title | str, Field(description="one text, or one in each language")]
     size_m: Metres2
     start: Start
     walls: list[Wall]
     boxes: list[Box]
     zones: list[Zone] = Field(default=[])
     floor: list[Paint] = Field(default=[])
+
+
+class WorldToCheck(Body):
+    """A world document, or what is meant to be one."""
+
+    world: Any
+
+
+class CheckedWorld(Shape):
+    """All faults; an empty list means that it can be run in."""
+
+    faults: list[Fault]
 
 
 class WorldList(Shape):

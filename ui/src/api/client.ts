@@ -4,6 +4,7 @@ import type {
   Content,
   Debugging,
   Evaluated,
+  Fault,
   Group,
   Program,
   ProgramWithVersion,
@@ -101,4 +102,7 @@ export const api = {
     (await request("GET", `/api/runs/${id}/telemetry`)).arrayBuffer(),
 
   worlds: async () => (await json<{ worlds: World[] }>("GET", "/api/worlds")).worlds,
+  /** Everything that is wrong with a world, in words. */
+  checkWorld: async (world: unknown) =>
+    (await json<{ faults: Fault[] }>("POST", "/api/worlds/check", { world })).faults,
 };

@@ -1,3 +1,4 @@
+import type { Language } from "../i18n/language";
 import type { components } from "./types";
 
 type Schemas = components["schemas"];
@@ -29,4 +30,14 @@ export type ErrorBody = Schemas["ErrorBody"];
 export interface Content {
   workspace: object;
   document: object | null;
+  /** A world of the group's own, null where the program runs in one chosen by name. */
+  world?: World | null;
+}
+
+/** The name under which a version's own world is run in. */
+export const OWN_WORLD = "own";
+
+/** A world's title: one text, or one in each language. */
+export function worldTitle({ title }: World, language: Language): string {
+  return typeof title === "string" ? title : title[language];
 }

@@ -466,6 +466,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/worlds/check": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** All faults of a world, in words. */
+        post: operations["checkWorld"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
 }
 export type webhooks = Record<string, never>;
 export interface components {
@@ -631,6 +648,17 @@ export interface components {
             ];
             /** Heading Deg */
             heading_deg: number;
+            /**
+             * Mass Kg
+             * @description of a movable one
+             * @default 2
+             */
+            mass_kg: number;
+            /**
+             * Movable
+             * @default false
+             */
+            movable: boolean;
             /** Size */
             size: [
                 number,
@@ -687,6 +715,14 @@ export interface components {
          * @description All faults; an empty list means that it can run.
          */
         CheckedDocument: {
+            /** Faults */
+            faults: components["schemas"]["Fault"][];
+        };
+        /**
+         * CheckedWorld
+         * @description All faults; an empty list means that it can be run in.
+         */
+        CheckedWorld: {
             /** Faults */
             faults: components["schemas"]["Fault"][];
         };
@@ -983,7 +1019,10 @@ export interface components {
              * @description UUIDv7 text
              */
             version_id: string;
-            /** World */
+            /**
+             * World
+             * @description a name, or `own`: the version's
+             */
             world: string;
         };
         /**
@@ -1002,6 +1041,14 @@ export interface components {
             workspace: {
                 [key: string]: unknown;
             };
+            /**
+             * World
+             * @description a world of the group's own
+             * @default null
+             */
+            world: {
+                [key: string]: unknown;
+            } | null;
         };
         /**
          * Notice
@@ -1665,6 +1712,8 @@ export interface components {
         /**
          * Version
          * @description One state of a program, never overwritten; `document` is null while it has faults.
+         *
+         *     `world` is the group's own, null where the program runs in one chosen by name.
          */
         Version: {
             /**
@@ -1690,6 +1739,7 @@ export interface components {
             workspace: {
                 [key: string]: unknown;
             };
+            world: components["schemas"]["World"] | null;
         };
         /**
          * Wall
@@ -1768,7 +1818,11 @@ export interface components {
                 number
             ];
             start: components["schemas"]["Start"];
-            title: components["schemas"]["Title"];
+            /**
+             * Title
+             * @description one text, or one in each language
+             */
+            title: components["schemas"]["Title"] | string;
             /** Walls */
             walls: components["schemas"]["Wall"][];
             /**
@@ -1784,6 +1838,14 @@ export interface components {
         WorldList: {
             /** Worlds */
             worlds: components["schemas"]["World"][];
+        };
+        /**
+         * WorldToCheck
+         * @description A world document, or what is meant to be one.
+         */
+        WorldToCheck: {
+            /** World */
+            world: unknown;
         };
         /**
          * WrittenPython
@@ -4547,6 +4609,93 @@ export interface operations {
             };
             /** @description Forbidden */
             403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Misdirected Request */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+        };
+    };
+    checkWorld: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["WorldToCheck"];
+            };
+        };
+        responses: {
+            /** @description OK */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CheckedWorld"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
                 headers: {
                     [name: string]: unknown;
                 };

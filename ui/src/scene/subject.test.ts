@@ -40,7 +40,13 @@ describe("what is shown of a room", () => {
 
   test("holds what stands in it", () => {
     const boxes = [
-      { center: [-3, 3] as [number, number], size: [1, 1] as [number, number], heading_deg: 0 },
+      {
+        center: [-3, 3] as [number, number],
+        size: [1, 1] as [number, number],
+        heading_deg: 0,
+        movable: false,
+        mass_kg: 2,
+      },
     ];
     const box = subjectOf(world({ boxes }), IDLE);
     expect(box.left).toBeLessThan(-3.5);
