@@ -68,6 +68,35 @@ export const TEST = {
   capture: "capture",
   captureLetter: "capture-letter", // of each; data-letter, "" for none
 
+  // the group's own world
+  worldChange: "world-change", // opens the editor
+  worldEditor: "world-editor",
+  worldBoard: "world-board",
+  worldTool: "world-tool", // of each; data-tool: select | wall | box | zone | paint | start
+  worldColor: "world-color", // of each; data-color
+  worldThing: "world-thing", // of each; data-kind, data-index in its list, data-faulty
+  worldHandle: "world-handle", // of each; data-handle: from | to | 0..3 | radius | turn
+  worldHint: "world-hint",
+  worldPanel: "world-panel", // data-kind: world | start | wall | box | zone | paint
+  worldName: "world-name",
+  worldZoneName: "world-zone-name",
+  worldMovable: "world-movable", // of each; data-value: false | true
+  worldShape: "world-shape", // of each; data-value: rectangle | disc
+  worldDelete: "world-delete",
+  worldBegin: "world-begin", // a select
+  worldFile: "world-file", // an input for a file
+  worldExport: "world-export",
+  worldForget: "world-forget",
+  worldBringBack: "world-bring-back",
+  worldUndo: "world-undo",
+  worldRedo: "world-redo",
+  worldDone: "world-done",
+  worldFaults: "world-faults",
+  worldFault: "world-fault", // of each; data-code
+  worldFaultNote: "world-fault-note",
+  worldRefused: "world-refused",
+  worldOwnInstead: "world-own-instead",
+
   // our work
   newProgram: "new-program",
   programCard: "program-card", // of each

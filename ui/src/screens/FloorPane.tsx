@@ -1,5 +1,5 @@
 import { useSignal } from "@preact/signals";
-import { FileCode } from "lucide-preact";
+import { FileCode, Undo2, X } from "lucide-preact";
 import { TEST } from "../app/testids";
 import { texts } from "../i18n";
 import * as robot from "../run/live";
@@ -18,6 +18,7 @@ export function FloorPane({ control }: { control: StudioControl }) {
     <section class="floor" aria-label={texts.value.studio.floor}>
       <Controls control={control} />
       <Status control={control} />
+      <Forgotten control={control} />
       <Stage control={control} drawer={drawer} />
       <div class="floor__foot card">
         <Readout view={robot.live} />
@@ -42,4 +43,35 @@ export function FloorPane({ control }: { control: StudioControl }) {
 
 function Status({ control }: { control: StudioControl }) {
   return <StatusLine sentence={control.sentence.value} />;
+}
+
+/** After the group's own world was deleted: the way back. */
+function Forgotten({ control: { worlds } }: { control: StudioControl }) {
+  const { world, trouble } = texts.value;
+  if (!worlds.forgotten.value) return null;
+  return (
+    <div class="line-message blocks__swap" role="status">
+      <span>{world.forgotten}</span>
+      <button
+        type="button"
+        class="button"
+        data-testid={TEST.worldBringBack}
+        onClick={() => worlds.bringBack()}
+      >
+        <Undo2 class="icon" aria-hidden="true" />
+        {world.bringBack}
+      </button>
+      <button
+        type="button"
+        class="button button--plain button--icon blocks__swap-close"
+        aria-label={trouble.close}
+        title={trouble.close}
+        onClick={() => {
+          worlds.forgotten.value = null;
+        }}
+      >
+        <X class="icon" aria-hidden="true" />
+      </button>
+    </div>
+  );
 }

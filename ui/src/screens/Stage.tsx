@@ -1,6 +1,10 @@
 import { type Signal, useComputed } from "@preact/signals";
+import { Pencil } from "lucide-preact";
+import { worldTitle } from "../api/model";
 import { worlds } from "../app/session";
+import { TEST } from "../app/testids";
 import { senses } from "../debug/senses";
+import { language, texts } from "../i18n";
 import { CapturePanel } from "../run/CapturePanel";
 import * as robot from "../run/live";
 import { MuteButton } from "../run/MuteButton";
@@ -61,14 +65,28 @@ export function Stage({ control, drawer }: StageProps) {
 
 function Corner({ control }: { control: StudioControl }) {
   const busy = useComputed(() => isLive(robot.live.value));
+  const own = control.open.world.value;
+  const words = texts.value.world;
   return (
     <div class="floor__corner">
       <WorldChoice
         worlds={worlds.value}
-        world={control.worldName.value}
+        world={control.worlds.name.value}
         busy={busy.value}
-        onWorld={(name) => control.chooseWorld(name)}
+        own={own && (worldTitle(own, language.value) || words.own)}
+        onWorld={(name) => control.worlds.choose(name)}
       />
+      <button
+        type="button"
+        class="button floor__change"
+        title={words.changeHelp}
+        disabled={busy.value || !control.world.value}
+        data-testid={TEST.worldChange}
+        onClick={() => control.worlds.edit()}
+      >
+        <Pencil class="icon" aria-hidden="true" />
+        {words.change}
+      </button>
       <MuteButton view={robot.live} expected={control.beeps.value} />
     </div>
   );

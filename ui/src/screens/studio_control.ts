@@ -4,7 +4,7 @@ import { ApiError } from "../api/errors";
 import type { Content, Fault } from "../api/model";
 import type { OpenProgram } from "../app/open_program";
 import { renameProgram } from "../app/rename";
-import { connection, engine, problem, report, wordsOf, worlds } from "../app/session";
+import { connection, engine, problem, report, wordsOf } from "../app/session";
 import { breakpoints, tellRun, wishes } from "../debug/debugging";
 import { watchSensors } from "../debug/senses";
 import type { Editor } from "../editor";
@@ -15,11 +15,9 @@ import * as robot from "../run/live";
 import { isLive, runningBlock } from "../run/reducer";
 import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
 import { valueWords } from "../run/values";
+import { WorldControl } from "../world_editor/world_control";
 
 const POINTING_MS = 2500;
-
-/** Chosen once, kept from program to program. */
-const chosenWorld = signal<string | null>(null);
 
 export interface Replaced {
   readonly workspace: object;
@@ -34,14 +32,7 @@ export class StudioControl {
   readonly asked = signal(false);
   /** What the robot is driving was made from this program. */
   readonly mine = computed(() => robot.liveRun.value?.program_id === this.open.id);
-  readonly worldName = computed(() => {
-    const { value: run } = robot.liveRun;
-    if (run && isLive(robot.live.value)) return run.world;
-    return chosenWorld.value ?? worlds.value[0]?.name ?? "";
-  });
-  readonly world = computed(
-    () => worlds.value.find((world) => world.name === this.worldName.value) ?? null,
-  );
+  readonly worlds: WorldControl;
   readonly sentence = computed<Sentence>(() => this.say());
   /** The innermost block that runs, of this program. */
   readonly running = computed(() => (this.mine.value ? runningBlock(robot.live.value) : null));
@@ -62,7 +53,14 @@ export class StudioControl {
   private pointing = 0;
   private busy = false;
 
-  constructor(readonly open: OpenProgram) {}
+  constructor(readonly open: OpenProgram) {
+    this.worlds = new WorldControl(open);
+  }
+
+  /** Where the robot drives, or would drive. */
+  get world() {
+    return this.worlds.world;
+  }
 
   /** Ties an editor to the program; the answer unties it. */
   attach(editor: Editor): () => void {
@@ -118,15 +116,11 @@ export class StudioControl {
     );
   }
 
-  chooseWorld(name: string): void {
-    chosenWorld.value = name;
-    robot.clear();
-  }
-
   /** Saves the program and runs it; `paused` holds it before its first block. */
   async run(paused = false): Promise<void> {
     if (this.busy || isLive(robot.live.value)) return;
-    if (this.open.isEmpty) this.asked.value = true;
+    if (this.worlds.isFaulty.peek()) this.worlds.edit();
+    else if (this.open.isEmpty) this.asked.value = true;
     else {
       this.busy = true;
       await this.saveAndStart(paused);
@@ -144,7 +138,7 @@ export class StudioControl {
       if (!version || version.faults.length > 0) return this.showFirst();
       this.edited.value = false;
       this.runDocument = open.content.value?.document ?? null;
-      await robot.start(version.id, this.worldName.value, wishes(paused));
+      await robot.start(version.id, this.worlds.name.value, wishes(paused));
     } catch (error) {
       if (error instanceof ApiError && error.faults.length > 0) open.faults.value = error.faults;
       else report(error);
@@ -193,6 +187,9 @@ export class StudioControl {
     if (isLive(view)) return sentenceOf(view, voice) ?? calm(status.ready);
     const faults = this.open.faults.value.length;
     if (faults > 0) return { text: status.faults(faults), more: "", tone: "notice" };
+    if (this.worlds.isFaulty.value) {
+      return { text: texts.value.world.faulty, more: "", tone: "notice" };
+    }
     if (this.open.isEmpty) {
       return this.asked.value
         ? { text: status.emptyRun, more: "", tone: "notice" }

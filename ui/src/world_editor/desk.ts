@@ -1,7 +1,7 @@
 import { batch, computed, signal } from "@preact/signals";
 import type { Fault, World } from "../api/model";
 import type { XY } from "../scene/frames";
-import { aboutOf, documentOf, planOf, type WorldDocument, worldOf } from "./document";
+import { aboutOf, documentOf, planOf } from "./document";
 import {
   doubled,
   drawing,
@@ -15,7 +15,16 @@ import {
   type Wishes,
 } from "./gestures";
 import { History } from "./history";
-import { isOuter, type Plan, thingOf, withoutThing, withThing } from "./plan";
+import {
+  isOuter,
+  type Plan,
+  resized,
+  type Start,
+  type Thing,
+  thingOf,
+  withoutThing,
+  withThing,
+} from "./plan";
 
 /** What is on the editor's table: the plan, what is chosen of it, and the way back. */
 export class WorldDesk {
@@ -23,8 +32,8 @@ export class WorldDesk {
   /** The plan as the hand that is drawing would leave it. */
   private readonly draft = signal<Plan | null>(null);
   readonly shown = computed(() => this.draft.value ?? this.plan.value);
-  readonly world = computed<World>(() => worldOf(this.shown.value));
-  readonly document = computed<WorldDocument>(() => documentOf(this.plan.value));
+  readonly world = computed<World>(() => documentOf(this.shown.value));
+  readonly document = computed<World>(() => documentOf(this.plan.value));
   readonly tool = signal<Tool>("select");
   /** A thing's id, or "start". */
   readonly selected = signal<string | null>(null);
@@ -38,11 +47,14 @@ export class WorldDesk {
   private readonly history = new History<Plan>();
   private gesture: Gesture | null = null;
 
+  /** The first undo brings back `before`, a world whose place this one is to take. */
   constructor(
     world: World,
-    private readonly onChange: (document: WorldDocument) => void,
+    private readonly onChange: (document: World) => void,
+    before: World | null = null,
   ) {
     this.plan.value = planOf(world);
+    if (before) this.history.keep(planOf(before));
   }
 
   /** Whether there is anything but the floor and the walls around it. */
@@ -182,6 +194,23 @@ export class WorldDesk {
     });
   }
 
+  /** Gives a thing other numbers, names or colours. */
+  alter(thing: Thing, stroke: string | null = null): void {
+    this.change(withThing(this.plan.value, thing), stroke);
+  }
+
+  place(start: Start, stroke: string | null = null): void {
+    this.change({ ...this.plan.value, start }, stroke);
+  }
+
+  resize({ width, depth }: { width: number; depth: number }): void {
+    this.change(resized(this.plan.value, width, depth), "floor");
+  }
+
+  rename(words: string): void {
+    this.change({ ...this.plan.value, title: words }, "title");
+  }
+
   undo(): void {
     this.back(this.history.undo(this.plan.value));
   }
@@ -216,7 +245,7 @@ export class WorldDesk {
 
 const EMPTY: Plan = {
   name: "",
-  title: { "pt-BR": "", en: "", es: "" },
+  title: "",
   width: 8,
   depth: 8,
   start: { x: 0, y: 0, heading: 0 },

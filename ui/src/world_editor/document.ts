@@ -1,9 +1,6 @@
 import type { World } from "../api/model";
 import { type Area, type Kind, newId, ofKind, type Plan, type Thing } from "./plan";
 
-/** A world document as files and the server hold it. */
-export type WorldDocument = Record<string, unknown>;
-
 /** Which list of a document holds which things, in the order in which they are drawn. */
 export const LISTS = { walls: "wall", boxes: "box", zones: "zone", floor: "paint" } as const;
 
@@ -43,16 +40,14 @@ export function planOf(world: World): Plan {
   };
 }
 
-function boxOf(
-  box: World["boxes"][number] & { movable?: boolean; mass_kg?: number | null },
-): Thing {
+function boxOf(box: World["boxes"][number]): Thing {
   return {
     id: newId(),
     kind: "box",
     ...areaOf(box),
     radius: null,
     movable: box.movable ?? false,
-    mass: box.mass_kg ?? null,
+    mass: box.movable ? (box.mass_kg ?? null) : null,
   };
 }
 
@@ -71,11 +66,11 @@ function areaOf(area: {
 }
 
 /** The document of a plan. Lists that need not be there are left out while they are empty. */
-export function documentOf(plan: Plan): WorldDocument {
+export function documentOf(plan: Plan): World {
   const { start } = plan;
   const zones = ofKind(plan, "zone").map(entryOf);
   const floor = ofKind(plan, "paint").map(entryOf);
-  return {
+  const document = {
     pinel_world: 1,
     name: plan.name,
     title: plan.title,
@@ -86,11 +81,9 @@ export function documentOf(plan: Plan): WorldDocument {
     ...(zones.length > 0 && { zones }),
     ...(floor.length > 0 && { floor }),
   };
+  // defaults are left out, as in the worlds that ship
+  return document as unknown as World;
 }
-
-/** The plan as the scene draws it. */
-export const worldOf = (plan: Plan): World =>
-  ({ zones: [], floor: [], ...documentOf(plan) }) as unknown as World;
 
 function entryOf(thing: Thing): object {
   switch (thing.kind) {

@@ -1,0 +1,78 @@
+import { TEST } from "../app/testids";
+import type { XY } from "../scene/frames";
+import type { View } from "./board_view";
+import type { WorldDesk } from "./desk";
+import { cornersOf, turnedBy } from "./geometry";
+import { onBoard } from "./outline";
+import { type AreaThing, isArea, type Plan, type Thing, thingOf } from "./plan";
+
+/** What one sees of a handle, and what a finger may miss it by; pixels. */
+const DOT = 8;
+const REACH = 20;
+/** How far the handle that turns a thing stands off its edge, pixels. */
+const ARM = 34;
+
+interface Handle {
+  readonly name: string;
+  readonly at: XY;
+  /** Where the arm of a handle that turns begins. */
+  readonly root?: XY;
+}
+
+/** What the selected thing can be pulled and turned by. */
+export function Handles({ desk, view }: { desk: WorldDesk; view: View }) {
+  const handles = handlesOf(desk.shown.value, desk.selected.value, view);
+  return (
+    <g class="handles">
+      {handles.map(({ name, at, root }) => (
+        <g
+          key={name}
+          data-handle={name}
+          data-testid={TEST.worldHandle}
+          class={`handle handle--${name}`}
+        >
+          {root && <line class="handle__arm" x1={root.x} y1={root.y} x2={at.x} y2={at.y} />}
+          <circle class="handle__reach" cx={at.x} cy={at.y} r={REACH} />
+          <circle class="handle__dot" cx={at.x} cy={at.y} r={DOT} />
+        </g>
+      ))}
+    </g>
+  );
+}
+
+function handlesOf(plan: Plan, selected: string | null, view: View): Handle[] {
+  const thing = thingOf(plan, selected);
+  if (thing) return ofThing(thing, view);
+  if (selected !== "start") return [];
+  const { heading } = plan.start;
+  return [turnHandle(view, plan.start, heading, 0.3)];
+}
+
+function ofThing(thing: Thing, view: View): Handle[] {
+  if (!isArea(thing)) {
+    return [
+      { name: "from", at: onBoard(view, thing.from) },
+      { name: "to", at: onBoard(view, thing.to) },
+    ];
+  }
+  if (thing.radius !== null) return [radiusHandle(thing, thing.radius, view)];
+  const corners = cornersOf(thing).map((corner, index) => ({
+    name: `${index}`,
+    at: onBoard(view, corner),
+  }));
+  return [...corners, turnHandle(view, thing, thing.heading, thing.width / 2)];
+}
+
+const radiusHandle = (thing: AreaThing, radius: number, view: View): Handle => ({
+  name: "radius",
+  at: onBoard(view, { x: thing.x + radius, y: thing.y }),
+});
+
+/** It stands ahead of the thing, where the thing looks. */
+function turnHandle(view: View, middle: XY, heading: number, reach: number): Handle {
+  const along = (metres: number) => {
+    const offset = turnedBy({ x: metres, y: 0 }, heading);
+    return onBoard(view, { x: middle.x + offset.x, y: middle.y + offset.y });
+  };
+  return { name: "turn", root: along(reach), at: along(reach + ARM / view.camera.scale) };
+}

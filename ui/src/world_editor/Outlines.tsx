@@ -1,0 +1,115 @@
+import { useComputed } from "@preact/signals";
+import { TEST } from "../app/testids";
+import { texts } from "../i18n";
+import type { View } from "./board_view";
+import type { WorldDesk } from "./desk";
+import { LISTS } from "./document";
+import { onBoard, outlineOf } from "./outline";
+import { isOuter, ofKind, type Plan, type Thing } from "./plan";
+import { nameOf } from "./words";
+
+/** From the middle of the robot to where a hand takes it, metres; and never less than a fingertip, pixels. */
+const ROBOT_M = 0.3;
+const FINGER_PX = 18;
+
+interface OutlinesProps {
+  desk: WorldDesk;
+  view: View;
+}
+
+/** An element for each thing, to be clicked, reached with Tab, and marked where there is something wrong. */
+export function Outlines({ desk, view }: OutlinesProps) {
+  const plan = desk.shown.value;
+  const faulty = useComputed(() => new Set(desk.faults.value.map((one) => desk.aboutFault(one))));
+  // as they are drawn: paint beneath, walls on top
+  const order = ["paint", "zone", "box", "wall"] as const;
+  const things = order.flatMap((kind) => ofKind(plan, kind)).filter((one) => !isOuter(plan, one));
+  return (
+    <g>
+      {things.map((thing) => (
+        <Outline
+          key={thing.id}
+          desk={desk}
+          view={view}
+          plan={plan}
+          thing={thing}
+          isFaulty={faulty.value.has(thing.id)}
+        />
+      ))}
+      <StartOutline desk={desk} view={view} isFaulty={faulty.value.has("start")} />
+    </g>
+  );
+}
+
+interface OutlineProps extends OutlinesProps {
+  plan: Plan;
+  thing: Thing;
+  isFaulty: boolean;
+}
+
+function Outline({ desk, view, plan, thing, isFaulty }: OutlineProps) {
+  const isSelected = desk.selected.value === thing.id;
+  const path = outlineOf(view, thing);
+  return (
+    // biome-ignore lint/a11y/useSemanticElements: an SVG has no button
+    <g
+      class={classes(thing.kind, isSelected, isFaulty)}
+      role="button"
+      tabindex={0}
+      aria-label={nameOf(plan, thing, texts.value.world)}
+      aria-pressed={isSelected}
+      data-thing={thing.id}
+      data-kind={thing.kind}
+      data-index={indexOf(plan, thing)}
+      data-faulty={isFaulty}
+      data-testid={TEST.worldThing}
+      onFocus={(event) => focused(desk, event, thing.id)}
+    >
+      <path class="outline__reach" d={path} />
+      <path class="outline__line" d={path} />
+    </g>
+  );
+}
+
+/** Its place in the list of the document that holds it. */
+function indexOf(plan: Plan, thing: Thing): number {
+  const kind = Object.values(LISTS).find((one) => one === thing.kind) ?? thing.kind;
+  return ofKind(plan, kind).indexOf(thing);
+}
+
+interface StartOutlineProps extends OutlinesProps {
+  isFaulty: boolean;
+}
+
+function StartOutline({ desk, view, isFaulty }: StartOutlineProps) {
+  const { x, y } = onBoard(view, desk.shown.value.start);
+  const isSelected = desk.selected.value === "start";
+  const r = Math.max(FINGER_PX, ROBOT_M * view.camera.scale);
+  return (
+    // biome-ignore lint/a11y/useSemanticElements: an SVG has no button
+    <g
+      class={classes("start", isSelected, isFaulty)}
+      role="button"
+      tabindex={0}
+      aria-label={texts.value.world.kinds.start}
+      aria-pressed={isSelected}
+      data-thing="start"
+      data-kind="start"
+      data-faulty={isFaulty}
+      data-testid={TEST.worldThing}
+      onFocus={(event) => focused(desk, event, "start")}
+    >
+      <circle class="outline__reach" cx={x} cy={y} r={r} />
+      <circle class="outline__line" cx={x} cy={y} r={r} />
+    </g>
+  );
+}
+
+/** Who comes with Tab chooses by it; a hand chooses by pressing. */
+function focused(desk: WorldDesk, event: FocusEvent, id: string): void {
+  const { currentTarget } = event;
+  if (currentTarget instanceof Element && currentTarget.matches(":focus-visible")) desk.select(id);
+}
+
+const classes = (kind: string, isSelected: boolean, isFaulty: boolean) =>
+  `outline outline--${kind} ${isSelected ? "outline--selected" : ""} ${isFaulty ? "outline--faulty" : ""}`;

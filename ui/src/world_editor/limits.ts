@@ -1,0 +1,7 @@
+/** What a world may be at most, as `sim/document.py` says; metres, and characters. */
+export const LONGEST = 50;
+export const SHORTEST = 0.05;
+export const FLOOR_LEAST = 1;
+export const NAME_MOST = 64;
+export const TITLE_MOST = 60;
+export const FILE_MOST_BYTES = 256 * 1024;

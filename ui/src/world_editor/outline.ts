@@ -1,0 +1,41 @@
+import { toScreen } from "../scene/camera";
+import type { XY } from "../scene/frames";
+import type { View } from "./board_view";
+import { cornersOf } from "./geometry";
+import { isArea, type Thing } from "./plan";
+
+/** Where a point of the floor lies on the board, in pixels. */
+export const onBoard = ({ camera, size }: View, point: XY): XY => toScreen(camera, size, point);
+
+/** A thing's edge as a path of SVG, in pixels of the board. */
+export function outlineOf(view: View, thing: Thing): string {
+  if (!isArea(thing)) return line([thing.from, thing.to].map((end) => onBoard(view, end)));
+  if (thing.radius === null) {
+    return `${line(cornersOf(thing).map((corner) => onBoard(view, corner)))}Z`;
+  }
+  const { x, y } = onBoard(view, thing);
+  const r = thing.radius * view.camera.scale;
+  return `M${x - r} ${y}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0Z`;
+}
+
+const line = (points: readonly XY[]) => `M${points.map(({ x, y }) => `${x} ${y}`).join("L")}`;
+
+/** The upper middle of a thing, where a note about it points to. */
+export function topOf(view: View, thing: Thing): XY {
+  const points = isArea(thing) ? reach(thing) : [thing.from, thing.to];
+  const shown = points.map((point) => onBoard(view, point));
+  const xs = shown.map(({ x }) => x);
+  return {
+    x: (Math.min(...xs) + Math.max(...xs)) / 2,
+    y: Math.min(...shown.map(({ y }) => y)),
+  };
+}
+
+function reach(thing: Extract<Thing, { heading: number }>): XY[] {
+  if (thing.radius === null) return cornersOf(thing);
+  const { x, y, radius } = thing;
+  return [
+    { x: x - radius, y: y + radius },
+    { x: x + radius, y: y + radius },
+  ];
+}
