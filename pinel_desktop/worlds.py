@@ -5,7 +5,10 @@ from typing import Any
 
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.robot import ROBOTS, Setting
+from sim.document import MAX_BYTES
 from sim.reading import read_world
+
+__all__ = ["MAX_BYTES", "read_own_world"]
 
 _LARGEST_M = max(robot.radius_m for robot in ROBOTS.values())
 

@@ -9,6 +9,7 @@ import click
 
 from pinel_desktop import __version__
 from pinel_desktop.commands.program_file import place_of, read_file
+from pinel_desktop.commands.world_file import ChosenWorld, WorldFileError, choose_world
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, EventStamp
 from pinel_desktop.execution.answers import ScriptedAnswers
@@ -22,7 +23,6 @@ from pinel_desktop.paths import database_path
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.reading import Reading
 from pinel_desktop.robot import FEEDBACKS, PIONEER_3DX, PRESETS, ROBOTS, Setting
-from sim.world import world_document
 from storage import Notice, Recorder, RunStart, Store, StoreError, open_store
 
 _LONGEST_VALUE = 200  # of a variable, for people; --json gives it whole
@@ -39,7 +39,13 @@ _FINISHED, _NOT_FINISHED, _INVALID = 0, 1, 2
     show_default=True,
     help="What is to be driven.",
 )
-@click.option("--world", default="empty_room", show_default=True, help="World of the simulator.")
+@click.option(
+    "--world",
+    metavar="NAME|FILE.json",
+    default="empty_room",
+    show_default=True,
+    help="World of the simulator: the name of one that ships, or a file with a world document.",
+)
 @click.option(
     "--model",
     type=click.Choice(list(ROBOTS)),
@@ -93,7 +99,7 @@ def command(
     """Run a program and print its result.
 
     FILE is a program document or a bare list of commands, as JSON, or Python text; - is standard input. Exit status:
-    0 finished, 1 failed or stopped, 2 the program has faults or cannot be read.
+    0 finished, 1 failed or stopped, 2 the program or the world has faults or cannot be read.
     """
     language = language_of_system()
     reading = read_file(file)
@@ -111,7 +117,7 @@ def command(
 
 
 def _status(summary: dict[str, Any]) -> int:
-    if summary["reason"] == "invalid_program":
+    if summary["reason"] in ("invalid_program", "invalid_world"):
         return _INVALID
     return _FINISHED if summary["state"] == "finished" else _NOT_FINISHED
 
@@ -142,16 +148,17 @@ def _run(
     assert program is not None
     assert document is not None
     try:
+        world = choose_world(options["world"], robot=options["model"])
         link = open_link(
             options["robot"],
-            world=options["world"],
+            world=world.document,
             setting=_setting(options),
             seed=options["seed"],
         )
     except PinelError as error:
-        return unbegun_object(error.code, describe(error.code, error.params, language).message)
+        return _unbegun(error, language)
     if keeper is not None:
-        keeper.begin(document, options)
+        keeper.begin(document, world, options)
     setup = RunOptions(
         observer=keeper.observe if keeper else None,
         clock=LiveClock() if options["pace"] == "live" else MaxClock(),
@@ -165,6 +172,15 @@ def _run(
     message = describe(ended.reason, ended.params, language).message if ended.reason else None
     run_id = keeper.close() if keeper else None
     return run_object(result, run_id, message)
+
+
+def _unbegun(error: PinelError, language: str) -> dict[str, Any]:
+    faults = error.faults if isinstance(error, WorldFileError) else ()
+    return unbegun_object(
+        error.code,
+        describe(error.code, error.params, language).message,
+        [_fault_object(fault, language) for fault in faults],
+    )
 
 
 def _setting(options: dict[str, Any]) -> Setting:
@@ -194,11 +210,11 @@ class _Keeper:
         self._recorder: Recorder | None = None
         self._stamp = EventStamp("")
 
-    def begin(self, document: dict[str, Any], options: dict[str, Any]) -> None:
+    def begin(self, document: dict[str, Any], world: ChosenWorld, options: dict[str, Any]) -> None:
         start = RunStart(
             link=options["robot"],
-            world=options["world"],
-            world_document=world_document(options["world"]),
+            world=world.name,
+            world_document=world.document,
             seed=options["seed"],
             app_version=__version__,
             document=document,

@@ -280,3 +280,57 @@ def test_answers_and_events_of_a_program_are_kept(home: Path) -> None:
         types = {event["type"] for event in store.runs.events(printed["run_id"])}
     assert kept.state == "finished"
     assert {"asked", "answered", "said", "marked", "watch"} <= types
+
+
+OWN_WORLD: dict[str, Any] = {
+    "pinel_world": 1,
+    "name": "corridor",
+    "title": "Corredor",
+    "size_m": [6, 1],
+    "start": {"x_m": -2, "y_m": 0, "heading_deg": 0},
+    "walls": [{"from": [1, -0.5], "to": [1, 0.5]}],
+}
+
+
+def test_a_world_in_a_file_is_run_in_and_kept_with_the_run(home: Path) -> None:
+    (home / "corridor.json").write_text(json.dumps(OWN_WORLD), "utf-8")
+    go = '[{"action": "move_forward", "distance": 4}]'
+    status, printed = run_json("-", "--world", str(home / "corridor.json"), text=go)
+    assert (status, printed["reason"]) == (1, "blocked")
+    assert printed["pose"]["x_m"] == pytest.approx(3 - 0.2225 - 0.01, abs=0.002)
+    store = open_store(home / "pinel.db")
+    run = store.runs.get(printed["run_id"])
+    store.close()
+    assert run.world == "corridor"
+    assert run.world_document["walls"] == OWN_WORLD["walls"]
+
+
+def test_faults_of_a_world_end_with_2_and_are_told_in_words(home: Path) -> None:
+    file = home / "crossing.json"
+    walls = [{"from": [1, -0.5], "to": [2, 0.5]}, {"from": [1, 0.5], "to": [2, -0.5]}]
+    file.write_text(json.dumps({**OWN_WORLD, "walls": walls}), "utf-8")
+    status, printed = run_json(SQUARE, "--world", str(file))
+    assert (status, printed["reason"], set(printed)) == (2, "invalid_world", KEYS)
+    (fault,) = printed["faults"]
+    assert (fault["pointer"], fault["message"]) == ("/walls/1", "Walls 1 and 2 cross.")
+    lines = pinel("run", SQUARE, "--world", str(file))
+    assert lines.exit_code == 2
+    assert "/walls/1: Walls 1 and 2 cross." in lines.stdout
+
+
+def test_a_world_s_file_that_cannot_be_read_ends_with_2_and_names_it(home: Path) -> None:
+    (home / "folder.json").mkdir()
+    for missing in ("nowhere.json", "folder.json", "null\0.json"):
+        status, printed = run_json(SQUARE, "--world", str(home / missing))
+        assert (status, printed["reason"]) == (2, "invalid_world")
+        assert missing[:4] in printed["faults"][0]["message"]
+
+
+def test_the_start_must_have_room_for_the_robot_that_runs(home: Path) -> None:
+    file = home / "narrow.json"
+    start = {"x_m": 0.85, "y_m": 0, "heading_deg": 0}
+    file.write_text(json.dumps({**OWN_WORLD, "start": start}), "utf-8")
+    _, printed = run_json("-", "--world", str(file), text="[]")
+    assert [fault["code"] for fault in printed["faults"]] == ["start_in_wall"]
+    small, _ = run_json("-", "--world", str(file), "--model", "small_robot", text="[]")
+    assert small == 0
