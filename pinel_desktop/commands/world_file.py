@@ -1,0 +1,55 @@
+"""The world that a command is told: one that ships, by its name, or a document in a file."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.program.faults import Fault
+from sim.world import WorldError, world_document
+
+
+@dataclass(frozen=True, slots=True)
+class ChosenWorld:
+    """A world by its name with its document."""
+
+    name: str
+    document: dict[str, Any]
+
+
+class WorldFileError(PinelError):
+    """A file of a world with faults, or that cannot be read."""
+
+    def __init__(self, faults: tuple[Fault, ...]) -> None:
+        super().__init__("invalid_world", count=len(faults))
+        self.faults = faults
+
+
+def choose_world(name_or_file: str, *, robot: str) -> ChosenWorld:
+    """The world of that name, or of that file (`.json`), in which the robot has room at the start.
+
+    Raises:
+        PinelError: `unknown_world`.
+        WorldFileError: `invalid_world`.
+    """
+    if name_or_file.endswith(".json"):
+        document = _read(name_or_file, robot)
+        return ChosenWorld(document["name"], document)
+    try:
+        return ChosenWorld(name_or_file, world_document(name_or_file))
+    except WorldError as error:
+        raise PinelError(error.code, **error.params) from error
+
+
+def _read(file: str, robot: str) -> dict[str, Any]:
+    # numpy comes with it, which takes longer than most programs run
+    from pinel_desktop.worlds import MAX_BYTES, read_own_world  # noqa: PLC0415
+
+    try:
+        with open(file, "rb") as opened:
+            text = opened.read(MAX_BYTES + 1)
+    except (OSError, ValueError) as error:
+        raise WorldFileError((Fault("file_unreadable", params={"path": file}),)) from error
+    document, faults = read_own_world(text, robot=robot)
+    if document is None:
+        raise WorldFileError(tuple(faults))
+    return document
