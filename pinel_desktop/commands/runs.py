@@ -5,7 +5,7 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import asdict
-from typing import IO, Any
+from typing import IO, TYPE_CHECKING, Any
 
 import click
 
@@ -13,6 +13,9 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, language_of_system
 from pinel_desktop.paths import database_path
 from storage import RunRow, Store, StoreError, open_for_reading
+
+if TYPE_CHECKING:
+    from pinel_desktop.verification import Verdict
 
 _ID = re.compile(r"[0-9a-f-]+")
 _FIGURES = (
@@ -69,6 +72,43 @@ def show_run(ctx: click.Context, run: str, as_json: bool) -> None:
     click.echo(f"{row.id}  {row.state}")
     for line in _details(row):
         click.echo(line)
+
+
+@command.command("verify")
+@click.argument("run")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+@click.pass_context
+def verify(ctx: click.Context, run: str, as_json: bool) -> None:
+    """Run a recorded run again and say whether it is the same.
+
+    RUN is as for `show`. Exit status: 0 the same, 1 not the same or not to be repeated.
+    """
+    from pinel_desktop.verification import verify_run  # noqa: PLC0415 - the simulator, for this one only
+
+    with _opened(ctx) as store:
+        row = _found(store, run)
+        verdict = verify_run(store, row)
+    if as_json:
+        click.echo(json.dumps({"run": row.id, **asdict(verdict)}))
+    else:
+        code, params = _in_words(verdict, row)
+        words = describe(code, params, language_of_system())
+        click.echo(f"{row.id}  {verdict.outcome}\n{words.message}\n{words.remedy}")
+    ctx.exit(1 if verdict.outcome == "different" else 0)
+
+
+def _in_words(verdict: "Verdict", row: RunRow) -> tuple[str, dict[str, Any]]:
+    first = verdict.difference
+    if first is None:
+        return f"verified_{verdict.outcome}", {"ticks": verdict.n_ticks}
+    return "verified_different", {
+        "tick": first.tick,
+        "time": round(first.tick / 30, 2),
+        "column": first.column,
+        "recorded": round(first.recorded, 5),
+        "repeated": round(first.repeated, 5),
+        "version": row.app_version,
+    }
 
 
 class _Failure(click.ClickException):

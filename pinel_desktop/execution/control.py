@@ -2,6 +2,8 @@
 
 from typing import Literal
 
+from pinel_desktop.events.model import PauseCause
+
 StepMode = Literal["into", "over", "out"]
 LEAST_SPEED, GREATEST_SPEED = 0.1, 10.0
 
@@ -14,6 +16,7 @@ class RunControl:
     Attributes:
         breakpoints: ids of the blocks before which the run pauses.
         step: how far the run goes on before it pauses again; None when it just runs.
+        hold_at: the run pauses when so many commands have begun, for the cause given; None when it does not.
         speed: robot time to wall time, in the simulator; a real robot knows one speed only.
     """
 
@@ -22,6 +25,7 @@ class RunControl:
         self.pause_requested = False
         self.breakpoints: frozenset[str] = frozenset()
         self.step: StepMode | None = None
+        self.hold_at: tuple[int, PauseCause] | None = None
         self.speed = 1.0
 
     def stop(self) -> None:

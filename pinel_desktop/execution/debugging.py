@@ -18,6 +18,7 @@ class Debugger:
 
     Attributes:
         cause: why the run holds, or will with the next pause.
+        n_begun: how many commands have begun.
     """
 
     def __init__(self, control: RunControl, depth: Callable[[], int]) -> None:
@@ -25,17 +26,25 @@ class Debugger:
         self._depth_of_pause = 0
         self._is_held = False
         self.cause: PauseCause = "person"
+        self.n_begun = 0
 
     def holds(self, command: Any) -> bool:
         """Whether the run pauses before this command; asks the control for the pause."""
         control = self._control
-        if self._is_held or (control.step is None and not control.breakpoints):
+        if self._is_held or (
+            control.step is None and not control.breakpoints and control.hold_at is None
+        ):
             self._is_held = False
+            self.n_begun += 1
             return False
-        if command.block is not None and command.block in control.breakpoints:
+        if control.hold_at is not None and self.n_begun == control.hold_at[0]:
+            cause, control.hold_at = control.hold_at[1], None
+            self._hold(cause)
+        elif command.block is not None and command.block in control.breakpoints:
             self._hold("breakpoint")
         elif self._step_is_over():
             self._hold("step")
+        self.n_begun += not self._is_held
         return self._is_held
 
     def paused(self) -> None:

@@ -135,7 +135,7 @@ class _Run:
             self._connect()
             self._run()
         except _Stopped:
-            return "stopped", "stopped_by_person", {}
+            return "stopped", "stopped_by_person", {"tick": self._tick}
         except PinelError as error:
             return "failed", error.code, error.params
         except Exception as error:  # a defect of ours must end the run, not the robot's guard
@@ -227,7 +227,10 @@ class _Run:
         context = self._context
         self._watch()
         self._debugger.paused()
-        self._emit(RunState("paused", self._debugger.cause, self._stack.next_block))
+        debugger = self._debugger
+        self._emit(
+            RunState("paused", debugger.cause, self._stack.next_block, debugger.n_begun)
+        )
         context.command = STANDSTILL
         self._rest()
         before = context.pose

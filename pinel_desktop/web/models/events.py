@@ -26,6 +26,7 @@ class RunStateEvent(RunEvent):
     state: Literal["running", "paused"]
     cause: Annotated[Literal["person", "breakpoint", "step"] | None, _MAYBE_ABSENT]
     block: Annotated[str | None, _MAYBE_ABSENT]
+    n_begun: Annotated[int | None, _MAYBE_ABSENT]
 
 
 class BlockStartedEvent(RunEvent):

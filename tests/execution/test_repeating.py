@@ -1,0 +1,190 @@
+"""A recorded run, run again: pauses, steps, stops, captures and answers come at the same moments."""
+
+import random
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.events.model import Event, EventStamp, RunState, Telemetry
+from pinel_desktop.execution.answers import LiveAnswers
+from pinel_desktop.execution.control import RunControl, StepMode
+from pinel_desktop.execution.executor import RunOptions, RunResult, execute
+from pinel_desktop.execution.gestures import AnsweredGestures
+from pinel_desktop.execution.repeating import Repeater
+from pinel_desktop.links import open_link
+from pinel_desktop.program.model import Program
+from pinel_desktop.program.reading import read_document
+
+Wire = dict[str, Any]
+PROGRAM = {
+    "pinel_ir": 1,
+    "functions": [
+        {
+            "name": "side",
+            "parameters": ["n"],
+            "commands": [
+                {"action": "move_forward", "distance": 0.2, "block": "ahead"},
+                {"action": "turn", "angle": {"op": "*", "args": [{"var": "n"}, 20]}, "block": "t"},
+            ],
+        }
+    ],
+    "commands": [
+        {"action": "set_variable", "name": "a", "value": 1, "block": "set"},
+        {
+            "action": "repeat",
+            "times": 3,
+            "block": "loop",
+            "commands": [
+                {
+                    "action": "call",
+                    "function": "side",
+                    "arguments": {"n": {"var": "a"}},
+                    "block": "call",
+                },
+                {"action": "change_variable", "name": "a", "by": 1, "block": "more"},
+                {"action": "beep", "block": "beep"},
+            ],
+        },
+        {"action": "ask", "question": "?", "variable": "b", "block": "ask"},
+        {"action": "classify_gestures", "timeout": 1, "block": "see"},
+        {
+            "action": "conditional_execution",
+            "condition": "result == 'B'",
+            "commands": [{"action": "turn", "angle": {"var": "b"}, "block": "end"}],
+            "elif": [],
+            "else": [{"action": "move_backward", "distance": 0.1, "block": "back"}],
+        },
+        {"action": "drive", "linear": 0.2, "angular": 10, "block": "drive"},
+        {"action": "wait", "seconds": 0.5, "block": "wait"},
+    ],
+}
+
+
+def program() -> Program:
+    read = read_document(PROGRAM).program
+    assert read is not None
+    return read
+
+
+class Classroom:
+    """People who press buttons at random, but always the same ones for one seed."""
+
+    def __init__(self, seed: int) -> None:
+        self.control = RunControl()
+        self.gestures, self.answers = AnsweredGestures(), LiveAnswers()
+        self.wire: list[Wire] = []
+        self._stamp = EventStamp("r")
+        self._random = random.Random(seed)
+        self._is_paused = False
+        if self._random.random() < 0.3:
+            self.control.step = "into"
+
+    def observe(self, tick: int, event: Event) -> None:
+        if type(event) is RunState:
+            self._is_paused = event.state == "paused"
+        if type(event) is Telemetry:
+            if not self._is_paused:
+                self._act()
+        else:
+            self.wire.append(self._stamp.wire(tick, event))
+        if type(event) is RunState and event.state == "paused":
+            self._while_paused()
+
+    def _act(self) -> None:
+        chance = self._random.random()
+        if chance < 0.02:
+            self.control.pause()
+        elif chance < 0.04:
+            self.control.breakpoints = frozenset(self._random.sample(["ahead", "more", "beep"], 2))
+        elif chance < 0.043:
+            self.control.stop()
+        elif chance < 0.1:
+            self.answers.answer(self._random.choice(["30", "-45,5", "0.001"]))
+        elif chance < 0.15:
+            self.gestures.answer(self._random.choice(["B", "A", ""]))
+
+    def _while_paused(self) -> None:
+        chance = self._random.random()
+        modes: list[StepMode] = ["into", "over", "out"]
+        if chance < 0.1:
+            self.control.stop()
+        elif chance < 0.6:
+            self.control.step_on(self._random.choice(modes))
+        else:
+            self.control.breakpoints = frozenset()
+            self.control.resume()
+
+
+def live(seed: int) -> tuple[RunResult, list[Wire]]:
+    people = Classroom(seed)
+    options = RunOptions(
+        observer=people.observe,
+        control=people.control,
+        gestures=people.gestures,
+        answers=people.answers,
+    )
+    return execute(program(), open_link("sim", world="empty_room"), options), people.wire
+
+
+def again(wire: list[Wire], until_tick: int | None = None) -> RunResult:
+    repeater = Repeater(wire, until_tick)
+    options = RunOptions(
+        observer=repeater.observe,
+        control=repeater.control,
+        gestures=repeater.gestures,
+        answers=repeater.answers,
+    )
+    return execute(program(), open_link("sim", world="empty_room"), options)
+
+
+@given(st.integers(0, 10**9))
+@settings(max_examples=60, deadline=None)
+def test_whatever_people_did_it_comes_out_the_same(seed: int) -> None:
+    result, wire = live(seed)
+    repeated = again(wire)
+    assert repeated.ended.telemetry_sha256 == result.ended.telemetry_sha256
+    assert repeated.ended.state == result.ended.state
+    assert repeated.variables == result.variables or result.ended.state == "stopped"
+
+
+def test_the_classroom_does_everything() -> None:
+    """Otherwise the test above would show little."""
+    seen = set()
+    for seed in range(60):
+        result, wire = live(seed)
+        seen |= {event["cause"] for event in wire if event["type"] == "run_state"}
+        seen |= {event["type"] for event in wire}
+        seen.add(result.ended.state)
+        stopped_in_pause = result.ended.state == "stopped" and wire[-2]["type"] in (
+            "run_state",
+            "watch",
+        )
+        seen |= {"stopped_in_pause"} if stopped_in_pause else set()
+    wanted = {"person", "breakpoint", "step", "answered", "gesture_result", "finished", "stopped"}
+    assert wanted <= seen
+    assert "stopped_in_pause" in seen
+
+
+def test_a_record_that_breaks_off_is_repeated_as_far_as_it_goes() -> None:
+    runs = (live(seed) for seed in range(60))
+    result, wire = next(run for run in runs if run[0].ended.duration_s > 5.0)
+    cut = [event for event in wire if event["tick"] <= 40 and event["type"] != "run_ended"]
+    repeated = again(cut, until_tick=40)
+    n = 40 * result.telemetry.COLUMNS
+    assert repeated.telemetry.rows[:n] == result.telemetry.rows[:n]
+    assert len(repeated.telemetry.rows) < len(result.telemetry.rows)
+
+
+@pytest.mark.parametrize(
+    "event",
+    [
+        {"type": "run_state", "state": "paused", "cause": "step", "tick": 4},
+        {"type": "run_ended", "state": "stopped", "tick": 4, "params": {}},
+    ],
+)
+def test_records_of_earlier_releases_may_not_tell_enough(event: Wire) -> None:
+    with pytest.raises(PinelError, match="run_not_repeatable"):
+        Repeater([event])
