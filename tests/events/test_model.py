@@ -41,5 +41,6 @@ def test_wire_objects_are_flat_and_numbered() -> None:
         "state": "running",
         "cause": None,
         "block": None,
+        "n_begun": None,
     }
     assert stamp.wire(3, RunState("paused"))["seq"] == 1

@@ -1,0 +1,136 @@
+"""Every program, run and kept and run again: the same to the bit, here, elsewhere, and beside other runs."""
+
+import json
+import os
+import sqlite3
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+
+from pinel_desktop.cli import main
+from pinel_desktop.verification import verify_run
+from storage import open_for_reading, open_store
+from tests.test_programs import NAMES, PROGRAMS, values_of
+
+
+@pytest.fixture(autouse=True)
+def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("PINEL_HOME", str(tmp_path))
+    monkeypatch.setenv("PINEL_LANG", "en")
+    return tmp_path
+
+
+def keep(name: str, db: Path, *options: str) -> str:
+    values = values_of(name)
+    words = ["--db", str(db), "run", str(PROGRAMS / f"{name}.json"), "--json", *options]
+    words += ["--world", values.get("world", "empty_room")]
+    if "gestures" in values:
+        words += ["--gestures", ",".join(values["gestures"])]
+    done = CliRunner().invoke(main, words)
+    run_id: str = json.loads(done.stdout)["run_id"]
+    return run_id
+
+
+def verify(run_id: str, db: Path) -> tuple[int, dict[str, Any]]:
+    done = CliRunner().invoke(main, ["--db", str(db), "runs", "verify", run_id, "--json"])
+    return done.exit_code, json.loads(done.stdout)
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("preset", ["ideal", "realistic"])
+def test_every_program_comes_out_the_same(name: str, preset: str, tmp_path: Path) -> None:
+    db = tmp_path / "pinel.db"
+    run_id = keep(name, db, "--seed", "7", "--preset", preset, "--feedback", "odometry")
+    status, verdict = verify(run_id, db)
+    assert (status, verdict["outcome"], verdict["whole"]) == (0, "identical", True)
+
+
+def test_another_process_and_another_hash_seed_change_nothing(tmp_path: Path) -> None:
+    db = tmp_path / "pinel.db"
+    run_id = keep("tic_tac_toe", db, "--preset", "realistic")
+    for seed in ("0", "1", "4242"):
+        done = subprocess.run(
+            [sys.executable, "-m", "pinel_desktop", "--db", str(db), "runs", "verify", run_id],
+            env={**os.environ, "PYTHONHASHSEED": seed},
+            capture_output=True,
+            text=True,
+            timeout=60,
+            check=False,
+        )
+        assert done.returncode == 0, done.stdout + done.stderr
+        assert "identical" in done.stdout
+
+
+def test_other_runs_beside_it_change_nothing(tmp_path: Path) -> None:
+    db = tmp_path / "pinel.db"
+    run_id = keep("lemniscate", db)
+    with open_for_reading(db) as store:
+        row = store.runs.get(run_id)
+        with ThreadPoolExecutor(4) as pool:
+            verdicts = list(pool.map(lambda _: verify_run(store, row), range(4)))
+    assert {verdict.outcome for verdict in verdicts} == {"identical"}
+
+
+def test_where_it_first_differs_is_told(tmp_path: Path) -> None:
+    db = tmp_path / "pinel.db"
+    run_id = keep("square", db)
+    _change(db, "UPDATE runs SET telemetry_sha256 = 'x', document = replace(document, '90', '91')")
+    status, verdict = verify(run_id, db)
+    assert (status, verdict["outcome"]) == (1, "different")
+    assert 60 < verdict["difference"]["tick"] < 160  # in the first turn, after 1 m
+    done = CliRunner().invoke(main, ["--db", str(db), "runs", "verify", run_id])
+    assert f"Different from tick {verdict['difference']['tick']}" in done.stdout
+
+
+def test_what_differs_in_the_last_digits_only_is_equal(tmp_path: Path) -> None:
+    db = tmp_path / "pinel.db"
+    run_id = keep("square", db)
+    _change(db, "UPDATE runs SET telemetry_sha256 = 'of another platform'")
+    status, verdict = verify(run_id, db)
+    assert (status, verdict["outcome"], verdict["difference"]) == (0, "equal", None)
+
+
+def test_a_run_that_was_cut_off_is_compared_as_far_as_it_goes(tmp_path: Path) -> None:
+    db = tmp_path / "pinel.db"
+    run_id = keep("lemniscate", db)
+    n_ticks = verify(run_id, db)[1]["n_ticks"]
+    _change(
+        db,
+        "UPDATE runs SET reason = 'interrupted', state = 'failed', telemetry_sha256 = NULL",
+        "DELETE FROM telemetry WHERE chunk > 0",
+        "DELETE FROM events WHERE type = 'run_ended'",
+    )
+    status, verdict = verify(run_id, db)
+    assert (status, verdict["outcome"], verdict["whole"]) == (0, "equal", False)
+    assert 0 < verdict["n_ticks"] < n_ticks
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ("UPDATE runs SET link = 'ros2'", "real robot"),
+        ("UPDATE runs SET state = 'running'", "has not ended"),
+        ("UPDATE runs SET document = NULL", "cannot be repeated"),
+    ],
+)
+def test_what_cannot_be_repeated_is_said_in_words(change: str, words: str, tmp_path: Path) -> None:
+    db = tmp_path / "pinel.db"
+    run_id = keep("square", db)
+    _change(db, change)
+    done = CliRunner().invoke(main, ["--db", str(db), "runs", "verify", run_id])
+    assert done.exit_code == 1
+    assert words in done.stderr
+
+
+def _change(db: Path, *statements: str) -> None:
+    open_store(db).close()
+    connection = sqlite3.connect(db)
+    with connection:
+        for statement in statements:
+            connection.execute(statement)
+    connection.close()
