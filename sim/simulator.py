@@ -9,6 +9,7 @@ pushed harder, and stands as soon as nobody pushes.
 """
 
 import math
+from collections.abc import Callable, Sequence
 from typing import Protocol
 
 import pymunk
@@ -116,12 +117,24 @@ class Simulator:
         return wheels
 
     def tick(self, v_mps: float, omega_radps: float) -> None:
-        """Lets one tick pass with the given velocity.
+        """Lets one tick pass with the given velocity."""
+        self._set_velocity(v_mps, omega_radps, TICK_S)
+        step = self._step
+        for _ in range(SUBSTEPS):
+            step(SUBSTEP_S)
+        self._yaw = self._body.angle
 
-        The arc of a tick is driven as its chord: along the heading in the middle of the time in which the
+    def substep(self, v_mps: float, omega_radps: float) -> None:
+        """Lets one substep pass with the given velocity; a tick is `SUBSTEPS` of them."""
+        self._set_velocity(v_mps, omega_radps, SUBSTEP_S)
+        self._step(SUBSTEP_S)
+        self._yaw = self._body.angle
+
+    def _set_velocity(self, v_mps: float, omega_radps: float, time_s: float) -> None:
+        """The arc of that time is driven as its chord: along the heading in the middle of the time in which the
         velocity holds, which starts one substep late, and shortened by the sinc of half the angle.
         """
-        half_angle = omega_radps * TICK_S / 2.0
+        half_angle = omega_radps * time_s / 2.0
         heading = self._yaw + self._omega * SUBSTEP_S + half_angle
         chord = v_mps if half_angle == 0.0 else v_mps * math.sin(half_angle) / half_angle
         if chord != 0.0 or self._rolls:  # telling pymunk takes longer than a substep
@@ -129,10 +142,6 @@ class Simulator:
             self._rolls = chord != 0.0
         if omega_radps != self._omega:
             self.wheels.angular_velocity = self._omega = omega_radps
-        step = self._step
-        for _ in range(SUBSTEPS):
-            step(SUBSTEP_S)
-        self._yaw = self._body.angle
 
     def state(self) -> tuple[float, float, float, float, float]:
         """True x and y (m), yaw (rad, not wrapped), speed ahead (m/s) and turning speed (rad/s); world's frame."""
@@ -159,6 +168,20 @@ class Simulator:
         angle = self._yaw + angle_rad
         end_x, end_y = x + length_m * math.cos(angle), y + length_m * math.sin(angle)
         return self._rays.fraction(x, y, end_x, end_y) * length_m
+
+    def scanner(self, angles_rad: Sequence[float]) -> Callable[[float], list[float]]:
+        """What gives, for a length, the same as `ray` at all these angles, within 2 mm and much faster for many."""
+        from sim.scan import Scan  # noqa: PLC0415 - numpy, which takes longer to load than the rest
+
+        boxes = self._world.boxes
+        fixed = [box for box in boxes if not box.movable]
+        scan = Scan(self._world.walls, fixed, WALL_RADIUS_M, angles_rad)
+
+        def ranges(length_m: float) -> list[float]:
+            moved = [Box((x, y), boxes[i].size, yaw) for i, (x, y, yaw) in self.boxes().items()]
+            return scan.ranges(*self._body.position, self._yaw, length_m, moved)
+
+        return ranges
 
     def boxes(self) -> dict[int, tuple[float, float, float]]:
         """Where the movable boxes are: by index, x and y of the centre (m) and yaw (rad) in the world's frame."""

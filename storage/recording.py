@@ -164,6 +164,8 @@ class _Recording:
         self._trail = array("d")
 
     def add(self, event: Event) -> None:
+        if event["type"] == "ranges":  # only for those who look at it now
+            return
         if event["type"] != "telemetry":
             self._events.append(event)
             return

@@ -29,6 +29,9 @@ STEPS: dict[str, float] = {
     "goal_yaw_rad": 1e-4,
     "done": 1e-3,  # m, degrees or s
     "bumper": 1.0,
+    "true_x_m": 1e-4,
+    "true_y_m": 1e-4,
+    "true_yaw_rad": 1e-4,
 }
 COLUMNS = tuple(STEPS)
 Rows = NDArray[np.float64]
@@ -39,7 +42,7 @@ _LIMIT = float(2**31 - 1)
 
 @dataclass(frozen=True, slots=True)
 class Telemetry:
-    """Samples of a run at 30 Hz: `rows` has shape (n, 13), columns as in `COLUMNS`, NaN for null."""
+    """Samples of a run at 30 Hz: `rows` has shape (n, 16), columns as in `COLUMNS`, NaN for null."""
 
     rows: Rows
 
@@ -62,7 +65,7 @@ def rows_of(events: Iterable[Mapping[str, object]]) -> Rows:
 
 
 def pack(rows: Rows) -> bytes:
-    """Rows of shape (n, 13) as a blob."""
+    """Rows of shape (n, 16) as a blob."""
     steps = np.clip(np.nan_to_num(np.rint(rows / _STEP)), -_LIMIT, _LIMIT).astype(np.int32)
     steps[np.isnan(rows)] = _MISSING
     differences = np.empty_like(steps)
@@ -75,12 +78,14 @@ def pack(rows: Rows) -> bytes:
 
 
 def unpack(blob: bytes, n_rows: int) -> Rows:
-    """What `pack` packed, to half a step."""
+    """What `pack` packed, to half a step. Columns that came later are NaN in what was packed before."""
     octets = np.frombuffer(zlib.decompress(blob), dtype=np.uint8).reshape(4, -1)
-    differences = np.ascontiguousarray(octets.T).view("<i4").reshape(len(COLUMNS), n_rows)
+    n_columns = octets.shape[1] // n_rows if n_rows else len(COLUMNS)
+    differences = np.ascontiguousarray(octets.T).view("<i4").reshape(n_columns, n_rows)
     steps = np.cumsum(differences, axis=1, dtype=np.int32).T
-    rows: Rows = steps * _STEP
-    rows[steps == _MISSING] = np.nan
+    rows: Rows = np.full((n_rows, len(COLUMNS)), np.nan)
+    rows[:, :n_columns] = steps * _STEP[:n_columns]
+    rows[:, :n_columns][steps == _MISSING] = np.nan
     return rows
 
 

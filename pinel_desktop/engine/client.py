@@ -159,6 +159,10 @@ class EngineClient:
         """Slow motion or fast forward, in the simulator."""
         self._tell(run_id, {"do": "speed", "factor": factor})
 
+    def look(self, run_id: str, sensors: Sequence[str]) -> None:
+        """From now on the stream tells what these rings of sensors measure: "sonar", "lidar"."""
+        self._tell(run_id, {"do": "look", "sensors": list(sensors)})
+
     def evaluate(self, run_id: str, expression: Any) -> Any:
         """The value that an expression has at this moment of a paused run, as plain data.
 

@@ -55,8 +55,15 @@ class _LiveRun:
                 control.step_on(message["mode"])
             case "breakpoints":
                 control.breakpoints = frozenset(message["blocks"])
+            case "look":
+                control.looks = frozenset(message["sensors"])
             case "speed":
                 control.set_speed(float(message["factor"]))
+            case _:
+                self._converse(message)
+
+    def _converse(self, message: Message) -> None:
+        match message.get("do"):
             case "answer_capture":
                 self.gestures.answer(str(message.get("result", "")))
             case "evaluate":

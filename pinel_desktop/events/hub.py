@@ -1,4 +1,4 @@
-"""Hands events to every open page; a slow page loses telemetry, never anything else."""
+"""Hands events to every open page; a slow page loses telemetry and what sensors measure, never anything else."""
 
 import threading
 from collections import deque
@@ -114,4 +114,4 @@ class Hub:
 
 
 def _is_telemetry(event: Event) -> bool:
-    return bool(event.get("type") == "telemetry")
+    return event.get("type") in ("telemetry", "ranges")

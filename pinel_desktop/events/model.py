@@ -144,7 +144,8 @@ class Watch(Event):
 class Telemetry(Event):
     """One tick. Poses in the start frame, metres and radians; `goal_*` is the moving set-point.
 
-    `done` is how much of the running motion's `amount` is done, in its unit; 0 when nothing moves.
+    `done` is how much of the running motion's `amount` is done, in its unit; 0 when nothing moves. The pose is the one
+    that the robot believes; `true_*` is where it is, where somebody knows.
     """
 
     type: ClassVar[str] = "telemetry"
@@ -160,6 +161,33 @@ class Telemetry(Event):
     goal_yaw_rad: float
     done: float
     bumper: bool
+    true_x_m: float | None
+    true_y_m: float | None
+    true_yaw_rad: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class Things(Event):
+    """Movable boxes that have moved since the last such event, at most ten times a second and once at the end.
+
+    `boxes` holds x and y (m) and yaw (rad) in the world's frame, by the box's place in the world's list.
+    """
+
+    type: ClassVar[str] = "things"
+    boxes: dict[str, list[float]]
+
+
+@dataclass(frozen=True, slots=True)
+class Ranges(Event):
+    """What the sensors measure, in m, at most ten times a second while somebody has asked for it; not kept.
+
+    `sonar` by index; `lidar` from -90 to 90 degrees, a beam for each degree; null what was not asked for or is not
+    there.
+    """
+
+    type: ClassVar[str] = "ranges"
+    sonar: list[float] | None
+    lidar: list[float] | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -195,6 +223,8 @@ EVENT_TYPES: dict[str, type[Event]] = {
         Answered,
         Watch,
         Telemetry,
+        Things,
+        Ranges,
         RunEnded,
     )
 }

@@ -17,6 +17,7 @@ class RunControl:
         breakpoints: ids of the blocks before which the run pauses.
         step: how far the run goes on before it pauses again; None when it just runs.
         hold_at: the run pauses when so many commands have begun, for the cause given; None when it does not.
+        looks: which rings of sensors somebody watches: "sonar", "lidar".
         speed: robot time to wall time, in the simulator; a real robot knows one speed only.
     """
 
@@ -26,6 +27,7 @@ class RunControl:
         self.breakpoints: frozenset[str] = frozenset()
         self.step: StepMode | None = None
         self.hold_at: tuple[int, PauseCause] | None = None
+        self.looks: frozenset[str] = frozenset()
         self.speed = 1.0
 
     def stop(self) -> None:

@@ -18,6 +18,7 @@ from pinel_desktop.execution.motion import at_rest
 from pinel_desktop.execution.peeking import Questions
 from pinel_desktop.execution.recorder import Recorder
 from pinel_desktop.execution.stack import ProgramStack
+from pinel_desktop.execution.surroundings import Surroundings
 from pinel_desktop.execution.watching import Watcher
 from pinel_desktop.program.limits import MAX_RUN_S, MAX_STEPS_PER_TICK
 from pinel_desktop.program.model import Program
@@ -30,6 +31,7 @@ Observer = Callable[[int, Event], None]
 _MAX_TICKS = round(MAX_RUN_S * TICK_HZ)
 _REST_TICKS = TICK_HZ
 _MOVED_BY_HAND_M = 0.02
+_NOWHERE = (None, None, None)
 
 
 class _Stopped(Exception):  # noqa: N818 - not an error: somebody pressed Stop
@@ -100,6 +102,7 @@ class _Run:
         self._stack = ProgramStack(program, self._context)
         observed = options.observer is not None
         self._watcher = Watcher(self._context, self._stack) if observed else None
+        self._surroundings: Surroundings | None = None
         self._debugger = Debugger(options.control, lambda: len(self._stack.calls))
         if observed:
             self._stack.holds = self._debugger.holds
@@ -115,6 +118,8 @@ class _Run:
         block = self._stack.block if state != "finished" else None
         self._stack.close()
         reason, params = self._stand_still(reason, params)
+        if self._surroundings is not None:
+            self._surroundings.report_things()
         self._link.close()
         if reason is not None and state == "finished":
             state = "failed"
@@ -149,6 +154,8 @@ class _Run:
         self._context.origin = start.pose
         self._take(start)
         self._emit(RunState("running"))
+        if self._observer is not None:
+            self._surroundings = Surroundings(self._context, self._link, self._control)
 
     def _take(self, state: RobotState) -> None:
         pose = state.pose
@@ -201,26 +208,31 @@ class _Run:
         link.advance(TICK_S)
         self._tick = tick = self._tick + 1
         context.tick = tick + 1
-        pose, twist, _ = link.read()
+        pose, twist, true_pose = link.read()
         if self._origin is not None:
             pose = pose.relative_to(self._origin)
         context.pose, context.twist = pose, twist
         self._recorder.add((tick, *pose, *twist, *command))
         if self._observer is not None:
-            goal_x, goal_y, goal_yaw = context.setpoint if context.driving is None else context.pose
-            self._observer(
-                tick,
-                Telemetry(
-                    *pose,
-                    *twist,
-                    *command,
-                    goal_x,
-                    goal_y,
-                    goal_yaw,
-                    context.done,
-                    self._link.bumper(),
-                ),
+            self._tell_tick(true_pose)
+
+    def _tell_tick(self, true_pose: Pose2D | None) -> None:
+        context = self._context
+        if true_pose is not None and self._origin is not None:
+            true_pose = true_pose.relative_to(self._origin)
+        self._emit(
+            Telemetry(
+                *context.pose,
+                *context.twist,
+                *context.command,
+                *(context.setpoint if context.driving is None else context.pose),
+                context.done,
+                self._link.bumper(),
+                *(true_pose or _NOWHERE),
             )
+        )
+        if self._surroundings is not None:
+            self._surroundings.look()
 
     def _pause(self) -> None:
         """Stands still until somebody resumes or stops. Robot time stands still too once the robot does."""
@@ -228,15 +240,15 @@ class _Run:
         self._watch()
         self._debugger.paused()
         debugger = self._debugger
-        self._emit(
-            RunState("paused", debugger.cause, self._stack.next_block, debugger.n_begun)
-        )
+        self._emit(RunState("paused", debugger.cause, self._stack.next_block, debugger.n_begun))
         context.command = STANDSTILL
         self._rest()
         before = context.pose
         while self._control.pause_requested and not self._control.stop_requested:
             self._clock.wait_for_tick()
             self._questions.answer_all(context)
+            if self._surroundings is not None:
+                self._surroundings.look_while_paused()
             self._link.command(STANDSTILL)
             if not self._link.simulated:
                 self._link.advance(TICK_S)

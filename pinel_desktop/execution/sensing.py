@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.execution.values import Value
+from pinel_desktop.robot.sensors import missing
 
 if TYPE_CHECKING:
     from pinel_desktop.execution.context import RunContext
@@ -38,6 +39,8 @@ def sonar(context: RunContext, index: float) -> float:
 def distance(context: RunContext, direction: str) -> float:
     """How much room there is in a direction, in m: what the nearest of its sonars measures."""
     indices = context.robot.distance_sonars[direction]  # type: ignore[index]
+    if not indices:
+        missing("distance")
     return float(min(context.sensors.sonar(index) for index in indices))
 
 

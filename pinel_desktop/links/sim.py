@@ -1,5 +1,6 @@
 """The built-in simulator as a robot link. Its frame is the world's."""
 
+from collections.abc import Callable
 from typing import Any
 
 from pinel_desktop.errors import PinelError
@@ -14,6 +15,8 @@ from pinel_desktop.robot import (
     Twist2D,
     wrap_angle,
 )
+from pinel_desktop.robot.sensors import SCAN_RAD, missing
+from sim.realistic import REALISTIC, Measuring, RealisticDrive
 from sim.simulator import SUBSTEP_S, TICK_S, Simulator
 from sim.world import World, WorldError, load_world, world_from_document
 
@@ -23,16 +26,31 @@ class SimSensors(Sensors):
 
     def __init__(self, simulator: Simulator, robot: RobotModel, world: World) -> None:
         self._simulator, self._robot, self._world = simulator, robot, world
+        self._scanner: Callable[[float], list[float]] | None = None
 
     def sonar(self, index: int) -> float:
         robot = self._robot
+        if index >= len(robot.sonar_angles_rad):
+            missing("sonar")
         # A ray from the centre: one from the hull could begin inside the wall that the hull touches.
         reach = robot.radius_m + robot.sonar_range_m
         seen = self._simulator.ray(robot.sonar_angles_rad[index], reach)
         return max(0.0, min(seen - robot.radius_m, robot.sonar_range_m))
 
+    def sonars(self) -> list[float]:
+        return [self.sonar(index) for index in range(len(self._robot.sonar_angles_rad))]
+
     def lidar(self, angle_rad: float) -> float:
+        if not self._robot.lidar_range_m:
+            missing("lidar")
         return self._simulator.ray(angle_rad, self._robot.lidar_range_m)
+
+    def scan(self) -> list[float]:
+        if not self._robot.lidar_range_m:
+            missing("lidar")
+        if self._scanner is None:
+            self._scanner = self._simulator.scanner(SCAN_RAD)
+        return self._scanner(self._robot.lidar_range_m)
 
     def bumper(self) -> bool:
         return self._simulator.touching()
@@ -51,11 +69,46 @@ class SimSensors(Sensors):
         return (*walls, *edges)
 
 
+class RealisticSensors(SimSensors):
+    """The same with the errors of real ones."""
+
+    def __init__(
+        self,
+        simulator: Simulator,
+        robot: RobotModel,
+        world: World,
+        drive: RealisticDrive,
+        measuring: Measuring,
+    ) -> None:
+        super().__init__(simulator, robot, world)
+        self._drive, self._measuring = drive, measuring
+
+    def sonar(self, index: int) -> float:
+        exact, reach = super().sonar(index), self._robot.sonar_range_m
+        if exact >= reach:
+            return reach
+        measured = self._measuring.sonar(self._drive.tick_number, index, exact)
+        return max(0.0, min(measured, reach))
+
+    def lidar(self, angle_rad: float) -> float:
+        exact, reach = super().lidar(angle_rad), self._robot.lidar_range_m
+        if exact >= reach:
+            return reach
+        measured = self._measuring.lidar(self._drive.tick_number, angle_rad, exact)
+        return max(0.0, min(measured, reach))
+
+    def scan(self) -> list[float]:
+        return [self.lidar(angle) for angle in SCAN_RAD]
+
+
 class SimLink:
-    """Drives the simulated robot; time passes only in `advance`, one tick of 1/30 s at a time."""
+    """Drives the simulated robot; time passes only in `advance`, one tick of 1/30 s at a time.
+
+    With the preset `realistic` there are wheels that slip, lag and hear late between command and body, and what is
+    measured has errors; an ideal robot measures what is, by whatever feedback.
+    """
 
     simulated = True
-    command_delay_s = SUBSTEP_S
 
     def __init__(self, *, world: str | dict[str, Any], setting: Setting, seed: int) -> None:
         try:
@@ -64,11 +117,24 @@ class SimLink:
         except WorldError as error:
             raise PinelError(error.code, **error.params) from error
         robot = setting.robot
-        self._robot, self._seed = robot, seed
         self._max_v, self._max_omega = robot.max_v_mps, robot.max_omega_radps
         self._twist = STANDSTILL
         self.simulator = Simulator(self._world, robot)
+        self.command_delay_s = SUBSTEP_S
+        self.slips = setting.preset == "realistic"
+        self._drive: RealisticDrive | None = None
         self.sensors: Sensors = SimSensors(self.simulator, robot, self._world)
+        if self.slips:
+            self._make_realistic(robot, setting, seed)
+
+    def _make_realistic(self, robot: RobotModel, setting: Setting, seed: int) -> None:
+        self._drive = RealisticDrive(self.simulator, robot.track_m, seed)
+        self._measuring = Measuring(seed)
+        self._believes_wheels = setting.feedback == "odometry"
+        self.command_delay_s += REALISTIC.delay_s
+        self.sensors = RealisticSensors(
+            self.simulator, robot, self._world, self._drive, self._measuring
+        )
 
     def connect(self) -> None:
         """Nothing to do: the simulator is there."""
@@ -76,10 +142,25 @@ class SimLink:
     def read(self) -> RobotState:
         x, y, yaw, v, omega = self.simulator.state()
         pose = Pose2D(x, y, wrap_angle(yaw))
-        return RobotState(pose, Twist2D(v, omega), pose)
+        if self._drive is None:
+            return RobotState(pose, Twist2D(v, omega), pose)
+        return RobotState(self._believed(self._drive), Twist2D(*self._drive.speed), pose)
+
+    def _believed(self, drive: RealisticDrive) -> Pose2D:
+        if self._believes_wheels:
+            x, y, yaw = drive.odometry
+        else:
+            x, y, yaw = self._measuring.pose(drive.tick_number, self.simulator.state()[:3])
+        return Pose2D(x, y, wrap_angle(yaw))
 
     def bumper(self) -> bool:
         return self.simulator.touching()
+
+    def things(self) -> dict[int, Pose2D]:
+        return {
+            index: Pose2D(x, y, wrap_angle(yaw))
+            for index, (x, y, yaw) in self.simulator.boxes().items()
+        }
 
     def command(self, twist: Twist2D) -> None:
         v, omega = twist
@@ -94,7 +175,10 @@ class SimLink:
         if dt_s != TICK_S:
             raise ValueError(f"the simulator steps in ticks of {TICK_S} s, not {dt_s}")
         v, omega = self._twist
-        self.simulator.tick(v, omega)
+        if self._drive is None:
+            self.simulator.tick(v, omega)
+        else:
+            self._drive.tick(v, omega)
 
     def close(self) -> None:
         self._twist = STANDSTILL

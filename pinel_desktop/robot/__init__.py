@@ -2,7 +2,7 @@
 
 from pinel_desktop.robot.geometry import STANDSTILL, Pose2D, Twist2D, wrap_angle
 from pinel_desktop.robot.link import RobotLink, RobotState
-from pinel_desktop.robot.models import PIONEER_3DX, ROBOTS, Direction, RobotModel
+from pinel_desktop.robot.models import PIONEER_3DX, ROBOTS, SMALL_ROBOT, Direction, RobotModel
 from pinel_desktop.robot.sensors import Segment, Sensors
 from pinel_desktop.robot.setting import (
     FEEDBACKS,
@@ -18,6 +18,7 @@ __all__ = [
     "PIONEER_3DX",
     "PRESETS",
     "ROBOTS",
+    "SMALL_ROBOT",
     "STANDSTILL",
     "Direction",
     "Feedback",

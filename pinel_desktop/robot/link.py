@@ -27,12 +27,14 @@ class RobotLink(Protocol):
 
     Attributes:
         simulated: True when time stands still between calls of `advance`.
-        command_delay_s: how much later than `command` a velocity takes effect, in seconds.
+        command_delay_s: how much later than `command` a velocity takes effect on the average, in seconds.
+        slips: whether wheels roll more or less far than they are told, which a controller can learn.
         sensors: what the robot can sense besides its own state.
     """
 
     simulated: bool
     command_delay_s: float
+    slips: bool
     sensors: Sensors
 
     def connect(self) -> None:
@@ -44,6 +46,10 @@ class RobotLink(Protocol):
 
     def bumper(self) -> bool:
         """True while the robot touches something, for those who watch; False where the robot cannot tell."""
+        ...
+
+    def things(self) -> dict[int, Pose2D]:
+        """Where movable boxes are, by their place in the world's list and in its frame; empty where nobody knows."""
         ...
 
     def command(self, twist: Twist2D) -> None:

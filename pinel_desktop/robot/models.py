@@ -15,6 +15,7 @@ class RobotModel:
         name: key of the record.
         title: name for people.
         radius_m: radius of the circle that holds the body.
+        track_m: distance between the middles of the two wheels.
         mass_kg: mass without payload.
         max_force_n: largest force with which the wheels push the body.
         max_torque_nm: largest torque with which the wheels turn the body.
@@ -25,13 +26,15 @@ class RobotModel:
         sonar_angles_rad: where the sonars look, by index, from the heading; each sits on the hull in its direction,
             `radius_m` from the centre.
         sonar_range_m: what a sonar measures when nothing is near.
-        distance_sonars: the sonars of each direction; the nearest of them is the distance in that direction.
-        lidar_range_m: what the laser scanner in the robot's centre measures when nothing is near.
+        distance_sonars: the sonars of each direction, none where it has none; the nearest of them is the distance in
+            that direction.
+        lidar_range_m: what the laser scanner in the robot's centre measures when nothing is near; 0 without one.
     """
 
     name: str
     title: str
     radius_m: float
+    track_m: float
     mass_kg: float
     max_force_n: float
     max_torque_nm: float
@@ -55,10 +58,12 @@ _PIONEER_SONARS_DEG = (90, 50, 30, 10, -10, -30, -50, -90, -90, -130, -150, -170
 
 PIONEER_3DX = RobotModel(
     # Adept MobileRobots, Pioneer 3-DX datasheet: 9 kg, 445 x 393 mm (swing radius 0.26 m with the bumpers),
-    # 1.2 m/s, 300 degrees/s. Force and torque let the wheels reach any planned acceleration and stall at a wall.
+    # 1.2 m/s, 300 degrees/s. The track is rounded from its ROS models. Force and torque let the wheels reach any
+    # planned acceleration and stall at a wall.
     name="pioneer_3dx",
     title="Pioneer 3-DX",
     radius_m=0.2225,
+    track_m=0.33,
     mass_kg=9.0,
     max_force_n=80.0,
     max_torque_nm=25.0,
@@ -83,4 +88,27 @@ PIONEER_3DX = RobotModel(
     lidar_range_m=8.0,
 )
 
-ROBOTS = {robot.name: robot for robot in (PIONEER_3DX,)}
+SMALL_ROBOT = RobotModel(
+    # No product: the measures are chosen, those of a robot that a class builds on a round base of 16 cm with two gear
+    # motors and three HC-SR04 sonars, which look 45 degrees apart and reach 4 m by their datasheet.
+    name="small_robot",
+    title="Mini 16",
+    radius_m=0.08,
+    track_m=0.13,
+    mass_kg=0.8,
+    max_force_n=6.0,
+    max_torque_nm=0.25,
+    max_v_mps=0.5,
+    max_omega_radps=math.radians(360.0),
+    start_v_mps=0.3,
+    start_omega_radps=math.radians(120.0),
+    acceleration_mps2=0.8,
+    angular_acceleration_radps2=8.0,
+    smoothing_s=0.1,
+    sonar_angles_rad=tuple(math.radians(angle) for angle in (45, 0, -45)),
+    sonar_range_m=4.0,
+    distance_sonars={"front": (1,), "left": (0,), "right": (2,), "back": ()},
+    lidar_range_m=0.0,
+)
+
+ROBOTS = {robot.name: robot for robot in (PIONEER_3DX, SMALL_ROBOT)}

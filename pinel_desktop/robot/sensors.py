@@ -1,10 +1,11 @@
 """What a robot can sense, as a capability: a link offers what its robot has, and the rest fails in words."""
 
+import math
 from typing import NoReturn
 
 from pinel_desktop.errors import PinelError
 
-
+SCAN_RAD = tuple(math.radians(angle) for angle in range(-90, 91))
 Segment = tuple[float, float, float, float]  # x1, y1, x2, y2 in m
 
 
@@ -17,19 +18,27 @@ class Sensors:
 
     def sonar(self, index: int) -> float:
         """Distance in m from the hull to what is ahead of sonar `index`; its range when nothing is near."""
-        _missing("sonar")
+        missing("sonar")
 
     def lidar(self, angle_rad: float) -> float:
         """Distance in m from the scanner at an angle from the heading; its range when nothing is near."""
-        _missing("lidar")
+        missing("lidar")
+
+    def sonars(self) -> list[float]:
+        """What all sonars measure, by index."""
+        missing("sonar")
+
+    def scan(self) -> list[float]:
+        """What the scanner measures from -90 to 90 degrees, a beam for each degree; right to left."""
+        return [self.lidar(angle) for angle in SCAN_RAD]
 
     def bumper(self) -> bool:
         """True while the robot touches something."""
-        _missing("bumper")
+        missing("bumper")
 
     def floor(self) -> str:
         """Name of the colour of the floor under the robot."""
-        _missing("floor")
+        missing("floor")
 
     def obstacles(self) -> tuple[Segment, ...]:
         """What is known beforehand to stand in the way, as on a map, in the link's frame; nothing without a map."""
@@ -37,8 +46,9 @@ class Sensors:
 
     def cell(self) -> str:
         """Name of the world's zone under the robot, "" outside of all."""
-        _missing("cell")
+        missing("cell")
 
 
-def _missing(sensor: str) -> NoReturn:
+def missing(sensor: str) -> NoReturn:
+    """Says in words that the robot lacks a sensor."""
     raise PinelError("sensor_missing", sensor=sensor)

@@ -61,6 +61,9 @@ class FakeEngine:
     def set_speed(self, run_id: str, factor: float) -> None:
         self._tell("speed", run_id, str(factor))
 
+    def look(self, run_id: str, sensors: Sequence[str]) -> None:
+        self._tell("look", run_id, *sensors)
+
     def evaluate(self, run_id: str, expression: Any) -> Any:
         self._tell("evaluate", run_id, str(expression))
         if expression == {"call": "f"}:

@@ -17,6 +17,7 @@ from pinel_desktop.web.models.runs import (
     CaptureAnswer,
     Evaluated,
     ExpressionToEvaluate,
+    Look,
     NewRun,
     QuestionAnswer,
     Run,
@@ -160,6 +161,13 @@ def set_breakpoints(path: IdPath, body: Breakpoints) -> Response:
 def set_speed(path: IdPath, body: RunSpeed) -> Response:
     """Slow motion or fast forward, in the simulator."""
     services().engine.set_speed(_known(path.id), body.factor)
+    return answer(Empty())
+
+
+@api.put("/runs/<id>/look", responses=answers(Empty, 404, 409))
+def look_around(path: IdPath, body: Look) -> Response:
+    """Says which sensors' measurements the stream is to tell from now on."""
+    services().engine.look(_known(path.id), body.sensors)
     return answer(Empty())
 
 

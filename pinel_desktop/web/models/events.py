@@ -146,6 +146,24 @@ class TelemetryEvent(RunEvent):
     goal_yaw_rad: float
     done: float | None
     bumper: bool
+    true_x_m: Annotated[float | None, _MAYBE_ABSENT]
+    true_y_m: Annotated[float | None, _MAYBE_ABSENT]
+    true_yaw_rad: Annotated[float | None, _MAYBE_ABSENT]
+
+
+class ThingsEvent(RunEvent):
+    """Where movable boxes are that have moved: x and y in m, yaw in rad, world's frame, by their place in its list."""
+
+    type: Literal["things"]
+    boxes: dict[str, tuple[float, float, float]]
+
+
+class RangesEvent(RunEvent):
+    """What the sensors measure while somebody looks, in m; the lidar from -90 to 90 degrees."""
+
+    type: Literal["ranges"]
+    sonar: list[float] | None
+    lidar: list[float] | None
 
 
 class Pose(Shape):
@@ -202,6 +220,8 @@ _OfRun = (
     | AnsweredEvent
     | WatchEvent
     | TelemetryEvent
+    | ThingsEvent
+    | RangesEvent
     | RunEndedEvent
 )
 

@@ -113,6 +113,12 @@ class RunSpeed(Body):
     factor: Speed
 
 
+class Look(Body):
+    """Rings of sensors whose measurements somebody watches."""
+
+    sensors: Annotated[list[Literal["sonar", "lidar"]], Field(max_length=2)]
+
+
 class ExpressionToEvaluate(Body):
     """An expression of the program document."""
 

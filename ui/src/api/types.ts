@@ -296,6 +296,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/runs/{id}/look": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /** Says which sensors' measurements the stream is to tell from now on. */
+        put: operations["lookAround"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/runs/{id}/pause": {
         parameters: {
             query?: never;
@@ -804,7 +821,7 @@ export interface components {
          * Event
          * @description One event of a run.
          */
-        Event: components["schemas"]["RunStateEvent"] | components["schemas"]["BlockStartedEvent"] | components["schemas"]["BlockEndedEvent"] | components["schemas"]["CaptureStartedEvent"] | components["schemas"]["GestureResultEvent"] | components["schemas"]["SaidEvent"] | components["schemas"]["MarkedEvent"] | components["schemas"]["BeepedEvent"] | components["schemas"]["PenEvent"] | components["schemas"]["AskedEvent"] | components["schemas"]["AnsweredEvent"] | components["schemas"]["WatchEvent"] | components["schemas"]["TelemetryEvent"] | components["schemas"]["RunEndedEvent"];
+        Event: components["schemas"]["RunStateEvent"] | components["schemas"]["BlockStartedEvent"] | components["schemas"]["BlockEndedEvent"] | components["schemas"]["CaptureStartedEvent"] | components["schemas"]["GestureResultEvent"] | components["schemas"]["SaidEvent"] | components["schemas"]["MarkedEvent"] | components["schemas"]["BeepedEvent"] | components["schemas"]["PenEvent"] | components["schemas"]["AskedEvent"] | components["schemas"]["AnsweredEvent"] | components["schemas"]["WatchEvent"] | components["schemas"]["TelemetryEvent"] | components["schemas"]["ThingsEvent"] | components["schemas"]["RangesEvent"] | components["schemas"]["RunEndedEvent"];
         /**
          * ExpressionToEvaluate
          * @description An expression of the program document.
@@ -922,6 +939,14 @@ export interface components {
             url: string;
         };
         /**
+         * Look
+         * @description Rings of sensors whose measurements somebody watches.
+         */
+        Look: {
+            /** Sensors */
+            sensors: ("sonar" | "lidar")[];
+        };
+        /**
          * MarkedEvent
          * @description A mark on the floor, in the start frame.
          */
@@ -986,7 +1011,7 @@ export interface components {
              * @default pioneer_3dx
              * @enum {string}
              */
-            model: "pioneer_3dx";
+            model: "pioneer_3dx" | "small_robot";
             /**
              * Paused
              * @description hold before the first block
@@ -1266,6 +1291,35 @@ export interface components {
             value: string;
         };
         /**
+         * RangesEvent
+         * @description What the sensors measure while somebody looks, in m; the lidar from -90 to 90 degrees.
+         */
+        RangesEvent: {
+            /** Lidar */
+            lidar: number[] | null;
+            /**
+             * Run
+             * @description UUIDv7 text
+             */
+            run: string;
+            /** Seq */
+            seq: number;
+            /** Sonar */
+            sonar: number[] | null;
+            /** Tick */
+            tick: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "ranges";
+            /**
+             * V
+             * @constant
+             */
+            v: 1;
+        };
+        /**
          * ReadPython
          * @description The document, null where the text has faults; those tell `line` and `column` in `params`.
          */
@@ -1434,6 +1488,8 @@ export interface components {
             block?: string | null;
             /** Cause */
             cause?: ("person" | "breakpoint" | "step") | null;
+            /** N Begun */
+            n_begun?: number | null;
             /**
              * Run
              * @description UUIDv7 text
@@ -1647,7 +1703,7 @@ export interface components {
          * StreamEvent
          * @description What one `data:` line of the stream holds.
          */
-        StreamEvent: components["schemas"]["RunStateEvent"] | components["schemas"]["BlockStartedEvent"] | components["schemas"]["BlockEndedEvent"] | components["schemas"]["CaptureStartedEvent"] | components["schemas"]["GestureResultEvent"] | components["schemas"]["SaidEvent"] | components["schemas"]["MarkedEvent"] | components["schemas"]["BeepedEvent"] | components["schemas"]["PenEvent"] | components["schemas"]["AskedEvent"] | components["schemas"]["AnsweredEvent"] | components["schemas"]["WatchEvent"] | components["schemas"]["TelemetryEvent"] | components["schemas"]["RunEndedEvent"] | components["schemas"]["HelloEvent"] | components["schemas"]["NoticeEvent"];
+        StreamEvent: components["schemas"]["RunStateEvent"] | components["schemas"]["BlockStartedEvent"] | components["schemas"]["BlockEndedEvent"] | components["schemas"]["CaptureStartedEvent"] | components["schemas"]["GestureResultEvent"] | components["schemas"]["SaidEvent"] | components["schemas"]["MarkedEvent"] | components["schemas"]["BeepedEvent"] | components["schemas"]["PenEvent"] | components["schemas"]["AskedEvent"] | components["schemas"]["AnsweredEvent"] | components["schemas"]["WatchEvent"] | components["schemas"]["TelemetryEvent"] | components["schemas"]["ThingsEvent"] | components["schemas"]["RangesEvent"] | components["schemas"]["RunEndedEvent"] | components["schemas"]["HelloEvent"] | components["schemas"]["NoticeEvent"];
         /**
          * TelemetryEvent
          * @description Where the robot is and what it was told, in the start frame.
@@ -1678,6 +1734,12 @@ export interface components {
             seq: number;
             /** Tick */
             tick: number;
+            /** True X M */
+            true_x_m?: number | null;
+            /** True Y M */
+            true_y_m?: number | null;
+            /** True Yaw Rad */
+            true_yaw_rad?: number | null;
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1696,6 +1758,39 @@ export interface components {
             y_m: number;
             /** Yaw Rad */
             yaw_rad: number;
+        };
+        /**
+         * ThingsEvent
+         * @description Where movable boxes are that have moved: x and y in m, yaw in rad, world's frame, by their place in its list.
+         */
+        ThingsEvent: {
+            /** Boxes */
+            boxes: {
+                [key: string]: [
+                    number,
+                    number,
+                    number
+                ];
+            };
+            /**
+             * Run
+             * @description UUIDv7 text
+             */
+            run: string;
+            /** Seq */
+            seq: number;
+            /** Tick */
+            tick: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "things";
+            /**
+             * V
+             * @constant
+             */
+            v: 1;
         };
         /**
          * Title
@@ -3740,6 +3835,105 @@ export interface operations {
             };
             /** @description Not Found */
             404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Misdirected Request */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+        };
+    };
+    lookAround: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description UUIDv7 text */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Look"];
+            };
+        };
+        responses: {
+            /** @description OK */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Empty"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Conflict */
+            409: {
                 headers: {
                     [name: string]: unknown;
                 };
