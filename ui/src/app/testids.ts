@@ -7,7 +7,7 @@ export const TEST = {
   home: "home",
   headerGroup: "header-group",
   programName: "program-name",
-  savedMark: "saved-mark", // data-state: saved | saving | failed
+  savedMark: "saved-mark", // data-state: saved | saving | failed | refused (a world with faults)
   openWork: "open-work",
   theme: "theme", // data-theme: light | dark | contrast
   language: "language", // a select: pt-BR, en, es
@@ -96,6 +96,15 @@ export const TEST = {
   worldFaultNote: "world-fault-note",
   worldRefused: "world-refused",
   worldOwnInstead: "world-own-instead",
+
+  plotsToggle: "plots-toggle",
+  plots: "plots",
+  plotTab: "plot-tab", // of each; data-figure: path | position | heading | speed | turning
+  plot: "plot", // data-figure, data-tick: the moment looked at
+  plotSize: "plot-size",
+  plotSave: "plot-save",
+  plotPicture: "plot-picture",
+  plotTable: "plot-table",
 
   // our work
   newProgram: "new-program",

@@ -96,12 +96,20 @@ function drawBox(ctx: Ctx, box: World["boxes"][number], palette: Palette): void 
   ctx.strokeStyle = palette.boxSide;
   ctx.lineWidth = 0.04;
   ctx.stroke();
-  ctx.beginPath();
-  ctx.moveTo(-width / 2 + 0.1, 0);
-  ctx.lineTo(width / 2 - 0.1, 0);
   ctx.lineWidth = 0.02;
-  ctx.stroke();
+  drawLid(ctx, width / 2 - 0.1, depth / 2 - 0.1, box.movable);
   ctx.restore();
+}
+
+/** A box that can be pushed is a crate with a cross, one that stays a chest with a bar. */
+function drawLid(ctx: Ctx, right: number, top: number, movable: boolean): void {
+  if (right <= 0 || top <= 0) return;
+  ctx.beginPath();
+  for (const way of movable ? [-1, 1] : [0]) {
+    ctx.moveTo(-right, -way * top);
+    ctx.lineTo(right, way * top);
+  }
+  ctx.stroke();
 }
 
 /** Numbers of the metre grid along the edges; drawn in pixels, over everything else. */

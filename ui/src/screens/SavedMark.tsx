@@ -3,14 +3,20 @@ import { opened } from "../app/open_program";
 import { TEST } from "../app/testids";
 import { texts } from "../i18n";
 
-const ICONS = { saved: Check, saving: LoaderCircle, failed: TriangleAlert } as const;
+const ICONS = {
+  saved: Check,
+  saving: LoaderCircle,
+  failed: TriangleAlert,
+  refused: TriangleAlert,
+} as const;
 
 /** Whether the work is on disk: a fact, never a question. */
 export function SavedMark() {
   const { saved } = texts.value;
   const open = opened.value;
   if (!open) return null;
-  const state = open.autosave.state.value;
+  const { value: saving } = open.autosave.state;
+  const state = saving === "saved" && open.ownWorld.isRefused.value ? "refused" : saving;
   const Icon = ICONS[state];
   const retry = () => void open.autosave.flush().catch(() => {});
   return (

@@ -65,7 +65,7 @@ export function Stage({ control, drawer }: StageProps) {
 
 function Corner({ control }: { control: StudioControl }) {
   const busy = useComputed(() => isLive(robot.live.value));
-  const own = control.open.world.value;
+  const own = control.open.ownWorld.now.value;
   const words = texts.value.world;
   return (
     <div class="floor__corner">

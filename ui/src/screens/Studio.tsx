@@ -23,7 +23,7 @@ export function Studio({ open }: { open: OpenProgram }) {
           desk={desk}
           replaces={worlds.replaces.value}
           onOwn={() => worlds.editOwn()}
-          onForget={open.world.value ? () => worlds.forget() : null}
+          onForget={open.ownWorld.now.value ? () => worlds.forget() : null}
           onStop={isLive(robot.live.value) ? () => control.send(robot.stop) : null}
           onDone={() => worlds.done()}
         />

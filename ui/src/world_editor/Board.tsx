@@ -1,5 +1,6 @@
 import { type Signal, useComputed, useSignal } from "@preact/signals";
 import { Minus, Plus, Scan } from "lucide-preact";
+import type { ComponentChildren } from "preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { TEST } from "../app/testids";
 import { theme } from "../app/theme";
@@ -15,8 +16,8 @@ const ZOOM_STEP = 1.4;
 /** A hand that trembles has not moved, pixels. */
 const TREMBLE = 4;
 
-/** The floor to draw on: the scene's picture, and over it elements for what can be taken hold of. */
-export function Board({ desk }: { desk: WorldDesk }) {
+/** The floor to draw on, under words and buttons of its own: the scene's picture, and over it elements for what can be taken hold of. */
+export function Board({ desk, children }: { desk: WorldDesk; children: ComponentChildren }) {
   const view = useSignal<View | null>(null);
   const byHand = useSignal(false);
   const frame = useRef<HTMLDivElement>(null);
@@ -29,21 +30,26 @@ export function Board({ desk }: { desk: WorldDesk }) {
   }, [world, view.value, theme.value]);
 
   return (
-    <div class="scene board" ref={frame} data-tool={desk.tool.value}>
-      <canvas class="scene__canvas" ref={canvas} />
-      {view.value && <Overlay desk={desk} view={view as Signal<View>} byHand={byHand} />}
-      {view.value && <FaultNote desk={desk} view={view.value} />}
-      <Buttons
-        onZoom={(factor) => {
-          if (!view.value) return;
-          const { width, height } = view.value.size;
-          byHand.value = true;
-          view.value = zoomed(view.value, factor, width / 2, height / 2);
-        }}
-        onFit={() => {
-          byHand.value = false;
-        }}
-      />
+    <div class="world-editor__floor">
+      <div class="world-editor__lead">
+        {children}
+        <Buttons
+          onZoom={(factor) => {
+            if (!view.value) return;
+            const { width, height } = view.value.size;
+            byHand.value = true;
+            view.value = zoomed(view.value, factor, width / 2, height / 2);
+          }}
+          onFit={() => {
+            byHand.value = false;
+          }}
+        />
+      </div>
+      <div class="scene board" ref={frame} data-tool={desk.tool.value}>
+        <canvas class="scene__canvas" ref={canvas} />
+        {view.value && <Overlay desk={desk} view={view as Signal<View>} byHand={byHand} />}
+        {view.value && <FaultNote desk={desk} view={view.value} />}
+      </div>
     </div>
   );
 }

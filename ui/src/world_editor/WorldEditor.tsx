@@ -39,7 +39,7 @@ export function WorldEditor({ desk, replaces, onOwn, onForget, onStop, onDone }:
     refusal.value = null;
     worldIn(file).then((answer) => {
       if (isRefusal(answer)) refusal.value = answer;
-      else desk.replace(answer);
+      else desk.replace(answer, worldTitle(answer, language.peek()));
     }, report);
   };
   return (
@@ -72,10 +72,9 @@ export function WorldEditor({ desk, replaces, onOwn, onForget, onStop, onDone }:
       {replaces && <Replaces onOwn={onOwn} />}
       <div class="world-editor__table">
         <Toolbox desk={desk} />
-        <div class="world-editor__floor">
+        <Board desk={desk}>
           <Hint desk={desk} />
-          <Board desk={desk} />
-        </div>
+        </Board>
         <Side desk={desk} onForget={onForget} onFile={take} />
       </div>
     </section>
@@ -213,6 +212,7 @@ function Faults({ desk }: { desk: WorldDesk }) {
         <TriangleAlert class="icon" aria-hidden="true" />
         {texts.value.studio.faultsTitle(faults.length)}
       </h3>
+      <p>{texts.value.world.keptBefore}</p>
       <ul>
         {faults.map((fault) => (
           <li key={`${fault.pointer} ${fault.code}`}>

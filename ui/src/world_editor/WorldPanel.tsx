@@ -1,4 +1,4 @@
-import { Download, FolderOpen, Trash2 } from "lucide-preact";
+import { ChevronDown, Download, FolderOpen, Trash2 } from "lucide-preact";
 import { useRef } from "preact/hooks";
 import { worldTitle } from "../api/model";
 import { worlds } from "../app/session";
@@ -90,6 +90,7 @@ function BeginFrom({ desk }: { desk: WorldDesk }) {
             </option>
           ))}
         </select>
+        <ChevronDown class="icon icon--end" aria-hidden="true" />
       </span>
     </label>
   );

@@ -89,9 +89,9 @@ export class WorldDesk {
   }
 
   /** Takes another world in place of this one; undo brings this one back. */
-  replace(world: World): void {
+  replace(world: World, title: World["title"] = this.plan.value.title): void {
     batch(() => {
-      const { name, title } = this.plan.value;
+      const { name } = this.plan.value;
       this.change({ ...planOf(world), name, title });
       this.selected.value = null;
     });

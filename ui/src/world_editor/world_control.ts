@@ -22,26 +22,26 @@ export class WorldControl {
   readonly name = computed(() => {
     const { value: run } = robot.liveRun;
     if (run && isLive(robot.live.value)) return run.world;
-    if (this.usesOwn.value && this.open.world.value) return OWN_WORLD;
+    if (this.usesOwn.value && this.open.ownWorld.now.value) return OWN_WORLD;
     return chosen.value ?? worlds.value[0]?.name ?? "";
   });
   readonly world = computed<World | null>(() => {
     const { value: run } = robot.liveRun;
     if (run && isLive(robot.live.value) && "world_document" in run) return run.world_document;
-    if (this.name.value === OWN_WORLD) return this.open.world.value;
+    if (this.name.value === OWN_WORLD) return this.open.ownWorld.now.value;
     return worlds.value.find((world) => world.name === this.name.value) ?? null;
   });
   /** The robot would drive in a world that the server does not take. */
   readonly isFaulty = computed(
-    () => this.name.value === OWN_WORLD && this.open.worldIsRefused.value,
+    () => this.name.value === OWN_WORLD && this.open.ownWorld.isRefused.value,
   );
   /** What is on the table would take the place of the group's own world. */
   readonly replaces = computed(
-    () => this.desk.value !== null && !this.usesOwn.value && this.open.world.value !== null,
+    () => this.desk.value !== null && !this.usesOwn.value && this.open.ownWorld.now.value !== null,
   );
 
   constructor(private readonly open: OpenProgram) {
-    this.usesOwn.value = open.world.peek() !== null;
+    this.usesOwn.value = open.ownWorld.now.peek() !== null;
   }
 
   choose(name: string): void {
@@ -57,7 +57,7 @@ export class WorldControl {
     const world = this.world.peek();
     if (!world || isLive(robot.live.peek())) return;
     if (this.name.peek() === OWN_WORLD) this.desk.value = this.deskOf(world);
-    else this.desk.value = this.newDesk(copyOf(world), this.open.world.peek());
+    else this.desk.value = this.newDesk(copyOf(world), this.open.ownWorld.now.peek());
   }
 
   editOwn(): void {
@@ -71,7 +71,7 @@ export class WorldControl {
 
   forget(): void {
     batch(() => {
-      this.forgotten.value = this.open.world.peek();
+      this.forgotten.value = this.open.ownWorld.now.peek();
       this.done();
       this.usesOwn.value = false;
       this.open.setWorld(null);
@@ -91,6 +91,9 @@ export class WorldControl {
 
   private newDesk(world: World, before: World | null = null): WorldDesk {
     const desk = new WorldDesk(world, (document) => this.keep(document), before);
+    desk.faults.subscribe((faults) => {
+      if (faults.length > 0) this.open.ownWorld.refuse(desk.document.peek());
+    });
     this.lastDesk = desk;
     return desk;
   }
