@@ -3,21 +3,36 @@ import { edgeOf, paintOf } from "./paints";
 import type { Palette } from "./palette";
 
 type Ctx = CanvasRenderingContext2D;
-type Area = World["zones"][number] | World["floor"][number];
+type Paint = World["floor"][number];
+type Area = World["zones"][number] | Paint;
 
-/** Painted areas of the floor; the last lies on top. World's frame, metres. */
+/** Painted areas of the floor; the last lies on top and hides what is below. World's frame, metres. */
 export function drawPaint(ctx: Ctx, world: World | null, palette: Palette, pixel: number): void {
-  for (const area of world?.floor ?? []) {
-    const paint = paintOf(area.color);
-    outline(ctx, area);
+  ctx.lineWidth = 3 * pixel; // the inner half is painted over
+  for (const areas of layersOf(world?.floor ?? [])) {
+    const paint = paintOf(areas[0].color);
+    ctx.beginPath();
+    for (const area of areas) trace(ctx, area);
+    ctx.strokeStyle = edgeOf(paint, palette.tile, palette.number) ?? paint;
+    ctx.stroke();
+    ctx.fillStyle = palette.tile;
+    ctx.fill();
     ctx.fillStyle = paint;
     ctx.globalAlpha = 0.5;
     ctx.fill();
     ctx.globalAlpha = 1;
-    ctx.strokeStyle = edgeOf(paint, palette.tile, palette.number) ?? paint;
-    ctx.lineWidth = 1.5 * pixel;
-    ctx.stroke();
   }
+}
+
+/** Areas of one colour that follow each other are one shape without seams. */
+function layersOf(floor: World["floor"]): [Paint, ...Paint[]][] {
+  const layers: [Paint, ...Paint[]][] = [];
+  for (const area of floor) {
+    const last = layers.at(-1);
+    if (last?.[0].color === area.color) last.push(area);
+    else layers.push([area]);
+  }
+  return layers;
 }
 
 /** Zones as dashed outlines, each with its name in the middle. */
@@ -27,7 +42,8 @@ export function drawZones(ctx: Ctx, world: World | null, palette: Palette, pixel
   ctx.strokeStyle = palette.number;
   ctx.lineWidth = 2 * pixel;
   for (const zone of zones) {
-    outline(ctx, zone);
+    ctx.beginPath();
+    trace(ctx, zone);
     ctx.stroke();
   }
   ctx.fillStyle = palette.number;
@@ -55,10 +71,10 @@ function drawName(ctx: Ctx, zone: World["zones"][number], { font }: Palette): vo
   ctx.restore();
 }
 
-function outline(ctx: Ctx, area: Area): void {
+function trace(ctx: Ctx, area: Area): void {
   const [x = 0, y = 0] = area.center;
-  ctx.beginPath();
   if (area.radius != null) {
+    ctx.moveTo(x + area.radius, y);
     ctx.arc(x, y, area.radius, 0, 2 * Math.PI);
     return;
   }
@@ -70,12 +86,14 @@ function outline(ctx: Ctx, area: Area): void {
     [1, 1],
     [-1, 1],
   ] as const;
-  for (const [right, up] of corners) {
+  for (const [i, [right, up]] of corners.entries()) {
     const [dx, dy] = [(right * width) / 2, (up * depth) / 2];
-    ctx.lineTo(
+    const corner = [
       x + dx * Math.cos(turn) - dy * Math.sin(turn),
       y + dx * Math.sin(turn) + dy * Math.cos(turn),
-    );
+    ] as const;
+    if (i === 0) ctx.moveTo(...corner);
+    else ctx.lineTo(...corner);
   }
   ctx.closePath();
 }
