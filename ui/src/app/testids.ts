@@ -71,7 +71,7 @@ export const TEST = {
   // the group's own world
   worldChange: "world-change", // opens the editor
   worldEditor: "world-editor",
-  worldBoard: "world-board",
+  worldBoard: "world-board", // data-camera: its middle on the floor in metres, x and y, and pixels per metre
   worldTool: "world-tool", // of each; data-tool: select | wall | box | zone | paint | start
   worldColor: "world-color", // of each; data-color
   worldThing: "world-thing", // of each; data-kind, data-index in its list, data-faulty

@@ -173,6 +173,7 @@ export const en: Texts = {
   },
   python: {
     open: "Program as text",
+    short: "Text",
     tab: "Python",
     tabs: "Forms of the program as text",
     text: "Program in Python",

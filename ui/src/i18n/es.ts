@@ -173,6 +173,7 @@ export const es: Texts = {
   },
   python: {
     open: "Programa en texto",
+    short: "Texto",
     tab: "Python",
     tabs: "Formas del programa en texto",
     text: "Programa en Python",
@@ -280,7 +281,7 @@ export const es: Texts = {
   plots: {
     label: "Gráficos del recorrido",
     open: "Gráficos",
-    empty: "Opriman Ejecutar y los gráficos aparecen aquí.",
+    empty: "Pulsen Ejecutar y los gráficos aparecen aquí.",
     larger: "Agrandar el gráfico",
     smaller: "Achicar el gráfico",
     save: "Guardar gráfico o tabla",

@@ -172,6 +172,7 @@ export const ptBR = {
   },
   python: {
     open: "Programa em texto",
+    short: "Texto",
     tab: "Python",
     tabs: "Formas do programa em texto",
     text: "Programa em Python",

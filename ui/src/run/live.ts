@@ -3,6 +3,7 @@ import { api } from "../api/client";
 import { ApiError } from "../api/errors";
 import type { Debugging, Run, RunEvent, RunWithVersion, StepMode } from "../api/model";
 import { History } from "./history";
+import { record } from "./live_record";
 import { MotionBuffer } from "./motion_buffer";
 import { IDLE, isLive, type Pose, type RunView, reduce, starting } from "./reducer";
 import { beep } from "./sound";
@@ -82,6 +83,7 @@ function apply(event: RunEvent): void {
   const before = newest();
   const next = reduce(before, event);
   if (next === before) return;
+  record.take(event);
   if (event.type === "telemetry") motion.push(event.tick, next.pose, performance.now());
   if (event.type === "beeped") beep();
   showSoon(next);
@@ -94,6 +96,7 @@ export function clear(): void {
     show(IDLE);
     liveRun.value = null;
     motion.reset();
+    record.begin();
   });
 }
 
@@ -104,6 +107,7 @@ export function start(versionId: string, world: string, debugging: Debugging = {
   stopWanted = false;
   show(nameless);
   motion.reset();
+  record.begin();
   return holding(async () => {
     try {
       const run = await api.startRun(versionId, world, debugging);
@@ -137,6 +141,7 @@ export function follow(runId: string): Promise<void> {
       liveRun.value = run;
       show(end.phase === "idle" ? starting(runId) : end);
       motion.reset(end.pose);
+      record.load(events, telemetry);
     });
   });
 }

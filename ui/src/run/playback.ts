@@ -18,6 +18,8 @@ export class Playback {
   readonly view = computed(() => this.history.at(this.whole.value));
   private handle = 0;
   private last = 0;
+  /** Where the slider stood before something else was pointed at. */
+  private pointedFrom: number | null = null;
 
   constructor(readonly history: History) {}
 
@@ -27,12 +29,21 @@ export class Playback {
 
   readonly pose = (): Pose => this.history.poseAt(this.tick.peek());
 
+  /** Shows another moment while it is pointed at, and comes back with `null`. Does nothing while it plays. */
+  point(tick: number | null): void {
+    if (this.playing.peek()) return;
+    this.pointedFrom ??= this.tick.peek();
+    this.tick.value = tick === null ? this.pointedFrom : this.within(tick);
+    if (tick === null) this.pointedFrom = null;
+  }
+
   toggle(): void {
     if (this.playing.value) this.pause();
     else this.play();
   }
 
   play(): void {
+    this.pointedFrom = null;
     if (this.tick.value >= this.end) this.tick.value = 0;
     this.playing.value = true;
     this.last = performance.now();
@@ -45,8 +56,13 @@ export class Playback {
   }
 
   seek(tick: number): void {
-    this.tick.value = Math.min(this.end, Math.max(0, tick));
+    this.pointedFrom = null;
+    this.tick.value = this.within(tick);
     this.last = performance.now();
+  }
+
+  private within(tick: number): number {
+    return Math.min(this.end, Math.max(0, tick));
   }
 
   dispose(): void {
@@ -81,21 +97,36 @@ const HOLDERS = new Set([
   "call",
 ]);
 
-/** When each block that does something ran; what only holds others is left out. */
-export function stretches(events: readonly RunEvent[], lastTick: number): Stretch[] {
-  const found: Stretch[] = [];
-  for (const event of events) {
-    const open = found.at(-1);
+/** Of more stretches than this, neighbours are put together. */
+const MOST_STRETCHES = 6000;
+
+/** When each block that does something ran, told event by event; what only holds others is left out. */
+export class Timeline {
+  private found: Stretch[] = [];
+
+  take(event: RunEvent): void {
+    const open = this.found.at(-1);
     if (event.type === "block_started" && !HOLDERS.has(event.action)) {
       if (open && open.to > event.tick) open.to = event.tick;
       const { tick, action, amount, block } = event;
-      found.push({ from: tick, to: lastTick, action, amount, block });
+      if (this.found.length >= MOST_STRETCHES) this.found = coarse(this.found, tick);
+      this.found.push({ from: tick, to: Number.POSITIVE_INFINITY, action, amount, block });
     }
-    if (event.type === "block_ended" && open?.block === event.block && open.to === lastTick) {
-      open.to = event.tick;
-    }
+    const isOpen = open?.to === Number.POSITIVE_INFINITY;
+    if (event.type === "block_ended" && open?.block === event.block && isOpen) open.to = event.tick;
   }
-  return found;
+
+  /** All stretches; what has not ended lasts until `lastTick`. */
+  until(lastTick: number): Stretch[] {
+    return this.found.map((one) => ({ ...one, to: Math.min(one.to, lastTick) }));
+  }
+}
+
+/** When each block that does something ran; what only holds others is left out. */
+export function stretches(events: readonly RunEvent[], lastTick: number): Stretch[] {
+  const timeline = new Timeline();
+  for (const event of events) timeline.take(event);
+  return timeline.until(lastTick);
 }
 
 /** Neighbours of one hue as one, so that a long run does not become ten thousand slivers. */

@@ -1,19 +1,26 @@
 import { useSignal } from "@preact/signals";
-import { FileCode, Undo2, X } from "lucide-preact";
+import { ChartLine, FileCode, Undo2, X } from "lucide-preact";
 import { TEST } from "../app/testids";
 import { texts } from "../i18n";
 import * as robot from "../run/live";
 import { Readout } from "../run/Readout";
 import { StatusLine } from "../run/StatusLine";
-import { DRAWER } from "../run/text/TextDrawer";
+import { DRAWER, type DrawerState } from "../run/text/TextDrawer";
 import { Controls } from "./Controls";
+import { FootButton } from "./FootButton";
 import { Stage } from "./Stage";
 import type { StudioControl } from "./studio_control";
 import "../run/run.css";
 
 export function FloorPane({ control }: { control: StudioControl }) {
   const drawer = useSignal(DRAWER);
-  const { open, editing } = drawer.value;
+  const { open, what, editing } = drawer.value;
+  const { python, plots } = texts.value;
+  // what is being written is not thrown away
+  const busy = open && editing;
+  const show = (wanted: DrawerState["what"]) => {
+    drawer.value = { ...drawer.value, what: wanted, open: !open || what !== wanted };
+  };
   return (
     <section class="floor" aria-label={texts.value.studio.floor}>
       <Controls control={control} />
@@ -22,20 +29,24 @@ export function FloorPane({ control }: { control: StudioControl }) {
       <Stage control={control} drawer={drawer} />
       <div class="floor__foot card">
         <Readout view={robot.live} />
-        <button
-          type="button"
-          class="button button--plain floor__ir"
-          data-testid={TEST.irToggle}
-          aria-expanded={open}
-          // what is being written is not thrown away
-          disabled={open && editing}
-          onClick={() => {
-            drawer.value = { ...drawer.value, open: !open };
-          }}
-        >
-          <FileCode class="icon" aria-hidden="true" />
-          <span>{texts.value.python.open}</span>
-        </button>
+        <FootButton
+          testId={TEST.plotsToggle}
+          Icon={ChartLine}
+          word={plots.open}
+          label={plots.label}
+          open={open && what === "plots"}
+          disabled={busy}
+          onClick={() => show("plots")}
+        />
+        <FootButton
+          testId={TEST.irToggle}
+          Icon={FileCode}
+          word={python.short}
+          label={python.open}
+          open={open && what === "text"}
+          disabled={busy}
+          onClick={() => show("text")}
+        />
       </div>
     </section>
   );

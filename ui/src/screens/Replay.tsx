@@ -1,10 +1,11 @@
-import { useComputed } from "@preact/signals";
-import { ArrowLeft, Eye } from "lucide-preact";
+import { useComputed, useSignal } from "@preact/signals";
+import { ArrowLeft, ChartLine, Eye } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
 import { TEST } from "../app/testids";
 import { theme } from "../app/theme";
 import { createEditor, type Editor } from "../editor";
 import { language, texts } from "../i18n";
+import { PlotsPanel } from "../plots/PlotsPanel";
 import { MuteButton } from "../run/MuteButton";
 import type { Playback } from "../run/playback";
 import { Readout } from "../run/Readout";
@@ -14,6 +15,7 @@ import { StatusLine } from "../run/StatusLine";
 import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
 import { beep } from "../run/sound";
 import { Scene } from "../scene/Scene";
+import { FootButton } from "./FootButton";
 import type { Recording } from "./ReplayScreen";
 import { Transport } from "./Transport";
 import "../run/run.css";
@@ -26,7 +28,10 @@ interface ReplayProps {
 /** Floor, blocks and time of a run that was. */
 export function Replay({ recording, onOpen }: ReplayProps) {
   const { run, playback } = recording;
-  const { replay } = texts.value;
+  const { replay, plots } = texts.value;
+  const plotting = useSignal(false);
+  const tall = useSignal(false);
+  const besides = plotting.value ? "floor__view--beside" : "";
   useEffect(() => soundOf(playback), [playback]);
   return (
     <main class="screen replay">
@@ -47,16 +52,41 @@ export function Replay({ recording, onOpen }: ReplayProps) {
       <section class="floor" aria-label={texts.value.studio.floor}>
         <Words recording={recording} />
         <div class="floor__stage">
-          <div class="floor__scene">
-            <Scene world={run.world_document} view={playback.view} poseAt={playback.pose} />
-            <div class="floor__corner">
-              <MuteButton view={playback.view} />
+          <div class={`floor__view ${besides}`} hidden={plotting.value && tall.value}>
+            <div class="floor__scene">
+              <Scene world={run.world_document} view={playback.view} poseAt={playback.pose} />
+              <div class="floor__corner">
+                <MuteButton view={playback.view} />
+              </div>
             </div>
+            <Shown view={playback.view} />
           </div>
-          <Shown view={playback.view} />
+          {plotting.value && (
+            <div
+              class={`floor__drawer floor__drawer--plots ${tall.value ? "floor__drawer--tall" : ""}`}
+            >
+              <PlotsPanel
+                source={recording.plots}
+                tall={tall.value}
+                onTall={(wanted) => {
+                  tall.value = wanted;
+                }}
+              />
+            </div>
+          )}
         </div>
         <div class="floor__foot card">
           <Readout view={playback.view} />
+          <FootButton
+            testId={TEST.plotsToggle}
+            Icon={ChartLine}
+            word={plots.open}
+            label={plots.label}
+            open={plotting.value}
+            onClick={() => {
+              plotting.value = !plotting.value;
+            }}
+          />
         </div>
       </section>
       <Transport recording={recording} />

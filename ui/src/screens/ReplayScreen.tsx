@@ -1,12 +1,15 @@
+import { signal } from "@preact/signals";
 import { useEffect, useState } from "preact/hooks";
 import { api } from "../api/client";
 import type { RunEvent, RunWithVersion } from "../api/model";
 import { go } from "../app/route";
 import { group, program, report } from "../app/session";
 import { texts } from "../i18n";
+import type { PlotSource } from "../plots/PlotsPanel";
 import { History } from "../run/history";
 import { Playback, type Stretch, stretches } from "../run/playback";
-import { decodeTelemetry } from "../run/telemetry";
+import { Samples } from "../run/samples";
+import { decodeTelemetry, type Telemetry } from "../run/telemetry";
 import { NotOpened } from "./NotOpened";
 import { Replay } from "./Replay";
 import "./studio.css";
@@ -17,6 +20,7 @@ export interface Recording {
   run: RunWithVersion;
   playback: Playback;
   stretches: Stretch[];
+  plots: PlotSource;
 }
 
 export function ReplayScreen({ runId }: { runId: string }) {
@@ -63,11 +67,30 @@ async function load(runId: string): Promise<Recording> {
 }
 
 function record(run: RunWithVersion, events: RunEvent[], samples: ArrayBuffer): Recording {
-  const history = new History(run.id, events, decodeTelemetry(samples));
+  const telemetry = decodeTelemetry(samples);
+  const history = new History(run.id, events, telemetry);
+  const playback = new Playback(history);
+  const blocks = stretches(events, history.lastTick);
+  return { run, playback, stretches: blocks, plots: plotsOf(run, playback, telemetry, blocks) };
+}
+
+/** The plots of a replay show the moment of its slider, and move it. */
+function plotsOf(
+  run: RunWithVersion,
+  playback: Playback,
+  telemetry: Telemetry,
+  blocks: Stretch[],
+): PlotSource {
   return {
-    run,
-    playback: new Playback(history),
-    stretches: stretches(events, history.lastTick),
+    samples: Samples.of(telemetry),
+    stretches: blocks,
+    revision: signal(0),
+    moment: playback.tick,
+    hand: {
+      onPoint: (tick) => playback.point(tick),
+      onPress: (tick) => playback.seek(tick),
+    },
+    name: () => run.program_name ?? "",
   };
 }
 

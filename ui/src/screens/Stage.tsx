@@ -5,6 +5,8 @@ import { worlds } from "../app/session";
 import { TEST } from "../app/testids";
 import { senses } from "../debug/senses";
 import { language, texts } from "../i18n";
+import { liveSource } from "../plots/live_source";
+import { PlotsPanel } from "../plots/PlotsPanel";
 import { CapturePanel } from "../run/CapturePanel";
 import * as robot from "../run/live";
 import { MuteButton } from "../run/MuteButton";
@@ -23,14 +25,14 @@ interface StageProps {
 }
 
 /**
- * The floor with what the program shows; under it what it asks for, or else the program as text. There is room for
- * two of them, so a question comes before the text, and text that is being written before the floor.
+ * The floor with what the program shows; under it what it asks for, or else the program as text or the plots. There is
+ * room for two of them, so a question comes before these, and text that is being written before the floor.
  */
 export function Stage({ control, drawer }: StageProps) {
   const capturing = useComputed(() => robot.live.value.capture !== null);
   const asked = useComputed(() => (control.mine.value ? robot.live.value.output.question : null));
   const waits = capturing.value || asked.value !== null;
-  const { open, tall, editing } = drawer.value;
+  const { open, what, tall, editing } = drawer.value;
   const hasText = open && (editing || !waits);
   return (
     <div class="floor__stage">
@@ -47,16 +49,28 @@ export function Stage({ control, drawer }: StageProps) {
       {capturing.value && <CaptureWhileAsked control={control} />}
       {asked.value && <Asked control={control} question={asked.value} />}
       {hasText && (
-        <div class={`floor__drawer ${tall || editing ? "floor__drawer--tall" : ""}`}>
-          <TextDrawer
-            state={drawer.value}
-            document={control.open.content.value?.document ?? null}
-            running={control.running.value}
-            onState={(state) => {
-              drawer.value = state;
-            }}
-            onPlace={(document) => control.place(document)}
-          />
+        <div
+          class={`floor__drawer floor__drawer--${what} ${tall || editing ? "floor__drawer--tall" : ""}`}
+        >
+          {what === "plots" ? (
+            <PlotsPanel
+              source={liveSource}
+              tall={tall}
+              onTall={(wanted) => {
+                drawer.value = { ...drawer.value, tall: wanted };
+              }}
+            />
+          ) : (
+            <TextDrawer
+              state={drawer.value}
+              document={control.open.content.value?.document ?? null}
+              running={control.running.value}
+              onState={(state) => {
+                drawer.value = state;
+              }}
+              onPlace={(document) => control.place(document)}
+            />
+          )}
         </div>
       )}
     </div>

@@ -1,0 +1,122 @@
+import type uPlot from "uplot";
+import type { Language } from "../i18n";
+import { decimal } from "../i18n/format";
+import type { Stretch } from "../run/playback";
+import type { Samples } from "../run/samples";
+import type { Look } from "./look";
+
+/** What a plot tells of the hand: `null` when it has left. */
+export interface Hand {
+  onPoint(tick: number | null): void;
+  onPress(tick: number): void;
+}
+
+/** What a plot needs to know to be drawn. */
+export interface Setting {
+  readonly look: Look;
+  readonly language: Language;
+  readonly width: number;
+  readonly height: number;
+  /** Titles of the axes: across and up. */
+  readonly titles: readonly [string, string];
+}
+
+/** A plot in the page. */
+export interface Chart {
+  readonly plot: uPlot;
+  show(samples: Samples, stretches: readonly Stretch[]): void;
+  resize(width: number, height: number): void;
+  /** Marks a moment. */
+  mark(tick: number | null): void;
+  dispose(): void;
+}
+
+/** Room for the numbers beside and below a plot, in pixels. */
+export const AXIS = { left: 58, bottom: 44 };
+export const PADDING = { top: 10, right: 26 };
+
+/** uPlot's own ways with the mouse are switched off: fingers and keys point too. */
+const nobody = () => null;
+const NO_MOUSE: uPlot.Cursor.Bind = {
+  mousedown: nobody,
+  mouseup: nobody,
+  click: nobody,
+  dblclick: nobody,
+  mousemove: nobody,
+  mouseleave: nobody,
+  mouseenter: nobody,
+};
+
+export const NO_DATA: uPlot.AlignedData = [[0, 1]];
+
+/** What all plots have in common. */
+export function optionsFor({ look, language, width, height, titles }: Setting): uPlot.Options {
+  const axis = (title: string, size: number): uPlot.Axis => ({
+    label: title,
+    labelFont: `600 13px ${look.font}`,
+    labelSize: 18,
+    labelGap: 0,
+    font: `500 13px ${look.font}`,
+    gap: 4,
+    size: size - 18,
+    stroke: look.ink,
+    grid: { stroke: look.faint, width: 1 },
+    ticks: { show: false },
+    values: (_plot, splits) => splits.map((value) => numberOf(value, splits, language)),
+  });
+  const upright = axis(titles[1], AXIS.left);
+  return {
+    width,
+    height,
+    padding: [PADDING.top, PADDING.right, 0, 0],
+    legend: { show: false },
+    scales: { x: { time: false } },
+    axes: [
+      { ...axis(titles[0], AXIS.bottom), space: 44 },
+      { ...upright, space: 30 },
+    ],
+    cursor: { y: false, bind: NO_MOUSE, drag: { setScale: false, x: false, y: false } },
+    series: [{}],
+  };
+}
+
+/** A number of an axis with as many digits as its neighbours differ in. */
+export function numberOf(
+  value: number,
+  splits: readonly (number | null)[],
+  language: Language,
+): string {
+  const step = Math.abs((splits[1] ?? 1) - (splits[0] ?? 0)) || 1;
+  const digits = [0, 1, 2, 3].find((count) => Math.abs(step - round(step, count)) < step / 100);
+  return decimal(value, digits ?? 3, language);
+}
+
+const round = (value: number, digits: number) => Math.round(value * 10 ** digits) / 10 ** digits;
+
+/** Has mouse, pen and finger point into a plot; a press goes there for good. The answer ends that. */
+export function listen(plot: uPlot, tickAt: (x: number, y: number) => number, hand: Hand) {
+  const { over } = plot;
+  let pressed = false;
+  const tickOf = (event: PointerEvent) => {
+    const box = over.getBoundingClientRect();
+    return tickAt(event.clientX - box.left, event.clientY - box.top);
+  };
+  const move = (event: PointerEvent) => {
+    if (pressed) hand.onPress(tickOf(event));
+    else hand.onPoint(tickOf(event));
+  };
+  const down = (event: PointerEvent) => {
+    pressed = true;
+    over.setPointerCapture(event.pointerId);
+    hand.onPress(tickOf(event));
+  };
+  const up = () => {
+    pressed = false;
+  };
+  const leave = () => hand.onPoint(null);
+  const listeners = { pointermove: move, pointerdown: down, pointerup: up, pointercancel: up };
+  for (const [type, listener] of Object.entries(listeners)) {
+    over.addEventListener(type, listener as EventListener);
+  }
+  over.addEventListener("pointerleave", leave);
+}

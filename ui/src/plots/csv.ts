@@ -1,0 +1,53 @@
+import type { Language, Texts } from "../i18n";
+import type { Samples } from "../run/samples";
+import { linesOf, TIME_FIGURES, times } from "./figures";
+
+/** Spreadsheets read a file without this as if it were written in another century's letters. */
+const BYTE_ORDER_MARK = "\ufeff";
+
+interface TableColumn {
+  readonly title: string;
+  readonly digits: number;
+  readonly values: ArrayLike<number>;
+}
+
+/**
+ * The measurements of a run as a table that a spreadsheet opens with a double click. In Portuguese and Spanish that
+ * asks for decimal commas, and hence semicolons between the columns; in English for points and commas. One row a
+ * sample, 30 a second; metres, degrees and seconds, as the blocks have them.
+ */
+export function csvOf(samples: Samples, texts: Texts, language: Language): string {
+  const comma = language === "en" ? "," : ";";
+  const point = language === "en" ? "." : ",";
+  const columns = tableOf(samples, texts);
+  const cell = ({ values, digits }: TableColumn, row: number) => {
+    const value = values[row] ?? Number.NaN;
+    return Number.isNaN(value) ? "" : plain(value, digits).replace(".", point);
+  };
+  const lines = [columns.map((column) => column.title).join(comma)];
+  for (let row = 0; row < samples.rows; row++) {
+    lines.push(columns.map((column) => cell(column, row)).join(comma));
+  }
+  return `${BYTE_ORDER_MARK}${lines.join("\r\n")}\r\n`;
+}
+
+/** Never "-0.0000". */
+const plain = (value: number, digits: number) => {
+  const text = value.toFixed(digits);
+  return Number(text) === 0 ? (0).toFixed(digits) : text;
+};
+
+function tableOf(samples: Samples, { plots }: Texts): TableColumn[] {
+  const title = (letter: string, role: keyof typeof plots.roles, unit: string) =>
+    `${letter} ${plots.roles[role]} (${unit})`;
+  const columns: TableColumn[] = [
+    { title: `${plots.time} (s)`, digits: 3, values: times(samples) },
+  ];
+  for (const name of ["position", "heading", "speed", "turning"] as const) {
+    const { unit } = TIME_FIGURES[name];
+    for (const { letter, role, values } of linesOf(name, samples)) {
+      columns.push({ title: title(letter, role, unit), digits: 4, values: values(samples) });
+    }
+  }
+  return columns;
+}

@@ -1,0 +1,61 @@
+/** The colours of a plot: a canvas cannot read the page's tokens itself. */
+export interface Look {
+  readonly ground: string;
+  readonly ink: string;
+  readonly faint: string;
+  readonly x: string;
+  readonly y: string;
+  readonly only: string;
+  readonly soft: string;
+  readonly font: string;
+}
+
+const TOKENS: Readonly<Record<keyof Look, string>> = {
+  ground: "--surface",
+  ink: "--ink",
+  faint: "--line",
+  x: "--plot-x",
+  y: "--plot-y",
+  only: "--plot-only",
+  soft: "--plot-soft",
+  font: "--font",
+};
+
+/** The colours of the theme that is on. */
+export function readLook(): Look {
+  const style = getComputedStyle(document.documentElement);
+  const value = (token: string) => style.getPropertyValue(token).trim();
+  const entries = Object.entries(TOKENS).map(([name, token]) => [name, value(token)]);
+  return Object.fromEntries(entries) as unknown as Look;
+}
+
+/** Ink on white paper, whatever the theme: for pictures that leave the program. */
+export function paperLook(): Look {
+  return {
+    ground: "#ffffff",
+    ink: "#211f1b",
+    faint: "#dcd6ca",
+    x: "#1d5fb8",
+    y: "#b04a00",
+    only: "#0a7a60",
+    soft: "#3c372d",
+    font: readLook().font,
+  };
+}
+
+/** How a line is drawn: what is desired or commanded dashed, the truth dotted, what was obtained whole. */
+export const DASHES = {
+  obtained: [],
+  measured: [],
+  desired: [7, 5],
+  commanded: [7, 5],
+  true: [2, 4],
+} as const satisfies Record<string, readonly number[]>;
+
+export const WIDTHS = {
+  obtained: 2.5,
+  measured: 2.5,
+  desired: 2,
+  commanded: 2,
+  true: 2.5,
+} as const;

@@ -1,0 +1,156 @@
+import uPlot from "uplot";
+import { CATEGORY_COLOURS, categoryOf } from "../design/categories";
+import { coarse, type Stretch } from "../run/playback";
+import { rowAt, type Samples } from "../run/samples";
+import { type Chart, type Hand, listen, NO_DATA, optionsFor, type Setting } from "./chart";
+import { type FigureName, type Line, linesOf, rangeOf, TIME_FIGURES, times } from "./figures";
+import { DASHES, type Look, WIDTHS } from "./look";
+
+/** Height of the coloured band that tells the blocks, in pixels, and how much it tints what is above it. */
+const BAND = 7;
+const TINT = 0.1;
+
+/** A live run's time axis is at least so long, in seconds. */
+const LEAST_S = 2;
+
+type TimeFigureName = Exclude<FigureName, "path">;
+
+/** A quantity over time, over the blocks that ran. */
+export class TimeChart implements Chart {
+  readonly plot: uPlot;
+  private lines: readonly Line[] = [];
+  private stretches: readonly Stretch[] = [];
+  private ticks: Float32Array = new Float32Array(0);
+  private marked: number | null = null;
+
+  constructor(
+    private readonly name: TimeFigureName,
+    setting: Setting,
+    into: HTMLElement,
+    hand: Hand,
+  ) {
+    const { span } = TIME_FIGURES[name];
+    const { look } = setting;
+    const options = optionsFor(setting);
+    options.scales = {
+      x: { time: false, range: (_plot, _low, high) => [0, Math.max(LEAST_S, high ?? 0)] },
+      y: { range: (_plot, low, high) => rangeOf(low, high, span) },
+    };
+    options.cursor = {
+      ...options.cursor,
+      points: { size: 9, width: 2, fill: (_plot, at) => this.inkOf(at, look) },
+    };
+    options.hooks = {
+      drawClear: [(plot) => drawBands(plot, this.stretches, TINT, 0)],
+      draw: [
+        (plot) => drawBands(plot, this.stretches, 1, BAND),
+        (plot) => drawLetters(plot, this.lines, look),
+      ],
+    };
+    this.look = look;
+    this.plot = new uPlot(options, NO_DATA, into);
+    listen(this.plot, (x) => this.tickAt(x), hand);
+  }
+
+  private readonly look: Look;
+
+  show(samples: Samples, stretches: readonly Stretch[]): void {
+    const { plot } = this;
+    this.stretches = coarse(stretches, samples.column("tick").at(-1) ?? 0);
+    this.ticks = samples.column("tick");
+    this.takeLines(linesOf(this.name, samples));
+    const data = [times(samples), ...this.lines.map((line) => line.values(samples))];
+    plot.setData(data as unknown as uPlot.AlignedData);
+    this.mark(this.marked);
+  }
+
+  resize(width: number, height: number): void {
+    this.plot.setSize({ width, height });
+    this.mark(this.marked);
+  }
+
+  mark(tick: number | null): void {
+    this.marked = tick;
+    const left = tick === null ? -10 : this.plot.valToPos(tick / 30, "x");
+    this.plot.setCursor({ left, top: tick === null ? -10 : 0 }, false);
+  }
+
+  dispose(): void {
+    this.plot.destroy();
+  }
+
+  private tickAt(x: number): number {
+    const tick = this.plot.posToVal(x, "x") * 30;
+    return this.ticks[rowAt(this.ticks, Math.max(0, tick))] ?? 0;
+  }
+
+  /** The truth may turn up in the middle of a run. */
+  private takeLines(lines: readonly Line[]): void {
+    const same = lines.length === this.lines.length;
+    this.lines = lines;
+    if (same) return;
+    while (this.plot.series.length > 1) this.plot.delSeries(1);
+    for (const line of lines) this.plot.addSeries(seriesOf(line, this.look));
+  }
+
+  private inkOf(series: number, look: Look): string {
+    return look[this.lines[series - 1]?.ink ?? "only"];
+  }
+}
+
+function seriesOf({ ink, role }: Line, look: Look): uPlot.Series {
+  return {
+    stroke: look[ink],
+    width: WIDTHS[role],
+    dash: [...DASHES[role]],
+    points: { show: false },
+  };
+}
+
+/** The categories of the blocks along the time axis; `height` 0 is all of the plot. */
+function drawBands(
+  plot: uPlot,
+  stretches: readonly Stretch[],
+  opacity: number,
+  height: number,
+): void {
+  const { ctx } = plot;
+  const { left, top, width, height: whole } = plot.bbox;
+  const tall = height === 0 ? whole : height * uPlot.pxRatio;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(left, top, width, whole);
+  ctx.clip();
+  ctx.globalAlpha = opacity;
+  for (const { from, to, action } of stretches) {
+    const begin = plot.valToPos(from / 30, "x", true);
+    const end = plot.valToPos(to / 30, "x", true);
+    ctx.fillStyle = CATEGORY_COLOURS[categoryOf(action)];
+    ctx.fillRect(begin, top + whole - tall, Math.max(1, end - begin - 1), tall);
+  }
+  ctx.restore();
+}
+
+/** The letter of each quantity at the end of its line, so that no colour is needed to tell them apart. */
+function drawLetters(plot: uPlot, lines: readonly Line[], look: Look): void {
+  const { ctx } = plot;
+  const last = plot.data[0].length - 1;
+  const time = plot.data[0][last];
+  if (time === undefined) return;
+  ctx.save();
+  ctx.font = `700 ${14 * uPlot.pxRatio}px ${look.font}`;
+  ctx.textBaseline = "middle";
+  ctx.textAlign = "left";
+  const placed: number[] = [];
+  lines.forEach(({ letter, role, ink }, index) => {
+    const value = plot.data[index + 1]?.[last];
+    if (value == null || role === "desired" || role === "commanded" || role === "true") return;
+    const height = 15 * uPlot.pxRatio;
+    let y = plot.valToPos(value, "y", true);
+    while (placed.some((other) => Math.abs(other - y) < height)) y -= height / 2;
+    placed.push(y);
+    ctx.fillStyle = look[ink];
+    ctx.fillText(letter, plot.valToPos(time, "x", true) + 6 * uPlot.pxRatio, y);
+  });
+  ctx.restore();
+}
