@@ -26,6 +26,15 @@ class Finger:
             self._touch("touchMove", end_x + shake, end_y + shake)
         self._screen.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
 
+    def stroke(self, start: Place, end: Place) -> None:
+        """Draws from one point to another."""
+        self._touch("touchStart", start.x, start.y)
+        for step in range(1, _STEPS + 1):
+            part = step / _STEPS
+            across, down = (end.x - start.x) * part, (end.y - start.y) * part
+            self._touch("touchMove", start.x + across, start.y + down)
+        self._screen.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+
     def _touch(self, kind: str, x: float, y: float) -> None:
         points = [{"x": x, "y": y}]
         self._screen.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})

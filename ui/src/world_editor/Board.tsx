@@ -92,7 +92,7 @@ function Overlay({ desk, view, byHand }: OverlayProps) {
     () => (svg.current ? followHand(svg.current, desk, view, byHand) : undefined),
     [desk, view, byHand],
   );
-  const { size } = view.value;
+  const { size, camera } = view.value;
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: the keys draw, move and delete here
     <svg
@@ -103,8 +103,12 @@ function Overlay({ desk, view, byHand }: OverlayProps) {
       aria-label={words.board}
       tabindex={0}
       data-testid={TEST.worldBoard}
+      data-camera={`${camera.x} ${camera.y} ${camera.scale}`}
       onKeyDown={(event) => {
-        if (pressed(desk, event)) event.preventDefault();
+        if (!pressed(desk, event)) return;
+        event.preventDefault();
+        // what has the focus may have been deleted
+        if (!desk.selected.value) svg.current?.focus();
       }}
     >
       <Outlines desk={desk} view={view.value} />
@@ -133,6 +137,7 @@ function followHand(
   const down = (event: PointerEvent) => {
     if (from || event.button !== 0) return;
     svg.setPointerCapture(event.pointerId);
+    svg.focus();
     from = { ...at(event), pointer: event.pointerId };
     moved = false;
     desk.grip(targetOf(event.target), floorAt(event));
@@ -164,12 +169,16 @@ function followHand(
     byHand.value = true;
     view.value = zoomed(view.value, Math.exp(-event.deltaY / 500), x, y);
   };
+  // the keys are for the board: what is beneath the hand has the focus only where Tab brought it
+  const keepFocus = (event: MouseEvent) => event.preventDefault();
+  svg.addEventListener("mousedown", keepFocus);
   svg.addEventListener("pointerdown", down);
   svg.addEventListener("pointermove", move);
   svg.addEventListener("pointerup", up);
   svg.addEventListener("pointercancel", cancel);
   svg.addEventListener("wheel", wheel, { passive: false });
   return () => {
+    svg.removeEventListener("mousedown", keepFocus);
     svg.removeEventListener("pointerdown", down);
     svg.removeEventListener("pointermove", move);
     svg.removeEventListener("pointerup", up);

@@ -63,7 +63,7 @@ function Outline({ desk, view, plan, thing, isFaulty }: OutlineProps) {
       data-index={indexOf(plan, thing)}
       data-faulty={isFaulty}
       data-testid={TEST.worldThing}
-      onFocus={(event) => focused(desk, event, thing.id)}
+      onFocus={() => desk.select(thing.id)}
     >
       <path class="outline__reach" d={path} />
       <path class="outline__line" d={path} />
@@ -97,18 +97,12 @@ function StartOutline({ desk, view, isFaulty }: StartOutlineProps) {
       data-kind="start"
       data-faulty={isFaulty}
       data-testid={TEST.worldThing}
-      onFocus={(event) => focused(desk, event, "start")}
+      onFocus={() => desk.select("start")}
     >
       <circle class="outline__reach" cx={x} cy={y} r={r} />
       <circle class="outline__line" cx={x} cy={y} r={r} />
     </g>
   );
-}
-
-/** Who comes with Tab chooses by it; a hand chooses by pressing. */
-function focused(desk: WorldDesk, event: FocusEvent, id: string): void {
-  const { currentTarget } = event;
-  if (currentTarget instanceof Element && currentTarget.matches(":focus-visible")) desk.select(id);
 }
 
 const classes = (kind: string, isSelected: boolean, isFaulty: boolean) =>

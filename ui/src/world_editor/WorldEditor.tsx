@@ -35,6 +35,7 @@ export function WorldEditor({ desk, replaces, onOwn, onForget, onStop, onDone }:
   const refusal = useSignal<Refusal | null>(null);
   useEffect(() => keepChecked(desk, report), [desk]);
   useEffect(() => section.current?.focus(), []);
+  useEffect(() => followKeys(desk), [desk]);
   const take = (file: File) => {
     refusal.value = null;
     worldIn(file).then((answer) => {
@@ -49,10 +50,6 @@ export function WorldEditor({ desk, replaces, onOwn, onForget, onStop, onDone }:
       aria-label={words.title}
       tabIndex={-1}
       data-testid={TEST.worldEditor}
-      onKeyDown={(event) => {
-        const types = event.target instanceof HTMLInputElement;
-        if (!types && pressedAnywhere(desk, event)) event.preventDefault();
-      }}
       onDragOver={(event) => event.preventDefault()}
       onDrop={(event) => {
         event.preventDefault();
@@ -79,6 +76,16 @@ export function WorldEditor({ desk, replaces, onOwn, onForget, onStop, onDone }:
       </div>
     </section>
   );
+}
+
+/** Wherever the focus is, for what had it may be gone; but not while a text is typed. */
+function followKeys(desk: WorldDesk): () => void {
+  const down = (event: KeyboardEvent) => {
+    const isTyping = event.target instanceof HTMLInputElement;
+    if (!isTyping && pressedAnywhere(desk, event)) event.preventDefault();
+  };
+  window.addEventListener("keydown", down);
+  return () => window.removeEventListener("keydown", down);
 }
 
 interface BarProps {

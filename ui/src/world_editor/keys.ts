@@ -30,7 +30,7 @@ export function pressed(desk: WorldDesk, event: KeyboardEvent): boolean {
   }
 }
 
-/** Keys that count all over the editor, but not while a text is typed. */
+/** Keys that count all over the editor. */
 export function pressedAnywhere(desk: WorldDesk, event: KeyboardEvent): boolean {
   const key = event.key.toLowerCase();
   const isCommand = event.ctrlKey || event.metaKey;
