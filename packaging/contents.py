@@ -11,6 +11,7 @@ Entry = tuple[str, str, str]  # name in the package, file, kind
 DATA_FOLDERS = {
     "pinel_desktop/web/static": "pinel_desktop/web/static",
     "pinel_desktop/messages/catalogue": "pinel_desktop/messages/catalogue",
+    "pinel_desktop/activities/catalogue": "pinel_desktop/activities/catalogue",
     "sim/worlds": "sim/worlds",
     "LICENSE": ".",
 }

@@ -1,5 +1,6 @@
 """Where the packaged program starts."""
 
+import multiprocessing
 import os
 import sys
 
@@ -20,5 +21,8 @@ if sys.platform == "linux":
     _give_children_the_system_s_libraries()
 
 from pinel_desktop.cli import main  # noqa: E402 - after the environment is in order
+
+# a process that checks programs beside others starts here too, and goes its own way
+multiprocessing.freeze_support()
 
 main()

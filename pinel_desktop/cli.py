@@ -10,7 +10,8 @@ _COMMANDS = {
     "run": "Run a program and print its result.",
     "serve": "Serve the page without a window and print its address.",
     "python": "Print a program as Python text.",
-    "runs": "List and show recorded runs.",
+    "check": "Check whether programs fulfil an activity.",
+    "runs": "List, show and verify recorded runs.",
     "doctor": "Say what this PC has and lacks.",
 }
 _HIDDEN = ("app", "engine")

@@ -39,7 +39,7 @@ _FIGURES = (
 )
 @click.pass_context
 def command(ctx: click.Context, db: str | None) -> None:
-    """List and show recorded runs."""
+    """List, show and verify recorded runs."""
     ctx.obj = {"db": db or (ctx.obj or {}).get("db")}
 
 

@@ -1,0 +1,116 @@
+"""Whether a program fulfils an activity: each of its cases is run, and every check looked at."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from pinel_desktop.activities.checks import Evidence, Witness, holds
+from pinel_desktop.activities.model import Activity, Case
+from pinel_desktop.errors import PinelError
+from pinel_desktop.events.model import Event
+from pinel_desktop.execution.answers import ScriptedAnswers
+from pinel_desktop.execution.clock import TICK_HZ
+from pinel_desktop.execution.control import RunControl
+from pinel_desktop.execution.executor import RunOptions, execute
+from pinel_desktop.execution.gestures import ScriptedGestures
+from pinel_desktop.links import open_link
+from pinel_desktop.program.faults import Fault
+from pinel_desktop.program.reading import Reading
+from pinel_desktop.robot import Setting
+from sim.world import WorldError, world_document, world_from_document
+
+
+@dataclass(frozen=True, slots=True)
+class CheckReport:
+    """One check: `kind` and `params` choose the words."""
+
+    kind: str
+    params: dict[str, Any]
+    holds: bool
+
+
+@dataclass(frozen=True, slots=True)
+class CaseReport:
+    """One run of the program; `reason` is `too_long` where the activity's limit ended it."""
+
+    state: str
+    reason: str | None
+    params: dict[str, Any]
+    duration_s: float
+    telemetry_sha256: str
+    checks: tuple[CheckReport, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """What came of a program. One that has faults is not run."""
+
+    program: str
+    faults: tuple[Fault, ...]
+    cases: tuple[CaseReport, ...]
+
+    @property
+    def passed(self) -> bool:
+        """Whether it fulfils the activity."""
+        checks = [check for case in self.cases for check in case.checks]
+        return not self.faults and bool(checks) and all(check.holds for check in checks)
+
+
+def check_program(activity: Activity, reading: Reading, program: str = "") -> Report:
+    """Runs a program, read before, in each case of the activity; `program` is what the report calls it.
+
+    Raises PinelError where the activity itself cannot be used: `unknown_world`, `world_invalid`, `unknown_robot`.
+    """
+    if reading.program is None:
+        return Report(program, reading.faults, ())
+    return Report(program, (), tuple(_case(activity, case, reading) for case in activity.cases))
+
+
+def world_of(activity: Activity) -> dict[str, Any]:
+    """The document of its world. Raises PinelError `unknown_world` or `world_invalid`."""
+    world = activity.world
+    try:
+        document = world_document(world) if isinstance(world, str) else world
+        world_from_document(document)
+    except WorldError as error:
+        raise PinelError(error.code, **error.params) from error
+    return document
+
+
+def _case(activity: Activity, case: Case, reading: Reading) -> CaseReport:
+    assert reading.program is not None
+    assert reading.document is not None
+    setting = Setting(activity.model, activity.preset, activity.feedback)
+    document = world_of(activity)
+    link = open_link("sim", world=document, setting=setting, seed=case.seed)
+    witness = Witness(world_from_document(document))
+    control, last_tick = RunControl(), round(activity.limit_s * TICK_HZ)
+
+    def observe(tick: int, event: Event) -> None:
+        witness.observe(event)
+        if tick >= last_tick:
+            control.stop()
+
+    options = RunOptions(
+        observer=observe,
+        control=control,
+        gestures=ScriptedGestures(case.gestures),
+        answers=ScriptedAnswers(case.answers),
+        seed=case.seed,
+        robot=setting.robot,
+    )
+    result = execute(reading.program, link, options)
+    ended = result.ended
+    evidence = Evidence(reading.document, result, witness)
+    checks = [
+        CheckReport(check.check, check.model_dump(exclude={"check"}), holds(check, evidence))
+        for check in (*activity.checks, *case.checks)
+    ]
+    stopped = ended.state == "stopped"
+    return CaseReport(
+        state="failed" if stopped else ended.state,
+        reason="too_long" if stopped else ended.reason,
+        params={"limit": activity.limit_s} if stopped else ended.params,
+        duration_s=ended.duration_s,
+        telemetry_sha256=ended.telemetry_sha256,
+        checks=tuple(checks),
+    )

@@ -1,0 +1,173 @@
+"""Whether one thing holds after a run: a function for each kind of check."""
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+from pinel_desktop.activities import model
+from pinel_desktop.events.model import Event, Telemetry, Things
+from pinel_desktop.execution.executor import RunResult
+from pinel_desktop.robot import Pose2D
+from sim.floor import zone_at
+from sim.world import World
+
+
+@dataclass(slots=True)
+class Witness:
+    """What is seen of a run; `observe` is to be called with all of its events.
+
+    Attributes:
+        pose: where the robot truly was last, in the world's frame.
+        zones: names of the zones that it came through, each entry once.
+        touched: whether it ever touched something.
+        boxes: where boxes have been pushed to.
+    """
+
+    world: World
+    pose: Pose2D = field(init=False)
+    zones: list[str] = field(default_factory=list)
+    touched: bool = False
+    boxes: dict[int, tuple[float, float]] = field(default_factory=dict)
+    _start: Pose2D = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.pose = self._start = Pose2D(*self.world.start)
+        self._note_zone()
+
+    def observe(self, event: Event) -> None:
+        if type(event) is Telemetry:
+            self.pose = self._start.compose(_true_pose(event))
+            self.touched = self.touched or event.bumper
+            self._note_zone()
+        elif type(event) is Things:
+            self.boxes |= {int(i): (place[0], place[1]) for i, place in event.boxes.items()}
+
+    def zone_of(self, x_m: float, y_m: float) -> str:
+        """The zone at a point of the world, "" where there is none."""
+        return zone_at(self.world.zones, x_m, y_m)
+
+    def to_world(self, x_m: float, y_m: float) -> tuple[float, float]:
+        """A point of the start frame in the world's."""
+        pose = self._start.compose(Pose2D(x_m, y_m))
+        return pose.x_m, pose.y_m
+
+    @property
+    def local_pose(self) -> Pose2D:
+        """`pose` in the start frame."""
+        return self.pose.relative_to(self._start)
+
+    def _note_zone(self) -> None:
+        zone = self.zone_of(self.pose.x_m, self.pose.y_m)
+        if zone and (not self.zones or self.zones[-1] != zone):
+            self.zones.append(zone)
+
+
+@dataclass(frozen=True, slots=True)
+class Evidence:
+    """All that checks look at."""
+
+    document: dict[str, Any]
+    result: RunResult
+    witness: Witness
+
+
+def holds(check: Any, evidence: Evidence) -> bool:
+    """Whether a check of an activity holds."""
+    return _CHECKS[type(check)](check, evidence)
+
+
+def _finished(_check: model.Finished, evidence: Evidence) -> bool:
+    return evidence.result.ended.state == "finished"
+
+
+def _ends_at(check: model.EndsAt, evidence: Evidence) -> bool:
+    pose = evidence.witness.local_pose
+    return math.hypot(pose.x_m - check.x_m, pose.y_m - check.y_m) <= check.within_m
+
+
+def _ends_heading(check: model.EndsHeading, evidence: Evidence) -> bool:
+    heading = math.degrees(evidence.witness.local_pose.yaw_rad)
+    return abs(math.remainder(heading - check.heading_deg, 360.0)) <= check.within_deg
+
+
+def _ends_in(check: model.EndsIn, evidence: Evidence) -> bool:
+    witness = evidence.witness
+    return witness.zone_of(witness.pose.x_m, witness.pose.y_m) == check.zone
+
+
+def _visits(check: model.Visits, evidence: Evidence) -> bool:
+    zones = evidence.witness.zones
+    if not check.ordered:
+        return set(check.zones) <= set(zones)
+    rest = iter(zones)
+    return all(zone in rest for zone in check.zones)
+
+
+def _touches_nothing(_check: model.TouchesNothing, evidence: Evidence) -> bool:
+    return not evidence.witness.touched
+
+
+def _pushed(check: model.Pushed, evidence: Evidence) -> bool:
+    witness = evidence.witness
+    if check.box >= len(witness.world.boxes):
+        return False
+    x, y = witness.boxes.get(check.box, witness.world.boxes[check.box].center)
+    return witness.zone_of(x, y) == check.zone
+
+
+def _uses(check: model.Uses, evidence: Evidence) -> bool:
+    n = sum(action == check.action for action in _actions(evidence.document))
+    return check.at_least <= n <= check.at_most
+
+
+def _marks(check: model.Marks, evidence: Evidence) -> bool:
+    witness = evidence.witness
+    places = (
+        witness.to_world(mark.x_m, mark.y_m)
+        for mark in evidence.result.marks
+        if mark.symbol == check.symbol
+    )
+    return any(witness.zone_of(*place) == check.zone for place in places)
+
+
+def _says(check: model.Says, evidence: Evidence) -> bool:
+    wanted = check.text.casefold()
+    return any(wanted in text.casefold() for text in evidence.result.said)
+
+
+def _path_length(check: model.PathLength, evidence: Evidence) -> bool:
+    return check.at_least_m <= evidence.result.ended.path_length_m <= check.at_most_m
+
+
+_CHECKS: dict[type, Callable[[Any, Evidence], bool]] = {
+    model.Finished: _finished,
+    model.EndsAt: _ends_at,
+    model.EndsHeading: _ends_heading,
+    model.EndsIn: _ends_in,
+    model.Visits: _visits,
+    model.TouchesNothing: _touches_nothing,
+    model.Pushed: _pushed,
+    model.Uses: _uses,
+    model.Marks: _marks,
+    model.Says: _says,
+    model.PathLength: _path_length,
+}
+
+
+def _actions(value: Any) -> Iterator[str]:
+    """The actions of all commands in a document."""
+    if isinstance(value, dict):
+        if isinstance(value.get("action"), str):
+            yield value["action"]
+        for part in value.values():
+            yield from _actions(part)
+    elif isinstance(value, list):
+        for part in value:
+            yield from _actions(part)
+
+
+def _true_pose(event: Telemetry) -> Pose2D:
+    if event.true_x_m is None or event.true_y_m is None or event.true_yaw_rad is None:
+        return Pose2D(event.x_m, event.y_m, event.yaw_rad)
+    return Pose2D(event.true_x_m, event.true_y_m, event.true_yaw_rad)

@@ -1,0 +1,95 @@
+"""`pinel check ACTIVITY FILE...`: whether programs fulfil an activity, many at once."""
+
+import json
+import sys
+from dataclasses import asdict
+from typing import Any
+
+import click
+
+from pinel_desktop.activities import Activity, Report, check_files, choose_activity
+from pinel_desktop.commands.program_file import place_of
+from pinel_desktop.errors import PinelError
+from pinel_desktop.messages import describe, language_of_system
+
+_MOST_FAULTS = 5
+_PASSED, _NOT_PASSED, _UNUSABLE = 0, 1, 2
+
+
+@click.command()
+@click.argument("activity")
+@click.argument("files", metavar="FILE...", nargs=-1, required=True)
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object per program.")
+@click.option(
+    "--processes",
+    type=click.IntRange(1, 256),
+    help="How many work at once; as many as this PC has cores when left out.",
+)
+@click.pass_context
+def command(
+    ctx: click.Context, activity: str, files: tuple[str, ...], as_json: bool, processes: int | None
+) -> None:
+    """Check whether programs fulfil an activity.
+
+    ACTIVITY is the name of one that ships, or a file (.json). FILE is a program document, a bare list or Python text.
+    Exit status: 0 all of them do, 1 not all, 2 the activity cannot be used.
+    """
+    language = language_of_system()
+    try:
+        reports = _checked(choose_activity(activity), files, processes)
+    except PinelError as error:
+        words = describe(error.code, error.params, language)
+        click.echo(f"{words.message} {words.remedy}", err=True)
+        ctx.exit(_UNUSABLE)
+    for report in reports:
+        if as_json:
+            click.echo(json.dumps(_as_object(report, language), ensure_ascii=False))
+        else:
+            click.echo("\n".join(_lines(report, language)))
+    n_passed = sum(report.passed for report in reports)
+    if not as_json:
+        click.echo(f"{n_passed}/{len(reports)}")
+    ctx.exit(_PASSED if n_passed == len(reports) else _NOT_PASSED)
+
+
+def _checked(activity: Activity, files: tuple[str, ...], processes: int | None) -> list[Report]:
+    """The reports in the order of the files; progress goes to standard error."""
+    reports: dict[int, Report] = {}
+    with click.progressbar(length=len(files), file=sys.stderr) as progress:
+        for i, report in check_files(activity, files, n_processes=processes):
+            reports[i] = report
+            progress.update(1)
+    return [reports[i] for i in range(len(files))]
+
+
+def _as_object(report: Report, language: str) -> dict[str, Any]:
+    found = asdict(report)
+    for fault in found["faults"]:
+        fault["message"] = describe(fault["code"], fault["params"], language).message
+    for case in found["cases"]:
+        reason = case["reason"]
+        case["message"] = describe(reason, case["params"], language).message if reason else None
+        for check in case["checks"]:
+            check["message"] = describe(f"check_{check['kind']}", check["params"], language).message
+    return {"program": report.program, "passed": report.passed, **found}
+
+
+def _lines(report: Report, language: str) -> list[str]:
+    """What came of one program, for people: only what does not hold is told."""
+    lines = [f"{'+' if report.passed else '-'} {report.program}"]
+    for fault in report.faults[:_MOST_FAULTS]:
+        words = describe(fault.code, fault.params, language)
+        place = place_of(fault.pointer, fault.params, language)
+        lines.append(f"    {place}: {words.message} {words.remedy}")
+    if len(report.faults) > _MOST_FAULTS:
+        lines.append(f"    … (+{len(report.faults) - _MOST_FAULTS})")
+    for i, case in enumerate(report.cases):
+        where = f"{i + 1}. " if len(report.cases) > 1 else ""
+        if case.reason is not None:
+            words = describe(case.reason, case.params, language)
+            lines.append(f"    {where}{words.message} {words.remedy}")
+        for check in case.checks:
+            if not check.holds:
+                words = describe(f"check_{check.kind}", check.params, language)
+                lines.append(f"    {where}{words.message} {words.remedy}")
+    return lines

@@ -1,0 +1,89 @@
+"""`pinel check`, as it is typed."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from pinel_desktop.cli import main
+
+PROGRAMS = Path(__file__).parents[1] / "programs"
+SQUARE, TRIANGLE = (str(PROGRAMS / f"{name}.json") for name in ("square", "triangle"))
+
+
+@pytest.fixture(autouse=True)
+def english(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PINEL_LANG", "en")
+
+
+def check(*arguments: str) -> Result:
+    return CliRunner().invoke(main, ["check", *arguments])
+
+
+def test_a_program_that_fulfils_it_passes() -> None:
+    done = check("square", SQUARE)
+    assert done.exit_code == 0
+    assert done.stdout.splitlines()[-1] == "1/1"
+
+
+def test_what_does_not_hold_is_said_in_words() -> None:
+    done = check("square", TRIANGLE, "--processes", "1")
+    assert done.exit_code == 1
+    assert "The way is from 3.95 to 4.05 m long." in done.stdout
+
+
+def test_many_programs_come_in_their_order_whoever_is_first(tmp_path: Path) -> None:
+    broken = tmp_path / "broken.json"
+    broken.write_text('[{"action": "fly"}]', "utf-8")
+    files = [SQUARE, str(broken), TRIANGLE, str(tmp_path / "missing.json"), SQUARE] * 3
+    done = check("square", *files, "--json", "--processes", "3")
+    reports = [json.loads(line) for line in done.stdout.splitlines()]
+    assert [report["program"] for report in reports] == files
+    assert [report["passed"] for report in reports] == [True, False, False, False, True] * 3
+    assert reports[1]["faults"][0]["code"] == "unknown_action"
+    assert reports[3]["faults"][0]["code"] == "file_unreadable"
+    hashes = {report["cases"][0]["telemetry_sha256"] for report in reports[::5]}
+    assert len(hashes) == 1
+
+
+def test_an_activity_that_cannot_be_used_ends_with_2(tmp_path: Path) -> None:
+    done = check("dance", SQUARE)
+    assert done.exit_code == 2
+    assert "There is no activity called" in done.stderr
+    assert check("square").exit_code == 2
+
+
+def test_the_world_of_an_activity_may_not_exist(tmp_path: Path) -> None:
+    file = tmp_path / "a.json"
+    title = {"pt-BR": "x", "en": "x", "es": "x"}
+    file.write_text(
+        json.dumps(
+            {
+                "pinel_activity": 1,
+                "name": "a",
+                "title": title,
+                "world": "mars",
+                "checks": [{"check": "finished"}],
+            }
+        ),
+        "utf-8",
+    )
+    for processes in ("1", "2"):
+        done = check(str(file), SQUARE, SQUARE, "--processes", processes)
+        assert done.exit_code == 2
+        assert "mars" in done.stderr
+
+
+def test_from_a_shell_with_processes_of_its_own() -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "pinel_desktop", "check", "square", SQUARE, TRIANGLE],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    assert done.returncode == 1
+    assert done.stdout.splitlines()[-1] == "1/2"
