@@ -2,6 +2,25 @@
 
 from pinel_desktop.control.goal import GoalCheck, ProgressCheck
 from pinel_desktop.control.profile import s_curve
-from pinel_desktop.control.tracking import DEFAULT_GAINS, Arc, Gains, Line
+from pinel_desktop.control.tracking import (
+    DEFAULT_GAINS,
+    SLIPPING_GAINS,
+    Arc,
+    Gains,
+    Line,
+    hold_place,
+)
+from pinel_desktop.control.trim import Trim
 
-__all__ = ["DEFAULT_GAINS", "Arc", "Gains", "GoalCheck", "Line", "ProgressCheck", "s_curve"]
+__all__ = [
+    "DEFAULT_GAINS",
+    "SLIPPING_GAINS",
+    "Arc",
+    "Gains",
+    "GoalCheck",
+    "Line",
+    "ProgressCheck",
+    "Trim",
+    "hold_place",
+    "s_curve",
+]

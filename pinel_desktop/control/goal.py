@@ -3,26 +3,41 @@
 import math
 from dataclasses import dataclass
 
+from pinel_desktop.robot.geometry import Twist2D
+
+# A robot that measures its pose with noise goes on correcting it: it trembles at this speed and never stands.
+_AT_REST_MPS, _AT_REST_RADPS = 1e-3, 2e-3
+_TREMBLES_MPS, _TREMBLES_RADPS = 0.02, 0.04
+
+
+def at_rest(twist: Twist2D) -> bool:
+    """Whether a measured twist is standstill."""
+    return abs(twist.v_mps) < _AT_REST_MPS and abs(twist.omega_radps) < _AT_REST_RADPS
+
 
 @dataclass(frozen=True, slots=True)
 class GoalCheck:
-    """Whether the set-point's end has been reached, in the unit of the motion (m or rad).
+    """Whether the set-point's end has been reached, in the unit of the motion (m or rad), and the robot stands there.
 
-    A simulated robot gets within `fine`. A real one, whose pose is noisy, is given `patience` ticks and then has
-    arrived within `coarse`.
+    A simulated robot gets within `fine`. A real one, whose pose is noisy, is given `patience` ticks to come within
+    `near`, and twice as many to come within `coarse`; it may tremble.
     """
 
     fine: float
+    near: float
     coarse: float
     patience: int = 15
 
-    def arrived(self, error: float, ticks_past_end: int) -> bool:
-        tolerance = self.fine if ticks_past_end <= self.patience else self.coarse
-        return abs(error) <= tolerance
+    def arrived(self, error: float, twist: Twist2D, ticks_past_end: int) -> bool:
+        if ticks_past_end <= self.patience:
+            return abs(error) <= self.fine and at_rest(twist)
+        tolerance = self.near if ticks_past_end <= 2 * self.patience else self.coarse
+        trembles = abs(twist.v_mps) < _TREMBLES_MPS and abs(twist.omega_radps) < _TREMBLES_RADPS
+        return abs(error) <= tolerance and trembles
 
 
-MOVE_GOAL = GoalCheck(fine=2e-5, coarse=0.01)
-TURN_GOAL = GoalCheck(fine=math.radians(0.003), coarse=0.01)
+MOVE_GOAL = GoalCheck(fine=2e-5, near=0.002, coarse=0.01)
+TURN_GOAL = GoalCheck(fine=math.radians(0.003), near=math.radians(0.15), coarse=0.01)
 
 
 class ProgressCheck:

@@ -1,26 +1,30 @@
-"""Tracking a moving set-point: feedforward of its velocity plus proportional correction of the pose error."""
+"""Tracking a moving set-point: feedforward of its velocity plus correction of the pose error (docs/control.md)."""
 
 import math
 from typing import NamedTuple
 
+from pinel_desktop.control.trim import Trim
 from pinel_desktop.robot.geometry import Pose2D, Twist2D, wrap_angle
 
 
 class Gains(NamedTuple):
-    """Proportional gains, in 1/s; `across` in rad/m per metre driven.
+    """Proportional gains in 1/s, `across` in rad/m per metre driven; `learn`, the integral one, in rad/m per m².
 
-    At 30 Hz a discrete loop with one tick of delay stays well damped up to about 8 1/s; half of that settles
-    an error to 1 % in just over a second without magnifying measurement noise.
+    How they were found is in docs/control.md, and `scripts/sweep_gains.py` finds them again.
     """
 
     along: float = 4.0
     across: float = 8.0
     yaw: float = 5.0
+    learn: float = 0.0
 
 
 DEFAULT_GAINS = Gains()
+# for wheels that slip and poses that come with noise
+SLIPPING_GAINS = Gains(learn=10.0)
 
 
+TICK_S = 1.0 / 30.0  # the controller is asked once a tick
 # below, noise in the position would tell nothing of the way along an arc
 _SMALL_RADIUS_M = 0.1
 
@@ -32,9 +36,12 @@ class Line:
     reference turning speed zero.
     """
 
-    def __init__(self, start: Pose2D, gains: Gains = DEFAULT_GAINS) -> None:
+    def __init__(
+        self, start: Pose2D, gains: Gains = DEFAULT_GAINS, trim: Trim | None = None
+    ) -> None:
         self.start = start
         self.gains = gains
+        self._trim = trim or Trim()
         self._cos, self._sin = math.cos(start.yaw_rad), math.sin(start.yaw_rad)
 
     def along(self, pose: Pose2D) -> float:
@@ -55,8 +62,12 @@ class Line:
         x0, y0, yaw0 = self.start
         across_m = self._cos * (y - y0) - self._sin * (x - x0)
         yaw_error = math.remainder(yaw0 - yaw, math.tau)
-        along, across, turn = self.gains
-        return Twist2D(v_mps + along * error_m, turn * yaw_error - across * v_mps * across_m)
+        along, across, turn, learn = self.gains
+        omega = turn * yaw_error - across * v_mps * across_m
+        if learn:
+            self._trim.learn(across_m, v_mps * TICK_S, learn)
+            omega += v_mps * self._trim.per_m
+        return Twist2D(v_mps + along * error_m, omega)
 
 
 class Arc:
@@ -67,9 +78,14 @@ class Arc:
     """
 
     def __init__(
-        self, start: Pose2D, radius_m: float, angle_rad: float, gains: Gains = DEFAULT_GAINS
+        self,
+        start: Pose2D,
+        radius_m: float,
+        angle_rad: float,
+        gains: Gains = DEFAULT_GAINS,
+        trim: Trim | None = None,
     ) -> None:
-        self.start, self.gains = start, gains
+        self.start, self.gains, self._trim = start, gains, trim or Trim()
         # signed curvature radius: dx along the heading for each radian of heading
         self._radius = math.copysign(radius_m, radius_m * angle_rad)
         self._center = self._center_of(start)
@@ -113,9 +129,13 @@ class Arc:
         goal = self.point(turned_rad)
         along_m, across_m = _offset(goal, pose)
         yaw_error = wrap_angle(goal.yaw_rad - pose.yaw_rad)
-        along, across, turn = self.gains
+        along, across, turn, learn = self.gains
         v = self._radius * omega_radps
-        return Twist2D(v + along * along_m, omega_radps + turn * yaw_error + across * v * across_m)
+        omega = omega_radps + turn * yaw_error + across * v * across_m
+        if learn:
+            self._trim.learn(-across_m, v * TICK_S, learn)
+            omega += v * self._trim.per_m
+        return Twist2D(v + along * along_m, omega)
 
 
 def _offset(goal: Pose2D, pose: Pose2D) -> tuple[float, float]:
@@ -123,3 +143,12 @@ def _offset(goal: Pose2D, pose: Pose2D) -> tuple[float, float]:
     cos, sin = math.cos(goal.yaw_rad), math.sin(goal.yaw_rad)
     dx, dy = goal.x_m - pose.x_m, goal.y_m - pose.y_m
     return cos * dx + sin * dy, cos * dy - sin * dx
+
+
+def hold_place(goal: Pose2D, pose: Pose2D, gains: Gains) -> float:
+    """The speed ahead with which a robot that turns on the spot stays over it, in m/s.
+
+    It can correct what lies ahead of it or behind; as it turns, it comes to look in other directions.
+    """
+    dx, dy = goal.x_m - pose.x_m, goal.y_m - pose.y_m
+    return gains.along * (math.cos(pose.yaw_rad) * dx + math.sin(pose.yaw_rad) * dy)

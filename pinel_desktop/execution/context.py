@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from random import Random
 
+from pinel_desktop.control import DEFAULT_GAINS, Gains, Trim
 from pinel_desktop.events.model import Event
 from pinel_desktop.execution.answers import AnswerSource
 from pinel_desktop.execution.evaluation import Evaluator
@@ -44,6 +45,8 @@ class RunContext:
     Attributes:
         robot: measures and limits of the robot.
         command_delay_s: how late a commanded velocity takes effect on this link.
+        gains: of the controller.
+        trim: what the controller has learned of the wheels.
         sources: where the run gets gestures, answers, measurements and random numbers from.
         emit: reports an event.
         observed: whether anybody reads `setpoint` and `done`; otherwise they need not be kept.
@@ -73,6 +76,8 @@ class RunContext:
     sources: Sources
     emit: Callable[[Event], None]
     observed: bool = True
+    gains: Gains = DEFAULT_GAINS
+    trim: Trim = field(default_factory=Trim)
     tick: int = 1
     origin: Pose2D = START
     pose: Pose2D = START

@@ -6,6 +6,8 @@ from dataclasses import dataclass, field
 from random import Random
 from typing import Any, Literal
 
+from pinel_desktop.control import DEFAULT_GAINS, SLIPPING_GAINS
+from pinel_desktop.control.goal import at_rest
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, GestureResult, Marked, RunEnded, RunState, Telemetry
 from pinel_desktop.execution.answers import AnswerSource, ScriptedAnswers
@@ -14,7 +16,6 @@ from pinel_desktop.execution.context import RunContext, RunFailureError, Sources
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.debugging import Debugger
 from pinel_desktop.execution.gestures import GestureSource, ScriptedGestures
-from pinel_desktop.execution.motion import at_rest
 from pinel_desktop.execution.peeking import Questions
 from pinel_desktop.execution.recorder import Recorder
 from pinel_desktop.execution.stack import ProgramStack
@@ -98,6 +99,7 @@ class _Run:
             Sources(options.gestures, options.answers, link.sensors, Random(options.seed)),
             self._emit,
             observed=options.observer is not None,
+            gains=SLIPPING_GAINS if link.slips else DEFAULT_GAINS,
         )
         self._stack = ProgramStack(program, self._context)
         observed = options.observer is not None

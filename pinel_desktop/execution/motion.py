@@ -3,8 +3,8 @@
 import math
 from collections.abc import Callable
 
-from pinel_desktop.control import DEFAULT_GAINS, Arc, Line, ProgressCheck, s_curve
-from pinel_desktop.control.goal import MOVE_GOAL, TURN_GOAL, GoalCheck
+from pinel_desktop.control import Arc, Line, ProgressCheck, hold_place, s_curve
+from pinel_desktop.control.goal import MOVE_GOAL, TURN_GOAL, at_rest
 from pinel_desktop.execution.clock import TICK_HZ, TICK_S
 from pinel_desktop.execution.context import RunContext, RunFailureError
 from pinel_desktop.execution.requests import Routine
@@ -19,7 +19,6 @@ _ALREADY_THERE_M = 1e-6
 _SLOWEST = 1e-6  # m/s, rad/s; such a motion ends as blocked
 _LONGEST_S = MAX_RUN_S + 60.0
 _KEPT_S = 120.0
-_AT_REST_MPS, _AT_REST_RADPS = 1e-3, 2e-3
 
 
 def _never() -> bool:
@@ -34,7 +33,9 @@ class _Setpoints:
     ) -> None:
         self._context, self._goal, self._plan = context, goal, plan
         # A command acts a moment late: at a tick the robot is expected that much behind the set-point.
-        self._lag = context.command_delay_s / TICK_S
+        late = context.command_delay_s / TICK_S
+        self._late_ticks = int(late)
+        self._late_part = late - self._late_ticks
         self._start(0.0)
 
     def _start(self, done: float) -> None:
@@ -43,17 +44,21 @@ class _Setpoints:
         self._points = self._plan(self._goal - done)
         self._last = len(self._points) - 1
         self._index = 0
-        self._previous = self._now = 0.0
 
     def next(self, done: float) -> tuple[float, float, int]:
         """Where the robot is expected now, how fast it is to go until the next tick, ticks past the end."""
         if self._n_resumed != self._context.n_resumed:
             self._start(done)
-        now, index, last = self._now, self._index + 1, self._last
-        expected = self._offset + now - (now - self._previous) * self._lag
-        upcoming = self._points[index if index < last else last]
-        self._previous, self._now, self._index = now, upcoming, index
-        return expected, (upcoming - now) * TICK_HZ, index - last - 1
+        index, self._index = self._index, self._index + 1
+        late = index - self._late_ticks
+        expected = self._at(late)
+        expected = self._offset + expected - (expected - self._at(late - 1)) * self._late_part
+        speed = (self._at(index + 1) - self._at(index)) * TICK_HZ
+        return expected, speed, late - self._last
+
+    def _at(self, index: int) -> float:
+        """The set-point at a tick; it stands before its start and after its end."""
+        return self._points[min(max(index, 0), self._last)]
 
 
 def drive_straight(
@@ -63,7 +68,7 @@ def drive_straight(
 
     Ends early, at rest and without a reference, when `interrupted`, which is asked at every tick.
     """
-    line = Line(_begin(context), DEFAULT_GAINS)
+    line = Line(_begin(context), context.gains, context.trim)
     robot = context.robot
 
     def plan(rest_m: float) -> tuple[float, ...]:
@@ -74,7 +79,7 @@ def drive_straight(
     while True:
         along = line.along(context.pose)
         expected, speed, past_end = setpoints.next(along)
-        if past_end >= 0 and _arrived(context, MOVE_GOAL, distance_m - along, past_end):
+        if past_end >= 0 and MOVE_GOAL.arrived(distance_m - along, context.twist, past_end):
             break
         if progress.stuck(along, context.tick):
             raise RunFailureError("blocked", done=round(along, 3), amount=distance_m, unit="m")
@@ -94,7 +99,7 @@ def turn_on_the_spot(context: RunContext, angle_rad: float) -> Routine:
     """Turns by the whole angle in its sign's direction, also beyond a full circle; closed loop."""
     yield from stand_first(context)
     start = _begin(context)
-    robot = context.robot
+    robot, gains = context.robot, context.gains
 
     def plan(rest_rad: float) -> tuple[float, ...]:
         return _profile(
@@ -108,11 +113,13 @@ def turn_on_the_spot(context: RunContext, angle_rad: float) -> Routine:
         turned += wrap_angle(context.pose.yaw_rad - yaw)
         yaw = context.pose.yaw_rad
         expected, speed, past_end = setpoints.next(turned)
-        if past_end >= 0 and _arrived(context, TURN_GOAL, angle_rad - turned, past_end):
+        if past_end >= 0 and TURN_GOAL.arrived(angle_rad - turned, context.twist, past_end):
             break
         if progress.stuck(turned, context.tick):
             raise _blocked_turn(turned, angle_rad)
-        context.command = Twist2D(0.0, speed + DEFAULT_GAINS.yaw * (expected - turned))
+        # wheels that do not slip turn on the spot by themselves
+        v = hold_place(start, context.pose, gains) if gains.learn else 0.0
+        context.command = Twist2D(v, speed + gains.yaw * (expected - turned))
         if context.observed:
             context.setpoint = start._replace(yaw_rad=wrap_angle(start.yaw_rad + expected))
             context.done = math.degrees(turned)
@@ -129,7 +136,7 @@ def drive_arc(context: RunContext, radius_m: float, angle_rad: float) -> Routine
     limits of both velocities.
     """
     yield from stand_first(context)
-    arc = Arc(_begin(context), radius_m, angle_rad, DEFAULT_GAINS)
+    arc = Arc(_begin(context), radius_m, angle_rad, context.gains, context.trim)
     robot, length = context.robot, abs(radius_m)
 
     def plan(rest_rad: float) -> tuple[float, ...]:
@@ -148,8 +155,8 @@ def drive_arc(context: RunContext, radius_m: float, angle_rad: float) -> Routine
         along_m, across_m, yaw_error = arc.errors(context.pose, expected)
         if (
             past_end >= 0
-            and _arrived(context, MOVE_GOAL, along_m, past_end)
-            and TURN_GOAL.arrived(yaw_error, past_end)
+            and MOVE_GOAL.arrived(along_m, context.twist, past_end)
+            and TURN_GOAL.arrived(yaw_error, context.twist, past_end)
             and abs(across_m) <= _BESIDE_M
         ):
             break
@@ -202,15 +209,6 @@ def come_to_rest(context: RunContext) -> Routine:
             break
         yield None
     return None
-
-
-def at_rest(twist: Twist2D) -> bool:
-    """Whether a measured twist is standstill."""
-    return abs(twist.v_mps) < _AT_REST_MPS and abs(twist.omega_radps) < _AT_REST_RADPS
-
-
-def _arrived(context: RunContext, goal: GoalCheck, error: float, ticks_past_end: int) -> bool:
-    return goal.arrived(error, ticks_past_end) and at_rest(context.twist)
 
 
 def _profile(

@@ -2,9 +2,8 @@ import math
 
 import pytest
 
-from pinel_desktop.control import Arc, Line, ProgressCheck
-from pinel_desktop.control.goal import GoalCheck
-from pinel_desktop.robot import Pose2D
+from pinel_desktop.control import Arc, Gains, GoalCheck, Line, ProgressCheck, Trim, hold_place
+from pinel_desktop.robot import STANDSTILL, Pose2D, Twist2D
 
 
 def test_robot_on_its_set_point_gets_the_feedforward_only() -> None:
@@ -30,11 +29,49 @@ def test_error_across_the_end_of_the_circle_is_small() -> None:
     assert abs(twist.omega_radps) < 0.1
 
 
-def test_fine_tolerance_first_and_the_coarse_one_after_patience() -> None:
-    goal = GoalCheck(fine=0.001, coarse=0.01, patience=10)
-    assert not goal.arrived(0.005, ticks_past_end=10)
-    assert goal.arrived(0.005, ticks_past_end=11)
-    assert not goal.arrived(0.02, ticks_past_end=1000)
+def test_fine_tolerance_first_then_a_near_one_and_the_coarse_one_last() -> None:
+    goal = GoalCheck(fine=0.001, near=0.004, coarse=0.01, patience=10)
+    assert not goal.arrived(0.003, STANDSTILL, ticks_past_end=10)
+    assert goal.arrived(0.003, STANDSTILL, ticks_past_end=11)
+    assert not goal.arrived(0.005, STANDSTILL, ticks_past_end=20)
+    assert goal.arrived(0.005, STANDSTILL, ticks_past_end=21)
+    assert not goal.arrived(0.02, STANDSTILL, ticks_past_end=1000)
+
+
+def test_robot_that_still_drives_has_not_arrived_and_one_that_trembles_has_after_patience() -> None:
+    goal, trembling = GoalCheck(fine=0.01, near=0.01, coarse=0.01), Twist2D(0.005, 0.01)
+    assert not goal.arrived(0.0, trembling, ticks_past_end=1)
+    assert goal.arrived(0.0, trembling, ticks_past_end=16)
+    assert not goal.arrived(0.0, Twist2D(0.1, 0.0), ticks_past_end=100)
+
+
+def test_trim_learns_from_the_way_beside_the_line_and_turns_against_it() -> None:
+    gains, trim = Gains(learn=10.0), Trim()
+    left_of_it = Pose2D(0.4, 0.01, 0)
+    line = Line(Pose2D(), gains, trim)
+    first = line.correct(left_of_it, 0.0, 0.5).omega_radps
+    later = [line.correct(left_of_it, 0.0, 0.5).omega_radps for _ in range(20)][-1]
+    assert later < first < 0.0
+    standing = trim.per_m
+    line.correct(left_of_it, 0.0, 0.0)
+    assert trim.per_m == standing
+
+
+def test_trim_is_bounded_and_learns_nothing_far_from_the_line() -> None:
+    gains, trim = Gains(learn=10.0), Trim()
+    for _ in range(1000):
+        Line(Pose2D(), gains, trim).correct(Pose2D(0.4, 0.5, 0), 0.0, 0.5)
+    assert trim.per_m == 0.0
+    for _ in range(10_000):
+        Line(Pose2D(), gains, trim).correct(Pose2D(0.4, 0.015, 0), 0.0, 0.5)
+    assert -0.1 < trim.per_m < 0.0
+
+
+@pytest.mark.parametrize("yaw", [0.0, math.pi / 2, math.pi])
+def test_robot_that_turns_on_the_spot_drives_towards_the_spot_when_it_is_ahead(yaw: float) -> None:
+    start = Pose2D(1.0, 1.0, 0.0)
+    behind = Pose2D(1.0 - 0.01 * math.cos(yaw), 1.0 - 0.01 * math.sin(yaw), yaw)
+    assert hold_place(start, behind, Gains()) == pytest.approx(0.04)
 
 
 def test_progress_counts_in_either_direction_and_stuck_is_only_after_patience() -> None:
