@@ -117,6 +117,17 @@ def test_run_begins_held_is_stepped_looked_into_and_hastened(engine: Harness) ->
         engine.client.evaluate("r", 1)
 
 
+def test_who_looks_is_told_what_the_sensors_measure_until_nobody_looks(engine: Harness) -> None:
+    engine.client.run("r", LONG, world="empty_room")
+    engine.client.look("r", ["sonar"])
+    ranges = engine.until("ranges")[-1]
+    assert ranges["lidar"] is None
+    assert len(ranges["sonar"]) == 16
+    engine.client.look("r", [])
+    engine.client.stop("r")
+    engine.until("run_ended", state="stopped")
+
+
 def test_capture_is_answered_by_hand(engine: Harness) -> None:
     document = {"pinel_ir": 1, "commands": [{"action": "classify_gestures"}]}
     engine.client.run("r", document, world="empty_room")

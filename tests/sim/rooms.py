@@ -15,20 +15,25 @@ _CORNERS = ((-HALF_M, -HALF_M), (HALF_M, -HALF_M), (HALF_M, HALF_M), (-HALF_M, H
 
 def room(*boxes: dict[str, Any], start: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> World:
     """A square room of 4 m with these boxes; the robot starts in its middle."""
+    return world_from_document(room_document(*boxes, start=start))
+
+
+def room_document(
+    *boxes: dict[str, Any], start: tuple[float, float, float] = (0.0, 0.0, 0.0)
+) -> dict[str, Any]:
+    """The world document of `room`."""
     x_m, y_m, heading_deg = start
     corners = [list(corner) for corner in _CORNERS]
     ends = [*corners[1:], corners[0]]
-    return world_from_document(
-        {
-            "pinel_world": 1,
-            "name": "room",
-            "title": {"pt-BR": "Sala", "en": "Room", "es": "Sala"},
-            "size_m": [2 * HALF_M, 2 * HALF_M],
-            "start": {"x_m": x_m, "y_m": y_m, "heading_deg": heading_deg},
-            "walls": [{"from": a, "to": b} for a, b in zip(corners, ends, strict=True)],
-            "boxes": list(boxes),
-        }
-    )
+    return {
+        "pinel_world": 1,
+        "name": "room",
+        "title": {"pt-BR": "Sala", "en": "Room", "es": "Sala"},
+        "size_m": [2 * HALF_M, 2 * HALF_M],
+        "start": {"x_m": x_m, "y_m": y_m, "heading_deg": heading_deg},
+        "walls": [{"from": a, "to": b} for a, b in zip(corners, ends, strict=True)],
+        "boxes": list(boxes),
+    }
 
 
 def box(

@@ -13,6 +13,7 @@ from storage.telemetry import COLUMNS, STEPS, Telemetry, joined, pack, rows_of, 
 from tests.storage.sample_runs import sample, square
 
 STEP = np.array(list(STEPS.values()))
+OF_RELEASE_0_1 = "78da6360646448496100831d4824174c908141848181910109702391b4020d0d400200c5360438"
 figures = st.floats(-1e4, 1e4) | st.just(float("nan"))
 
 
@@ -48,6 +49,17 @@ def test_a_noisy_minute_takes_at_most_60_kilobytes() -> None:
     n_bytes = sum(len(pack(rows[first : first + 30])) for first in range(0, 1800, 30))
     print(f"noisy telemetry: {n_bytes / 1000:.1f} KB a minute")
     assert n_bytes <= 60_000
+
+
+def test_what_was_packed_before_true_poses_were_kept_reads_as_before_without_them() -> None:
+    # a chunk of three rows and 13 columns, packed by release 0.1.0
+    blob = bytes.fromhex(OF_RELEASE_0_1)
+    back = Telemetry(unpack(blob, 3))
+    assert back.column("x_m") == pytest.approx([0.0, 0.01, 0.02])
+    assert back.column("bumper").tolist() == [0, 0, 1]
+    assert np.isnan(back.column("done")).tolist() == [False, True, False]
+    assert np.isnan(back.column("true_x_m")).all()
+    assert json.loads(back.to_wire()[4:].split(b"}")[0] + b"}")["columns"][-1] == "true_yaw_rad"
 
 
 def test_chunks_are_joined_in_their_order() -> None:

@@ -103,15 +103,18 @@ def test_the_live_run_is_debugged(
     assert browser.post(f"{address}/step", {"mode": "over"}).status == 200
     assert browser.send("PUT", f"{address}/breakpoints", {"blocks": ["a", "b"]}).status == 200
     assert browser.send("PUT", f"{address}/speed", {"factor": 0.5}).status == 200
+    assert browser.send("PUT", f"{address}/look", {"sensors": ["sonar", "lidar"]}).status == 200
     assert engine.told == [
         ("step", run["id"], "over"),
         ("breakpoints", run["id"], "a", "b"),
         ("speed", run["id"], "0.5"),
+        ("look", run["id"], "sonar", "lidar"),
     ]
     for method, what, data in (
         ("POST", "step", {"mode": "back"}),
         ("PUT", "breakpoints", {"blocks": [1]}),
         ("PUT", "speed", {"factor": 100}),
+        ("PUT", "look", {"sensors": ["camera"]}),
     ):
         assert browser.send(method, f"{address}/{what}", data).status == 422
 
