@@ -21,7 +21,7 @@ METADATA = ("pywebview", "flask", "werkzeug", "pydantic", "pymunk", "numpy", "sq
 _PYTHON_EXTRAS = "tkinter _tkinter turtle idlelib lib2to3 ensurepip venv pydoc_data test pip setuptools pkg_resources"
 # found on the machine that builds, wanted by optional parts of libraries that are not used
 _OPTIONAL = (
-    "cryptography yaml rich pygments markdown_it IPython matplotlib pandas scipy PIL cv2 pygame pyglet "
+    "cryptography yaml rich pygments markdown_it IPython pandas scipy cv2 pygame pyglet "
     "pytest _pytest hypothesis mypy numpy.f2py numpy.testing numpy.distutils "
     "webview.platforms.android webview.platforms.cef"
 )

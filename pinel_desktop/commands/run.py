@@ -14,12 +14,13 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, EventStamp
 from pinel_desktop.execution.answers import ScriptedAnswers
 from pinel_desktop.execution.clock import LiveClock, MaxClock
-from pinel_desktop.execution.executor import RunOptions, execute
+from pinel_desktop.execution.executor import Observer, RunOptions, execute
 from pinel_desktop.execution.gestures import ScriptedGestures
 from pinel_desktop.execution.summary import faulty_object, run_object, unbegun_object
 from pinel_desktop.links import LINK_NAMES, open_link
 from pinel_desktop.messages import describe, language_of_system
 from pinel_desktop.paths import database_path
+from pinel_desktop.plotting import Curves, draw
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.reading import Reading
 from pinel_desktop.robot import FEEDBACKS, PIONEER_3DX, PRESETS, ROBOTS, Setting
@@ -87,6 +88,11 @@ _FINISHED, _NOT_FINISHED, _INVALID = 0, 1, 2
     metavar="3,Ana,...",
     multiple=True,
     help="Answers to questions, in order; one with a comma stands in quotes: '3,\"1,5\"'.",
+)
+@click.option(
+    "--plot",
+    type=click.Path(dir_okay=False),
+    help="Draw path, position, heading and control signals into a picture (.png, .svg, .pdf).",
 )
 @click.option("--no-store", is_flag=True, help="Do not keep the run.")
 @click.option(
@@ -159,8 +165,9 @@ def _run(
         return _unbegun(error, language)
     if keeper is not None:
         keeper.begin(document, world, options)
+    curves = Curves() if options["plot"] else None
     setup = RunOptions(
-        observer=keeper.observe if keeper else None,
+        observer=_all_of(*(seer.observe for seer in (keeper, curves) if seer is not None)),
         clock=LiveClock() if options["pace"] == "live" else MaxClock(),
         gestures=ScriptedGestures(_results(options["gestures"])),
         answers=ScriptedAnswers(_answers(options["answers"])),
@@ -169,9 +176,30 @@ def _run(
     )
     result = execute(program, link, setup)
     ended = result.ended
+    if curves is not None:
+        _draw(curves, options["plot"], program.name, language)
     message = describe(ended.reason, ended.params, language).message if ended.reason else None
     run_id = keeper.close() if keeper else None
     return run_object(result, run_id, message)
+
+
+def _all_of(*observers: Observer) -> Observer | None:
+    """One observer for all; None where there is none, which is faster."""
+    if len(observers) < 2:
+        return observers[0] if observers else None
+
+    def observe(tick: int, event: Event) -> None:
+        for observer in observers:
+            observer(tick, event)
+
+    return observe
+
+
+def _draw(curves: Curves, file: str, title: str, language: str) -> None:
+    try:
+        draw(curves, file, title=title, language=language)
+    except PinelError as error:
+        _warn(error, language)
 
 
 def _unbegun(error: PinelError, language: str) -> dict[str, Any]:
@@ -256,7 +284,9 @@ def _open_keeper(db: str | None, language: str) -> _Keeper | None:
     return _Keeper(store, language)
 
 
-def _warn(problem: StoreError | Notice | Fault, language: str, place: str = "pinel") -> None:
+def _warn(
+    problem: StoreError | PinelError | Notice | Fault, language: str, place: str = "pinel"
+) -> None:
     words = describe(problem.code, problem.params, language)
     click.echo(f"{place}: {words.message} {words.remedy}", err=True)
 

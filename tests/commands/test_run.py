@@ -8,6 +8,10 @@ import pytest
 from click.testing import CliRunner, Result
 
 from pinel_desktop.cli import main
+from pinel_desktop.execution.executor import RunOptions, execute
+from pinel_desktop.links import open_link
+from pinel_desktop.plotting import Curves
+from pinel_desktop.program.reading import read_document
 from storage import open_store
 
 PROGRAMS = Path(__file__).parents[1] / "programs"
@@ -334,3 +338,32 @@ def test_the_start_must_have_room_for_the_robot_that_runs(home: Path) -> None:
     assert [fault["code"] for fault in printed["faults"]] == ["start_in_wall"]
     small, _ = run_json("-", "--world", str(file), "--model", "small_robot", text="[]")
     assert small == 0
+
+
+def test_plot_draws_the_curves_of_the_run(tmp_path: Path) -> None:
+    picture = tmp_path / "plot.png"
+    status, printed = run_json(SQUARE, "--no-store", "--plot", str(picture))
+    assert (status, printed["state"]) == (0, "finished")
+    head = picture.read_bytes()[:24]
+    assert head[:8] == b"\x89PNG\r\n\x1a\n"
+    width, height = (int.from_bytes(head[i : i + 4], "big") for i in (16, 20))
+    assert (width, height) == (1320, 1020)
+
+
+@pytest.mark.parametrize("name", ["nowhere/plot.png", "plot.docx"])
+def test_a_plot_that_cannot_be_written_loses_no_run(name: str, tmp_path: Path) -> None:
+    result = pinel("run", SQUARE, "--json", "--plot", str(tmp_path / name))
+    assert result.exit_code == 0
+    assert json.loads(result.stdout)["run_id"]
+    assert "plot could not be written" in result.stderr
+
+
+def test_plotting_curves_are_those_of_the_telemetry() -> None:
+    curves = Curves()
+    program = read_document((PROGRAMS / "square.json").read_bytes()).program
+    assert program is not None
+    link = open_link("sim", world="empty_room")
+    result = execute(program, link, RunOptions(observer=curves.observe))
+    assert curves["x_m"][1:] == list(result.telemetry.rows[1 :: result.telemetry.COLUMNS])
+    assert curves.time_s[-1] == pytest.approx(result.ended.duration_s)
+    assert max(curves["goal_x_m"]) == pytest.approx(1.0, abs=1e-6)

@@ -1,0 +1,190 @@
+"""A run as the dissertation shows its experiments: path, position, heading, control signals; desired and obtained."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.events.model import Event, Telemetry
+from pinel_desktop.execution.clock import TICK_HZ
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+_WORDS = {
+    "pt-BR": {
+        "path": "Caminho no chão",
+        "position": "Posição",
+        "heading": "Orientação",
+        "signals": "Sinais de controle",
+        "desired": "desejado",
+        "obtained": "obtido",
+        "true": "de verdade",
+        "start": "início",
+        "time": "tempo (s)",
+        "v": "v (m/s)",
+        "omega": "ω (rad/s)",
+        "metres": "(m)",
+        "degrees": "(graus)",
+    },
+    "en": {
+        "path": "Path on the floor",
+        "position": "Position",
+        "heading": "Heading",
+        "signals": "Control signals",
+        "desired": "desired",
+        "obtained": "obtained",
+        "true": "in truth",
+        "start": "start",
+        "time": "time (s)",
+        "v": "v (m/s)",
+        "omega": "ω (rad/s)",
+        "metres": "(m)",
+        "degrees": "(degrees)",
+    },
+    "es": {
+        "path": "Camino en el piso",
+        "position": "Posición",
+        "heading": "Orientación",
+        "signals": "Señales de control",
+        "desired": "deseado",
+        "obtained": "obtenido",
+        "true": "de verdad",
+        "start": "inicio",
+        "time": "tiempo (s)",
+        "v": "v (m/s)",
+        "omega": "ω (rad/s)",
+        "metres": "(m)",
+        "degrees": "(grados)",
+    },
+}
+_COLUMNS = (
+    "x_m",
+    "y_m",
+    "yaw_rad",
+    "command_v_mps",
+    "command_omega_radps",
+    "goal_x_m",
+    "goal_y_m",
+    "goal_yaw_rad",
+    "true_x_m",
+    "true_y_m",
+)
+# of Okabe and Ito's palette, which colour-blind people tell apart
+_BLUE, _ORANGE, _GREEN, _GREY = "#0072B2", "#D55E00", "#009E73", "#555555"
+_VISIBLE_M = 0.005
+_INCHES, _DPI = (11.0, 8.5), 120
+
+
+@dataclass(slots=True)
+class Curves:
+    """Telemetry of a run, column by column; `observe` is to be called with all of its events."""
+
+    columns: dict[str, list[float]] = field(
+        default_factory=lambda: {name: [0.0] for name in _COLUMNS}
+    )
+
+    def observe(self, _tick: int, event: Event) -> None:
+        if type(event) is Telemetry:
+            for name, column in self.columns.items():
+                value = getattr(event, name)
+                column.append(math.nan if value is None else value)
+
+    def __getitem__(self, name: str) -> list[float]:
+        return self.columns[name]
+
+    @property
+    def time_s(self) -> list[float]:
+        """Time of each row since the start."""
+        return [tick / TICK_HZ for tick in range(len(self["x_m"]))]
+
+
+def draw(curves: Curves, file: str, *, title: str, language: str) -> None:
+    """Writes a picture (PNG, SVG or PDF, by the ending of its name).
+
+    Raises PinelError `plot_unwritable` with the reason.
+    """
+    # numpy and fonts: for those who want a picture only
+    from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
+    from matplotlib.figure import Figure  # noqa: PLC0415
+
+    words = _WORDS[language]
+    figure = Figure(figsize=_INCHES, dpi=_DPI, layout="constrained")
+    FigureCanvasAgg(figure)
+    figure.suptitle(title)
+    axes = figure.subplots(2, 2)
+    _path(axes[0, 0], curves, words)
+    _position(axes[0, 1], curves, words)
+    _heading(axes[1, 0], curves, words)
+    _signals(axes[1, 1], curves, words)
+    try:
+        figure.savefig(Path(file))
+    except (OSError, ValueError) as error:
+        raise PinelError("plot_unwritable", path=file, detail=str(error)) from error
+
+
+def _path(axes: "Axes", curves: Curves, words: dict[str, str]) -> None:
+    axes.plot(
+        curves["goal_x_m"],
+        curves["goal_y_m"],
+        "--",
+        color=_GREY,
+        lw=1.0,
+        zorder=3,
+        label=words["desired"],
+    )
+    axes.plot(curves["x_m"], curves["y_m"], color=_BLUE, label=words["obtained"])
+    if any(_differ(curves, name) for name in "xy"):
+        axes.plot(curves["true_x_m"], curves["true_y_m"], color=_ORANGE, label=words["true"])
+    axes.plot(0.0, 0.0, "o", color=_GREEN, label=words["start"])
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.margins(0.1)
+    _finish(axes, words["path"], f"x {words['metres']}", f"y {words['metres']}")
+
+
+def _differ(curves: Curves, name: str) -> bool:
+    """Whether the robot was ever visibly elsewhere than it believed."""
+    pairs = zip(curves[f"{name}_m"], curves[f"true_{name}_m"], strict=True)
+    return any(abs(believed - true) > _VISIBLE_M for believed, true in pairs)
+
+
+def _position(axes: "Axes", curves: Curves, words: dict[str, str]) -> None:
+    time_s = curves.time_s
+    for name, color in (("x", _BLUE), ("y", _ORANGE)):
+        axes.plot(time_s, curves[f"goal_{name}_m"], "--", color=_GREY, lw=1.0, zorder=3)
+        axes.plot(time_s, curves[f"{name}_m"], color=color, label=f"{name} {words['obtained']}")
+    axes.plot([], [], "--", color=_GREY, lw=1.0, zorder=3, label=words["desired"])
+    _finish(axes, words["position"], words["time"], words["metres"])
+
+
+def _heading(axes: "Axes", curves: Curves, words: dict[str, str]) -> None:
+    time_s = curves.time_s
+    goal, yaw = _unwrapped(curves["goal_yaw_rad"]), _unwrapped(curves["yaw_rad"])
+    axes.plot(time_s, goal, "--", color=_GREY, lw=1.0, zorder=3, label=words["desired"])
+    axes.plot(time_s, yaw, color=_BLUE, label=words["obtained"])
+    _finish(axes, words["heading"], words["time"], words["degrees"])
+
+
+def _signals(axes: "Axes", curves: Curves, words: dict[str, str]) -> None:
+    time_s = curves.time_s
+    axes.plot(time_s, curves["command_v_mps"], color=_BLUE, label=words["v"])
+    axes.plot(time_s, curves["command_omega_radps"], color=_ORANGE, label=words["omega"])
+    _finish(axes, words["signals"], words["time"], "")
+
+
+def _finish(axes: "Axes", title: str, x: str, y: str) -> None:
+    axes.set(title=title, xlabel=x, ylabel=y)
+    axes.grid(visible=True, alpha=0.3)
+    axes.legend(loc="best", fontsize="small")
+
+
+def _unwrapped(yaws_rad: Sequence[float]) -> list[float]:
+    """Headings in degrees without jumps at 180."""
+    degrees: list[Any] = []
+    turned = 0.0
+    for i, yaw in enumerate(yaws_rad):
+        turned += math.remainder(yaw - yaws_rad[i - 1], math.tau) if i else yaw
+        degrees.append(math.degrees(turned))
+    return degrees
