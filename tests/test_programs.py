@@ -1,7 +1,7 @@
 """Every program under tests/programs runs and meets the values in NAME.values.json beside it.
 
 A value is given exactly, or as {"equals", "within"}, {"min"} and {"max"}; `heading_deg`, `x_m` and `y_m` are
-those of the final pose. `world` and `gestures` are what the program is run with.
+those of the final pose, `said` is what the program said. `world` and `gestures` are what the program is run with.
 
 Each program is there three times: as a document, as Python (python/NAME.py) and as blocks with what the generator of
 the page makes of them (blocks/NAME.json, held by ui/src/loader/programs.test.ts).
@@ -53,6 +53,7 @@ def measured(result: RunResult) -> dict[str, Any]:
         "heading_deg": math.degrees(ended.pose["yaw_rad"]),
         "x_m": ended.pose["x_m"],
         "y_m": ended.pose["y_m"],
+        "said": result.said,
     }
 
 

@@ -1,0 +1,16 @@
+"""three boxes into their places"""
+
+robot.move_forward(5.7275)
+robot.say(robot.cell)
+robot.move_backward(2.1275)
+robot.turn(-90)
+robot.move_forward(1.4775)
+robot.say(robot.cell)
+robot.move_backward(1.4775)
+robot.turn(-90)
+robot.move_forward(2.6)
+robot.turn(-90)
+robot.move_forward(1.2)
+robot.turn(-90)
+robot.move_forward(4.7275)
+robot.say(robot.cell)
