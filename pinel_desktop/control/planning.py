@@ -123,8 +123,8 @@ class _Grid:
         points = np.column_stack([px.ravel(), py.ravel()])
         np.minimum(part, clearances(points, obstacle[None, :]).reshape(part.shape), out=part)
 
-    def search(self) -> Generator[None, None, list[int] | None]:
-        """Cells from start to goal, or None."""
+    def search(self, estimate: float = 1.0) -> Generator[None, None, list[int] | None]:
+        """Cells from start to goal, or None; an `estimate` of 0 of what is left makes it Dijkstra's algorithm."""
         price, width, cell, goal = self._price, self._n_columns, self._cell, self._goal
         if price[goal] == math.inf:
             return None
@@ -150,7 +150,7 @@ class _Grid:
                     row, column = divmod(there, width)
                     dx, dy = abs(column - goal_column), abs(row - goal_row)
                     rest = max(dx, dy) + (math.sqrt(2.0) - 1.0) * min(dx, dy)
-                    heapq.heappush(waiting, (so_far + rest * cell, there))
+                    heapq.heappush(waiting, (so_far + estimate * rest * cell, there))
         return None
 
     def _traced(self, came_from: dict[int, int]) -> list[int]:
