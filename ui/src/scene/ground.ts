@@ -6,6 +6,9 @@ type Ctx = CanvasRenderingContext2D;
 type Paint = World["floor"][number];
 type Area = World["zones"][number] | Paint;
 
+/** What the robot's sensor sees where nothing is painted: it looks like that in every theme. */
+const BARE_FLOOR = "white";
+
 /** Painted areas of the floor; the last lies on top and hides what is below. World's frame, metres. */
 export function drawPaint(ctx: Ctx, world: World | null, palette: Palette, pixel: number): void {
   ctx.lineWidth = 3 * pixel; // the inner half is painted over
@@ -17,6 +20,7 @@ export function drawPaint(ctx: Ctx, world: World | null, palette: Palette, pixel
     ctx.stroke();
     ctx.fillStyle = palette.tile;
     ctx.fill();
+    if (areas[0].color === BARE_FLOOR) continue;
     ctx.fillStyle = paint;
     ctx.globalAlpha = 0.5;
     ctx.fill();
