@@ -1,7 +1,10 @@
 """Where the window may go: to its own page, and nowhere else. And how large it opens."""
 
 from dataclasses import dataclass
+from typing import Literal
 from urllib.parse import urlsplit
+
+Verdict = Literal["show", "save", "refuse"]
 
 SMALLEST = (1024, 640)
 LARGEST = (1600, 1000)
@@ -26,6 +29,14 @@ def may_open(address: str, own: str) -> bool:
         return (there.scheme, there.hostname, there.port) == (here.scheme, here.hostname, here.port)
     except ValueError:
         return False
+
+
+def judged(address: str, own: str) -> Verdict:
+    """What to do with an address that the window is to go to: files that the page hands out are saved, not shown."""
+    if address == "about:blank" or may_open(address, own):
+        return "show"
+    scheme, _, made_by = address.partition(":")
+    return "save" if scheme == "blob" and may_open(made_by, own) else "refuse"
 
 
 def fitted_size(screen_width: int, screen_height: int) -> Size:

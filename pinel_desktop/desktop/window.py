@@ -10,8 +10,9 @@ from typing import Any
 import webview
 from webview.guilib import initialize
 
+from pinel_desktop.desktop import saving
 from pinel_desktop.desktop.backends import NoWindowError, Toolkit, renderer_problem
-from pinel_desktop.desktop.policy import fitted_size, may_open
+from pinel_desktop.desktop.policy import Verdict, fitted_size, judged
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
 
@@ -76,6 +77,8 @@ class NativeWindow:
                 raise NoWindowError(problem)
             screen = toolkit.get_screens()[0]
             self._origin = self._address()
+            # GTK has a dialog of ours: pywebview's knows no folder where there is none for downloads
+            webview.settings["ALLOW_DOWNLOADS"] = backend != "gtk"
             self._create(screen)
             webview.start(gui=backend, icon=self._icon)
         except PinelError:
@@ -128,10 +131,7 @@ class NativeWindow:
     def _guard(self) -> None:
         """Runs on the window's thread before anything is loaded."""
         if self._window is not None and webview.renderer == "gtkwebkit2":
-            _guard_gtk(self._window, self._may_open)
-
-    def _may_open(self, address: str) -> bool:
-        return address == "about:blank" or may_open(address, self._origin)
+            _guard_gtk(self._window, lambda address: judged(address, self._origin))
 
     def _open(self) -> None:
         """Runs on a thread of its own once the window is there."""
@@ -165,8 +165,8 @@ def _require_gtk_screen() -> None:
         raise NoWindowError("window_no_screen")
 
 
-def _guard_gtk(window: webview.Window, may_go: Callable[[str], bool]) -> None:
-    """Keeps WebKit on our own page, lets the page keep small settings, and closes at a signal."""
+def _guard_gtk(window: webview.Window, judge: Callable[[str], Verdict]) -> None:
+    """Keeps WebKit on our own page, lets the page keep small settings and hand out files, closes at a signal."""
     from gi.repository import GLib, WebKit2  # noqa: PLC0415
     from webview.platforms.gtk import BrowserView  # noqa: PLC0415
 
@@ -174,19 +174,18 @@ def _guard_gtk(window: webview.Window, may_go: Callable[[str], bool]) -> None:
 
     def decide(_view: Any, decision: Any, kind: Any) -> bool:
         if kind == WebKit2.PolicyDecisionType.RESPONSE:
-            allowed = decision.is_mime_type_supported()
+            verdict = "show" if decision.is_mime_type_supported() else "refuse"
         else:
             address = decision.get_navigation_action().get_request().get_uri()
-            allowed = kind == WebKit2.PolicyDecisionType.NAVIGATION_ACTION and may_go(address)
-        if allowed:
-            decision.use()
-        else:
-            decision.ignore()
+            is_here = kind == WebKit2.PolicyDecisionType.NAVIGATION_ACTION
+            verdict = judge(address) if is_here else "refuse"
+        {"show": decision.use, "save": decision.download, "refuse": decision.ignore}[verdict]()
         return True
 
     # pywebview's own answer opens strangers' links in the person's browser and saves what it cannot show.
     view.webview.disconnect_by_func(view.on_navigation)
     view.webview.connect("decide-policy", decide)
+    saving.offer(view.webview.get_context(), view.window, lambda: window.localization)
     # Private mode switches this off, and a page that asks for it would stumble; nothing is kept on disk.
     view.webview.get_settings().props.enable_html5_local_storage = True
     for number in (signal.SIGTERM, signal.SIGINT):

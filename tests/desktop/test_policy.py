@@ -2,7 +2,7 @@
 
 import pytest
 
-from pinel_desktop.desktop.policy import fitted_size, may_open
+from pinel_desktop.desktop.policy import fitted_size, judged, may_open
 
 OWN = "http://127.0.0.1:40123/?key=abc"
 
@@ -33,6 +33,22 @@ def test_our_own_page_may_open(address: str) -> None:
 )
 def test_nothing_else_may_open(address: str) -> None:
     assert not may_open(address, OWN)
+
+
+@pytest.mark.parametrize(
+    ("address", "verdict"),
+    [
+        ("http://127.0.0.1:40123/", "show"),
+        ("about:blank", "show"),
+        ("blob:http://127.0.0.1:40123/fc63614a-e294", "save"),
+        ("blob:http://127.0.0.1:40124/fc63614a-e294", "refuse"),
+        ("blob:null/fc63614a-e294", "refuse"),
+        ("data:text/html,hello", "refuse"),
+        ("http://example.org/", "refuse"),
+    ],
+)
+def test_files_that_the_page_hands_out_are_saved_and_not_shown(address: str, verdict: str) -> None:
+    assert judged(address, OWN) == verdict
 
 
 @pytest.mark.parametrize("screen", [(1366, 768), (1280, 1024), (1024, 768), (1440, 900)])

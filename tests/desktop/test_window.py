@@ -52,6 +52,12 @@ def test_no_script_and_no_link_leaves_the_page(found: dict[str, Any]) -> None:
     assert found["address"] == found["own"]
 
 
+def test_a_file_that_the_page_hands_out_is_saved_where_the_person_says(
+    found: dict[str, Any],
+) -> None:
+    assert found["saved"] == "a world"
+
+
 def test_the_page_may_be_loaded_again(found: dict[str, Any]) -> None:
     assert found["reloaded"]
 

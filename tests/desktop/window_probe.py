@@ -5,13 +5,16 @@ A program of its own, because GTK belongs to a main thread and to one screen for
 
 import json
 import sys
+import tempfile
 import threading
 import time
+from pathlib import Path
 from typing import Any
 
 from flask import Flask, Response
 from werkzeug.serving import make_server
 
+from pinel_desktop.desktop import saving
 from pinel_desktop.desktop.ending import end_process
 from pinel_desktop.desktop.window import NativeWindow
 
@@ -21,6 +24,13 @@ document.documentElement.dataset.ready = "true";
 localStorage.setItem("kept", "yes");
 """
 _POLICY = "default-src 'self'; form-action 'none'; frame-ancestors 'none'"
+_SAVE = """
+const link = document.createElement("a");
+link.href = URL.createObjectURL(new Blob(["a world"], { type: "application/json" }));
+link.download = "world.json";
+link.click();
+"""
+_OWN_BLOB = "location.href = URL.createObjectURL(new Blob(['<h1>no</h1>'], { type: 'text/html' }))"
 
 
 class Site:
@@ -83,6 +93,8 @@ class Probe:
             )
             self._leave("location.href = 'data:text/html,hello'")
             self._leave("location.href = 'file:///etc/hostname'")
+            self.found["saved"] = self._save_file()
+            self._leave(_OWN_BLOB)
             self.found["stranger_asked"] = len(self.stranger.asked)
             self.found["address"] = self._script("location.href")
             self.window.show()
@@ -96,6 +108,17 @@ class Probe:
             return
         self.closed_at = time.monotonic()
         self.window.close()
+
+    def _save_file(self) -> str:
+        """Has the page hand out a file as ui/src/app/save_file.ts does; the dialog is answered at once."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "kept.json"
+            saving.ask_where = lambda *_: str(file)
+            self._script(_SAVE)
+            deadline = time.monotonic() + 30
+            while not (file.is_file() and file.read_text("utf-8")) and time.monotonic() < deadline:
+                self._script("1")
+            return file.read_text("utf-8") if file.is_file() else ""
 
     def run(self) -> None:
         self.window.run("gtk")

@@ -1,0 +1,52 @@
+"""Files that the page hands out, in GTK's window: the person says where to."""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+
+def offer(context: Any, parent: Any, words: Callable[[], Mapping[str, str]]) -> None:
+    """From now on what the web view of `context` downloads is saved; `words` are those of pywebview's dialogs."""
+
+    def start(_context: Any, download: Any) -> None:
+        download.connect("decide-destination", decide)
+
+    def decide(download: Any, suggested: str) -> bool:
+        path = ask_where(parent, suggested, words())
+        if path is None:
+            download.cancel()
+        else:
+            download.set_allow_overwrite(True)  # the dialog has asked
+            download.set_destination(_address(path))
+        return True
+
+    context.connect("download-started", start)
+
+
+def ask_where(parent: Any, suggested: str, words: Mapping[str, str]) -> str | None:
+    """The path that the person chooses for a file; None when called off."""
+    from gi.repository import GLib, Gtk  # noqa: PLC0415 - only there where backends.gtk_problem says so
+
+    dialog = Gtk.FileChooserDialog(
+        title=words["global.saveFile"], parent=parent, action=Gtk.FileChooserAction.SAVE
+    )
+    dialog.add_buttons(
+        words["global.cancel"],
+        Gtk.ResponseType.CANCEL,
+        words["global.saveFile"],
+        Gtk.ResponseType.ACCEPT,
+    )
+    folder = GLib.get_user_special_dir(GLib.UserDirectory.DIRECTORY_DOWNLOAD)
+    dialog.set_current_folder(folder or GLib.get_home_dir())
+    dialog.set_current_name(suggested)
+    dialog.set_do_overwrite_confirmation(True)
+    try:
+        chosen = dialog.run() == Gtk.ResponseType.ACCEPT
+        return str(dialog.get_filename()) if chosen else None
+    finally:
+        dialog.destroy()
+
+
+def _address(path: str) -> str:
+    from gi.repository import GLib  # noqa: PLC0415
+
+    return str(GLib.filename_to_uri(path))
