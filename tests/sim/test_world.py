@@ -1,4 +1,6 @@
 import math
+import subprocess
+import sys
 from typing import Any
 
 import pytest
@@ -36,6 +38,13 @@ def test_box_corners_turn_with_its_heading() -> None:
         }
     ).boxes[0]
     assert box.corners()[0] == pytest.approx((1.5, -1.0))
+
+
+def test_worlds_that_ship_are_told_without_loading_what_takes_long() -> None:
+    """The app starts with them."""
+    code = "import sys, sim.world; sim.world.list_worlds(); print({'numpy', 'pydantic'} & {*sys.modules})"
+    told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert told.stdout.strip() == "set()"
 
 
 def test_boxes_are_fixed_unless_they_are_said_to_be_movable() -> None:
