@@ -5,22 +5,26 @@ They go through pymunk's own cffi binding with structs that are kept: a step tak
 pymunk as it is meant. pymunk's version is pinned, and a test compares both ways.
 """
 
-from collections.abc import Callable
+import math
+from collections.abc import Sequence
 
 import pymunk
 from pymunk._chipmunk_cffi import ffi, lib
 
 
-def stepper(space: pymunk.Space) -> Callable[[float], None]:
-    """What steps `space` by so many seconds. No shape may be added or removed in a callback."""
-    step, handle = lib.cpSpaceStep, space._space
+class Stepper:
+    """Lets steps of so many seconds pass in a space. No shape may be added or removed in a callback."""
 
-    def step_by(seconds: float) -> None:
-        step(handle, seconds)
+    def __init__(self, space: pymunk.Space, seconds: float) -> None:
+        self._space, self._handle = space, space._space
+        self._seconds = seconds
+        self._step = lib.cpSpaceStep
 
-    # the closure keeps the space alive, and with it what `handle` points to
-    step_by.__dict__["space"] = space
-    return step_by
+    def steps(self, number: int) -> None:
+        """So many of them."""
+        step, handle, seconds = self._step, self._handle, self._seconds
+        for _ in range(number):
+            step(handle, seconds)
 
 
 class Rays:
@@ -39,3 +43,18 @@ class Rays:
         start.x, start.y, end.x, end.y = x, y, end_x, end_y
         self._query(self._handle, start[0], end[0], 0.0, self._filter[0], self._hit)
         return float(self._hit.alpha)  # Chipmunk sets it to 1 where it has hit nothing
+
+    def fractions(
+        self, x: float, y: float, yaw: float, beams: Sequence[tuple[float, float]]
+    ) -> list[float]:
+        """The same along beams from (x, y), their ends given in the frame of a body that looks at `yaw`."""
+        cos, sin, found = math.cos(yaw), math.sin(yaw), []
+        start, end = self._start, self._end
+        start.x, start.y = x, y
+        from_, to, mask, hit = start[0], end[0], self._filter[0], self._hit
+        query, handle = self._query, self._handle
+        for ahead, left in beams:
+            end.x, end.y = x + cos * ahead - sin * left, y + sin * ahead + cos * left
+            query(handle, from_, to, 0.0, mask, hit)
+            found.append(hit.alpha)
+        return found

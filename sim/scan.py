@@ -6,7 +6,6 @@ ends of walls, which are 2 cm thick, the corners are cut: a beam there differs f
 
 import math
 from collections.abc import Iterable, Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,13 +13,15 @@ from numpy.typing import NDArray
 from sim.world import Box, Wall
 
 Array = NDArray[np.float64]
+Edges = NDArray[np.complex128]
 Point = tuple[float, float]
 
 
 class Scan:
     """Beams against the edges of fixed walls and boxes, and of boxes where they are now.
 
-    An edge looks outward: beams meet it from its right-hand side as it is walked along, corners counterclockwise.
+    Points and directions are complex numbers: the product of one with another's conjugate holds how far they go along
+    each other and how far apart, which is all that a beam and an edge need to know of each other.
     """
 
     def __init__(
@@ -32,8 +33,7 @@ class Scan:
     ) -> None:
         rings = [_ring(wall, wall_radius_m) for wall in walls]
         self._fixed = _edges([*rings, *(box.corners() for box in boxes)])
-        beams = np.array(angles)
-        self._cos, self._sin = np.cos(beams), np.sin(beams)
+        self._beams = np.exp(1j * np.array(angles))
 
     def ranges(
         self, x: float, y: float, yaw: float, length_m: float, movable: Sequence[Box] = ()
@@ -42,40 +42,42 @@ class Scan:
         edges = self._fixed
         if movable:
             edges = np.concatenate((edges, _edges([box.corners() for box in movable])), axis=1)
-        seen = self._facing(edges, x, y, length_m)
-        cos, sin = math.cos(yaw), math.sin(yaw)
-        ahead = self._cos * cos - self._sin * sin
-        left = self._sin * cos + self._cos * sin
-        normal_x, normal_y, gap, middle, half = seen
-        with np.errstate(divide="ignore", invalid="ignore"):
-            distances = gap / (normal_x * ahead + normal_y * left)
-            along = distances * (normal_x * left - normal_y * ahead) + middle
-        met = (np.abs(along) <= half) & (distances > 0.0)
-        nearest = np.where(met, distances, length_m).min(axis=0, initial=length_m)
-        return nearest.tolist()  # type: ignore[no-any-return] # numpy's types do not tell the shape
+        normals, gaps, middles, halves = self._facing(edges, complex(x, y), length_m)
+        met = (normals * complex(math.cos(yaw), math.sin(yaw)))[:, None] * self._beams
+        # How near along the beam, in 1/m: dividing by the gap, which is never 0, and not by what may be. Where a beam
+        # goes away from an edge it is negative, and so is the right-hand side below.
+        near = met.real / gaps
+        hit = np.abs(met.imag + middles * near) <= halves * near
+        nearest: Array = (near * hit).max(axis=0, initial=1.0 / length_m)
+        distances: list[float] = (1.0 / nearest).tolist()
+        return distances
 
     @staticmethod
-    def _facing(edges: Array, x: float, y: float, length_m: float) -> list[Any]:
-        """Of the edges that look at the point and are in reach: normal, gap to the line, middle, half the length."""
-        normal_x, normal_y, offset, middle, half = edges
-        gap = offset - (normal_x * x + normal_y * y)
-        use = (gap < 0.0) & (gap > -length_m)
-        seen = edges[:, use]
-        normal_x, normal_y, _, middle, half = seen
-        here = normal_x * y - normal_y * x
-        return [row[:, None] for row in (normal_x, normal_y, gap[use], here - middle, half)]
+    def _facing(edges: Edges, here: complex, length_m: float) -> tuple[Edges, Array, Array, Array]:
+        """Of the edges that look at the point and are in reach: normals, gaps, middles seen from here, halves."""
+        place = edges[0] * here
+        gap = edges[1].real - place.real
+        use = np.flatnonzero((gap < 0.0) & (gap > -length_m))
+        normals, numbers, halves = edges[:, use]
+        middles = place.imag[use] - numbers.imag
+        return normals, gap[use][:, None], middles[:, None], halves.real[:, None]
 
 
-def _edges(rings: Iterable[Sequence[Point]]) -> Array:
-    """Rings of corners as columns: outward normal x and y, its offset, the middle along the edge, half the length."""
-    rows = []
+def _edges(rings: Iterable[Sequence[Point]]) -> Edges:
+    """The edges of rings of corners, counterclockwise, as columns of three rows.
+
+    The conjugate of the outward normal; how far the edge's line is from the origin and, as the imaginary part, how far
+    along it the middle is; half its length.
+    """
+    columns = []
     for ring in rings:
-        for (x0, y0), (x1, y1) in zip(ring, (*ring[1:], ring[0]), strict=True):
-            length = math.hypot(x1 - x0, y1 - y0)
-            nx, ny = (y1 - y0) / length, (x0 - x1) / length
-            middle = nx * (y0 + y1) / 2.0 - ny * (x0 + x1) / 2.0
-            rows.append((nx, ny, nx * x0 + ny * y0, middle, length / 2.0))
-    return np.array(rows, dtype=np.float64).reshape(-1, 5).T
+        for start, end in zip(ring, (*ring[1:], ring[0]), strict=True):
+            a, b = complex(*start), complex(*end)
+            normal = (b - a) / abs(b - a) / 1j
+            columns.append(
+                (normal.conjugate(), normal.conjugate() * (a + b) / 2.0, abs(b - a) / 2.0)
+            )
+    return np.array(columns, dtype=np.complex128).reshape(-1, 3).T
 
 
 def _ring(wall: Wall, radius: float) -> list[Point]:

@@ -14,7 +14,7 @@ from typing import Protocol
 
 import pymunk
 
-from sim.chipmunk import Rays, stepper
+from sim.chipmunk import Rays, Stepper
 from sim.floor import color_at, zone_at
 from sim.world import Box, World
 
@@ -64,7 +64,7 @@ class Simulator:
         self.wheels = self._add_wheels(robot)
         self._yaw, self._omega = world.start[2], 0.0
         self._rolls = False
-        self._step = stepper(self.space)
+        self._steps = Stepper(self.space, SUBSTEP_S).steps
         self._rays = Rays(self.space, _ALL_BUT_ROBOT)
 
     def _add_obstacles(self, world: World) -> None:
@@ -119,15 +119,13 @@ class Simulator:
     def tick(self, v_mps: float, omega_radps: float) -> None:
         """Lets one tick pass with the given velocity."""
         self._set_velocity(v_mps, omega_radps, TICK_S)
-        step = self._step
-        for _ in range(SUBSTEPS):
-            step(SUBSTEP_S)
+        self._steps(SUBSTEPS)
         self._yaw = self._body.angle
 
     def substep(self, v_mps: float, omega_radps: float) -> None:
         """Lets one substep pass with the given velocity; a tick is `SUBSTEPS` of them."""
         self._set_velocity(v_mps, omega_radps, SUBSTEP_S)
-        self._step(SUBSTEP_S)
+        self._steps(1)
         self._yaw = self._body.angle
 
     def _set_velocity(self, v_mps: float, omega_radps: float, time_s: float) -> None:
@@ -168,6 +166,10 @@ class Simulator:
         angle = self._yaw + angle_rad
         end_x, end_y = x + length_m * math.cos(angle), y + length_m * math.sin(angle)
         return self._rays.fraction(x, y, end_x, end_y) * length_m
+
+    def fan(self, beams: Sequence[tuple[float, float]]) -> list[float]:
+        """The same for a few beams, given by their ends in the robot's frame (m), as parts of their length."""
+        return self._rays.fractions(*self._body.position, self._yaw, beams)
 
     def scanner(self, angles_rad: Sequence[float]) -> Callable[[float], list[float]]:
         """What gives, for a length, the same as `ray` at all these angles, within 2 mm and much faster for many."""

@@ -1,5 +1,6 @@
 """The built-in simulator as a robot link. Its frame is the world's."""
 
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -26,6 +27,10 @@ class SimSensors(Sensors):
 
     def __init__(self, simulator: Simulator, robot: RobotModel, world: World) -> None:
         self._simulator, self._robot, self._world = simulator, robot, world
+        self._reach = reach = robot.radius_m + robot.sonar_range_m
+        self._sonar_beams = [
+            (reach * math.cos(angle), reach * math.sin(angle)) for angle in robot.sonar_angles_rad
+        ]
         self._scanner: Callable[[float], list[float]] | None = None
 
     def sonar(self, index: int) -> float:
@@ -33,12 +38,14 @@ class SimSensors(Sensors):
         if index >= len(robot.sonar_angles_rad):
             missing("sonar")
         # A ray from the centre: one from the hull could begin inside the wall that the hull touches.
-        reach = robot.radius_m + robot.sonar_range_m
-        seen = self._simulator.ray(robot.sonar_angles_rad[index], reach)
+        seen = self._simulator.ray(robot.sonar_angles_rad[index], self._reach)
         return max(0.0, min(seen - robot.radius_m, robot.sonar_range_m))
 
     def sonars(self) -> list[float]:
-        return [self.sonar(index) for index in range(len(self._robot.sonar_angles_rad))]
+        robot = self._robot
+        reach, hull, longest = self._reach, robot.radius_m, robot.sonar_range_m
+        seen = [part * reach - hull for part in self._simulator.fan(self._sonar_beams)]
+        return [0.0 if m < 0.0 else longest if m > longest else m for m in seen]
 
     def lidar(self, angle_rad: float) -> float:
         if not self._robot.lidar_range_m:
@@ -96,6 +103,9 @@ class RealisticSensors(SimSensors):
             return reach
         measured = self._measuring.lidar(self._drive.tick_number, angle_rad, exact)
         return max(0.0, min(measured, reach))
+
+    def sonars(self) -> list[float]:
+        return [self.sonar(index) for index in range(len(self._robot.sonar_angles_rad))]
 
     def scan(self) -> list[float]:
         return [self.lidar(angle) for angle in SCAN_RAD]
