@@ -37,7 +37,18 @@ export function report(error: unknown): void {
   else problem.value = wordsOf(error);
 }
 
+/** What the page itself cannot do, in words. */
+export class Refused extends Error {
+  constructor(
+    message: string,
+    readonly remedy: string,
+  ) {
+    super(message);
+  }
+}
+
 export function wordsOf(error: unknown): Problem {
+  if (error instanceof Refused) return { message: error.message, remedy: error.remedy };
   if (error instanceof ApiError && error.message) {
     return { message: error.message, remedy: error.remedy };
   }

@@ -194,6 +194,10 @@ export const en: Texts = {
     bringBack: "Bring back the blocks from before",
     broughtBack: "The blocks from before are back.",
     placeAgain: "Use the blocks from Python again",
+    tooLong: (n: number, most: number) =>
+      `The program has ${n} commands; as blocks there is room for ${most}.`,
+    tooLongRemedy:
+      "Put equal commands in a row into a repeat, or into a function. As it is, pinel run runs it.",
   },
   level: {
     label: "How many blocks to show",

@@ -194,6 +194,10 @@ export const es: Texts = {
     bringBack: "Traer de vuelta los bloques de antes",
     broughtBack: "Volvieron los bloques de antes.",
     placeAgain: "Usar otra vez los bloques del Python",
+    tooLong: (n: number, most: number) =>
+      `El programa tiene ${n} comandos; en bloques caben ${most}.`,
+    tooLongRemedy:
+      "Cambia comandos iguales en fila por un repetir, o por una función. Tal como está, pinel run lo ejecuta.",
   },
   level: {
     label: "Cuántos bloques mostrar",

@@ -193,6 +193,9 @@ export const ptBR = {
     bringBack: "Trazer de volta os blocos de antes",
     broughtBack: "Voltaram os blocos de antes.",
     placeAgain: "Usar de novo os blocos do Python",
+    tooLong: (n: number, most: number) => `O programa tem ${n} comandos; em blocos cabem ${most}.`,
+    tooLongRemedy:
+      "Troque comandos iguais em fila por um repetir, ou por uma função. Ele roda como está com pinel run.",
   },
   level: {
     label: "Quantos blocos mostrar",

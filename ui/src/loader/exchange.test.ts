@@ -6,7 +6,7 @@ import { beforeAll, expect, test } from "vitest";
 import { registerBlocks } from "../blocks";
 import { setBlockLanguage } from "../blocks/texts";
 import { generateDocument } from "../generator";
-import { workspaceOf } from ".";
+import { commandCount, workspaceOf } from ".";
 import { RandomPrograms } from "./random_programs";
 
 const FILE = process.env.PINEL_EXCHANGE;
@@ -31,4 +31,21 @@ test("documents go through blocks and come back", () => {
   const made = documents.map(throughBlocks);
   if (FILE) writeFileSync(`${FILE}.out`, JSON.stringify(made));
   else expect(made).toEqual(documents);
+});
+
+test("commands are counted wherever they stand", () => {
+  const move = { action: "move_forward", distance: 1 };
+  const loop = { action: "repeat", times: 2, commands: [move, move] };
+  const choice = {
+    action: "conditional_execution",
+    condition: true,
+    commands: [move],
+    elif: [{ condition: false, commands: [move] }],
+    else: [loop],
+  };
+  expect(commandCount([move, loop])).toBe(4);
+  expect(commandCount({ commands: [choice], functions: [{ name: "f", commands: [move] }] })).toBe(
+    7,
+  );
+  expect(commandCount({ commands: [] })).toBe(0);
 });

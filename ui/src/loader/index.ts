@@ -6,6 +6,19 @@ import { type BlockState, Ids } from "./state";
 export { ConditionError, parseCondition } from "./conditions";
 
 /**
+ * What can be shown as blocks: Blockly calls itself for each block under another, and with more of them the browser's
+ * stack is not enough, after half a minute of nothing happening.
+ */
+export const MOST_SHOWN = 1500;
+
+/** How many commands a document has, wherever they stand. */
+export function commandCount(value: unknown): number {
+  if (typeof value !== "object" || value === null) return 0;
+  const own = "action" in value ? 1 : 0;
+  return Object.values(value).reduce((sum: number, part) => sum + commandCount(part), own);
+}
+
+/**
  * The workspace that shows a document: its program, and below it its functions one after the other. Takes every document
  * the server's reader takes, also a bare list of commands in the spelling of the original, and conditions as text. What
  * a document's blocks are called they keep, and the same document is always the same workspace.

@@ -4,13 +4,13 @@ import { ApiError } from "../api/errors";
 import type { Content, Fault } from "../api/model";
 import type { OpenProgram } from "../app/open_program";
 import { renameProgram } from "../app/rename";
-import { connection, engine, problem, report, wordsOf } from "../app/session";
+import { connection, engine, problem, Refused, report, wordsOf } from "../app/session";
 import { breakpoints, tellRun, wishes } from "../debug/debugging";
 import { watchSensors } from "../debug/senses";
 import type { Editor } from "../editor";
 import { language, texts } from "../i18n";
 import { reasonWords } from "../i18n/reasons";
-import { workspaceOf } from "../loader";
+import { commandCount, MOST_SHOWN, workspaceOf } from "../loader";
 import * as robot from "../run/live";
 import { isLive, runningBlock } from "../run/reducer";
 import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
@@ -85,6 +85,11 @@ export class StudioControl {
 
   /** Shows a document as blocks in place of those that are there, and gives the program its name. */
   async place(document: object): Promise<void> {
+    const n = commandCount(document);
+    if (n > MOST_SHOWN) {
+      const { tooLong, tooLongRemedy } = texts.value.python;
+      throw new Refused(tooLong(n, MOST_SHOWN), tooLongRemedy);
+    }
     const { name } = document as { name?: string };
     if (name) await renameProgram(name);
     this.exchange(workspaceOf(document), "placed");
