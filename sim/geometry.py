@@ -12,20 +12,20 @@ def crossings(segments: Array, slack_m: float) -> Pairs:
 
     What ends at another, or reaches at most `slack_m` beyond it, does not cross it.
     """
-    sides = _sides(segments)
-    apart = (sides.min(axis=2) < -slack_m) & (sides.max(axis=2) > slack_m)
+    left_of_start, left_of_end = (_offsets(segments, segments[:, end]) for end in (0, 1))
+    low, high = np.minimum(left_of_start, left_of_end), np.maximum(left_of_start, left_of_end)
+    apart = (low < -slack_m) & (high > slack_m)
     pairs: Pairs = np.argwhere(np.triu(apart & apart.T, k=1))
     return pairs
 
 
-def _sides(segments: Array) -> Array:
-    """Of segment i, how far to its left the two ends of segment j lie: (n, n, 2)."""
+def _offsets(segments: Array, points: Array) -> Array:
+    """How far to the left of segment i, made infinitely long, point j lies: (n, m)."""
     starts, along = segments[:, 0], segments[:, 1] - segments[:, 0]
-    length = np.maximum(np.hypot(*along.T), 1e-12)
-    normals = np.stack([-along[:, 1], along[:, 0]], axis=1) / length[:, None]
-    offsets = np.einsum("ik,ik->i", normals, starts)
-    left: Array = np.einsum("ik,jek->ije", normals, segments) - offsets[:, None, None]
-    return left
+    normals = np.stack([-along[:, 1], along[:, 0]], axis=1)
+    normals /= np.maximum(np.hypot(*along.T), 1e-12)[:, None]
+    offsets: Array = normals @ points.T - np.einsum("ik,ik->i", normals, starts)[:, None]
+    return offsets
 
 
 def distances_to_segments(point: Array, segments: Array) -> Array:
