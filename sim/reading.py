@@ -39,12 +39,16 @@ def read_world(source: Any, *, robot_radius_m: float) -> WorldReading:
     """Reads a document given as JSON text, as bytes or as parsed data; a robot of that radius must fit its start."""
     if isinstance(source, str | bytes):
         source = _parsed(source)
+    elif isinstance(source, dict):
+        source = _of_bearable_size(source)
     if isinstance(source, WorldFault):
         return WorldReading(None, None, (source,))
     if not isinstance(source, dict):
         return WorldReading(None, None, (WorldFault("not_a_world"),))
     document = _without_nulls(source)
     model, unsound = _validated(document)
+    if len(unsound) > MAX_FAULTS:
+        return WorldReading(None, None, _in_order(unsound))
     parts = _sound_parts(document, {path[:2] for path, _ in unsound})
     # there may be as many as pairs of walls
     found = [*unsound, *islice(misplaced(parts, robot_radius_m), MAX_FAULTS)]
@@ -56,7 +60,7 @@ def read_world(source: Any, *, robot_radius_m: float) -> WorldReading:
 
 def _parsed(text: str | bytes) -> Any:
     if len(text) > MAX_BYTES:
-        return WorldFault("world_too_large", params={"value": len(text), "max": MAX_BYTES})
+        return _too_large(len(text))
     try:
         return json.loads(text)
     except json.JSONDecodeError as error:
@@ -66,6 +70,22 @@ def _parsed(text: str | bytes) -> Any:
         RecursionError,
     ):  # not UTF-8, a number of thousands of digits, or a nest of brackets
         return WorldFault("world_syntax", params={"line": 1, "column": 1})
+
+
+def _of_bearable_size(document: dict[Any, Any]) -> Any:
+    try:
+        size = len(json.dumps(document, separators=(",", ":")))
+    except (
+        TypeError,
+        ValueError,
+        RecursionError,
+    ):  # no JSON, or a nest: told by what is wrong with its parts
+        return document
+    return document if size <= MAX_BYTES else _too_large(size)
+
+
+def _too_large(size: int) -> WorldFault:
+    return WorldFault("world_too_large", params={"value": size, "max": MAX_BYTES})
 
 
 def _without_nulls(document: dict[Any, Any]) -> dict[str, Any]:
@@ -87,7 +107,7 @@ def _validated(document: dict[str, Any]) -> tuple[WorldDocument | None, list[Pla
     try:
         return WorldDocument.model_validate(document), []
     except ValidationError as error:
-        errors = error.errors(include_url=False)
+        errors = error.errors(include_url=False)[: MAX_FAULTS + 1]
         return None, [placed_error(document, found) for found in errors]
 
 

@@ -16,14 +16,13 @@ import pymunk
 
 from sim.chipmunk import Rays, Stepper
 from sim.floor import color_at, zone_at
-from sim.world import Box, World
+from sim.world import WALL_RADIUS_M, Box, World
 
 TICK_S = 1.0 / 30.0
 SUBSTEPS = 8
 SUBSTEP_S = TICK_S / SUBSTEPS
 # Chipmunk's default of 0.1 would let things sink 10 cm into each other, as the unit here is the metre.
 COLLISION_SLOP_M = 0.0005
-WALL_RADIUS_M = 0.01
 BOX_FRICTION = 0.4  # cardboard and wood on a school's floor: 0.3 to 0.5
 GRAVITY_MPS2 = 9.81
 # Chipmunk's default of 10 is not enough for a light box between the robot and a wall.

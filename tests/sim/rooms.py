@@ -5,8 +5,8 @@ from collections.abc import Iterable
 from typing import Any
 
 from pinel_desktop.robot import PIONEER_3DX, RobotModel
-from sim.simulator import WALL_RADIUS_M, Simulator
-from sim.world import Box, World, world_from_document
+from sim.simulator import Simulator
+from sim.world import WALL_RADIUS_M, Box, World, world_from_document
 
 HALF_M = 2.0
 INNER_M = HALF_M - WALL_RADIUS_M  # where the face of a wall is
@@ -61,8 +61,9 @@ def robot_depth_m(world: World, simulator: Simulator, robot: RobotModel = PIONEE
 
 
 def boxes_depth_m(boxes: Iterable[Box]) -> float:
-    """How deep the boxes' corners lie in the room's walls, in m."""
-    return max(abs(c) for box in boxes for corner in box.corners() for c in corner) - INNER_M
+    """How deep the boxes' corners lie in the room's walls, in m; negative is room to spare."""
+    farthest = (abs(c) for box in boxes for corner in box.corners() for c in corner)
+    return max(farthest, default=0.0) - INNER_M
 
 
 def _moved(box: Box, x: float, y: float, yaw: float) -> Box:

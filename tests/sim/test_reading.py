@@ -270,6 +270,7 @@ def test_of_thousands_of_faults_the_first_hundred_are_told() -> None:
     ]
     assert len(faults(world(walls=spokes))) == 100
     assert len(faults({str(n): n for n in range(10_000)})) == 100
+    assert faults({str(n): n for n in range(100_000)}) == [("world_too_large", "")]
 
 
 GARBAGE = st.recursive(
