@@ -1,4 +1,5 @@
 import "./app/ask_first";
+import "./app/known_language";
 import { render } from "preact";
 import "./design/fonts.css";
 import "./design/tokens.css";
