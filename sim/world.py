@@ -11,6 +11,7 @@ from typing import Any
 from sim.floor import Paint, Zone, paint_from_document, point, zone_from_document
 
 DEFAULT_WORLD = "empty_room"
+_LESSONS = (DEFAULT_WORLD, "tic_tac_toe", "obstacles", "slalom", "maze", "lines", "pushing")
 DEFAULT_BOX_MASS_KG = 2.0
 WALL_RADIUS_M = 0.01
 _NAME = re.compile(r"[a-z0-9_]{1,64}\Z")
@@ -111,8 +112,12 @@ def _documents() -> dict[str, dict[str, Any]]:
 
 
 def list_worlds() -> list[dict[str, Any]]:
-    """The documents of all worlds that ship, the default first, then by name."""
-    return sorted(_documents().values(), key=lambda d: (d["name"] != DEFAULT_WORLD, d["name"]))
+    """The documents of all worlds that ship, from those for first steps to those for projects."""
+    return sorted(_documents().values(), key=lambda document: _rank(document["name"]))
+
+
+def _rank(name: str) -> tuple[int, str]:
+    return (_LESSONS.index(name) if name in _LESSONS else len(_LESSONS)), name
 
 
 def world_document(name: str) -> dict[str, Any]:

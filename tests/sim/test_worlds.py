@@ -33,6 +33,11 @@ def test_there_are_at_least_eight_each_under_its_file_s_name_with_a_title_of_its
         assert len({document["title"][language] for document in list_worlds()}) == len(names())
 
 
+def test_they_are_listed_from_first_steps_to_projects() -> None:
+    assert names()[:3] == ["empty_room", "tic_tac_toe", "obstacles"]
+    assert names()[-2:] == ["classroom", "furnished_room"]
+
+
 def test_no_name_is_that_of_a_version_s_own_world() -> None:
     assert "own" not in names()
 
