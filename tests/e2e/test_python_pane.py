@@ -169,3 +169,13 @@ def test_faults_are_in_the_language_of_the_page(studio: Studio) -> None:
     expect(studio["python-fault"]).to_contain_text("Line 1")
     expect(studio["python-fault"]).not_to_contain_text("Não")
     studio["language"].select_option("pt-BR")
+
+
+def test_more_commands_than_blocks_can_show_are_refused_in_words_and_kept(studio: Studio) -> None:
+    studio.enter_new_group()
+    text = "robot.beep()\n" * 1501
+    edit_python(studio, text)
+    expect(studio["python-state"]).to_have_attribute("data-state", "fine", timeout=30_000)
+    studio["python-put"].click()
+    expect(studio.page.get_by_text("O programa tem 1501 comandos")).to_be_visible()
+    expect(studio["python-editor"]).to_have_value(text)

@@ -27,7 +27,8 @@ class Watch:
 
     def verdict(self) -> None:
         assert self.foreign_requests == []
-        assert [text for text in self.complaints if not self._is_expected(text)] == []
+        unexpected = [text for text in self.complaints if not self._is_expected(text)]
+        assert unexpected == [], "\n".join(unexpected)
 
     def _on_request(self, request: Request) -> None:
         address = urlsplit(request.url)

@@ -46,7 +46,7 @@ export function PythonEditor({ original, onLeave, onPlace }: PythonEditorProps) 
     if (sheet) showLine(sheet, line);
   };
   return (
-    <section class="text__panel" aria-label={python.text}>
+    <div class="text__panel">
       <CodeSheet
         text={text}
         label={python.text}
@@ -83,7 +83,7 @@ export function PythonEditor({ original, onLeave, onPlace }: PythonEditorProps) 
           {python.put}
         </button>
       </div>
-    </section>
+    </div>
   );
 }
 

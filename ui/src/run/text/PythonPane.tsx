@@ -40,7 +40,7 @@ export function PythonPane(props: PythonPaneProps) {
   }
   const instead = insteadOfText(document, written);
   return (
-    <section class="text__panel" aria-label={python.text}>
+    <div class="text__panel">
       {text === null || instead ? (
         <p class="text__empty" data-testid={TEST.pythonEmpty}>
           {instead}
@@ -66,7 +66,7 @@ export function PythonPane(props: PythonPaneProps) {
         </button>
         <CopyButton text={text ?? ""} />
       </div>
-    </section>
+    </div>
   );
 }
 
