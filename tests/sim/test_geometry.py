@@ -103,3 +103,13 @@ def test_boxes_overlap_when_a_point_of_one_is_in_the_other(one: Box, other: Box)
         assert any(is_in(wider, point) for point in points)
     elif any(is_in(other, point) for point in points):  # they touch at most
         assert len(overlaps(np.array([one.corners()]), np.array([other.corners()]), -1e-6)) == 1
+
+
+@pytest.mark.parametrize(("away", "together"), [(1.9, False), (1.6, True)])
+def test_a_box_in_front_of_another_s_corner_is_apart_by_its_own_edge(
+    away: float, together: bool
+) -> None:
+    straight = Box((0, 0), (2, 2)).corners()
+    turned = Box((away, away), (2, 2), math.radians(45)).corners()
+    for one, other in ((straight, turned), (turned, straight)):
+        assert (len(overlaps(np.array([one]), np.array([other]), 1e-6)) == 1) == together
