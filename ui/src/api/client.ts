@@ -9,6 +9,7 @@ import type {
   Program,
   ProgramWithVersion,
   ReadPython,
+  Ring,
   Run,
   RunEvent,
   RunList,
@@ -85,6 +86,8 @@ export const api = {
     json<Evaluated>("POST", `/api/runs/${run}/evaluate`, { expression }),
   setSpeed: (run: string, factor: number) =>
     json<object>("PUT", `/api/runs/${run}/speed`, { factor }),
+  look: (run: string, sensors: readonly Ring[]) =>
+    json<object>("PUT", `/api/runs/${run}/look`, { sensors }),
   pause: (run: string) => json<object>("POST", `/api/runs/${run}/pause`),
   resume: (run: string) => json<object>("POST", `/api/runs/${run}/resume`),
   stop: (run: string) => json<object>("POST", `/api/runs/${run}/stop`),

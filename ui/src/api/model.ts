@@ -22,8 +22,18 @@ export type RunEndedEvent = Schemas["RunEndedEvent"];
 export type StreamEvent = Schemas["StreamEvent"];
 export type Evaluated = Schemas["Evaluated"];
 export type StepMode = Schemas["Step"]["mode"];
-/** What a run is to know of breakpoints, speed and steps from its beginning. */
-export type Debugging = Partial<Pick<Schemas["NewRun"], "breakpoints" | "speed" | "paused">>;
+export type RangesEvent = Schemas["RangesEvent"];
+/** Where a robot begins: metres and degrees, world frame. */
+export type Start = World["start"];
+/** Sensors around the robot that somebody may look at. */
+export type Ring = Schemas["Look"]["sensors"][number];
+type NewRun = Schemas["NewRun"];
+/** How true to life a run is, and what the robot knows of its place. */
+export type Lifelike = Pick<NewRun, "preset" | "feedback">;
+/** What a run is to know of breakpoints, speed, steps, start and surroundings from its beginning. */
+export type Debugging = Partial<
+  Pick<NewRun, "breakpoints" | "speed" | "paused" | "start" | keyof Lifelike>
+>;
 export type ErrorBody = Schemas["ErrorBody"];
 
 /** What the editor hands over and the server keeps. */

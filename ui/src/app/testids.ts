@@ -97,6 +97,14 @@ export const TEST = {
   worldRefused: "world-refused",
   worldOwnInstead: "world-own-instead",
 
+  startAgain: "start-again",
+  sceneTools: "scene-tools", // shows the rest of the tools
+  measureTool: "measure-tool", // of each; data-name: ruler | protractor
+  measure: "measure", // data-value: metres, or degrees to the left
+  ring: "ring", // of each; data-name: sonar | lidar
+  follow: "follow",
+  scenePicture: "scene-picture",
+  lifelike: "lifelike", // a select: ideal | camera | wheels
   plotsToggle: "plots-toggle",
   plots: "plots",
   plotTab: "plot-tab", // of each; data-figure: path | position | heading | speed | turning

@@ -1,4 +1,5 @@
 import {
+  Bot,
   ChevronDown,
   CornerDownRight,
   CornerUpLeft,
@@ -11,7 +12,7 @@ import { language, texts } from "../i18n";
 import { decimal } from "../i18n/format";
 import type { StepMode } from "../run/live";
 import type { Phase } from "../run/reducer";
-import { SPEEDS, speed } from "./debugging";
+import { LIFELIKE, lifelike, SPEEDS, speed } from "./debugging";
 import "./debug.css";
 
 interface DebugBarProps {
@@ -30,6 +31,7 @@ export function DebugBar(props: DebugBarProps) {
   return (
     <section class="debug-bar" aria-label={debug.bar}>
       <Steps {...props} />
+      {!isUnderWay(props.phase) && <LifelikeChoice />}
       <span class="select debug-bar__speed">
         <Gauge class="icon" aria-hidden="true" />
         <select
@@ -52,6 +54,36 @@ export function DebugBar(props: DebugBarProps) {
     </section>
   );
 }
+
+/** How true to life the simulated robot is; chosen before a run. */
+function LifelikeChoice() {
+  const { debug } = texts.value;
+  const names = Object.keys(LIFELIKE) as (keyof typeof LIFELIKE)[];
+  return (
+    <span class="select debug-bar__lifelike">
+      <Bot class="icon" aria-hidden="true" />
+      <select
+        aria-label={debug.lifelike}
+        title={`${debug.lifelike}. ${debug[`${lifelike.value}Help`]}`}
+        data-testid={TEST.lifelike}
+        value={lifelike.value}
+        onChange={({ currentTarget: { value } }) => {
+          lifelike.value = names.find((name) => name === value) ?? "ideal";
+        }}
+      >
+        {names.map((name) => (
+          <option key={name} value={name} title={debug[`${name}Help`]}>
+            {debug[name]}
+          </option>
+        ))}
+      </select>
+      <ChevronDown class="icon icon--end" aria-hidden="true" />
+    </span>
+  );
+}
+
+const isUnderWay = (phase: Phase) =>
+  phase === "running" || phase === "paused" || phase === "starting";
 
 function Steps({ phase, inFunction, unable, onBegin, onStep }: DebugBarProps) {
   const { debug } = texts.value;

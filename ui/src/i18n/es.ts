@@ -70,6 +70,15 @@ export const es: Texts = {
     out: "Salir",
     outHelp: "Ejecuta hasta salir de la función",
     speed: "Velocidad",
+    lifelike: "Qué robot simular",
+    ideal: "Robot ideal",
+    camera: "Robot real, con cámara",
+    wheels: "Robot real, solo las ruedas",
+    idealHelp: "Nada patina y todas las mediciones son exactas.",
+    cameraHelp:
+      "Las ruedas patinan y las mediciones fallan un poco; una cámara dice dónde está el robot.",
+    wheelsHelp:
+      "Las ruedas patinan y el robot solo sabe lo que ellas cuentan: de a poco se pierde.",
     sensors: {
       sonar: "sonar",
       distance: "distancia",
@@ -211,6 +220,22 @@ export const es: Texts = {
     zoomIn: "Acercar",
     zoomOut: "Alejar",
     fit: "Ver todo",
+    again: "Volver todo al punto de partida",
+    moreTools: "Herramientas",
+    lessTools: "Guardar las herramientas",
+    ruler: "Regla: medir una distancia",
+    protractor: "Transportador: medir un ángulo",
+    rulerHint: "Arrastren de un punto al otro. Esc la guarda.",
+    protractorHint:
+      "Arrastren desde la esquina hacia un lado y toquen el otro lado. Esc lo guarda.",
+    sonar: "Ver el sonar",
+    lidar: "Ver el láser",
+    follow: "Seguir al robot",
+    picture: "Guardar imagen del piso",
+    toLeft: (degrees: string) => `${degrees} a la izquierda`,
+    toRight: (degrees: string) => `${degrees} a la derecha`,
+    measureKeys: "Las flechas mueven la punta, Enter la marca, Esc guarda.",
+    startKeys: "Las flechas mueven la partida; coma y punto giran el robot.",
   },
   world: {
     own: "Nuestro mundo",

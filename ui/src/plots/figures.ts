@@ -114,7 +114,7 @@ export const times = (samples: Samples): Float64Array =>
 /** Where the vertical axis begins and ends: all values, some air, and no less than `span`. */
 export function rangeOf(low: number | null, high: number | null, span: number): [number, number] {
   if (low === null || high === null) return [-span / 2, span / 2];
-  const half = Math.max(span, (high - low) * 1.12) / 2;
+  const half = Math.max(span, (high - low) * 1.3) / 2;
   const middle = (low + high) / 2;
   return [middle - half, middle + half];
 }

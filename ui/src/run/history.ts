@@ -64,11 +64,11 @@ export class History {
     return view;
   }
 
-  /** The pose at a moment between two ticks. */
+  /** Where the robot truly is at a moment between two ticks. */
   poseAt(tick: number): Pose {
     const { columns, rows } = this.telemetry;
     const ticks = columns.get("tick");
-    if (!ticks || rows === 0) return this.end.pose;
+    if (!ticks || rows === 0) return this.end.truth;
     const after = firstAfter(ticks, tick);
     if (after === 0) return { x: 0, y: 0, yaw: 0 };
     if (after >= rows) return this.rowPose(rows - 1);
@@ -78,7 +78,10 @@ export class History {
   }
 
   private rowPose(row: number): Pose {
-    const value = (name: string) => this.telemetry.columns.get(name)?.[row] ?? 0;
+    const value = (name: string) => {
+      const known = this.telemetry.columns.get(`true_${name}`)?.[row] ?? Number.NaN;
+      return Number.isNaN(known) ? (this.telemetry.columns.get(name)?.[row] ?? 0) : known;
+    };
     return { x: value("x_m"), y: value("y_m"), yaw: value("yaw_rad") };
   }
 }

@@ -1,7 +1,15 @@
 import { batch, signal } from "@preact/signals";
 import { api } from "../api/client";
 import { ApiError } from "../api/errors";
-import type { Debugging, Run, RunEvent, RunWithVersion, StepMode } from "../api/model";
+import type {
+  Debugging,
+  RangesEvent,
+  Ring,
+  Run,
+  RunEvent,
+  RunWithVersion,
+  StepMode,
+} from "../api/model";
 import { History } from "./history";
 import { record } from "./live_record";
 import { MotionBuffer } from "./motion_buffer";
@@ -60,12 +68,17 @@ function catchUp(): void {
 
 /** Where the robot is drawn at this moment of the screen's clock. */
 export function livePose(now: number): Pose {
-  return motion.at(now) ?? live.value.pose;
+  return motion.at(now) ?? live.value.truth;
 }
+
+/** What the sensors measure, while somebody looks. */
+export const ranges = signal<RangesEvent | null>(null);
 
 export function receive(event: RunEvent): void {
   const view = newest();
-  if (holds > 0) held.push(event);
+  if (event.type === "ranges") {
+    if (event.run === view.run) ranges.value = event;
+  } else if (holds > 0) held.push(event);
   else if (event.run === view.run) apply(event);
   else if (!isLive(view) && isSignOfLife(event) && !tried.has(event)) {
     // begun in another window
@@ -84,7 +97,7 @@ function apply(event: RunEvent): void {
   const next = reduce(before, event);
   if (next === before) return;
   record.take(event);
-  if (event.type === "telemetry") motion.push(event.tick, next.pose, performance.now());
+  if (event.type === "telemetry") motion.push(event.tick, next.truth, performance.now());
   if (event.type === "beeped") beep();
   showSoon(next);
 }
@@ -140,7 +153,7 @@ export function follow(runId: string): Promise<void> {
     batch(() => {
       liveRun.value = run;
       show(end.phase === "idle" ? starting(runId) : end);
-      motion.reset(end.pose);
+      motion.reset(end.truth);
       record.load(events, telemetry);
     });
   });
@@ -178,6 +191,12 @@ export const setBreakpoints = (blocks: readonly string[]) =>
 export function setSpeed(factor: number): Promise<void> {
   motion.setSpeed(factor);
   return withRun((run) => api.setSpeed(run, factor));
+}
+
+/** Has the run tell what rings of sensors measure; none of them ends it. */
+export function look(sensors: readonly Ring[]): Promise<void> {
+  if (sensors.length === 0) ranges.value = null;
+  return withRun((run) => api.look(run, sensors));
 }
 
 export const pause = () => withRun(api.pause);

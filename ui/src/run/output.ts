@@ -70,11 +70,11 @@ export const MOST_LINES = 200;
 export const MOST_MARKS = 1000;
 export const MOST_STROKES = 1000;
 
-/** The output after an event; the same object where the event says nothing of it. `at`: where the robot is. */
+/** The output after an event; the same object where the event says nothing of it. `at`: where the robot truly is. */
 export function given(output: Output, event: RunEvent, at: Point): Output {
   switch (event.type) {
     case "telemetry":
-      return drawn(output, [event.x_m, event.y_m]);
+      return drawn(output, [event.true_x_m ?? event.x_m, event.true_y_m ?? event.y_m]);
     case "said":
       return { ...output, talk: told(output, "said", event.text, event.block, event.tick) };
     case "marked": {

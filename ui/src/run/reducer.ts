@@ -48,6 +48,9 @@ export interface Ending {
   readonly closingErrorM: number | null;
 }
 
+/** Where movable boxes are that have moved: x and y in metres, heading in radians, world frame, by index. */
+export type Things = Readonly<Record<string, readonly number[]>>;
+
 /** All that the page shows of a run at one moment, live or replayed. */
 export interface RunView {
   readonly run: string | null;
@@ -58,10 +61,15 @@ export interface RunView {
   readonly stack: readonly LitBlock[];
   /** The block that begins next, where the run is held before one. */
   readonly next: string | null;
+  /** Where the robot says it is. */
   readonly pose: Pose;
+  /** Where it is; as `pose` while nobody knows better. */
+  readonly truth: Pose;
   readonly setpoint: Pose;
+  /** Where the robot has been, truly. */
   readonly path: Trail;
   readonly idealPath: Trail;
+  readonly things: Things;
   readonly motion: Motion | null;
   /** The velocity that the robot was told, m/s and rad/s. */
   readonly speed: Speed;
@@ -70,6 +78,9 @@ export interface RunView {
   readonly output: Output;
   readonly ending: Ending | null;
 }
+
+/** What the robot knows of its place and the truth are the same below this. */
+const SAME_M = 1e-6;
 
 const AT_START: Pose = { x: 0, y: 0, yaw: 0 };
 const AT_REST: Speed = { linear: 0, angular: 0 };
@@ -82,9 +93,11 @@ export const IDLE: RunView = {
   stack: [],
   next: null,
   pose: AT_START,
+  truth: AT_START,
   setpoint: AT_START,
   path: EMPTY_TRAIL,
   idealPath: EMPTY_TRAIL,
+  things: {},
   motion: null,
   speed: AT_REST,
   capture: null,
@@ -113,7 +126,7 @@ export function reduce(view: RunView, event: RunEvent): RunView {
   if (event.run !== view.run) return view;
   if (event.type === "telemetry") return withTelemetry(view, event);
   if (event.seq <= view.seq) return view;
-  const output = given(view.output, event, [view.pose.x, view.pose.y]);
+  const output = given(view.output, event, [view.truth.x, view.truth.y]);
   const next = { ...view, output, seq: event.seq, tick: Math.max(view.tick, event.tick) };
   switch (event.type) {
     case "run_state":
@@ -131,6 +144,8 @@ export function reduce(view: RunView, event: RunEvent): RunView {
       return { ...next, gesture: event.result, capture: null };
     case "watch":
       return { ...next, gesture: event.gesture || null };
+    case "things":
+      return { ...next, things: { ...view.things, ...event.boxes } };
     case "run_ended":
       return closed(next, event);
     default:
@@ -141,17 +156,25 @@ export function reduce(view: RunView, event: RunEvent): RunView {
 function withTelemetry(view: RunView, event: TelemetryEvent): RunView {
   if (event.tick < view.tick || view.ending) return view;
   const setpoint = { x: event.goal_x_m, y: event.goal_y_m, yaw: event.goal_yaw_rad };
+  const pose = { x: event.x_m, y: event.y_m, yaw: event.yaw_rad };
+  const truth = truthIn(event) ?? pose;
   return {
     ...view,
     tick: event.tick,
-    pose: { x: event.x_m, y: event.y_m, yaw: event.yaw_rad },
+    pose,
+    truth,
     setpoint,
-    path: extend(view.path, [event.x_m, event.y_m]),
+    path: extend(view.path, [truth.x, truth.y]),
     idealPath: extend(view.idealPath, [setpoint.x, setpoint.y]),
-    output: given(view.output, event, [event.x_m, event.y_m]),
+    output: given(view.output, event, [truth.x, truth.y]),
     speed: { linear: event.command_v_mps, angular: event.command_omega_radps },
     motion: view.motion && { ...view.motion, done: event.done ?? view.motion.done },
   };
+}
+
+/** Runs of before there was a difference do not tell it, and a real robot cannot. */
+function truthIn({ true_x_m: x, true_y_m: y, true_yaw_rad: yaw }: TelemetryEvent): Pose | null {
+  return x == null || y == null || yaw == null ? null : { x, y, yaw };
 }
 
 type RunState = Extract<RunEvent, { type: "run_state" }>;
@@ -201,9 +224,7 @@ function closed(view: RunView, event: RunEndedEvent): RunView {
     motion: null,
     speed: AT_REST,
     capture: null,
-    pose: event.pose
-      ? { x: event.pose.x_m, y: event.pose.y_m, yaw: event.pose.yaw_rad }
-      : view.pose,
+    ...placesAtEnd(view, event),
     ending: {
       reason: event.reason,
       params: event.params,
@@ -213,4 +234,15 @@ function closed(view: RunView, event: RunEndedEvent): RunView {
       closingErrorM: event.closing_error_m,
     },
   };
+}
+
+/** The end tells where the robot says it is; where it is, it tells only where both were the same. */
+function placesAtEnd(
+  { pose, truth }: RunView,
+  event: RunEndedEvent,
+): Pick<RunView, "pose" | "truth"> {
+  if (!event.pose) return { pose, truth };
+  const last = { x: event.pose.x_m, y: event.pose.y_m, yaw: event.pose.yaw_rad };
+  const same = Math.hypot(truth.x - pose.x, truth.y - pose.y) < SAME_M;
+  return { pose: last, truth: same ? last : truth };
 }

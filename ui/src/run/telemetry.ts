@@ -31,6 +31,10 @@ export function decodeTelemetry(buffer: ArrayBuffer): Telemetry {
 /** One row as the event it once was. Telemetry has no order but its tick, hence no `seq`. */
 export function telemetryEvent(telemetry: Telemetry, row: number, run: string): TelemetryEvent {
   const value = (name: string) => telemetry.columns.get(name)?.[row] ?? 0;
+  const known = (name: string) => {
+    const found = telemetry.columns.get(name)?.[row];
+    return found === undefined || Number.isNaN(found) ? null : found;
+  };
   return {
     v: 1,
     type: "telemetry",
@@ -47,6 +51,9 @@ export function telemetryEvent(telemetry: Telemetry, row: number, run: string): 
     goal_x_m: value("goal_x_m"),
     goal_y_m: value("goal_y_m"),
     goal_yaw_rad: value("goal_yaw_rad"),
+    true_x_m: known("true_x_m"),
+    true_y_m: known("true_y_m"),
+    true_yaw_rad: known("true_yaw_rad"),
     done: value("done"),
     bumper: value("bumper") > 0.5,
   };

@@ -1,138 +1,174 @@
 import type { ReadonlySignal } from "@preact/signals";
-import { effect } from "@preact/signals";
-import { Minus, Plus, Scan } from "lucide-preact";
+import { effect, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { World } from "../api/model";
+import { program } from "../app/session";
 import { TEST } from "../app/testids";
 import { prefersStill, theme } from "../app/theme";
 import { language, texts } from "../i18n";
 import { degrees, headingDegrees, metres } from "../i18n/format";
 import type { Pose, RunView } from "../run/reducer";
+import { startOf, toWorld, type XY } from "./frames";
+import { type Grip, listenToHands } from "./hands";
+import { drawMeasure, measureWords } from "./measure_view";
+import { savePicture } from "./picture";
+import type { Measurements } from "./ranges_view";
 import { SceneRenderer } from "./renderer";
+import { Toolbar } from "./Toolbar";
+import { SceneTools } from "./tools";
 import "./scene.css";
 
-const ZOOM_STEP = 1.4;
+/** A robot that a hand may put somewhere else, and whose sensors can be asked. */
+export interface RobotHold {
+  readonly grip: ReadonlySignal<Grip>;
+  readonly canReset: ReadonlySignal<boolean>;
+  readonly ranges: ReadonlySignal<Measurements | null>;
+  again(): void;
+}
 
 interface SceneProps {
   world: World | null;
   view: ReadonlySignal<RunView>;
   /** Where the robot is at a moment of the screen's clock, finer than the ticks of `view`. */
   poseAt(now: number): Pose;
+  /** Missing where a run is only looked at. */
+  hold?: RobotHold;
 }
 
-/** The floor from above. Wheel and buttons zoom, dragging moves it, the frame button brings it back. */
-export function Scene({ world, view, poseAt }: SceneProps) {
+/** The floor from above. Wheel and buttons zoom, dragging moves it or the robot, tools measure on it. */
+export function Scene({ world, view, poseAt, hold }: SceneProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const renderer = useRef<SceneRenderer | null>(null);
+  const tools = useSignal(new SceneTools()).peek();
 
   useEffect(() => {
     const element = canvas.current;
     if (!element) return;
-    const scene = new SceneRenderer(element, poseAt, prefersStill);
+    const scene = new SceneRenderer(element, poseAt, prefersStill, (framing) => {
+      tools.follow.value = framing === "robot";
+    });
     renderer.current = scene;
     const sizes = new ResizeObserver(() => scene.resize(element.clientWidth, element.clientHeight));
     sizes.observe(element);
-    const stopView = effect(() => scene.setView(view.value));
-    const stopTheme = effect(() => {
-      theme.value;
-      scene.setTheme();
-    });
-    const stopPointer = followPointer(element, scene);
+    const stops = [
+      effect(() => scene.setView(view.value)),
+      effect(() => {
+        theme.value;
+        scene.setTheme();
+      }),
+      effect(() => scene.setMovable(hold?.grip.value.isAtStart ?? false)),
+      effect(() => scene.setRanges(hold?.ranges.value ?? null)),
+      showMeasure(scene, tools),
+      listenToHands({
+        element,
+        scene,
+        tools,
+        grip: () => hold?.grip.peek() ?? null,
+        places: () => placesOn(scene, view.peek()),
+      }),
+      putAwayOnEscape(tools),
+    ];
     return () => {
-      for (const stop of [stopView, stopTheme, stopPointer]) stop();
+      for (const stop of stops) stop();
       sizes.disconnect();
       scene.dispose();
     };
-  }, [view, poseAt]);
+  }, [view, poseAt, hold]);
 
   useEffect(() => renderer.current?.setWorld(world), [world]);
 
   return (
     <div class="scene">
-      <Canvas canvas={canvas} view={view} />
-      <Buttons scene={() => renderer.current} />
+      <Canvas canvas={canvas} view={view} tools={tools} canMove={hold !== undefined} />
+      <Toolbar
+        scene={() => renderer.current}
+        tools={tools}
+        again={hold ? { able: hold.canReset.value, act: () => hold.again() } : null}
+        hasSensors={hold !== undefined}
+        onPicture={() => {
+          if (renderer.current) void savePicture(renderer.current, program.peek()?.name ?? "PINEL");
+        }}
+      />
+      <MeasureHint tools={tools} />
     </div>
   );
 }
 
-function Canvas({
-  canvas,
-  view,
-}: {
+interface CanvasProps {
   canvas: { current: HTMLCanvasElement | null };
   view: ReadonlySignal<RunView>;
-}) {
-  const { pose, phase } = view.value;
-  const label = texts.value.scene.label(
-    metres(pose.x, language.value),
-    metres(pose.y, language.value),
-    degrees(headingDegrees(pose.yaw), language.value),
+  tools: SceneTools;
+  canMove: boolean;
+}
+
+function Canvas({ canvas, view, tools, canMove }: CanvasProps) {
+  const { truth, phase } = view.value;
+  const { scene } = texts.value;
+  const label = scene.label(
+    metres(truth.x, language.value),
+    metres(truth.y, language.value),
+    degrees(headingDegrees(truth.yaw), language.value),
   );
+  const keys = tools.tool.value ? scene.measureKeys : canMove ? scene.startKeys : "";
   return (
+    // biome-ignore lint/a11y/noInteractiveElementToNoninteractiveRole: keys move the start and the tools
     <canvas
       ref={canvas}
       class="scene__canvas"
-      role="img"
-      aria-label={label}
+      role="application"
+      aria-label={`${label} ${keys}`.trim()}
+      tabIndex={0}
       data-testid={TEST.scene}
       data-phase={phase}
+      data-tool={tools.tool.value ?? ""}
     />
   );
 }
 
-function Buttons({ scene }: { scene(): SceneRenderer | null }) {
-  const words = texts.value.scene;
-  const button = (label: string, Icon: typeof Plus, act: (now: SceneRenderer) => void) => (
-    <button
-      type="button"
-      class="scene__button"
-      aria-label={label}
-      title={label}
-      onClick={() => {
-        const now = scene();
-        if (now) act(now);
-      }}
-    >
-      <Icon class="icon" aria-hidden="true" />
-    </button>
-  );
+/** How the tool in the hand is used, then what it measured. */
+function MeasureHint({ tools }: { tools: SceneTools }) {
+  const { value: tool } = tools.tool;
+  const { value: result } = tools.result;
+  if (!tool) return null;
+  const { scene } = texts.value;
+  const words = result ? measureWords(result, texts.value, language.value) : "";
+  const value = result?.kind === "distance" ? result.metres : result?.degrees;
   return (
-    <div class="scene__buttons">
-      {button(words.zoomIn, Plus, (now) => now.zoom(ZOOM_STEP))}
-      {button(words.zoomOut, Minus, (now) => now.zoom(1 / ZOOM_STEP))}
-      {button(words.fit, Scan, (now) => now.frame())}
-    </div>
+    <output
+      class={words ? "visually-hidden" : "scene__hint"}
+      data-testid={TEST.measure}
+      data-value={value?.toFixed(3) ?? ""}
+    >
+      {words || scene[tool === "ruler" ? "rulerHint" : "protractorHint"]}
+    </output>
   );
 }
 
-function followPointer(element: HTMLCanvasElement, scene: SceneRenderer): () => void {
-  let last: { x: number; y: number } | null = null;
-  const down = (event: PointerEvent) => {
-    last = { x: event.clientX, y: event.clientY };
-    element.setPointerCapture(event.pointerId);
+function showMeasure(scene: SceneRenderer, tools: SceneTools): () => void {
+  return effect(() => {
+    const { value: tool } = tools.tool;
+    const { value: points } = tools.shown;
+    const { value: result } = tools.result;
+    const words = result ? measureWords(result, texts.value, language.value) : "";
+    scene.setOverlay(
+      tool &&
+        ((ctx, camera, size, palette) =>
+          drawMeasure(ctx, tool, points, words, [camera, size], palette)),
+    );
+  });
+}
+
+/** The robot, the start and all marks: what a ruler is laid to. */
+function placesOn(scene: SceneRenderer, { output }: RunView): XY[] {
+  const start = startOf(scene.shownWorld);
+  const marks = output.marks.map((mark) => toWorld(start, mark.x, mark.y));
+  return [scene.robotAt, start, ...marks];
+}
+
+function putAwayOnEscape(tools: SceneTools): () => void {
+  const onKey = ({ key }: KeyboardEvent) => {
+    if (key === "Escape" && tools.tool.peek()) tools.take(null);
   };
-  const move = (event: PointerEvent) => {
-    if (!last) return;
-    scene.pan(event.clientX - last.x, event.clientY - last.y);
-    last = { x: event.clientX, y: event.clientY };
-  };
-  const up = () => {
-    last = null;
-  };
-  const wheel = (event: WheelEvent) => {
-    event.preventDefault();
-    scene.zoom(Math.exp(-event.deltaY / 500));
-  };
-  element.addEventListener("pointerdown", down);
-  element.addEventListener("pointermove", move);
-  element.addEventListener("pointerup", up);
-  element.addEventListener("pointercancel", up);
-  element.addEventListener("wheel", wheel, { passive: false });
-  return () => {
-    element.removeEventListener("pointerdown", down);
-    element.removeEventListener("pointermove", move);
-    element.removeEventListener("pointerup", up);
-    element.removeEventListener("pointercancel", up);
-    element.removeEventListener("wheel", wheel);
-  };
+  window.addEventListener("keydown", onKey);
+  return () => window.removeEventListener("keydown", onKey);
 }

@@ -43,6 +43,13 @@ export function toScreen(camera: Camera, size: Size, point: XY): XY {
   };
 }
 
+export function toFloor(camera: Camera, size: Size, place: XY): XY {
+  return {
+    x: camera.x + (place.x - size.width / 2) / camera.scale,
+    y: camera.y - (place.y - size.height / 2) / camera.scale,
+  };
+}
+
 /** Moves a camera towards another; true while there is way to go. */
 export function approach(
   camera: Camera,

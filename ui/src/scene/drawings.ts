@@ -1,6 +1,5 @@
-import { allStrokes, type FloorMark, type Output, type Stroke } from "../run/output";
-import type { Pose } from "../run/reducer";
-import { lastPoint, points } from "../run/trail";
+import type { FloorMark, Stroke } from "../run/output";
+import { lastPoint, type Point, points } from "../run/trail";
 import { edgeOf, paintOf } from "./paints";
 import type { Palette } from "./palette";
 
@@ -15,25 +14,23 @@ const EDGE_PX = 1.5;
 const MARK_M = 0.3;
 const MARK_LINE_M = 0.075;
 
-/** What the pen has drawn, up to where the robot is while it draws. Start frame, metres. */
-export function drawStrokes(
+/** What the pen has drawn, up to where the robot is (`end`) while it draws. Start frame, metres. */
+export function drawStroke(
   ctx: Ctx,
-  output: Output,
-  pose: Pose,
+  stroke: Stroke,
+  end: Point | null,
   palette: Palette,
   pixel: number,
 ): void {
   ctx.lineCap = "round";
   ctx.lineJoin = "round";
-  for (const stroke of allStrokes(output)) {
-    const paint = paintOf(stroke.color);
-    const edge = edgeOf(paint, palette.tile, palette.number);
-    const width = Math.max(PEN_M, PEN_PX * pixel);
-    trace(ctx, stroke);
-    if (stroke === output.pen) ctx.lineTo(pose.x, pose.y);
-    if (edge) paintLine(ctx, edge, width + 2 * EDGE_PX * pixel);
-    paintLine(ctx, paint, width);
-  }
+  const paint = paintOf(stroke.color);
+  const edge = edgeOf(paint, palette.tile, palette.number);
+  const width = Math.max(PEN_M, PEN_PX * pixel);
+  trace(ctx, stroke);
+  if (end) ctx.lineTo(...end);
+  if (edge) paintLine(ctx, edge, width + 2 * EDGE_PX * pixel);
+  paintLine(ctx, paint, width);
 }
 
 function trace(ctx: Ctx, { trail }: Stroke): void {

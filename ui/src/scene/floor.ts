@@ -1,4 +1,5 @@
 import type { World } from "../api/model";
+import type { Things } from "../run/reducer";
 import { type Camera, EDGE, type Size, toScreen } from "./camera";
 import { roomOf, startOf, toStart, toWorld } from "./frames";
 import { drawPaint, drawZones } from "./ground";
@@ -10,7 +11,14 @@ const WORLD_CHOICE = 68;
 /** All of these draw in the world's frame, in metres, y up. */
 type Ctx = CanvasRenderingContext2D;
 
-export function drawFloor(ctx: Ctx, world: World | null, palette: Palette, scale: number): void {
+/** The room with all that stands in it; without the boxes that can be pushed where those are drawn apart. */
+export function drawFloor(
+  ctx: Ctx,
+  world: World | null,
+  palette: Palette,
+  scale: number,
+  withMovable = true,
+): void {
   const room = roomOf(world);
   ctx.save();
   ctx.beginPath();
@@ -22,7 +30,7 @@ export function drawFloor(ctx: Ctx, world: World | null, palette: Palette, scale
   ctx.restore();
   drawPaint(ctx, world, palette, 1 / scale);
   drawZones(ctx, world, palette, 1 / scale);
-  for (const box of world?.boxes ?? []) drawBox(ctx, box, palette);
+  for (const box of world?.boxes ?? []) if (withMovable || !box.movable) drawBox(ctx, box, palette);
   drawWalls(ctx, world, palette);
 }
 
@@ -110,6 +118,16 @@ function drawLid(ctx: Ctx, right: number, top: number, movable: boolean): void {
     ctx.lineTo(right, way * top);
   }
   ctx.stroke();
+}
+
+/** The boxes that can be pushed, where they have been pushed to. */
+export function drawThings(ctx: Ctx, world: World | null, things: Things, palette: Palette): void {
+  world?.boxes.forEach((box, index) => {
+    if (!box.movable) return;
+    const [x, y, yaw] = things[index] ?? [];
+    if (x === undefined || y === undefined || yaw === undefined) drawBox(ctx, box, palette);
+    else drawBox(ctx, { ...box, center: [x, y], heading_deg: (yaw * 180) / Math.PI }, palette);
+  });
 }
 
 /** Numbers of the metre grid along the edges; drawn in pixels, over everything else. */

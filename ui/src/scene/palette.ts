@@ -22,6 +22,16 @@ const TOKENS = {
 
 export type Palette = Record<keyof typeof TOKENS, string>;
 
+/** The colours of the light floor, whatever the theme: for pictures that leave the program. */
+export function paperPalette(): Palette {
+  const { dataset } = document.documentElement;
+  const now = dataset.theme;
+  dataset.theme = "light";
+  const palette = readPalette();
+  dataset.theme = now;
+  return palette;
+}
+
 /** The colours of the floor in the theme that is on: a canvas cannot read the page's tokens itself. */
 export function readPalette(): Palette {
   const style = getComputedStyle(document.documentElement);

@@ -1,18 +1,32 @@
 import type { World } from "../api/model";
 import { IDLE, type Pose, type RunView } from "../run/reducer";
-import { points, type Trail } from "../run/trail";
-import { approach, type Camera, cameraFor, clampScale, type Size } from "./camera";
-import { drawMarks, drawStrokes } from "./drawings";
-import { drawFloor, drawRulers } from "./floor";
-import { startOf } from "./frames";
+import type { Point } from "../run/trail";
+import { approach, type Camera, cameraFor, clampScale, type Size, toFloor } from "./camera";
+import { drawRulers, drawThings } from "./floor";
+import { startOf, toWorld, type XY } from "./frames";
 import { type Palette, readPalette } from "./palette";
-import { drawRobot, drawStart } from "./robot";
+import { Paper, type Sheet } from "./paper";
+import { Pushed } from "./pushed";
+import { drawRanges, type Measurements } from "./ranges_view";
+import { drawBelief, drawKnob, drawRobot } from "./robot";
+import { HANDLE_M } from "./start_pose";
 import { subjectOf, wholeRoom } from "./subject";
 
 /** After the last change the picture is drawn on for so long, for the robot to arrive. */
 const LINGER_MS = 250;
 
-export type Framing = "subject" | "room" | "hand";
+/** What the robot knows of its place is shown where it is so far from the truth. */
+const OFF_M = 0.01;
+
+export type Framing = "subject" | "room" | "hand" | "robot";
+
+/** What lies over the floor, drawn in pixels. */
+export type Overlay = (
+  ctx: CanvasRenderingContext2D,
+  camera: Camera,
+  size: Size,
+  palette: Palette,
+) => void;
 
 /** Draws the floor from above whenever something changes, at most once a frame of the screen. */
 export class SceneRenderer {
@@ -29,11 +43,20 @@ export class SceneRenderer {
   private handle = 0;
   private lastFrame = 0;
   private moved = false;
+  private paper = new Paper();
+  private readonly pushed = new Pushed();
+  private ranges: Measurements | null = null;
+  /** The robot stands at its start and may be moved there. */
+  private movable = false;
+  /** While a hand moves something, the camera stays where it is. */
+  private held = false;
+  private overlay: Overlay | null = null;
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
     private readonly poseAt: (now: number) => Pose,
     private readonly still: () => boolean,
+    private readonly onFraming: (framing: Framing) => void = () => {},
   ) {
     const ctx = canvas.getContext("2d");
     if (!ctx) throw new Error("no 2D canvas");
@@ -42,10 +65,66 @@ export class SceneRenderer {
 
   setWorld(world: World | null): void {
     if (world === this.world) return;
+    const sameRoom = world !== null && this.world?.walls === world.walls;
     this.world = world;
-    this.framing = "subject";
+    if (sameRoom) {
+      // only the start is another
+      this.moved = true;
+      this.wake();
+      return;
+    }
+    this.setFraming("subject");
     this.camera = null;
     this.aim();
+  }
+
+  setMovable(movable: boolean): void {
+    this.movable = movable;
+    this.wake();
+  }
+
+  setRanges(ranges: Measurements | null): void {
+    this.ranges = ranges;
+    this.wake();
+  }
+
+  setOverlay(overlay: Overlay | null): void {
+    this.overlay = overlay;
+    this.wake();
+  }
+
+  /** Keeps the camera where it is while something is being dragged. */
+  hold(held: boolean): void {
+    this.held = held;
+    this.moved = true;
+    this.wake();
+  }
+
+  /** Keeps the robot in the middle, or leaves off. */
+  follow(wanted: boolean): void {
+    if (wanted) this.setFraming("robot");
+    else if (this.framing === "robot") this.setFraming("hand");
+    this.aim();
+  }
+
+  /** The place on the floor under a place of the canvas, in the world's frame. */
+  floorAt(place: XY): XY {
+    return toFloor(this.camera ?? this.target, this.size, place);
+  }
+
+  /** Metres that a pixel covers. */
+  get pixel(): number {
+    return 1 / (this.camera ?? this.target).scale;
+  }
+
+  get shownWorld(): World | null {
+    return this.world;
+  }
+
+  /** Where the robot stands, in the world's frame. */
+  get robotAt(): XY {
+    const pose = this.poseAt(performance.now());
+    return toWorld(startOf(this.world), pose.x, pose.y);
   }
 
   setView(view: RunView): void {
@@ -72,18 +151,18 @@ export class SceneRenderer {
 
   /** Shows what is worth seeing, or the whole room when that is what was shown. */
   frame(): void {
-    this.framing = this.framing === "subject" ? "room" : "subject";
+    this.setFraming(this.framing === "subject" ? "room" : "subject");
     this.aim();
   }
 
   zoom(factor: number): void {
-    this.framing = "hand";
+    if (this.framing !== "robot") this.setFraming("hand");
     this.target = { ...this.target, scale: clampScale(this.target.scale * factor) };
     this.wake();
   }
 
   pan(dx: number, dy: number): void {
-    this.framing = "hand";
+    this.setFraming("hand");
     const { x, y, scale } = this.target;
     this.target = { x: x - dx / scale, y: y + dy / scale, scale };
     this.camera = { ...this.target };
@@ -94,6 +173,26 @@ export class SceneRenderer {
     cancelAnimationFrame(this.handle);
   }
 
+  /** The floor as a picture on light ground, with everything worth seeing in it. */
+  picture(size: Size, ratio: number, palette: Palette): HTMLCanvasElement {
+    const canvas = document.createElement("canvas");
+    canvas.width = size.width * ratio;
+    canvas.height = size.height * ratio;
+    const ctx = canvas.getContext("2d");
+    if (!ctx) return canvas;
+    const camera = cameraFor(subjectOf(this.world, this.view), size);
+    const { world, view } = this;
+    const sheet = { world, view, palette, size, ratio };
+    this.paintSheet(ctx, sheet, new Paper(), camera, performance.now());
+    return canvas;
+  }
+
+  private setFraming(framing: Framing): void {
+    if (framing === this.framing) return;
+    this.framing = framing;
+    this.onFraming(framing);
+  }
+
   private aim(): void {
     this.point();
     this.wake();
@@ -101,6 +200,7 @@ export class SceneRenderer {
 
   private point(): void {
     this.moved = false;
+    if (this.held) return;
     if (this.framing === "subject")
       this.target = cameraFor(subjectOf(this.world, this.view), this.size);
     if (this.framing === "room") this.target = cameraFor(wholeRoom(this.world), this.size);
@@ -121,57 +221,71 @@ export class SceneRenderer {
 
   private draw(now: number): boolean {
     if (this.moved) this.point();
+    const pose = this.poseAt(now);
+    if (this.framing === "robot" && !this.held) {
+      this.target = { ...toWorld(startOf(this.world), pose.x, pose.y), scale: this.target.scale };
+    }
     this.camera ??= { ...this.target };
     const elapsed = Math.min(50, now - this.lastFrame);
     this.lastFrame = now;
     const moving = approach(this.camera, this.target, elapsed, this.still());
-    this.paint(this.camera, this.poseAt(now));
-    return moving;
+    const pushing = this.pushed.approach(this.view.things, elapsed, this.still());
+    const { world, view, palette, size, ratio } = this;
+    const sheet = { world, view, palette, size, ratio };
+    const blurred = this.paintSheet(this.ctx, sheet, this.paper, this.camera, now);
+    this.overlay?.(this.ctx, this.camera, size, palette);
+    return moving || pushing || blurred;
   }
 
-  private paint(camera: Camera, pose: Pose): void {
-    const { ctx, palette, size, ratio, world } = this;
+  /** Everything but what a hand holds over it; true while it is not as sharp as it should be. */
+  private paintSheet(
+    ctx: CanvasRenderingContext2D,
+    sheet: Sheet,
+    paper: Paper,
+    camera: Camera,
+    now: number,
+  ): boolean {
+    const { world, palette, size, ratio } = sheet;
     ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
     ctx.fillStyle = palette.outside;
     ctx.fillRect(0, 0, size.width, size.height);
+    const blurred = paper.lay(ctx, sheet, camera, now);
     ctx.save();
     ctx.translate(size.width / 2, size.height / 2);
     ctx.scale(camera.scale, -camera.scale);
     ctx.translate(-camera.x, -camera.y);
-    drawFloor(ctx, world, palette, camera.scale);
+    drawThings(ctx, world, this.pushed.places, palette);
     const start = startOf(world);
     ctx.translate(start.x, start.y);
     ctx.rotate(start.yaw);
-    drawStart(ctx, palette, camera.scale);
-    drawMarks(ctx, this.view.output.marks, palette);
-    this.drawPath(camera, pose);
-    drawStrokes(ctx, this.view.output, pose, palette, 1 / camera.scale);
-    drawRobot(ctx, pose, palette, camera.scale * ratio);
+    const pose = this.poseAt(now);
+    const end: Point | null = this.view.run ? [pose.x, pose.y] : null;
+    paper.drawNew(ctx, sheet, camera, end);
+    this.drawRobot(ctx, pose, camera, sheet);
     ctx.restore();
     drawRulers(ctx, world, camera, size, palette);
+    return blurred;
   }
 
-  private drawPath(camera: Camera, pose: Pose): void {
-    const { ctx, palette } = this;
-    const pixel = 1 / camera.scale;
-    ctx.lineCap = "round";
-    ctx.lineJoin = "round";
-    // beneath the path, so that it is seen where the robot did not do what it should
-    ctx.strokeStyle = palette.ideal;
-    ctx.lineWidth = 2 * pixel;
-    ctx.setLineDash([5 * pixel, 6 * pixel]);
-    line(ctx, this.view.idealPath);
-    ctx.stroke();
-    ctx.setLineDash([]);
-    ctx.strokeStyle = palette.path;
-    ctx.lineWidth = 6 * pixel;
-    line(ctx, this.view.path);
-    if (this.view.run) ctx.lineTo(pose.x, pose.y);
-    ctx.stroke();
+  private drawRobot(
+    ctx: CanvasRenderingContext2D,
+    pose: Pose,
+    { scale }: Camera,
+    { palette, ratio }: Sheet,
+  ): void {
+    const { view, ranges } = this;
+    if (ranges && this.view.run) {
+      ctx.save();
+      ctx.translate(pose.x, pose.y);
+      ctx.rotate(pose.yaw);
+      drawRanges(ctx, ranges, palette, 1 / scale);
+      ctx.restore();
+    }
+    if (this.movable && !view.run) drawKnob(ctx, HANDLE_M, palette, 1 / scale);
+    drawRobot(ctx, pose, palette, scale * ratio);
+    const off = { x: view.pose.x - view.truth.x, y: view.pose.y - view.truth.y };
+    if (Math.hypot(off.x, off.y) < OFF_M) return;
+    const yaw = pose.yaw + view.pose.yaw - view.truth.yaw;
+    drawBelief(ctx, { x: pose.x + off.x, y: pose.y + off.y, yaw }, palette, 1 / scale);
   }
-}
-
-function line(ctx: CanvasRenderingContext2D, trail: Trail): void {
-  ctx.beginPath();
-  for (const [x, y] of points(trail)) ctx.lineTo(x, y);
 }

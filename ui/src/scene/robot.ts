@@ -101,6 +101,39 @@ function drawDeck(ctx: Ctx, palette: Palette): void {
   ctx.fill();
 }
 
+/** Where the robot believes to be: its outline, without a body. */
+export function drawBelief(ctx: Ctx, pose: Pose, palette: Palette, pixel: number): void {
+  ctx.save();
+  ctx.translate(pose.x, pose.y);
+  ctx.rotate(pose.yaw);
+  outline(ctx);
+  ctx.moveTo(0, 0);
+  ctx.lineTo(LENGTH / 2, 0);
+  ctx.setLineDash([4 * pixel, 3 * pixel]);
+  ctx.strokeStyle = palette.number;
+  ctx.lineWidth = 2 * pixel;
+  ctx.stroke();
+  ctx.restore();
+}
+
+/** The knob that turns the robot at its start; `reach` metres ahead of it. */
+export function drawKnob(ctx: Ctx, reach: number, palette: Palette, pixel: number): void {
+  ctx.save();
+  ctx.strokeStyle = palette.start;
+  ctx.lineWidth = 2 * pixel;
+  ctx.beginPath();
+  ctx.moveTo(LENGTH / 2, 0);
+  ctx.lineTo(reach, 0);
+  ctx.stroke();
+  ctx.beginPath();
+  ctx.arc(reach, 0, 8 * pixel, 0, 2 * Math.PI);
+  ctx.fillStyle = palette.tile;
+  ctx.fill();
+  ctx.lineWidth = 3 * pixel;
+  ctx.stroke();
+  ctx.restore();
+}
+
 /** Where and in which direction the robot began. */
 export function drawStart(ctx: Ctx, palette: Palette, pixels: number): void {
   const line = Math.max(2, 0.025 * pixels) / pixels;

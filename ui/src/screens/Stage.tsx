@@ -6,7 +6,6 @@ import { TEST } from "../app/testids";
 import { senses } from "../debug/senses";
 import { language, texts } from "../i18n";
 import { liveSource } from "../plots/live_source";
-import { PlotsPanel } from "../plots/PlotsPanel";
 import { CapturePanel } from "../run/CapturePanel";
 import * as robot from "../run/live";
 import { MuteButton } from "../run/MuteButton";
@@ -17,7 +16,10 @@ import { Shown } from "../run/Shown";
 import { type DrawerState, TextDrawer } from "../run/text/TextDrawer";
 import { WorldChoice } from "../run/WorldChoice";
 import { Scene } from "../scene/Scene";
+import { later } from "./later";
 import type { StudioControl } from "./studio_control";
+
+const PlotsPanel = later(async () => (await import("../plots/PlotsPanel")).PlotsPanel);
 
 interface StageProps {
   control: StudioControl;
@@ -41,7 +43,12 @@ export function Stage({ control, drawer }: StageProps) {
         hidden={hasText && (tall || editing)}
       >
         <div class="floor__scene">
-          <Scene world={control.world.value} view={robot.live} poseAt={robot.livePose} />
+          <Scene
+            world={control.world.value}
+            view={robot.live}
+            poseAt={robot.livePose}
+            hold={control.hold}
+          />
           <Corner control={control} />
         </div>
         {!waits && <Shown view={robot.live} more={senses} />}

@@ -12,9 +12,12 @@ import { language, texts } from "../i18n";
 import { reasonWords } from "../i18n/reasons";
 import { commandCount, MOST_SHOWN, workspaceOf } from "../loader";
 import * as robot from "../run/live";
+import { lookAround } from "../run/looking";
 import { isLive, runningBlock } from "../run/reducer";
 import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
+import { StartChoice } from "../run/start_choice";
 import { valueWords } from "../run/values";
+import type { RobotHold } from "../scene/Scene";
 import { WorldControl } from "../world_editor/world_control";
 
 const POINTING_MS = 2500;
@@ -33,6 +36,7 @@ export class StudioControl {
   /** What the robot is driving was made from this program. */
   readonly mine = computed(() => robot.liveRun.value?.program_id === this.open.id);
   readonly worlds: WorldControl;
+  readonly start: StartChoice;
   readonly sentence = computed<Sentence>(() => this.say());
   /** The innermost block that runs, of this program. */
   readonly running = computed(() => (this.mine.value ? runningBlock(robot.live.value) : null));
@@ -55,18 +59,36 @@ export class StudioControl {
 
   constructor(readonly open: OpenProgram) {
     this.worlds = new WorldControl(open);
+    this.start = new StartChoice(open.id, this.worlds);
   }
 
   /** Where the robot drives, or would drive. */
   get world() {
-    return this.worlds.world;
+    return this.start.world;
   }
+
+  /** The robot as a hand may take it. */
+  readonly hold: RobotHold = {
+    grip: computed(() => {
+      const { start } = this;
+      return {
+        world: start.world.value,
+        here: start.hereNow.value,
+        isAtStart: robot.live.value.phase === "idle",
+        put: (wanted) => start.put(wanted),
+      };
+    }),
+    canReset: computed(() => this.start.canReset.value),
+    ranges: robot.ranges,
+    again: () => this.start.again(),
+  };
 
   /** Ties an editor to the program; the answer unties it. */
   attach(editor: Editor): () => void {
     this.editor = editor;
     const stops = [
       tellRun(report),
+      lookAround(report),
       watchSensors(() => (this.mine.peek() ? this.documentThatRuns() : null)),
       effect(() => editor.highlight(this.lit.value)),
       effect(() => editor.showFaults([...this.open.faults.value, ...this.runFaults()])),
@@ -143,7 +165,9 @@ export class StudioControl {
       if (!version || version.faults.length > 0) return this.showFirst();
       this.edited.value = false;
       this.runDocument = open.content.value?.document ?? null;
-      await robot.start(version.id, this.worlds.name.value, wishes(paused));
+      const start = this.start.start.value;
+      const wanted = { ...wishes(paused), ...(start ? { start } : {}) };
+      await robot.start(version.id, this.worlds.name.value, wanted);
     } catch (error) {
       if (error instanceof ApiError && error.faults.length > 0) open.faults.value = error.faults;
       else report(error);

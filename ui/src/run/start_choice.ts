@@ -1,0 +1,75 @@
+import { batch, computed, type ReadonlySignal, signal } from "@preact/signals";
+import type { Start, World } from "../api/model";
+import { startOf, toWorld } from "../scene/frames";
+import { onTurn, turned } from "../scene/measure";
+import * as robot from "./live";
+import { isLive } from "./reducer";
+
+/** By program and world, as long as the page is open. */
+const chosen = signal<ReadonlyMap<string, Start>>(new Map());
+
+interface Place {
+  readonly name: ReadonlySignal<string>;
+  readonly world: ReadonlySignal<World | null>;
+}
+
+/** Where a program's robot begins: where its world says, or where a hand has put it. */
+export class StartChoice {
+  private readonly key = computed(() => `${this.program} ${this.place.name.value}`);
+  /** Null where the world's own holds. */
+  readonly start = computed(() => chosen.value.get(this.key.value) ?? null);
+  /** The world with the start that holds. */
+  readonly world = computed<World | null>(() => {
+    const { value: world } = this.place.world;
+    const { value: run } = robot.liveRun;
+    if (!world) return null;
+    const shown = robot.live.value.run !== null;
+    const ran = shown && run && "world_document" in run ? run.world_document : null;
+    if (ran) return { ...world, start: ran.start };
+    return this.start.value ? { ...world, start: this.start.value } : world;
+  });
+  /** There is a run on the floor, or a start of its own, to go back from. */
+  readonly canReset = computed(() => {
+    const { value: view } = robot.live;
+    return !isLive(view) && (view.run !== null || this.start.value !== null);
+  });
+
+  constructor(
+    private readonly program: string,
+    private readonly place: Place,
+  ) {}
+
+  /** Where the robot stands now as a start; null while a run moves it. */
+  readonly hereNow = computed<Start | null>(() => {
+    const { value: view } = robot.live;
+    const { value: world } = this.world;
+    if (isLive(view) || !world) return null;
+    if (view.run === null) return world.start;
+    const start = startOf(world);
+    const { x, y } = toWorld(start, view.truth.x, view.truth.y);
+    const heading = ((start.yaw + view.truth.yaw) * 180) / Math.PI;
+    return { x_m: x, y_m: y, heading_deg: turned(onTurn(heading)) };
+  });
+
+  /** Puts the robot somewhere; what was driven is cleared away. */
+  put(start: Start): void {
+    if (isLive(robot.live.peek())) return;
+    batch(() => {
+      if (robot.live.peek().run !== null) robot.clear();
+      this.keep(start);
+    });
+  }
+
+  /** First the robot and all things go back to the start, then the start to where the world has it. */
+  again(): void {
+    if (robot.live.peek().run !== null) robot.clear();
+    else this.keep(null);
+  }
+
+  private keep(start: Start | null): void {
+    const all = new Map(chosen.peek());
+    if (start) all.set(this.key.peek(), start);
+    else all.delete(this.key.peek());
+    chosen.value = all;
+  }
+}

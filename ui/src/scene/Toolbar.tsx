@@ -1,0 +1,149 @@
+import { useSignal } from "@preact/signals";
+import {
+  Camera,
+  ChevronsLeft,
+  LocateFixed,
+  Minus,
+  Plus,
+  Radar,
+  Radio,
+  RotateCcw,
+  Ruler,
+  Scan,
+  Triangle,
+  Wrench,
+} from "lucide-preact";
+import type { Ring } from "../api/model";
+import { TEST } from "../app/testids";
+import { texts } from "../i18n";
+import { looking, toggleRing } from "../run/looking";
+import type { SceneRenderer } from "./renderer";
+import type { SceneTools } from "./tools";
+
+const ZOOM_STEP = 1.4;
+
+interface ToolbarProps {
+  scene(): SceneRenderer | null;
+  tools: SceneTools;
+  /** Puts everything back to the start; there only where something can be put back. */
+  again: { readonly able: boolean; act(): void } | null;
+  /** There is a robot whose sensors can be asked. */
+  hasSensors: boolean;
+  onPicture(): void;
+}
+
+/** Few buttons on the floor; the rest of the tools behind one of them. */
+export function Toolbar({ scene, tools, again, hasSensors, onPicture }: ToolbarProps) {
+  const words = texts.value.scene;
+  const open = useSignal(false);
+  const act = (what: (now: SceneRenderer) => void) => () => {
+    const now = scene();
+    if (now) what(now);
+  };
+  return (
+    <div class="scene__tools">
+      {open.value && (
+        <More tools={tools} scene={scene} hasSensors={hasSensors} onPicture={onPicture} />
+      )}
+      <div class="scene__buttons">
+        <Tool label={words.zoomIn} Icon={Plus} onClick={act((now) => now.zoom(ZOOM_STEP))} />
+        <Tool label={words.zoomOut} Icon={Minus} onClick={act((now) => now.zoom(1 / ZOOM_STEP))} />
+        <Tool label={words.fit} Icon={Scan} onClick={act((now) => now.frame())} />
+        {again && (
+          <Tool
+            label={words.again}
+            Icon={RotateCcw}
+            testId={TEST.startAgain}
+            disabled={!again.able}
+            onClick={() => again.act()}
+          />
+        )}
+        <Tool
+          label={open.value ? words.lessTools : words.moreTools}
+          Icon={open.value ? ChevronsLeft : Wrench}
+          testId={TEST.sceneTools}
+          expanded={open.value}
+          onClick={() => {
+            open.value = !open.value;
+          }}
+        />
+      </div>
+    </div>
+  );
+}
+
+type MoreProps = Pick<ToolbarProps, "scene" | "tools" | "hasSensors" | "onPicture">;
+
+function More({ scene, tools, hasSensors, onPicture }: MoreProps) {
+  const words = texts.value.scene;
+  const ring = (name: Ring, label: string, Icon: typeof Plus) => (
+    <Tool
+      label={label}
+      Icon={Icon}
+      testId={TEST.ring}
+      name={name}
+      pressed={looking.value.includes(name)}
+      onClick={() => toggleRing(name)}
+    />
+  );
+  return (
+    <div class="scene__buttons scene__buttons--more" role="toolbar" aria-label={words.moreTools}>
+      <Tool
+        label={words.ruler}
+        Icon={Ruler}
+        testId={TEST.measureTool}
+        name="ruler"
+        pressed={tools.tool.value === "ruler"}
+        onClick={() => tools.take("ruler")}
+      />
+      <Tool
+        label={words.protractor}
+        Icon={Triangle}
+        testId={TEST.measureTool}
+        name="protractor"
+        pressed={tools.tool.value === "protractor"}
+        onClick={() => tools.take("protractor")}
+      />
+      {hasSensors && ring("sonar", words.sonar, Radio)}
+      {hasSensors && ring("lidar", words.lidar, Radar)}
+      <Tool
+        label={words.follow}
+        Icon={LocateFixed}
+        testId={TEST.follow}
+        pressed={tools.follow.value}
+        onClick={() => scene()?.follow(!tools.follow.peek())}
+      />
+      <Tool label={words.picture} Icon={Camera} testId={TEST.scenePicture} onClick={onPicture} />
+    </div>
+  );
+}
+
+interface ToolProps {
+  label: string;
+  Icon: typeof Plus;
+  testId?: string;
+  name?: string;
+  pressed?: boolean;
+  expanded?: boolean;
+  disabled?: boolean;
+  onClick(): void;
+}
+
+function Tool({ label, Icon, testId, name, pressed, expanded, disabled, onClick }: ToolProps) {
+  return (
+    <button
+      type="button"
+      class="scene__button"
+      aria-label={label}
+      title={label}
+      aria-pressed={pressed}
+      aria-expanded={expanded}
+      disabled={disabled}
+      data-testid={testId}
+      data-name={name}
+      onClick={onClick}
+    >
+      <Icon class="icon" aria-hidden="true" />
+    </button>
+  );
+}

@@ -1,0 +1,163 @@
+import type { Start, World } from "../api/model";
+import type { XY } from "./frames";
+import { POINTS_OF, snapped } from "./measure";
+import type { SceneRenderer } from "./renderer";
+import { facing, handleOf, isStartKey, movedTo, nudged, wayOf } from "./start_pose";
+import type { SceneTools } from "./tools";
+
+/** A robot that may be taken by hand. */
+export interface Grip {
+  readonly world: World | null;
+  /** Where it stands, null while a run moves it. */
+  readonly here: Start | null;
+  /** It stands at its start, where a knob turns it. */
+  readonly isAtStart: boolean;
+  put(start: Start): void;
+}
+
+interface Floor {
+  readonly element: HTMLCanvasElement;
+  readonly scene: SceneRenderer;
+  readonly tools: SceneTools;
+  grip(): Grip | null;
+  /** Places worth measuring from, world frame. */
+  places(): XY[];
+}
+
+/** A finger hits what is nearer than this, in pixels; what moved less was a click. */
+const REACH_PX = 22;
+const CLICK_PX = 6;
+const ROBOT_M = 0.24;
+
+type Mode = "pan" | "move" | "turn" | "measure";
+
+/** Mouse, pen and finger on the floor: they measure, take the robot, or move the floor. The answer ends that. */
+export function listenToHands(floor: Floor): () => void {
+  const { element, scene, tools } = floor;
+  let mode: Mode | null = null;
+  let last: XY = { x: 0, y: 0 };
+  let far = 0;
+  let began: Start | null = null;
+  /** The hand has only just set the first point. */
+  let fresh = false;
+
+  const placeOf = (event: PointerEvent): XY => {
+    const box = element.getBoundingClientRect();
+    return scene.floorAt({ x: event.clientX - box.left, y: event.clientY - box.top });
+  };
+  const snap = (event: PointerEvent) =>
+    snapped(placeOf(event), floor.places(), REACH_PX * 0.75 * scene.pixel);
+
+  const down = (event: PointerEvent) => {
+    if (event.button !== 0) return;
+    element.setPointerCapture(event.pointerId);
+    last = { x: event.clientX, y: event.clientY };
+    far = 0;
+    mode = tools.tool.peek() ? "measure" : holdAt(placeOf(event), floor);
+    if (mode === "measure") fresh = beginMeasure(tools, snap(event));
+    if (mode !== "move" && mode !== "turn") return;
+    began = floor.grip()?.here ?? null;
+    scene.hold(true);
+  };
+  const move = (event: PointerEvent) => {
+    const [dx, dy] = [event.clientX - last.x, event.clientY - last.y];
+    far = Math.max(far, Math.hypot(dx, dy));
+    if (mode === null) hover(event);
+    else if (mode === "measure") tools.draft.value = snap(event);
+    else if (mode === "pan") {
+      scene.pan(dx, dy);
+      last = { x: event.clientX, y: event.clientY };
+    } else if (far >= CLICK_PX) take(event, mode);
+  };
+  const take = (event: PointerEvent, how: "move" | "turn") => {
+    const grip = floor.grip();
+    if (!grip || !began) return;
+    const place = placeOf(event);
+    const free = event.shiftKey;
+    grip.put(how === "turn" ? facing(began, place, free) : movedTo(began, place, grip.world, free));
+  };
+  const hover = (event: PointerEvent) => {
+    const { value: tool } = tools.tool;
+    if (tool) {
+      if (tools.points.peek().length > 0 && !tools.isDone.peek()) tools.draft.value = snap(event);
+      element.dataset.hand = "measure";
+    } else element.dataset.hand = holdAt(placeOf(event), floor);
+  };
+  const up = (event: PointerEvent) => {
+    if (mode === "measure" && (!fresh || far >= CLICK_PX)) endMeasure(tools, snap(event));
+    if (mode === "move" || mode === "turn") scene.hold(false);
+    mode = null;
+  };
+  const wheel = (event: WheelEvent) => {
+    event.preventDefault();
+    scene.zoom(Math.exp(-event.deltaY / 500));
+  };
+  const key = (event: KeyboardEvent) => {
+    if (tools.tool.peek() ? measureKey(event, floor) : startKey(event, floor)) {
+      event.preventDefault();
+      event.stopPropagation();
+    }
+  };
+  element.addEventListener("pointerdown", down);
+  element.addEventListener("pointermove", move);
+  element.addEventListener("pointerup", up);
+  element.addEventListener("pointercancel", up);
+  element.addEventListener("wheel", wheel, { passive: false });
+  element.addEventListener("keydown", key);
+  return () => {
+    element.removeEventListener("pointerdown", down);
+    element.removeEventListener("pointermove", move);
+    element.removeEventListener("pointerup", up);
+    element.removeEventListener("pointercancel", up);
+    element.removeEventListener("wheel", wheel);
+    element.removeEventListener("keydown", key);
+  };
+}
+
+/** What a hand at a place of the floor takes. */
+function holdAt(place: XY, { scene, grip }: Floor): Exclude<Mode, "measure"> {
+  const robot = grip();
+  const { here } = robot ?? {};
+  if (!robot || !here) return "pan";
+  const reach = REACH_PX * scene.pixel;
+  const near = (spot: XY, within: number) =>
+    Math.hypot(spot.x - place.x, spot.y - place.y) < within;
+  if (near({ x: here.x_m, y: here.y_m }, ROBOT_M)) return "move";
+  if (robot.isAtStart && near(handleOf(here), reach)) return "turn";
+  return near({ x: here.x_m, y: here.y_m }, reach) ? "move" : "pan";
+}
+
+/** The first point is where the hand came down, the next are where it goes up; true for the first. */
+function beginMeasure(tools: SceneTools, place: XY): boolean {
+  const first = tools.points.peek().length === 0 || tools.isDone.peek();
+  if (first) tools.set(place);
+  else tools.draft.value = place;
+  return first;
+}
+
+function endMeasure(tools: SceneTools, place: XY): void {
+  const { value: tool } = tools.tool;
+  if (tool && tools.points.peek().length < POINTS_OF[tool]) tools.set(place);
+}
+
+/** The arrows move the next point, Enter sets it. */
+function measureKey(event: KeyboardEvent, { scene, tools }: Floor): boolean {
+  const now = tools.draft.peek() ?? tools.points.peek().at(-1) ?? scene.robotAt;
+  if (event.key === "Enter" || event.key === " ") {
+    tools.set(now);
+    return true;
+  }
+  const way = wayOf(event.key);
+  if (!way) return false;
+  const step = event.shiftKey ? 0.01 : 0.1;
+  tools.draft.value = { x: now.x + way[0] * step, y: now.y + way[1] * step };
+  return true;
+}
+
+/** The arrows move the start, comma and point turn it. */
+function startKey({ key, shiftKey, ctrlKey }: KeyboardEvent, { grip }: Floor): boolean {
+  const robot = grip();
+  if (!robot?.here || ctrlKey || !isStartKey(key)) return false;
+  robot.put(nudged(robot.here, key, robot.world, shiftKey));
+  return true;
+}

@@ -1,0 +1,133 @@
+import type { Language, Texts } from "../i18n";
+import { decimal, metres } from "../i18n/format";
+import { type Camera, type Size, toScreen } from "./camera";
+import type { XY } from "./frames";
+import type { Measured, MeasureTool } from "./measure";
+import type { Palette } from "./palette";
+
+type Ctx = CanvasRenderingContext2D;
+
+const ARC_PX = 44;
+
+/** What was measured, in words: "1,25 m", "90° à esquerda". */
+export function measureWords(
+  result: Measured,
+  { scene }: Pick<Texts, "scene">,
+  language: Language,
+): string {
+  if (result.kind === "distance") return metres(result.metres, language);
+  const degrees = `${decimal(Math.abs(result.degrees), 0, language)}°`;
+  if (Math.abs(result.degrees) < 0.5) return degrees;
+  return result.degrees > 0 ? scene.toLeft(degrees) : scene.toRight(degrees);
+}
+
+/** Ruler or protractor with its words, over everything else; in pixels. */
+export function drawMeasure(
+  ctx: Ctx,
+  tool: MeasureTool,
+  points: readonly XY[],
+  words: string,
+  [camera, size]: readonly [Camera, Size],
+  palette: Palette,
+): void {
+  const places = points.map((point) => toScreen(camera, size, point));
+  const [a, b, c] = places;
+  if (!a) return;
+  ctx.save();
+  ctx.lineCap = "round";
+  const rays =
+    tool === "ruler"
+      ? [[a, b]]
+      : [
+          [a, b],
+          [a, c],
+        ];
+  for (const [from, to] of rays) if (from && to) drawRay(ctx, from, to, palette);
+  if (tool === "protractor" && b && c) drawArc(ctx, a, b, c, palette);
+  for (const place of places) drawEnd(ctx, place, palette);
+  if (words) drawWords(ctx, words, wordsPlace(tool, places), size, palette);
+  ctx.restore();
+}
+
+function drawRay(ctx: Ctx, from: XY, to: XY, palette: Palette): void {
+  ctx.beginPath();
+  ctx.moveTo(from.x, from.y);
+  ctx.lineTo(to.x, to.y);
+  for (const [colour, width] of [
+    [palette.tile, 6],
+    [palette.start, 3],
+  ] as const) {
+    ctx.strokeStyle = colour;
+    ctx.lineWidth = width;
+    ctx.stroke();
+  }
+}
+
+function drawArc(ctx: Ctx, corner: XY, from: XY, to: XY, palette: Palette): void {
+  const begin = Math.atan2(from.y - corner.y, from.x - corner.x);
+  const end = Math.atan2(to.y - corner.y, to.x - corner.x);
+  const turn = Math.atan2(Math.sin(end - begin), Math.cos(end - begin));
+  ctx.beginPath();
+  ctx.moveTo(corner.x, corner.y);
+  ctx.arc(corner.x, corner.y, ARC_PX, begin, end, turn < 0);
+  ctx.closePath();
+  ctx.globalAlpha = 0.2;
+  ctx.fillStyle = palette.start;
+  ctx.fill();
+  ctx.globalAlpha = 1;
+  ctx.beginPath();
+  ctx.arc(corner.x, corner.y, ARC_PX, begin, end, turn < 0);
+  ctx.strokeStyle = palette.start;
+  ctx.lineWidth = 2;
+  ctx.stroke();
+  drawTip(ctx, corner, end, Math.sign(turn), palette);
+}
+
+/** The head of the arrow tells from which ray to which. */
+function drawTip(ctx: Ctx, corner: XY, angle: number, way: number, palette: Palette): void {
+  ctx.save();
+  ctx.translate(corner.x + ARC_PX * Math.cos(angle), corner.y + ARC_PX * Math.sin(angle));
+  ctx.rotate(angle + (way * Math.PI) / 2);
+  ctx.beginPath();
+  ctx.moveTo(2, 0);
+  ctx.lineTo(-9, 6);
+  ctx.lineTo(-9, -6);
+  ctx.closePath();
+  ctx.fillStyle = palette.start;
+  ctx.fill();
+  ctx.restore();
+}
+
+function drawEnd(ctx: Ctx, { x, y }: XY, palette: Palette): void {
+  ctx.beginPath();
+  ctx.arc(x, y, 6, 0, 2 * Math.PI);
+  ctx.fillStyle = palette.tile;
+  ctx.fill();
+  ctx.strokeStyle = palette.start;
+  ctx.lineWidth = 3;
+  ctx.stroke();
+}
+
+function wordsPlace(tool: MeasureTool, places: readonly XY[]): XY {
+  const [a = { x: 0, y: 0 }, b = a] = places;
+  if (tool === "ruler") return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 - 22 };
+  return { x: a.x, y: a.y + ARC_PX + 22 };
+}
+
+function drawWords(ctx: Ctx, words: string, at: XY, size: Size, palette: Palette): void {
+  ctx.font = `700 17px ${palette.font}`;
+  ctx.textAlign = "center";
+  ctx.textBaseline = "middle";
+  const half = ctx.measureText(words).width / 2 + 12;
+  const x = Math.min(size.width - half - 4, Math.max(half + 4, at.x));
+  const y = Math.min(size.height - 20, Math.max(20, at.y));
+  ctx.beginPath();
+  ctx.roundRect(x - half, y - 15, 2 * half, 30, 15);
+  ctx.fillStyle = palette.tile;
+  ctx.fill();
+  ctx.strokeStyle = palette.start;
+  ctx.lineWidth = 2;
+  ctx.stroke();
+  ctx.fillStyle = palette.number;
+  ctx.fillText(words, x, y + 1);
+}

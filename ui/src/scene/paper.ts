@@ -1,0 +1,256 @@
+import type { World } from "../api/model";
+import type { Output, Stroke } from "../run/output";
+import type { RunView } from "../run/reducer";
+import type { Point, Trail } from "../run/trail";
+import type { Camera, Size } from "./camera";
+import { drawMarks, drawStroke } from "./drawings";
+import { drawFloor } from "./floor";
+import { startOf } from "./frames";
+import type { Palette } from "./palette";
+import { drawStart } from "./robot";
+
+type Ctx = CanvasRenderingContext2D;
+
+/** What the picture of the floor is made of; another object is another picture. */
+export interface Sheet {
+  readonly world: World | null;
+  readonly view: RunView;
+  readonly palette: Palette;
+  readonly size: Size;
+  readonly ratio: number;
+}
+
+/** Drawing everything anew may take so long at every frame; where it takes longer, every so often; ms. */
+const QUICK_MS = 5;
+const AGAIN_MS = 150;
+
+/** How much of a line is on the paper. */
+interface Inked {
+  chunks: number;
+  /** Length of what is there, in metres: dashes go on where they ended. */
+  length: number;
+}
+
+/**
+ * The floor with all that will not change any more, kept as an image: the chunks of the paths that are full, finished
+ * strokes of the pen, marks. What is new is drawn on top of it, so that a long run costs a frame no more than a short
+ * one. When the camera moves and a new drawing would take long, the old image is moved instead, for a moment.
+ */
+export class Paper {
+  private readonly canvas = document.createElement("canvas");
+  private readonly ctx = this.canvas.getContext("2d");
+  private sheet: Sheet | null = null;
+  private camera: Camera = { x: 0, y: 0, scale: 1 };
+  private path: Inked = { chunks: 0, length: 0 };
+  private ideal: Inked = { chunks: 0, length: 0 };
+  private strokes = 0;
+  /** What the pen draws, as far as it is on the paper. */
+  private pen: Inked = { chunks: 0, length: 0 };
+  private cost = 0;
+  private drawnAt = 0;
+
+  /** Puts the floor under everything else; true while it is not as sharp as it should be. */
+  lay(target: Ctx, sheet: Sheet, camera: Camera, now: number): boolean {
+    const { canvas, ctx } = this;
+    if (!ctx) return false;
+    const same = this.isSame(sheet);
+    const moved = !isAt(this.camera, camera);
+    const mayWait = same && this.cost > QUICK_MS && now - this.drawnAt < AGAIN_MS;
+    if (!same || (moved && !mayWait)) this.drawAnew(ctx, sheet, camera, now);
+    else this.goOn(ctx, sheet);
+    const scale = camera.scale / this.camera.scale;
+    const { width, height } = sheet.size;
+    const left = width / 2 + (this.camera.x - camera.x) * camera.scale - (width * scale) / 2;
+    const top = height / 2 - (this.camera.y - camera.y) * camera.scale - (height * scale) / 2;
+    target.drawImage(canvas, left, top, width * scale, height * scale);
+    return !isAt(this.camera, camera);
+  }
+
+  /** The image holds the beginning of what is to be shown. */
+  private isSame({ world, view, palette, size, ratio }: Sheet): boolean {
+    const { sheet } = this;
+    return (
+      sheet !== null &&
+      sheet.world === world &&
+      sheet.palette === palette &&
+      sheet.size === size &&
+      sheet.ratio === ratio &&
+      sheet.view.run === view.run &&
+      sheet.view.output.marks === view.output.marks &&
+      begins(sheet.view.path, view.path, this.path.chunks) &&
+      begins(sheet.view.idealPath, view.idealPath, this.ideal.chunks) &&
+      this.strokes <= view.output.strokes.length &&
+      sheet.view.output.strokes[this.strokes - 1] === view.output.strokes[this.strokes - 1] &&
+      this.holdsPen(view.output)
+    );
+  }
+
+  /** What the pen had drawn is still what it draws, or has become a stroke. */
+  private holdsPen({ pen, strokes }: Output): boolean {
+    if (this.pen.chunks === 0) return true;
+    const before = this.sheet?.view.output.pen;
+    if (!before) return false;
+    const isSame = (stroke: Stroke | null) =>
+      stroke !== null && begins(before.trail, stroke.trail, this.pen.chunks);
+    return isSame(pen) || strokes.slice(this.strokes).some(isSame);
+  }
+
+  private drawAnew(ctx: Ctx, sheet: Sheet, camera: Camera, now: number): void {
+    const { canvas } = this;
+    const { size, ratio, palette, world } = sheet;
+    this.camera = { ...camera };
+    this.path = { chunks: 0, length: 0 };
+    this.ideal = { chunks: 0, length: 0 };
+    this.strokes = 0;
+    this.pen = { chunks: 0, length: 0 };
+    canvas.width = Math.round(size.width * ratio);
+    canvas.height = Math.round(size.height * ratio);
+    const before = performance.now();
+    ctx.setTransform(1, 0, 0, 1, 0, 0);
+    ctx.fillStyle = palette.outside;
+    ctx.fillRect(0, 0, canvas.width, canvas.height);
+    this.place(ctx, sheet);
+    drawFloor(ctx, world, palette, camera.scale, false);
+    const start = startOf(world);
+    ctx.translate(start.x, start.y);
+    ctx.rotate(start.yaw);
+    drawStart(ctx, palette, camera.scale);
+    drawMarks(ctx, sheet.view.output.marks, palette);
+    this.ink(ctx, sheet);
+    this.cost = performance.now() - before;
+    this.drawnAt = now;
+  }
+
+  private goOn(ctx: Ctx, sheet: Sheet): void {
+    const { view } = sheet;
+    const isFull =
+      view.path.chunks.length === this.path.chunks &&
+      view.idealPath.chunks.length === this.ideal.chunks &&
+      view.output.strokes.length === this.strokes &&
+      (view.output.pen?.trail.chunks.length ?? 0) <= this.pen.chunks;
+    this.sheet = sheet;
+    if (isFull) return;
+    this.place(ctx, sheet);
+    const start = startOf(sheet.world);
+    ctx.translate(start.x, start.y);
+    ctx.rotate(start.yaw);
+    this.ink(ctx, sheet);
+  }
+
+  private place(ctx: Ctx, { size, ratio }: Sheet): void {
+    const { camera } = this;
+    ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
+    ctx.translate(size.width / 2, size.height / 2);
+    ctx.scale(camera.scale, -camera.scale);
+    ctx.translate(-camera.x, -camera.y);
+  }
+
+  /** Draws what is full now and was not before. */
+  private ink(ctx: Ctx, sheet: Sheet): void {
+    const { view, palette } = sheet;
+    const pixel = 1 / this.camera.scale;
+    this.ideal = inked(ctx, view.idealPath, this.ideal, idealPen(palette, pixel));
+    this.path = inked(ctx, view.path, this.path, pathPen(palette, pixel));
+    for (const stroke of view.output.strokes.slice(this.strokes)) {
+      drawStroke(ctx, stroke, null, palette, pixel);
+      this.pen = { chunks: 0, length: 0 };
+    }
+    this.strokes = view.output.strokes.length;
+    const { pen } = view.output;
+    if (pen) {
+      drawStroke(ctx, restOf(pen, this.pen.chunks, false), null, palette, pixel);
+      this.pen = { chunks: pen.trail.chunks.length, length: 0 };
+    }
+    this.sheet = sheet;
+  }
+
+  /** Draws on a canvas in the start frame what is not on the paper yet: the newest of each line. */
+  drawNew(ctx: Ctx, { view, palette }: Sheet, camera: Camera, end: Point | null): void {
+    const pixel = 1 / camera.scale;
+    drawRest(ctx, view.idealPath, this.ideal, idealPen(palette, pixel), null);
+    drawRest(ctx, view.path, this.path, pathPen(palette, pixel), end);
+    const { pen } = view.output;
+    if (pen) drawStroke(ctx, restOf(pen, this.pen.chunks, true), end, palette, pixel);
+  }
+}
+
+/** A stroke from the last point that is drawn of it, up to its last full chunk or to its end. */
+function restOf({ color, trail }: Stroke, drawn: number, toEnd: boolean): Stroke {
+  const joint = trail.chunks[drawn - 1]?.slice(-JOINT) ?? [];
+  const fresh = trail.chunks.slice(drawn);
+  return { color, trail: { chunks: [joint, ...fresh], tail: toEnd ? trail.tail : [] } };
+}
+
+/** So many points are drawn twice where a stroke is put together, for the edge not to cut it. */
+const JOINT = 3;
+
+interface Pen {
+  readonly colour: string;
+  readonly width: number;
+  readonly dash: readonly number[];
+}
+
+const pathPen = (palette: Palette, pixel: number): Pen => ({
+  colour: palette.path,
+  width: 6 * pixel,
+  dash: [],
+});
+
+/** Beneath the path, so that it is seen where the robot did not do what it should. */
+const idealPen = (palette: Palette, pixel: number): Pen => ({
+  colour: palette.ideal,
+  width: 2 * pixel,
+  dash: [5 * pixel, 6 * pixel],
+});
+
+function inked(ctx: Ctx, trail: Trail, before: Inked, pen: Pen): Inked {
+  const fresh = trail.chunks.slice(before.chunks);
+  if (fresh.length === 0) return before;
+  const joint = trail.chunks[before.chunks - 1]?.at(-1);
+  take(ctx, pen, before.length);
+  ctx.beginPath();
+  if (joint) ctx.moveTo(...joint);
+  let [length, last] = [before.length, joint];
+  for (const point of fresh.flat()) {
+    ctx.lineTo(...point);
+    if (last) length += Math.hypot(point[0] - last[0], point[1] - last[1]);
+    last = point;
+  }
+  finish(ctx);
+  return { chunks: trail.chunks.length, length };
+}
+
+function drawRest(ctx: Ctx, trail: Trail, before: Inked, pen: Pen, end: Point | null): void {
+  take(ctx, pen, before.length);
+  ctx.beginPath();
+  const joint = trail.chunks[before.chunks - 1]?.at(-1);
+  if (joint) ctx.moveTo(...joint);
+  for (const chunk of trail.chunks.slice(before.chunks)) {
+    for (const point of chunk) ctx.lineTo(...point);
+  }
+  for (const point of trail.tail) ctx.lineTo(...point);
+  if (end) ctx.lineTo(...end);
+  finish(ctx);
+}
+
+function take(ctx: Ctx, { colour, width, dash }: Pen, offset: number): void {
+  ctx.lineCap = dash.length > 0 ? "butt" : "round";
+  ctx.lineJoin = "round";
+  ctx.strokeStyle = colour;
+  ctx.lineWidth = width;
+  ctx.setLineDash([...dash]);
+  ctx.lineDashOffset = offset;
+}
+
+function finish(ctx: Ctx): void {
+  ctx.stroke();
+  ctx.setLineDash([]);
+  ctx.lineDashOffset = 0;
+}
+
+/** The second trail has grown from what is drawn of the first. */
+const begins = (one: Trail, other: Trail, chunks: number) =>
+  chunks <= other.chunks.length && one.chunks[chunks - 1] === other.chunks[chunks - 1];
+
+const isAt = (one: Camera, other: Camera) =>
+  one.x === other.x && one.y === other.y && one.scale === other.scale;

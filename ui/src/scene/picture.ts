@@ -1,0 +1,33 @@
+import { fileName, saveFile } from "../app/save_file";
+import { paperPalette } from "./palette";
+import type { SceneRenderer } from "./renderer";
+
+const WIDTH = 800;
+const HEIGHT = 640;
+const HEAD = 56;
+/** Twice the pixels, for print. */
+const RATIO = 2;
+
+/** Hands over the floor with path and drawings as a PNG on white ground, with the program's name. */
+export async function savePicture(scene: SceneRenderer, name: string): Promise<void> {
+  const palette = paperPalette();
+  const floor = scene.picture({ width: WIDTH, height: HEIGHT }, RATIO, palette);
+  const canvas = document.createElement("canvas");
+  canvas.width = WIDTH * RATIO;
+  canvas.height = (HEIGHT + HEAD) * RATIO;
+  const ctx = canvas.getContext("2d");
+  if (!ctx) return;
+  ctx.fillStyle = "#ffffff";
+  ctx.fillRect(0, 0, canvas.width, canvas.height);
+  ctx.drawImage(floor, 0, HEAD * RATIO);
+  ctx.scale(RATIO, RATIO);
+  ctx.fillStyle = "#211f1b";
+  ctx.textBaseline = "middle";
+  ctx.font = `700 24px ${palette.font}`;
+  ctx.fillText(name, 16, HEAD / 2, WIDTH - 120);
+  ctx.font = `600 15px ${palette.font}`;
+  ctx.textAlign = "right";
+  ctx.fillText("PINEL", WIDTH - 16, HEAD / 2);
+  const image = await new Promise<Blob | null>((done) => canvas.toBlob(done, "image/png"));
+  if (image) saveFile(`${fileName(name, "pinel")}.png`, image);
+}

@@ -1,0 +1,75 @@
+import type { Palette } from "./palette";
+
+type Ctx = CanvasRenderingContext2D;
+
+/** Of the Pioneer 3-DX, by index of the sonar; each sits on the hull in its direction. */
+export const SONAR_DEG = [
+  90, 50, 30, 10, -10, -30, -50, -90, -90, -130, -150, -170, 170, 150, 130, 90,
+] as const;
+const HULL_M = 0.2225;
+
+/** How wide the picture of a sonar's sound is, to each side; degrees. */
+const CONE_DEG = 9;
+/** What is farther is not there. */
+const FAR_M = 4.95;
+
+export interface Measurements {
+  readonly sonar: readonly number[] | null;
+  readonly lidar: readonly number[] | null;
+}
+
+/** What the sensors measure, around the robot at the origin; metres. */
+export function drawRanges(ctx: Ctx, ranges: Measurements, palette: Palette, pixel: number): void {
+  ctx.save();
+  if (ranges.lidar) drawLidar(ctx, ranges.lidar, palette, pixel);
+  ranges.sonar?.forEach((metres, index) => {
+    const angle = SONAR_DEG[index];
+    if (angle !== undefined) drawCone(ctx, angle, metres, palette, pixel);
+  });
+  ctx.restore();
+}
+
+/** One beam for each degree from -90, on the right, to 90. */
+function drawLidar(ctx: Ctx, beams: readonly number[], palette: Palette, pixel: number): void {
+  ctx.beginPath();
+  ctx.moveTo(0, 0);
+  beams.forEach((metres, degree) => {
+    const angle = ((degree - 90) * Math.PI) / 180;
+    ctx.lineTo(metres * Math.cos(angle), metres * Math.sin(angle));
+  });
+  ctx.closePath();
+  ctx.globalAlpha = 0.1;
+  ctx.fillStyle = palette.start;
+  ctx.fill();
+  ctx.globalAlpha = 0.55;
+  ctx.strokeStyle = palette.start;
+  ctx.lineWidth = 1.5 * pixel;
+  ctx.stroke();
+}
+
+function drawCone(
+  ctx: Ctx,
+  degrees: number,
+  metres: number,
+  palette: Palette,
+  pixel: number,
+): void {
+  const angle = (degrees * Math.PI) / 180;
+  const half = (CONE_DEG * Math.PI) / 180;
+  const [x, y] = [HULL_M * Math.cos(angle), HULL_M * Math.sin(angle)];
+  const near = metres < FAR_M;
+  ctx.beginPath();
+  ctx.moveTo(x, y);
+  ctx.arc(x, y, metres, angle - half, angle + half);
+  ctx.closePath();
+  ctx.globalAlpha = near ? 0.22 : 0.07;
+  ctx.fillStyle = palette.path;
+  ctx.fill();
+  if (!near) return;
+  ctx.beginPath();
+  ctx.arc(x, y, metres, angle - half, angle + half);
+  ctx.globalAlpha = 0.9;
+  ctx.strokeStyle = palette.path;
+  ctx.lineWidth = 3 * pixel;
+  ctx.stroke();
+}
