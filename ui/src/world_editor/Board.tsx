@@ -202,7 +202,7 @@ function Buttons({ onZoom, onFit }: { onZoom(factor: number): void; onFit(): voi
     </button>
   );
   return (
-    <div class="scene__buttons">
+    <div class="world-zoom">
       {button(words.zoomIn, Plus, () => onZoom(ZOOM_STEP))}
       {button(words.zoomOut, Minus, () => onZoom(1 / ZOOM_STEP))}
       {button(words.fit, Scan, onFit)}

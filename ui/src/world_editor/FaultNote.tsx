@@ -2,13 +2,13 @@ import { TriangleAlert } from "lucide-preact";
 import { TEST } from "../app/testids";
 import type { View } from "./board_view";
 import type { WorldDesk } from "./desk";
-import { onBoard, topOf } from "./outline";
-import { thingOf } from "./plan";
+import { onBoard, spanOf } from "./outline";
+import { type Plan, thingOf } from "./plan";
 
-/** Off the element that it speaks of, and off the board's edges; pixels. */
-const GAP = 16;
+/** Off the element that it speaks of, clear of its handles; and the note itself. Pixels. */
+const GAP = 48;
 const WIDE = 250;
-const HIGH = 70;
+const HIGH = 110;
 
 /** What is wrong with the selected thing, or with the first, said where it is. */
 export function FaultNote({ desk, view }: { desk: WorldDesk; view: View }) {
@@ -20,14 +20,13 @@ export function FaultNote({ desk, view }: { desk: WorldDesk; view: View }) {
   const plan = desk.shown.value;
   const about = desk.aboutFault(fault);
   const thing = thingOf(plan, about);
-  const at = thing ? topOf(view, thing) : onBoard(view, plan.start);
-  const gap = thing ? GAP : GAP + 24;
-  const isAbove = at.y - gap > HIGH;
-  const left = Math.min(view.size.width - WIDE / 2 - 8, Math.max(WIDE / 2 + 8, at.x));
+  const span = thing ? spanOf(view, thing) : startSpan(view, plan);
+  const isAbove = span.top - GAP > HIGH;
+  const left = Math.min(view.size.width - WIDE / 2 - 8, Math.max(WIDE / 2 + 8, span.x));
   return (
     <p
       class={`fault-note ${isAbove ? "" : "fault-note--below"}`}
-      style={{ left: `${left}px`, top: `${isAbove ? at.y - gap : at.y + gap + 24}px` }}
+      style={{ left: `${left}px`, top: `${isAbove ? span.top - GAP : span.bottom + GAP}px` }}
       data-testid={TEST.worldFaultNote}
       aria-hidden="true"
     >
@@ -37,4 +36,9 @@ export function FaultNote({ desk, view }: { desk: WorldDesk; view: View }) {
       </span>
     </p>
   );
+}
+
+function startSpan(view: View, plan: Plan) {
+  const { x, y } = onBoard(view, plan.start);
+  return { x, top: y, bottom: y };
 }

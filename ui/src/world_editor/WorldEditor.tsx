@@ -191,7 +191,7 @@ function Side({ desk, onForget, onFile }: SideProps) {
   const selected = desk.selected.value;
   const thing = thingOf(plan, selected);
   return (
-    <div class="world-side card" data-scrolls>
+    <div class="world-side card">
       {thing && <ThingPanel desk={desk} plan={plan} thing={thing} key={thing.id} />}
       {selected === "start" && <StartPanel desk={desk} plan={plan} />}
       {!thing && selected !== "start" && (

@@ -20,14 +20,16 @@ export function outlineOf(view: View, thing: Thing): string {
 
 const line = (points: readonly XY[]) => `M${points.map(({ x, y }) => `${x} ${y}`).join("L")}`;
 
-/** The upper middle of a thing, where a note about it points to. */
-export function topOf(view: View, thing: Thing): XY {
+/** From top to bottom, and the middle across: where a note about a thing may stand. Pixels. */
+export function spanOf(view: View, thing: Thing): { x: number; top: number; bottom: number } {
   const points = isArea(thing) ? reach(thing) : [thing.from, thing.to];
   const shown = points.map((point) => onBoard(view, point));
   const xs = shown.map(({ x }) => x);
+  const ys = shown.map(({ y }) => y);
   return {
     x: (Math.min(...xs) + Math.max(...xs)) / 2,
-    y: Math.min(...shown.map(({ y }) => y)),
+    top: Math.min(...ys),
+    bottom: Math.max(...ys),
   };
 }
 
@@ -36,6 +38,6 @@ function reach(thing: Extract<Thing, { heading: number }>): XY[] {
   const { x, y, radius } = thing;
   return [
     { x: x - radius, y: y + radius },
-    { x: x + radius, y: y + radius },
+    { x: x + radius, y: y - radius },
   ];
 }
