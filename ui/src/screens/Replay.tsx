@@ -5,7 +5,6 @@ import { TEST } from "../app/testids";
 import { theme } from "../app/theme";
 import { createEditor, type Editor } from "../editor";
 import { language, texts } from "../i18n";
-import { PlotsPanel } from "../plots/PlotsPanel";
 import { MuteButton } from "../run/MuteButton";
 import type { Playback } from "../run/playback";
 import { Readout } from "../run/Readout";
@@ -16,9 +15,12 @@ import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
 import { beep } from "../run/sound";
 import { Scene } from "../scene/Scene";
 import { FootButton } from "./FootButton";
+import { later } from "./later";
 import type { Recording } from "./ReplayScreen";
 import { Transport } from "./Transport";
 import "../run/run.css";
+
+const PlotsPanel = later(async () => (await import("../plots/PlotsPanel")).PlotsPanel);
 
 interface ReplayProps {
   recording: Recording;

@@ -3,10 +3,12 @@ import type { OpenProgram } from "../app/open_program";
 import { program } from "../app/session";
 import * as robot from "../run/live";
 import { isLive } from "../run/reducer";
-import { WorldEditor } from "../world_editor/WorldEditor";
 import { BlocksPane } from "./BlocksPane";
 import { FloorPane } from "./FloorPane";
+import { later } from "./later";
 import { StudioControl } from "./studio_control";
+
+const WorldEditor = later(async () => (await import("../world_editor/WorldEditor")).WorldEditor);
 
 /** Blocks on the left, the floor on the right. */
 export function Studio({ open }: { open: OpenProgram }) {
