@@ -72,8 +72,8 @@ export const en: Texts = {
     speed: "Speed",
     lifelike: "Which robot to simulate",
     ideal: "Ideal robot",
-    camera: "Real robot, with camera",
-    wheels: "Real robot, wheels only",
+    camera: "Real with camera",
+    wheels: "Real, wheels only",
     idealHelp: "Nothing slips and every measurement is exact.",
     cameraHelp: "Wheels slip and measurements are a little off; a camera tells where the robot is.",
     wheelsHelp:

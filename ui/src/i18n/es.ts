@@ -72,8 +72,8 @@ export const es: Texts = {
     speed: "Velocidad",
     lifelike: "Qué robot simular",
     ideal: "Robot ideal",
-    camera: "Robot real, con cámara",
-    wheels: "Robot real, solo las ruedas",
+    camera: "Real con cámara",
+    wheels: "Real, solo ruedas",
     idealHelp: "Nada patina y todas las mediciones son exactas.",
     cameraHelp:
       "Las ruedas patinan y las mediciones fallan un poco; una cámara dice dónde está el robot.",

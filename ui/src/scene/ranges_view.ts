@@ -9,7 +9,7 @@ export const SONAR_DEG = [
 const HULL_M = 0.2225;
 
 /** How wide the picture of a sonar's sound is, to each side; degrees. */
-const CONE_DEG = 9;
+const CONE_DEG = 7;
 /** What is farther is not there. */
 const FAR_M = 4.95;
 
@@ -62,7 +62,7 @@ function drawCone(
   ctx.moveTo(x, y);
   ctx.arc(x, y, metres, angle - half, angle + half);
   ctx.closePath();
-  ctx.globalAlpha = near ? 0.22 : 0.07;
+  ctx.globalAlpha = near ? 0.13 : 0.04;
   ctx.fillStyle = palette.path;
   ctx.fill();
   if (!near) return;
