@@ -264,6 +264,7 @@ def photograph(camera: Photographer, seeded: Seed) -> None:
     camera.of("fault").first.wait_for()
     camera.round("studio-fault")
     studio_sign(camera, seeded.programs["Letra B"])
+    world_editor(camera, seeded.programs["Estrela"])
     camera.go(f"#/work/{seeded.group}")
     camera.of("run-card").first.wait_for()
     camera.round("work")
@@ -293,6 +294,29 @@ def studio_sign(camera: Photographer, program: str) -> None:
     camera.round("studio-sign")
     camera.of("stop").click()
     camera.wait_for_phase("stopped")
+
+
+def world_editor(camera: Photographer, program: str) -> None:
+    """The group's own world: empty, full, and with a fault."""
+    camera.open_program(program)
+    camera.of("world").select_option("empty_room")
+    camera.of("world-change").click()
+    camera.round("world-empty")
+    camera.of("world-begin").select_option("furnished_room")
+    boxes = camera.page.locator("[data-testid=world-thing][data-kind=box]")
+    boxes.nth(2).focus()
+    camera.round("world-full")
+    for axis in ("x", "y"):
+        here = camera.page.locator("[data-testid=world-thing][data-kind=start]")
+        here.focus()
+        value = camera.of(f"world-{axis}").input_value()
+        boxes.nth(2).focus()
+        camera.of(f"world-{axis}").fill(value)
+    camera.of("world-fault-note").wait_for()
+    camera.round("world-fault")
+    for _ in range(3):
+        camera.of("world-undo").click()
+    camera.of("world-done").click()
 
 
 def replay(camera: Photographer, run: str) -> None:

@@ -16,7 +16,7 @@ export function Studio({ open }: { open: OpenProgram }) {
   const { worlds } = control;
   const desk = worlds.desk.value;
   return (
-    <main class={`screen studio ${desk ? "studio--world" : ""}`}>
+    <main class="screen studio">
       <h1 class="visually-hidden">{program.value?.name}</h1>
       <BlocksPane control={control} />
       <FloorPane control={control} />
