@@ -34,20 +34,19 @@ def browser(app: App) -> Browser:
     return Browser.signed_in(app.address)
 
 
-def saved(browser: Browser, document: Any) -> str:
+def saved(browser: Browser, document: Any, world: Any = None) -> str:
     """The id of a version with that document, of a new program in a new group."""
     name = f"Grupo {time.monotonic_ns()}"
     group = browser.post("/api/groups", {"name": name}).data
     program = browser.post(f"/api/groups/{group['id']}/programs", {"name": "Quadrado"}).data
     path = f"/api/programs/{program['id']}/versions"
-    version: str = browser.post(path, {"workspace": {"blocks": {}}, "document": document}).data[
-        "id"
-    ]
+    content = {"workspace": {"blocks": {}}, "document": document, "world": world}
+    version: str = browser.post(path, content).data["id"]
     return version
 
 
-def begun(browser: Browser, version_id: str) -> str:
-    answer = browser.post("/api/runs", {"version_id": version_id, "world": "empty_room"})
+def begun(browser: Browser, version_id: str, world: str = "empty_room") -> str:
+    answer = browser.post("/api/runs", {"version_id": version_id, "world": world})
     assert answer.status == 200, answer.body
     run: str = answer.data["id"]
     return run
@@ -79,6 +78,27 @@ def test_a_square_is_built_driven_kept_and_read_back(browser: Browser) -> None:
     assert read["telemetry_sha256"] == events[-1]["telemetry_sha256"]
     assert len(read["path"]) == 5
     check_replay(browser, run, events)
+
+
+def test_a_group_s_own_world_is_driven_in(browser: Browser) -> None:
+    world = {
+        "pinel_world": 1,
+        "name": "own",
+        "title": "A nossa sala",
+        "size_m": [4, 2],
+        "start": {"x_m": -1, "y_m": 0, "heading_deg": 0},
+        "walls": [],
+        "zones": [{"name": "nosso lugar", "center": [-0.8, 0], "size": [0.1, 1]}],
+    }
+    say = {"action": "say", "text": {"sensor": "cell"}}
+    there = {"action": "move_forward", "distance": 0.2}
+    version_id = saved(browser, {"pinel_ir": 1, "name": "n", "commands": [say, there, say]}, world)
+    with browser.stream() as stream:
+        assert stream.next()["type"] == "hello"
+        run = begun(browser, version_id, "own")
+        events = stream.until("run_ended")
+    assert [event["text"] for event in events if event["type"] == "said"] == ["", "nosso lugar"]
+    assert browser.get(f"/api/runs/{run}").data["world_document"]["title"] == "A nossa sala"
 
 
 def shortened(document: dict[str, Any], distance_m: float) -> list[dict[str, Any]]:
