@@ -52,7 +52,8 @@ export class Paper {
   /** Puts the floor under everything else; true while it is not as sharp as it should be. */
   lay(target: Ctx, sheet: Sheet, camera: Camera, now: number): boolean {
     const { canvas, ctx } = this;
-    if (!ctx) return false;
+    // a pane that is hidden has no size, and what has none cannot be drawn
+    if (!ctx || sheet.size.width === 0 || sheet.size.height === 0) return false;
     const same = this.isSame(sheet);
     const moved = !isAt(this.camera, camera);
     const mayWait = same && this.cost > QUICK_MS && now - this.drawnAt < AGAIN_MS;
