@@ -16,6 +16,7 @@ from pinel_desktop.links import open_link
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.reading import Reading
 from pinel_desktop.robot import Setting
+from pinel_desktop.worlds import read_own_world
 from sim.world import WorldError, world_document, world_from_document
 
 
@@ -58,7 +59,7 @@ class Report:
 def check_program(activity: Activity, reading: Reading, program: str = "") -> Report:
     """Runs a program, read before, in each case of the activity; `program` is what the report calls it.
 
-    Raises PinelError where the activity itself cannot be used: `unknown_world`, `world_invalid`, `unknown_robot`.
+    Raises PinelError where the activity itself cannot be used: what `world_of` raises, `unknown_robot`.
     """
     if reading.program is None:
         return Report(program, reading.faults, ())
@@ -66,14 +67,17 @@ def check_program(activity: Activity, reading: Reading, program: str = "") -> Re
 
 
 def world_of(activity: Activity) -> dict[str, Any]:
-    """The document of its world. Raises PinelError `unknown_world` or `world_invalid`."""
+    """The document of its world. Raises PinelError `unknown_world`, or the first fault of a document of its own."""
     world = activity.world
+    if not isinstance(world, str):
+        document, faults = read_own_world(world, robot=activity.model)
+        if document is None:
+            raise PinelError(faults[0].code, **faults[0].params)
+        return document
     try:
-        document = world_document(world) if isinstance(world, str) else world
-        world_from_document(document)
+        return world_document(world)
     except WorldError as error:
         raise PinelError(error.code, **error.params) from error
-    return document
 
 
 def _case(activity: Activity, case: Case, reading: Reading) -> CaseReport:

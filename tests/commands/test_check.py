@@ -9,6 +9,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from pinel_desktop.cli import main
+from sim.world import world_document
 
 PROGRAMS = Path(__file__).parents[1] / "programs"
 SQUARE, TRIANGLE = (str(PROGRAMS / f"{name}.json") for name in ("square", "triangle"))
@@ -75,6 +76,18 @@ def test_the_world_of_an_activity_may_not_exist(tmp_path: Path) -> None:
         done = check(str(file), SQUARE, SQUARE, "--processes", processes)
         assert done.exit_code == 2
         assert "mars" in done.stderr
+
+
+def test_a_world_of_its_own_with_a_fault_is_told_in_words(tmp_path: Path) -> None:
+    file = tmp_path / "a.json"
+    world = {**world_document("empty_room"), "start": {"x_m": 4.0, "y_m": 0.0, "heading_deg": 0}}
+    title = {"pt-BR": "x", "en": "x", "es": "x"}
+    checks = [{"check": "finished"}]
+    text = {"pinel_activity": 1, "name": "a", "title": title, "world": world, "checks": checks}
+    file.write_text(json.dumps(text), "utf-8")
+    done = check(str(file), SQUARE)
+    assert done.exit_code == 2
+    assert "wall" in done.stderr
 
 
 def test_from_a_shell_with_processes_of_its_own() -> None:
