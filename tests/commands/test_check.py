@@ -87,7 +87,7 @@ def test_a_world_of_its_own_with_a_fault_is_told_in_words(tmp_path: Path) -> Non
     file.write_text(json.dumps(text), "utf-8")
     done = check(str(file), SQUARE)
     assert done.exit_code == 2
-    assert "wall" in done.stderr
+    assert "does not fit on the floor" in done.stderr
 
 
 def test_from_a_shell_with_processes_of_its_own() -> None:
