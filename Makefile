@@ -11,6 +11,7 @@ PYTHON := .venv/bin/python
 VENV_RUN := .venv/.ready-run
 VENV_DEV := .venv/.ready-dev
 NODE_MODULES := ui/node_modules/.package-lock.json
+PEERS := build/peers/.ready
 PAGE := pinel_desktop/web/static/index.html
 PACKAGE := dist/pinel-desktop/pinel
 
@@ -50,7 +51,7 @@ format: $(VENV_DEV) $(NODE_MODULES)  ## bring the code into its form
 	@$(PYTHON) -m ruff check --fix --quiet . && $(PYTHON) -m ruff format .
 	@$(NPM) run --silent format
 
-bench: setup  ## benchmarks: absolute figures printed, ratios asserted
+bench: setup $(PEERS)  ## benchmarks: absolute figures printed, ratios asserted
 	@$(PYTHON) -m pytest -o python_files='bench_*.py' --timeout=900 -s -q tests/benchmarks
 
 package: setup $(PACKAGE)  ## the program as a folder that needs no Python (dist/pinel-desktop)
@@ -85,6 +86,14 @@ $(VENV_RUN): requirements.lock pyproject.toml scripts/venv.sh | system-run
 $(VENV_DEV): requirements-dev.lock pyproject.toml scripts/venv.sh | system-test
 	@sh scripts/venv.sh requirements-dev.lock
 	@echo '$(CURDIR)' | tee $(VENV_RUN) >$@
+
+# Simulators to compare with need much that the program does not: an environment of their own.
+$(PEERS): requirements-bench.lock | $(VENV_DEV)
+	@. scripts/words.sh; say "Installing the simulators to compare with (about 1 minute)…" \
+		"Instalando os simuladores para comparar (cerca de 1 minuto)…" "Instalando los simuladores para comparar (cerca de 1 minuto)…"
+	@$(PYTHON) -m venv --clear build/peers
+	@build/peers/bin/python -m pip install -qq --disable-pip-version-check --require-hashes -r requirements-bench.lock
+	@touch $@
 
 $(NODE_MODULES): ui/package.json ui/package-lock.json | $(VENV_RUN)
 	@. scripts/words.sh; say "Installing the page's libraries (about 1 minute)…" \

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Pins every Python dependency anew, with hashes, for all platforms and Python 3.11 and later.
 #
-# requirements-dev.lock: everything; requirements.lock: what runs the program; requirements-node.lock: Node.js.
+# requirements-dev.lock: everything; requirements.lock: what runs the program; requirements-node.lock: Node.js;
+# requirements-bench.lock: the simulators that benchmarks compare with.
 # The second keeps the versions of the first, so that one environment can hold both.
 set -eu
 python=.venv/bin/python
@@ -17,3 +18,4 @@ compile() {
 compile requirements-dev.lock pyproject.toml --group dev "$@"
 compile requirements.lock pyproject.toml --group setup --constraint requirements-dev.lock "$@"
 compile requirements-node.lock --group node "$@"
+compile requirements-bench.lock --group bench "$@"

@@ -27,6 +27,39 @@ class Stepper:
             step(handle, seconds)
 
 
+class BodyAccess:
+    """Reads and drives one body."""
+
+    def __init__(self, body: pymunk.Body) -> None:
+        self._body, self._handle = body, body._body
+        self._velocity = ffi.new("cpVect *")
+
+    def position(self) -> tuple[float, float]:
+        """Where it is, in m."""
+        point = lib.cpBodyGetPosition(self._handle)
+        return point.x, point.y
+
+    def angle(self) -> float:
+        """Its yaw in rad, not wrapped."""
+        return float(lib.cpBodyGetAngle(self._handle))
+
+    def velocity(self) -> tuple[float, float, float]:
+        """Along x and y in m/s, and around in rad/s."""
+        handle = self._handle
+        moves = lib.cpBodyGetVelocity(handle)
+        return moves.x, moves.y, lib.cpBodyGetAngularVelocity(handle)
+
+    def move(self, vx_mps: float, vy_mps: float) -> None:
+        """Sets the velocity of a kinematic body."""
+        velocity = self._velocity
+        velocity.x, velocity.y = vx_mps, vy_mps
+        lib.cpBodySetVelocity(self._handle, velocity[0])
+
+    def turn(self, omega_radps: float) -> None:
+        """Sets the turning speed of a kinematic body."""
+        lib.cpBodySetAngularVelocity(self._handle, omega_radps)
+
+
 class Rays:
     """Rays in a space: how far along a segment the first shape is that `shape_filter` lets through."""
 

@@ -15,6 +15,9 @@ from sim.world import Box, Wall
 Array = NDArray[np.float64]
 Edges = NDArray[np.complex128]
 Point = tuple[float, float]
+Side = tuple[complex, complex]
+_MANY = 60  # shapes; among more, finding the covered sides would take longer than they ever cost
+_ROUNDING_M = 1e-6
 
 
 class Scan:
@@ -32,7 +35,7 @@ class Scan:
         angles: Sequence[float],
     ) -> None:
         rings = [_ring(wall, wall_radius_m) for wall in walls]
-        self._fixed = _edges([*rings, *(box.corners() for box in boxes)])
+        self._fixed = _edges(_uncovered([*rings, *(box.corners() for box in boxes)]))
         self._beams = np.exp(1j * np.array(angles))
 
     def ranges(
@@ -41,14 +44,15 @@ class Scan:
         """Distance to what is nearest along each beam from a pose; at most `length_m`."""
         edges = self._fixed
         if movable:
-            edges = np.concatenate((edges, _edges([box.corners() for box in movable])), axis=1)
+            moved = _edges([side for box in movable for side in _sides(box.corners())])
+            edges = np.concatenate((edges, moved), axis=1)
         normals, gaps, middles, halves = self._facing(edges, complex(x, y), length_m)
         met = (normals * complex(math.cos(yaw), math.sin(yaw)))[:, None] * self._beams
         # How near along the beam, in 1/m: dividing by the gap, which is never 0, and not by what may be. Where a beam
         # goes away from an edge it is negative, and so is the right-hand side below.
         near = met.real / gaps
         hit = np.abs(met.imag + middles * near) <= halves * near
-        nearest: Array = (near * hit).max(axis=0, initial=1.0 / length_m)
+        nearest = np.maximum.reduce(near * hit, axis=0, initial=1.0 / length_m)
         distances: list[float] = (1.0 / nearest).tolist()
         return distances
 
@@ -57,27 +61,52 @@ class Scan:
         """Of the edges that look at the point and are in reach: normals, gaps, middles seen from here, halves."""
         place = edges[0] * here
         gap = edges[1].real - place.real
-        use = np.flatnonzero((gap < 0.0) & (gap > -length_m))
-        normals, numbers, halves = edges[:, use]
-        middles = place.imag[use] - numbers.imag
-        return normals, gap[use][:, None], middles[:, None], halves.real[:, None]
+        use = ((gap < 0.0) & (gap > -length_m)).nonzero()[0]
+        normals, numbers, halves = edges.take(use, axis=1)
+        middles = place.imag.take(use) - numbers.imag
+        return normals, gap.take(use)[:, None], middles[:, None], halves.real[:, None]
 
 
-def _edges(rings: Iterable[Sequence[Point]]) -> Edges:
-    """The edges of rings of corners, counterclockwise, as columns of three rows.
+def _edges(sides: Iterable[Side]) -> Edges:
+    """Sides of shapes as columns of three rows.
 
     The conjugate of the outward normal; how far the edge's line is from the origin and, as the imaginary part, how far
     along it the middle is; half its length.
     """
     columns = []
-    for ring in rings:
-        for start, end in zip(ring, (*ring[1:], ring[0]), strict=True):
-            a, b = complex(*start), complex(*end)
-            normal = (b - a) / abs(b - a) / 1j
-            columns.append(
-                (normal.conjugate(), normal.conjugate() * (a + b) / 2.0, abs(b - a) / 2.0)
-            )
+    for a, b in sides:
+        inward = (b - a) / abs(b - a) * 1j
+        columns.append((-inward.conjugate(), -inward.conjugate() * (a + b) / 2.0, abs(b - a) / 2.0))
     return np.array(columns, dtype=np.complex128).reshape(-1, 3).T
+
+
+def _sides(ring: Sequence[Point]) -> list[Side]:
+    """From each corner to the next; the corners go around counterclockwise."""
+    corners = [complex(*corner) for corner in ring]
+    return list(zip(corners, [*corners[1:], corners[0]], strict=True))
+
+
+def _uncovered(rings: Sequence[Sequence[Point]]) -> list[Side]:
+    """The sides of all shapes but those that lie inside another, such as the ends of walls that meet in a corner."""
+    shapes = [_sides(ring) for ring in rings]
+    if len(shapes) > _MANY:
+        return [side for sides in shapes for side in sides]
+    columns = [_edges(sides) for sides in shapes]
+
+    def inside(point: complex, shape: Edges, by_m: float) -> bool:
+        return bool(((shape[0] * point).real - shape[1].real < -by_m).all())
+
+    def covered(a: complex, b: complex, own: int) -> bool:
+        return any(
+            # on its edge or inside, and not along its edge
+            inside((a + b) / 2.0, shape, _ROUNDING_M)
+            and inside(a, shape, -_ROUNDING_M)
+            and inside(b, shape, -_ROUNDING_M)
+            for other, shape in enumerate(columns)
+            if other != own
+        )
+
+    return [(a, b) for own, sides in enumerate(shapes) for a, b in sides if not covered(a, b, own)]
 
 
 def _ring(wall: Wall, radius: float) -> list[Point]:

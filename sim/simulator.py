@@ -14,7 +14,7 @@ from typing import Protocol
 
 import pymunk
 
-from sim.chipmunk import Rays, Stepper
+from sim.chipmunk import BodyAccess, Rays, Stepper
 from sim.floor import color_at, zone_at
 from sim.world import WALL_RADIUS_M, Box, World
 
@@ -63,6 +63,7 @@ class Simulator:
         self.wheels = self._add_wheels(robot)
         self._yaw, self._omega = world.start[2], 0.0
         self._rolls = False
+        self._robot, self._drive = BodyAccess(self._body), BodyAccess(self.wheels)
         self._steps = Stepper(self.space, SUBSTEP_S).steps
         self._rays = Rays(self.space, _ALL_BUT_ROBOT)
 
@@ -119,13 +120,13 @@ class Simulator:
         """Lets one tick pass with the given velocity."""
         self._set_velocity(v_mps, omega_radps, TICK_S)
         self._steps(SUBSTEPS)
-        self._yaw = self._body.angle
+        self._yaw = self._robot.angle()
 
     def substep(self, v_mps: float, omega_radps: float) -> None:
         """Lets one substep pass with the given velocity; a tick is `SUBSTEPS` of them."""
         self._set_velocity(v_mps, omega_radps, SUBSTEP_S)
         self._steps(1)
-        self._yaw = self._body.angle
+        self._yaw = self._robot.angle()
 
     def _set_velocity(self, v_mps: float, omega_radps: float, time_s: float) -> None:
         """The arc of that time is driven as its chord: along the heading in the middle of the time in which the
@@ -135,18 +136,18 @@ class Simulator:
         heading = self._yaw + self._omega * SUBSTEP_S + half_angle
         chord = v_mps if half_angle == 0.0 else v_mps * math.sin(half_angle) / half_angle
         if chord != 0.0 or self._rolls:  # telling pymunk takes longer than a substep
-            self.wheels.velocity = (chord * math.cos(heading), chord * math.sin(heading))
+            self._drive.move(chord * math.cos(heading), chord * math.sin(heading))
             self._rolls = chord != 0.0
         if omega_radps != self._omega:
-            self.wheels.angular_velocity = self._omega = omega_radps
+            self._omega = omega_radps
+            self._drive.turn(omega_radps)
 
     def state(self) -> tuple[float, float, float, float, float]:
         """True x and y (m), yaw (rad, not wrapped), speed ahead (m/s) and turning speed (rad/s); world's frame."""
-        body = self._body
         yaw = self._yaw
-        x, y = body.position
-        vx, vy = body.velocity
-        return x, y, yaw, vx * math.cos(yaw) + vy * math.sin(yaw), body.angular_velocity
+        x, y = self._robot.position()
+        vx, vy, omega = self._robot.velocity()
+        return x, y, yaw, vx * math.cos(yaw) + vy * math.sin(yaw), omega
 
     def touching(self) -> bool:
         """True while the robot touches a wall or a box."""
@@ -161,14 +162,14 @@ class Simulator:
 
     def ray(self, angle_rad: float, length_m: float) -> float:
         """Distance from the robot's centre to what is nearest at an angle from its heading; at most `length_m`."""
-        x, y = self._body.position
+        x, y = self._robot.position()
         angle = self._yaw + angle_rad
         end_x, end_y = x + length_m * math.cos(angle), y + length_m * math.sin(angle)
         return self._rays.fraction(x, y, end_x, end_y) * length_m
 
     def fan(self, beams: Sequence[tuple[float, float]]) -> list[float]:
         """The same for a few beams, given by their ends in the robot's frame (m), as parts of their length."""
-        return self._rays.fractions(*self._body.position, self._yaw, beams)
+        return self._rays.fractions(*self._robot.position(), self._yaw, beams)
 
     def scanner(self, angles_rad: Sequence[float]) -> Callable[[float], list[float]]:
         """What gives, for a length, the same as `ray` at all these angles, within 2 mm and much faster for many."""
@@ -179,8 +180,11 @@ class Simulator:
         scan = Scan(self._world.walls, fixed, WALL_RADIUS_M, angles_rad)
 
         def ranges(length_m: float) -> list[float]:
-            moved = [Box((x, y), boxes[i].size, yaw) for i, (x, y, yaw) in self.boxes().items()]
-            return scan.ranges(*self._body.position, self._yaw, length_m, moved)
+            moved: list[Box] = []
+            if self._movable:
+                poses = self.boxes().items()
+                moved = [Box((x, y), boxes[index].size, yaw) for index, (x, y, yaw) in poses]
+            return scan.ranges(*self._robot.position(), self._yaw, length_m, moved)
 
         return ranges
 
@@ -190,11 +194,11 @@ class Simulator:
 
     def zone(self) -> str:
         """Name of the world's zone under the robot's centre, or ""."""
-        return zone_at(self._world.zones, *self._body.position)
+        return zone_at(self._world.zones, *self._robot.position())
 
     def floor_color(self) -> str:
         """Colour of the floor under the robot's centre."""
-        return color_at(self._world.floor, *self._body.position)
+        return color_at(self._world.floor, *self._robot.position())
 
 
 def _mean_radius(size: tuple[float, float]) -> float:

@@ -44,17 +44,23 @@ class _Setpoints:
         self._points = self._plan(self._goal - done)
         self._last = len(self._points) - 1
         self._index = 0
+        self._before = self._now = 0.0
 
     def next(self, done: float) -> tuple[float, float, int]:
         """Where the robot is expected now, how fast it is to go until the next tick, ticks past the end."""
         if self._n_resumed != self._context.n_resumed:
             self._start(done)
         index, self._index = self._index, self._index + 1
+        now, upcoming = self._now, self._at(index + 1)
+        self._now = upcoming
         late = index - self._late_ticks
-        expected = self._at(late)
-        expected = self._offset + expected - (expected - self._at(late - 1)) * self._late_part
-        speed = (self._at(index + 1) - self._at(index)) * TICK_HZ
-        return expected, speed, late - self._last
+        if self._late_ticks:
+            before, expected = self._at(late - 1), self._at(late)
+        else:
+            before, expected = self._before, now
+            self._before = now
+        expected = self._offset + expected - (expected - before) * self._late_part
+        return expected, (upcoming - now) * TICK_HZ, late - self._last
 
     def _at(self, index: int) -> float:
         """The set-point at a tick; it stands before its start and after its end."""

@@ -44,8 +44,10 @@ class SimSensors(Sensors):
     def sonars(self) -> list[float]:
         robot = self._robot
         reach, hull, longest = self._reach, robot.radius_m, robot.sonar_range_m
-        seen = [part * reach - hull for part in self._simulator.fan(self._sonar_beams)]
-        return [0.0 if m < 0.0 else longest if m > longest else m for m in seen]
+        return [
+            0.0 if (seen := part * reach - hull) < 0.0 else longest if seen > longest else seen
+            for part in self._simulator.fan(self._sonar_beams)
+        ]
 
     def lidar(self, angle_rad: float) -> float:
         if not self._robot.lidar_range_m:
