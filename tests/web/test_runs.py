@@ -47,6 +47,15 @@ def test_a_run_may_begin_elsewhere_and_with_another_setting(
     assert kept["world_document"]["start"] == start
 
 
+def test_an_unknown_robot_is_refused_with_those_there_are(
+    browser: Browser, group: dict[str, Any], version: dict[str, Any]
+) -> None:
+    wish = {"version_id": version["id"], "world": "empty_room", "model": "r2d2"}
+    answer = browser.post("/api/runs", wish)
+    assert (answer.status, answer.error["code"]) == (422, "unknown_robot")
+    assert browser.get(f"/api/groups/{group['id']}/runs").data["runs"] == []
+
+
 def test_a_second_run_waits_for_the_first(
     browser: Browser, version: dict[str, Any], run: dict[str, Any]
 ) -> None:

@@ -97,8 +97,14 @@ def _start(version: VersionRow, body: NewRun, parts: Services) -> RunStart:
         world_document=world,
         seed=body.seed or 0,
         app_version=parts.app_version,
-        parameters=Setting(body.model, body.preset, body.feedback).as_parameters(),
+        parameters=_setting(body).as_parameters(),
     )
+
+
+def _setting(body: NewRun) -> Setting:
+    setting = Setting(body.model, body.preset, body.feedback)
+    _ = setting.robot  # an unknown one is refused before anything is kept
+    return setting
 
 
 def _moved(
