@@ -180,7 +180,7 @@ def test_a_run_is_as_true_to_life_as_was_chosen(studio: Studio) -> None:
         lambda request: request.url.endswith("/api/runs") and request.method == "POST"
     ) as begun:
         studio.run()
-    wanted = begun.value.post_data_json
+    wanted: Any = begun.value.post_data_json
     assert (wanted["preset"], wanted["feedback"]) == ("realistic", "odometry")
     studio.wait_for_phase("finished")
 

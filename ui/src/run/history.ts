@@ -24,10 +24,18 @@ export function* inOrder(
   while (row < telemetry.rows) yield telemetryEvent(telemetry, row++, run);
 }
 
+/** A state, and which event comes next. */
+interface Mark {
+  readonly next: number;
+  readonly view: RunView;
+}
+
 /** A whole run at hand: its state at any tick. Built with the same reducer that follows a live run. */
 export class History {
   private readonly ordered: RunEvent[];
-  private readonly marks: { next: number; view: RunView }[] = [];
+  private readonly marks: Mark[] = [];
+  /** What was asked for last: a replay asks for the next moment then. */
+  private last: Mark & { tick: number } = { next: 0, view: IDLE, tick: Number.POSITIVE_INFINITY };
   readonly lastTick: number;
   /** The state after everything that is known. */
   readonly end: RunView;
@@ -53,14 +61,21 @@ export class History {
 
   /** The state when everything up to and including `tick` had happened. */
   at(tick: number): RunView {
+    const { last } = this;
+    if (last.tick <= tick && tick - last.tick < KEEP_EVERY_TICKS) return this.from(last, tick);
     const before = (mark: { next: number }) => (this.ordered[mark.next]?.tick ?? 0) <= tick;
     const mark = this.marks.findLast(before) ?? this.marks[0];
-    let view = mark?.view ?? this.end;
-    for (let index = mark?.next ?? 0; index < this.ordered.length; index++) {
+    return this.from({ next: mark?.next ?? 0, view: mark?.view ?? this.end }, tick);
+  }
+
+  private from({ next, view: known }: Mark, tick: number): RunView {
+    let [index, view] = [next, known];
+    for (; index < this.ordered.length; index++) {
       const event = this.ordered[index];
       if (!event || event.tick > tick) break;
       view = reduce(view, event);
     }
+    this.last = { next: index, view, tick };
     return view;
   }
 

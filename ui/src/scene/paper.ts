@@ -1,7 +1,7 @@
 import type { World } from "../api/model";
 import type { Output, Stroke } from "../run/output";
 import type { RunView } from "../run/reducer";
-import type { Point, Trail } from "../run/trail";
+import { lastPoint, type Point, type Trail } from "../run/trail";
 import type { Camera, Size } from "./camera";
 import { drawMarks, drawStroke } from "./drawings";
 import { drawFloor } from "./floor";
@@ -24,6 +24,9 @@ export interface Sheet {
 const QUICK_MS = 5;
 const AGAIN_MS = 150;
 
+/** The image is so much larger than what is seen, on each side: a camera that follows does not leave it soon; pixels. */
+const MARGIN = 128;
+
 /** How much of a line is on the paper. */
 interface Inked {
   chunks: number;
@@ -34,7 +37,8 @@ interface Inked {
 /**
  * The floor with all that will not change any more, kept as an image: the chunks of the paths that are full, finished
  * strokes of the pen, marks. What is new is drawn on top of it, so that a long run costs a frame no more than a short
- * one. When the camera moves and a new drawing would take long, the old image is moved instead, for a moment.
+ * one. When the camera moves, so does the image; when it zooms and a new drawing would take long, the old image is
+ * scaled instead, for a moment.
  */
 export class Paper {
   private readonly canvas = document.createElement("canvas");
@@ -55,16 +59,30 @@ export class Paper {
     // a pane that is hidden has no size, and what has none cannot be drawn
     if (!ctx || sheet.size.width === 0 || sheet.size.height === 0) return false;
     const same = this.isSame(sheet);
-    const moved = !isAt(this.camera, camera);
     const mayWait = same && this.cost > QUICK_MS && now - this.drawnAt < AGAIN_MS;
-    if (!same || (moved && !mayWait)) this.drawAnew(ctx, sheet, camera, now);
+    if (!same || (!this.covers(camera) && !mayWait)) this.drawAnew(ctx, sheet, camera, now);
     else this.goOn(ctx, sheet);
     const scale = camera.scale / this.camera.scale;
-    const { width, height } = sheet.size;
-    const left = width / 2 + (this.camera.x - camera.x) * camera.scale - (width * scale) / 2;
-    const top = height / 2 - (this.camera.y - camera.y) * camera.scale - (height * scale) / 2;
-    target.drawImage(canvas, left, top, width * scale, height * scale);
-    return !isAt(this.camera, camera);
+    const [width, height] = [sheet.size.width + 2 * MARGIN, sheet.size.height + 2 * MARGIN];
+    const left = (this.camera.x - camera.x) * camera.scale - (width * scale) / 2;
+    const top = -(this.camera.y - camera.y) * camera.scale - (height * scale) / 2;
+    const [middleX, middleY] = [sheet.size.width / 2, sheet.size.height / 2];
+    target.drawImage(canvas, middleX + left, middleY + top, width * scale, height * scale);
+    return !this.covers(camera);
+  }
+
+  /** A camera less than a pixel from another one, from which pixels of the image meet pixels of the screen. */
+  aligned(camera: Camera, ratio: number): Camera {
+    if (camera.scale !== this.camera.scale) return camera;
+    const pixels = camera.scale * ratio;
+    const whole = (value: number, from: number) =>
+      from + Math.round((value - from) * pixels) / pixels;
+    return { ...camera, x: whole(camera.x, this.camera.x), y: whole(camera.y, this.camera.y) };
+  }
+
+  private covers({ x, y, scale }: Camera): boolean {
+    const far = Math.max(Math.abs(x - this.camera.x), Math.abs(y - this.camera.y)) * scale;
+    return scale === this.camera.scale && far <= MARGIN;
   }
 
   /** The image holds the beginning of what is to be shown. */
@@ -77,11 +95,10 @@ export class Paper {
       sheet.size === size &&
       sheet.ratio === ratio &&
       sheet.view.run === view.run &&
-      sheet.view.output.marks === view.output.marks &&
+      hasSameMarks(sheet.view.output, view.output) &&
       begins(sheet.view.path, view.path, this.path.chunks) &&
       begins(sheet.view.idealPath, view.idealPath, this.ideal.chunks) &&
-      this.strokes <= view.output.strokes.length &&
-      sheet.view.output.strokes[this.strokes - 1] === view.output.strokes[this.strokes - 1] &&
+      hasSameStroke(sheet.view.output, view.output, this.strokes - 1) &&
       this.holdsPen(view.output)
     );
   }
@@ -104,8 +121,8 @@ export class Paper {
     this.ideal = { chunks: 0, length: 0 };
     this.strokes = 0;
     this.pen = { chunks: 0, length: 0 };
-    canvas.width = Math.round(size.width * ratio);
-    canvas.height = Math.round(size.height * ratio);
+    canvas.width = Math.round((size.width + 2 * MARGIN) * ratio);
+    canvas.height = Math.round((size.height + 2 * MARGIN) * ratio);
     const before = performance.now();
     ctx.setTransform(1, 0, 0, 1, 0, 0);
     ctx.fillStyle = palette.outside;
@@ -141,7 +158,7 @@ export class Paper {
   private place(ctx: Ctx, { size, ratio }: Sheet): void {
     const { camera } = this;
     ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
-    ctx.translate(size.width / 2, size.height / 2);
+    ctx.translate(size.width / 2 + MARGIN, size.height / 2 + MARGIN);
     ctx.scale(camera.scale, -camera.scale);
     ctx.translate(-camera.x, -camera.y);
   }
@@ -249,9 +266,26 @@ function finish(ctx: Ctx): void {
   ctx.lineDashOffset = 0;
 }
 
-/** The second trail has grown from what is drawn of the first. */
-const begins = (one: Trail, other: Trail, chunks: number) =>
-  chunks <= other.chunks.length && one.chunks[chunks - 1] === other.chunks[chunks - 1];
+/** The second trail has grown from what is drawn of the first. A replay makes the same points anew. */
+function begins(one: Trail, other: Trail, chunks: number): boolean {
+  if (chunks === 0) return true;
+  const [a, b] = [one.chunks[chunks - 1], other.chunks[chunks - 1]];
+  return b !== undefined && (a === b || isSamePoint(a?.at(-1), b.at(-1)));
+}
 
-const isAt = (one: Camera, other: Camera) =>
-  one.x === other.x && one.y === other.y && one.scale === other.scale;
+const isSamePoint = (one: Point | undefined, other: Point | undefined) =>
+  one?.[0] === other?.[0] && one?.[1] === other?.[1];
+
+function hasSameMarks({ marks: some }: Output, { marks: others }: Output): boolean {
+  const [one, other] = [some.at(-1), others.at(-1)];
+  const isSame = one?.symbol === other?.symbol && one?.x === other?.x && one?.y === other?.y;
+  return some === others || (some.length === others.length && isSame);
+}
+
+function hasSameStroke(some: Output, others: Output, index: number): boolean {
+  if (index < 0) return true;
+  const [one, other] = [some.strokes[index], others.strokes[index]];
+  if (!one || !other) return false;
+  const isSame = isSamePoint(lastPoint(one.trail), lastPoint(other.trail));
+  return one === other || (one.color === other.color && isSame);
+}

@@ -232,8 +232,9 @@ export class SceneRenderer {
     const pushing = this.pushed.approach(this.view.things, elapsed, this.still());
     const { world, view, palette, size, ratio } = this;
     const sheet = { world, view, palette, size, ratio };
-    const blurred = this.paintSheet(this.ctx, sheet, this.paper, this.camera, now);
-    this.overlay?.(this.ctx, this.camera, size, palette);
+    const camera = this.paper.aligned(this.camera, ratio);
+    const blurred = this.paintSheet(this.ctx, sheet, this.paper, camera, now);
+    this.overlay?.(this.ctx, camera, size, palette);
     return moving || pushing || blurred;
   }
 

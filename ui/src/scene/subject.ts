@@ -1,6 +1,6 @@
 import type { World } from "../api/model";
 import type { RunView } from "../run/reducer";
-import { points } from "../run/trail";
+import type { Point, Trail } from "../run/trail";
 import { type Box, include, roomOf, startOf, toWorld } from "./frames";
 
 /** Around the start and around what stands in the room, in metres. */
@@ -30,11 +30,35 @@ export function subjectOf(world: World | null, view: RunView): Box {
     if (isOuter(wall, room)) continue;
     for (const [x, y] of [wall.from, wall.to]) include(box, x ?? 0, y ?? 0);
   }
-  for (const [x, y] of points(view.path)) {
+  for (const [x, y] of corners(view.path)) {
     const place = toWorld(start, x, y);
     include(box, place.x, place.y, AROUND_PATH);
   }
   return inside(box, room);
+}
+
+/** Of chunks that are full, which do not change any more. */
+const known = new WeakMap<readonly Point[], readonly Point[]>();
+
+/** Points of a path that reach as far as all of them do in its own frame: exact for starts that are not turned. */
+function* corners({ chunks, tail }: Trail): Generator<Point> {
+  for (const chunk of chunks) {
+    let found = known.get(chunk);
+    if (!found) {
+      const [xs, ys] = [chunk.map(([x]) => x), chunk.map(([, y]) => y)];
+      const [left, right] = [Math.min(...xs), Math.max(...xs)];
+      const [bottom, top] = [Math.min(...ys), Math.max(...ys)];
+      found = [
+        [left, bottom],
+        [right, bottom],
+        [left, top],
+        [right, top],
+      ];
+      known.set(chunk, found);
+    }
+    yield* found;
+  }
+  yield* tail;
 }
 
 /** The whole room with its walls. */
