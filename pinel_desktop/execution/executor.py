@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from random import Random
 from typing import Any, Literal
 
-from pinel_desktop.control import DEFAULT_GAINS, SLIPPING_GAINS
+from pinel_desktop.control import DEFAULT_GAINS, SLIPPING_GAINS, Gains
 from pinel_desktop.control.goal import at_rest
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, GestureResult, Marked, RunEnded, RunState, Telemetry
@@ -64,6 +64,7 @@ class RunOptions:
         answers: answers questions.
         seed: what the run's random numbers are made from.
         robot: measures and limits of the robot.
+        gains: of the controller; None for those that suit the link.
     """
 
     observer: Observer | None = None
@@ -74,6 +75,7 @@ class RunOptions:
     answers: AnswerSource = field(default_factory=ScriptedAnswers)
     seed: int = 0
     robot: RobotModel = PIONEER_3DX
+    gains: Gains | None = None
 
 
 def execute(program: Program, link: RobotLink, options: RunOptions | None = None) -> RunResult:
@@ -99,7 +101,7 @@ class _Run:
             Sources(options.gestures, options.answers, link.sensors, Random(options.seed)),
             self._emit,
             observed=options.observer is not None,
-            gains=SLIPPING_GAINS if link.slips else DEFAULT_GAINS,
+            gains=options.gains or (SLIPPING_GAINS if link.slips else DEFAULT_GAINS),
         )
         self._stack = ProgramStack(program, self._context)
         observed = options.observer is not None

@@ -1,0 +1,99 @@
+"""Finds the controller's gains again: one is varied at a time, and all closed figures are driven by a realistic robot.
+
+    .venv/bin/python scripts/sweep_gains.py
+
+For each value it prints how far from the start and how much turned the figures end (95th percentile over the seeds and
+figures), how far from its line the robot is on the way (root of the mean square), and how restless its commands are
+(the same of their change from tick to tick). The value in use is marked. docs/control.md tells how they were chosen.
+"""
+
+import itertools
+import math
+from pathlib import Path
+from typing import NamedTuple
+
+from pinel_desktop.control import SLIPPING_GAINS, Gains
+from pinel_desktop.events.model import Event, Telemetry
+from pinel_desktop.execution.executor import RunOptions, execute
+from pinel_desktop.links import open_link
+from pinel_desktop.program.reading import read_document
+from pinel_desktop.robot import Setting
+
+PROGRAMS = Path(__file__).parents[1] / "tests" / "programs"
+FIGURES = ("square", "triangle", "lemniscate")
+SEEDS = range(10)
+REALISTIC = Setting(preset="realistic", feedback="pose")
+VALUES = {
+    "along": (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0),
+    "across": (2.0, 4.0, 8.0, 12.0, 16.0),
+    "yaw": (2.0, 3.0, 4.0, 5.0, 6.0, 8.0),
+    "learn": (0.0, 2.0, 5.0, 10.0, 20.0, 40.0),
+}
+
+
+class Quality(NamedTuple):
+    """Of one run: where it ends, how it went."""
+
+    end_m: float
+    heading_rad: float
+    beside_m: float
+    restless_mps: float
+
+
+def drive(figure: str, gains: Gains, seed: int) -> Quality:
+    program = read_document((PROGRAMS / f"{figure}.json").read_bytes()).program
+    assert program is not None
+    link = open_link("sim", world="empty_room", setting=REALISTIC, seed=seed)
+    ticks: list[Telemetry] = []
+
+    def observe(_tick: int, event: Event) -> None:
+        if isinstance(event, Telemetry):
+            ticks.append(event)
+
+    result = execute(program, link, RunOptions(observer=observe, seed=seed, gains=gains))
+    if result.ended.state != "finished" or not ticks:
+        return Quality(math.inf, math.inf, math.inf, math.inf)
+    last = ticks[-1]
+    return Quality(
+        math.hypot(_true(last.true_x_m), _true(last.true_y_m)),
+        abs(_true(last.true_yaw_rad)),
+        _rms([_beside(tick) for tick in ticks]),
+        _rms([b.command_v_mps - a.command_v_mps for a, b in itertools.pairwise(ticks)]),
+    )
+
+
+def _true(value: float | None) -> float:
+    assert value is not None  # a simulator knows
+    return value
+
+
+def _beside(tick: Telemetry) -> float:
+    dx, dy = _true(tick.true_x_m) - tick.goal_x_m, _true(tick.true_y_m) - tick.goal_y_m
+    return math.cos(tick.goal_yaw_rad) * dy - math.sin(tick.goal_yaw_rad) * dx
+
+
+def _rms(values: list[float]) -> float:
+    return math.sqrt(sum(value * value for value in values) / len(values))
+
+
+def _p95(values: list[float]) -> float:
+    return sorted(values)[math.ceil(0.95 * len(values)) - 1]
+
+
+def main() -> None:
+    print(f"{'':<16}{'end, p95':>12}{'heading, p95':>14}{'beside, rms':>13}{'restless, rms':>15}")
+    for name, values in VALUES.items():
+        for value in values:
+            gains = SLIPPING_GAINS._replace(**{name: value})
+            runs = [drive(figure, gains, seed) for figure in FIGURES for seed in SEEDS]
+            end, heading = (_p95([run[i] for run in runs]) for i in (0, 1))
+            beside, restless = (_rms([run[i] for run in runs]) for i in (2, 3))
+            mark = " *" if gains == SLIPPING_GAINS else ""
+            print(
+                f"{name:<8}{value:6.1f}{mark:<2}{end * 1e3:9.2f} mm{math.degrees(heading):11.3f} deg"
+                f"{beside * 1e3:10.2f} mm{restless * 1e3:10.2f} mm/s"
+            )
+
+
+if __name__ == "__main__":
+    main()
