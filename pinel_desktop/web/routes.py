@@ -18,6 +18,7 @@ from pinel_desktop.web.api import (
     instance,
     programs,
     python,
+    robots,
     runs,
     status,
     stream,
@@ -26,7 +27,7 @@ from pinel_desktop.web.api import (
 from pinel_desktop.web.errors import invalid_request
 from pinel_desktop.web.models.errors import ErrorAnswer
 
-_RESOURCES = (status, groups, programs, runs, python, worlds, stream, instance)
+_RESOURCES = (status, groups, programs, runs, python, worlds, robots, stream, instance)
 _REFERENCE = "#/components/schemas/{model}"
 
 

@@ -177,6 +177,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/robots": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** All robots with what is needed to draw them; the usual one first. */
+        get: operations["listRobots"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/runs": {
         parameters: {
             query?: never;
@@ -1330,6 +1347,45 @@ export interface components {
             } | null;
             /** Faults */
             faults: components["schemas"]["Fault"][];
+        };
+        /**
+         * Robot
+         * @description What is needed to draw a robot and what it senses; angles from its heading, counterclockwise.
+         */
+        Robot: {
+            /**
+             * Lidar Range M
+             * @description null without a laser scanner
+             */
+            lidar_range_m: number | null;
+            /** Max Omega Radps */
+            max_omega_radps: number;
+            /** Max V Mps */
+            max_v_mps: number;
+            /**
+             * Name
+             * @description what a run asks for as its `model`
+             */
+            name: string;
+            /** Radius M */
+            radius_m: number;
+            /**
+             * Sonar Angles Rad
+             * @description by index; each on the hull
+             */
+            sonar_angles_rad: number[];
+            /** Sonar Range M */
+            sonar_range_m: number;
+            /** Title */
+            title: string;
+        };
+        /**
+         * RobotList
+         * @description Every robot that a run can be made with in the simulator.
+         */
+        RobotList: {
+            /** Robots */
+            robots: components["schemas"]["Robot"][];
         };
         /**
          * Run
@@ -3144,6 +3200,80 @@ export interface operations {
             };
             /** @description Request Entity Too Large */
             413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Misdirected Request */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+        };
+    };
+    listRobots: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description OK */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RobotList"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
                 headers: {
                     [name: string]: unknown;
                 };
