@@ -323,7 +323,7 @@ def replay(camera: Photographer, run: str) -> None:
     camera.go(f"#/run/{run}")
     slider = camera.of("replay-slider")
     slider.wait_for()
-    camera.page.locator(".blocklyBlockCanvas .blocklyDraggable").first.wait_for()
+    camera.page.locator(".blocklyBlockCanvas [data-id]").first.wait_for()
     tick = int(int(slider.get_attribute("max")) * 0.68)
     slider.fill(str(tick))
 

@@ -10,6 +10,7 @@ from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.finger import Finger
 from tests.e2e.studio import Studio
+from tests.e2e.test_accessibility import violations
 from tests.e2e.test_layout import cut
 from tests.e2e.world_board import WorldBoard
 
@@ -240,6 +241,20 @@ def test_changing_a_world_that_ships_can_be_undone_to_the_own_one(
     board["undo"].click()
     board["undo"].click()
     board.eventually(lambda: len(board.kept("boxes", "center")), 3)
+
+
+@pytest.mark.parametrize("theme", ["light", "dark", "contrast"])
+def test_it_has_names_and_contrast(studio: Studio, board: WorldBoard, theme: str) -> None:
+    while studio["theme"].get_attribute("data-theme") != theme:
+        studio["theme"].click()
+    assert violations(studio) == [], "the world"
+    board.choose("box")
+    board.drag((-0.5, -0.5), (0.5, 0.5))
+    expect(board["fault-note"]).to_be_visible()
+    assert violations(studio) == [], "a box with a fault"
+    board.choose("paint")
+    board.drag((1, 1), (2, 2))
+    assert violations(studio) == [], "a colour"
 
 
 @pytest.mark.parametrize("language", ["pt-BR", "en", "es"])

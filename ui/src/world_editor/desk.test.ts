@@ -71,8 +71,8 @@ describe("a hand", () => {
     desk.choose("start");
     drag([1.01, 1.02], [1, 3]);
     expect(drawn().start).toEqual({ x_m: 1, y_m: 1, heading_deg: 90 });
-    tap(-2, -2);
-    expect(drawn().start).toEqual({ x_m: -2, y_m: -2, heading_deg: 90 });
+    tap(-2, -9);
+    expect(drawn().start).toEqual({ x_m: -2, y_m: -3.7, heading_deg: 90 });
   });
 
   test("takes hold of what is drawn, moves, turns and stretches it", () => {

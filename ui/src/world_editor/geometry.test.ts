@@ -120,12 +120,17 @@ describe("a heading", () => {
   });
 });
 
-test("what is moved keeps its middle on the floor", () => {
-  expect(shifted(plan(), box(), 9, 0.5)).toMatchObject({ x: 4, y: 0.5 });
+test("what is moved stays on the floor", () => {
+  expect(shifted(plan(), box(), 9, 0.5)).toMatchObject({ x: 3.5, y: 0.5 });
+  expect(shifted(plan(), box({ heading: 45 }), -9, 0).x).toBeCloseTo(-4 + Math.SQRT1_2, 3);
   expect(shifted(plan(), wall([0, 0], [2, 0]), 9, 0)).toMatchObject({
-    from: { x: 3, y: 0 },
-    to: { x: 5, y: 0 },
+    from: { x: 2, y: 0 },
+    to: { x: 4, y: 0 },
   });
+});
+
+test("what has no room on the floor is put in its middle", () => {
+  expect(shifted(plan(), box({ x: 1, width: 9 }), 1, 0)).toMatchObject({ x: 0, y: 0 });
 });
 
 test("the walls around a floor go with its size, those within stay", () => {

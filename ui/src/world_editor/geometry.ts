@@ -10,6 +10,8 @@ const END_M = 0.16;
 /** A wall that is off by less than this is meant to be straight. */
 const STRAIGHT_DEG = 5;
 export const LEAST_M = 0.1;
+/** From the middle of the largest robot to its rim, and to a wall around it. */
+const ROBOT_M = 0.3;
 
 /** A number of metres or degrees without the dust of binary fractions. */
 export const clean = (value: number) => Math.round(value * 1000) / 1000 + 0;
@@ -21,8 +23,11 @@ export const snapPoint = ({ x, y }: XY, step: number): XY => ({
   y: snap(y, step),
 });
 
-export function insideRoom(plan: Plan, { x, y }: XY): XY {
-  const hold = (value: number, size: number) => Math.min(size / 2, Math.max(-size / 2, value));
+export function insideRoom(plan: Plan, { x, y }: XY, margin = 0): XY {
+  const hold = (value: number, size: number) => {
+    const most = Math.max(0, size / 2 - margin);
+    return Math.min(most, Math.max(-most, value));
+  };
   return { x: hold(x, plan.width), y: hold(y, plan.depth) };
 }
 
@@ -70,22 +75,39 @@ export function between(one: XY, other: XY, free: boolean) {
 
 export const lengthOf = ({ from, to }: Wall) => Math.hypot(to.x - from.x, to.y - from.y);
 
-/** The middle of a thing. */
-export function middleOf(thing: Thing): XY {
-  if (thing.kind !== "wall") return thing;
-  return { x: (thing.from.x + thing.to.x) / 2, y: (thing.from.y + thing.to.y) / 2 };
+/** The points of a thing that lie furthest out. */
+export function pointsOf(thing: Thing): XY[] {
+  if (!isArea(thing)) return [thing.from, thing.to];
+  if (thing.radius === null) return cornersOf(thing);
+  const { x, y, radius } = thing;
+  return [
+    { x: x - radius, y: y + radius },
+    { x: x + radius, y: y - radius },
+  ];
 }
 
-/** The thing shifted by metres, its middle still on the floor. */
+/** The thing shifted by metres, no further than to the edge of the floor. */
 export function shifted<T extends Thing>(plan: Plan, thing: T, dx: number, dy: number): T {
-  const middle = middleOf(thing);
-  const goal = insideRoom(plan, { x: middle.x + dx, y: middle.y + dy });
-  const move = ({ x, y }: XY): XY => ({
-    x: clean(x + goal.x - middle.x),
-    y: clean(y + goal.y - middle.y),
-  });
+  const points = pointsOf(thing);
+  const across = heldShift(
+    points.map(({ x }) => x),
+    dx,
+    plan.width / 2,
+  );
+  const up = heldShift(
+    points.map(({ y }) => y),
+    dy,
+    plan.depth / 2,
+  );
+  const move = ({ x, y }: XY): XY => ({ x: clean(x + across), y: clean(y + up) });
   if (isArea(thing)) return { ...thing, ...move(thing) };
   return { ...thing, from: move(thing.from), to: move(thing.to) };
+}
+
+function heldShift(values: readonly number[], shift: number, edge: number): number {
+  const [least, most] = [Math.min(...values), Math.max(...values)];
+  if (most - least > 2 * edge) return -(least + most) / 2;
+  return Math.max(-edge - least, Math.min(edge - most, shift));
 }
 
 /** A vector of the world in the frame of something turned by `heading` degrees. */
@@ -146,5 +168,5 @@ export function headingTo(middle: XY, point: XY, free: boolean): number {
 
 export const placed = (plan: Plan, start: Start, point: XY, free: boolean): Start => ({
   ...start,
-  ...snapPoint(insideRoom(plan, point), free ? FINE : GRID),
+  ...snapPoint(insideRoom(plan, point, ROBOT_M), free ? FINE : GRID),
 });

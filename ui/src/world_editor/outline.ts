@@ -1,7 +1,7 @@
 import { toScreen } from "../scene/camera";
 import type { XY } from "../scene/frames";
 import type { View } from "./board_view";
-import { cornersOf } from "./geometry";
+import { cornersOf, pointsOf } from "./geometry";
 import { isArea, type Thing } from "./plan";
 
 /** Where a point of the floor lies on the board, in pixels. */
@@ -22,8 +22,7 @@ const line = (points: readonly XY[]) => `M${points.map(({ x, y }) => `${x} ${y}`
 
 /** From top to bottom, and the middle across: where a note about a thing may stand. Pixels. */
 export function spanOf(view: View, thing: Thing): { x: number; top: number; bottom: number } {
-  const points = isArea(thing) ? reach(thing) : [thing.from, thing.to];
-  const shown = points.map((point) => onBoard(view, point));
+  const shown = pointsOf(thing).map((point) => onBoard(view, point));
   const xs = shown.map(({ x }) => x);
   const ys = shown.map(({ y }) => y);
   return {
@@ -31,13 +30,4 @@ export function spanOf(view: View, thing: Thing): { x: number; top: number; bott
     top: Math.min(...ys),
     bottom: Math.max(...ys),
   };
-}
-
-function reach(thing: Extract<Thing, { heading: number }>): XY[] {
-  if (thing.radius === null) return cornersOf(thing);
-  const { x, y, radius } = thing;
-  return [
-    { x: x - radius, y: y + radius },
-    { x: x + radius, y: y - radius },
-  ];
 }
