@@ -256,7 +256,7 @@ export const en: Texts = {
       wall: "Wall",
       box: "Box",
       zone: "Place",
-      paint: "Colour",
+      paint: "Coloured area",
       start: "Robot's start",
     },
     hints: {

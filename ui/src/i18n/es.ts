@@ -257,7 +257,7 @@ export const es: Texts = {
       wall: "Pared",
       box: "Caja",
       zone: "Lugar",
-      paint: "Color",
+      paint: "Área de color",
       start: "Salida del robot",
     },
     hints: {

@@ -252,7 +252,7 @@ export const ptBR = {
       wall: "Parede",
       box: "Caixa",
       zone: "Lugar",
-      paint: "Cor",
+      paint: "Área de cor",
       start: "Partida do robô",
     },
     hints: {
