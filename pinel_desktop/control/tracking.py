@@ -25,6 +25,7 @@ SLIPPING_GAINS = Gains(learn=10.0)
 
 
 TICK_S = 1.0 / 30.0  # the controller is asked once a tick
+_CREEP_MPS = 0.015
 # below, noise in the position would tell nothing of the way along an arc
 _SMALL_RADIUS_M = 0.1
 
@@ -148,7 +149,9 @@ def _offset(goal: Pose2D, pose: Pose2D) -> tuple[float, float]:
 def hold_place(goal: Pose2D, pose: Pose2D, gains: Gains) -> float:
     """The speed ahead with which a robot that turns on the spot stays over it, in m/s.
 
-    It can correct what lies ahead of it or behind; as it turns, it comes to look in other directions.
+    It can correct what lies ahead of it or behind; as it turns, it comes to look in other directions. It is never so
+    fast that it would not count as standing: something may be in the way.
     """
     dx, dy = goal.x_m - pose.x_m, goal.y_m - pose.y_m
-    return gains.along * (math.cos(pose.yaw_rad) * dx + math.sin(pose.yaw_rad) * dy)
+    v = gains.along * (math.cos(pose.yaw_rad) * dx + math.sin(pose.yaw_rad) * dy)
+    return min(max(v, -_CREEP_MPS), _CREEP_MPS)

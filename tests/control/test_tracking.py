@@ -70,8 +70,14 @@ def test_trim_is_bounded_and_learns_nothing_far_from_the_line() -> None:
 @pytest.mark.parametrize("yaw", [0.0, math.pi / 2, math.pi])
 def test_robot_that_turns_on_the_spot_drives_towards_the_spot_when_it_is_ahead(yaw: float) -> None:
     start = Pose2D(1.0, 1.0, 0.0)
-    behind = Pose2D(1.0 - 0.01 * math.cos(yaw), 1.0 - 0.01 * math.sin(yaw), yaw)
-    assert hold_place(start, behind, Gains()) == pytest.approx(0.04)
+    behind = Pose2D(1.0 - 0.002 * math.cos(yaw), 1.0 - 0.002 * math.sin(yaw), yaw)
+    assert hold_place(start, behind, Gains()) == pytest.approx(0.008)
+
+
+def test_robot_that_was_pushed_off_its_spot_only_creeps_back_and_may_arrive() -> None:
+    creeping = Twist2D(hold_place(Pose2D(1.0, 0.0, 0.0), Pose2D(), Gains()), 0.0)
+    assert creeping.v_mps > 0.0
+    assert GoalCheck(fine=0.01, near=0.01, coarse=0.01).arrived(0.0, creeping, ticks_past_end=16)
 
 
 def test_progress_counts_in_either_direction_and_stuck_is_only_after_patience() -> None:
