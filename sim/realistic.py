@@ -81,8 +81,8 @@ class RealisticDrive:
         bias = Noise(seed, _BIAS)
         self._biases = tuple(1.0 + realism.wheel_bias * bias.normal(0, side) for side in (0, 1))
         self._on_its_way = deque([(0.0, 0.0)] * round(realism.latency_s / SUBSTEP_S))
-        self._follow = 1.0 - math.exp(-SUBSTEP_S / realism.lag_s)
-        self._wheels = [0.0, 0.0]
+        self._nearer = 1.0 - math.exp(-SUBSTEP_S / realism.lag_s)
+        self._left = self._right = 0.0
         self.tick_number = 0
         self._pose: Pose = simulator.state()[:3]
         self.odometry: Pose = self._pose
@@ -95,8 +95,20 @@ class RealisticDrive:
         command = (v_mps - turn, v_mps + turn)
         slips = self._slips()
         for _ in range(SUBSTEPS):
-            self._substep(command, slips)
+            self._on_its_way.append(command)
+            self._follow(*self._on_its_way.popleft())
+            left, right = self._left * slips[0], self._right * slips[1]
+            self._simulator.substep((left + right) / 2.0, (right - left) / 2.0 / self._half_track)
         self._count(slips)
+
+    def _follow(self, left: float, right: float) -> None:
+        """One substep, in which the wheels come nearer to what they are told."""
+        self._left += (left - self._left) * self._nearer
+        self._right += (right - self._right) * self._nearer
+        if left == 0.0 and abs(self._left) < _STANDS_MPS:
+            self._left = 0.0
+        if right == 0.0 and abs(self._right) < _STANDS_MPS:
+            self._right = 0.0
 
     def _slips(self) -> tuple[float, float]:
         """How far each wheel moves the body for each metre that it turns, left and right."""
@@ -106,16 +118,6 @@ class RealisticDrive:
             for bias, source in zip(self._biases, self._noises, strict=True)
         )
         return left, right
-
-    def _substep(self, command: tuple[float, float], slips: tuple[float, float]) -> None:
-        self._on_its_way.append(command)
-        wheels = self._wheels
-        for side, wanted in enumerate(self._on_its_way.popleft()):
-            wheels[side] += (wanted - wheels[side]) * self._follow
-            if wanted == 0.0 and abs(wheels[side]) < _STANDS_MPS:
-                wheels[side] = 0.0
-        left, right = wheels[0] * slips[0], wheels[1] * slips[1]
-        self._simulator.substep((left + right) / 2.0, (right - left) / 2.0 / self._half_track)
 
     def _count(self, slips: tuple[float, float]) -> None:
         """Adds to the odometry what the wheels have turned since the last tick."""

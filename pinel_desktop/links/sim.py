@@ -93,24 +93,31 @@ class RealisticSensors(SimSensors):
         self._drive, self._measuring = drive, measuring
 
     def sonar(self, index: int) -> float:
-        exact, reach = super().sonar(index), self._robot.sonar_range_m
+        return self._sonar_errs(index, super().sonar(index))
+
+    def sonars(self) -> list[float]:
+        return [self._sonar_errs(index, exact) for index, exact in enumerate(super().sonars())]
+
+    def lidar(self, angle_rad: float) -> float:
+        return self._lidar_errs(angle_rad, super().lidar(angle_rad))
+
+    def scan(self) -> list[float]:
+        beams = zip(SCAN_RAD, super().scan(), strict=True)
+        return [self._lidar_errs(angle, exact) for angle, exact in beams]
+
+    def _sonar_errs(self, index: int, exact: float) -> float:
+        reach = self._robot.sonar_range_m
         if exact >= reach:
             return reach
         measured = self._measuring.sonar(self._drive.tick_number, index, exact)
         return max(0.0, min(measured, reach))
 
-    def lidar(self, angle_rad: float) -> float:
-        exact, reach = super().lidar(angle_rad), self._robot.lidar_range_m
+    def _lidar_errs(self, angle_rad: float, exact: float) -> float:
+        reach = self._robot.lidar_range_m
         if exact >= reach:
             return reach
         measured = self._measuring.lidar(self._drive.tick_number, angle_rad, exact)
         return max(0.0, min(measured, reach))
-
-    def sonars(self) -> list[float]:
-        return [self.sonar(index) for index in range(len(self._robot.sonar_angles_rad))]
-
-    def scan(self) -> list[float]:
-        return [self.lidar(angle) for angle in SCAN_RAD]
 
 
 class SimLink:
