@@ -3,9 +3,8 @@ import { TEST } from "../app/testids";
 import { texts } from "../i18n";
 import type { View } from "./board_view";
 import type { WorldDesk } from "./desk";
-import { LISTS } from "./document";
 import { onBoard, outlineOf } from "./outline";
-import { isOuter, ofKind, type Plan, type Thing } from "./plan";
+import { isOuter, ofKind, type Thing } from "./plan";
 import { nameOf } from "./words";
 
 /** From the middle of the robot to where a hand takes it, metres; and never less than a fingertip, pixels. */
@@ -23,31 +22,37 @@ export function Outlines({ desk, view }: OutlinesProps) {
   const faulty = useComputed(() => new Set(desk.faults.value.map((one) => desk.aboutFault(one))));
   // as they are drawn: paint beneath, walls on top
   const order = ["paint", "zone", "box", "wall"] as const;
-  const things = order.flatMap((kind) => ofKind(plan, kind)).filter((one) => !isOuter(plan, one));
+  const things = order.flatMap((kind) =>
+    ofKind(plan, kind).map((thing, index) => ({ thing, index })),
+  );
   return (
     <g>
-      {things.map((thing) => (
-        <Outline
-          key={thing.id}
-          desk={desk}
-          view={view}
-          plan={plan}
-          thing={thing}
-          isFaulty={faulty.value.has(thing.id)}
-        />
-      ))}
+      {things.map(
+        ({ thing, index }) =>
+          !isOuter(plan, thing) && (
+            <Outline
+              key={thing.id}
+              desk={desk}
+              view={view}
+              thing={thing}
+              index={index}
+              isFaulty={faulty.value.has(thing.id)}
+            />
+          ),
+      )}
       <StartOutline desk={desk} view={view} isFaulty={faulty.value.has("start")} />
     </g>
   );
 }
 
 interface OutlineProps extends OutlinesProps {
-  plan: Plan;
   thing: Thing;
+  /** Its place in the list of the document that holds it. */
+  index: number;
   isFaulty: boolean;
 }
 
-function Outline({ desk, view, plan, thing, isFaulty }: OutlineProps) {
+function Outline({ desk, view, thing, index, isFaulty }: OutlineProps) {
   const isSelected = desk.selected.value === thing.id;
   const path = outlineOf(view, thing);
   return (
@@ -56,11 +61,11 @@ function Outline({ desk, view, plan, thing, isFaulty }: OutlineProps) {
       class={classes(thing.kind, isSelected, isFaulty)}
       role="button"
       tabindex={0}
-      aria-label={nameOf(plan, thing, texts.value.world)}
+      aria-label={nameOf(thing, index, texts.value.world)}
       aria-pressed={isSelected}
       data-thing={thing.id}
       data-kind={thing.kind}
-      data-index={indexOf(plan, thing)}
+      data-index={index}
       data-faulty={isFaulty}
       data-testid={TEST.worldThing}
       onFocus={() => desk.select(thing.id)}
@@ -69,12 +74,6 @@ function Outline({ desk, view, plan, thing, isFaulty }: OutlineProps) {
       <path class="outline__line" d={path} />
     </g>
   );
-}
-
-/** Its place in the list of the document that holds it. */
-function indexOf(plan: Plan, thing: Thing): number {
-  const kind = Object.values(LISTS).find((one) => one === thing.kind) ?? thing.kind;
-  return ofKind(plan, kind).indexOf(thing);
 }
 
 interface StartOutlineProps extends OutlinesProps {

@@ -10,6 +10,7 @@ import {
   type Area,
   type AreaThing,
   isArea,
+  ofKind,
   type Plan,
   type Start,
   type Thing,
@@ -34,7 +35,7 @@ export function ThingPanel({ desk, plan, thing }: PanelProps<Thing>) {
       data-testid={TEST.worldPanel}
       data-kind={thing.kind}
     >
-      <h2>{nameOf(plan, thing, words)}</h2>
+      <h2>{nameOf(thing, ofKind(plan, thing.kind).indexOf(thing), words)}</h2>
       {isArea(thing) ? (
         <AreaFields desk={desk} plan={plan} thing={thing} />
       ) : (
