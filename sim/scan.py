@@ -36,7 +36,8 @@ class Scan:
     ) -> None:
         rings = [_ring(wall, wall_radius_m) for wall in walls]
         self._fixed = _edges(_uncovered([*rings, *(box.corners() for box in boxes)]))
-        self._beams = np.exp(1j * np.array(angles))
+        beams = np.array(angles)
+        self._beams = np.array((np.cos(beams), np.sin(beams)))
 
     def ranges(
         self, x: float, y: float, yaw: float, length_m: float, movable: Sequence[Box] = ()
@@ -47,11 +48,16 @@ class Scan:
             moved = _edges([side for box in movable for side in _sides(box.corners())])
             edges = np.concatenate((edges, moved), axis=1)
         normals, gaps, middles, halves = self._facing(edges, complex(x, y), length_m)
-        met = (normals * complex(math.cos(yaw), math.sin(yaw)))[:, None] * self._beams
-        # How near along the beam, in 1/m: dividing by the gap, which is never 0, and not by what may be. Where a beam
-        # goes away from an edge it is negative, and so is the right-hand side below.
-        near = met.real / gaps
-        hit = np.abs(met.imag + middles * near) <= halves * near
+        # Times a beam, the first gives as its real part how near the edge's line is along the beam, in 1/m: divided by
+        # the gap, which is never 0. The other gives as its imaginary part how far from the edge's middle they meet, in
+        # the same unit. One product of real matrices, for speed.
+        nears = normals * (complex(math.cos(yaw), math.sin(yaw)) / gaps)
+        asides = nears * (1.0 + 1j * middles / gaps)
+        parts = np.concatenate((nears.conj(), 1j * asides.conj())).view(np.float64).reshape(-1, 2)
+        met, n_edges = parts @ self._beams, len(gaps)
+        near, aside = met[:n_edges], met[n_edges:]
+        # where a beam goes away from an edge, near is below 0 and nothing is less far aside
+        hit = np.abs(aside) <= (halves / -gaps)[:, None] * near
         nearest = np.maximum.reduce(near * hit, axis=0, initial=1.0 / length_m)
         distances: list[float] = (1.0 / nearest).tolist()
         return distances
@@ -64,7 +70,7 @@ class Scan:
         use = ((gap < 0.0) & (gap > -length_m)).nonzero()[0]
         normals, numbers, halves = edges.take(use, axis=1)
         middles = place.imag.take(use) - numbers.imag
-        return normals, gap.take(use)[:, None], middles[:, None], halves.real[:, None]
+        return normals, gap.take(use), middles, halves.real
 
 
 def _edges(sides: Iterable[Side]) -> Edges:
