@@ -82,6 +82,18 @@ def test_a_recorded_run_reads_back_as_it_was(
     )
 
 
+def test_what_sensors_measured_for_those_who_watched_is_not_kept_and_pushed_boxes_are(
+    store: Store, run: RunRow, recorder: Recorder
+) -> None:
+    head = {"v": 1, "run": run.id, "tick": 3}
+    things = {**head, "seq": 1, "type": "things", "boxes": {"0": [1.0, 2.0, 0.5]}}
+    recorder(block_started(run.id, seq=0))
+    recorder(things)
+    recorder({**head, "seq": 2, "type": "ranges", "sonar": [1.0] * 16, "lidar": None})
+    recorder.flush().result()
+    assert store.runs.events(run.id) == [block_started(run.id, seq=0), things]
+
+
 def test_telemetry_is_written_about_once_a_second(
     store: Store, run: RunRow, recorder: Recorder, clock: ManualClock, path: Path
 ) -> None:
