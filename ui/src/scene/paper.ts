@@ -43,6 +43,9 @@ interface Inked {
 export class Paper {
   private readonly canvas = document.createElement("canvas");
   private readonly ctx = this.canvas.getContext("2d");
+  /** What the pen has drawn lies over the path, also over what is new of it. */
+  private readonly film = document.createElement("canvas");
+  private readonly filmCtx = this.film.getContext("2d");
   private sheet: Sheet | null = null;
   private camera: Camera = { x: 0, y: 0, scale: 1 };
   private path: Inked = { chunks: 0, length: 0 };
@@ -53,7 +56,7 @@ export class Paper {
   private cost = 0;
   private drawnAt = 0;
 
-  /** Puts the floor under everything else; true while it is not as sharp as it should be. */
+  /** Puts the floor with the paths under everything else; true while it is not as sharp as it should be. */
   lay(target: Ctx, sheet: Sheet, camera: Camera, now: number): boolean {
     const { canvas, ctx } = this;
     // a pane that is hidden has no size, and what has none cannot be drawn
@@ -62,13 +65,22 @@ export class Paper {
     const mayWait = same && this.cost > QUICK_MS && now - this.drawnAt < AGAIN_MS;
     if (!same || (!this.covers(camera) && !mayWait)) this.drawAnew(ctx, sheet, camera, now);
     else this.goOn(ctx, sheet);
+    this.put(target, canvas, sheet, camera);
+    return !this.covers(camera);
+  }
+
+  /** Puts what the pen has drawn over the paths. */
+  layFilm(target: Ctx, sheet: Sheet, camera: Camera): void {
+    if (this.strokes + this.pen.chunks > 0) this.put(target, this.film, sheet, camera);
+  }
+
+  private put(target: Ctx, image: HTMLCanvasElement, sheet: Sheet, camera: Camera): void {
     const scale = camera.scale / this.camera.scale;
     const [width, height] = [sheet.size.width + 2 * MARGIN, sheet.size.height + 2 * MARGIN];
     const left = (this.camera.x - camera.x) * camera.scale - (width * scale) / 2;
     const top = -(this.camera.y - camera.y) * camera.scale - (height * scale) / 2;
     const [middleX, middleY] = [sheet.size.width / 2, sheet.size.height / 2];
-    target.drawImage(canvas, middleX + left, middleY + top, width * scale, height * scale);
-    return !this.covers(camera);
+    target.drawImage(image, middleX + left, middleY + top, width * scale, height * scale);
   }
 
   /** A camera less than a pixel from another one, from which pixels of the image meet pixels of the screen. */
@@ -123,15 +135,15 @@ export class Paper {
     this.pen = { chunks: 0, length: 0 };
     canvas.width = Math.round((size.width + 2 * MARGIN) * ratio);
     canvas.height = Math.round((size.height + 2 * MARGIN) * ratio);
+    this.film.width = canvas.width;
+    this.film.height = canvas.height;
     const before = performance.now();
     ctx.setTransform(1, 0, 0, 1, 0, 0);
     ctx.fillStyle = palette.outside;
     ctx.fillRect(0, 0, canvas.width, canvas.height);
     this.place(ctx, sheet);
     drawFloor(ctx, world, palette, camera.scale, false);
-    const start = startOf(world);
-    ctx.translate(start.x, start.y);
-    ctx.rotate(start.yaw);
+    this.toStart(ctx, sheet);
     drawStart(ctx, palette, camera.scale);
     drawMarks(ctx, sheet.view.output.marks, palette);
     this.ink(ctx, sheet);
@@ -149,9 +161,7 @@ export class Paper {
     this.sheet = sheet;
     if (isFull) return;
     this.place(ctx, sheet);
-    const start = startOf(sheet.world);
-    ctx.translate(start.x, start.y);
-    ctx.rotate(start.yaw);
+    this.toStart(ctx, sheet);
     this.ink(ctx, sheet);
   }
 
@@ -169,6 +179,14 @@ export class Paper {
     const pixel = 1 / this.camera.scale;
     this.ideal = inked(ctx, view.idealPath, this.ideal, idealPen(palette, pixel));
     this.path = inked(ctx, view.path, this.path, pathPen(palette, pixel));
+    if (this.filmCtx) this.inkFilm(this.filmCtx, sheet, pixel);
+    this.sheet = sheet;
+  }
+
+  private inkFilm(ctx: Ctx, sheet: Sheet, pixel: number): void {
+    const { view, palette } = sheet;
+    this.place(ctx, sheet);
+    this.toStart(ctx, sheet);
     for (const stroke of view.output.strokes.slice(this.strokes)) {
       drawStroke(ctx, stroke, null, palette, pixel);
       this.pen = { chunks: 0, length: 0 };
@@ -179,15 +197,25 @@ export class Paper {
       drawStroke(ctx, restOf(pen, this.pen.chunks, false), null, palette, pixel);
       this.pen = { chunks: pen.trail.chunks.length, length: 0 };
     }
-    this.sheet = sheet;
   }
 
-  /** Draws on a canvas in the start frame what is not on the paper yet: the newest of each line. */
-  drawNew(ctx: Ctx, { view, palette }: Sheet, camera: Camera, end: Point | null): void {
+  private toStart(ctx: Ctx, { world }: Sheet): void {
+    const start = startOf(world);
+    ctx.translate(start.x, start.y);
+    ctx.rotate(start.yaw);
+  }
+
+  /** Draws on a canvas in the start frame what is not on the paper yet: the newest of each path. */
+  drawPaths(ctx: Ctx, { view, palette }: Sheet, camera: Camera, end: Point | null): void {
     const pixel = 1 / camera.scale;
     drawRest(ctx, view.idealPath, this.ideal, idealPen(palette, pixel), null);
     drawRest(ctx, view.path, this.path, pathPen(palette, pixel), end);
+  }
+
+  /** The same of what the pen draws now. */
+  drawPen(ctx: Ctx, { view, palette }: Sheet, camera: Camera, end: Point | null): void {
     const { pen } = view.output;
+    const pixel = 1 / camera.scale;
     if (pen) drawStroke(ctx, restOf(pen, this.pen.chunks, true), end, palette, pixel);
   }
 }

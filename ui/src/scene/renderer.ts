@@ -251,19 +251,19 @@ export class SceneRenderer {
     ctx.fillStyle = palette.outside;
     ctx.fillRect(0, 0, size.width, size.height);
     const blurred = paper.lay(ctx, sheet, camera, now);
-    ctx.save();
-    ctx.translate(size.width / 2, size.height / 2);
-    ctx.scale(camera.scale, -camera.scale);
-    ctx.translate(-camera.x, -camera.y);
-    drawThings(ctx, world, this.pushed.places, palette);
-    const start = startOf(world);
-    ctx.translate(start.x, start.y);
-    ctx.rotate(start.yaw);
     const pose = this.poseAt(now);
     const end: Point | null = this.view.run ? [pose.x, pose.y] : null;
-    paper.drawNew(ctx, sheet, camera, end);
-    this.drawRobot(ctx, pose, camera, sheet);
-    ctx.restore();
+    onFloor(ctx, sheet, camera, () => {
+      drawThings(ctx, world, this.pushed.places, palette);
+      toStartFrame(ctx, world);
+      paper.drawPaths(ctx, sheet, camera, end);
+    });
+    paper.layFilm(ctx, sheet, camera);
+    onFloor(ctx, sheet, camera, () => {
+      toStartFrame(ctx, world);
+      paper.drawPen(ctx, sheet, camera, end);
+      this.drawRobot(ctx, pose, camera, sheet);
+    });
     drawRulers(ctx, world, camera, size, palette);
     return blurred;
   }
@@ -289,4 +289,25 @@ export class SceneRenderer {
     const yaw = pose.yaw + view.pose.yaw - view.truth.yaw;
     drawBelief(ctx, { x: pose.x + off.x, y: pose.y + off.y, yaw }, palette, 1 / scale);
   }
+}
+
+/** Draws in the world's frame, in metres, y up. */
+function onFloor(
+  ctx: CanvasRenderingContext2D,
+  { size }: Sheet,
+  camera: Camera,
+  draw: () => void,
+): void {
+  ctx.save();
+  ctx.translate(size.width / 2, size.height / 2);
+  ctx.scale(camera.scale, -camera.scale);
+  ctx.translate(-camera.x, -camera.y);
+  draw();
+  ctx.restore();
+}
+
+function toStartFrame(ctx: CanvasRenderingContext2D, world: World | null): void {
+  const start = startOf(world);
+  ctx.translate(start.x, start.y);
+  ctx.rotate(start.yaw);
 }
