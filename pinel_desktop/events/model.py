@@ -20,8 +20,8 @@ PauseCause = Literal["person", "breakpoint", "step"]
 class RunState(Event):
     """The run has begun, was paused or goes on.
 
-    `cause` is why it pauses; `block` is the one that begins next, or in whose middle the run stands; `n_begun` is how many
-    commands had begun, loops and conditionals too, so that the run can be held there again.
+    `cause` is why it pauses; `block` is the one that begins next, or in whose middle the run stands; `n_begun` is how
+    many commands had begun, loops and conditionals too, so that the run can be held there again.
     """
 
     type: ClassVar[str] = "run_state"
