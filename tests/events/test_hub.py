@@ -50,6 +50,15 @@ def test_a_slow_reader_loses_the_oldest_telemetry_and_nothing_else() -> None:
     assert waiting(reader) == [100, 200, 204, 7, 8, 208, 9]
 
 
+def test_a_slow_reader_loses_what_sensors_measured_too() -> None:
+    hub = Hub(capacity=2)
+    reader = hub.subscribe()
+    for n in range(5):
+        hub.publish({"type": "ranges", "n": n})
+        hub.publish(block(100 + n))
+    assert waiting(reader) == [100, 101, 102, 3, 103, 4, 104]
+
+
 def test_a_reader_that_is_gone_for_good_is_cut_off(monkeypatch: Any) -> None:
     monkeypatch.setattr(hub_module, "_LIMIT", 10)
     hub = Hub()
