@@ -107,4 +107,25 @@ describe("a recorded run", () => {
     playback.seek(-5);
     expect(playback.tick.value).toBe(0);
   });
+
+  test("shows what is pointed at, and comes back unless it is pressed", () => {
+    const playback = new Playback(history);
+    playback.seek(20);
+    playback.point(90);
+    playback.point(80);
+    expect(playback.tick.value).toBe(80);
+    playback.point(null);
+    expect(playback.tick.value).toBe(20);
+    playback.point(90);
+    playback.seek(90);
+    playback.point(null);
+    expect(playback.tick.value).toBe(90);
+  });
+
+  test("is the same whether played on or opened at a moment", () => {
+    const opened = new History(RUN, events, telemetry);
+    for (let tick = 0; tick <= LAST; tick++) history.at(tick);
+    expect(history.at(LAST)).toEqual(opened.at(LAST));
+    expect(history.at(45)).toEqual(opened.at(45));
+  });
 });

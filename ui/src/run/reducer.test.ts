@@ -237,3 +237,36 @@ describe("a capture", () => {
     expect(viewAfter(begun(), runEnded(40, "stopped")).capture).toBeNull();
   });
 });
+
+describe("the truth", () => {
+  const known = (tick: number, x: number, true_x_m: number | null): RunEvent =>
+    ({ ...telemetry(tick, x, 0), true_x_m, true_y_m: 0, true_yaw_rad: 0 }) as RunEvent;
+
+  test("is what the path is drawn from; what the robot believes is beside it", () => {
+    const view = viewAfter(known(1, 0, 0), known(2, 1, 0.9));
+    expect([view.pose.x, view.truth.x]).toEqual([1, 0.9]);
+    expect([...points(view.path)].at(-1)).toEqual([0.9, 0]);
+  });
+
+  test("is what the robot says where nobody knows better", () => {
+    const view = viewAfter(known(1, 1, null));
+    expect(view.truth).toBe(view.pose);
+  });
+
+  test("stays where it was at the end, which tells only what the robot believes", () => {
+    const ending = runEnded(3, "finished") as Extract<RunEvent, { type: "run_ended" }>;
+    const end = { ...ending, pose: { x_m: 1.01, y_m: 0, yaw_rad: 0 } };
+    expect(viewAfter(known(2, 1, 0.9), end).truth.x).toBe(0.9);
+    expect(viewAfter(known(2, 1, 1), end).truth.x).toBe(1.01);
+  });
+});
+
+test("things that were pushed are where they were told last", () => {
+  const things = (tick: number, boxes: Record<string, [number, number, number]>): RunEvent => ({
+    ...head(tick),
+    type: "things",
+    boxes,
+  });
+  const view = viewAfter(things(1, { 0: [1, 0, 0], 2: [0, 0, 0] }), things(2, { 0: [2, 0, 0] }));
+  expect(view.things).toEqual({ 0: [2, 0, 0], 2: [0, 0, 0] });
+});
