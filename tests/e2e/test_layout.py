@@ -65,6 +65,11 @@ def test_no_words_are_cut(open_studio: OpenStudio, size: tuple[int, int], langua
     assert studio.page.evaluate(_SMALL) == []
     studio["ir-toggle"].click()
     assert cut(studio.page) == [], "what the robot gets"
+    studio["plots-toggle"].click()
+    studio["scene-tools"].click()
+    assert cut(studio.page) == [], "plots and tools"
+    assert studio.page.evaluate(_SMALL) == []
+    studio["scene-tools"].click()
     studio["open-work"].click()
     studio["program-card"].first.wait_for()
     assert cut(studio.page) == [], "our work"
