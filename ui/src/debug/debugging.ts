@@ -1,5 +1,6 @@
 import { effect, signal, untracked } from "@preact/signals";
 import type { Lifelike } from "../api/model";
+import { level } from "../app/level";
 import * as robot from "../run/live";
 
 /** How many times faster than a real robot the simulated one is. */
@@ -21,7 +22,8 @@ export const breakpoints = signal<readonly string[]>([]);
 
 /** What a run is to know from its beginning. */
 export function wishes(paused: boolean): robot.Debugging {
-  const chosen = LIFELIKE[lifelike.peek()];
+  // where nothing can be chosen, nothing that was chosen elsewhere surprises
+  const chosen = LIFELIKE[level.peek() > 1 ? lifelike.peek() : "ideal"];
   return { breakpoints: [...breakpoints.peek()], speed: speed.peek(), paused, ...chosen };
 }
 
