@@ -20,7 +20,7 @@ from pinel_desktop.desktop.self_check import Client, make_program
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 BARE_PAGE = ROOT / "build" / "bare-page" / "index.html"
-PAIRS = 7
+PAIRS = 15
 LARGEST_RATIO = 1.3
 
 

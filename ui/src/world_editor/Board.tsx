@@ -96,7 +96,6 @@ function Overlay({ desk, view, byHand }: OverlayProps) {
   );
   const { size, camera } = view.value;
   return (
-    // biome-ignore lint/a11y/noNoninteractiveTabindex: the keys draw, move and delete here
     <svg
       ref={svg}
       class="board__overlay"

@@ -50,7 +50,7 @@ export function paintBoard(canvas: HTMLCanvasElement, world: World, view: View):
   const ctx = canvas.getContext("2d");
   if (!ctx) return;
   const palette = readPalette();
-  fit(canvas, view.size);
+  fitTo(canvas, view.size);
   const { size, camera } = view;
   const ratio = canvas.width / size.width;
   ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
@@ -79,7 +79,7 @@ function drawStanding(
   drawRobot(ctx, { x: 0, y: 0, yaw: 0 }, palette, pixels);
 }
 
-function fit(canvas: HTMLCanvasElement, { width, height }: Size): void {
+function fitTo(canvas: HTMLCanvasElement, { width, height }: Size): void {
   const ratio = window.devicePixelRatio || 1;
   const [wide, high] = [Math.round(width * ratio), Math.round(height * ratio)];
   if (canvas.width === wide && canvas.height === high) return;
