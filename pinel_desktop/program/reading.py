@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from pydantic import ValidationError
-from pydantic_core import ErrorDetails, from_json
+from pydantic_core import ErrorDetails
 
 from pinel_desktop.program.checks import Meaning, check_meaning
 from pinel_desktop.program.faults import Fault
@@ -108,10 +108,6 @@ def _too_large(size: int) -> Fault:
 def _parse(text: str | bytes) -> Any:
     if len(text) > MAX_BYTES:
         return _too_large(len(text))
-    try:
-        return from_json(text)
-    except ValueError:
-        pass  # it says less about what is wrong, and knows no lone surrogates
     try:
         return json.loads(text)
     except RecursionError:
