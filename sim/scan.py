@@ -37,7 +37,7 @@ class Scan:
         rings = [_ring(wall, wall_radius_m) for wall in walls]
         self._fixed = _edges(_uncovered([*rings, *(box.corners() for box in boxes)]))
         beams = np.array(angles)
-        self._beams = np.array((np.cos(beams), np.sin(beams)))
+        self._beams = np.array((np.cos(beams), np.sin(beams)), dtype=np.float32)
 
     def ranges(
         self, x: float, y: float, yaw: float, length_m: float, movable: Sequence[Box] = ()
@@ -50,14 +50,14 @@ class Scan:
         normals, gaps, middles, halves = self._facing(edges, complex(x, y), length_m)
         # Times a beam, the first gives as its real part how near the edge's line is along the beam, in 1/m: divided by
         # the gap, which is never 0. The other gives as its imaginary part how far from the edge's middle they meet, in
-        # the same unit. One product of real matrices, for speed.
+        # the same unit. One product of real matrices, in single precision (a micrometre at 8 m), for speed.
         nears = normals * (complex(math.cos(yaw), math.sin(yaw)) / gaps)
         asides = nears * (1.0 + 1j * middles / gaps)
-        parts = np.concatenate((nears.conj(), 1j * asides.conj())).view(np.float64).reshape(-1, 2)
-        met, n_edges = parts @ self._beams, len(gaps)
+        parts = np.concatenate((nears.conj(), 1j * asides.conj())).view(np.float64)
+        met, n_edges = parts.astype(np.float32).reshape(-1, 2) @ self._beams, len(gaps)
         near, aside = met[:n_edges], met[n_edges:]
         # where a beam goes away from an edge, near is below 0 and nothing is less far aside
-        hit = np.abs(aside) <= (halves / -gaps)[:, None] * near
+        hit = np.abs(aside) <= (halves / -gaps).astype(np.float32)[:, None] * near
         nearest = np.maximum.reduce(near * hit, axis=0, initial=1.0 / length_m)
         distances: list[float] = (1.0 / nearest).tolist()
         return distances
