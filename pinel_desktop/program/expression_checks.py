@@ -43,6 +43,31 @@ class Expressions:
         if wanted is not None and found is not None and found != wanted:
             self._add(f"wrong_type_{wanted}", path, name=str(path[-1]))
 
+    def is_plainly_right(self, value: dict[str, Any], wanted: Type) -> bool:
+        """Whether it is an operation on literals and variables with nothing wrong about its types, as most are.
+
+        Notes the variables; what it does not know at once it leaves to `check`.
+        """
+        name, args = value.get("op"), value.get("args")
+        if name.__class__ is not str or args.__class__ is not list:
+            return False
+        operator = OPERATORS.get(name)
+        if operator is None or operator.all_take is None or wanted not in (None, operator.gives):
+            return False
+        count, takes = len(args), operator.all_take
+        if count < operator.n_min or (operator.n_max is not None and count > operator.n_max):
+            return False
+        for argument in args:
+            if argument.__class__ is dict:
+                variable = argument.get("var")
+                if variable.__class__ is not str or "op" in argument:
+                    return False
+                if variable not in self.parameters:
+                    self._variables.add(variable)
+            elif _LITERALS.get(argument.__class__) != takes:
+                return False
+        return True
+
     def name(self, value: Any) -> None:
         """Notes the name of a variable."""
         if isinstance(value, str) and value not in self.parameters:
