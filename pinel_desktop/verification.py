@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.execution.executor import RunOptions, RunResult, execute
 from pinel_desktop.execution.recorder import Recorder
 from pinel_desktop.execution.repeating import Repeater
@@ -16,17 +17,6 @@ from storage import RunRow, Store
 from storage.telemetry import STEPS, Telemetry
 
 Outcome = Literal["identical", "equal", "different"]
-# what is recorded at each tick, in the order of the recorder's rows
-_COLUMNS = (
-    "tick",
-    "x_m",
-    "y_m",
-    "yaw_rad",
-    "v_mps",
-    "omega_radps",
-    "command_v_mps",
-    "command_omega_radps",
-)
 EQUAL_M = 1e-4  # between platforms, whose mathematical functions differ in the last digit
 # a record that breaks off there, as when the power was cut, is compared as far as it goes
 _CUT_OFF = ("interrupted", "engine_lost", "internal_error")
@@ -40,6 +30,11 @@ class Difference:
     column: str
     recorded: float
     repeated: float
+
+    @property
+    def time_s(self) -> float:
+        """Robot time since the start."""
+        return self.tick / TICK_HZ
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,14 +109,14 @@ def _repeated(row: RunRow, document: dict[str, Any], repeater: Repeater) -> RunR
 
 def _first_difference(recorded: Telemetry, repeated: Recorder, *, whole: bool) -> Difference | None:
     """Compares tick by tick; the record is rounded, so what lies within its rounding is no difference."""
-    columns = [recorded.column(name).tolist() for name in _COLUMNS]
-    allowed = [max(STEPS[name], EQUAL_M) for name in _COLUMNS]
+    columns = [recorded.column(name).tolist() for name in Recorder.NAMES]
+    allowed = [max(STEPS[name], EQUAL_M) for name in Recorder.NAMES]
     rows = repeated.rows
     n_repeated = len(rows) // Recorder.COLUMNS
     for i in range(min(len(columns[0]), n_repeated)):
         row = rows[i * Recorder.COLUMNS : (i + 1) * Recorder.COLUMNS]
         was = [column[i] for column in columns]
-        for name, before, now, limit in zip(_COLUMNS, was, row, allowed, strict=True):
+        for name, before, now, limit in zip(Recorder.NAMES, was, row, allowed, strict=True):
             if _distance(name, before, now) > limit:
                 return Difference(round(row[0]), name, before, now)
     if whole and len(columns[0]) != n_repeated:

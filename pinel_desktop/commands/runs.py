@@ -103,7 +103,7 @@ def _in_words(verdict: "Verdict", row: RunRow) -> tuple[str, dict[str, Any]]:
         return f"verified_{verdict.outcome}", {"ticks": verdict.n_ticks}
     return "verified_different", {
         "tick": first.tick,
-        "time": round(first.tick / 30, 2),
+        "time": round(first.time_s, 2),
         "column": first.column,
         "recorded": round(first.recorded, 5),
         "repeated": round(first.repeated, 5),

@@ -26,7 +26,7 @@ _NEAR = 0.98  # of a sensor's range: at the rest of it nothing is there
 _MAX_PLANS = 60
 
 
-class Surroundings:
+class Obstacles:
     """What is known to stand in the way, in the start frame: the map, and what was seen since."""
 
     def __init__(self, context: RunContext) -> None:
@@ -92,24 +92,24 @@ def drive_around(context: RunContext, x_m: float, y_m: float) -> Routine:
 
     Raises RunFailureError `no_way` when nothing is known that leads there.
     """
-    around, goal = Surroundings(context), (x_m, y_m)
-    around.look()
+    known, goal = Obstacles(context), (x_m, y_m)
+    known.look()
     for _ in range(_MAX_PLANS):
         yield from stand_first(context)
         here = context.pose if context.reference_lost else context.reference
-        path = yield from _planned(around, here, goal, context.robot.radius_m)
+        path = yield from _planned(known, here, goal, context.robot.radius_m)
         if path is None:
             break
-        yield from _follow(context, around, path)
+        yield from _follow(context, known, path)
         if not context.reference_lost:
             return None
     raise RunFailureError("no_way", x=x_m, y=y_m)
 
 
 def _planned(
-    around: Surroundings, here: Pose2D, goal: Point, radius_m: float
+    known: Obstacles, here: Pose2D, goal: Point, radius_m: float
 ) -> Generator[Breath, None, list[Point] | None]:
-    search = plan_path(around.obstacles(), (here.x_m, here.y_m), goal, radius_m)
+    search = plan_path(known.obstacles(), (here.x_m, here.y_m), goal, radius_m)
     while True:
         try:
             next(search)
@@ -119,14 +119,14 @@ def _planned(
         yield Breath.TAKEN
 
 
-def _follow(context: RunContext, around: Surroundings, path: list[Point]) -> Routine:
+def _follow(context: RunContext, known: Obstacles, path: list[Point]) -> Routine:
     """Drives the legs one after the other; ends early, at rest and without a reference, when one is not free."""
     for i, (x, y) in enumerate(path):
 
         def interrupted(rest: list[Point] = path[i:]) -> bool:
             if context.tick % _SCAN_TICKS:
                 return False
-            return around.bar([(context.pose.x_m, context.pose.y_m), *rest])
+            return known.bar([(context.pose.x_m, context.pose.y_m), *rest])
 
         yield from drive_to(context, x, y, interrupted)
         if context.reference_lost:

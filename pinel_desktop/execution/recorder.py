@@ -17,7 +17,17 @@ class Recorder:
         add: appends a row, given as a tuple; the array's own method, because it is called at every tick.
     """
 
-    COLUMNS = 8
+    NAMES = (
+        "tick",
+        "x_m",
+        "y_m",
+        "yaw_rad",
+        "v_mps",
+        "omega_radps",
+        "command_v_mps",
+        "command_omega_radps",
+    )
+    COLUMNS = len(NAMES)
 
     def __init__(self) -> None:
         self.rows = array("d")

@@ -1,4 +1,4 @@
-import { AlignVerticalJustifyStart, ChevronDown, Layers, Redo2, Undo2, X } from "lucide-preact";
+import { AlignVerticalJustifyStart, ChevronDown, Layers, Redo2, Undo2 } from "lucide-preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { LEVELS, level, setLevel } from "../app/level";
 import { problem, program } from "../app/session";
@@ -9,6 +9,7 @@ import { createEditor, type Editor } from "../editor";
 import { language, texts } from "../i18n";
 import { FaultList } from "./FaultList";
 import type { StudioControl } from "./studio_control";
+import { WayBack } from "./WayBack";
 
 export function BlocksPane({ control }: { control: StudioControl }) {
   const { studio } = texts.value;
@@ -81,32 +82,18 @@ function LevelChoice() {
 function Swap({ control }: { control: StudioControl }) {
   const { value: replaced } = control.replaced;
   if (!replaced) return null;
-  const { python, trouble } = texts.value;
+  const { python } = texts.value;
   const placed = replaced.now === "placed";
   return (
-    <div class="line-message blocks__swap" role="status">
-      <span>{placed ? python.placed : python.broughtBack}</span>
-      <button
-        type="button"
-        class="button"
-        data-testid={TEST.swapBack}
-        onClick={() => control.swapBack()}
-      >
-        <Undo2 class="icon" aria-hidden="true" />
-        {placed ? python.bringBack : python.placeAgain}
-      </button>
-      <button
-        type="button"
-        class="button button--plain button--icon blocks__swap-close"
-        aria-label={trouble.close}
-        title={trouble.close}
-        onClick={() => {
-          control.replaced.value = null;
-        }}
-      >
-        <X class="icon" aria-hidden="true" />
-      </button>
-    </div>
+    <WayBack
+      words={placed ? python.placed : python.broughtBack}
+      action={placed ? python.bringBack : python.placeAgain}
+      testId={TEST.swapBack}
+      onBack={() => control.swapBack()}
+      onClose={() => {
+        control.replaced.value = null;
+      }}
+    />
   );
 }
 

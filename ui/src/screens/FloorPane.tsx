@@ -1,5 +1,5 @@
 import { useSignal } from "@preact/signals";
-import { ChartLine, FileCode, Undo2, X } from "lucide-preact";
+import { ChartLine, FileCode } from "lucide-preact";
 import { TEST } from "../app/testids";
 import { texts } from "../i18n";
 import * as robot from "../run/live";
@@ -10,6 +10,7 @@ import { Controls } from "./Controls";
 import { FootButton } from "./FootButton";
 import { Stage } from "./Stage";
 import type { StudioControl } from "./studio_control";
+import { WayBack } from "./WayBack";
 import "../run/run.css";
 
 export function FloorPane({ control }: { control: StudioControl }) {
@@ -58,31 +59,17 @@ function Status({ control }: { control: StudioControl }) {
 
 /** After the group's own world was deleted: the way back. */
 function Forgotten({ control: { worlds } }: { control: StudioControl }) {
-  const { world, trouble } = texts.value;
+  const { world } = texts.value;
   if (!worlds.forgotten.value) return null;
   return (
-    <div class="line-message blocks__swap" role="status">
-      <span>{world.forgotten}</span>
-      <button
-        type="button"
-        class="button"
-        data-testid={TEST.worldBringBack}
-        onClick={() => worlds.bringBack()}
-      >
-        <Undo2 class="icon" aria-hidden="true" />
-        {world.bringBack}
-      </button>
-      <button
-        type="button"
-        class="button button--plain button--icon blocks__swap-close"
-        aria-label={trouble.close}
-        title={trouble.close}
-        onClick={() => {
-          worlds.forgotten.value = null;
-        }}
-      >
-        <X class="icon" aria-hidden="true" />
-      </button>
-    </div>
+    <WayBack
+      words={world.forgotten}
+      action={world.bringBack}
+      testId={TEST.worldBringBack}
+      onBack={() => worlds.bringBack()}
+      onClose={() => {
+        worlds.forgotten.value = null;
+      }}
+    />
   );
 }
