@@ -14,20 +14,22 @@ export interface Size {
 
 /** Room for the rulers and the walls' thickness, in pixels. */
 export const EDGE = { left: 34, right: 14, top: 14, bottom: 28 };
+/** The same, and room for the tools that lie over the floor on its right: they must not hide a goal. */
+export const EDGE_WITH_TOOLS = { ...EDGE, right: 66 };
 
 const MIN_SCALE = 12;
 const MAX_SCALE = 320;
 
-export function cameraFor(box: Box, size: Size): Camera {
-  const width = Math.max(1, size.width - EDGE.left - EDGE.right);
-  const height = Math.max(1, size.height - EDGE.top - EDGE.bottom);
+export function cameraFor(box: Box, size: Size, edge = EDGE): Camera {
+  const width = Math.max(1, size.width - edge.left - edge.right);
+  const height = Math.max(1, size.height - edge.top - edge.bottom);
   const scale = clampScale(
     Math.min(width / (box.right - box.left), height / (box.top - box.bottom)),
   );
   // what is left of the height goes to the top, where the controls lie over the floor
   return {
-    x: (box.left + box.right) / 2 - (EDGE.left - EDGE.right) / 2 / scale,
-    y: box.bottom + (size.height / 2 - EDGE.bottom) / scale,
+    x: (box.left + box.right) / 2 - (edge.left - edge.right) / 2 / scale,
+    y: box.bottom + (size.height / 2 - edge.bottom) / scale,
     scale,
   };
 }

@@ -1,7 +1,15 @@
 import type { World } from "../api/model";
 import { IDLE, type Pose, type RunView } from "../run/reducer";
 import type { Point } from "../run/trail";
-import { approach, type Camera, cameraFor, clampScale, type Size, toFloor } from "./camera";
+import {
+  approach,
+  type Camera,
+  cameraFor,
+  clampScale,
+  EDGE_WITH_TOOLS,
+  type Size,
+  toFloor,
+} from "./camera";
 import { drawRulers, drawThings } from "./floor";
 import { startOf, toWorld, type XY } from "./frames";
 import { type Palette, readPalette } from "./palette";
@@ -202,8 +210,9 @@ export class SceneRenderer {
     this.moved = false;
     if (this.held) return;
     if (this.framing === "subject")
-      this.target = cameraFor(subjectOf(this.world, this.view), this.size);
-    if (this.framing === "room") this.target = cameraFor(wholeRoom(this.world), this.size);
+      this.target = cameraFor(subjectOf(this.world, this.view), this.size, EDGE_WITH_TOOLS);
+    if (this.framing === "room")
+      this.target = cameraFor(wholeRoom(this.world), this.size, EDGE_WITH_TOOLS);
   }
 
   private wake(): void {

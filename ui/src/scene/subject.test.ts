@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import type { World } from "../api/model";
 import { IDLE } from "../run/reducer";
 import { EMPTY_TRAIL, extend } from "../run/trail";
-import { cameraFor, EDGE, toScreen } from "./camera";
+import { cameraFor, EDGE, EDGE_WITH_TOOLS, toScreen } from "./camera";
 import { startOf, toStart, toWorld } from "./frames";
 import { subjectOf } from "./subject";
 
@@ -78,4 +78,12 @@ describe("frames", () => {
     expect(corner.x).toBeGreaterThanOrEqual(EDGE.left - 0.01);
     expect(corner.y).toBeLessThanOrEqual(size.height - EDGE.bottom + 0.01);
   });
+});
+
+test("a room that fills the floor's width ends beside the tools", () => {
+  const size = { width: 550, height: 426 };
+  const room = { left: -4, right: 4, bottom: -2.5, top: 2.5 };
+  const { x, y } = toScreen(cameraFor(room, size, EDGE_WITH_TOOLS), size, { x: 4, y: -2.5 });
+  expect(x).toBeLessThanOrEqual(size.width - EDGE_WITH_TOOLS.right + 0.01);
+  expect(y).toBeLessThanOrEqual(size.height - EDGE.bottom + 0.01);
 });
