@@ -11,6 +11,8 @@ import sqlite3
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from storage.class_tables import MEANINGS, make_class_tables, make_class_views
+
 if TYPE_CHECKING:
     from sqlite_utils import Database
 
@@ -29,7 +31,9 @@ _ABOUT = {
     "telemetry": "Samples of a run at 30 Hz in chunks: zlib of byte-shuffled int32 differences, column by"
     " column; steps in storage/telemetry.py.",
     "settings": "What was chosen, as JSON.",
-    "group_list, program_list, run_list": "The same for people: names and times instead of keys.",
+    **MEANINGS,
+    "group_list, program_list, version_list, run_list, lesson_list, note_list": "The same for people: names and"
+    " times instead of keys.",
 }
 
 
@@ -72,11 +76,19 @@ def worlds_of_versions(db: "Database") -> None:
     _view_about(db)
 
 
+def classes_and_lessons(db: "Database") -> None:
+    """Groups belong to classes, work to lessons; the bin, names of versions, notes, and what merging needs."""
+    make_class_tables(db)
+    make_class_views(db)
+    _view_about(db)
+
+
 # In their order. New ones are added at the end; none is ever changed.
 _MIGRATIONS: tuple[Callable[["Database"], None], ...] = (
     first_tables,
     first_views,
     worlds_of_versions,
+    classes_and_lessons,
 )
 KNOWN_MIGRATIONS = frozenset(migration.__name__ for migration in _MIGRATIONS)
 
