@@ -7,12 +7,26 @@ A leaf: imports nothing of the application. `open_store` opens the file,
 from storage.errors import StoreError
 from storage.opening import Notice
 from storage.recording import Recorder, warm_up
-from storage.records import FaultRow, GroupRow, ProgramRow, RunRow, RunStart, VersionRow
+from storage.records import (
+    ClassroomRow,
+    FaultRow,
+    GroupRow,
+    LessonRow,
+    NoteRow,
+    ProgramRow,
+    RunRow,
+    RunStart,
+    VersionMark,
+    VersionRow,
+)
 from storage.store import Store, open_for_reading, open_store
 
 __all__ = [
+    "ClassroomRow",
     "FaultRow",
     "GroupRow",
+    "LessonRow",
+    "NoteRow",
     "Notice",
     "ProgramRow",
     "Recorder",
@@ -20,6 +34,7 @@ __all__ = [
     "RunStart",
     "Store",
     "StoreError",
+    "VersionMark",
     "VersionRow",
     "open_for_reading",
     "open_store",

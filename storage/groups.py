@@ -1,7 +1,9 @@
-"""Groups of pupils."""
+"""Groups of pupils: a name, a colour and a picture, never the pupils' names."""
 
 import sqlite3
+from collections.abc import Mapping
 
+from storage.classrooms import require_classroom
 from storage.connection import Access
 from storage.errors import StoreError
 from storage.records import GroupRow
@@ -22,9 +24,36 @@ COLORS = (
     "#9c3d97",
     "#4a6b1c",
 )
+# what pupils of any school know and tell apart at a glance; the page has a drawing of each
+PICTURES = (
+    "rocket",
+    "cat",
+    "tree",
+    "fish",
+    "star",
+    "bird",
+    "bike",
+    "sun",
+    "turtle",
+    "guitar",
+    "flower",
+    "snail",
+    "ship",
+    "rabbit",
+    "mountain",
+    "dog",
+    "umbrella",
+    "cherry",
+    "plane",
+    "crown",
+    "squirrel",
+    "anchor",
+    "apple",
+    "moon",
+)
 _SELECT = """
-    SELECT id, name, color, created_at,
-           (SELECT count(*) FROM programs WHERE group_id = groups.id) AS n_programs,
+    SELECT id, name, color, picture, classroom_id, created_at,
+           (SELECT count(*) FROM programs WHERE group_id = groups.id AND deleted_at IS NULL) AS n_programs,
            (SELECT count(*) FROM runs WHERE group_id = groups.id) AS n_runs
     FROM groups"""
 
@@ -49,10 +78,52 @@ class Groups:
             raise StoreError("group_not_found", id=group_id)
         return GroupRow(**dict(row))
 
-    def create(self, name: str) -> GroupRow:
-        """Raises StoreError `group_exists`, `name_empty` or `name_too_long`."""
-        clean = clean_name(name)
-        group_id = self._access.write(lambda db: _insert(db, clean, self._access.now()))
+    def create(self, name: str, *, classroom_id: str | None = None, picture: str = "") -> GroupRow:
+        """A group with a colour that few have, and a picture that few have where none was chosen.
+
+        Raises:
+            StoreError: `group_exists` in that class, `classroom_not_found`, `picture_unknown`, `name_empty`,
+                `name_too_long`.
+        """
+        clean, now = clean_name(name), self._access.now()
+        _require_picture(picture)
+
+        def insert(db: sqlite3.Connection) -> str:
+            if classroom_id is not None:
+                require_classroom(db, classroom_id)
+            _require_free(db, clean, classroom_id, "")
+            group = {
+                "id": new_id(),
+                "name": clean,
+                "name_key": name_key(clean),
+                "color": _rarest(db, "color", COLORS, classroom_id),
+                "picture": picture or _rarest(db, "picture", PICTURES, classroom_id),
+                "classroom_id": classroom_id,
+                "created_at": now,
+                "used_at": now,
+                "changed_at": now,
+            }
+            marks = ", ".join(f":{column}" for column in group)
+            db.execute(f"INSERT INTO groups ({', '.join(group)}) VALUES ({marks})", group)
+            return str(group["id"])
+
+        return self.get(self._access.write(insert))
+
+    def change(self, group_id: str, changes: Mapping[str, str | None]) -> GroupRow:
+        """Changes some of `name`, `color`, `picture` and `classroom_id`.
+
+        Raises:
+            StoreError: `group_not_found` and what `create` raises; `color_unknown`.
+        """
+        wanted = dict(changes)
+        if "name" in wanted:
+            name = clean_name(str(wanted["name"]))
+            wanted |= {"name": name, "name_key": name_key(name)}
+        if "color" in wanted and wanted["color"] not in COLORS:
+            raise StoreError("color_unknown", value=wanted["color"], allowed=list(COLORS))
+        _require_picture(str(wanted.get("picture", "")))
+        now = self._access.now()
+        self._access.write(lambda db: _change(db, group_id, wanted, now))
         return self.get(group_id)
 
 
@@ -61,18 +132,45 @@ def touch(db: sqlite3.Connection, group_id: str, now: str) -> None:
     db.execute("UPDATE groups SET used_at = ? WHERE id = ?", [now, group_id])
 
 
-def _insert(db: sqlite3.Connection, name: str, now: str) -> str:
-    taken = db.execute("SELECT name FROM groups WHERE name_key = ?", [name_key(name)]).fetchone()
+def _change(
+    db: sqlite3.Connection, group_id: str, wanted: Mapping[str, str | None], now: str
+) -> None:
+    group = db.execute("SELECT * FROM groups WHERE id = ?", [group_id]).fetchone()
+    if group is None:
+        raise StoreError("group_not_found", id=group_id)
+    changes = {name: value for name, value in wanted.items() if value != group[name]}
+    if not changes:
+        return
+    classroom_id = changes.get("classroom_id", group["classroom_id"])
+    if classroom_id is not None:
+        require_classroom(db, classroom_id)
+    if changes.keys() & {"name", "classroom_id"}:
+        _require_free(db, changes.get("name") or group["name"], classroom_id, group_id)
+    assignments = ", ".join(f"{name} = :{name}" for name in changes)
+    db.execute(
+        f"UPDATE groups SET {assignments}, revision = revision + 1, changed_at = :now WHERE id = :id",
+        {**changes, "now": now, "id": group_id},
+    )
+
+
+def _require_free(db: sqlite3.Connection, name: str, classroom_id: str | None, own_id: str) -> None:
+    taken = db.execute(
+        "SELECT name FROM groups WHERE name_key = ? AND classroom_id IS ? AND id != ?",
+        [name_key(name), classroom_id, own_id],
+    ).fetchone()
     if taken:
         raise StoreError("group_exists", name=taken["name"])
-    group_id = new_id()
-    db.execute(
-        "INSERT INTO groups (id, name, name_key, color, created_at, used_at) VALUES (?, ?, ?, ?, ?, ?)",
-        [group_id, name, name_key(name), _rarest_color(db), now, now],
-    )
-    return group_id
 
 
-def _rarest_color(db: sqlite3.Connection) -> str:
-    used = [row["color"] for row in db.execute("SELECT color FROM groups")]
-    return min(COLORS, key=used.count)
+def _require_picture(picture: str) -> None:
+    if picture and picture not in PICTURES:
+        raise StoreError("picture_unknown", value=picture, allowed=list(PICTURES))
+
+
+def _rarest(
+    db: sqlite3.Connection, column: str, choice: tuple[str, ...], classroom_id: str | None
+) -> str:
+    """The first of those that fewest groups of the class have."""
+    rows = db.execute(f"SELECT {column} FROM groups WHERE classroom_id IS ?", [classroom_id])
+    used = [row[0] for row in rows]
+    return min(choice, key=used.count)

@@ -9,7 +9,7 @@ from storage.records import ProgramRow
 from storage.text import clean_name, new_id
 
 _SELECT = """
-    SELECT id, name, group_id, created_at, updated_at,
+    SELECT id, name, group_id, created_at, updated_at, deleted_at,
            (SELECT count(*) FROM versions WHERE program_id = programs.id) AS n_versions,
            (SELECT count(*) FROM runs WHERE program_id = programs.id) AS n_runs
     FROM programs"""
@@ -21,12 +21,13 @@ class Programs:
     def __init__(self, access: Access) -> None:
         self._access = access
 
-    def of_group(self, group_id: str) -> list[ProgramRow]:
-        """Newest first. Raises StoreError `group_not_found`."""
+    def of_group(self, group_id: str, *, in_bin: bool = False) -> list[ProgramRow]:
+        """Newest first; with `in_bin` those that were thrown away. Raises StoreError `group_not_found`."""
+        which = "deleted_at IS NOT NULL" if in_bin else "deleted_at IS NULL"
         with self._access.reading() as db:
             require_group(db, group_id)
             rows = db.execute(
-                f"{_SELECT} WHERE group_id = ? ORDER BY id DESC", [group_id]
+                f"{_SELECT} WHERE group_id = ? AND {which} ORDER BY id DESC", [group_id]
             ).fetchall()
         return [ProgramRow(**dict(row)) for row in rows]
 
@@ -46,8 +47,9 @@ class Programs:
             require_group(db, group_id)
             program_id = new_id()
             db.execute(
-                "INSERT INTO programs (id, group_id, name, created_at, updated_at) VALUES (?, ?, ?, ?, ?)",
-                [program_id, group_id, clean, now, now],
+                """INSERT INTO programs (id, group_id, name, created_at, updated_at, changed_at)
+                   VALUES (?, ?, ?, ?, ?, ?)""",
+                [program_id, group_id, clean, now, now, now],
             )
             touch(db, group_id, now)
             return program_id
@@ -56,11 +58,23 @@ class Programs:
 
     def rename(self, program_id: str, name: str) -> ProgramRow:
         """Raises StoreError `program_not_found`, `name_empty` or `name_too_long`."""
-        clean = clean_name(name)
+        return self._change(program_id, "name", clean_name(name))
+
+    def throw_away(self, program_id: str) -> ProgramRow:
+        """Puts it into the bin, with all its versions and runs. Raises StoreError `program_not_found`."""
+        return self._change(program_id, "deleted_at", self._access.now())
+
+    def take_back(self, program_id: str) -> ProgramRow:
+        """Takes it out of the bin. Raises StoreError `program_not_found`."""
+        return self._change(program_id, "deleted_at", None)
+
+    def _change(self, program_id: str, column: str, value: str | None) -> ProgramRow:
+        now = self._access.now()
         self._access.write(
             lambda db: (
                 db.execute(
-                    "UPDATE programs SET name = ? WHERE id = ?", [clean, program_id]
+                    f"UPDATE programs SET {column} = ?, revision = revision + 1, changed_at = ? WHERE id = ?",
+                    [value, now, program_id],
                 ).rowcount
             )
         )

@@ -14,9 +14,58 @@ class GroupRow:
     id: str
     name: str
     color: str
+    picture: str
+    classroom_id: str | None
     created_at: str
     n_programs: int = 0
     n_runs: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class ClassroomRow:
+    """A class of the school."""
+
+    id: str
+    name: str
+    created_at: str
+    n_groups: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class LessonRow:
+    """A meeting of a class; `title` is "" where it was opened by itself.
+
+    Attributes:
+        computer: name of the PC where it was opened last.
+        part_of: the lesson that it was joined to.
+    """
+
+    id: str
+    classroom_id: str | None
+    title: str
+    activity: str | None
+    by_itself: bool
+    computer_id: str
+    computer: str | None
+    opened_at: str
+    used_at: str
+    closed_at: str | None
+    part_of: str | None
+    n_versions: int = 0
+    n_runs: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class NoteRow:
+    """What the teacher has written about a run."""
+
+    id: str
+    run_id: str
+    text: str
+    written_at: str
+    seen_at: str | None
+    program_id: str | None
+    program_name: str | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,6 +77,7 @@ class ProgramRow:
     group_id: str
     created_at: str
     updated_at: str
+    deleted_at: str | None = None
     n_versions: int = 0
     n_runs: int = 0
 
@@ -53,6 +103,32 @@ class VersionRow:
     document: Json | None
     faults: tuple[FaultRow, ...]
     world: Json | None = None
+    number: int = 0
+    label: str = ""
+    parent_id: str | None = None
+    lesson_id: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class VersionMark:
+    """A version in the line of a program's versions, without its content.
+
+    Attributes:
+        label: the name that its group gave it, "" without.
+        n_runs: how often it was run.
+        n_passed: how often the activity was passed with it.
+    """
+
+    id: str
+    number: int
+    created_at: str
+    can_run: bool
+    label: str
+    parent_id: str | None
+    lesson_id: str | None
+    computer: str | None
+    n_runs: int
+    n_passed: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +143,7 @@ class RunStart:
     version_id: str | None = None
     document: Json | None = None
     parameters: Json = field(default_factory=dict)
+    activity: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,3 +175,8 @@ class RunRow:
     summary: Json
     telemetry_sha256: str | None
     path: list[list[float]]
+    lesson_id: str | None = None
+    computer_id: str | None = None
+    activity: str | None = None
+    passed: bool | None = None
+    check_report: Json | None = None

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from storage.connection import Access
 from storage.errors import StoreError
 from storage.groups import touch
+from storage.lessons import lesson_for
 from storage.records import Json, RunRow, RunStart
 from storage.text import dumped, loaded, new_id
 
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 
 _COLUMNS = ", ".join(column.name for column in fields(RunRow))
 _SELECT = f"SELECT {_COLUMNS} FROM runs"
-_JSON = ("document", "world_document", "parameters", "params", "summary", "path")
+_JSON = ("document", "world_document", "parameters", "params", "summary", "path", "check_report")
 _IN_COLUMNS = ("v", "type", "run", "seq", "tick")
 _FIGURES = (
     "state",
@@ -187,7 +188,10 @@ def _insert(db: sqlite3.Connection, start: RunStart, now: str) -> str:
         "app_version": start.app_version,
         "state": "running",
         "started_at": now,
+        "activity": start.activity,
     }
+    if origin["group_id"]:
+        row["lesson_id"], row["computer_id"] = lesson_for(db, origin["group_id"], now)
     names = ", ".join(row)
     db.execute(f"INSERT INTO runs ({names}) VALUES ({', '.join(':' + name for name in row)})", row)
     if origin["group_id"]:
@@ -272,5 +276,6 @@ def _record(row: sqlite3.Row) -> RunRow:
         "params": values["params"] or {},
         "summary": values["summary"] or {},
         "path": values["path"] or [],
+        "passed": None if values["passed"] is None else bool(values["passed"]),
     }
     return RunRow(**values)

@@ -8,9 +8,13 @@ from datetime import UTC, datetime
 from pathlib import Path
 from types import TracebackType
 
+from storage.classrooms import Classrooms
+from storage.computers import Computers
 from storage.connection import Access
 from storage.errors import StoreError
 from storage.groups import Groups
+from storage.lessons import Lessons
+from storage.notes import Notes
 from storage.opening import Notice, connect, prepare, prepare_reading
 from storage.programs import Programs
 from storage.runs import Batch, Runs, close_runs, write_batch
@@ -38,10 +42,14 @@ class Store:
         self.path = access.path
         self.writable = writable
         self.notice = notice
+        self.computers = Computers(access)
+        self.classrooms = Classrooms(access)
         self.groups = Groups(access)
+        self.lessons = Lessons(access)
         self.programs = Programs(access)
         self.versions = Versions(access)
         self.runs = Runs(access)
+        self.notes = Notes(access)
         self.settings = Settings(access)
         self._interrupted: list[str] = []
         self._keep_alive: sqlite3.Connection | None = None

@@ -51,6 +51,12 @@ def clean_name(name: str) -> str:
     return clean
 
 
+def clean_text(text: str) -> str:
+    """A text of several lines without what cannot be written or seen at their ends; may be empty."""
+    writable = text.encode("utf-8", "ignore").decode()
+    return "\n".join(line.rstrip() for line in writable.replace("\0", "").strip().splitlines())
+
+
 def name_key(name: str) -> str:
     """What two groups must not share: the name without case, spaces and joiners."""
     visible = "".join(char for char in name if char not in _JOINERS)

@@ -7,14 +7,26 @@ from dataclasses import astuple
 from storage.connection import Access
 from storage.errors import StoreError
 from storage.groups import touch
-from storage.records import FaultRow, Json, VersionRow
-from storage.text import dumped, loaded, new_id
+from storage.lessons import lesson_for
+from storage.records import FaultRow, Json, VersionMark, VersionRow
+from storage.text import clean_name, dumped, loaded, new_id
 
-_SELECT = "SELECT id, program_id, created_at, workspace, document, faults, world FROM versions"
+_SELECT = """
+    SELECT versions.id, program_id, created_at, workspace, document, faults, world, number, parent_id, lesson_id,
+           coalesce(version_labels.text, '') AS label
+    FROM versions LEFT JOIN version_labels ON version_labels.id = versions.id"""
+_MARK = """
+    SELECT versions.id, number, versions.created_at, document IS NOT NULL AS can_run, parent_id, lesson_id,
+           coalesce(version_labels.text, '') AS label, computers.name AS computer,
+           (SELECT count(*) FROM runs WHERE version_id = versions.id) AS n_runs,
+           (SELECT count(*) FROM runs WHERE version_id = versions.id AND passed) AS n_passed
+    FROM versions LEFT JOIN version_labels ON version_labels.id = versions.id
+         LEFT JOIN computers ON computers.id = versions.computer_id"""
 _CONTENT = ("workspace", "document", "faults", "world")
+_ENDLESS = 2**62
 _Content = tuple[str, str | None, str, str | None]
 # by number, not by time: the clocks of school PCs are often wrong
-_NEWEST = f"{_SELECT} WHERE program_id = ? ORDER BY number DESC, id DESC LIMIT 1"
+_NEWEST = f"{_SELECT} WHERE program_id = ? ORDER BY number DESC, versions.id DESC LIMIT 1"
 
 
 class Versions:
@@ -32,7 +44,7 @@ class Versions:
     def get(self, version_id: str) -> VersionRow:
         """Raises StoreError `version_not_found`."""
         with self._access.reading() as db:
-            row = db.execute(f"{_SELECT} WHERE id = ?", [version_id]).fetchone()
+            row = db.execute(f"{_SELECT} WHERE versions.id = ?", [version_id]).fetchone()
         if row is None:
             raise StoreError("version_not_found", id=version_id)
         return _record(row)
@@ -44,8 +56,13 @@ class Versions:
         document: Json | None,
         faults: Sequence[FaultRow] = (),
         world: Json | None = None,
+        *,
+        parent_id: str | None = None,
     ) -> VersionRow:
         """Keeps a state; on disk when this returns. The same content as the newest version is that version.
+
+        Args:
+            parent_id: the version that was edited; the newest when not told.
 
         Raises:
             StoreError: `program_not_found`, or why nothing could be kept.
@@ -57,25 +74,62 @@ class Versions:
             None if world is None else dumped(world),
         )
         now = self._access.now()
-        return self.get(self._access.write(lambda db: _insert(db, program_id, content, now)))
+        return self.get(
+            self._access.write(lambda db: _insert(db, program_id, content, parent_id, now))
+        )
+
+    def line_of(
+        self, program_id: str, *, before: int | None = None, limit: int = 200
+    ) -> list[VersionMark]:
+        """The program's versions, the newest first; `before` is the number to go on from."""
+        with self._access.reading() as db:
+            rows = db.execute(
+                f"{_MARK} WHERE program_id = ? AND number < ? ORDER BY number DESC, versions.id DESC LIMIT ?",
+                [program_id, _ENDLESS if before is None else before, limit],
+            ).fetchall()
+        return [VersionMark(**{**dict(row), "can_run": bool(row["can_run"])}) for row in rows]
+
+    def label(self, version_id: str, text: str) -> VersionRow:
+        """Gives a version a name, or with "" takes it away. Raises StoreError `version_not_found`, `name_too_long`."""
+        clean, now = clean_name(text) if text.strip() else "", self._access.now()
+
+        def write(db: sqlite3.Connection) -> None:
+            if db.execute("SELECT 1 FROM versions WHERE id = ?", [version_id]).fetchone() is None:
+                raise StoreError("version_not_found", id=version_id)
+            db.execute(
+                """INSERT INTO version_labels (id, text, changed_at) VALUES (?, ?, ?)
+                   ON CONFLICT (id) DO UPDATE SET text = excluded.text, revision = revision + 1,
+                       changed_at = excluded.changed_at""",
+                [version_id, clean, now],
+            )
+
+        self._access.write(write)
+        return self.get(version_id)
 
 
-def _insert(db: sqlite3.Connection, program_id: str, content: _Content, now: str) -> str:
+def _insert(
+    db: sqlite3.Connection, program_id: str, content: _Content, parent_id: str | None, now: str
+) -> str:
     program = db.execute("SELECT group_id FROM programs WHERE id = ?", [program_id]).fetchone()
     if program is None:
         raise StoreError("program_not_found", id=program_id)
     newest = db.execute(_NEWEST, [program_id]).fetchone()
     if newest and tuple(newest[name] for name in _CONTENT) == content:
         return str(newest["id"])
-    version_id = new_id()
-    db.execute(
-        """INSERT INTO versions (id, program_id, number, created_at, workspace, document, faults, world)
-           VALUES (?, ?, (SELECT coalesce(max(number), 0) + 1 FROM versions WHERE program_id = ?), ?, ?, ?, ?, ?)""",
-        [version_id, program_id, program_id, now, *content],
-    )
+    version = {
+        "id": new_id(),
+        "program_id": program_id,
+        "number": newest["number"] + 1 if newest else 1,
+        "created_at": now,
+        **dict(zip(_CONTENT, content, strict=True)),
+        "parent_id": parent_id or (newest["id"] if newest else None),
+    }
+    version["lesson_id"], version["computer_id"] = lesson_for(db, program["group_id"], now)
+    marks = ", ".join(f":{column}" for column in version)
+    db.execute(f"INSERT INTO versions ({', '.join(version)}) VALUES ({marks})", version)
     db.execute("UPDATE programs SET updated_at = ? WHERE id = ?", [now, program_id])
     touch(db, program["group_id"], now)
-    return version_id
+    return str(version["id"])
 
 
 def _record(row: sqlite3.Row) -> VersionRow:
@@ -87,4 +141,5 @@ def _record(row: sqlite3.Row) -> VersionRow:
         document=loaded(row["document"]),
         faults=tuple(FaultRow(*fault) for fault in loaded(row["faults"])),
         world=loaded(row["world"]),
+        **{name: row[name] for name in ("number", "label", "parent_id", "lesson_id")},
     )

@@ -1,0 +1,189 @@
+"""Lessons: meetings of a class, opened by the teacher or by themselves when a group begins to work.
+
+What is made belongs to a lesson by its key, not by its time: the clocks of school PCs are often wrong. A lesson that
+the teacher opens has a key made of class and title, so that it is one lesson on all PCs where it was opened.
+"""
+
+import sqlite3
+import uuid
+from collections.abc import Mapping
+from datetime import datetime
+
+from storage.classrooms import require_classroom
+from storage.computers import here
+from storage.connection import Access
+from storage.errors import StoreError
+from storage.records import LessonRow
+from storage.text import clean_name, name_key, new_id
+
+# after so long a pause another class sits there
+_PAUSE_S = 45 * 60
+_LONGEST_S = 6 * 3600
+_SELECT = """
+    SELECT lessons.id, lessons.classroom_id, title, activity, by_itself, computer_id, computers.name AS computer,
+           opened_at, used_at, closed_at, part_of,
+           (SELECT count(*) FROM versions WHERE lesson_id = lessons.id) AS n_versions,
+           (SELECT count(*) FROM runs WHERE lesson_id = lessons.id) AS n_runs
+    FROM lessons LEFT JOIN computers ON computers.id = lessons.computer_id"""
+_OPEN = "closed_at IS NULL AND computer_id = ? AND lessons.classroom_id IS ?"
+
+
+class Lessons:
+    """The lessons of the file."""
+
+    def __init__(self, access: Access) -> None:
+        self._access = access
+
+    def of_classroom(self, classroom_id: str | None) -> list[LessonRow]:
+        """Newest first; of groups without a class with None."""
+        with self._access.reading() as db:
+            rows = db.execute(
+                f"{_SELECT} WHERE lessons.classroom_id IS ? ORDER BY opened_at DESC, lessons.id DESC",
+                [classroom_id],
+            ).fetchall()
+        return [_record(row) for row in rows]
+
+    def get(self, lesson_id: str) -> LessonRow:
+        """Raises StoreError `lesson_not_found`."""
+        with self._access.reading() as db:
+            row = db.execute(f"{_SELECT} WHERE lessons.id = ?", [lesson_id]).fetchone()
+        if row is None:
+            raise StoreError("lesson_not_found", id=lesson_id)
+        return _record(row)
+
+    def current(self, classroom_id: str | None) -> LessonRow | None:
+        """What work of the class would belong to now on this PC, None when a new lesson would begin."""
+        now = self._access.now()
+        with self._access.reading() as db:
+            key = db.execute("SELECT value FROM settings WHERE key = 'computer_id'").fetchone()
+            if key is None:
+                return None
+            found = _going_on(db, classroom_id, str(key["value"]).strip('"'), now)
+        return None if found is None else self.get(found)
+
+    def parts(self, lesson_id: str) -> list[str]:
+        """Keys of the lesson and of all that were joined to it."""
+        with self._access.reading() as db:
+            rows = db.execute("SELECT id FROM lessons WHERE part_of = ?", [lesson_id]).fetchall()
+        return [lesson_id, *(str(row["id"]) for row in rows)]
+
+    def open(self, classroom_id: str, title: str, activity: str | None = None) -> LessonRow:
+        """Opens the lesson of that title, again where it was closed; what was open on this PC is closed.
+
+        Raises:
+            StoreError: `classroom_not_found`, `name_empty`, `name_too_long`.
+        """
+        clean, now = clean_name(title), self._access.now()
+        lesson_id = str(uuid.uuid5(uuid.UUID(classroom_id), name_key(clean)))
+
+        def insert(db: sqlite3.Connection) -> None:
+            require_classroom(db, classroom_id)
+            computer_id, _ = here(db, now)
+            _close(db, _OPEN + " AND id != ?", [computer_id, classroom_id, lesson_id], now)
+            db.execute(
+                """INSERT INTO lessons (id, classroom_id, title, activity, by_itself, computer_id, opened_at, used_at,
+                                        changed_at) VALUES (?, ?, ?, ?, 0, ?, ?, ?, ?)
+                   ON CONFLICT (id) DO UPDATE SET closed_at = NULL, activity = excluded.activity, used_at = ?,
+                       computer_id = excluded.computer_id, revision = revision + 1, changed_at = excluded.changed_at""",
+                [lesson_id, classroom_id, clean, activity, computer_id, now, now, now, now],
+            )
+
+        self._access.write(insert)
+        return self.get(lesson_id)
+
+    def close(self, lesson_id: str) -> LessonRow:
+        """Ends a lesson. Raises StoreError `lesson_not_found`."""
+        now = self._access.now()
+        self._access.write(lambda db: _close(db, "closed_at IS NULL AND id = ?", [lesson_id], now))
+        return self.get(lesson_id)
+
+    def change(self, lesson_id: str, changes: Mapping[str, str | None]) -> LessonRow:
+        """Changes some of `title`, `activity` and `part_of`, the lesson that it is to be a part of.
+
+        Raises:
+            StoreError: `lesson_not_found`; `lesson_not_joinable` to itself, to a part, or to another class's.
+        """
+        wanted, now = dict(changes), self._access.now()
+        if wanted.get("title") is not None:
+            wanted["title"] = clean_name(str(wanted["title"]))
+
+        def change(db: sqlite3.Connection) -> None:
+            if wanted.get("part_of") is not None:
+                _require_joinable(db, lesson_id, str(wanted["part_of"]))
+            assignments = ", ".join(f"{name} = :{name}" for name in wanted)
+            db.execute(
+                f"UPDATE lessons SET {assignments}, revision = revision + 1, changed_at = :now WHERE id = :id",
+                {**wanted, "now": now, "id": lesson_id},
+            )
+
+        if wanted:
+            self._access.write(change)
+        return self.get(lesson_id)
+
+
+def lesson_for(db: sqlite3.Connection, group_id: str, now: str) -> tuple[str, str]:
+    """Keys of the lesson that the group's work belongs to now, and of this PC; within the caller's transaction."""
+    computer_id, _ = here(db, now)
+    group = db.execute("SELECT classroom_id FROM groups WHERE id = ?", [group_id]).fetchone()
+    classroom_id = group["classroom_id"]
+    lesson_id = _going_on(db, classroom_id, computer_id, now)
+    if lesson_id is None:
+        _close(db, _OPEN, [computer_id, classroom_id], now)
+        lesson_id = new_id()
+        db.execute(
+            """INSERT INTO lessons (id, classroom_id, title, by_itself, computer_id, opened_at, used_at, changed_at)
+               VALUES (?, ?, '', 1, ?, ?, ?, ?)""",
+            [lesson_id, classroom_id, computer_id, now, now, now],
+        )
+    else:
+        db.execute("UPDATE lessons SET used_at = ? WHERE id = ?", [now, lesson_id])
+    return lesson_id, computer_id
+
+
+def _going_on(
+    db: sqlite3.Connection, classroom_id: str | None, computer_id: str, now: str
+) -> str | None:
+    """The lesson that is open on this PC and in which somebody has worked not long ago."""
+    rows = db.execute(
+        f"SELECT id, by_itself, used_at FROM lessons WHERE {_OPEN} ORDER BY by_itself, used_at DESC",
+        [computer_id, classroom_id],
+    )
+    for row in rows:
+        # the clock may have been set back in between
+        pause_s = abs((_moment(now) - _moment(row["used_at"])).total_seconds())
+        if pause_s <= (_PAUSE_S if row["by_itself"] else _LONGEST_S):
+            return str(row["id"])
+    return None
+
+
+def _close(db: sqlite3.Connection, which: str, values: list[str | None], now: str) -> None:
+    db.execute(
+        f"UPDATE lessons SET closed_at = ?, revision = revision + 1, changed_at = ? WHERE {which}",
+        [now, now, *values],
+    )
+
+
+def _require_joinable(db: sqlite3.Connection, lesson_id: str, to: str) -> None:
+    lessons = {
+        row["id"]: row
+        for row in db.execute(
+            "SELECT id, classroom_id, part_of FROM lessons WHERE id IN (?, ?)", [lesson_id, to]
+        )
+    }
+    if len(lessons) < 2:
+        missing = to if lesson_id in lessons and to != lesson_id else lesson_id
+        code = "lesson_not_joinable" if to == lesson_id else "lesson_not_found"
+        raise StoreError(code, id=missing)
+    has_parts = db.execute("SELECT 1 FROM lessons WHERE part_of = ?", [lesson_id]).fetchone()
+    same_class = lessons[lesson_id]["classroom_id"] == lessons[to]["classroom_id"]
+    if has_parts or lessons[to]["part_of"] is not None or not same_class:
+        raise StoreError("lesson_not_joinable", id=lesson_id)
+
+
+def _moment(text: str) -> datetime:
+    return datetime.fromisoformat(text)
+
+
+def _record(row: sqlite3.Row) -> LessonRow:
+    values = dict(row)
+    return LessonRow(**{**values, "by_itself": bool(values["by_itself"])})

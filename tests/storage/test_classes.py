@@ -1,0 +1,217 @@
+"""Classes, groups in them, lessons, notes, the bin, and the line of a program's versions."""
+
+from collections.abc import Callable
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from storage import GroupRow, ProgramRow, RunStart, Store, StoreError, open_store
+from storage.groups import COLORS, PICTURES
+
+
+class SchoolClock:
+    """A PC's clock, which may be set back."""
+
+    def __init__(self) -> None:
+        self.time = datetime(2026, 3, 2, 8, 0, tzinfo=UTC)
+
+    def __call__(self) -> datetime:
+        return self.time
+
+    def passes(self, **amount: float) -> None:
+        self.time += timedelta(**amount)
+
+
+def code_of(call: Callable[[], Any]) -> str:
+    with pytest.raises(StoreError) as caught:
+        call()
+    return caught.value.code
+
+
+@pytest.fixture
+def clock() -> SchoolClock:
+    return SchoolClock()
+
+
+@pytest.fixture
+def school(path: Path, clock: SchoolClock) -> Any:
+    with open_store(path, clock=clock) as store:
+        yield store
+
+
+@pytest.fixture
+def ninth(school: Store) -> str:
+    return school.classrooms.create("9º A").id
+
+
+@pytest.fixture
+def robots(school: Store, ninth: str) -> GroupRow:
+    return school.groups.create("Os Robôs", classroom_id=ninth)
+
+
+@pytest.fixture
+def square(school: Store, robots: GroupRow) -> ProgramRow:
+    return school.programs.create(robots.id, "Quadrado")
+
+
+def edited(school: Store, program: ProgramRow, text: str) -> str:
+    return school.versions.save(program.id, {"text": text}, {"commands": []}).id
+
+
+def run_of(school: Store, version_id: str) -> str:
+    start = RunStart("sim", "empty_room", {"name": "empty_room"}, 0, "1", version_id=version_id)
+    return school.runs.begin(start).id
+
+
+def test_classes_are_by_name_with_the_number_of_their_groups(school: Store, ninth: str) -> None:
+    tenth = school.classrooms.create("10º")
+    school.groups.create("A", classroom_id=tenth.id)
+    assert [(row.name, row.n_groups) for row in school.classrooms.all()] == [
+        ("10º", 1),
+        ("9º A", 0),
+    ]
+    assert code_of(lambda: school.classrooms.create("9ºa")) == "classroom_exists"
+    assert school.classrooms.rename(ninth, "9º B").name == "9º B"
+    assert school.classrooms.rename(ninth, "9º b").name == "9º b"
+    assert code_of(lambda: school.classrooms.rename(tenth.id, " 9º B")) == "classroom_exists"
+    assert code_of(lambda: school.classrooms.rename("x", "C")) == "classroom_not_found"
+
+
+def test_a_name_of_a_group_is_free_in_another_class(school: Store, robots: GroupRow) -> None:
+    other = school.classrooms.create("9º B").id
+    same = school.groups.create("os robôs", classroom_id=other)
+    again = school.groups
+    assert code_of(lambda: again.create("OS ROBÔS", classroom_id=other)) == "group_exists"
+    assert code_of(lambda: again.create("A", classroom_id="x")) == "classroom_not_found"
+    moving = {"classroom_id": robots.classroom_id}
+    assert code_of(lambda: again.change(same.id, moving)) == "group_exists"
+    assert again.change(same.id, {"name": "B", **moving}).classroom_id == robots.classroom_id
+
+
+def test_groups_of_a_class_differ_in_picture_and_colour(school: Store, ninth: str) -> None:
+    made = [school.groups.create(f"Grupo {n}", classroom_id=ninth) for n in range(12)]
+    assert len({group.picture for group in made}) == len({group.color for group in made}) == 12
+    changed = school.groups.change(made[0].id, {"picture": PICTURES[-1], "color": COLORS[-1]})
+    assert (changed.picture, changed.color, changed.name) == (PICTURES[-1], COLORS[-1], "Grupo 0")
+    assert code_of(lambda: school.groups.change(changed.id, {"color": "red"})) == "color_unknown"
+    assert code_of(lambda: school.groups.create("Z", picture="../x")) == "picture_unknown"
+    assert code_of(lambda: school.groups.change("x", {"name": "Y"})) == "group_not_found"
+
+
+def test_what_is_thrown_away_comes_back_from_the_bin(
+    school: Store, robots: GroupRow, square: ProgramRow
+) -> None:
+    kept = edited(school, square, "a")
+    assert school.programs.throw_away(square.id).deleted_at is not None
+    assert school.programs.of_group(robots.id) == []
+    assert school.groups.get(robots.id).n_programs == 0
+    assert [row.id for row in school.programs.of_group(robots.id, in_bin=True)] == [square.id]
+    assert school.programs.take_back(square.id).deleted_at is None
+    assert school.programs.of_group(robots.id, in_bin=True) == []
+    newest = school.versions.newest(square.id)
+    assert newest is not None
+    assert newest.id == kept
+
+
+def test_the_line_of_versions_knows_what_came_of_what(school: Store, square: ProgramRow) -> None:
+    first, second = edited(school, square, "a"), edited(school, square, "b")
+    back = school.versions.save(square.id, {"text": "c"}, None, parent_id=first)
+    school.versions.label(first, "  anda em   linha ")
+    run_of(school, second)
+    line = school.versions.line_of(square.id)
+    assert [(mark.number, mark.parent_id, mark.label) for mark in line] == [
+        (3, first, ""),
+        (2, first, ""),
+        (1, None, "anda em linha"),
+    ]
+    assert [(mark.can_run, mark.n_runs) for mark in line] == [(False, 0), (True, 1), (True, 0)]
+    assert [mark.id for mark in school.versions.line_of(square.id, before=3, limit=1)] == [second]
+    assert school.versions.label(first, "").label == ""
+    assert school.versions.get(back.id).parent_id == first
+    assert code_of(lambda: school.versions.label("x", "a")) == "version_not_found"
+
+
+def test_work_belongs_to_a_lesson_that_opens_by_itself(
+    school: Store, clock: SchoolClock, ninth: str, square: ProgramRow
+) -> None:
+    edited(school, square, "a")
+    clock.passes(minutes=40)
+    run_of(school, edited(school, square, "b"))
+    (lesson,) = school.lessons.of_classroom(ninth)
+    assert (lesson.by_itself, lesson.title, lesson.n_versions, lesson.n_runs) == (True, "", 2, 1)
+    assert lesson.computer == school.computers.here()[1]
+    clock.passes(minutes=46)
+    assert school.lessons.current(ninth) is None
+    edited(school, square, "c")
+    second, first = school.lessons.of_classroom(ninth)
+    assert (first.id, first.closed_at is None) == (lesson.id, False)
+    assert (second.n_versions, second.closed_at) == (1, None)
+
+
+def test_a_clock_that_is_set_back_a_little_does_not_end_a_lesson(
+    school: Store, clock: SchoolClock, ninth: str, square: ProgramRow
+) -> None:
+    edited(school, square, "a")
+    clock.passes(minutes=-30)
+    edited(school, square, "b")
+    assert [lesson.n_versions for lesson in school.lessons.of_classroom(ninth)] == [2]
+
+
+def test_the_teacher_s_lesson_is_one_on_every_pc(
+    school: Store, clock: SchoolClock, ninth: str, square: ProgramRow
+) -> None:
+    edited(school, square, "a")
+    opened = school.lessons.open(ninth, "Aula 7: losango", "square")
+    clock.passes(hours=2)
+    edited(school, square, "b")
+    assert school.lessons.open(ninth, "AULA 7: Losango").id == opened.id
+    current = school.lessons.current(ninth)
+    assert current is not None
+    assert (current.id, current.n_versions, current.by_itself) == (opened.id, 1, False)
+    assert school.lessons.close(opened.id).closed_at is not None
+    assert school.lessons.current(ninth) is None
+    assert {lesson.by_itself for lesson in school.lessons.of_classroom(ninth)} == {True, False}
+    assert code_of(lambda: school.lessons.open(ninth, " ")) == "name_empty"
+
+
+def test_lessons_of_one_class_can_be_joined(
+    school: Store, clock: SchoolClock, ninth: str, square: ProgramRow
+) -> None:
+    edited(school, square, "a")
+    by_itself = school.lessons.of_classroom(ninth)[0].id
+    clock.passes(hours=1)
+    opened = school.lessons.open(ninth, "Aula 8").id
+    change = school.lessons.change
+    assert change(by_itself, {"part_of": opened}).part_of == opened
+    assert school.lessons.parts(opened) == [opened, by_itself]
+    other = school.lessons.open(school.classrooms.create("B").id, "Aula 8").id
+    for lesson, to in ((opened, opened), (opened, by_itself), (by_itself, other), (opened, other)):
+        assert code_of(lambda a=lesson, b=to: change(a, {"part_of": b})) == "lesson_not_joinable"  # type: ignore[misc]
+    assert code_of(lambda: change(opened, {"part_of": "x"})) == "lesson_not_found"
+    assert change(by_itself, {"part_of": None, "title": "Aula 9"}).title == "Aula 9"
+
+
+def test_a_note_is_new_to_its_group_until_it_is_seen(
+    school: Store, robots: GroupRow, square: ProgramRow
+) -> None:
+    run_id = run_of(school, edited(school, square, "a"))
+    note = school.notes.write(run_id, "  Por que girou 90°? \n\ud800 ")
+    assert (note.text, note.program_name) == ("Por que girou 90°?", "Quadrado")
+    assert school.notes.of_group(robots.id, unseen=True) == school.notes.of_run(run_id) == [note]
+    assert school.notes.see(note.id).seen_at is not None
+    assert school.notes.of_group(robots.id, unseen=True) == []
+    assert school.notes.rewrite(note.id, "Outra").seen_at is None
+    assert code_of(lambda: school.notes.write(run_id, " \n")) == "note_empty"
+    assert code_of(lambda: school.notes.write(run_id, "a" * 1001)) == "note_too_long"
+    assert code_of(lambda: school.notes.write("x", "a")) == "run_not_found"
+    assert code_of(lambda: school.notes.see("x")) == "note_not_found"
+
+
+def test_this_pc_has_a_key_that_stays_and_a_name_to_choose(school: Store, path: Path) -> None:
+    key, name = school.computers.here()
+    assert name
+    assert school.computers.rename("PC 07") == "PC 07"
+    with open_store(path) as again:
+        assert again.computers.here() == (key, "PC 07")
