@@ -1,7 +1,9 @@
 """Rows as the store hands them out. Times are ISO 8601 text in UTC, ids UUIDv7 text."""
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
+
+from storage.text import loaded
 
 Json = dict[str, Any]
 NO_FAULTS: tuple["FaultRow", ...] = ()
@@ -180,3 +182,50 @@ class RunRow:
     activity: str | None = None
     passed: bool | None = None
     check_report: Json | None = None
+
+
+class RunLine(NamedTuple):
+    """A run as a list shows it; neither its world nor its program, and JSON is parsed when it is asked for.
+
+    The names are the columns of `runs`.
+    """
+
+    id: str
+    group_id: str | None
+    program_id: str | None
+    program_name: str | None
+    version_id: str | None
+    link: str
+    world: str
+    seed: int
+    state: str
+    reason: str | None
+    params_json: str | None
+    block: str | None
+    started_at: str
+    ended_at: str | None
+    duration_s: float | None
+    n_executed: int | None
+    path_length_m: float | None
+    closing_error_m: float | None
+    telemetry_sha256: str | None
+    lesson_id: str | None
+    computer_id: str | None
+    activity: str | None
+    passed_bit: int | None
+    path_json: str | None
+
+    @property
+    def params(self) -> Json:
+        """What fills the words of the reason."""
+        return loaded(self.params_json) or {}
+
+    @property
+    def path(self) -> list[list[float]]:
+        """Points for the picture, in m."""
+        return loaded(self.path_json) or []
+
+    @property
+    def passed(self) -> bool | None:
+        """Whether the activity was passed; None without one."""
+        return None if self.passed_bit is None else bool(self.passed_bit)

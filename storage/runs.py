@@ -12,7 +12,7 @@ from storage.connection import Access
 from storage.errors import StoreError
 from storage.groups import touch
 from storage.lessons import lesson_for
-from storage.records import Json, RunRow, RunStart
+from storage.records import Json, RunLine, RunRow, RunStart
 from storage.text import dumped, loaded, new_id
 
 if TYPE_CHECKING:
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 _COLUMNS = ", ".join(column.name for column in fields(RunRow))
 _SELECT = f"SELECT {_COLUMNS} FROM runs"
+_LINE = ", ".join(name.removesuffix("_json").removesuffix("_bit") for name in RunLine._fields)
 _JSON = ("document", "world_document", "parameters", "params", "summary", "path", "check_report")
 _IN_COLUMNS = ("v", "type", "run", "seq", "tick")
 _FIGURES = (
@@ -80,14 +81,14 @@ class Runs:
 
     def of_group(
         self, group_id: str, *, before: str | None = None, limit: int = 50
-    ) -> list[RunRow]:
+    ) -> list[RunLine]:
         """Newest first; `before` is the id of the last run of the page before."""
         with self._access.reading() as db:
             rows = db.execute(
-                f"{_SELECT} WHERE group_id = ? AND id < ? ORDER BY id DESC LIMIT ?",
+                f"SELECT {_LINE} FROM runs WHERE group_id = ? AND id < ? ORDER BY id DESC LIMIT ?",
                 [group_id, before or "~", limit],
             ).fetchall()
-        return [_record(row) for row in rows]
+        return [RunLine._make(row) for row in rows]
 
     def newest(self, limit: int) -> list[RunRow]:
         """Of all groups and of none, newest first."""

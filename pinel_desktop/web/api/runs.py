@@ -30,7 +30,7 @@ from pinel_desktop.web.models.runs import (
 )
 from pinel_desktop.web.models.worlds import Start
 from pinel_desktop.web.services import Services, services
-from storage import RunRow, RunStart, VersionRow
+from storage import RunLine, RunRow, RunStart, VersionRow
 
 api = resource("runs", "Runs: live and recorded.", __name__)
 
@@ -252,7 +252,7 @@ def _keep_up(run_id: str) -> None:
         parts.keep_up()
 
 
-def _model(row: RunRow) -> Run:
+def _model(row: RunRow | RunLine) -> Run:
     language = services().preferences.language
     words = describe(row.reason, row.params, language) if row.reason else None
     fields = {
