@@ -1,0 +1,36 @@
+"""How a group thought: what changed between two versions, what happened in a lesson. PURE: no IO, thread or clock."""
+
+from pinel_desktop.review.blocks import BlocksInUse, blocks_in_use
+from pinel_desktop.review.difference import Change, ChangedBlock, Counts, Difference, difference
+from pinel_desktop.review.lesson import (
+    Figures,
+    GroupReview,
+    LessonReview,
+    review_group,
+    review_lesson,
+    versions_needed,
+)
+from pinel_desktop.review.marks import Mark
+from pinel_desktop.review.records import Edit, GroupWork, Run
+from pinel_desktop.review.spreadsheet import spreadsheet
+
+__all__ = [
+    "BlocksInUse",
+    "Change",
+    "ChangedBlock",
+    "Counts",
+    "Difference",
+    "Edit",
+    "Figures",
+    "GroupReview",
+    "GroupWork",
+    "LessonReview",
+    "Mark",
+    "Run",
+    "blocks_in_use",
+    "difference",
+    "review_group",
+    "review_lesson",
+    "spreadsheet",
+    "versions_needed",
+]

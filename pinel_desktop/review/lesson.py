@@ -1,0 +1,168 @@
+"""A lesson as its groups went through it. The numbers say what they count; nothing here compares pupils.
+
+The words in which a page says what each number counts are in `messages/catalogue/review.json`, `figure_NAME`.
+"""
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from datetime import datetime
+from unicodedata import combining, normalize
+
+from pinel_desktop.review.blocks import BlocksInUse, blocks_in_use
+from pinel_desktop.review.marks import NOTHING, Mark, marks_of, with_changes
+from pinel_desktop.review.order import lines_of
+from pinel_desktop.review.records import Edit, Event, GroupWork, Run
+
+# who does nothing for longer is talking, thinking or away: nobody can tell
+PAUSE_S = 300.0
+
+
+@dataclass(frozen=True, slots=True)
+class Figures:
+    """What was counted of a group in one lesson.
+
+    Attributes:
+        n_edits: versions that were saved, one for each change of blocks.
+        n_runs: runs that were begun, also those that were stopped.
+        n_failed: runs that broke off with an error; stopping by hand and not passing the activity are no errors.
+        time_to_first_run_s: from the first edit to the first run after it, by the clock of the PC; None where there
+            was none, where the lesson began with a run, or where clocks cannot tell.
+        attempts_until_passed: runs of the activity that have ended, up to and with the first that passed; None while
+            none has passed. The activity is the lesson's, else that of the first run that passed.
+        active_s: time with edits and runs; pauses of more than five minutes between them are left out.
+    """
+
+    n_edits: int
+    n_runs: int
+    n_failed: int
+    time_to_first_run_s: float | None
+    attempts_until_passed: int | None
+    active_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class GroupReview:
+    """A group's line of marks, its figures, and the blocks of its programs as they were left at the end."""
+
+    id: str
+    name: str
+    marks: tuple[Mark, ...]
+    figures: Figures
+    blocks: BlocksInUse
+
+
+@dataclass(frozen=True, slots=True)
+class LessonReview:
+    """All groups that worked in the lesson, by name."""
+
+    groups: tuple[GroupReview, ...]
+
+
+def versions_needed(work: GroupWork) -> frozenset[str]:
+    """The few versions whose workspaces `review_group` looks into: before and after each burst, and the last ones."""
+    marks = marks_of(work)
+    compared = {key for mark in marks if mark.since is not None for key in _compared(mark)}
+    return frozenset(compared.union(_last_versions(marks)) - {NOTHING})
+
+
+def review_group(
+    work: GroupWork, workspaces: Mapping[str, object], activity: str | None = None
+) -> GroupReview:
+    """One group's part of the review.
+
+    Args:
+        workspaces: of the versions that are needed, by version; what is missing is told as unknown.
+        activity: what the lesson was about, None where everybody did something else.
+    """
+    marks = tuple(with_changes(mark, workspaces) for mark in marks_of(work))
+    uses = [blocks_in_use(workspaces.get(key)) for key in _last_versions(marks)]
+    return GroupReview(work.id, work.name, marks, _figures(work, marks, activity), _sum(uses))
+
+
+def review_lesson(groups: Iterable[GroupReview]) -> LessonReview:
+    """The groups by name: any other order would be a ranking."""
+    return LessonReview(tuple(sorted(groups, key=lambda group: (_by_name(group.name), group.id))))
+
+
+def _by_name(name: str) -> list[tuple[int, str]]:
+    """As people order names: without accents and case, 2 before 10."""
+    letters = (char for char in normalize("NFKD", name) if not combining(char))
+    parts = re.split(r"([0-9]+)", "".join(letters).casefold())
+    return [(int(part) if re.fullmatch("[0-9]{1,18}", part) else 0, part) for part in parts]
+
+
+def _compared(mark: Mark) -> tuple[str, str]:
+    return mark.since or NOTHING, mark.version_id or NOTHING
+
+
+def _last_versions(marks: Iterable[Mark]) -> list[str]:
+    """Of each program the version that it was left in."""
+    return list({mark.program_id: mark.version_id for mark in marks if mark.version_id}.values())
+
+
+def _sum(uses: Iterable[BlocksInUse]) -> BlocksInUse:
+    attached: Counter[str] = Counter()
+    loose: Counter[str] = Counter()
+    for use in uses:
+        attached.update(use.attached)
+        loose.update(use.loose)
+    return BlocksInUse(dict(sorted(attached.items())), dict(sorted(loose.items())))
+
+
+def _figures(work: GroupWork, marks: tuple[Mark, ...], activity: str | None) -> Figures:
+    runs = [mark.run for mark in marks if mark.run]
+    return Figures(
+        n_edits=len(work.edits),
+        n_runs=len(runs),
+        n_failed=sum(run.state == "failed" for run in runs),
+        time_to_first_run_s=_time_to_first_run(marks),
+        attempts_until_passed=_attempts(runs, activity),
+        active_s=sum(map(_active, lines_of(work))),
+    )
+
+
+def _time_to_first_run(marks: tuple[Mark, ...]) -> float | None:
+    first_run = next((mark for mark in marks if mark.run), None)
+    if first_run is None or first_run is marks[0]:
+        return None
+    time_s = _seconds(first_run.at) - _seconds(marks[0].at)
+    same_clock = first_run.computer_id == marks[0].computer_id
+    return time_s if same_clock and time_s >= 0.0 else None
+
+
+def _attempts(runs: list[Run], activity: str | None) -> int | None:
+    passed = (run for run in runs if run.passed and activity in (None, run.activity))
+    first = next(passed, None)
+    if first is None:
+        return None
+    tries = runs[: runs.index(first) + 1]
+    return sum(run.activity == first.activity and run.state != "running" for run in tries)
+
+
+def _active(line: Iterable[Event]) -> float:
+    """Seconds in which something happened on a PC, with the short pauses in between."""
+    active_s = 0.0
+    last = reached = None
+    for event in line:
+        begin, end = _span(event)
+        if last is None or reached is None or begin < last or begin - reached > PAUSE_S:
+            reached = begin  # the first, or the clock was set back, or a long pause
+        active_s += max(0.0, end - reached)
+        last, reached = begin, max(reached, end)
+    return active_s
+
+
+def _span(event: Event) -> tuple[float, float]:
+    """Beginning and end in s; a run that was left paused counts as long as the robot took."""
+    begin = _seconds(event.at)
+    if isinstance(event, Edit):
+        return begin, begin
+    took_s = event.duration_s or 0.0
+    waited_s = _seconds(event.ended_at) - begin if event.ended_at else took_s
+    return begin, begin + (waited_s if 0.0 <= waited_s <= took_s + PAUSE_S else took_s)
+
+
+def _seconds(time: str) -> float:
+    return datetime.fromisoformat(time).timestamp()

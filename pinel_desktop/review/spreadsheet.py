@@ -1,0 +1,43 @@
+"""Tables as the spreadsheets of a language open them with a double click."""
+
+import csv
+import io
+from collections.abc import Iterable, Sequence
+
+# spreadsheets read a file without this as if it were written in another century's letters
+_BYTE_ORDER_MARK = "\ufeff"
+# what a spreadsheet takes for a formula, which a pupil may have written into a name
+_BEGINS_FORMULA = ("=", "+", "-", "@", "\t", "\r")
+
+Cell = str | int | float | bool | None
+
+
+def spreadsheet(header: Sequence[str], rows: Iterable[Sequence[Cell]], language: str) -> str:
+    """CSV with semicolons and decimal commas in Portuguese and Spanish, commas and points in English.
+
+    Texts that a spreadsheet would take for a formula are written with an apostrophe before them, and stay texts.
+    """
+    english = language == "en"
+    text = io.StringIO()
+    writer = csv.writer(text, delimiter="," if english else ";", lineterminator="\r\n")
+    writer.writerow([_text(title) for title in header])
+    writer.writerows([_cell(cell, "." if english else ",") for cell in row] for row in rows)
+    return _BYTE_ORDER_MARK + text.getvalue()
+
+
+def _cell(cell: Cell, point: str) -> str:
+    match cell:
+        case None:
+            return ""
+        case bool():
+            return str(int(cell))
+        case float():
+            return f"{cell:.3f}".rstrip("0").rstrip(".").replace(".", point)
+        case int():
+            return str(cell)
+    return _text(cell)
+
+
+def _text(text: str) -> str:
+    clean = text.replace("\0", "")
+    return f"'{clean}" if clean.startswith(_BEGINS_FORMULA) else clean

@@ -1,0 +1,242 @@
+"""A lesson as its groups went through it: marks in their order, and figures that say what they count."""
+
+from typing import Any
+
+from pinel_desktop.review import (
+    BlocksInUse,
+    Counts,
+    Edit,
+    GroupReview,
+    GroupWork,
+    Run,
+    review_group,
+    review_lesson,
+    versions_needed,
+)
+from pinel_desktop.review.order import lines_of
+from pinel_desktop.review.records import key_of
+from tests.review.sketches import move, start, workspace_of
+
+
+def at(minute: float) -> str:
+    return f"2026-03-02T08:{int(minute):02}:{round(minute % 1 * 60):02}.000000Z"
+
+
+def edit(key: str, number: int, minute: float = 0, **more: Any) -> Edit:
+    more = {"computer_id": "pc", "program_id": "p", **more}
+    return Edit(version_id=key, program_name="Quadrado", number=number, at=at(minute), **more)
+
+
+def run(key: str, version: str, number: int, minute: float = 0, **more: Any) -> Run:
+    more = {"computer_id": "pc", "program_id": "p", "state": "finished", "duration_s": 6.0, **more}
+    return Run(
+        key,
+        program_name="Quadrado",
+        version_id=version,
+        number=number,
+        at=at(minute),
+        ended_at=at(minute + 0.1),
+        **more,
+    )
+
+
+def work(*events: Edit | Run, name: str = "Os Robôs") -> GroupWork:
+    edits = tuple(event for event in events if isinstance(event, Edit))
+    runs = tuple(event for event in events if isinstance(event, Run))
+    return GroupWork(f"id of {name}", name, edits, runs)
+
+
+def workspaces(**metres: float) -> dict[str, object]:
+    """A version with one block for each name."""
+    return {key: workspace_of([start(), move(metres=amount)]) for key, amount in metres.items()}
+
+
+def review(*events: Edit | Run, activity: str | None = None, **metres: float) -> GroupReview:
+    return review_group(work(*events), workspaces(**metres), activity)
+
+
+def keys(*events: Edit | Run) -> list[str]:
+    return [key_of(event) for line in lines_of(work(*events)) for event in line]
+
+
+def test_bursts_between_runs_are_one_mark_with_what_changed() -> None:
+    found = review(
+        edit("a", 1, 0),
+        edit("b", 2, 1),
+        run("c", "b", 2, 2),
+        edit("d", 3, 3),
+        edit("e", 4, 4),
+        a=1,
+        b=1,
+        d=2,
+        e=1,
+    )
+    assert [(mark.kind, mark.n_edits, mark.version_id) for mark in found.marks] == [
+        ("edit", 2, "b"),
+        ("run", 0, "b"),
+        ("edit", 2, "e"),
+    ]
+    first, _, last = found.marks
+    assert (first.at, first.until) == (at(0), at(1))
+    assert first.changes == Counts(added=1)
+    # what was changed and changed back between two runs does not count
+    assert (last.since, last.changes) == ("b", Counts())
+
+
+def test_edits_of_two_programs_are_two_marks() -> None:
+    found = review(edit("a", 1), edit("b", 1, program_id="q"), edit("c", 2), a=1, b=1, c=2)
+    assert [mark.program_id for mark in found.marks] == ["p", "q", "p"]
+    assert [mark.changes for mark in found.marks] == [
+        Counts(added=1),
+        Counts(added=1),
+        Counts(changed=1),
+    ]
+    assert found.blocks == BlocksInUse({"move_forward": 2}, {})
+
+
+def test_only_the_workspaces_between_marks_are_asked_for() -> None:
+    edits = [edit(f"v{number:03}", number, number / 10, parent_id="old") for number in range(5, 99)]
+    group = work(*edits, run("x", "v098", 98, 20))
+    assert versions_needed(group) == {"old", "v098"}
+    assert versions_needed(work()) == frozenset()
+
+
+def test_changes_are_unknown_where_a_version_is_not_at_hand() -> None:
+    found = review(edit("b", 7, parent_id="elsewhere"), b=1)
+    assert (found.marks[0].since, found.marks[0].changes) == ("elsewhere", None)
+    assert review(edit("b", 7), b=1).marks[0].changes is None
+
+
+def test_the_first_good_run_after_a_failing_one_is_its_repair() -> None:
+    found = review(
+        edit("a", 1),
+        run("b", "a", 1, state="failed", reason="collision"),
+        run("c", "a", 1, state="stopped"),
+        run("d", "a", 1, state="failed", reason="collision"),
+        edit("e", 2),
+        run("f", "e", 2),
+        run("g", "e", 2),
+        a=1,
+        e=0.5,
+    )
+    repairs = {mark.run.id: mark.repairs for mark in found.marks if mark.run}
+    assert repairs == {"b": None, "c": None, "d": None, "f": "d", "g": None}
+    (repair,) = [mark for mark in found.marks if mark.repairs]
+    assert (repair.since, repair.changes) == ("a", Counts(changed=1))
+    assert found.figures.n_failed == 2
+
+
+def test_what_did_not_pass_is_repaired_by_passing() -> None:
+    square: dict[str, Any] = {"activity": "square"}
+    found = review(
+        edit("a", 1),
+        run("b", "a", 1, passed=False, **square),
+        run("c", "a", 1),
+        run("d", "a", 1, passed=True, activity="other"),
+        run("e", "a", 1, passed=True, **square),
+        a=1,
+    )
+    assert [mark.repairs for mark in found.marks if mark.run] == [None, None, None, "b"]
+    assert found.figures.n_failed == 0
+
+
+def test_a_run_of_another_program_repairs_nothing() -> None:
+    found = review(run("b", "a", 1, state="failed"), run("c", "x", 1, program_id="q"))
+    assert [mark.repairs for mark in found.marks] == [None, None]
+
+
+def test_attempts_count_runs_of_the_activity_up_to_the_first_that_passed() -> None:
+    runs = [
+        run("a", "v", 1, activity="square", passed=False),
+        run("b", "v", 1),
+        run("c", "v", 1, activity="maze", passed=True),
+        run("d", "v", 1, activity="square", state="stopped", passed=False),
+        run("e", "v", 1, activity="square", passed=True),
+        run("f", "v", 1, activity="square", passed=True),
+    ]
+    assert review(*runs, activity="square").figures.attempts_until_passed == 3
+    assert review(*runs).figures.attempts_until_passed == 1
+    assert review(*runs[:2], activity="square").figures.attempts_until_passed is None
+    assert review(*runs).figures.n_runs == 6
+
+
+def test_time_to_the_first_run_counts_from_the_first_edit() -> None:
+    first, second = edit("a", 1, 1), edit("b", 2, 2)
+    assert review(first, second, run("c", "b", 2, 3.5)).figures.time_to_first_run_s == 150
+    assert review(first).figures.time_to_first_run_s is None
+    assert review(run("0", "z", 1, 0), first).figures.time_to_first_run_s is None
+    elsewhere = run("c", "b", 2, 3, computer_id="other")
+    assert review(first, elsewhere).figures.time_to_first_run_s is None
+
+
+def test_active_time_leaves_long_pauses_out() -> None:
+    events: list[Edit | Run] = [
+        edit("a", 1, 0),
+        edit("b", 2, 4),
+        edit("c", 3, 20),
+        run("d", "c", 3, 22),
+    ]
+    assert review(*events).figures.active_s == 4 * 60 + 2 * 60 + 6
+    assert review(edit("a", 1, 10), edit("b", 2, 5)).figures.active_s == 0
+    paused = Run("r", "p", "", "a", at(0), "finished", ended_at=at(40), duration_s=30)
+    assert review(paused).figures.active_s == 30
+    running = Run("r", "p", "", "a", at(0), "running")
+    assert review(running).figures.active_s == 0
+
+
+def test_a_clock_that_is_set_back_does_not_turn_the_order_round() -> None:
+    events: list[Edit | Run] = [
+        edit("m1", 1),
+        edit("m2", 2),
+        run("m3", "m2", 2),
+        # the app was started again with a clock of last year
+        edit("a1", 3),
+        run("a2", "a1", 3),
+        edit("a3", 4),
+    ]
+    assert keys(*events) == keys(*reversed(events)) == ["m1", "m2", "m3", "a1", "a2", "a3"]
+
+
+def test_an_old_version_that_is_run_again_stands_where_it_was_run() -> None:
+    events: list[Edit | Run] = [
+        edit("a", 1),
+        run("b", "a", 1),
+        edit("c", 2),
+        run("d", "a", 1),
+        edit("e", 3),
+    ]
+    assert keys(*reversed(events)) == ["a", "b", "c", "d", "e"]
+
+
+def test_work_at_a_second_pc_comes_after_the_work_that_it_went_on_from() -> None:
+    there: dict[str, Any] = {"computer_id": "other"}
+    events: list[Edit | Run] = [
+        edit("a1", 3, parent_id="m2", **there),
+        run("a2", "a1", 3, **there),
+        edit("m1", 1),
+        edit("m2", 2),
+    ]
+    assert keys(*events) == ["m1", "m2", "a1", "a2"]
+    turns: list[Edit | Run] = [edit("b", 2, parent_id="a", **there), edit("a", 1, parent_id="b")]
+    assert keys(*turns) == ["a", "b"]
+
+
+def test_a_repair_may_be_made_at_another_pc() -> None:
+    found = review(
+        edit("m1", 1),
+        run("m2", "m1", 1, state="failed"),
+        edit("a1", 2, parent_id="m1", computer_id="other"),
+        run("a2", "a1", 2, computer_id="other"),
+        m1=1,
+        a1=2,
+    )
+    assert [mark.repairs for mark in found.marks] == [None, None, None, "m2"]
+    assert [mark.changes for mark in found.marks][2:] == [Counts(changed=1), Counts(changed=1)]
+
+
+def test_groups_are_ordered_by_name_and_by_nothing_else() -> None:
+    names = ["zebra", "Águia", "abelha", "Grupo 10", "Grupo 2"]
+    groups = [review_group(work(name=name), {}) for name in names]
+    ordered = [group.name for group in review_lesson(groups).groups]
+    assert ordered == ["abelha", "Águia", "Grupo 2", "Grupo 10", "zebra"]
+    assert ordered == [group.name for group in review_lesson(reversed(groups)).groups]
