@@ -1,16 +1,20 @@
 """Opening the file, whatever state it is in: damaged, read-only, newer than we are, or not ours."""
 
+import contextlib
 import sqlite3
 from contextlib import closing
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
+from storage.backups import make_backup, restored_copy
 from storage.errors import StoreError, translated
+from storage.places import is_on_share
 from storage.schema import KNOWN_MIGRATIONS, MIGRATION_SET, MIGRATIONS_TABLE, migrate
 
 _BUSY_S = 5.0
-_SIBLINGS = ("", "-wal", "-shm")
+# in the order in which they are set aside: a WAL that stayed would be read as part of what takes the file's place
+_SIBLINGS = ("-shm", "-wal", "")
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,16 +46,16 @@ def connect(address: str) -> sqlite3.Connection:
 
 
 def prepare(path: Path, now: datetime) -> Opened:
-    """Makes the file ready: sets a damaged one aside, makes or brings up to date the tables.
+    """Makes the file ready: puts its last backup in the place of a damaged one, makes or brings up to date the tables.
 
     Raises:
         StoreError: `database_newer` or `database_foreign` with the file untouched; `database_read_only` where
             not even reading is possible; `disk_full`, `database_locked`, `database_failed`.
     """
     try:
-        notice = _examined(path, now)
-        _migrate(path)
-        return Opened(_address(path, "rwc"), writable=True, notice=notice)
+        damage = _examined(path, now)
+        trouble = _migrate(path, now)
+        return Opened(_address(path, "rwc"), writable=True, notice=damage or trouble)
     except _ReadOnlyError as stop:
         return Opened(
             stop.address, writable=False, notice=Notice("database_read_only", {"path": str(path)})
@@ -94,6 +98,7 @@ class _ReadOnlyError(Exception):
 def _examined(path: Path, now: datetime) -> Notice | None:
     """Looks at the file without writing to it; sets it aside when it is damaged."""
     path.parent.mkdir(parents=True, exist_ok=True)
+    _finish_restoring(path)
     if not path.exists() or path.stat().st_size == 0:
         return None
     try:
@@ -106,7 +111,7 @@ def _examined(path: Path, now: datetime) -> Notice | None:
         if translated(error, path).code != "database_damaged":
             raise
         problem = str(error)
-    return _set_aside(path, problem, now)
+    return _replaced(path, problem, now)
 
 
 def _connect_reading(path: Path) -> sqlite3.Connection:
@@ -159,7 +164,40 @@ def _applied(connection: sqlite3.Connection) -> set[str]:
     return {str(row[0]) for row in rows}
 
 
-def _set_aside(path: Path, problem: str, now: datetime) -> Notice:
+def _replaced(path: Path, problem: str, now: datetime) -> Notice:
+    """Sets the file aside and puts the last good backup in its place, where there is one."""
+    copy = _restoring(path)
+    backup = restored_copy(path, copy, lambda connection: _require_ours(connection, path))
+    aside = _set_aside(path, now)
+    params = {"path": str(path), "folder": str(aside.parent), "name": aside.name}
+    if backup is None:
+        return Notice("database_set_aside", {**params, "problem": problem})
+    copy.replace(path)
+    made_at = f"{backup.made_at.astimezone():%Y-%m-%d %H:%M}"
+    return Notice("database_restored", {**params, "time": made_at})
+
+
+def _require_ours(connection: sqlite3.Connection, path: Path) -> None:
+    if not _tables(connection):
+        raise StoreError("database_foreign", path=str(path))
+    _check_ownership(connection, path)
+
+
+def _finish_restoring(path: Path) -> None:
+    """The power was cut while a backup took the damaged file's place."""
+    copy = _restoring(path)
+    if copy.exists():
+        if path.exists():
+            copy.unlink()
+        else:
+            copy.replace(path)
+
+
+def _restoring(path: Path) -> Path:
+    return path.with_name(f"{path.name}.restoring")
+
+
+def _set_aside(path: Path, now: datetime) -> Path:
     aside = path.with_name(f"{path.stem}.damaged-{now:%Y%m%d-%H%M%S}{path.suffix}")
     n = 1
     while aside.exists():
@@ -169,28 +207,69 @@ def _set_aside(path: Path, problem: str, now: datetime) -> Notice:
         part = path.with_name(path.name + sibling)
         if part.exists():
             part.rename(aside.with_name(aside.name + sibling))
-    return Notice(
-        "database_set_aside",
-        {"path": str(path), "folder": str(aside.parent), "name": aside.name, "problem": problem},
-    )
+    return aside
 
 
-def _migrate(path: Path) -> None:
+def _migrate(path: Path, now: datetime) -> Notice | None:
     """Brings the tables up to date; raises _ReadOnlyError where the file can be read but not written."""
     try:
-        with closing(connect(_address(path, "rwc"))) as connection:
-            connection.execute("PRAGMA journal_mode = WAL")
+        with closing(_connect_writing(path)) as connection:
+            notice = _choose_journal(connection, path)
             connection.execute("BEGIN IMMEDIATE")
             connection.execute("ROLLBACK")
-            if (
-                MIGRATIONS_TABLE not in _tables(connection)
-                or _applied(connection) != KNOWN_MIGRATIONS
-            ):
+            tables = _tables(connection)
+            if MIGRATIONS_TABLE not in tables:
                 migrate(connection)
+            elif _applied(connection) != KNOWN_MIGRATIONS:
+                notice = _back_up(path, now) or notice
+                migrate(connection)
+            return notice
     except sqlite3.OperationalError as error:
         if translated(error, path).code != "database_read_only" or not path.exists():
             raise
         raise _ReadOnlyError(_readable_address(path)) from error
+
+
+def _back_up(path: Path, now: datetime) -> Notice | None:
+    try:
+        make_backup(path, now)
+    except StoreError as error:  # each step of a migration is a transaction: it can go on without
+        return Notice(error.code, error.params)
+    return None
+
+
+def _choose_journal(connection: sqlite3.Connection, path: Path) -> Notice | None:
+    """WAL, unless the file lies where its index cannot be shared: on a network, or where SQLite says so."""
+    if not is_on_share(path.parent):
+        mode = connection.execute("PRAGMA journal_mode = WAL").fetchone()[0]
+        if mode == "wal":
+            return None
+    connection.execute("PRAGMA journal_mode = DELETE").fetchone()
+    return Notice("database_on_share", {"path": str(path)})
+
+
+def _connect_writing(path: Path) -> sqlite3.Connection:
+    """Also for a file that was in WAL mode when it was copied to where there can be none."""
+    address = _address(path, "rwc")
+    try:
+        return _tried(address)
+    except sqlite3.OperationalError as error:
+        if translated(error, path).code != "database_read_only" or not path.exists():
+            raise
+        if not _left_wal(address):
+            raise
+        return _tried(address)
+
+
+def _left_wal(address: str) -> bool:
+    with (
+        contextlib.suppress(sqlite3.Error),
+        closing(sqlite3.connect(address, uri=True, isolation_level=None)) as alone,
+    ):
+        alone.execute("PRAGMA locking_mode = EXCLUSIVE").fetchone()
+        alone.execute("PRAGMA journal_mode = DELETE").fetchone()
+        return True
+    return False
 
 
 def _readable_address(path: Path) -> str:

@@ -1,0 +1,44 @@
+"""Where a file lies."""
+
+import re
+import sys
+from pathlib import Path
+
+_MOUNTS = Path("/proc/self/mountinfo")
+_SHARED = re.compile(
+    r"nfs\d?|cifs|smb\w*|ncpfs|afs|ceph|fuse\.(sshfs|rclone|gvfsd-fuse|glusterfs|davfs2?)|davfs"
+)
+_REMOTE_DRIVE = 4
+
+
+def is_on_share(folder: Path) -> bool:
+    """True for a folder that other PCs reach too; False also where that cannot be known.
+
+    SQLite's WAL is for one PC: its index is memory that the processes share.
+    """
+    if sys.platform == "win32":
+        import ctypes  # noqa: PLC0415
+
+        drive = folder.absolute().anchor
+        return bool(ctypes.windll.kernel32.GetDriveTypeW(drive) == _REMOTE_DRIVE)
+    try:
+        mounts = _MOUNTS.read_text("utf-8", "surrogateescape")
+        kind = kind_of_file_system(folder.resolve(), mounts)
+    except OSError:
+        return False
+    return _SHARED.fullmatch(kind) is not None
+
+
+def kind_of_file_system(folder: Path, mounts: str) -> str:
+    """The kind that Linux gives in its list of mounts (proc(5), mountinfo) for where a folder lies."""
+    found, longest = "", -1
+    for line in mounts.splitlines():
+        before, _, after = line.partition(" - ")
+        place = _plain(before.split(" ")[4])
+        if len(place) >= longest and folder.is_relative_to(place):
+            found, longest = after.split(" ")[0], len(place)
+    return found
+
+
+def _plain(place: str) -> str:
+    return re.sub(r"\\([0-7]{3})", lambda octal: chr(int(octal[1], 8)), place)

@@ -1,0 +1,386 @@
+"""Copies of the file: made while others write, kept for a while, put back when the file is damaged."""
+
+import os
+import sqlite3
+from collections.abc import Callable, Collection
+from datetime import UTC, datetime, timedelta
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from storage import Store, StoreError, backups, open_store, schema
+from storage.backups import (
+    Backup,
+    damage_of,
+    folder_of,
+    is_due,
+    kept,
+    list_backups,
+    make_backup,
+    remove_from_backups,
+    remove_surplus,
+)
+
+NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
+DAY = timedelta(days=1)
+MUCH = 10**12
+
+
+def much(_folder: Path) -> int:
+    return MUCH
+
+
+def backed_up(path: Path, now: datetime = NOON) -> Backup:
+    backup = make_backup(path, now, free=much)
+    assert backup is not None
+    return backup
+
+
+def code_of(attempt: Callable[[], object]) -> str:
+    with pytest.raises(StoreError) as caught:
+        attempt()
+    return caught.value.code
+
+
+def names_in(file: Path) -> list[str]:
+    db = sqlite3.connect(f"{file.as_uri()}?mode=ro&immutable=1", uri=True)
+    names = [name for (name,) in db.execute("SELECT name FROM groups ORDER BY id")]
+    db.close()
+    return names
+
+
+def spoil(path: Path) -> bytes:
+    """Damages a file in a way that no log can mend."""
+    for suffix in ("-wal", "-shm"):
+        path.with_name(path.name + suffix).unlink(missing_ok=True)
+    path.write_bytes(b"this is no database" + path.read_bytes()[19:])
+    return path.read_bytes()
+
+
+def test_a_backup_is_the_file_at_one_moment_under_a_number_and_its_time(
+    store: Store, path: Path
+) -> None:
+    store.groups.create("A")
+    backup = backed_up(path)
+    store.groups.create("B")
+    assert backup.path == path.parent / "backups" / "pinel-00001-20261121T120000Z.db"
+    assert (backup.number, backup.made_at) == (1, NOON)
+    assert names_in(backup.path) == ["A"]
+    assert damage_of(backup.path) is None
+    assert [file.name for file in folder_of(path).iterdir()] == [backup.path.name]
+
+
+@pytest.mark.skipif(os.name != "posix", reason="permissions of POSIX")
+def test_nobody_may_read_a_backup_who_may_not_read_the_file(store: Store, path: Path) -> None:
+    path.chmod(0o600)
+    assert backed_up(path).path.stat().st_mode & 0o777 == 0o600
+
+
+def test_those_who_write_do_not_wait_for_a_backup_and_do_not_keep_it_from_ending(
+    store: Store, path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    program = store.programs.create(store.groups.create("A").id, "P")
+    for n in range(40):
+        store.versions.save(program.id, {"n": n, "text": "x" * 50_000}, None)
+    monkeypatch.setattr(backups, "_PAGES", 8)
+    saved: list[object] = []
+
+    def stop() -> bool:
+        saved.append(store.versions.save(program.id, {"during": len(saved)}, None))
+        return False
+
+    backup = make_backup(path, NOON, free=much, stop=stop)
+    assert backup is not None
+    assert len(saved) > 10
+    db = sqlite3.connect(f"{backup.path.as_uri()}?immutable=1", uri=True)
+    assert db.execute("SELECT count(*) FROM versions").fetchone() == (40,)
+    db.close()
+    assert store.programs.get(program.id).n_versions == 40 + len(saved)
+
+
+def test_a_backup_that_is_stopped_leaves_nothing(store: Store, path: Path) -> None:
+    assert make_backup(path, NOON, free=much, stop=lambda: True) is None
+    assert list(folder_of(path).iterdir()) == []
+
+
+def test_what_a_power_cut_left_of_a_backup_goes_with_the_next(store: Store, path: Path) -> None:
+    folder_of(path).mkdir()
+    left = folder_of(path) / "pinel-00001-20261120T120000Z.db.part"
+    left.write_bytes(b"half")
+    assert backed_up(path).number == 1
+    assert not left.exists()
+
+
+def test_a_disk_without_room_for_a_backup_is_left_alone(store: Store, path: Path) -> None:
+    assert code_of(lambda: make_backup(path, NOON, free=lambda _: 10**6)) == "backup_no_room"
+    assert not folder_of(path).exists()
+    assert store.groups.create("A").name == "A"
+
+
+def test_a_file_that_is_damaged_unseen_makes_no_backup_and_is_told(path: Path) -> None:
+    with open_store(path) as store:
+        for n in range(200):
+            store.groups.create(f"Grupo {n}")
+    good = backed_up(path)
+    content = path.read_bytes()
+    middle = len(content) // 2 // 4096 * 4096
+    path.write_bytes(content[:middle] + os.urandom(4096 * 3) + content[middle + 4096 * 3 :])
+    assert code_of(lambda: backed_up(path, NOON + DAY)) == "backup_found_damage"
+    assert list_backups(path) == [good]
+    assert list(folder_of(path).iterdir()) == [good.path]
+
+
+def test_a_folder_that_cannot_be_made_is_told(store: Store, path: Path) -> None:
+    folder_of(path).write_text("a file in its place")
+    assert code_of(lambda: backed_up(path)) == "backup_failed"
+
+
+def test_files_of_others_in_the_folder_are_neither_listed_nor_deleted(
+    store: Store, path: Path
+) -> None:
+    folder_of(path).mkdir()
+    others = ["pinel-2-00001-20261121T120000Z.db", "photo.jpg", "pinel-00001-20269999T990000Z.db"]
+    for name in others:
+        (folder_of(path) / name).write_text("")
+    backup = backed_up(path)
+    assert list_backups(path) == [backup]
+    remove_surplus(path, free=much)
+    assert {file.name for file in folder_of(path).iterdir()} == {*others, backup.path.name}
+
+
+@pytest.mark.parametrize(
+    ("age", "due"),
+    [
+        (timedelta(0), False),
+        (timedelta(hours=23), False),
+        (DAY, True),
+        (timedelta(days=-400), True),
+    ],
+    ids=["new", "hours", "a day", "of the future"],
+)
+def test_the_next_is_due_after_a_day_or_when_the_clock_was_set_back(
+    store: Store, path: Path, age: timedelta, due: bool
+) -> None:
+    assert is_due(path, NOON)
+    backed_up(path, NOON - age)
+    assert is_due(path, NOON) is due
+
+
+def test_the_newest_is_the_last_that_was_made_whatever_the_clock_said(
+    store: Store, path: Path
+) -> None:
+    times = [NOON, NOON + 26_000 * DAY, NOON - 3000 * DAY]
+    made = [backed_up(path, time) for time in times]
+    assert list_backups(path) == made[::-1]
+
+
+def fakes(*made_at: datetime, size: int = 10) -> list[Backup]:
+    """Backups made at these times, the newest first."""
+    made = [Backup(Path(f"{n}"), n, time, size) for n, time in enumerate(made_at)]
+    return made[::-1]
+
+
+def test_of_each_day_the_last_is_kept_for_14_days_then_of_each_week_for_8() -> None:
+    twice_a_day = [NOON + n * DAY / 2 for n in range(2 * 150)]
+    chosen = kept(fakes(*twice_a_day), MUCH)
+    days = [backup.made_at.date() for backup in chosen]
+    assert len(chosen) == 14 + 8
+    assert all(before - after == DAY for before, after in pairwise(days[:14]))
+    weeks = [day.isocalendar()[:2] for day in days[14:]]
+    assert len(set(weeks)) == 8
+    assert chosen[0].number == 299
+
+
+def test_holidays_and_wrong_clocks_make_nothing_old() -> None:
+    before_holidays = [NOON + n * DAY for n in range(5)]
+    chosen = fakes(*before_holidays, NOON + 90 * DAY, NOON + 30_000 * DAY, NOON - 5000 * DAY)
+    assert kept(chosen, MUCH) == chosen
+
+
+def test_the_oldest_go_when_together_they_are_too_large_but_never_the_newest() -> None:
+    made = fakes(*(NOON + n * DAY for n in range(5)), size=100)
+    assert kept(made, 350) == made[:3]
+    assert kept(made, 1) == made[:1]
+
+
+def test_backups_take_a_tenth_of_the_free_disk_at_most(store: Store, path: Path) -> None:
+    made = [backed_up(path, NOON + n * DAY) for n in range(5)]
+    size = made[0].size_bytes
+    remove_surplus(path, free=lambda _: 19 * size)
+    assert list_backups(path) == [made[4], made[3]]
+
+
+def test_a_damaged_file_gives_way_to_its_last_backup_and_lies_beside(path: Path) -> None:
+    with open_store(path) as store:
+        store.groups.create("A")
+        backup = backed_up(path)
+        store.groups.create("B")
+    damaged = spoil(path)
+    with open_store(path, clock=lambda: NOON) as store:
+        assert store.notice is not None
+        assert store.notice.code == "database_restored"
+        assert store.notice.params["name"] == "pinel.damaged-20261121-120000.db"
+        assert str(store.notice.params["time"]).startswith("2026-11-2")
+        assert [group.name for group in store.groups.all()] == ["A"]
+        assert store.groups.create("C").name == "C"
+    assert path.with_name("pinel.damaged-20261121-120000.db").read_bytes() == damaged
+    assert names_in(backup.path) == ["A"]
+    with open_store(path) as store:
+        assert store.notice is None
+
+
+def test_where_the_newest_backup_is_bad_an_older_one_comes_back(path: Path) -> None:
+    with open_store(path) as store:
+        for n, name in enumerate("ABCD"):
+            store.groups.create(name)
+            backed_up(path, NOON + n * DAY)
+    newest, second, third, _ = (backup.path for backup in list_backups(path))
+    newest.write_bytes(b"rubbish" * 1000)
+    second.write_bytes(b"")
+    with sqlite3.connect(third) as db:  # of a newer program
+        db.execute(
+            "INSERT INTO _sqlite_migrations (migration_set, name, applied_at) VALUES ('pinel', 'next', '2031')"
+        )
+    db.close()
+    spoil(path)
+    with open_store(path) as store:
+        assert store.notice is not None
+        assert store.notice.code == "database_restored"
+        assert [group.name for group in store.groups.all()] == ["A"]
+
+
+def test_where_no_backup_is_good_a_new_file_is_begun_as_without_any(path: Path) -> None:
+    with open_store(path) as store:
+        store.groups.create("A")
+    backed_up(path).path.write_bytes(b"rubbish" * 1000)
+    spoil(path)
+    with open_store(path) as store:
+        assert store.notice is not None
+        assert store.notice.code == "database_set_aside"
+        assert store.groups.all() == []
+    assert len(list_backups(path)) == 1
+
+
+def test_a_damaged_file_stays_in_its_place_while_there_is_no_room_for_the_backup(
+    path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with open_store(path) as store:
+        store.groups.create("A")
+        backed_up(path)
+    damaged = spoil(path)
+
+    def full(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    with monkeypatch.context() as patch:
+        patch.setattr("shutil.copyfile", full)
+        assert code_of(lambda: open_store(path)) == "disk_full"
+    assert path.read_bytes() == damaged
+    with open_store(path) as store:
+        assert [group.name for group in store.groups.all()] == ["A"]
+
+
+@pytest.mark.parametrize("step", ["copy", "-shm", "-wal", "", "in place"])
+def test_a_power_cut_while_a_backup_comes_back_loses_nothing(
+    path: Path, monkeypatch: pytest.MonkeyPatch, step: str
+) -> None:
+    with open_store(path) as store:
+        store.groups.create("A")
+        backed_up(path)
+        store.groups.create("B")
+        copies = {
+            suffix: path.with_name(path.name + suffix).read_bytes() for suffix in ("-wal", "-shm")
+        }
+    spoil(path)
+    for suffix, content in copies.items():  # of the damaged file, not of what takes its place
+        path.with_name(path.name + suffix).write_bytes(content)
+    steps = iter(["copy", "-shm", "-wal", "", "in place"])
+
+    def cut_off(old: Path, new: Path) -> Path:
+        if next(steps) == step:
+            raise KeyboardInterrupt
+        os.replace(old, new)
+        return new
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "replace", cut_off)
+        patch.setattr(Path, "rename", cut_off)
+        with pytest.raises(KeyboardInterrupt):
+            open_store(path)
+    with open_store(path) as store:
+        assert [group.name for group in store.groups.all()] == ["A"]
+    assert not path.with_name("pinel.db.restoring").exists()
+    assert damage_of(path) is None
+
+
+@pytest.fixture
+def older(path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A file of an earlier release with a group in it."""
+    with monkeypatch.context() as earlier, sqlite3.connect(path) as db:
+        earlier.setattr(schema, "_MIGRATIONS", (schema.first_tables, schema.first_views))
+        schema.migrate(db)
+        db.execute("INSERT INTO groups VALUES ('g', 'A', 'a', '#000000', 't', 't')")
+    db.close()
+    return path
+
+
+def test_before_a_file_is_brought_up_to_date_it_is_backed_up_as_it_was(older: Path) -> None:
+    with open_store(older, clock=lambda: NOON) as store:
+        assert store.notice is None
+    (backup,) = list_backups(older)
+    assert (backup.made_at, names_in(backup.path)) == (NOON, ["A"])
+    db = sqlite3.connect(f"{backup.path.as_uri()}?immutable=1", uri=True)
+    assert db.execute("SELECT name FROM _sqlite_migrations ORDER BY id").fetchall() == [
+        ("first_tables",),
+        ("first_views",),
+    ]
+    db.close()
+    open_store(older).close()
+    assert list_backups(older) == [backup]
+
+
+def test_a_disk_without_room_for_a_backup_does_not_keep_a_file_from_being_brought_up_to_date(
+    older: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    nothing = type("Usage", (), {"free": 0})
+    monkeypatch.setattr("shutil.disk_usage", lambda folder: nothing)
+    with open_store(older) as store:
+        assert store.notice is not None
+        assert store.notice.code == "backup_no_room"
+        assert store.groups.create("B").name == "B"
+
+
+def remove_group(db: sqlite3.Connection, ids: Collection[str]) -> None:
+    db.executemany("DELETE FROM groups WHERE id = ?", [(key,) for key in ids])
+
+
+def test_what_is_deleted_for_good_goes_out_of_every_backup_to_the_last_byte(
+    store: Store, path: Path
+) -> None:
+    gone = store.groups.create("Fulano de Tal")
+    backed_up(path)
+    store.groups.create("B")
+    backed_up(path, NOON + DAY)
+    before = list_backups(path)
+    assert remove_from_backups(path, [gone.id], remove_group) == []
+    assert [(b.path, b.made_at) for b in list_backups(path)] == [
+        (b.path, b.made_at) for b in before
+    ]
+    assert [names_in(backup.path) for backup in list_backups(path)] == [["B"], []]
+    for backup in list_backups(path):
+        content = backup.path.read_bytes()
+        assert damage_of(backup.path) is None
+        assert b"Fulano" not in content
+        assert gone.id.encode() not in content
+
+
+def test_what_may_still_hold_deleted_work_is_named(store: Store, path: Path) -> None:
+    gone = store.groups.create("Fulano de Tal")
+    bad = backed_up(path).path
+    bad.write_bytes(b"rubbish" * 1000)
+    good = backed_up(path, NOON + DAY).path
+    aside = path.with_name("pinel.damaged-20261121-120000.db")
+    aside.write_bytes(b"Fulano")
+    assert remove_from_backups(path, [gone.id], remove_group) == [bad, aside]
+    assert names_in(good) == []
