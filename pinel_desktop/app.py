@@ -14,6 +14,7 @@ from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.events.hub import Hub
 from pinel_desktop.instance import Instance
 from pinel_desktop.messages import LANGUAGES, describe, language_of_system
+from pinel_desktop.teacher import TeacherDoor
 from pinel_desktop.web.application import create_app
 from pinel_desktop.web.front import Front
 from pinel_desktop.web.services import DatabaseState, Engine, Problem, ReadDocument, Services
@@ -159,6 +160,7 @@ class App:
             hub=self._hub,
             guard=self._guard,
             preferences=self._preferences,
+            teacher=TeacherDoor(self._store.settings),
             read_document=self._read,
             read_world=_read_world,
             worlds=self._worlds,

@@ -23,7 +23,6 @@ _MARK = """
     FROM versions LEFT JOIN version_labels ON version_labels.id = versions.id
          LEFT JOIN computers ON computers.id = versions.computer_id"""
 _CONTENT = ("workspace", "document", "faults", "world")
-_ENDLESS = 2**62
 _Content = tuple[str, str | None, str, str | None]
 # by number, not by time: the clocks of school PCs are often wrong
 _NEWEST = f"{_SELECT} WHERE program_id = ? ORDER BY number DESC, versions.id DESC LIMIT 1"
@@ -79,13 +78,15 @@ class Versions:
         )
 
     def line_of(
-        self, program_id: str, *, before: int | None = None, limit: int = 200
+        self, program_id: str, *, before: str | None = None, limit: int = 200
     ) -> list[VersionMark]:
-        """The program's versions, the newest first; `before` is the number to go on from."""
+        """The program's versions, the newest first; `before` is the id of the last of the page before."""
+        after = "(number, versions.id) < (SELECT number, id FROM versions WHERE id = ?)"
         with self._access.reading() as db:
             rows = db.execute(
-                f"{_MARK} WHERE program_id = ? AND number < ? ORDER BY number DESC, versions.id DESC LIMIT ?",
-                [program_id, _ENDLESS if before is None else before, limit],
+                f"""{_MARK} WHERE program_id = ? AND (? IS NULL OR {after})
+                    ORDER BY number DESC, versions.id DESC LIMIT ?""",
+                [program_id, before, before, limit],
             ).fetchall()
         return [VersionMark(**{**dict(row), "can_run": bool(row["can_run"])}) for row in rows]
 

@@ -14,20 +14,36 @@ from pydantic import BaseModel
 
 from pinel_desktop import __version__
 from pinel_desktop.web.api import (
+    classrooms,
     groups,
     instance,
+    notes,
     programs,
     python,
     robots,
     runs,
     status,
     stream,
+    teacher,
     worlds,
 )
 from pinel_desktop.web.errors import invalid_request
 from pinel_desktop.web.models.errors import ErrorAnswer
 
-_RESOURCES = (status, groups, programs, runs, python, worlds, robots, stream, instance)
+_RESOURCES = (
+    status,
+    teacher,
+    classrooms,
+    groups,
+    programs,
+    runs,
+    notes,
+    python,
+    worlds,
+    robots,
+    stream,
+    instance,
+)
 _REFERENCE = "#/components/schemas/{model}"
 
 

@@ -15,6 +15,7 @@ if TYPE_CHECKING:  # heavy, and the page is served without them
     from pinel_desktop.execution.control import StepMode
     from pinel_desktop.program.faults import Fault
     from pinel_desktop.program.reading import Reading
+    from pinel_desktop.teacher import TeacherDoor
     from storage import Store
 
 ReadDocument = Callable[[dict[str, object] | list[object]], "Reading"]
@@ -115,6 +116,7 @@ class Services:
     hub: Hub
     guard: Guard
     preferences: Preferences
+    teacher: TeacherDoor
     read_document: ReadDocument
     read_world: ReadWorld
     worlds: Sequence[dict[str, Any]]

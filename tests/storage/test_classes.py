@@ -127,7 +127,7 @@ def test_the_line_of_versions_knows_what_came_of_what(school: Store, square: Pro
         (1, None, "anda em linha"),
     ]
     assert [(mark.can_run, mark.n_runs) for mark in line] == [(False, 0), (True, 1), (True, 0)]
-    assert [mark.id for mark in school.versions.line_of(square.id, before=3, limit=1)] == [second]
+    assert [mark.id for mark in school.versions.line_of(square.id, before=back.id, limit=1)] == [second]
     assert school.versions.label(first, "").label == ""
     assert school.versions.get(back.id).parent_id == first
     assert code_of(lambda: school.versions.label("x", "a")) == "version_not_found"

@@ -5,6 +5,7 @@ import json
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from http.cookies import SimpleCookie
 from typing import Any
 from urllib.parse import urlsplit
 
@@ -61,6 +62,15 @@ class Browser:
     def post(self, path: str, data: Any = None) -> Answer:
         return self.send("POST", path, data)
 
+    def put(self, path: str, data: Any = None) -> Answer:
+        return self.send("PUT", path, data)
+
+    def patch(self, path: str, data: Any = None) -> Answer:
+        return self.send("PATCH", path, data)
+
+    def delete(self, path: str) -> Answer:
+        return self.send("DELETE", path)
+
     def send(
         self,
         method: str,
@@ -81,9 +91,19 @@ class Browser:
                 method, path, body=body, headers={k: v for k, v in sent.items() if v}
             )
             answer = connection.getresponse()
+            self._keep_cookies(answer.headers.get_all("Set-Cookie") or [])
             return Answer(answer.status, dict(answer.getheaders()), answer.read())
         finally:
             connection.close()
+
+    def _keep_cookies(self, given: list[str]) -> None:
+        if "Cookie" not in self.headers:
+            return  # has not opened the page
+        kept = SimpleCookie(self.headers["Cookie"])
+        for line in given:
+            kept.load(line)
+        pairs = [f"{name}={cookie.value}" for name, cookie in kept.items() if cookie.value]
+        self.headers = {**self.headers, "Cookie": "; ".join(pairs)}
 
     @contextmanager
     def stream(self) -> Iterator["Stream"]:

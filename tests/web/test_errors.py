@@ -145,7 +145,7 @@ def test_a_body_beyond_4_mib_is_refused_in_words(browser: Browser, program: dict
 def test_an_error_of_the_store_keeps_its_words(
     app: App, browser: Browser, monkeypatch: pytest.MonkeyPatch, code: str
 ) -> None:
-    def fail(name: str) -> None:
+    def fail(name: str, **_more: object) -> None:
         raise StoreError(code, path="/disk/pinel.db", problem="I/O")
 
     monkeypatch.setattr(app._store.groups, "create", fail)

@@ -14,6 +14,7 @@ from schemathesis.specs.openapi.checks import (
     status_code_conformance,
 )
 
+from pinel_desktop.app import App
 from pinel_desktop.web.routes import description, description_text
 from tests.web.browser import Browser
 
@@ -73,13 +74,24 @@ def test_every_reference_leads_to_a_schema() -> None:
 
 @pytest.mark.parametrize("ids", ["made up", "real"])
 def test_what_hypothesis_makes_up_is_answered_as_described(
-    browser: Browser, ids: str, run: dict[str, Any]
+    app: App, browser: Browser, ids: str, run: dict[str, Any]
 ) -> None:
     """A few dozen made-up requests: none may end in a 500, or in an answer that is not described."""
     document = description()
     del document["paths"][STREAM]  # it never ends
     base_url = f"http://{browser.host}:{browser.port}"
-    real = {"groups": run["group_id"], "programs": run["program_id"], "runs": run["id"]}
+    browser.put("/api/teacher/pin", {"pin": "314159"})  # also what is for the teacher only
+    store = app._store
+    classroom = store.classrooms.create("9º A").id
+    real = {
+        "groups": run["group_id"],
+        "programs": run["program_id"],
+        "versions": run["version_id"],
+        "runs": run["id"],
+        "classrooms": classroom,
+        "lessons": store.lessons.open(classroom, "Aula 1").id,
+        "notes": store.notes.write(run["id"], "Oi").id,
+    }
 
     def check(case: Any) -> None:
         if ids == "real" and "id" in case.path_parameters:

@@ -4,8 +4,10 @@ from flask import Response
 
 from pinel_desktop.web.answers import answer
 from pinel_desktop.web.api import answers, resource
-from pinel_desktop.web.models.work import Group, GroupList, NewGroup
+from pinel_desktop.web.models import IdPath
+from pinel_desktop.web.models.work import Group, GroupChanges, GroupList, NewGroup
 from pinel_desktop.web.services import services
+from pinel_desktop.web.teaching import require_teacher
 
 api = resource("groups", "Groups of pupils.", __name__)
 
@@ -19,8 +21,19 @@ def list_groups() -> Response:
     )
 
 
-@api.post("/groups", responses=answers(Group, 409, 503, 507))
+@api.post("/groups", responses=answers(Group, 404, 409, 503, 507))
 def create_group(body: NewGroup) -> Response:
-    """Makes a group; its name must be free."""
-    row = services().store.groups.create(body.name)
+    """Makes a group; its name must be free in its class."""
+    groups = services().store.groups
+    row = groups.create(body.name, classroom_id=body.classroom_id, picture=body.picture)
+    return answer(Group.model_validate(row, from_attributes=True))
+
+
+@api.patch("/groups/<id>", responses=answers(Group, 403, 404, 409, 503, 507))
+def change_group(path: IdPath, body: GroupChanges) -> Response:
+    """Gives a group another name, colour, picture or class."""
+    changes = body.model_dump(exclude_none=True)
+    if "classroom_id" in changes:
+        require_teacher()
+    row = services().store.groups.change(path.id, changes)
     return answer(Group.model_validate(row, from_attributes=True))

@@ -6,7 +6,7 @@ from pinel_desktop.program.faults import Fault
 from pinel_desktop.web.answers import MAX_FAULTS, answer, faults_in_words, showable
 from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.api.worlds import sound_world
-from pinel_desktop.web.models import IdPath
+from pinel_desktop.web.models import Empty, IdPath
 from pinel_desktop.web.models.work import (
     CheckedDocument,
     DocumentToCheck,
@@ -17,9 +17,13 @@ from pinel_desktop.web.models.work import (
     ProgramWithVersion,
     SavedVersion,
     Version,
+    VersionLabel,
+    VersionLine,
+    VersionMark,
+    VersionPage,
 )
 from pinel_desktop.web.services import services
-from storage import FaultRow, VersionRow
+from storage import FaultRow, ProgramRow, VersionRow
 
 api = resource("programs", "Programs, their versions, and checking documents.", __name__)
 
@@ -27,7 +31,10 @@ api = resource("programs", "Programs, their versions, and checking documents.", 
 @api.get("/groups/<id>/programs", responses=answers(ProgramList, 404))
 def list_programs(path: IdPath) -> Response:
     """Programs of a group, newest first."""
-    rows = services().store.programs.of_group(path.id)
+    return _programs(services().store.programs.of_group(path.id))
+
+
+def _programs(rows: list[ProgramRow]) -> Response:
     return answer(
         ProgramList(programs=[Program.model_validate(row, from_attributes=True) for row in rows])
     )
@@ -67,10 +74,51 @@ def save_version(path: IdPath, body: NewVersion) -> Response:
         document = None if reading.faults else reading.document
         faults = [_fault_row(fault) for fault in reading.faults[:MAX_FAULTS]]
     world = None if body.world is None else sound_world(body.world)
-    row = parts.store.versions.save(path.id, body.workspace, document, faults, world)
+    row = parts.store.versions.save(
+        path.id, body.workspace, document, faults, world, parent_id=body.parent_id
+    )
     return answer(
         SavedVersion(id=row.id, created_at=row.created_at, faults=version_model(row).faults)
     )
+
+
+@api.get("/programs/<id>/versions", responses=answers(VersionLine, 404))
+def list_versions(path: IdPath, query: VersionPage) -> Response:
+    """The line of a program's versions, newest first, a page at a time."""
+    store = services().store
+    rows = store.versions.line_of(
+        store.programs.get(path.id).id, before=query.before, limit=query.limit
+    )
+    marks = [VersionMark.model_validate(row, from_attributes=True) for row in rows]
+    after = marks[-1].id if len(marks) == query.limit else None
+    return answer(VersionLine(versions=marks, next=after))
+
+
+@api.put("/versions/<id>/label", responses=answers(Empty, 404, 503, 507))
+def label_version(path: IdPath, body: VersionLabel) -> Response:
+    """Gives a version a name, so that it is found again."""
+    services().store.versions.label(path.id, body.text)
+    return answer(Empty())
+
+
+@api.get("/groups/<id>/bin", responses=answers(ProgramList, 404))
+def list_bin(path: IdPath) -> Response:
+    """Programs of a group that were thrown away, newest first."""
+    return _programs(services().store.programs.of_group(path.id, in_bin=True))
+
+
+@api.delete("/programs/<id>", responses=answers(Program, 404, 503, 507))
+def throw_program_away(path: IdPath) -> Response:
+    """Puts a program into the bin; its versions and runs stay."""
+    row = services().store.programs.throw_away(path.id)
+    return answer(Program.model_validate(row, from_attributes=True))
+
+
+@api.post("/programs/<id>/take-back", responses=answers(Program, 404, 503, 507))
+def take_program_back(path: IdPath) -> Response:
+    """Takes a program out of the bin."""
+    row = services().store.programs.take_back(path.id)
+    return answer(Program.model_validate(row, from_attributes=True))
 
 
 @api.post("/check", responses=answers(CheckedDocument, 413))

@@ -37,6 +37,11 @@ class Run(Shape):
     path_length_m: float | None
     closing_error_m: float | None
     telemetry_sha256: str | None
+    lesson_id: Id | None
+    activity: str | None
+    passed: Annotated[
+        bool | None, Field(description="null without activity, or before it was checked")
+    ]
     path: Annotated[list[Point], Field(max_length=64, description="x, y in m, for the picture")]
 
 

@@ -20,6 +20,10 @@ class Group(Shape):
     id: Id
     name: str
     color: Color
+    picture: Annotated[
+        str, Field(description='name of a drawing; "" for groups of earlier releases')
+    ]
+    classroom_id: Id | None
     created_at: Time
     n_programs: int
     n_runs: int
@@ -32,9 +36,20 @@ class GroupList(Shape):
 
 
 class NewGroup(Body):
-    """A group needs a name only."""
+    """A group needs a name only; a picture that few have is chosen where none is told."""
 
     name: Name
+    classroom_id: Id | None = None
+    picture: Annotated[str, Field(max_length=100)] = ""
+
+
+class GroupChanges(Body):
+    """What is to change; what is not told stays. Only the teacher moves a group to another class."""
+
+    name: Name | None = None
+    color: Color | None = None
+    picture: Annotated[str | None, Field(max_length=100)] = None
+    classroom_id: Id | None = None
 
 
 class Program(Shape):
@@ -45,6 +60,7 @@ class Program(Shape):
     group_id: Id
     created_at: Time
     updated_at: Time
+    deleted_at: Annotated[Time | None, Field(description="in the bin since")]
     n_versions: int
     n_runs: int
 
@@ -81,12 +97,53 @@ class ProgramWithVersion(Program):
     version: Version | None
 
 
+class VersionMark(Shape):
+    """A version in the line of its program; `parent_id` is the one that was edited.
+
+    Two of one number came of edits on two PCs: both are kept.
+    """
+
+    id: Id
+    number: int
+    created_at: Time
+    can_run: bool
+    label: str
+    parent_id: Id | None
+    lesson_id: Id | None
+    computer: str | None
+    n_runs: int
+    n_passed: int
+
+
+class VersionLine(Shape):
+    """Newest first; `next` is what to ask for as `before` to go on, null at the end."""
+
+    versions: list[VersionMark]
+    next: Id | None
+
+
+class VersionPage(Body):
+    """Which part of the line."""
+
+    before: Id | None = None
+    limit: Annotated[int, Field(ge=1, le=500)] = 200
+
+
+class VersionLabel(Body):
+    """A name for a version worth keeping; "" takes it away."""
+
+    text: Name
+
+
 class NewVersion(Body):
     """What the editor holds; `document` is null where no document could be made of it."""
 
     workspace: Json
     document: dict[str, Any] | list[Any] | None
     world: Annotated[Json | None, Field(description="a world of the group's own")] = None
+    parent_id: Annotated[Id | None, Field(description="the version edited; the newest if null")] = (
+        None
+    )
 
 
 class SavedVersion(Shape):

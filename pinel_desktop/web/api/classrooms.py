@@ -1,0 +1,116 @@
+"""Classes of the school, their lessons, and what lessons are about."""
+
+from flask import Response
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.web.answers import answer
+from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.models import IdPath
+from pinel_desktop.web.models.classes import (
+    ActivityList,
+    ActivityTitle,
+    Classroom,
+    ClassroomList,
+    ClassroomName,
+    CurrentLesson,
+    Lesson,
+    LessonChanges,
+    LessonList,
+    NewLesson,
+)
+from pinel_desktop.web.services import services
+from pinel_desktop.web.teaching import require_teacher
+from storage import ClassroomRow, LessonRow
+
+api = resource("classrooms", "Classes and their lessons.", __name__)
+
+
+@api.get("/classrooms", responses=answers(ClassroomList))
+def list_classrooms() -> Response:
+    """All classes, by name."""
+    rows = services().store.classrooms.all()
+    return answer(ClassroomList(classrooms=[_classroom(row) for row in rows]))
+
+
+@api.post("/classrooms", responses=answers(Classroom, 403, 409, 503, 507))
+def create_classroom(body: ClassroomName) -> Response:
+    """Makes a class; its name must be free. For the teacher."""
+    require_teacher()
+    return answer(_classroom(services().store.classrooms.create(body.name)))
+
+
+@api.patch("/classrooms/<id>", responses=answers(Classroom, 403, 404, 409, 503, 507))
+def rename_classroom(path: IdPath, body: ClassroomName) -> Response:
+    """Gives a class another name. For the teacher."""
+    require_teacher()
+    return answer(_classroom(services().store.classrooms.rename(path.id, body.name)))
+
+
+@api.get("/classrooms/<id>/lesson", responses=answers(CurrentLesson, 404))
+def get_current_lesson(path: IdPath) -> Response:
+    """The lesson that the work of the class belongs to now, on this PC."""
+    store = services().store
+    row = store.lessons.current(store.classrooms.get(path.id).id)
+    return answer(CurrentLesson(lesson=None if row is None else lesson_model(row)))
+
+
+@api.get("/classrooms/<id>/lessons", responses=answers(LessonList, 403, 404))
+def list_lessons(path: IdPath) -> Response:
+    """Lessons of the class on all PCs, newest first; those of no class with `none`. For the teacher."""
+    require_teacher()
+    store = services().store
+    classroom_id = None if path.id == "none" else store.classrooms.get(path.id).id
+    rows = store.lessons.of_classroom(classroom_id)
+    return answer(LessonList(lessons=[lesson_model(row) for row in rows]))
+
+
+@api.post("/classrooms/<id>/lessons", responses=answers(Lesson, 403, 404, 503, 507))
+def open_lesson(path: IdPath, body: NewLesson) -> Response:
+    """Opens a lesson; another that is open for the class on this PC is closed. For the teacher."""
+    require_teacher()
+    _require_activity(body.activity)
+    row = services().store.lessons.open(path.id, body.title, body.activity)
+    return answer(lesson_model(row))
+
+
+@api.patch("/lessons/<id>", responses=answers(Lesson, 403, 404, 503, 507))
+def change_lesson(path: IdPath, body: LessonChanges) -> Response:
+    """Gives a lesson a title or an activity, joins it to another, or closes it. For the teacher."""
+    require_teacher()
+    lessons = services().store.lessons
+    _require_activity(body.activity or None)
+    told = body.model_dump(exclude_none=True, exclude={"closed"})
+    row = lessons.change(path.id, {name: value or None for name, value in told.items()})
+    return answer(lesson_model(lessons.close(path.id) if body.closed else row))
+
+
+@api.get("/activities", responses=answers(ActivityList))
+def list_activities() -> Response:
+    """The missions that a lesson may be about."""
+    from pinel_desktop.activities import activity_names, choose_activity  # noqa: PLC0415 - heavy
+
+    language = services().preferences.language
+    found = [choose_activity(name) for name in activity_names()]
+    titles = [(one.name, one.title.model_dump(by_alias=True)[language]) for one in found]
+    return answer(
+        ActivityList(activities=[ActivityTitle(name=name, title=title) for name, title in titles])
+    )
+
+
+def lesson_model(row: LessonRow) -> Lesson:
+    """A lesson as it is answered."""
+    return Lesson(**{name: getattr(row, name) for name in Lesson.model_fields})
+
+
+def _classroom(row: ClassroomRow) -> Classroom:
+    return Classroom.model_validate(row, from_attributes=True)
+
+
+def _require_activity(name: str | None) -> None:
+    """One that ships: a file of this PC is no business of a lesson."""
+    if name is None:
+        return
+    from pinel_desktop.activities import activity_names  # noqa: PLC0415 - heavy
+
+    if name not in activity_names():
+        raise PinelError("unknown_activity", value=name, allowed=activity_names())
