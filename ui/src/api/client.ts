@@ -24,7 +24,7 @@ import type {
 /** A keepalive request may carry no more than this, by the fetch standard. */
 const KEEPALIVE_LIMIT = 60_000;
 
-type Method = "GET" | "POST" | "PUT" | "PATCH";
+type Method = "GET" | "POST" | "PUT" | "PATCH" | "DELETE";
 
 async function request(method: Method, path: string, body?: object, last = false) {
   const init: RequestInit = { method };
@@ -48,7 +48,8 @@ async function errorOf(response: Response): Promise<ApiError> {
   return new ApiError(response.status, answer?.error ?? {});
 }
 
-async function json<T>(method: Method, path: string, body?: object, last = false): Promise<T> {
+/** Asks the server; throws ApiError with its words, or ServerGone. The parts of `api/` build on it. */
+export async function json<T>(method: Method, path: string, body?: object, last = false): Promise<T> {
   const response = await request(method, path, body, last);
   return (await response.json()) as T;
 }
