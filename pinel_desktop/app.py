@@ -20,6 +20,7 @@ from pinel_desktop.web.front import Front
 from pinel_desktop.web.services import DatabaseState, Engine, Problem, ReadDocument, Services
 from sim.world import list_worlds
 from storage import Recorder, Store, StoreError, open_store, warm_up
+from storage.caretaker import Caretaker
 
 if TYPE_CHECKING:
     from pinel_desktop.program.faults import Fault
@@ -28,7 +29,14 @@ if TYPE_CHECKING:
 Event = dict[str, Any]
 _PATIENCE_S = 2.0
 # All is well again, or a remedy was applied: the file is written to.
-_WRITABLE_NOTICES = ("database_set_aside",)
+_WRITABLE_NOTICES = (
+    "database_set_aside",
+    "database_restored",
+    "database_on_share",
+    "backup_no_room",
+    "backup_failed",
+    "backup_found_damage",
+)
 
 
 class EngineOfApp(Engine, Protocol):
@@ -125,8 +133,10 @@ class App:
         undo.callback(self._store.close)
         self._preferences = Preferences(self._store)
         self._hub = Hub()
-        self._recorder = Recorder(self._store, self._tell_problem)
+        self._recorder = Recorder(self._store, self._tell_recording)
         undo.callback(self._end_recording)
+        self._caretaker = Caretaker(self._store, self._tell_keeping)
+        undo.callback(self._caretaker.close)
         if self._store.unfinished:
             self._recorder.flush()  # goes on trying until the disk has room
         front = self._given_front or Front(self._port)
@@ -136,6 +146,7 @@ class App:
         self._engine = self._make_engine(self._take)
         undo.callback(self._engine.close)
         front.open(create_app(self._services()))
+        self._caretaker.start()
         self._start_engine(undo)
 
     def _start_engine(self, undo: contextlib.ExitStack) -> None:
@@ -188,11 +199,19 @@ class App:
     def _database_state(self) -> DatabaseState:
         notice = self._recorder.problem or self._store.notice
         writable = self._store.writable and (notice is None or notice.code in _WRITABLE_NOTICES)
+        notice = notice or self._caretaker.notice
         return DatabaseState(path=str(self._store.path), writable=writable, notice=notice)
 
-    def _tell_problem(self, problem: StoreError | None) -> None:
+    def _tell_recording(self, problem: StoreError | None) -> None:
         """The run goes on; the page is told that it is not being kept, or that it is kept again."""
-        code, params = (problem.code, problem.params) if problem else ("recording_resumed", {})
+        self._tell(problem, "recording_resumed")
+
+    def _tell_keeping(self, notice: Problem | None) -> None:
+        """Work goes on; the page is told what threatens it, or that nothing does any more."""
+        self._tell(notice, "keeping_well_again")
+
+    def _tell(self, problem: Problem | None, well_again: str) -> None:
+        code, params = (problem.code, problem.params) if problem else (well_again, {})
         words = describe(code, params, self._preferences.language)
         self._hub.publish(
             {"type": "notice", "code": code, "message": words.message, "remedy": words.remedy}

@@ -7,6 +7,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,7 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.instance import AlreadyRunningError, Instance
 from pinel_desktop.paths import data_folder, database_path
 from storage import RunStart, open_store
+from storage.backups import make_backup
 from tests.storage.sample_runs import ended, sample
 from tests.web.browser import Browser
 from tests.web.fake_engine import FakeEngine
@@ -196,3 +198,33 @@ def test_after_closing_nothing_of_the_app_is_left(
         ["pinel.db"],
         ["pinel.db", "pinel.lock"],
     )
+
+
+def test_a_disk_that_is_nearly_full_is_said_while_everything_is_still_being_saved(
+    start_app: Callable[..., App], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    room = [300 * 10**6]
+    monkeypatch.setattr("shutil.disk_usage", lambda folder: type("Usage", (), {"free": room[0]}))
+    app = start_app()
+    found = status_of(app)["database"]
+    assert (found["writable"], found["notice"]["code"]) == (True, "disk_nearly_full")
+    browser = Browser.signed_in(app.address)
+    with browser.stream() as events:
+        events.next()
+        room[0] = 10**12
+        app._caretaker.look_at_disk()
+        assert events.next()["code"] == "keeping_well_again"
+    assert status_of(app)["database"]["notice"] is None
+
+
+def test_a_backup_that_took_the_place_of_a_damaged_file_is_said_and_can_be_written(
+    database: Path, start_app: Callable[..., App]
+) -> None:
+    with open_store(database) as store:
+        store.groups.create("A")
+        make_backup(database, datetime.now(UTC))
+    database.write_bytes(b"no database at all " * 500)
+    app = start_app()
+    found = status_of(app)["database"]
+    assert (found["writable"], found["notice"]["code"]) == (True, "database_restored")
+    assert [group.name for group in app._store.groups.all()] == ["A"]

@@ -1,0 +1,145 @@
+"""Files in places where SQLite's WAL does not work: network shares, disks that share no memory."""
+
+import sqlite3
+from collections.abc import Callable
+from datetime import UTC, datetime
+from pathlib import Path
+
+import pytest
+
+from storage import Store, StoreError, opening, places
+from storage.backups import list_backups, make_backup
+from storage.places import kind_of_file_system
+
+NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
+MOUNTS = """\
+22 1 254:0 / / rw,relatime - ext4 /dev/vda rw
+30 22 0:25 / /proc rw,nosuid - proc proc rw
+41 22 0:40 / /home/turma\\0401 rw,relatime shared:5 - cifs //server/turma rw,vers=3.0
+42 22 0:41 / /srv rw - nfs4 server:/srv rw
+43 42 0:42 / /srv/local rw - xfs /dev/vdb rw
+"""
+
+
+@pytest.mark.parametrize(
+    ("folder", "kind"),
+    [
+        ("/home/ana", "ext4"),
+        ("/home/turma 1/pinel", "cifs"),
+        ("/home/turma 10", "ext4"),
+        ("/srv", "nfs4"),
+        ("/srv/local/x", "xfs"),
+    ],
+)
+def test_the_kind_of_a_file_system_is_that_of_the_nearest_mount(folder: str, kind: str) -> None:
+    assert kind_of_file_system(Path(folder), MOUNTS) == kind
+
+
+def test_a_folder_of_this_pc_is_no_share_and_the_file_uses_its_wal(
+    store: Store, path: Path
+) -> None:
+    assert not places.is_on_share(path.parent)
+    assert journal_mode(path) == "wal"
+    assert store.notice is None
+
+
+def journal_mode(path: Path) -> str:
+    db = sqlite3.connect(path)
+    mode = str(db.execute("PRAGMA journal_mode").fetchone()[0])
+    db.close()
+    return mode
+
+
+def begun(store: Store) -> None:
+    program = store.programs.create(store.groups.create("A").id, "P")
+    store.versions.save(program.id, {"n": 1}, None)
+
+
+def check_that_work_is_kept_without_wal(opened: Callable[..., Store], path: Path) -> None:
+    store = opened()
+    assert store.writable
+    assert store.notice is not None
+    assert store.notice.code == "database_on_share"
+    (group,) = store.groups.all()
+    (program,) = store.programs.of_group(group.id)
+    store.versions.save(program.id, {"n": 2}, None)
+    other = opened()
+    newest = other.versions.newest(program.id)
+    assert newest is not None
+    assert newest.workspace == {"n": 2}
+    synchronous = store._access.write(lambda db: db.execute("PRAGMA synchronous").fetchone()[0])
+    assert synchronous == 2
+    assert not path.with_name("pinel.db-wal").exists()
+
+
+def test_on_a_network_share_the_file_is_written_without_wal_and_that_is_told(
+    opened: Callable[..., Store], path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with opened() as store:
+        begun(store)
+    monkeypatch.setattr(opening, "is_on_share", lambda folder: True)
+    check_that_work_is_kept_without_wal(opened, path)
+    assert journal_mode(path) == "delete"
+    monkeypatch.undo()
+    with opened() as store:
+        assert store.notice is None
+        assert journal_mode(path) == "wal"
+
+
+@pytest.mark.parametrize("vfs", ["unix-dotfile", "unix-none"])
+@pytest.mark.parametrize("had_wal", [True, False], ids=["copied there", "made there"])
+def test_where_sqlite_can_share_no_memory_the_file_is_written_without_wal_and_that_is_told(
+    opened: Callable[..., Store],
+    path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    vfs: str,
+    had_wal: bool,
+) -> None:
+    real = opening._address
+    with monkeypatch.context() as elsewhere:
+        if not had_wal:
+            elsewhere.setattr(opening, "_address", lambda p, mode: f"{real(p, mode)}&vfs={vfs}")
+        with opened() as store:
+            begun(store)
+    monkeypatch.setattr(opening, "_address", lambda p, mode: f"{real(p, mode)}&vfs={vfs}")
+    check_that_work_is_kept_without_wal(opened, path)
+
+
+def test_a_wal_that_came_with_the_file_is_taken_in_where_there_can_be_none(
+    opened: Callable[..., Store], path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    store = opened()
+    begun(store)
+    there = tmp_path / "there" / "pinel.db"
+    there.parent.mkdir()
+    for suffix in ("", "-wal"):
+        there.with_name(there.name + suffix).write_bytes(
+            path.with_name(path.name + suffix).read_bytes()
+        )
+    real = opening._address
+    monkeypatch.setattr(opening, "_address", lambda p, mode: f"{real(p, mode)}&vfs=unix-dotfile")
+    assert [group.name for group in opened(there).groups.all()] == ["A"]
+
+
+def test_a_backup_of_a_file_without_wal_is_given_up_while_somebody_writes_all_the_time(
+    opened: Callable[..., Store], path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(opening, "is_on_share", lambda folder: True)
+    monkeypatch.setattr("storage.backups._PAGES", 4)
+    store = opened()
+    begun(store)
+    (program,) = store.programs.of_group(store.groups.all()[0].id)
+    store.versions.save(program.id, {"text": "x" * 400_000}, None)
+    n_saved = 0
+
+    def stop() -> bool:
+        nonlocal n_saved
+        n_saved += 1
+        store.versions.save(program.id, {"during": n_saved}, None)
+        return False
+
+    with pytest.raises(StoreError) as caught:
+        make_backup(path, NOON, free=lambda _: 10**12, stop=stop)
+    assert caught.value.code == "backup_failed"
+    assert list_backups(path) == []
+    assert make_backup(path, NOON, free=lambda _: 10**12) is not None
