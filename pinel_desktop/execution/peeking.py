@@ -4,13 +4,12 @@ from collections.abc import Callable
 from queue import Empty, SimpleQueue
 from typing import Any, NamedTuple
 
-from pydantic import BaseModel
-
 from pinel_desktop.errors import PinelError
 from pinel_desktop.execution.context import RunContext
 from pinel_desktop.execution.evaluation import Evaluator
 from pinel_desktop.execution.failure import RunFailureError
 from pinel_desktop.execution.watching import cut_value
+from pinel_desktop.program.base import Model, values
 from pinel_desktop.program.expressions import FunctionCall, Operation
 from pinel_desktop.program.model import SetVariable
 from pinel_desktop.program.reading import read_document
@@ -81,6 +80,6 @@ def _has_effect(node: Any) -> bool:
         return True
     if isinstance(node, Operation):
         return any(_has_effect(argument) for argument in node.args)
-    if isinstance(node, BaseModel):
-        return any(_has_effect(value) for _, value in node)
+    if isinstance(node, Model):
+        return any(_has_effect(value) for value in values(node))
     return False

@@ -11,7 +11,7 @@ from pinel_desktop.execution.parameters import bounds_of, checked
 from pinel_desktop.execution.primitives import TABLE, Primitive
 from pinel_desktop.execution.requests import Breath, Invoke, Routine
 from pinel_desktop.execution.values import Value
-from pinel_desktop.program.expressions import Model
+from pinel_desktop.program.base import Model
 
 Values = tuple[Value | None, ...]
 

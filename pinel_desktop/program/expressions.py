@@ -4,26 +4,19 @@ A new kind of expression is a model here with its tag in `_KINDS`, its checks in
 `execution/evaluation.py`; a new operator is a row in `operators.py`.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Discriminator, Field, GetCoreSchemaHandler, Tag
+from pydantic import Discriminator, Field, GetCoreSchemaHandler, Tag
 from pydantic_core import CoreSchema, core_schema
 
+from pinel_desktop.program.base import Model
 from pinel_desktop.program.limits import MAX_LIDAR_DEG, MAX_LIST, MAX_NAME, MAX_SONAR, MAX_TEXT
 
 Text = Annotated[str, Field(max_length=MAX_TEXT)]
 # letters of any script with their marks, digits, underscores; spaces between
 NAME_PATTERN = r"^[\p{L}\p{M}\p{N}_](?:[\p{L}\p{M}\p{N}_ ]*[\p{L}\p{M}\p{N}_])?$"
 Name = Annotated[str, Field(max_length=MAX_NAME, pattern=NAME_PATTERN)]
-
-
-class Model(BaseModel):
-    """Base of everything in a document: unknown keys are faults, values are not converted, nothing changes."""
-
-    model_config = ConfigDict(
-        extra="forbid", strict=True, frozen=True, allow_inf_nan=False, defer_build=True
-    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,7 +110,7 @@ class FunctionCall(Model):
     """The value that a function returns."""
 
     call: Name
-    arguments: dict[Name, "Expression"] = Field(default_factory=dict)
+    arguments: dict[Name, "Expression"] = field(default_factory=dict)
 
 
 AnyNode = Operation | Variable | GestureResult | Sonar | Distance | Lidar | Measure | FunctionCall

@@ -4,13 +4,16 @@ Each command is a model in COMMANDS, a row on that page, a primitive in `executi
 model cannot know (types of expressions, functions, loops around a `break`) is checked in `checks.py`.
 """
 
+from dataclasses import field
+from functools import cache
 from typing import Annotated, Any, Literal
 
-from pydantic import AliasChoices, BeforeValidator, Field, field_validator, model_validator
+from pydantic import AliasChoices, BeforeValidator, Field, TypeAdapter, field_validator
 from pydantic_core import PydanticCustomError
 
+from pinel_desktop.program.base import Model, annotations
 from pinel_desktop.program.conditions import ConditionError, parse_condition
-from pinel_desktop.program.expressions import AnyNode, Expression, Model, Name, Takes, Text
+from pinel_desktop.program.expressions import AnyNode, Expression, Name, Takes, Text
 from pinel_desktop.program.faults import writable
 from pinel_desktop.program.limits import (
     MAX_ANGLE_DEG,
@@ -38,24 +41,21 @@ def _no_boolean(value: Any) -> Any:
     return None if isinstance(value, bool) else value  # True == 1 in Python
 
 
-class _Conditional(Model):
-    """Part of every model that has a condition: a tree, or a string in the original's grammar."""
+def _parsed(condition: Any) -> Any:
+    if not isinstance(condition, str):
+        return condition
+    try:
+        return parse_condition(condition)
+    except ConditionError as error:
+        raise PydanticCustomError(
+            "condition_syntax",
+            "condition",
+            {"position": error.position, "found": writable(error.found)},
+        ) from error
 
-    condition: Expression
 
-    @field_validator("condition", mode="before")
-    @classmethod
-    def _parse(cls, value: Any) -> Any:
-        if not isinstance(value, str):
-            return value
-        try:
-            return parse_condition(value)
-        except ConditionError as error:
-            raise PydanticCustomError(
-                "condition_syntax",
-                "condition",
-                {"position": error.position, "found": writable(error.found)},
-            ) from error
+# a tree, or a string in the original's grammar
+_Condition = Annotated[Expression, BeforeValidator(_parsed)]
 
 
 class _Command(Model):
@@ -101,11 +101,9 @@ class SetSpeed(_Command):
     linear: _Above0 | None = None
     angular: _Above0 | None = None
 
-    @model_validator(mode="after")
-    def _one_of_them(self) -> "SetSpeed":
+    def __post_init__(self) -> None:
         if self.linear is None and self.angular is None:
             raise PydanticCustomError("missing_speed", "speed", {})
-        return self
 
 
 class GoTo(_Command):
@@ -120,8 +118,9 @@ class Wait(_Command):
     seconds: _Seconds
 
 
-class WaitUntil(_Command, _Conditional):
+class WaitUntil(_Command):
     action: Literal["wait_until"]
+    condition: _Condition
     timeout: _Timeout | None = None
 
 
@@ -190,13 +189,15 @@ class Repeat(_Command):
     commands: list["Command"]
 
 
-class While(_Command, _Conditional):
+class While(_Command):
     action: Literal["while"]
+    condition: _Condition
     commands: list["Command"]
 
 
-class Until(_Command, _Conditional):
+class Until(_Command):
     action: Literal["until"]
+    condition: _Condition
     commands: list["Command"]
 
 
@@ -222,23 +223,25 @@ class Continue(_Command):
     action: Literal["continue"]
 
 
-class Branch(_Conditional):
+class Branch(Model):
     """An `elif`."""
 
+    condition: _Condition
     commands: list["Command"]
 
 
-class ConditionalExecution(_Command, _Conditional):
+class ConditionalExecution(_Command):
     action: Literal["conditional_execution"]
+    condition: _Condition
     commands: list["Command"]
-    elif_: Annotated[list[Branch], Field(alias="elif", default_factory=list)]
-    else_: Annotated[list["Command"], Field(alias="else", default_factory=list)]
+    elif_: Annotated[list[Branch], Field(alias="elif")] = field(default_factory=list)
+    else_: Annotated[list["Command"], Field(alias="else")] = field(default_factory=list)
 
 
 class Call(_Command):
     action: Literal["call"]
     function: Name
-    arguments: dict[Name, Expression] = Field(default_factory=dict)
+    arguments: dict[Name, Expression] = field(default_factory=dict)
 
 
 class Return(_Command):
@@ -286,7 +289,7 @@ class Function(Model):
     """A function of the program: its parameters are its own, all other variables are everybody's."""
 
     name: Name
-    parameters: list[Name] = Field(default_factory=list)
+    parameters: list[Name] = field(default_factory=list)
     commands: list[Command]
     block: Text | None = None
     comment: Text | None = None
@@ -297,13 +300,19 @@ class Program(Model):
 
     pinel_ir: Annotated[Literal[1], BeforeValidator(_no_boolean)]
     name: Text = ""
-    functions: list[Function] = Field(default_factory=list)
+    functions: list[Function] = field(default_factory=list)
     commands: Annotated[list[Command], Field(max_length=MAX_COMMANDS)]
+
+
+@cache
+def documents() -> TypeAdapter[Program]:
+    """Pydantic's way from documents to programs and back, made when it is first needed."""
+    return TypeAdapter(Program)
 
 
 def action_of(model: type[_Command]) -> str:
     """The action that a model of COMMANDS stands for."""
-    return str(model.model_fields["action"].annotation.__args__[0])  # type: ignore[union-attr]
+    return str(annotations(model)["action"].__args__[0])
 
 
 def action_names() -> list[str]:

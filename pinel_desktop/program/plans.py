@@ -3,7 +3,8 @@
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
-from pinel_desktop.program.expressions import Lidar, Model, Sonar, Takes
+from pinel_desktop.program.base import Model, annotations
+from pinel_desktop.program.expressions import Lidar, Sonar, Takes
 from pinel_desktop.program.model import COMMANDS, action_of
 from pinel_desktop.program.operators import ValueType
 
@@ -27,22 +28,19 @@ class Plan:
     is_simple: bool = False
 
 
-def _parameters(model: type[Model]) -> list[tuple[str, Any]]:
-    return [(info.alias or name, info) for name, info in model.model_fields.items()]
-
-
-def takes_of(info: Any) -> Takes | None:
+def takes_of(annotation: Any) -> Takes | None:
     """The mark on a parameter that takes a literal within bounds, or an expression."""
-    found = [item for item in info.metadata if isinstance(item, Takes)]
-    for part in getattr(info.annotation, "__args__", ()):
-        found += [item for item in getattr(part, "__metadata__", ()) if isinstance(item, Takes)]
-    return found[0] if found else None
+    for part in (annotation, *getattr(annotation, "__args__", ())):
+        for mark in getattr(part, "__metadata__", ()):
+            if isinstance(mark, Takes):
+                return mark
+    return None
 
 
 def _plan(model: type[Model]) -> Plan:
     plan = Plan()
-    for key, info in _parameters(model):
-        takes = takes_of(info)
+    for key, annotation in annotations(model).items():
+        takes = takes_of(annotation)
         if takes is not None:
             plan.expressions.append((key, takes.type))
         elif key in ("condition", "value", "text"):
@@ -75,7 +73,9 @@ def _takes() -> dict[tuple[str, str], Takes]:
     models: list[tuple[str, type[Model]]] = [(action_of(model), model) for model in COMMANDS]
     models += [("sonar", Sonar), ("lidar", Lidar)]
     found = (
-        (kind, key, takes_of(info)) for kind, model in models for key, info in _parameters(model)
+        (kind, key, takes_of(annotation))
+        for kind, model in models
+        for key, annotation in annotations(model).items()
     )
     return {(kind, key): takes for kind, key, takes in found if takes is not None}
 

@@ -13,7 +13,7 @@ from pydantic_core import ErrorDetails
 from pinel_desktop.program.checks import Meaning, check_meaning
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.limits import MAX_BYTES, MAX_NESTING
-from pinel_desktop.program.model import Program
+from pinel_desktop.program.model import Program, documents
 from pinel_desktop.program.places import Finding, Path, in_document_order, pointer
 from pinel_desktop.program.shape import check_shape
 from pinel_desktop.program.translation import fault_from_error, placed_fault, relevant_errors
@@ -38,7 +38,10 @@ class Reading:
         """The normal form as plain JSON data, None with faults."""
         if self.program is None:
             return None
-        return self.program.model_dump(mode="json", by_alias=True, exclude_none=True)
+        normal: dict[str, Any] = documents().dump_python(
+            self.program, mode="json", by_alias=True, exclude_none=True
+        )
+        return normal
 
 
 def read_document(source: str | bytes | dict[str, Any] | list[Any]) -> Reading:
@@ -144,7 +147,7 @@ def _without_keys(value: Any, pointers: set[str], here: str) -> Any:
 def _looked_at(document: dict[str, Any]) -> tuple[Meaning, Program | None, list[ErrorDetails]]:
     meaning = check_meaning(document)
     try:
-        return meaning, Program.model_validate(document), []
+        return meaning, documents().validate_python(document), []
     except ValidationError as error:
         return meaning, None, error.errors(include_url=False)
 

@@ -7,14 +7,14 @@ it current. What no schema can say (types of expressions, calls, jumps, depth) i
 import json
 from typing import Any
 
-from pinel_desktop.program.model import Program
+from pinel_desktop.program.model import documents
 
 _ID = "https://json-schema.org/draft/2020-12/schema"
 
 
 def schema() -> dict[str, Any]:
     """The schema of a document in its normal form."""
-    made = Program.model_json_schema(mode="validation")
+    made = documents().json_schema(mode="validation")
     return {"$schema": _ID, **made, "title": "PINEL program document, version 1"}
 
 

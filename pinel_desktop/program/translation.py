@@ -21,7 +21,7 @@ WRONG_TYPE = {
     "string_type": "text",
     "list_type": "list",
     "dict_type": "object",
-    "model_type": "object",
+    "dataclass_type": "object",
     "model_attributes_type": "object",
 }
 # how pydantic names the literal of `expressions.Takes` in an error's location
@@ -129,7 +129,10 @@ def _wrong_value(error: ErrorDetails, path: Path) -> tuple[str, dict[str, object
 
 _SPECIAL: dict[str, Callable[[ErrorDetails, Path], tuple[str, dict[str, object]]]] = {
     "missing": _missing,
-    "extra_forbidden": lambda error, _: ("unknown_key", {"name": str(error["loc"][-1])}),
+    "unexpected_keyword_argument": lambda error, _: (
+        "unknown_key",
+        {"name": str(error["loc"][-1])},
+    ),
     "union_tag_invalid": _unknown_action,
     "string_too_long": lambda error, path: _too_long(
         error["ctx"]["max_length"], error["input"], path

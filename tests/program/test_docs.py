@@ -3,7 +3,7 @@ import re
 from pathlib import Path
 
 from pinel_desktop.execution.primitives import TABLE
-from pinel_desktop.program.expressions import Model
+from pinel_desktop.program.base import Model, annotations
 from pinel_desktop.program.model import COMMANDS, action_names
 from pinel_desktop.program.operators import OPERATORS, SENSORS
 from pinel_desktop.program.reading import read_document
@@ -18,7 +18,7 @@ def test_the_page_lists_every_action_with_its_parameters() -> None:
     assert list(ROWS) == action_names()
     models: tuple[type[Model], ...] = COMMANDS
     for action, model in zip(action_names(), models, strict=True):
-        parameters = {field.alias or name for name, field in model.model_fields.items()}
+        parameters = set(annotations(model))
         assert parameters - OF_EVERY_COMMAND <= set(re.findall(r"`(\w+)`", ROWS[action])), action
 
 
