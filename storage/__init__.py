@@ -5,6 +5,8 @@ A leaf: imports nothing of the application. `open_store` opens the file,
 """
 
 from storage.errors import StoreError
+from storage.history import HistoryLine, RunFilter
+from storage.lessons_read import EditLine, GroupLine, GroupLines, LessonLines, LessonRun
 from storage.opening import Notice
 from storage.recording import Recorder, warm_up
 from storage.records import (
@@ -24,13 +26,20 @@ from storage.store import Store, open_for_reading, open_store
 
 __all__ = [
     "ClassroomRow",
+    "EditLine",
     "FaultRow",
+    "GroupLine",
+    "GroupLines",
     "GroupRow",
+    "HistoryLine",
+    "LessonLines",
     "LessonRow",
+    "LessonRun",
     "NoteRow",
     "Notice",
     "ProgramRow",
     "Recorder",
+    "RunFilter",
     "RunLine",
     "RunRow",
     "RunStart",

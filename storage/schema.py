@@ -83,12 +83,20 @@ def classes_and_lessons(db: "Database") -> None:
     _view_about(db)
 
 
+def history_index(db: "Database") -> None:
+    """Runs are chosen by more than their group (storage/history.py)."""
+    db.execute(
+        "CREATE INDEX runs_history ON runs (id, group_id, lesson_id, activity, state, passed, started_at)"
+    )
+
+
 # In their order. New ones are added at the end; none is ever changed.
 _MIGRATIONS: tuple[Callable[["Database"], None], ...] = (
     first_tables,
     first_views,
     worlds_of_versions,
     classes_and_lessons,
+    history_index,
 )
 KNOWN_MIGRATIONS = frozenset(migration.__name__ for migration in _MIGRATIONS)
 

@@ -8,12 +8,15 @@ from datetime import UTC, datetime
 from pathlib import Path
 from types import TracebackType
 
+from storage.checks import Checks
 from storage.classrooms import Classrooms
 from storage.computers import Computers
 from storage.connection import Access
 from storage.errors import StoreError
 from storage.groups import Groups
+from storage.history import History
 from storage.lessons import Lessons
+from storage.lessons_read import LessonRecords
 from storage.notes import Notes
 from storage.opening import Notice, connect, prepare, prepare_reading
 from storage.programs import Programs
@@ -49,7 +52,10 @@ class Store:
         self.programs = Programs(access)
         self.versions = Versions(access)
         self.runs = Runs(access)
+        self.checks = Checks(access)
         self.notes = Notes(access)
+        self.history = History(access)
+        self.lesson_records = LessonRecords(access)
         self.settings = Settings(access)
         self._interrupted: list[str] = []
         self._keep_alive: sqlite3.Connection | None = None

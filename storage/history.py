@@ -1,0 +1,96 @@
+"""Runs of all groups, a page at a time, chosen by class, group, lesson, activity, day and outcome.
+
+The index `runs_history` holds all that they are chosen by: a page reads it backwards until it is full. Where nothing
+fits it reads all of it, which takes some milliseconds for 100,000 runs.
+"""
+
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, Literal, NamedTuple
+
+from storage.connection import Access
+from storage.lessons_read import GroupLine
+from storage.records import RunLine
+
+Outcome = Literal["finished", "stopped", "failed", "passed", "not_passed"]
+# in place of a class: the groups that belong to none
+NO_CLASSROOM = "none"
+_PASSED = {"passed": 1, "not_passed": 0}
+_LINE = ", ".join(
+    "runs." + name.removesuffix("_json").removesuffix("_bit") for name in RunLine._fields
+)
+_SELECT = f"""
+    SELECT {_LINE}, groups.id, groups.name, groups.color, groups.picture
+    FROM runs LEFT JOIN groups ON groups.id = runs.group_id
+    WHERE runs.id IN (SELECT id FROM runs WHERE {{which}} ORDER BY id DESC LIMIT ?) ORDER BY runs.id DESC"""
+
+
+@dataclass(frozen=True, slots=True)
+class RunFilter:
+    """Which runs; None does not choose.
+
+    Attributes:
+        classroom_id: `NO_CLASSROOM` for groups without one.
+        lesson_ids: a lesson with its parts.
+        began_from, began_before: times between which a run began.
+    """
+
+    classroom_id: str | None = None
+    group_id: str | None = None
+    activity: str | None = None
+    lesson_ids: tuple[str, ...] | None = None
+    began_from: str | None = None
+    began_before: str | None = None
+    outcome: Outcome | None = None
+
+
+class HistoryLine(NamedTuple):
+    """A run with the group that made it, None for runs of the command line."""
+
+    run: RunLine
+    group: GroupLine | None
+
+
+class History:
+    """The runs of the file, newest first."""
+
+    def __init__(self, access: Access) -> None:
+        self._access = access
+
+    def page(
+        self, which: RunFilter, *, before: str | None = None, limit: int = 50
+    ) -> list[HistoryLine]:
+        """Newest first; `before` is the id of the last run of the page before."""
+        clauses = list(_clauses(which))
+        conditions = " AND ".join(["id < ?", *(clause for clause, _ in clauses)])
+        values = [before or "~", *(value for _, value in clauses), limit]
+        with self._access.reading() as db:
+            rows = db.execute(_SELECT.format(which=conditions), values).fetchall()
+        return [_line(tuple(row)) for row in rows]
+
+
+def _clauses(which: RunFilter) -> Iterator[tuple[str, Any]]:
+    # with a plus: not by the index of groups, which would have to be sorted
+    if which.classroom_id is not None:
+        classroom = None if which.classroom_id == NO_CLASSROOM else which.classroom_id
+        yield "+group_id IN (SELECT id FROM groups WHERE classroom_id IS ?)", classroom
+    if which.lesson_ids is not None:
+        yield "lesson_id IN (SELECT value FROM json_each(?))", json.dumps(which.lesson_ids)
+    if which.outcome in _PASSED:
+        yield "+passed = ?", _PASSED[which.outcome]
+    elif which.outcome is not None:
+        yield "+state = ?", which.outcome
+    for clause, value in (
+        ("group_id = ?", which.group_id),
+        ("+activity = ?", which.activity),
+        ("+started_at >= ?", which.began_from),
+        ("+started_at < ?", which.began_before),
+    ):
+        if value is not None:
+            yield clause, value
+
+
+def _line(row: tuple[Any, ...]) -> HistoryLine:
+    run, group = row[: len(RunLine._fields)], row[len(RunLine._fields) :]
+    return HistoryLine(RunLine._make(run), None if group[0] is None else GroupLine(*group))

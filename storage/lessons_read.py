@@ -1,0 +1,126 @@
+"""All that a lesson left behind, read for its review: without worlds, paths and programs, and workspaces apart."""
+
+import json
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+from storage.connection import Access
+from storage.text import loaded
+
+_IN = "IN (SELECT value FROM json_each(?))"
+_EDITS = f"""
+    SELECT programs.group_id, versions.id, program_id, programs.name, number, versions.created_at, computer_id,
+           parent_id
+    FROM versions JOIN programs ON programs.id = versions.program_id
+    WHERE lesson_id {_IN} ORDER BY versions.id"""
+_RUNS = f"""
+    SELECT runs.group_id, runs.id, runs.program_id, program_name, version_id, number, started_at, ended_at, state,
+           reason, params, activity, passed, duration_s, runs.computer_id
+    FROM runs LEFT JOIN versions ON versions.id = runs.version_id
+    WHERE runs.lesson_id {_IN} AND runs.group_id IS NOT NULL ORDER BY runs.id"""
+
+
+class GroupLine(NamedTuple):
+    """A group as a list shows it."""
+
+    id: str
+    name: str
+    color: str
+    picture: str
+
+
+class EditLine(NamedTuple):
+    """A version that was saved in a lesson, without its content."""
+
+    version_id: str
+    program_id: str
+    program_name: str
+    number: int
+    at: str
+    computer_id: str | None
+    parent_id: str | None
+
+
+class LessonRun(NamedTuple):
+    """A run of a lesson; JSON is parsed when it is asked for."""
+
+    id: str
+    program_id: str | None
+    program_name: str | None
+    version_id: str | None
+    number: int | None
+    at: str
+    ended_at: str | None
+    state: str
+    reason: str | None
+    params_json: str | None
+    activity: str | None
+    passed_bit: int | None
+    duration_s: float | None
+    computer_id: str | None
+
+    @property
+    def params(self) -> dict[str, Any]:
+        """What fills the words of the reason."""
+        return loaded(self.params_json) or {}
+
+    @property
+    def passed(self) -> bool | None:
+        """Whether the activity was passed; None without one."""
+        return None if self.passed_bit is None else bool(self.passed_bit)
+
+
+@dataclass(slots=True)
+class GroupLines:
+    """What a group did, by keys."""
+
+    edits: list[EditLine] = field(default_factory=list)
+    runs: list[LessonRun] = field(default_factory=list)
+
+
+@dataclass(slots=True)
+class LessonLines:
+    """What all groups did in a lesson.
+
+    Attributes:
+        groups: those that worked in it.
+        work: of each group, by its key.
+        computers: names of PCs by their key.
+    """
+
+    groups: list[GroupLine]
+    work: dict[str, GroupLines]
+    computers: dict[str, str]
+
+
+class LessonRecords:
+    """What lessons left behind."""
+
+    def __init__(self, access: Access) -> None:
+        self._access = access
+
+    def of(self, lesson_ids: Collection[str]) -> LessonLines:
+        """Edits and runs of all the lessons together; none where there was no work."""
+        lessons = json.dumps(list(lesson_ids))
+        work: dict[str, GroupLines] = {}
+        with self._access.reading() as db:
+            for group_id, *edit in db.execute(_EDITS, [lessons]):
+                work.setdefault(group_id, GroupLines()).edits.append(EditLine(*edit))
+            for group_id, *run in db.execute(_RUNS, [lessons]):
+                work.setdefault(group_id, GroupLines()).runs.append(LessonRun(*run))
+            groups = db.execute(
+                f"SELECT id, name, color, picture FROM groups WHERE id {_IN}",
+                [json.dumps(list(work))],
+            ).fetchall()
+            computers = db.execute("SELECT id, name FROM computers").fetchall()
+        return LessonLines([GroupLine(*row) for row in groups], work, dict(map(tuple, computers)))
+
+    def workspaces(self, version_ids: Iterable[str]) -> dict[str, Any]:
+        """Workspaces by version; those that are not in the file are left out."""
+        with self._access.reading() as db:
+            rows = db.execute(
+                f"SELECT id, workspace FROM versions WHERE id {_IN}",
+                [json.dumps(list(version_ids))],
+            ).fetchall()
+        return {row["id"]: loaded(row["workspace"]) for row in rows}
