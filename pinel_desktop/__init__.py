@@ -1,3 +1,8 @@
 """PINEL Desktop: block programs drive a Pioneer 3-DX in a simulator or over ROS 2."""
 
+import os
+
 __version__ = "0.1.0"
+
+# pydantic would look through all installed packages for plugins, at every start; we have none
+os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")

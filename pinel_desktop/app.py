@@ -13,6 +13,7 @@ from pinel_desktop import __version__
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.events.hub import Hub
 from pinel_desktop.instance import Instance
+from pinel_desktop.judging import Judge
 from pinel_desktop.messages import LANGUAGES, describe, language_of_system
 from pinel_desktop.teacher import TeacherDoor
 from pinel_desktop.web.application import create_app
@@ -135,6 +136,8 @@ class App:
         self._hub = Hub()
         self._recorder = Recorder(self._store, self._tell_recording)
         undo.callback(self._end_recording)
+        self._judge = Judge(self._store, self._keep_up, self._hub.publish)
+        undo.callback(self._judge.close)
         self._caretaker = Caretaker(self._store, self._tell_keeping)
         undo.callback(self._caretaker.close)
         if self._store.unfinished:
@@ -157,6 +160,7 @@ class App:
         def start() -> None:
             self._engine.start()
             _warm_up()
+            self._judge.catch_up()
 
         timer = threading.Timer(self._engine_after_s, start)
         timer.start()
@@ -184,6 +188,8 @@ class App:
         """An event of the engine: first to the store, so that the page finds ended what it hears has ended."""
         self._recorder(event)
         self._hub.publish(event)
+        if event["type"] == "run_ended":
+            self._judge.look_at(event["run"])
 
     def _keep_up(self) -> None:
         with contextlib.suppress(StoreError, TimeoutError):

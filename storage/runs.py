@@ -193,6 +193,7 @@ def _insert(db: sqlite3.Connection, start: RunStart, now: str) -> str:
     }
     if origin["group_id"]:
         row["lesson_id"], row["computer_id"] = lesson_for(db, origin["group_id"], now)
+        row["activity"] = row["activity"] or _activity_of(db, str(row["lesson_id"]))
     names = ", ".join(row)
     db.execute(f"INSERT INTO runs ({names}) VALUES ({', '.join(':' + name for name in row)})", row)
     if origin["group_id"]:
@@ -214,6 +215,11 @@ def _origin(db: sqlite3.Connection, start: RunStart) -> dict[str, str | None]:
     if row is None:
         raise StoreError("version_not_found", id=version_id)
     return dict(row)
+
+
+def _activity_of(db: sqlite3.Connection, lesson_id: str) -> str | None:
+    row = db.execute("SELECT activity FROM lessons WHERE id = ?", [lesson_id]).fetchone()
+    return None if row["activity"] is None else str(row["activity"])
 
 
 def _running(db: sqlite3.Connection) -> list[str]:

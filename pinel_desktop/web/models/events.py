@@ -206,6 +206,14 @@ class NoticeEvent(Shape):
     remedy: str
 
 
+class JudgedEvent(Shape):
+    """Whether a run that has ended passed the activity of its lesson."""
+
+    type: Literal["judged"]
+    run: Id
+    passed: bool
+
+
 _OfRun = (
     RunStateEvent
     | BlockStartedEvent
@@ -231,6 +239,8 @@ class Event(RootModel[Annotated[_OfRun, Field(discriminator="type")]]):
 
 
 class StreamEvent(
-    RootModel[Annotated[_OfRun | HelloEvent | NoticeEvent, Field(discriminator="type")]]
+    RootModel[
+        Annotated[_OfRun | HelloEvent | NoticeEvent | JudgedEvent, Field(discriminator="type")]
+    ]
 ):
     """What one `data:` line of the stream holds."""

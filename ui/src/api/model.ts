@@ -20,6 +20,7 @@ export type RunEvent = Schemas["Event"];
 export type TelemetryEvent = Schemas["TelemetryEvent"];
 export type RunEndedEvent = Schemas["RunEndedEvent"];
 export type StreamEvent = Schemas["StreamEvent"];
+export type JudgedEvent = Schemas["JudgedEvent"];
 export type Evaluated = Schemas["Evaluated"];
 export type StepMode = Schemas["Step"]["mode"];
 export type RangesEvent = Schemas["RangesEvent"];

@@ -1416,6 +1416,24 @@ export interface components {
             url: string;
         };
         /**
+         * JudgedEvent
+         * @description Whether a run that has ended passed the activity of its lesson.
+         */
+        JudgedEvent: {
+            /** Passed */
+            passed: boolean;
+            /**
+             * Run
+             * @description UUIDv7 text
+             */
+            run: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "judged";
+        };
+        /**
          * Lesson
          * @description A meeting of a class; `title` is "" where it opened by itself, `part_of` the lesson that it was joined to.
          *
@@ -2410,7 +2428,7 @@ export interface components {
          * StreamEvent
          * @description What one `data:` line of the stream holds.
          */
-        StreamEvent: components["schemas"]["RunStateEvent"] | components["schemas"]["BlockStartedEvent"] | components["schemas"]["BlockEndedEvent"] | components["schemas"]["CaptureStartedEvent"] | components["schemas"]["GestureResultEvent"] | components["schemas"]["SaidEvent"] | components["schemas"]["MarkedEvent"] | components["schemas"]["BeepedEvent"] | components["schemas"]["PenEvent"] | components["schemas"]["AskedEvent"] | components["schemas"]["AnsweredEvent"] | components["schemas"]["WatchEvent"] | components["schemas"]["TelemetryEvent"] | components["schemas"]["ThingsEvent"] | components["schemas"]["RangesEvent"] | components["schemas"]["RunEndedEvent"] | components["schemas"]["HelloEvent"] | components["schemas"]["NoticeEvent"];
+        StreamEvent: components["schemas"]["RunStateEvent"] | components["schemas"]["BlockStartedEvent"] | components["schemas"]["BlockEndedEvent"] | components["schemas"]["CaptureStartedEvent"] | components["schemas"]["GestureResultEvent"] | components["schemas"]["SaidEvent"] | components["schemas"]["MarkedEvent"] | components["schemas"]["BeepedEvent"] | components["schemas"]["PenEvent"] | components["schemas"]["AskedEvent"] | components["schemas"]["AnsweredEvent"] | components["schemas"]["WatchEvent"] | components["schemas"]["TelemetryEvent"] | components["schemas"]["ThingsEvent"] | components["schemas"]["RangesEvent"] | components["schemas"]["RunEndedEvent"] | components["schemas"]["HelloEvent"] | components["schemas"]["NoticeEvent"] | components["schemas"]["JudgedEvent"];
         /**
          * TelemetryEvent
          * @description Where the robot is and what it was told, in the start frame.

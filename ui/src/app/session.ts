@@ -1,7 +1,7 @@
 import { computed, effect, signal } from "@preact/signals";
 import { api } from "../api/client";
 import { ApiError, ServerGone } from "../api/errors";
-import type { Group, Notice, Program, Status, StreamEvent, World } from "../api/model";
+import type { Group, JudgedEvent, Notice, Program, Status, StreamEvent, World } from "../api/model";
 import { language, texts } from "../i18n";
 import { isLanguage, type Language } from "../i18n/language";
 import { live, receive, resync } from "../run/live";
@@ -19,6 +19,8 @@ export interface Problem {
 export const connection = signal<Connection>("opening");
 export const status = signal<Status | null>(null);
 export const notice = signal<Notice | null>(null);
+/** Whether the run that ended last passed the activity of its lesson. */
+export const judged = signal<JudgedEvent | null>(null);
 export const problem = signal<Problem | null>(null);
 export const worlds = signal<World[]>([]);
 
@@ -107,6 +109,9 @@ function onStream(event: StreamEvent): void {
       break;
     case "notice":
       notice.value = event;
+      break;
+    case "judged":
+      judged.value = event;
       break;
     default:
       receive(event);

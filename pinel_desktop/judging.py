@@ -1,0 +1,76 @@
+"""After a run of a lesson with an activity: whether its program fulfils it.
+
+A run passes when it came to its end and its program holds in every case of the activity, which are run again without
+anybody watching. That takes a fraction of a second; it happens on a thread of its own after the run.
+"""
+
+import contextlib
+import logging
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import asdict
+from typing import TYPE_CHECKING, Any
+
+from pinel_desktop.errors import PinelError
+from storage import Store, StoreError
+
+if TYPE_CHECKING:
+    from pinel_desktop.activities import Report
+
+_log = logging.getLogger(__name__)
+
+
+class Judge:
+    """Looks at runs that have ended, one after the other; close it at the end.
+
+    Args:
+        settle: returns when all that is known of a run can be read from the store.
+        publish: tells the page what came of a run.
+    """
+
+    def __init__(
+        self,
+        store: Store,
+        settle: Callable[[], None],
+        publish: Callable[[dict[str, Any]], None],
+    ) -> None:
+        self._store, self._settle, self._publish = store, settle, publish
+        self._worker = ThreadPoolExecutor(1, thread_name_prefix="judge")
+
+    def look_at(self, run_id: str) -> None:
+        """Judges a run that has just ended, if there is anything to judge it by."""
+        with contextlib.suppress(RuntimeError):  # the app is closing: the next start does it
+            self._worker.submit(self._judge, run_id)
+
+    def catch_up(self) -> None:
+        """Judges those that the app before left behind."""
+        with contextlib.suppress(StoreError):
+            for run_id in self._store.checks.waiting():
+                self.look_at(run_id)
+
+    def close(self) -> None:
+        """Leaves for the next start what has not begun yet."""
+        self._worker.shutdown(cancel_futures=True)
+
+    def _judge(self, run_id: str) -> None:
+        try:
+            self._settle()
+            run = self._store.runs.get(run_id)
+            if run.activity is None or run.passed is not None or run.state == "running":
+                return
+            report = self._report(run.activity, run.version_id)
+            passed = run.state == "finished" and report.passed
+            kept = {"cases": [asdict(case) for case in report.cases]}
+            self._store.checks.keep(run_id, passed, kept)
+            self._publish({"type": "judged", "run": run_id, "passed": passed})
+        except (PinelError, StoreError) as error:  # an activity of a newer release; a full disk
+            _log.warning("run %s was not judged: %s", run_id, error)
+
+    def _report(self, activity: str, version_id: str | None) -> "Report":
+        from pinel_desktop.activities import activity_names, check_program, choose_activity  # noqa: PLC0415 - heavy
+        from pinel_desktop.program.reading import read_document  # noqa: PLC0415
+
+        if activity not in activity_names():  # never a file: the name may come from another PC
+            raise PinelError("unknown_activity", value=activity, allowed=activity_names())
+        document = self._store.versions.get(version_id).document if version_id else None
+        return check_program(choose_activity(activity), read_document(document or {}))

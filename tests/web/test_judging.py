@@ -1,0 +1,80 @@
+"""Whether a run passed the activity of its lesson: judged after it has ended, told on the stream, kept."""
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from pinel_desktop.app import App
+from tests.storage.sample_runs import ended
+from tests.web.browser import Browser
+from tests.web.conftest import SQUARE
+from tests.web.fake_engine import FakeEngine
+
+Begin = Callable[..., str]
+
+
+@pytest.fixture
+def begin(app: App, browser: Browser) -> Begin:
+    """Begins a run of a group whose class has a lesson about the square."""
+    store = app._store
+    classroom = store.classrooms.create("9º A").id
+    store.lessons.open(classroom, "Aula 1", "square")
+    group = store.groups.create("Os Robôs", classroom_id=classroom).id
+    program = store.programs.create(group, "Quadrado").id
+
+    def run(document: dict[str, Any] = SQUARE) -> str:
+        version = {"workspace": {"of": len(str(document))}, "document": document}
+        saved = browser.post(f"/api/programs/{program}/versions", version).data["id"]
+        begun = browser.post("/api/runs", {"version_id": saved, "world": "empty_room"}).data
+        assert (begun["activity"], begun["passed"]) == ("square", None)
+        return str(begun["id"])
+
+    return run
+
+
+@pytest.mark.parametrize(
+    ("commands", "state", "passed"),
+    [
+        (SQUARE["commands"], "finished", True),
+        ([{"action": "move_forward", "distance": 4}], "finished", False),
+        (SQUARE["commands"], "stopped", False),
+    ],
+)
+def test_a_run_that_has_ended_is_judged(
+    browser: Browser,
+    engine: FakeEngine,
+    begin: Begin,
+    commands: list[dict[str, Any]],
+    state: str,
+    passed: bool,
+) -> None:
+    with browser.stream() as events:
+        run = begin({**SQUARE, "commands": commands})
+        engine.send(ended(run, 0, 0, state=state))
+        assert events.until("judged")[-1] == {"type": "judged", "run": run, "passed": passed}
+    assert browser.get(f"/api/runs/{run}").data["passed"] is passed
+
+
+def test_what_could_not_be_judged_is_judged_at_the_next_start(
+    app: App, engine: FakeEngine, begin: Begin
+) -> None:
+    run = begin()
+    app._judge.close()
+    engine.send(ended(run, 0, 0))
+    app._keep_up()
+    assert app._store.checks.waiting() == [run]
+    again = type(app._judge)(app._store, lambda: None, lambda event: None)
+    again.catch_up()
+    again._worker.shutdown()
+    assert app._store.checks.waiting() == []
+    assert app._store.runs.get(run).passed is True
+
+
+def test_a_run_without_activity_is_not_judged(
+    app: App, engine: FakeEngine, run: dict[str, Any]
+) -> None:
+    engine.send(ended(run["id"], 0, 0))
+    app._judge.close()
+    found = app._store.runs.get(run["id"])
+    assert (found.activity, found.passed, found.check_report) == (None, None, None)
