@@ -1,45 +1,147 @@
-"""A group that saves and runs without end, and says what was kept; killed by test_kill.py."""
+"""Groups that save, run and are backed up without end and say what was kept; killed by test_kill.py.
+
+As a program it is asked by lines `{"path": ..., "disk": [KIND, SIZE]}`, and has a child be busy until it is killed:
+importing once and forking is what makes a thousand of them possible. It says who the child is, and when it is gone;
+all else on its output is the child's.
+"""
 
 import json
+import os
+import random
 import sys
+import threading
+from collections.abc import Iterator
+from datetime import UTC, datetime
 from itertools import count
 from pathlib import Path
+from typing import Any
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
-from storage import Recorder, RunStart, open_store
-from tests.storage.sample_runs import ended, sample
+import sqlite_utils  # noqa: F401 - what is imported once need not be by each child
+
+from storage import Recorder, RunStart, Store, StoreError, open_store, warm_up
+from storage.backups import make_backup
+from tests.storage.sample_runs import block_started, ended, sample
+
+PAGES, FILE_SIZE = "pages", "file size"
 
 
-def say(kept: str, row_id: str, text: str = "") -> None:
-    print(json.dumps({"kept": kept, "id": row_id, "text": text}), flush=True)
+def text_of(n: int) -> str:
+    """What the n-th version holds."""
+    return f"{n} " + "x" * (n * 997 % 9000)
 
 
-def main(path: Path) -> None:
+def say(kept: str, **about: Any) -> None:
+    os.write(1, json.dumps({"kept": kept, **about}).encode() + b"\n")  # at once, never half
+
+
+def edit(store: Store, group_id: str) -> None:
+    program = store.programs.create(group_id, "P")
+    for n in count():
+        try:
+            version = store.versions.save(program.id, {"text": text_of(n)}, {"pinel_ir": 1})
+        except StoreError as error:
+            say("refused", code=error.code)
+        else:
+            say("version", id=version.id, n=n)
+
+
+def run(store: Store, version_id: str) -> None:
+    recorder = Recorder(store)
+    for n_samples in lengths():
+        try:
+            run_id = store.runs.begin(start_of(version_id)).id
+            say("run", id=run_id)
+            recorder(block_started(run_id, 0))
+            for tick in range(n_samples):
+                recorder(sample(run_id, tick, seq=1 + tick))
+                if tick % 50 == 49:
+                    recorder.flush()
+            recorder(ended(run_id, 1 + n_samples, n_samples))
+            recorder.flush().result()
+        except StoreError as error:
+            say("refused", code=error.code)
+        else:
+            say("end of run", id=run_id, n=n_samples)
+
+
+def lengths() -> Iterator[int]:
+    generator = random.Random(os.getpid())
+    while True:
+        yield generator.randrange(200)
+
+
+def start_of(version_id: str) -> RunStart:
+    return RunStart(
+        link="sim", world="w", world_document={}, seed=0, app_version="1", version_id=version_id
+    )
+
+
+def back_up(path: Path) -> None:
+    for n in count():
+        try:
+            make_backup(path, datetime.fromtimestamp(86_400.0 * n, UTC))
+        except StoreError as error:
+            say("refused", code=error.code)
+        else:
+            say("backup")
+
+
+def limit(store: Store | None, disk: list[Any] | None) -> None:
+    """Makes the disk seem full: before the file is opened, or for the one who writes."""
+    if disk and disk[0] == FILE_SIZE and store is None:
+        import resource  # noqa: PLC0415 - not on every system
+
+        resource.setrlimit(resource.RLIMIT_FSIZE, (disk[1], resource.RLIM_INFINITY))
+    if disk and disk[0] == PAGES and store is not None:
+        n_pages = "SELECT page_count FROM pragma_page_count"
+        store._access.write(
+            lambda db: db.execute(
+                f"PRAGMA max_page_count = {db.execute(n_pages).fetchone()[0] + disk[1]}"
+            ).fetchone()
+        )
+
+
+def be_busy(path: Path, disk: list[Any] | None) -> None:
+    limit(None, disk)
     with open_store(path, close_interrupted=True) as store:
+        limit(store, disk)
         groups = store.groups.all()
         group = groups[0] if groups else store.groups.create("A")
-        program = store.programs.create(group.id, "P")
-        recorder = Recorder(store)
-        for n in count():
-            text = f"{n} " + "x" * (n * 997 % 9000)
-            version = store.versions.save(program.id, {"text": text}, {"pinel_ir": 1})
-            say("version", version.id, text)
-            run = store.runs.begin(
-                RunStart(
-                    link="sim",
-                    world="w",
-                    world_document={},
-                    seed=0,
-                    app_version="1",
-                    version_id=version.id,
-                )
-            )
-            say("run", run.id)
-            for tick in range(40):
-                recorder(sample(run.id, tick))
-            recorder(ended(run.id, 40, 40))
-            say("end of run", run.id)
+        program = store.programs.create(group.id, "runs")
+        version = store.versions.save(program.id, {}, {"pinel_ir": 1})
+        work: list[Any] = [(edit, store, group.id), (run, store, version.id), (back_up, path)]
+        threads = [threading.Thread(target=job, args=given, daemon=True) for job, *given in work]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
 
 
-main(Path(sys.argv[1]))
+def child(path: Path, disk: list[Any] | None) -> None:
+    threading.excepthook = lambda failure: say("crashed", why=repr(failure.exc_value))
+    try:
+        be_busy(path, disk)
+    except StoreError as error:
+        say("refused", code=error.code)
+    except BaseException as error:
+        say("crashed", why=repr(error))
+    finally:
+        os._exit(0)
+
+
+def main() -> None:
+    warm_up()
+    for line in sys.stdin:
+        asked = json.loads(line)
+        if pid := os.fork():
+            say("born", pid=pid)
+            os.waitpid(pid, 0)
+            say("gone", pid=pid)
+        else:
+            child(Path(asked["path"]), asked["disk"])
+
+
+if __name__ == "__main__":
+    main()

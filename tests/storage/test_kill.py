@@ -1,48 +1,126 @@
-"""The power is cut: what was acknowledged is there, and the file is whole."""
+"""The end comes at any moment, with room on the disk or without: what was acknowledged is there, the file is whole."""
 
 import json
+import os
+import random
+import signal
 import sqlite3
 import subprocess
 import sys
+import time
+from collections import Counter
+from collections.abc import Iterator
+from contextlib import closing, contextmanager, suppress
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from storage import open_store
+from storage.backups import damage_of, list_backups
+from tests.storage.busy_group import FILE_SIZE, PAGES, text_of
 
-N_KILLS = 10
 BUSY_GROUP = Path(__file__).with_name("busy_group.py")
+LONGEST_S = 0.35
+KILLS_PER_FILE = 25
+Said = dict[str, Any]
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="kill -9")
 
 
-def acknowledged_before_kill(path: Path, n_lines: int) -> list[dict[str, str]]:
-    """Starts a busy group, kills it after it has said `n_lines` things, and gives what it said."""
+class Nursery:
+    """Has busy groups be born, and kills them."""
+
+    def __init__(self, process: "subprocess.Popen[str]") -> None:
+        self._process = process
+
+    def said_before_kill(self, path: Path, disk: list[Any] | None, after_s: float) -> list[Said]:
+        """Everything that a group said between its start and its end by SIGKILL, `after_s` later."""
+        assert self._process.stdin is not None
+        self._process.stdin.write(json.dumps({"path": str(path), "disk": disk}) + "\n")
+        self._process.stdin.flush()
+        said = list(self._until("born"))
+        time.sleep(after_s)
+        with suppress(ProcessLookupError):  # it could not open the file on a full disk
+            os.kill(said[-1]["pid"], signal.SIGKILL)
+        return said + list(self._until("gone"))
+
+    def _until(self, last: str) -> Iterator[Said]:
+        assert self._process.stdout is not None
+        for line in self._process.stdout:
+            said = json.loads(line)
+            yield said
+            if said["kept"] == last:
+                return
+        raise AssertionError("the nursery is gone")
+
+
+@contextmanager
+def nursery() -> Iterator[Nursery]:
     with subprocess.Popen(
-        [sys.executable, str(BUSY_GROUP), str(path)], stdout=subprocess.PIPE, text=True
+        [sys.executable, str(BUSY_GROUP)],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
+        env=os.environ | {"OPENBLAS_NUM_THREADS": "1"},  # no threads that a fork would leave behind
     ) as process:
-        assert process.stdout is not None
-        lines = [process.stdout.readline() for _ in range(n_lines)]
-        process.kill()
-        lines += process.stdout.readlines()
-    return [json.loads(line) for line in lines if line.endswith("}\n")]
+        yield Nursery(process)
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="kill -9")
-def test_nothing_acknowledged_is_lost_in_ten_kills(path: Path) -> None:
-    said: list[dict[str, str]] = []
-    for n in range(N_KILLS):
-        said += acknowledged_before_kill(path, n_lines=3 + 7 * n)
+def some_disk(chance: random.Random) -> list[Any] | None:
+    """Half of the disks have room; the others are full soon, for SQLite or for the system."""
+    return chance.choice(
+        [None, None, [PAGES, chance.randrange(200)], [FILE_SIZE, chance.randrange(10**5, 10**6)]]
+    )
+
+
+def check_file(path: Path) -> None:
+    with closing(sqlite3.connect(path)) as db:
+        assert db.execute("PRAGMA integrity_check").fetchall() == [("ok",)]
+        assert db.execute("PRAGMA foreign_key_check").fetchall() == []
+    assert [b.path.name for b in list_backups(path) if damage_of(b.path)] == []
+
+
+def check_kept(path: Path, said: list[Said]) -> None:
     with open_store(path, close_interrupted=True) as store:
         assert store.notice is None
         for line in said:
-            if line["kept"] == "version":
-                assert store.versions.get(line["id"]).workspace == {"text": line["text"]}
-            else:
-                state = store.runs.get(line["id"]).state
-                assert state == ("finished" if line["kept"] == "end of run" else state)
-                assert state in ("finished", "failed")
-    with sqlite3.connect(path) as db:
-        assert db.execute("PRAGMA integrity_check").fetchall() == [("ok",)]
-        assert db.execute("PRAGMA foreign_key_check").fetchall() == []
-    db.close()
-    kinds = {line["kept"] for line in said}
-    assert kinds == {"version", "run", "end of run"}
+            match line["kept"]:
+                case "version":
+                    workspace = store.versions.get(line["id"]).workspace
+                    assert workspace == {"text": text_of(line["n"])}
+                case "run":
+                    assert store.runs.get(line["id"]).state in ("finished", "failed")
+                case "end of run":
+                    assert store.runs.get(line["id"]).state == "finished"
+                    assert len(store.runs.telemetry(line["id"]).rows) == line["n"]
+                    assert len(store.runs.events(line["id"])) == 2
+
+
+def kill_again_and_again(folder: Path, n_kills: int, seed: int) -> None:
+    chance = random.Random(seed)
+    counts: Counter[str] = Counter()
+    with nursery() as groups:
+        for first in range(0, n_kills, KILLS_PER_FILE):
+            path = folder / f"{first}.db"
+            said: list[Said] = []
+            for _ in range(KILLS_PER_FILE):
+                said += groups.said_before_kill(
+                    path, some_disk(chance), chance.random() * LONGEST_S
+                )
+                check_file(path)
+            check_kept(path, said)
+            counts.update(line["kept"] for line in said)
+    print(f"\nseed {seed}: {n_kills} kills, {dict(counts)}")
+    assert counts["crashed"] == 0
+    assert min(counts[kept] for kept in ("version", "run", "end of run", "refused", "backup")) > 10
+
+
+def test_nothing_acknowledged_is_lost_in_a_hundred_kills_at_random_moments(tmp_path: Path) -> None:
+    kill_again_and_again(tmp_path, 100, random.SystemRandom().randrange(2**32))
+
+
+@pytest.mark.nightly
+@pytest.mark.timeout(1800)
+def test_nothing_acknowledged_is_lost_in_a_thousand_kills_at_random_moments(tmp_path: Path) -> None:
+    kill_again_and_again(tmp_path, 1000, random.SystemRandom().randrange(2**32))
