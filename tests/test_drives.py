@@ -1,0 +1,48 @@
+"""Sticks and folders with the files that they hold."""
+
+import os
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+from pinel_desktop.drives import folders
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="mount points")
+
+
+def partition(mountpoint: str) -> SimpleNamespace:
+    return SimpleNamespace(mountpoint=mountpoint, opts="rw,nosuid")
+
+
+def test_a_folder_shows_its_files_and_those_of_its_folder_pinel(tmp_path: Path) -> None:
+    (tmp_path / "PINEL").mkdir()
+    for name, age in (("a.pinel", 30), ("PINEL/b.pinel", 10), ("c.txt", 0), ("PINEL/d.pinel", 20)):
+        (tmp_path / name).write_text(name)
+        os.utime(tmp_path / name, (1000 - age, 1000 - age))
+    (tmp_path / "e.pinel").mkdir()
+    (found,) = folders(".pinel", [tmp_path], partitions=list)
+    assert [file.path.name for file in found.files] == ["b.pinel", "d.pinel", "a.pinel"]
+    assert (found.is_stick, found.is_writable, found.name) == (False, True, tmp_path.name)
+    assert found.free_bytes is not None
+    assert found.files[0].size_bytes == len("PINEL/b.pinel")
+
+
+def test_only_what_was_plugged_in_is_a_stick(tmp_path: Path) -> None:
+    mounted = [partition("/"), partition("/media/no-such-stick"), partition("/boot")]
+    assert folders(".pinel", [tmp_path / "gone"], partitions=lambda: mounted) == []
+
+
+def test_a_stick_is_found_where_desktops_put_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("pinel_desktop.drives._PLUGGED_IN", (f"{tmp_path.parent}/",))
+    (found,) = folders(".pinel", [tmp_path], partitions=lambda: [partition(str(tmp_path))])
+    assert (found.is_stick, found.files) == (True, ())
+
+
+def test_a_folder_that_cannot_be_read_shows_nothing(tmp_path: Path) -> None:
+    (tmp_path / "PINEL").write_text("no folder")
+    (found,) = folders(".pinel", [tmp_path], partitions=list)
+    assert found.files == ()
