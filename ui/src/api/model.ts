@@ -3,8 +3,18 @@ import type { components } from "./types";
 
 type Schemas = components["schemas"];
 
+export type ActivityTitle = Schemas["ActivityTitle"];
+export type Classroom = Schemas["Classroom"];
+export type Computer = Schemas["Computer"];
+export type Door = Schemas["Door"];
 export type Fault = Schemas["Fault"];
 export type Group = Schemas["Group"];
+export type GroupChanges = Partial<Schemas["GroupChanges"]>;
+export type Lesson = Schemas["Lesson"];
+export type LessonChanges = Partial<Schemas["LessonChanges"]>;
+export type NewGroup = Pick<Schemas["NewGroup"], "name"> & Partial<Schemas["NewGroup"]>;
+export type NewLesson = Pick<Schemas["NewLesson"], "title"> & Partial<Schemas["NewLesson"]>;
+export type Note = Schemas["Note"];
 export type Notice = Schemas["Notice"];
 export type Program = Schemas["Program"];
 export type ProgramWithVersion = Schemas["ProgramWithVersion"];

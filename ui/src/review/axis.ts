@@ -1,0 +1,93 @@
+/** A stretch of time, seconds. */
+export interface Span {
+  readonly from: number;
+  readonly to: number;
+}
+
+/** A pause that is drawn short: where it stands on the axis, and how long it was, in seconds. */
+export interface Fold {
+  readonly at: number;
+  readonly from: number;
+  readonly seconds: number;
+}
+
+/** Longer pauses are folded: the figures leave them out of the active time, too. */
+export const FOLD_S = 300;
+/** So wide is a folded pause drawn. */
+export const FOLDED_S = 60;
+
+/**
+ * Seconds as the line shows them: nothing happens in a folded pause, so that it takes little room. Built from
+ * everything that happened on the line.
+ */
+export class Axis {
+  readonly folds: readonly Fold[];
+  readonly from: number;
+  readonly to: number;
+
+  constructor(spans: readonly Span[]) {
+    const sorted = [...spans].sort((a, b) => a.from - b.from);
+    this.from = sorted[0]?.from ?? 0;
+    const folds: Fold[] = [];
+    let reached = this.from;
+    let left = 0;
+    for (const { from, to } of sorted) {
+      const pause = from - reached;
+      if (pause > FOLD_S) {
+        folds.push({ at: reached - this.from - left, from: reached, seconds: pause });
+        left += pause - FOLDED_S;
+      }
+      reached = Math.max(reached, to);
+    }
+    this.folds = folds;
+    this.to = reached;
+  }
+
+  /** Where a moment stands, in seconds from the beginning of the line. */
+  at(time: number): number {
+    let shown = time - this.from;
+    for (const { from, seconds } of this.folds) {
+      if (time >= from + seconds) shown -= seconds - FOLDED_S;
+      else if (time > from) shown -= (time - from) * (1 - FOLDED_S / seconds);
+    }
+    return shown;
+  }
+
+  /** How long the line is, in seconds. */
+  get length(): number {
+    return this.at(this.to);
+  }
+
+  isFolded(time: number): boolean {
+    return this.folds.some(({ from, seconds }) => time > from && time < from + seconds);
+  }
+}
+
+interface Timed {
+  readonly at: string;
+  readonly until?: string | null;
+  readonly duration_s?: number | null;
+}
+
+/**
+ * When each mark began and ended, in seconds since 1970. Marks come in the order in which they happened; a clock that
+ * was set back in between is set forward again, so that none stands before the one that it followed.
+ */
+export function spansOf(marks: readonly Timed[]): Span[] {
+  let shift = 0;
+  let last = Number.NEGATIVE_INFINITY;
+  return marks.map(({ at, until, duration_s }) => {
+    const began = Date.parse(at) / 1000;
+    if (began + shift < last) shift = last - began;
+    const took = until ? Math.max(0, Date.parse(until) / 1000 - began) : (duration_s ?? 0);
+    last = began + shift;
+    return { from: last, to: last + took };
+  });
+}
+
+const STEPS_S = [60, 120, 300, 600, 900, 1800, 3600, 7200, 14_400, 28_800, 86_400];
+
+/** Seconds between two marks of a ruler that are at least so many pixels apart. */
+export function stepFor(pixelsPerSecond: number, apart: number): number {
+  return STEPS_S.find((step) => step * pixelsPerSecond >= apart) ?? 86_400;
+}

@@ -1,0 +1,57 @@
+/** Something that wants a place on a line: its middle and its width, in pixels. */
+export interface Wish {
+  readonly middle: number;
+  readonly width: number;
+}
+
+/** Between two neighbours, in pixels. */
+export const GAP = 2;
+
+/** The least room in which all find a place beside each other. */
+export function roomFor(wishes: readonly Wish[]): number {
+  return wishes.reduce((sum, { width }) => sum + width + GAP, -GAP);
+}
+
+/**
+ * The middles of things that keep their order and do not overlap, each as near as can be to where it wants to be. They
+ * stay between 0 and `room`, which is at least `roomFor` them. Pool adjacent violators: Best and Chakravarti 1990.
+ */
+export function spread(wishes: readonly Wish[], room: number): number[] {
+  const offsets: number[] = [];
+  let reached = 0;
+  for (const { width } of wishes) {
+    offsets.push(reached + width / 2);
+    reached += width + GAP;
+  }
+  const slack = Math.max(0, room - (reached - GAP));
+  const pools: { sum: number; count: number }[] = [];
+  wishes.forEach(({ middle }, index) => {
+    let pool = { sum: middle - (offsets[index] ?? 0), count: 1 };
+    for (let before = pools.at(-1); before && mean(before) > mean(pool); before = pools.at(-1)) {
+      pools.pop();
+      pool = { sum: before.sum + pool.sum, count: before.count + pool.count };
+    }
+    pools.push(pool);
+  });
+  const shifts = pools.flatMap((pool) => {
+    return Array<number>(pool.count).fill(Math.min(slack, Math.max(0, mean(pool))));
+  });
+  return shifts.map((shift, index) => shift + (offsets[index] ?? 0));
+}
+
+const mean = ({ sum, count }: { sum: number; count: number }) => sum / count;
+
+/** A place on a line that is stretched between known pairs; both of them rise. Beyond them it goes on evenly. */
+export function between(
+  knots: readonly (readonly [number, number])[],
+  value: number,
+  scale: number,
+): number {
+  const after = knots.findIndex(([key]) => key > value);
+  const next = knots[after];
+  const before = after < 0 ? knots.at(-1) : knots[after - 1];
+  if (!before) return next ? next[1] - (next[0] - value) * scale : value * scale;
+  if (!next) return before[1] + (value - before[0]) * scale;
+  const part = (value - before[0]) / (next[0] - before[0]);
+  return before[1] + part * (next[1] - before[1]);
+}
