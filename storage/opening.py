@@ -146,6 +146,8 @@ def _check_ownership(connection: sqlite3.Connection, path: Path) -> None:
     if MIGRATIONS_TABLE not in tables:
         raise StoreError("database_foreign", path=str(path))
     applied = _applied(connection)
+    if not applied and tables == {MIGRATIONS_TABLE} and not _migrations_of_others(connection):
+        return  # the power was cut while the file was being made
     if not applied:
         raise StoreError("database_foreign", path=str(path))
     if applied - KNOWN_MIGRATIONS:
@@ -153,8 +155,15 @@ def _check_ownership(connection: sqlite3.Connection, path: Path) -> None:
 
 
 def _tables(connection: sqlite3.Connection) -> set[str]:
-    rows = connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")
+    rows = connection.execute(
+        "SELECT name FROM sqlite_master WHERE type = 'table' AND name NOT LIKE 'sqlite\\_%' ESCAPE '\\'"
+    )
     return {str(row[0]) for row in rows}
+
+
+def _migrations_of_others(connection: sqlite3.Connection) -> bool:
+    query = f"SELECT 1 FROM {MIGRATIONS_TABLE} WHERE migration_set != ?"
+    return connection.execute(query, [MIGRATION_SET]).fetchone() is not None
 
 
 def _applied(connection: sqlite3.Connection) -> set[str]:
@@ -217,11 +226,11 @@ def _migrate(path: Path, now: datetime) -> Notice | None:
             notice = _choose_journal(connection, path)
             connection.execute("BEGIN IMMEDIATE")
             connection.execute("ROLLBACK")
-            tables = _tables(connection)
-            if MIGRATIONS_TABLE not in tables:
-                migrate(connection)
-            elif _applied(connection) != KNOWN_MIGRATIONS:
+            begun = MIGRATIONS_TABLE in _tables(connection)
+            applied = _applied(connection) if begun else set()
+            if applied and applied != KNOWN_MIGRATIONS:
                 notice = _back_up(path, now) or notice
+            if applied != KNOWN_MIGRATIONS:
                 migrate(connection)
             return notice
     except sqlite3.OperationalError as error:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from storage import Recorder, RunRow, RunStart, Store, StoreError, VersionRow, open_store
+from storage import Recorder, RunRow, RunStart, Store, StoreError, VersionRow, open_store, schema
 from tests.storage.sample_runs import ended, square
 
 NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
@@ -92,6 +92,20 @@ def test_a_file_of_another_program_is_refused_and_not_touched(path: Path) -> Non
     assert code_of(lambda: open_store(path)) == "database_foreign"
     assert path.read_bytes() == before
     assert os.listdir(path.parent) == ["pinel.db"]
+
+
+def test_a_file_whose_making_was_cut_off_is_made_to_its_end(
+    path: Path, opened: Callable[..., Store], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def cut_off(_db: object) -> None:
+        raise KeyboardInterrupt
+
+    for n in range(len(schema._MIGRATIONS)):
+        with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
+            patch.setattr(cut_off, "__name__", schema._MIGRATIONS[n].__name__)
+            patch.setattr(schema, "_MIGRATIONS", (*schema._MIGRATIONS[:n], cut_off))
+            open_store(path)
+    assert opened().groups.create("A").name == "A"
 
 
 def test_a_folder_in_place_of_the_file_is_an_error_with_a_code(path: Path) -> None:
