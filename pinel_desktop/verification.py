@@ -1,40 +1,31 @@
 """Whether a recorded run comes out the same when it is run again, and where it first differs if not."""
 
-import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from pinel_desktop.comparison import (
+    Difference,
+    Part,
+    Record,
+    Seen,
+    altered,
+    first_difference,
+    gaps,
+    inconsistencies,
+    same_beginning,
+)
 from pinel_desktop.errors import PinelError
-from pinel_desktop.execution.clock import TICK_HZ
+from pinel_desktop.events.model import Event
 from pinel_desktop.execution.executor import RunOptions, RunResult, execute
-from pinel_desktop.execution.recorder import Recorder
 from pinel_desktop.execution.repeating import Repeater
 from pinel_desktop.links import open_link
 from pinel_desktop.program.reading import read_document
 from pinel_desktop.robot import setting_from
 from storage import RunRow, Store
-from storage.telemetry import STEPS, Telemetry
 
-Outcome = Literal["identical", "equal", "different"]
-EQUAL_M = 1e-4  # between platforms, whose mathematical functions differ in the last digit
+Outcome = Literal["identical", "equal", "different", "altered"]
 # a record that breaks off there, as when the power was cut, is compared as far as it goes
 _CUT_OFF = ("interrupted", "engine_lost", "internal_error")
-
-
-@dataclass(frozen=True, slots=True)
-class Difference:
-    """The first tick at which a repetition is not what was recorded, beyond what the record rounds to."""
-
-    tick: int
-    column: str
-    recorded: float
-    repeated: float
-
-    @property
-    def time_s(self) -> float:
-        """Robot time since the start."""
-        return self.tick / TICK_HZ
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,11 +33,13 @@ class Verdict:
     """What a repetition showed.
 
     Attributes:
-        outcome: `identical` to the bit; `equal` within 0.1 mm and 0.1 mrad; or `different`.
+        outcome: `identical` to the bit; `equal` within 0.1 mm and 0.1 mrad; `different`; or `altered`: the record does
+            not agree with itself, or with a repetition that gave the recorded `telemetry_sha256`.
         n_ticks: how many ticks were compared.
         whole: whether that is the whole run; a run that was cut off is compared as far as its record goes.
         recorded_sha256, repeated_sha256: `telemetry_sha256` of both; that of a run that was cut off is None.
         difference: where they first differ; None where they do not.
+        parts: what of an altered record was changed or is missing.
     """
 
     outcome: Outcome
@@ -55,31 +48,59 @@ class Verdict:
     recorded_sha256: str | None
     repeated_sha256: str
     difference: Difference | None = None
+    parts: tuple[Part, ...] = ()
 
 
 def verify_run(store: Store, row: RunRow) -> Verdict:
-    """Runs a recorded run again in this process and compares.
+    """Runs a recorded run again in this process and compares all that the store holds of it.
 
     Raises PinelError `run_not_simulated` for a real robot's, `run_not_ended` for one that has not, `run_not_repeatable`
-    for a record of an earlier release that does not tell all that is needed, and what reading and opening raise.
+    for a record of an earlier release that does not tell all that is needed, `run_damaged` and StoreError `run_damaged`
+    for one that cannot be read, and what reading and opening raise.
     """
     if row.link != "sim":
         raise PinelError("run_not_simulated", link=row.link)
     if row.state == "running":
         raise PinelError("run_not_ended", id=row.id)
-    recorded = store.runs.telemetry(row.id)
-    until = len(recorded.rows) if row.reason in _CUT_OFF else None
-    repeater = Repeater(store.runs.events(row.id), until)
-    result = _repeated(row, _document(store, row), repeater)
-    repeated_sha256 = result.telemetry.sha256()
-    n_ticks = len(recorded.rows)
-    if until is None and repeated_sha256 == row.telemetry_sha256:
-        return Verdict("identical", n_ticks, True, row.telemetry_sha256, repeated_sha256)
-    difference = _first_difference(recorded, result.telemetry, whole=until is None)
-    outcome: Outcome = "equal" if difference is None else "different"
+    record = Record(row, store.runs.telemetry(row.id).rows, store.runs.events(row.id))
+    until = len(record.rows) if row.reason in _CUT_OFF else None
+    repeater, seen = Repeater(record.events, until), Seen()
+    result = _repeated(row, _document(store, row), repeater, seen)
+    difference = first_difference(record.rows, seen.rows())
+    parts = _parts(record, seen, result, difference)
+    is_same = until is None and result.ended.telemetry_sha256 == row.telemetry_sha256
+    outcome: Outcome = "identical" if is_same else "equal"
+    if parts:
+        outcome = "altered"
+    elif difference is not None:
+        outcome = "different"
     return Verdict(
-        outcome, n_ticks, until is None, row.telemetry_sha256, repeated_sha256, difference
+        outcome,
+        len(record.rows),
+        until is None,
+        row.telemetry_sha256,
+        result.ended.telemetry_sha256,
+        difference,
+        tuple(parts),
     )
+
+
+def _parts(
+    record: Record, seen: Seen, result: RunResult, difference: Difference | None
+) -> list[Part]:
+    """What was changed of the record; nothing where it is sound and the repetition merely differs."""
+    row = record.row
+    if row.reason in _CUT_OFF:
+        beginning = same_beginning(record.events, seen.events, len(record.rows))
+        return gaps(record) or ([] if difference else beginning)
+    is_same = result.ended.telemetry_sha256 == row.telemetry_sha256
+    if is_same and (parts := altered(record, seen, exactly=True)):
+        return parts
+    if parts := inconsistencies(record):
+        return parts
+    if is_same or difference is not None:
+        return []
+    return altered(record, seen, exactly=False)
 
 
 def _document(store: Store, row: RunRow) -> dict[str, Any]:
@@ -90,13 +111,21 @@ def _document(store: Store, row: RunRow) -> dict[str, Any]:
     return document
 
 
-def _repeated(row: RunRow, document: dict[str, Any], repeater: Repeater) -> RunResult:
+def _repeated(row: RunRow, document: dict[str, Any], repeater: Repeater, seen: Seen) -> RunResult:
     reading = read_document(document)
     if reading.program is None:
         raise PinelError("invalid_program", count=len(reading.faults))
-    setting = setting_from(row.parameters)
+    try:
+        setting = setting_from(row.parameters)
+    except ValueError as error:
+        raise PinelError("run_damaged", part="parameters") from error
+
+    def observe(tick: int, event: Event) -> None:
+        seen.observe(tick, event)
+        repeater.observe(tick, event)
+
     options = RunOptions(
-        observer=repeater.observe,
+        observer=observe,
         control=repeater.control,
         gestures=repeater.gestures,
         answers=repeater.answers,
@@ -105,31 +134,3 @@ def _repeated(row: RunRow, document: dict[str, Any], repeater: Repeater) -> RunR
     )
     link = open_link(row.link, world=row.world_document, setting=setting, seed=row.seed)
     return execute(reading.program, link, options)
-
-
-def _first_difference(recorded: Telemetry, repeated: Recorder, *, whole: bool) -> Difference | None:
-    """Compares tick by tick; the record is rounded, so what lies within its rounding is no difference."""
-    columns = [recorded.column(name).tolist() for name in Recorder.NAMES]
-    allowed = [max(STEPS[name], EQUAL_M) for name in Recorder.NAMES]
-    rows = repeated.rows
-    n_repeated = len(rows) // Recorder.COLUMNS
-    for i in range(min(len(columns[0]), n_repeated)):
-        row = rows[i * Recorder.COLUMNS : (i + 1) * Recorder.COLUMNS]
-        was = [column[i] for column in columns]
-        for name, before, now, limit in zip(Recorder.NAMES, was, row, allowed, strict=True):
-            if _distance(name, before, now) > limit:
-                return Difference(round(row[0]), name, before, now)
-    if whole and len(columns[0]) != n_repeated:
-        return _of_length(columns[0], rows, n_repeated)
-    return None
-
-
-def _distance(name: str, a: float, b: float) -> float:
-    return abs(math.remainder(a - b, math.tau)) if name == "yaw_rad" else abs(a - b)
-
-
-def _of_length(ticks: Sequence[float], rows: Sequence[float], n_repeated: int) -> Difference:
-    """One of them goes on where the other has ended."""
-    last = rows[(n_repeated - 1) * Recorder.COLUMNS] if n_repeated else 0.0
-    before = ticks[-1] if ticks else 0.0
-    return Difference(round(min(before, last)) + 1, "tick", before, last)

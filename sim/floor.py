@@ -9,6 +9,7 @@ Color = Literal["black", "red", "orange", "yellow", "green", "blue", "purple", "
 COLORS: tuple[Color, ...] = get_args(Color)
 BARE_FLOOR = "white"
 MAX_NAME = 64
+_FARTHEST_M = 10_000.0
 
 
 class Shape(Protocol):
@@ -104,9 +105,9 @@ def _length(value: Any) -> float:
 
 
 def point(pair: Any) -> tuple[float, float]:
-    """A pair of finite numbers. Raises ValueError or TypeError."""
+    """A pair of numbers that physics can bear. Raises ValueError or TypeError."""
     x, y = pair
     x, y = float(x), float(y)
-    if not (math.isfinite(x) and math.isfinite(y)):
+    if not (abs(x) <= _FARTHEST_M and abs(y) <= _FARTHEST_M):  # so is what is no number
         raise ValueError(f"{pair} is not a point")
     return x, y

@@ -79,12 +79,13 @@ def world_from_document(document: dict[str, Any]) -> World:
             name=str(document["name"]),
             walls=tuple(wall_from_document(wall) for wall in document["walls"]),
             boxes=tuple(box_from_document(box) for box in document.get("boxes", ())),
-            start=(float(start["x_m"]), float(start["y_m"]), math.radians(start["heading_deg"])),
+            start=(*point((start["x_m"], start["y_m"])), math.radians(start["heading_deg"])),
             zones=tuple(zone_from_document(zone) for zone in document.get("zones", ())),
             floor=tuple(paint_from_document(area) for area in document.get("floor", ())),
         )
-    except (KeyError, TypeError, ValueError) as error:
-        raise WorldError("world_invalid", world=document.get("name"), detail=str(error)) from error
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        name = document.get("name") if isinstance(document, dict) else None
+        raise WorldError("world_invalid", world=name, detail=str(error)) from error
 
 
 def wall_from_document(entry: dict[str, Any]) -> Wall:

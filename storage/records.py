@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from storage.text import loaded
+from storage.text import readable_object, readable_points
 
 Json = dict[str, Any]
 NO_FAULTS: tuple["FaultRow", ...] = ()
@@ -218,12 +218,12 @@ class RunLine(NamedTuple):
     @property
     def params(self) -> Json:
         """What fills the words of the reason."""
-        return loaded(self.params_json) or {}
+        return readable_object(self.params_json) or {}
 
     @property
     def path(self) -> list[list[float]]:
         """Points for the picture, in m."""
-        return loaded(self.path_json) or []
+        return readable_points(self.path_json)
 
     @property
     def passed(self) -> bool | None:

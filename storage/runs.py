@@ -13,7 +13,7 @@ from storage.errors import StoreError
 from storage.groups import touch
 from storage.lessons import lesson_for
 from storage.records import Json, RunLine, RunRow, RunStart
-from storage.text import dumped, loaded, new_id
+from storage.text import dumped, new_id, readable_object, readable_points
 
 if TYPE_CHECKING:
     from storage.telemetry import Telemetry
@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 _COLUMNS = ", ".join(column.name for column in fields(RunRow))
 _SELECT = f"SELECT {_COLUMNS} FROM runs"
 _LINE = ", ".join(name.removesuffix("_json").removesuffix("_bit") for name in RunLine._fields)
-_JSON = ("document", "world_document", "parameters", "params", "summary", "path", "check_report")
+_OBJECTS = ("document", "world_document", "parameters", "params", "summary", "check_report")
+_NEEDED = ("world_document", "parameters")
 _IN_COLUMNS = ("v", "type", "run", "seq", "tick")
 _FIGURES = (
     "state",
@@ -72,7 +73,7 @@ class Runs:
         )
 
     def get(self, run_id: str) -> RunRow:
-        """Raises StoreError `run_not_found`."""
+        """Raises StoreError `run_not_found`, `run_damaged`."""
         with self._access.reading() as db:
             row = db.execute(f"{_SELECT} WHERE id = ?", [run_id]).fetchone()
         if row is None:
@@ -82,7 +83,7 @@ class Runs:
     def of_group(
         self, group_id: str, *, before: str | None = None, limit: int = 50
     ) -> list[RunLine]:
-        """Newest first; `before` is the id of the last run of the page before."""
+        """Newest first; `before` is the id of the last run of the page before. What is damaged of one is empty."""
         with self._access.reading() as db:
             rows = db.execute(
                 f"SELECT {_LINE} FROM runs WHERE group_id = ? AND id < ? ORDER BY id DESC LIMIT ?",
@@ -91,10 +92,10 @@ class Runs:
         return [RunLine._make(row) for row in rows]
 
     def newest(self, limit: int) -> list[RunRow]:
-        """Of all groups and of none, newest first."""
+        """Of all groups and of none, newest first; what is damaged of one is empty."""
         with self._access.reading() as db:
             rows = db.execute(f"{_SELECT} ORDER BY id DESC LIMIT ?", [limit]).fetchall()
-        return [_record(row) for row in rows]
+        return [_record(row, patient=True) for row in rows]
 
     def ids_beginning_with(self, prefix: str) -> list[str]:
         """Ids that a person may mean who typed the beginning only; at most 10."""
@@ -106,7 +107,7 @@ class Runs:
         return [str(row["id"]) for row in rows]
 
     def events(self, run_id: str) -> list[Json]:
-        """All events but telemetry, as they were on the wire. Raises StoreError `run_not_found`."""
+        """All events but telemetry, as they were on the wire. Raises StoreError `run_not_found`, `run_damaged`."""
         with self._access.reading() as db:
             _require(db, run_id)
             rows = db.execute(
@@ -115,7 +116,7 @@ class Runs:
         return [_event(run_id, row) for row in rows]
 
     def telemetry(self, run_id: str) -> "Telemetry":
-        """All samples of a run. Raises StoreError `run_not_found`."""
+        """All samples of a run. Raises StoreError `run_not_found`, `run_damaged`."""
         with self._access.reading() as db:
             _require(db, run_id)
             return _telemetry(db, run_id)
@@ -259,7 +260,10 @@ def _telemetry(db: sqlite3.Connection, run_id: str) -> "Telemetry":
     rows = db.execute(
         "SELECT data, n_rows FROM telemetry WHERE run_id = ? ORDER BY chunk", [run_id]
     )
-    return joined([(row["data"], row["n_rows"]) for row in rows])
+    try:
+        return joined([(row["data"], row["n_rows"]) for row in rows])
+    except (ValueError, TypeError) as error:
+        raise StoreError("run_damaged", id=run_id, part="telemetry") from error
 
 
 def _require(db: sqlite3.Connection, run_id: str) -> None:
@@ -273,16 +277,31 @@ def _rest(event: Mapping[str, Any]) -> Json:
 
 def _event(run_id: str, row: sqlite3.Row) -> Json:
     head = {"v": 1, "type": row["type"], "run": run_id, "seq": row["seq"], "tick": row["tick"]}
-    return {**head, **loaded(row["data"])}
+    if not isinstance(row["tick"], int):
+        raise StoreError("run_damaged", id=run_id, part="events")
+    return {**head, **(_object(row["data"], run_id, "events") or {})}
 
 
-def _record(row: sqlite3.Row) -> RunRow:
+def _record(row: sqlite3.Row, *, patient: bool = False) -> RunRow:
+    """The row; a list of runs is `patient` and shows what can be read of each."""
     values = dict(row)
-    values |= {name: loaded(values[name]) for name in _JSON}
+    for name in _OBJECTS:
+        text = values[name]
+        values[name] = readable_object(text) if patient else _object(text, row["id"], name)
+    missing = next((name for name in _NEEDED if values[name] is None), None)
+    if missing and not patient:
+        raise StoreError("run_damaged", id=row["id"], part=missing)
+    values |= {name: values[name] or {} for name in (*_NEEDED, "params", "summary")}
     values |= {
-        "params": values["params"] or {},
-        "summary": values["summary"] or {},
-        "path": values["path"] or [],
+        "path": readable_points(values["path"]),
         "passed": None if values["passed"] is None else bool(values["passed"]),
     }
     return RunRow(**values)
+
+
+def _object(text: Any, run_id: str, part: str) -> Json | None:
+    """A JSON object, None for NULL. Raises StoreError `run_damaged`."""
+    value = readable_object(text)
+    if value is None and text not in (None, "null"):
+        raise StoreError("run_damaged", id=run_id, part=part)
+    return value

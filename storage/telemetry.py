@@ -78,9 +78,17 @@ def pack(rows: Rows) -> bytes:
 
 
 def unpack(blob: bytes, n_rows: int) -> Rows:
-    """What `pack` packed, to half a step. Columns that came later are NaN in what was packed before."""
-    octets = np.frombuffer(zlib.decompress(blob), dtype=np.uint8).reshape(4, -1)
+    """What `pack` packed, to half a step. Columns that came later are NaN in what was packed before.
+
+    Raises ValueError for a blob that is none, or not of so many rows.
+    """
+    try:
+        octets = np.frombuffer(zlib.decompress(blob), dtype=np.uint8).reshape(4, -1)
+    except (zlib.error, TypeError) as error:
+        raise ValueError(f"not telemetry: {error}") from error
     n_columns = octets.shape[1] // n_rows if n_rows else len(COLUMNS)
+    if not 0 < n_columns <= len(COLUMNS):
+        raise ValueError(f"{n_columns} columns")
     differences = np.ascontiguousarray(octets.T).view("<i4").reshape(n_columns, n_rows)
     steps = np.cumsum(differences, axis=1, dtype=np.int32).T
     rows: Rows = np.full((n_rows, len(COLUMNS)), np.nan)
@@ -90,7 +98,7 @@ def unpack(blob: bytes, n_rows: int) -> Rows:
 
 
 def joined(chunks: Sequence[tuple[bytes, int]]) -> Telemetry:
-    """All chunks of a run, each a blob and its number of rows."""
+    """All chunks of a run, each a blob and its number of rows. Raises ValueError as `unpack` does."""
     parts = [unpack(blob, n_rows) for blob, n_rows in chunks]
     return Telemetry(np.concatenate(parts) if parts else np.empty((0, len(COLUMNS))))
 

@@ -37,6 +37,33 @@ def loaded(text: str | None) -> Any:
     return None if text is None else json.loads(text)
 
 
+def readable_object(text: Any) -> dict[str, Any] | None:
+    """The JSON object of a column; None for NULL and for what is damaged."""
+    value = _readable(text)
+    return value if isinstance(value, dict) else None
+
+
+def readable_points(text: Any) -> list[list[float]]:
+    """The points of a column; none for NULL and for what is damaged."""
+    value = _readable(text)
+    return value if isinstance(value, list) and all(map(_is_point, value)) else []
+
+
+def _readable(text: Any) -> Any:
+    try:
+        return loaded(text)
+    except (ValueError, TypeError, RecursionError):
+        return None
+
+
+def _is_point(point: Any) -> bool:
+    return (
+        isinstance(point, list)
+        and len(point) == 2
+        and all(isinstance(part, int | float) for part in point)
+    )
+
+
 def clean_name(name: str) -> str:
     """A name without what cannot be seen: control characters, marks of direction, superfluous spaces.
 

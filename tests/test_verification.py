@@ -5,17 +5,19 @@ import os
 import sqlite3
 import subprocess
 import sys
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
 from pinel_desktop.cli import main
 from pinel_desktop.verification import verify_run
 from storage import open_for_reading, open_store
-from storage.telemetry import pack
+from storage.telemetry import COLUMNS, Rows, pack
 from tests.test_programs import NAMES, PROGRAMS, values_of
 
 
@@ -80,7 +82,7 @@ def test_other_runs_beside_it_change_nothing(tmp_path: Path) -> None:
 def test_where_it_first_differs_is_told(tmp_path: Path) -> None:
     db = tmp_path / "pinel.db"
     run_id = keep("square", db)
-    _change(db, "UPDATE runs SET telemetry_sha256 = 'x', document = replace(document, '90', '91')")
+    _change(db, "UPDATE runs SET document = replace(document, '90', '91')")
     status, verdict = verify(run_id, db)
     assert (status, verdict["outcome"]) == (1, "different")
     assert 60 < verdict["difference"]["tick"] < 160  # in the first turn, after 1 m
@@ -91,9 +93,16 @@ def test_where_it_first_differs_is_told(tmp_path: Path) -> None:
 def test_what_differs_in_the_last_digits_only_is_equal(tmp_path: Path) -> None:
     db = tmp_path / "pinel.db"
     run_id = keep("square", db)
-    _change(db, "UPDATE runs SET telemetry_sha256 = 'of another platform'")
+    of_another_platform = "telemetry_sha256', '" + "0" * 64 + "')"
+    _change(
+        db,
+        f"UPDATE runs SET telemetry_sha256 = '{'0' * 64}', summary = json_set(summary, '$.{of_another_platform}",
+        f"UPDATE events SET data = json_set(data, '$.{of_another_platform} WHERE type = 'run_ended'",
+    )
     status, verdict = verify(run_id, db)
     assert (status, verdict["outcome"], verdict["difference"]) == (0, "equal", None)
+    done = CliRunner().invoke(main, ["--db", str(db), "runs", "verify", run_id])
+    assert "telemetry_sha256 that is kept is not the repetition's" in done.stdout
 
 
 def test_a_run_that_was_cut_off_is_compared_as_far_as_it_goes(tmp_path: Path) -> None:
@@ -111,6 +120,103 @@ def test_a_run_that_was_cut_off_is_compared_as_far_as_it_goes(tmp_path: Path) ->
     status, verdict = verify(run_id, db)
     assert (status, verdict["outcome"], verdict["whole"]) == (0, "equal", False)
     assert verdict["n_ticks"] == 150
+
+
+def _bumped(column: int) -> Callable[[Rows], Rows]:
+    def bump(rows: Rows) -> Rows:
+        rows[100, column] += 0.0002
+        return rows
+
+    return bump
+
+
+@pytest.mark.parametrize(
+    ("change", "part"),
+    [
+        (_bumped(1), "x_m is"),
+        (_bumped(13), "true_x_m is"),
+        (lambda rows: rows[:-1], "rows instead of"),
+        (lambda rows: np.delete(rows, 100, axis=0), "rows instead of"),
+        (lambda rows: rows[:, :13], "true_x_m is"),
+        ("DELETE FROM telemetry", "0 rows instead of"),
+        ("DELETE FROM events", "0 kept"),
+        ("DELETE FROM events WHERE type = 'block_ended' AND tick > 200", "(block_ended, tick"),
+        ("DELETE FROM events WHERE type = 'run_ended'", "run_ended, tick"),
+        ("UPDATE events SET data = '{}' WHERE type = 'block_started'", "number 2 (block_started"),
+        (
+            "UPDATE runs SET state = 'failed', reason = 'blocked'",
+            "state: failed instead of finished",
+        ),
+        ("UPDATE runs SET duration_s = 1", "duration_s: 1 instead of"),
+        ("UPDATE runs SET path_length_m = 1", "path_length_m: 1 instead of"),
+        ("UPDATE runs SET closing_error_m = 0", "closing_error_m: 0 instead of"),
+        ("UPDATE runs SET n_executed = 999", "n_executed: 999 instead of"),
+        ("UPDATE runs SET summary = '{}'", "summary"),
+        ("UPDATE runs SET telemetry_sha256 = NULL", "telemetry_sha256"),
+        ("UPDATE runs SET telemetry_sha256 = hex(zeroblob(32))", "telemetry_sha256"),
+    ],
+)
+def test_what_was_changed_of_a_record_is_named(
+    change: str | Callable[[Rows], Rows], part: str, tmp_path: Path
+) -> None:
+    db = tmp_path / "pinel.db"
+    run_id = keep("square", db)
+    _change(db, change if isinstance(change, str) else _repacked(run_id, db, change))
+    status, verdict = verify(run_id, db)
+    assert (status, verdict["outcome"]) == (1, "altered")
+    done = CliRunner().invoke(main, ["--db", str(db), "runs", "verify", run_id])
+    assert done.exit_code == 1
+    assert "was changed or is incomplete" in done.stdout
+    assert part in done.stdout
+
+
+def _repacked(run_id: str, db: Path, change: Callable[[Rows], Rows]) -> str:
+    with open_for_reading(db) as store:
+        rows = change(store.runs.telemetry(run_id).rows)
+    padded = np.full((len(rows), len(COLUMNS)), np.nan)
+    padded[:, : rows.shape[1]] = rows
+    return f"UPDATE telemetry SET n_rows = {len(rows)}, data = x'{pack(padded).hex()}'"
+
+
+@pytest.mark.parametrize(
+    ("change", "part"),
+    [
+        ("UPDATE telemetry SET data = x'00112233'", "telemetry"),
+        ("UPDATE telemetry SET n_rows = 9999", "telemetry"),
+        ("UPDATE telemetry SET n_rows = -1", "telemetry"),
+        ("UPDATE events SET data = '{' WHERE type = 'run_ended'", "events"),
+        ("UPDATE events SET data = '[1]' WHERE type = 'said'", "events"),
+        ("UPDATE events SET data = '{}' WHERE type = 'run_ended'", "events"),
+        ("UPDATE runs SET parameters = '{'", "parameters"),
+        ("UPDATE runs SET parameters = '[]'", "parameters"),
+        ("""UPDATE runs SET parameters = '{"preset": 5}'""", "parameters"),
+        ("""UPDATE runs SET parameters = '{"model": []}'""", "parameters"),
+        ("UPDATE runs SET world_document = '[]'", "world_document"),
+        ("UPDATE runs SET world_document = 'x'", "world_document"),
+        ("UPDATE runs SET world_document = '{}'", "world"),
+        ("""UPDATE runs SET world_document = json_set(world_document, '$.boxes', 5)""", "world"),
+        ("""UPDATE runs SET world_document = json_set(world_document, '$.walls[0]', 5)""", "world"),
+        (
+            """UPDATE runs SET world_document = json_set(world_document, '$.start.x_m', 1e308)""",
+            "world",
+        ),
+        ("UPDATE runs SET document = '['", "document"),
+        ("UPDATE runs SET document = '{}'", "program"),
+    ],
+)
+def test_a_record_that_cannot_be_read_is_said_in_words(
+    change: str, part: str, tmp_path: Path
+) -> None:
+    db = tmp_path / "pinel.db"
+    run_id = keep("push_the_boxes", db)
+    _change(db, change)
+    done = CliRunner().invoke(main, ["--db", str(db), "runs", "verify", run_id])
+    assert done.exit_code == 1
+    assert part in done.stderr + done.stdout
+    assert isinstance(done.exception, SystemExit)
+    for command in (["show", run_id], ["list"], ["list", "--json"]):
+        done = CliRunner().invoke(main, ["--db", str(db), "runs", *command])
+        assert done.exception is None or isinstance(done.exception, SystemExit)
 
 
 @pytest.mark.parametrize(

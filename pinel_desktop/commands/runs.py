@@ -81,7 +81,8 @@ def show_run(ctx: click.Context, run: str, as_json: bool) -> None:
 def verify(ctx: click.Context, run: str, as_json: bool) -> None:
     """Run a recorded run again and say whether it is the same.
 
-    RUN is as for `show`. Exit status: 0 the same, 1 not the same or not to be repeated.
+    RUN is as for `show`. All that is kept of it is compared. Exit status: 0 the same, 1 not the same, changed, or not
+    to be repeated.
     """
     from pinel_desktop.verification import verify_run  # noqa: PLC0415 - the simulator, for this one only
 
@@ -92,14 +93,20 @@ def verify(ctx: click.Context, run: str, as_json: bool) -> None:
         click.echo(json.dumps({"run": row.id, **asdict(verdict)}))
     else:
         code, params = _in_words(verdict, row)
-        words = describe(code, params, language_of_system())
-        click.echo(f"{row.id}  {verdict.outcome}\n{words.message}\n{words.remedy}")
-    ctx.exit(1 if verdict.outcome == "different" else 0)
+        language = language_of_system()
+        words = describe(code, params, language)
+        click.echo(f"{row.id}  {verdict.outcome}\n{words.message}")
+        for part in verdict.parts:
+            click.echo(f"- {describe(part.code, part.params, language).message}")
+        click.echo(words.remedy)
+    ctx.exit(1 if verdict.outcome in ("different", "altered") else 0)
 
 
 def _in_words(verdict: "Verdict", row: RunRow) -> tuple[str, dict[str, Any]]:
     first = verdict.difference
-    if first is None:
+    if verdict.outcome == "equal" and not verdict.whole:
+        return "verified_cut_off", {"ticks": verdict.n_ticks}
+    if verdict.outcome != "different" or first is None:
         return f"verified_{verdict.outcome}", {"ticks": verdict.n_ticks}
     return "verified_different", {
         "tick": first.tick,

@@ -29,7 +29,8 @@ class Repeater:
         events: of the recorded run in their order, as they are on the wire; telemetry may be missing.
         until_tick: where the record breaks off, so that the repetition stops there too; None where it does not.
 
-    Raises PinelError `run_not_repeatable` for a record that does not tell when somebody stopped or held the run.
+    Raises PinelError `run_not_repeatable` for a record that does not tell when somebody stopped or held the run,
+    `run_damaged` where an event is none.
     """
 
     def __init__(self, events: Iterable[WireEvent], until_tick: int | None = None) -> None:
@@ -39,7 +40,10 @@ class Repeater:
         self._is_paused = False  # the robot still comes to rest then, which takes ticks
         self._wishes: deque[_Wish] = deque()
         self._ended: WireEvent = {}
-        self._take_in(events)
+        try:
+            self._take_in(events)
+        except (KeyError, TypeError, AttributeError) as error:
+            raise PinelError("run_damaged", part="events") from error
         if until_tick is not None:
             self._wishes.append(_Wish("stop", until_tick))
 
@@ -70,9 +74,9 @@ class Repeater:
                     if paused:
                         self._wishes.append(_pause(event))
                 case "gesture_result" if event["source"] == "capture":
-                    self.gestures.recorded.append((event["tick"], event["result"]))
+                    self.gestures.recorded.append((event["tick"], _text(event["result"])))
                 case "answered":
-                    self.answers.recorded.append((event["tick"], event["value"]))
+                    self.answers.recorded.append((event["tick"], _as_typed(event["value"])))
                 case "run_ended":
                     self._ended = event
                     if event["state"] == "stopped":
@@ -123,14 +127,14 @@ class _Answers:
 
     def __init__(self, run: Repeater) -> None:
         self._run, self._question = run, ""
-        self.recorded: deque[tuple[int, str | float]] = deque()
+        self.recorded: deque[tuple[int, str]] = deque()
 
     def begin(self, question: str) -> None:
         self._question = question
 
     def poll(self) -> str | None:
         if self.recorded and self.recorded[0][0] <= self._run.tick:
-            return _as_typed(self.recorded.popleft()[1])
+            return self.recorded.popleft()[1]
         if not self.recorded and self._run.reason == "answer_missing":
             raise RunFailureError("answer_missing", question=self._question)
         return None
@@ -139,8 +143,15 @@ class _Answers:
         return
 
 
-def _as_typed(value: str | float) -> str:
-    return value if isinstance(value, str) else format(Decimal(repr(value)), "f")
+def _text(value: object) -> str:
+    if not isinstance(value, str):
+        raise TypeError(f"no text: {value!r}")
+    return value
+
+
+def _as_typed(value: object) -> str:
+    is_number = isinstance(value, int | float) and not isinstance(value, bool)
+    return format(Decimal(repr(value)), "f") if is_number else _text(value)
 
 
 def _pause(event: WireEvent) -> _Wish:

@@ -40,6 +40,16 @@ class Setting:
 
 
 def setting_from(parameters: Mapping[str, Any]) -> Setting:
-    """The setting in a run's parameters; what they do not tell is as it was before there was a choice."""
+    """The setting in a run's parameters; what they do not tell is as it was before there was a choice.
+
+    Raises ValueError for what no setting ever was.
+    """
     known = {name: parameters[name] for name in Setting.__slots__ if name in parameters}
-    return Setting(**known)
+    setting = Setting(**known)
+    if (
+        not isinstance(setting.model, str)
+        or setting.preset not in PRESETS
+        or setting.feedback not in FEEDBACKS
+    ):
+        raise ValueError(f"no setting: {known}")
+    return setting

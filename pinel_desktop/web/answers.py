@@ -46,6 +46,7 @@ STATUS = {
     "disk_full": 507,
     "database_damaged": 500,
     "database_failed": 500,
+    "run_damaged": 500,
     "internal_error": 500,
 }
 _OTHERWISE = (

@@ -129,10 +129,18 @@ def live(seed: int) -> tuple[RunResult, list[Wire]]:
     return execute(program(), open_link("sim", world="empty_room"), options), people.wire
 
 
-def again(wire: list[Wire], until_tick: int | None = None) -> RunResult:
-    repeater = Repeater(wire, until_tick)
+def again(
+    wire: list[Wire], until_tick: int | None = None, seen: list[Wire] | None = None
+) -> RunResult:
+    repeater, stamp = Repeater(wire, until_tick), EventStamp("r")
+
+    def observe(tick: int, event: Event) -> None:
+        if seen is not None and type(event) is not Telemetry:
+            seen.append(stamp.wire(tick, event))
+        repeater.observe(tick, event)
+
     options = RunOptions(
-        observer=repeater.observe,
+        observer=observe,
         control=repeater.control,
         gestures=repeater.gestures,
         answers=repeater.answers,
@@ -144,7 +152,9 @@ def again(wire: list[Wire], until_tick: int | None = None) -> RunResult:
 @settings(max_examples=60, deadline=None)
 def test_whatever_people_did_it_comes_out_the_same(seed: int) -> None:
     result, wire = live(seed)
-    repeated = again(wire)
+    seen: list[Wire] = []
+    repeated = again(wire, seen=seen)
+    assert seen == wire
     assert repeated.ended.telemetry_sha256 == result.ended.telemetry_sha256
     assert repeated.ended.state == result.ended.state
     assert repeated.variables == result.variables or result.ended.state == "stopped"

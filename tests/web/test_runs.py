@@ -1,7 +1,10 @@
 """Runs over HTTP, with an engine that does what the test says."""
 
+import contextlib
 import json
+import sqlite3
 import struct
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -233,3 +236,35 @@ def test_runs_come_in_pages(
     second = browser.get(f"{path}&before={first['next']}").data
     assert [run["id"] for run in first["runs"] + second["runs"]] == ids[::-1]
     assert second["next"] is None
+
+
+@pytest.mark.parametrize(
+    ("change", "address"),
+    [
+        ("UPDATE telemetry SET data = x'0011'", "/telemetry"),
+        ("UPDATE events SET data = '{'", "/events"),
+        ("UPDATE runs SET parameters = '{'", ""),
+        ("UPDATE runs SET world_document = '[]'", ""),
+        ("UPDATE runs SET world_document = '{}'", ""),
+    ],
+)
+def test_a_damaged_record_is_one_error_in_words(
+    change: str,
+    address: str,
+    browser: Browser,
+    engine: FakeEngine,
+    database: Path,
+    group: dict[str, Any],
+    run: dict[str, Any],
+) -> None:
+    engine.send(block_started(run["id"], 0))
+    for event in square(run["id"]):
+        engine.send(event)
+    engine.send(ended(run["id"], 9999, 9999))
+    with contextlib.closing(sqlite3.connect(database)) as db, db:
+        db.execute(change)
+    answer = browser.get(f"/api/runs/{run['id']}{address}")
+    assert (answer.status, answer.error["code"]) == (500, "run_damaged")
+    assert "damaged" in answer.error["message"]
+    runs = browser.get(f"/api/groups/{group['id']}/runs").data["runs"]
+    assert [one["id"] for one in runs] == [run["id"]]

@@ -3,6 +3,7 @@
 import json
 
 from flask import Response
+from pydantic import ValidationError
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
@@ -28,7 +29,7 @@ from pinel_desktop.web.models.runs import (
     RunWithVersion,
     Step,
 )
-from pinel_desktop.web.models.worlds import Start
+from pinel_desktop.web.models.worlds import Start, World
 from pinel_desktop.web.services import Services, services
 from storage import RunLine, RunRow, RunStart, VersionRow
 
@@ -221,9 +222,16 @@ def get_run(path: IdPath) -> Response:
         RunWithVersion(
             **{name: getattr(run, name) for name in Run.model_fields},
             version=version_model(version) if version else None,
-            world_document=row.world_document,  # type: ignore[arg-type] # pydantic reads it into the model
+            world_document=_world_of(row),
         )
     )
+
+
+def _world_of(row: RunRow) -> World:
+    try:
+        return World.model_validate(row.world_document)
+    except ValidationError as error:
+        raise PinelError("run_damaged", part="world_document") from error
 
 
 @api.get("/runs/<id>/events", responses=answers(RunEvents, 404))

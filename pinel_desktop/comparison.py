@@ -1,0 +1,235 @@
+"""What of a run's record is not what its repetition gives, part by part."""
+
+import json
+import math
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from itertools import zip_longest
+from operator import attrgetter
+from typing import Any
+
+import numpy as np
+
+from pinel_desktop import __version__
+from pinel_desktop.events.model import Event, EventStamp, Ranges, RunEnded
+from pinel_desktop.events.model import Telemetry as Sample
+from pinel_desktop.execution.clock import TICK_HZ
+from storage import RunRow
+from storage.telemetry import COLUMNS, STEPS, Rows, pack, unpack
+
+EQUAL_M = 1e-4  # between platforms, whose mathematical functions differ in the last digit
+_EQUAL_OVER_ALL_M = 1e-2  # the length of a long path adds up many of those
+_LATER_COLUMNS = ("true_x_m", "true_y_m", "true_yaw_rad")  # records of earlier releases lack them
+_ANGLES = ("yaw_rad", "goal_yaw_rad", "true_yaw_rad")
+_SHA256 = re.compile(r"[0-9a-f]{64}\Z")
+_HEAD = ("v", "type", "run", "seq", "tick")
+_NOTHING: Mapping[str, Any] = {}
+_sample = attrgetter(*COLUMNS[1:])
+
+Wire = Mapping[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A part of a record that was changed or is missing: `code` and `params` choose the words."""
+
+    code: str
+    params: dict[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Difference:
+    """The first tick at which a repetition is not what was recorded, beyond what the record rounds to."""
+
+    tick: int
+    column: str
+    recorded: float
+    repeated: float
+
+    @property
+    def time_s(self) -> float:
+        """Robot time since the start."""
+        return self.tick / TICK_HZ
+
+
+@dataclass(frozen=True, slots=True)
+class Record:
+    """What the store holds of a run; `rows` as in `storage.telemetry.COLUMNS`."""
+
+    row: RunRow
+    rows: Rows
+    events: Sequence[Wire]
+
+    @property
+    def ended(self) -> Wire:
+        """Its closing event; one without anything when there is none."""
+        last = self.events[-1] if self.events else _NOTHING
+        return last if last.get("type") == RunEnded.type else _NOTHING
+
+
+class Seen:
+    """All that a repetition shows, as the store would keep it."""
+
+    def __init__(self) -> None:
+        self.events: list[Wire] = []
+        self._samples: list[tuple[float, ...]] = []
+        self._stamp = EventStamp("")
+
+    def observe(self, tick: int, event: Event) -> None:
+        """To be called with every event."""
+        if type(event) is Sample:
+            self._samples.append((tick, *_sample(event)))
+        elif type(event) is not Ranges:
+            self.events.append(json.loads(json.dumps(self._stamp.wire(tick, event))))
+
+    def rows(self) -> Rows:
+        """The telemetry, rounded as the record is."""
+        rows = np.array(self._samples, dtype=np.float64).reshape(-1, len(COLUMNS))
+        return unpack(pack(rows), len(rows))
+
+
+def gaps(record: Record) -> list[Part]:
+    """Ticks that a record lacks in its midst."""
+    ticks = record.rows[:, 0]
+    wrong = np.flatnonzero(ticks != np.arange(1, len(ticks) + 1))
+    return [Part("part_ticks", {"tick": int(wrong[0]) + 1})] if len(wrong) else []
+
+
+def inconsistencies(record: Record) -> list[Part]:
+    """Where the record of a run that came to its end contradicts itself, whatever a repetition says."""
+    row, ended, n_rows = record.row, record.ended, len(record.rows)
+    parts = gaps(record)
+    if not parts and ended and n_rows != ended["tick"]:
+        parts.append(Part("part_rows", {"recorded": n_rows, "expected": ended["tick"]}))
+    if not ended:
+        parts.append(Part("part_ending", {}))
+    parts += _wrong_figures(row, ended) if ended else []
+    if ended and not any(part.code == "part_figure" for part in parts):
+        parts += _wrong_summary(row, ended)
+    if not _SHA256.match(row.telemetry_sha256 or ""):
+        parts.append(Part("part_hash", {}))
+    return parts
+
+
+def altered(record: Record, seen: Seen, *, exactly: bool) -> list[Part]:
+    """What of a record is not what was seen when it was repeated; `exactly` where the same numbers came out."""
+    parts: list[Part] = []
+    rows, everything = seen.rows(), record.row.app_version == __version__
+    if len(record.rows) != len(rows):
+        parts.append(Part("part_rows", {"recorded": len(record.rows), "expected": len(rows)}))
+    elif found := first_difference(record.rows, rows, exactly=exactly, everything=everything):
+        parts.append(Part("part_sample", {**asdict(found), "time": round(found.time_s, 2)}))
+    limit = 0.0 if exactly else _EQUAL_OVER_ALL_M
+    parts += _wrong_figures(record.row, seen.events[-1], limit, hashed=exactly)
+    limit = 0.0 if exactly else EQUAL_M
+    return parts + _wrong_events(record.events, seen.events, limit, everything=everything)
+
+
+def first_difference(
+    recorded: Rows, repeated: Rows, *, exactly: bool = False, everything: bool = False
+) -> Difference | None:
+    """The first row in which they differ, as far as both go; the record is rounded, and so must be what is repeated.
+
+    Args:
+        exactly: whether a last digit is a difference, too.
+        everything: whether the record has all columns; that of an earlier release may lack some.
+    """
+    names = [name for name in COLUMNS if everything or _is_told(recorded, name)]
+    indices = [COLUMNS.index(name) for name in names]
+    n = min(len(recorded), len(repeated))
+    was, now = recorded[:n, indices], repeated[:n, indices]
+    apart = np.abs(was - now)
+    for place, name in enumerate(names):
+        if name in _ANGLES and not exactly:
+            apart[:, place] = np.abs(np.remainder(apart[:, place] + math.pi, math.tau) - math.pi)
+    apart[np.isnan(was) & np.isnan(now)] = 0.0
+    limits = np.array([0.0 if exactly else _limit(STEPS[name]) for name in names])
+    wrong = np.argwhere(~(apart <= limits))  # null beside a number is wrong
+    if not len(wrong):
+        return None
+    i, place = wrong[0]
+    return Difference(int(repeated[i, 0]), names[place], float(was[i, place]), float(now[i, place]))
+
+
+def _limit(step: float) -> float:
+    """Of numbers that are both rounded to the step; ticks and bumper are whole."""
+    return 0.5 if step >= 1.0 else 1.5 * max(step, EQUAL_M)
+
+
+def _is_told(recorded: Rows, name: str) -> bool:
+    return name not in _LATER_COLUMNS or not np.isnan(recorded[:, COLUMNS.index(name)]).all()
+
+
+_FIGURES = (
+    "state",
+    "reason",
+    "params",
+    "block",
+    "n_executed",
+    "duration_s",
+    "path_length_m",
+    "closing_error_m",
+)
+
+
+def _wrong_figures(
+    row: RunRow, ended: Wire, limit: float = 0.0, *, hashed: bool = True
+) -> list[Part]:
+    names = (*_FIGURES, "telemetry_sha256") if hashed else _FIGURES
+    return [
+        Part("part_figure", {"name": name, "recorded": is_, "expected": ended.get(name)})
+        for name in names
+        if not _same(is_ := getattr(row, name), ended.get(name), limit)
+    ]
+
+
+def _wrong_summary(row: RunRow, ended: Wire) -> list[Part]:
+    told = {name: value for name, value in ended.items() if name not in _HEAD}
+    return [] if _same(row.summary, told, 0.0) else [Part("part_summary", {})]
+
+
+def _wrong_events(
+    recorded: Sequence[Wire], repeated: Sequence[Wire], limit: float, *, everything: bool
+) -> list[Part]:
+    pairs = zip_longest(_plain(recorded), _plain(repeated))
+    for number, (was, now) in enumerate(pairs, 1):
+        if was is None or now is None or not _is_same_event(was, now, limit, everything=everything):
+            told = now or was or _NOTHING
+            place = {"number": number, "type": told["type"], "tick": told["tick"]}
+            counts = {"recorded": len(recorded), "expected": len(repeated)}
+            return [Part("part_events", {**place, **counts})]
+    return []
+
+
+def _is_same_event(was: Wire, now: Wire, limit: float, *, everything: bool) -> bool:
+    if limit and was["type"] == now["type"] == RunEnded.type:
+        return True  # its figures are looked at by themselves
+    if not everything:  # events of another release may have told less
+        now = {name: value for name, value in now.items() if name in was}
+    return _same(was, now, limit)
+
+
+def same_beginning(recorded: Sequence[Wire], repeated: Sequence[Wire], tick: int) -> list[Part]:
+    """The same for a record that breaks off at a tick: what came before it."""
+    was, now = ([e for e in events if e["tick"] < tick] for events in (recorded, repeated))
+    return _wrong_events(was, now, EQUAL_M, everything=False)
+
+
+def _plain(events: Sequence[Wire]) -> Iterator[dict[str, Any]]:
+    """Without run and number: those who watched a run have taken numbers for what is not kept."""
+    for event in events:
+        yield {name: value for name, value in event.items() if name not in ("run", "seq")}
+
+
+def _same(a: Any, b: Any, limit: float) -> bool:
+    if isinstance(a, bool) or isinstance(b, bool):
+        return a is b
+    if isinstance(a, int | float) and isinstance(b, int | float):
+        return a == b or abs(a - b) <= limit
+    if isinstance(a, dict) and isinstance(b, dict):
+        return a.keys() == b.keys() and all(_same(a[key], b[key], limit) for key in a)
+    if isinstance(a, list) and isinstance(b, list):
+        pairs = zip(a, b, strict=False)
+        return len(a) == len(b) and all(_same(one, other, limit) for one, other in pairs)
+    return bool(a == b)
