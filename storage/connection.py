@@ -22,6 +22,7 @@ class Access:
     """Reading and writing one file.
 
     Args:
+        address: how SQLite is to open it.
         refusal: raised by every attempt to write, for a file that cannot be written.
     """
 
@@ -29,7 +30,7 @@ class Access:
         self, path: Path, address: str, refusal: StoreError | None, clock: Callable[[], datetime]
     ) -> None:
         self.path = path
-        self._address = address
+        self.address = address
         self._refusal = refusal
         self._clock = clock
         self._idle: queue.LifoQueue[sqlite3.Connection] = queue.LifoQueue(_KEPT)
@@ -52,14 +53,20 @@ class Access:
             if connection is not None:
                 self._give_back(connection)
 
-    def write(self, job: Callable[[sqlite3.Connection], T]) -> T:
-        """Runs the job in a transaction of the writer; on disk when this returns. Raises StoreError."""
-        return self.submit(job).result()
+    def write(self, job: Callable[[sqlite3.Connection], T], *, attached: str | None = None) -> T:
+        """Runs the job in a transaction of the writer; on disk when this returns. Raises StoreError.
 
-    def submit(self, job: Callable[[sqlite3.Connection], T]) -> "Future[T]":
+        Args:
+            attached: address of another file, which the job sees as the schema `bundle`.
+        """
+        return self.submit(job, attached=attached).result()
+
+    def submit(
+        self, job: Callable[[sqlite3.Connection], T], *, attached: str | None = None
+    ) -> "Future[T]":
         """The same without waiting."""
         if self._writer is not None:
-            return self._writer.submit(job)
+            return self._writer.submit(job, attached)
         future: Future[T] = Future()
         future.set_exception(self._refusal or StoreError("database_read_only", path=str(self.path)))
         return future
@@ -85,7 +92,7 @@ class Access:
         try:
             return self._idle.get_nowait()
         except queue.Empty:
-            return connect(self._address)
+            return connect(self.address)
 
     def _give_back(self, connection: sqlite3.Connection) -> None:
         try:

@@ -101,13 +101,22 @@ _MIGRATIONS: tuple[Callable[["Database"], None], ...] = (
 KNOWN_MIGRATIONS = frozenset(migration.__name__ for migration in _MIGRATIONS)
 
 
-def migrate(connection: sqlite3.Connection) -> None:
-    """Makes the tables, or brings them up to date, each step in a transaction of its own."""
+def steps() -> tuple[str, ...]:
+    """Names of the migrations in their order."""
+    return tuple(migration.__name__ for migration in _MIGRATIONS)
+
+
+def migrate(connection: sqlite3.Connection, n_steps: int | None = None) -> None:
+    """Makes the tables, or brings them up to date, each step in a transaction of its own.
+
+    Args:
+        n_steps: how many of the steps a file is to have, all with None.
+    """
     from sqlite_utils import Database  # noqa: PLC0415 - see above
     from sqlite_utils.migrations import Migrations  # noqa: PLC0415
 
     migrations = Migrations(MIGRATION_SET)
-    for migration in _MIGRATIONS:
+    for migration in _MIGRATIONS[:n_steps]:
         migrations()(migration)
     migrations.apply(Database(connection, execute_plugins=False))
 

@@ -1,9 +1,10 @@
 """One thread writes; each job is one transaction, and its caller may wait until it is on disk."""
 
+import contextlib
 import queue
 import sqlite3
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from concurrent.futures import Future
 from pathlib import Path
 from typing import TypeVar
@@ -12,6 +13,7 @@ from storage.errors import StoreError, translated
 
 T = TypeVar("T")
 _Task = Callable[[], None]
+ATTACHED = "bundle"
 
 
 class Writer:
@@ -39,8 +41,14 @@ class Writer:
         """
         return self.submit(job).result()
 
-    def submit(self, job: Callable[[sqlite3.Connection], T]) -> "Future[T]":
-        """Queues the job; the future tells what became of it."""
+    def submit(
+        self, job: Callable[[sqlite3.Connection], T], attached: str | None = None
+    ) -> "Future[T]":
+        """Queues the job; the future tells what became of it.
+
+        Args:
+            attached: address of a file that the job sees as the schema `bundle`, and nobody after it.
+        """
         future: Future[T] = Future()
         with self._lock:
             if self._closed:
@@ -48,7 +56,7 @@ class Writer:
                     StoreError("database_failed", path=str(self._path), problem="closed")
                 )
             else:
-                self._tasks.put(lambda: self._fulfil(future, job))
+                self._tasks.put(lambda: self._fulfil(future, job, attached))
         return future
 
     @property
@@ -69,9 +77,15 @@ class Writer:
             task()
         self._connection.close()
 
-    def _fulfil(self, future: "Future[T]", job: Callable[[sqlite3.Connection], T]) -> None:
+    def _fulfil(
+        self,
+        future: "Future[T]",
+        job: Callable[[sqlite3.Connection], T],
+        attached: str | None,
+    ) -> None:
         try:
-            result = self._in_transaction(job)
+            with self._attaching(attached):
+                result = self._in_transaction(job)
         except sqlite3.Error as error:
             future.set_exception(translated(error, self._path))
         except Exception as error:
@@ -79,6 +93,18 @@ class Writer:
         else:
             future.set_result(result)
             self.on_written()
+
+    @contextlib.contextmanager
+    def _attaching(self, address: str | None) -> Iterator[None]:
+        """SQLite attaches and detaches outside of transactions only."""
+        if address is None:
+            yield
+            return
+        self._connection.execute(f"ATTACH DATABASE ? AS {ATTACHED}", [address])
+        try:
+            yield
+        finally:
+            self._connection.execute(f"DETACH DATABASE {ATTACHED}")
 
     def _in_transaction(self, job: Callable[[sqlite3.Connection], T]) -> T:
         # IMMEDIATE: a job that reads first must not lose to another process that wrote in between

@@ -1,0 +1,214 @@
+"""Opening a bundle, which may come from anybody: all of it is looked at before anything of it is used.
+
+It is read once, into a private copy: a stick may be read-only or pulled out, a share may change under our hands,
+and a bundle of an earlier release is brought up to date there.
+"""
+
+import re
+import shutil
+import sqlite3
+import tempfile
+from collections.abc import Iterator
+from contextlib import closing, contextmanager
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from storage.bundle_rules import MAX_VALUE, json_of, key, name, problem_in_rows, short, time
+from storage.bundles import BUNDLE_TABLE, FORMAT, BundleInfo
+from storage.content import content_hash
+from storage.errors import StoreError
+from storage.schema import MIGRATION_SET, MIGRATIONS_TABLE, migrate, steps
+from storage.text import loaded
+
+_MAX_BYTES = 4 * 2**30
+_MAGIC = b"SQLite format 3\0"
+_FIRST_WITH_BUNDLES = 4  # steps of the tables; earlier releases wrote none
+# its words change from release to release; texts can do nothing
+_ABOUT = re.compile(
+    r"CREATEVIEW\"about\"AS(UNIONALL)?(SELECT'([^']|'')*'ASname,'([^']|'')*'ASmeaning(UNIONALL)?)+"
+)
+_Objects = frozenset[tuple[str, str, str, str]]
+
+
+@dataclass(frozen=True, slots=True)
+class Bundle:
+    """A bundle that was looked at.
+
+    Attributes:
+        address: of the private copy, with tables as this release has them; there while it is open.
+    """
+
+    info: BundleInfo
+    address: str
+
+
+@contextmanager
+def open_bundle(path: Path) -> Iterator[Bundle]:
+    """The bundle, when every part of it is as PINEL writes it; the file is only read.
+
+    Raises:
+        StoreError: `bundle_missing`, `bundle_unreadable`; `bundle_foreign` of another program, `bundle_is_store`
+            the file that an app works in; `bundle_damaged` truncated or changed; `bundle_newer`; `bundle_hostile`
+            holds what no PINEL writes; `bundle_too_large`; `disk_full` no room for the copy.
+    """
+    with tempfile.TemporaryDirectory(prefix="pinel-", ignore_cleanup_errors=True) as folder:
+        copy = Path(folder) / "bundle"
+        _copied(path, copy)
+        try:
+            info = _examined(copy, path)
+        except (sqlite3.DatabaseError, UnicodeDecodeError) as error:
+            raise _refusal(error, path) from error
+        yield Bundle(info, _address(copy))
+
+
+def _copied(path: Path, copy: Path) -> None:
+    try:
+        if not path.is_file():
+            raise StoreError("bundle_missing", path=str(path))
+        if path.stat().st_size > _MAX_BYTES:
+            raise StoreError("bundle_too_large", path=str(path), max=_MAX_BYTES // 2**30)
+        with path.open("rb") as file:
+            head = file.read(len(_MAGIC))
+        if not head or (head != _MAGIC and _MAGIC.startswith(head)):
+            raise StoreError("bundle_damaged", path=str(path), problem="cut off")
+        if head != _MAGIC:
+            raise StoreError("bundle_foreign", path=str(path))
+    except OSError as error:
+        raise StoreError("bundle_unreadable", path=str(path), problem=error.strerror) from error
+    try:
+        if shutil.disk_usage(copy.parent).free < path.stat().st_size:
+            raise StoreError("disk_full", path=str(copy.parent))
+        shutil.copyfile(path, copy)
+    except OSError as error:
+        raise StoreError("bundle_unreadable", path=str(path), problem=error.strerror) from error
+
+
+def _examined(copy: Path, path: Path) -> BundleInfo:
+    with closing(_connected(copy)) as db:
+        n_steps = _release(db, path)
+        finding = str(db.execute("PRAGMA integrity_check(1)").fetchone()[0])
+        if finding != "ok":
+            raise StoreError("bundle_damaged", path=str(path), problem=finding)
+        info = _described(db, path)
+        if content_hash(db) != info.content_hash:
+            raise StoreError("bundle_damaged", path=str(path), problem="checksum")
+        problem = problem_in_rows(db)
+        if problem:
+            raise StoreError("bundle_hostile", path=str(path), problem=problem)
+    if n_steps < len(steps()):
+        with closing(sqlite3.connect(copy, isolation_level=None)) as db:
+            migrate(db)
+    return info
+
+
+def _release(db: sqlite3.Connection, path: Path) -> int:
+    """How many steps the tables have taken. Every object must be one that those steps make: names and texts are
+    compared before anything is asked of a table, as what a view or a trigger does, it does when asked."""
+    objects = _objects(db)
+    tables = {name for kind, name, _, _ in objects if kind == "table"}
+    if MIGRATIONS_TABLE not in tables or not _steps_table() <= objects:
+        raise StoreError("bundle_foreign", path=str(path))
+    taken = {
+        str(row[0])
+        for row in db.execute(
+            f"SELECT name FROM {MIGRATIONS_TABLE} WHERE migration_set = ?", [MIGRATION_SET]
+        )
+    }
+    if taken - set(steps()):
+        raise StoreError("bundle_newer", path=str(path))
+    if "bundle" not in tables:
+        raise StoreError("bundle_is_store", path=str(path))
+    if taken != set(steps()[: len(taken)]) or len(taken) < _FIRST_WITH_BUNDLES:
+        raise StoreError("bundle_hostile", path=str(path), problem=MIGRATIONS_TABLE)
+    if _format(db, objects) > FORMAT:
+        raise StoreError("bundle_newer", path=str(path))
+    odd = objects ^ _expected(len(taken))
+    if odd:
+        raise StoreError("bundle_hostile", path=str(path), problem=min(odd)[1])
+    return len(taken)
+
+
+def _format(db: sqlite3.Connection, objects: _Objects) -> int:
+    """The bundle's format, whatever else a later one tells."""
+    texts = [text for kind, name, _, text in objects if (kind, name) == ("table", "bundle")]
+    if not texts[0].startswith("CREATETABLEbundle(formatINTEGERNOTNULL,"):
+        return FORMAT
+    row = db.execute("SELECT format FROM bundle LIMIT 1").fetchone()
+    return row[0] if row and isinstance(row[0], int) else FORMAT
+
+
+def _described(db: sqlite3.Connection, path: Path) -> BundleInfo:
+    rows = db.execute("SELECT * FROM bundle LIMIT 2").fetchall()
+    if len(rows) != 1:
+        raise StoreError("bundle_damaged", path=str(path), problem="bundle")
+    values = dict(
+        zip([column[1] for column in db.execute("PRAGMA table_info(bundle)")], rows[0], strict=True)
+    )
+    for column, rule in _RULES.items():
+        if not rule(values[column]):
+            raise StoreError("bundle_hostile", path=str(path), problem=f"bundle.{column}")
+    del values["format"]
+    values |= {"counts": loaded(values["counts"]), "anonymous": bool(values["anonymous"])}
+    return BundleInfo(path, **values)
+
+
+def _are_counts(value: dict[str, Any]) -> bool:
+    return all(isinstance(n, int) for n in value.values())
+
+
+_RULES = {
+    "app_version": short,
+    "exported_at": time,
+    "computer_id": key,
+    "computer_name": name,
+    "content_hash": short,
+    "counts": json_of(dict, _are_counts),
+}
+
+
+def _objects(db: sqlite3.Connection) -> _Objects:
+    """Type, name, table and text of everything in the file; SQLite's own indexes have no text."""
+    rows = db.execute(
+        "SELECT type, name, tbl_name, coalesce(sql, '') FROM sqlite_schema"
+    ).fetchall()
+    return frozenset((kind, name, table, _text(name, sql)) for kind, name, table, sql in rows)
+
+
+def _text(name: str, sql: str) -> str:
+    """Without spaces, which differ between releases of the library that writes it."""
+    text = "".join(sql.split())
+    return "about" if name == "about" and _ABOUT.fullmatch(text) else text
+
+
+@lru_cache(maxsize=8)
+def _expected(n_steps: int) -> _Objects:
+    with closing(sqlite3.connect(":memory:", isolation_level=None)) as db:
+        migrate(db, n_steps)
+        db.execute(BUNDLE_TABLE)
+        return _objects(db)
+
+
+def _steps_table() -> _Objects:
+    return frozenset(found for found in _expected(1) if found[2] == MIGRATIONS_TABLE)
+
+
+def _connected(copy: Path) -> sqlite3.Connection:
+    db = sqlite3.connect(_address(copy), uri=True, isolation_level=None)
+    db.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, MAX_VALUE)
+    db.execute("PRAGMA trusted_schema = OFF")
+    db.execute("PRAGMA cell_size_check = ON")
+    return db
+
+
+def _address(copy: Path) -> str:
+    return f"{copy.absolute().as_uri()}?mode=ro&immutable=1"
+
+
+def _refusal(error: Exception, path: Path) -> StoreError:
+    if isinstance(error, sqlite3.DataError):
+        return StoreError("bundle_hostile", path=str(path), problem=str(error))
+    if getattr(error, "sqlite_errorname", "").startswith("SQLITE_FULL"):
+        return StoreError("disk_full", path=tempfile.gettempdir())
+    return StoreError("bundle_damaged", path=str(path), problem=str(error))

@@ -1,0 +1,294 @@
+"""What each column of a bundle may hold: nothing that a store would not have written, nor what could harm one.
+
+A file from a stick may have been made by anybody. Its values end up in lists, in the editor and in later exports:
+a key that is no key, a number that overflows with the next change or a blob that unpacks to gigabytes is not let in.
+"""
+
+import json
+import math
+import re
+import sqlite3
+import zlib
+from collections.abc import Callable, Iterator
+from functools import lru_cache
+from typing import Any
+
+from storage.content import CONTENT, Content, columns, tuples
+from storage.groups import PICTURES
+from storage.notes import MAX_NOTE
+from storage.text import MAX_NAME
+
+Rule = Callable[[Any], bool]
+
+MAX_VALUE = 16 * 2**20  # bytes of one text or blob
+_MAX_DEPTH = 200
+_MAX_ROWS = 200_000  # samples in a chunk, and in all of a run: an hour has 108,000
+_MAX_COUNT = 10**7
+_MAX_REVISION = 10**9
+_MAX_SHORT = 200
+_MAX_TEXT = 10_000
+_SAMPLE_COLUMNS = 16
+_KEY = re.compile(r"[0-9a-f]{8}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{12}")
+_TIME = re.compile(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d{1,6})?Z")
+_COLOR = re.compile(r"#[0-9a-f]{6}")
+_SHA256 = re.compile(r"[0-9a-f]{64}")
+_WORD = re.compile(r"[a-z][a-z0-9_]{0,63}")
+# control characters, and those that turn the direction of what follows
+_UNSEEN = re.compile(r"[\x00-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
+_CONTROLS = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f]")
+
+
+def problem_in_rows(db: sqlite3.Connection) -> str | None:
+    """The first place that holds what no store writes, as `table.column`; None when all is well."""
+    for content in CONTENT:
+        found = _problem_in_table(db, content)
+        if found:
+            return found
+    violation = db.execute("PRAGMA foreign_key_check").fetchone()
+    return f"{violation[0]}: {violation[2]}" if violation else _problem_in_runs(db)
+
+
+def matching(pattern: re.Pattern[str]) -> Rule:
+    """Texts that match as a whole."""
+    return lambda value: isinstance(value, str) and pattern.fullmatch(value) is not None
+
+
+def whole(low: int, high: int) -> Rule:
+    """Integers between two limits."""
+    return lambda value: isinstance(value, int) and low <= value <= high
+
+
+def visible(most: int, least: int = 0) -> Rule:
+    """One line of text."""
+    return lambda value: (
+        isinstance(value, str) and least <= len(value) <= most and not _UNSEEN.search(value)
+    )
+
+
+def lines(most: int) -> Rule:
+    """Text of several lines."""
+    return lambda value: (
+        isinstance(value, str) and len(value) <= most and not _CONTROLS.search(value)
+    )
+
+
+def optional(rule: Rule) -> Rule:
+    """The same, or nothing."""
+    return lambda value: value is None or rule(value)
+
+
+def real(value: Any) -> bool:
+    """A finite number."""
+    return isinstance(value, int | float) and math.isfinite(value)
+
+
+def json_of(kind: type, check: Callable[[Any], bool] = lambda value: True) -> Rule:
+    """JSON whose outermost value is of a kind."""
+
+    def rule(text: Any) -> bool:
+        found = _parsed(text) if isinstance(text, str) else None
+        return isinstance(found, kind) and check(found)
+
+    return rule
+
+
+@lru_cache(maxsize=512)
+def _parsed(text: str) -> Any:
+    """The value of a JSON text that every other part of the program can read too, else None."""
+    try:
+        value = json.loads(text, parse_constant=_refused, parse_float=_finite)
+    except (ValueError, RecursionError):
+        return None
+    nested = text.count("[") + text.count("{") > _MAX_DEPTH and _depth(value) > _MAX_DEPTH
+    return None if nested else value
+
+
+def _refused(name: str) -> Any:
+    raise ValueError(name)
+
+
+def _finite(text: str) -> float:
+    value = float(text)
+    return value if math.isfinite(value) else _refused(text)
+
+
+def _depth(value: Any) -> int:
+    level, depth = [value], 0
+    while level:
+        depth += 1
+        level = [part for whole in level for part in _parts(whole)]
+    return depth
+
+
+def _parts(value: Any) -> Iterator[Any]:
+    if isinstance(value, dict):
+        yield from value.values()
+    elif isinstance(value, list):
+        yield from value
+
+
+def _are_faults(value: list[Any]) -> bool:
+    """As `records.FaultRow` is written: code, pointer, block, params."""
+    return all(
+        isinstance(fault, list)
+        and len(fault) == 4
+        and isinstance(fault[0], str)
+        and isinstance(fault[1], str)
+        and isinstance(fault[2], str | None)
+        and isinstance(fault[3], dict)
+        for fault in value
+    )
+
+
+def _are_points(value: list[Any]) -> bool:
+    return len(value) <= 1000 and all(
+        isinstance(point, list) and len(point) == 2 and all(map(real, point)) for point in value
+    )
+
+
+def unpacks(blob: Any, n_rows: int) -> bool:
+    """True for telemetry of that many rows; never unpacks more than they need."""
+    largest = 4 * _SAMPLE_COLUMNS * n_rows
+    unpacking = zlib.decompressobj()
+    try:
+        octets = unpacking.decompress(blob, largest + 1)
+    except (zlib.error, TypeError):
+        return False
+    fits = 0 < len(octets) <= largest and len(octets) % (4 * n_rows) == 0
+    return fits and unpacking.eof and not unpacking.unused_data
+
+
+key = matching(_KEY)
+time = matching(_TIME)
+count = whole(0, _MAX_COUNT)
+word = matching(_WORD)
+short = visible(_MAX_SHORT)
+name = visible(MAX_NAME, least=1)
+flag = whole(0, 1)
+some_json = json_of(object)
+_CHANGES: dict[str, Rule] = {
+    "revision": whole(1, _MAX_REVISION),
+    "changed_at": lambda value: value == "" or time(value),
+}
+RULES: dict[str, dict[str, Rule]] = {
+    "tombstones": {"id": key},
+    "computers": {"id": key, "name": name, **_CHANGES},
+    "classrooms": {"id": key, "name": name, "created_at": time, **_CHANGES},
+    "groups": {
+        "id": key,
+        "name": name,
+        "name_key": visible(20 * MAX_NAME),
+        "color": matching(_COLOR),
+        "created_at": time,
+        "used_at": time,
+        "classroom_id": optional(key),
+        "picture": lambda value: value == "" or value in PICTURES,
+        **_CHANGES,
+    },
+    "lessons": {
+        "id": key,
+        "classroom_id": optional(key),
+        "title": visible(MAX_NAME),
+        "activity": optional(short),
+        "by_itself": flag,
+        "computer_id": key,
+        "opened_at": time,
+        "used_at": time,
+        "closed_at": optional(time),
+        "part_of": optional(key),
+        **_CHANGES,
+    },
+    "programs": {
+        "id": key,
+        "group_id": key,
+        "name": name,
+        "created_at": time,
+        "updated_at": time,
+        "deleted_at": optional(time),
+        **_CHANGES,
+    },
+    "versions": {
+        "id": key,
+        "program_id": key,
+        "number": whole(1, _MAX_COUNT),
+        "created_at": time,
+        "workspace": json_of(dict),
+        "document": optional(json_of(dict)),
+        "faults": json_of(list, _are_faults),
+        "world": optional(json_of(dict)),
+        "parent_id": optional(key),
+        "lesson_id": optional(key),
+        "computer_id": optional(key),
+    },
+    "version_labels": {"id": key, "text": visible(MAX_NAME), **_CHANGES},
+    "runs": {
+        "id": key,
+        "group_id": optional(key),
+        "program_id": optional(key),
+        "program_name": optional(lines(_MAX_TEXT)),
+        "version_id": optional(key),
+        "document": optional(json_of(dict)),
+        "link": short,
+        "world": short,
+        "world_document": json_of(dict),
+        "seed": whole(-(2**63), 2**63 - 1),
+        "parameters": json_of(dict),
+        "app_version": short,
+        "state": lambda value: value in ("finished", "stopped", "failed"),
+        "reason": optional(word),
+        "params": optional(json_of(dict)),
+        "block": optional(lines(_MAX_TEXT)),
+        "started_at": time,
+        "ended_at": optional(time),
+        "duration_s": optional(real),
+        "n_executed": optional(count),
+        "path_length_m": optional(real),
+        "closing_error_m": optional(real),
+        "summary": optional(json_of(dict)),
+        "telemetry_sha256": optional(matching(_SHA256)),
+        "path": optional(json_of(list, _are_points)),
+        "lesson_id": optional(key),
+        "computer_id": optional(key),
+        "activity": optional(short),
+        "passed": optional(flag),
+        "check_report": optional(some_json),
+    },
+    "events": {"run_id": key, "seq": count, "tick": count, "type": word, "data": json_of(dict)},
+    "telemetry": {
+        "run_id": key,
+        "chunk": count,
+        "first_tick": count,
+        "n_rows": whole(1, _MAX_ROWS),
+        "data": lambda value: isinstance(value, bytes),
+    },
+    "notes": {
+        "id": key,
+        "run_id": key,
+        "text": lines(MAX_NOTE),
+        "written_at": time,
+        "seen_at": optional(time),
+        **_CHANGES,
+    },
+}
+
+
+def _problem_in_table(db: sqlite3.Connection, content: Content) -> str | None:
+    names = columns(db, content.table)
+    rules = [RULES[content.table][column] for column in names]
+    place = names.index("n_rows") if "n_rows" in names else None
+    for row in tuples(db, f"SELECT {', '.join(names)} FROM {content.table}"):
+        for value, rule, column in zip(row, rules, names, strict=True):
+            if not rule(value):
+                return f"{content.table}.{column}"
+        if place is not None and not unpacks(row[names.index("data")], row[place]):
+            return f"{content.table}.data"
+    return None
+
+
+def _problem_in_runs(db: sqlite3.Connection) -> str | None:
+    """A run is read as a whole."""
+    longest = db.execute(
+        "SELECT sum(n_rows) FROM telemetry GROUP BY run_id ORDER BY 1 DESC LIMIT 1"
+    )
+    row = longest.fetchone()
+    return "telemetry.n_rows" if row and row[0] > _MAX_ROWS else None

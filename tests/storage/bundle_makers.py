@@ -1,0 +1,97 @@
+"""Stores with some of everything, and bundles of them, for tests."""
+
+import sqlite3
+from collections.abc import Iterator
+from contextlib import contextmanager
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+
+from storage import GroupRow, ProgramRow, Recorder, RunStart, Store, open_store
+from storage.bundles import ALL, BundleInfo, Scope, export_bundle
+from storage.content import content_hash
+from storage.merging import MergeReport, merge
+from storage.removal import remove_keys
+from tests.storage.conftest import SQUARE, WORLD
+from tests.storage.sample_runs import ended, sample
+
+
+class TickingClock:
+    """Each moment is later than the one before, and known."""
+
+    def __init__(self, start: str = "2026-03-02T08:00:00+00:00") -> None:
+        self._now = datetime.fromisoformat(start).astimezone(UTC)
+
+    def __call__(self) -> datetime:
+        self._now += timedelta(seconds=1)
+        return self._now
+
+
+@contextmanager
+def a_store(path: Path, start: str = "2026-03-02T08:00:00+00:00") -> Iterator[Store]:
+    with open_store(path, clock=TickingClock(start)) as store:
+        yield store
+
+
+def a_run(store: Store, version_id: str | None, ticks: int = 45, text: str = "olá") -> str:
+    """A run that was recorded; returns its id."""
+    document = None if version_id else SQUARE
+    run = store.runs.begin(
+        RunStart("sim", "w", WORLD, 1, "0.1.0", version_id=version_id, document=document)
+    )
+    recorder = Recorder(store)
+    for tick in range(ticks):
+        recorder(sample(run.id, tick))
+    recorder(
+        {
+            "v": 1,
+            "type": "said",
+            "run": run.id,
+            "seq": ticks,
+            "tick": ticks,
+            "block": None,
+            "text": text,
+        }
+    )
+    recorder(ended(run.id, ticks + 1, ticks))
+    return run.id
+
+
+def work(store: Store, group: GroupRow, name: str) -> tuple[ProgramRow, str]:
+    """A program with two versions, a label, a run and a note; returns it and the run's id."""
+    program = store.programs.create(group.id, name)
+    store.versions.save(program.id, {"text": name}, SQUARE)
+    version = store.versions.save(program.id, {"text": f"{name}!"}, SQUARE, world=WORLD)
+    store.versions.label(version.id, "funciona")
+    run_id = a_run(store, version.id, text=name)
+    store.notes.write(run_id, f"Muito bem, {name}")
+    return program, run_id
+
+
+def exported(store: Store, dest: Path, scope: Scope = ALL) -> BundleInfo:
+    return export_bundle(
+        store._access, dest, app_version="0.1.0", computer=store.computers.here(), scope=scope
+    )
+
+
+def merged(store: Store, path: Path) -> MergeReport:
+    return merge(store._access, path)
+
+
+def removed(store: Store, *ids: str) -> None:
+    """Deletes what has these keys for good."""
+    store._access.write(lambda db: remove_keys(db, ids))
+
+
+def hash_of(store: Store) -> str:
+    with store._access.reading() as db:
+        return content_hash(db)
+
+
+def problems_in(path: Path) -> list[object]:
+    """What SQLite finds wrong with a file."""
+    db = sqlite3.connect(path)
+    try:
+        found = [row for row in db.execute("PRAGMA integrity_check") if row != ("ok",)]
+        return [*found, *db.execute("PRAGMA foreign_key_check")]
+    finally:
+        db.close()
