@@ -136,7 +136,9 @@ class App:
         self._hub = Hub()
         self._recorder = Recorder(self._store, self._tell_recording)
         undo.callback(self._end_recording)
-        self._judge = Judge(self._store, self._keep_up, self._hub.publish)
+        self._judge = Judge(
+            self._store, self._keep_up, self._hub.publish, lambda: self._preferences.language
+        )
         undo.callback(self._judge.close)
         self._caretaker = Caretaker(self._store, self._tell_keeping)
         undo.callback(self._caretaker.close)

@@ -12,6 +12,7 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.messages import describe
 from storage import Store, StoreError
 
 if TYPE_CHECKING:
@@ -33,8 +34,10 @@ class Judge:
         store: Store,
         settle: Callable[[], None],
         publish: Callable[[dict[str, Any]], None],
+        language: Callable[[], str],
     ) -> None:
         self._store, self._settle, self._publish = store, settle, publish
+        self._language = language
         self._worker = ThreadPoolExecutor(1, thread_name_prefix="judge")
 
     def look_at(self, run_id: str) -> None:
@@ -62,9 +65,20 @@ class Judge:
             passed = run.state == "finished" and report.passed
             kept = {"cases": [asdict(case) for case in report.cases]}
             self._store.checks.keep(run_id, passed, kept)
-            self._publish({"type": "judged", "run": run_id, "passed": passed})
+            missing = None if passed else self._missing(report)
+            self._publish({"type": "judged", "run": run_id, "passed": passed, "missing": missing})
         except (PinelError, StoreError) as error:  # an activity of a newer release; a full disk
             _log.warning("run %s was not judged: %s", run_id, error)
+
+    def _missing(self, report: "Report") -> str | None:
+        """In words the first thing that does not hold, None where all of it does."""
+        for case in report.cases:
+            if case.reason is not None:
+                return describe(case.reason, case.params, self._language()).message
+            for check in case.checks:
+                if not check.holds:
+                    return describe(f"check_{check.kind}", check.params, self._language()).message
+        return None
 
     def _report(self, activity: str, version_id: str | None) -> "Report":
         from pinel_desktop.activities import activity_names, check_program, choose_activity  # noqa: PLC0415 - heavy

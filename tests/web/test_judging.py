@@ -34,11 +34,16 @@ def begin(app: App, browser: Browser) -> Begin:
 
 
 @pytest.mark.parametrize(
-    ("commands", "state", "passed"),
+    ("commands", "state", "passed", "missing"),
     [
-        (SQUARE["commands"], "finished", True),
-        ([{"action": "move_forward", "distance": 4}], "finished", False),
-        (SQUARE["commands"], "stopped", False),
+        (SQUARE["commands"], "finished", True, None),
+        (
+            [{"action": "move_forward", "distance": 1}],
+            "finished",
+            False,
+            "The way is from 3.95 to 4.05 m long.",
+        ),
+        (SQUARE["commands"], "stopped", False, None),
     ],
 )
 def test_a_run_that_has_ended_is_judged(
@@ -48,11 +53,13 @@ def test_a_run_that_has_ended_is_judged(
     commands: list[dict[str, Any]],
     state: str,
     passed: bool,
+    missing: str | None,
 ) -> None:
     with browser.stream() as events:
         run = begin({**SQUARE, "commands": commands})
         engine.send(ended(run, 0, 0, state=state))
-        assert events.until("judged")[-1] == {"type": "judged", "run": run, "passed": passed}
+        judged = events.until("judged")[-1]
+    assert judged == {"type": "judged", "run": run, "passed": passed, "missing": missing}
     assert browser.get(f"/api/runs/{run}").data["passed"] is passed
 
 
@@ -64,7 +71,7 @@ def test_what_could_not_be_judged_is_judged_at_the_next_start(
     engine.send(ended(run, 0, 0))
     app._keep_up()
     assert app._store.checks.waiting() == [run]
-    again = type(app._judge)(app._store, lambda: None, lambda event: None)
+    again = type(app._judge)(app._store, lambda: None, lambda event: None, lambda: "en")
     again.catch_up()
     again._worker.shutdown()
     assert app._store.checks.waiting() == []

@@ -207,11 +207,15 @@ class NoticeEvent(Shape):
 
 
 class JudgedEvent(Shape):
-    """Whether a run that has ended passed the activity of its lesson."""
+    """Whether a run that has ended passed the activity of its lesson; `missing` is in words what does not hold yet.
+
+    `missing` is null where the program fulfils the activity, but the run did not come to its end.
+    """
 
     type: Literal["judged"]
     run: Id
     passed: bool
+    missing: str | None
 
 
 _OfRun = (

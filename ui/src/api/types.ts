@@ -281,6 +281,40 @@ export interface paths {
         patch: operations["changeLesson"];
         trace?: never;
     };
+    "/api/lessons/{id}/review": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** What the groups did in a lesson and all that were joined to it. For the teacher. */
+        get: operations["getLessonReview"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/lessons/{id}/review.csv": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** All marks of a lesson as a table that a spreadsheet opens, one row a mark. For the teacher. */
+        get: operations["getLessonTable"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/notes/{id}": {
         parameters: {
             query?: never;
@@ -427,10 +461,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        get?: never;
+        /** Runs of all groups, newest first, a page at a time. For the teacher. */
+        get: operations["listHistory"];
         put?: never;
-        /** Begins a live run of a version. */
-        post: operations["beginRun"];
+        post?: never;
         delete?: never;
         options?: never;
         head?: never;
@@ -795,6 +829,40 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/versions/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** A version with its place in the line of its program. */
+        get: operations["getVersion"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/versions/{id}/difference": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** What differs in a later version, block by block. */
+        get: operations["getDifference"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/versions/{id}/label": {
         parameters: {
             query?: never;
@@ -956,6 +1024,30 @@ export interface components {
             v: 1;
         };
         /**
+         * BlockChange
+         * @description A field, an input with its value, "extraState.KEY", "type", "disabled" or "comment"; null where there is none.
+         */
+        BlockChange: {
+            /** After */
+            after: unknown;
+            /** Before */
+            before: unknown;
+            /** Name */
+            name: string;
+        };
+        /**
+         * BlockCount
+         * @description Blocks of a type at the end of the lesson: `count` of them hang in a program, `loose` lie beside it.
+         */
+        BlockCount: {
+            /** Count */
+            count: number;
+            /** Loose */
+            loose: number;
+            /** Type */
+            type: string;
+        };
+        /**
          * BlockEndedEvent
          * @description A block is done.
          */
@@ -1092,6 +1184,32 @@ export interface components {
             v: 1;
         };
         /**
+         * ChangeCounts
+         * @description How many blocks; one that was both moved and changed counts in both.
+         */
+        ChangeCounts: {
+            /** Added */
+            added: number;
+            /** Changed */
+            changed: number;
+            /** Moved */
+            moved: number;
+            /** Removed */
+            removed: number;
+        };
+        /**
+         * ChangedBlock
+         * @description A block on which something was set anew.
+         */
+        ChangedBlock: {
+            /** Block */
+            block: string;
+            /** Type */
+            type: string;
+            /** What */
+            what: components["schemas"]["BlockChange"][];
+        };
+        /**
          * CheckedDocument
          * @description All faults; an empty list means that it can run.
          */
@@ -1187,6 +1305,16 @@ export interface components {
             path: string;
             /** Writable */
             writable: boolean;
+        };
+        /**
+         * DifferentBlock
+         * @description A block, by its id in the workspace.
+         */
+        DifferentBlock: {
+            /** Block */
+            block: string;
+            /** Type */
+            type: string;
         };
         /**
          * DocumentToCheck
@@ -1298,6 +1426,24 @@ export interface components {
             remedy: string;
         };
         /**
+         * Figures
+         * @description What was counted of a group; the catalogue says in words what each number counts, as `figure_NAME`.
+         */
+        Figures: {
+            /** Active S */
+            active_s: number;
+            /** Attempts Until Passed */
+            attempts_until_passed: number | null;
+            /** N Edits */
+            n_edits: number;
+            /** N Failed */
+            n_failed: number;
+            /** N Runs */
+            n_runs: number;
+            /** Time To First Run S */
+            time_to_first_run_s: number | null;
+        };
+        /**
          * GestureResultEvent
          * @description A sign was recognised or set; "" means none.
          */
@@ -1387,12 +1533,41 @@ export interface components {
             picture: string | null;
         };
         /**
+         * GroupHead
+         * @description A group as its pupils know it.
+         */
+        GroupHead: {
+            /** Color */
+            color: string;
+            /**
+             * Id
+             * @description UUIDv7 text
+             */
+            id: string;
+            /** Name */
+            name: string;
+            /** Picture */
+            picture: string;
+        };
+        /**
          * GroupList
          * @description Newest use first.
          */
         GroupList: {
             /** Groups */
             groups: components["schemas"]["Group"][];
+        };
+        /**
+         * GroupReview
+         * @description A group's line of marks in their order, and what was counted of it.
+         */
+        GroupReview: {
+            /** Blocks */
+            blocks: components["schemas"]["BlockCount"][];
+            figures: components["schemas"]["Figures"];
+            group: components["schemas"]["GroupHead"];
+            /** Marks */
+            marks: components["schemas"]["ReviewMark"][];
         };
         /**
          * HelloEvent
@@ -1408,6 +1583,96 @@ export interface components {
             type: "hello";
         };
         /**
+         * History
+         * @description Newest first; `next` is what to ask for as `before` to go on, null at the end.
+         */
+        History: {
+            /** Next */
+            next: string | null;
+            /** Runs */
+            runs: components["schemas"]["HistoryRun"][];
+        };
+        /**
+         * HistoryRun
+         * @description A run with its group, null for runs of the command line.
+         */
+        HistoryRun: {
+            /** Activity */
+            activity: string | null;
+            /** Block */
+            block: string | null;
+            /** Closing Error M */
+            closing_error_m: number | null;
+            /** Duration S */
+            duration_s: number | null;
+            /** Ended At */
+            ended_at: string | null;
+            group: components["schemas"]["GroupHead"] | null;
+            /** Group Id */
+            group_id: string | null;
+            /**
+             * Id
+             * @description UUIDv7 text
+             */
+            id: string;
+            /** Lesson Id */
+            lesson_id: string | null;
+            /** Link */
+            link: string;
+            /** Message */
+            message: string | null;
+            /** N Executed */
+            n_executed: number | null;
+            /**
+             * Params
+             * @description any JSON object
+             */
+            params: {
+                [key: string]: unknown;
+            };
+            /**
+             * Passed
+             * @description null without activity, or before it was checked
+             */
+            passed: boolean | null;
+            /**
+             * Path
+             * @description x, y in m, for the picture
+             */
+            path: [
+                number,
+                number
+            ][];
+            /** Path Length M */
+            path_length_m: number | null;
+            /** Program Id */
+            program_id: string | null;
+            /** Program Name */
+            program_name: string | null;
+            /** Reason */
+            reason: string | null;
+            /** Remedy */
+            remedy: string | null;
+            /** Seed */
+            seed: number;
+            /**
+             * Started At
+             * @description ISO 8601 in UTC
+             */
+            started_at: string;
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "running" | "finished" | "stopped" | "failed";
+            /** Telemetry Sha256 */
+            telemetry_sha256: string | null;
+            /** Version Id */
+            version_id: string | null;
+            /** World */
+            world: string;
+        };
+        /**
          * InstanceLink
          * @description A fresh address that opens the page once.
          */
@@ -1417,9 +1682,13 @@ export interface components {
         };
         /**
          * JudgedEvent
-         * @description Whether a run that has ended passed the activity of its lesson.
+         * @description Whether a run that has ended passed the activity of its lesson; `missing` is in words what does not hold yet.
+         *
+         *     `missing` is null where the program fulfils the activity, but the run did not come to its end.
          */
         JudgedEvent: {
+            /** Missing */
+            missing: string | null;
             /** Passed */
             passed: boolean;
             /**
@@ -1509,6 +1778,15 @@ export interface components {
         LessonList: {
             /** Lessons */
             lessons: components["schemas"]["Lesson"][];
+        };
+        /**
+         * LessonReview
+         * @description All groups that worked in the lesson, by name.
+         */
+        LessonReview: {
+            /** Groups */
+            groups: components["schemas"]["GroupReview"][];
+            lesson: components["schemas"]["Lesson"];
         };
         /**
          * Look
@@ -1998,6 +2276,64 @@ export interface components {
             } | null;
             /** Faults */
             faults: components["schemas"]["Fault"][];
+        };
+        /**
+         * ReviewMark
+         * @description A burst of edits between two runs, or a run; times are of the PC's own clock.
+         *
+         *     `changes` counts what differs between the versions `since` and `version_id`: of edits since the mark before, of a
+         *     run that `repairs` another since that one. `since` is "" where the program began with it.
+         */
+        ReviewMark: {
+            /** Activity */
+            activity: string | null;
+            /**
+             * At
+             * @description ISO 8601 in UTC
+             */
+            at: string;
+            changes: components["schemas"]["ChangeCounts"] | null;
+            /** Computer */
+            computer: string | null;
+            /** Duration S */
+            duration_s: number | null;
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "edit" | "run";
+            /** Message */
+            message: string | null;
+            /** N Edits */
+            n_edits: number | null;
+            /**
+             * Number
+             * @description of that version in its program
+             */
+            number: number | null;
+            /** Passed */
+            passed: boolean | null;
+            /** Program Id */
+            program_id: string | null;
+            /** Program Name */
+            program_name: string | null;
+            /** Reason */
+            reason: string | null;
+            /**
+             * Repairs
+             * @description the failing run that this one made good
+             */
+            repairs: string | null;
+            /** Run Id */
+            run_id: string | null;
+            /** Since */
+            since: string | null;
+            /** State */
+            state: ("running" | "finished" | "stopped" | "failed") | null;
+            /** Until */
+            until: string | null;
+            /** Version Id */
+            version_id: string | null;
         };
         /**
          * Robot
@@ -2562,6 +2898,20 @@ export interface components {
             world: components["schemas"]["World"] | null;
         };
         /**
+         * VersionDifference
+         * @description What differs, block by block; a block that was moved and changed is in both lists.
+         */
+        VersionDifference: {
+            /** Added */
+            added: components["schemas"]["DifferentBlock"][];
+            /** Changed */
+            changed: components["schemas"]["ChangedBlock"][];
+            /** Moved */
+            moved: components["schemas"]["DifferentBlock"][];
+            /** Removed */
+            removed: components["schemas"]["DifferentBlock"][];
+        };
+        /**
          * VersionLabel
          * @description A name for a version worth keeping; "" takes it away.
          */
@@ -2615,6 +2965,47 @@ export interface components {
             number: number;
             /** Parent Id */
             parent_id: string | null;
+        };
+        /**
+         * VersionOfProgram
+         * @description A version with its place in the line of its program.
+         */
+        VersionOfProgram: {
+            /**
+             * Created At
+             * @description ISO 8601 in UTC
+             */
+            created_at: string;
+            /** Document */
+            document: {
+                [key: string]: unknown;
+            } | null;
+            /** Faults */
+            faults: components["schemas"]["Fault"][];
+            /**
+             * Id
+             * @description UUIDv7 text
+             */
+            id: string;
+            /** Label */
+            label: string;
+            /** Number */
+            number: number;
+            /** Parent Id */
+            parent_id: string | null;
+            /**
+             * Program Id
+             * @description UUIDv7 text
+             */
+            program_id: string;
+            /**
+             * Workspace
+             * @description any JSON object
+             */
+            workspace: {
+                [key: string]: unknown;
+            };
+            world: components["schemas"]["World"] | null;
         };
         /**
          * Wall
@@ -4721,6 +5112,178 @@ export interface operations {
             };
         };
     };
+    getLessonReview: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description UUIDv7 text */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description OK */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["LessonReview"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Misdirected Request */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+        };
+    };
+    getLessonTable: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description UUIDv7 text */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description OK */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/csv": string;
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Misdirected Request */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+        };
+    };
     rewriteNote: {
         parameters: {
             query?: never;
@@ -5789,18 +6352,26 @@ export interface operations {
             };
         };
     };
-    beginRun: {
+    listHistory: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description a class, `none` for groups without */
+                classroom?: string | null;
+                group?: string | null;
+                activity?: string | null;
+                /** @description with all lessons joined to it */
+                lesson?: string | null;
+                /** @description by the clock and the time zone of this PC */
+                day?: string | null;
+                outcome?: ("finished" | "stopped" | "failed" | "passed" | "not_passed") | null;
+                before?: string | null;
+                limit?: number;
+            };
             header?: never;
             path?: never;
             cookie?: never;
         };
-        requestBody: {
-            content: {
-                "application/json": components["schemas"]["NewRun"];
-            };
-        };
+        requestBody?: never;
         responses: {
             /** @description OK */
             200: {
@@ -5808,7 +6379,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Run"];
+                    "application/json": components["schemas"]["History"];
                 };
             };
             /** @description Bad Request */
@@ -5838,24 +6409,6 @@ export interface operations {
                     "application/json": components["schemas"]["ErrorAnswer"];
                 };
             };
-            /** @description Not Found */
-            404: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["ErrorAnswer"];
-                };
-            };
-            /** @description Conflict */
-            409: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["ErrorAnswer"];
-                };
-            };
             /** @description Misdirected Request */
             421: {
                 headers: {
@@ -5876,24 +6429,6 @@ export interface operations {
             };
             /** @description Internal Server Error */
             500: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["ErrorAnswer"];
-                };
-            };
-            /** @description Service Unavailable */
-            503: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["ErrorAnswer"];
-                };
-            };
-            /** @description Insufficient Storage */
-            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -7908,6 +8443,181 @@ export interface operations {
             };
             /** @description Insufficient Storage */
             507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+        };
+    };
+    getVersion: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description UUIDv7 text */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description OK */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VersionOfProgram"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Misdirected Request */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+        };
+    };
+    getDifference: {
+        parameters: {
+            query: {
+                /** @description UUIDv7 text */
+                to: string;
+            };
+            header?: never;
+            path: {
+                /** @description UUIDv7 text */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description OK */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VersionDifference"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Misdirected Request */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
                 headers: {
                     [name: string]: unknown;
                 };

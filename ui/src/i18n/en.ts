@@ -1,6 +1,10 @@
+import { classesEn } from "./classes/en";
+import { en as activity } from "./activity/en";
 import type { Texts } from "./pt-BR";
 
 export const en: Texts = {
+  activity,
+  classes: classesEn,
   header: {
     home: "Change group",
     group: "Group",

@@ -1,6 +1,10 @@
+import { classesEs } from "./classes/es";
+import { es as activity } from "./activity/es";
 import type { Texts } from "./pt-BR";
 
 export const es: Texts = {
+  activity,
+  classes: classesEs,
   header: {
     home: "Cambiar de grupo",
     group: "Grupo",

@@ -1,5 +1,11 @@
+import { classesPtBR } from "./classes/pt-BR";
+
+import { ptBR as activity } from "./activity/pt-BR";
+
 /** The first catalogue: its shape is what every other language must have. */
 export const ptBR = {
+  activity,
+  classes: classesPtBR,
   header: {
     home: "Trocar de grupo",
     group: "Grupo",

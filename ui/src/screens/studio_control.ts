@@ -4,13 +4,14 @@ import { ApiError } from "../api/errors";
 import type { Content, Fault } from "../api/model";
 import type { OpenProgram } from "../app/open_program";
 import { renameProgram } from "../app/rename";
-import { connection, engine, problem, Refused, report, wordsOf } from "../app/session";
+import { connection, engine, judged, problem, Refused, report, wordsOf } from "../app/session";
 import { breakpoints, tellRun, wishes } from "../debug/debugging";
 import { watchSensors } from "../debug/senses";
 import type { Editor } from "../editor";
 import { language, texts } from "../i18n";
 import { reasonWords } from "../i18n/reasons";
 import { commandCount, MOST_SHOWN, workspaceOf } from "../loader";
+import { withJudgement } from "../run/judgement";
 import * as robot from "../run/live";
 import { lookAround } from "../run/looking";
 import { isLive, runningBlock } from "../run/reducer";
@@ -225,7 +226,7 @@ export class StudioControl {
         : calm(status.empty);
     }
     const ended = this.mine.value ? sentenceOf(view, voice) : null;
-    if (ended) return ended;
+    if (ended) return withJudgement(ended, view.run, judged.value, texts.value);
     if (connection.value === "open" && engine.value !== "ready") {
       return calm(engine.value === "lost" ? status.engineLost : status.engineStarting);
     }

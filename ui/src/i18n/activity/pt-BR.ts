@@ -1,0 +1,6 @@
+/** What is said of the activity of a lesson. */
+export const ptBR = {
+  passed: "Conseguiram! A atividade está resolvida.",
+  missing: (what: string) => `Ainda falta para a atividade: ${what}`,
+  toTheEnd: "O programa resolve a atividade: agora deixem rodar até o fim.",
+};

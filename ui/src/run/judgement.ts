@@ -1,0 +1,16 @@
+import type { JudgedEvent } from "../api/model";
+import type { Texts } from "../i18n";
+import type { Sentence } from "./sentence";
+
+/** The sentence at the end of a run, with what it means for the activity of the lesson. */
+export function withJudgement(
+  ended: Sentence,
+  run: string | null,
+  judged: JudgedEvent | null,
+  { activity }: Texts,
+): Sentence {
+  if (!judged || judged.run !== run) return ended;
+  if (judged.passed) return { text: activity.passed, more: ended.text, tone: "done" };
+  if (judged.missing) return { ...ended, more: activity.missing(judged.missing) };
+  return { ...ended, more: activity.toTheEnd };
+}
