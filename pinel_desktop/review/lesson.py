@@ -165,4 +165,8 @@ def _span(event: Event) -> tuple[float, float]:
 
 
 def _seconds(time: str) -> float:
-    return datetime.fromisoformat(time).timestamp()
+    """Seconds of a clock; a time that is none, in a file of somebody else's, is the beginning of all times."""
+    try:
+        return datetime.fromisoformat(time).timestamp()
+    except (ValueError, OverflowError):
+        return 0.0

@@ -18,6 +18,7 @@ class Mark:
     Attributes:
         version_id: of edits the last one saved, of a run what ran.
         at, until: its beginning and end by the clock of that PC; `until` None while a run goes on.
+        number: of that version in its program.
         n_edits: how many versions were saved in the burst; 0 for a run.
         run: None for edits.
         since: the version that `changes` counts from: the one before the burst, or the one whose run is repaired;
@@ -33,6 +34,7 @@ class Mark:
     program_name: str | None
     version_id: str | None
     computer_id: str | None
+    number: int | None = None
     n_edits: int = 0
     run: Run | None = None
     since: str | None = None
@@ -107,6 +109,7 @@ def _burst(edits: list[Edit], seen: dict[str, str]) -> Mark:
         program_name=last.program_name,
         version_id=last.version_id,
         computer_id=last.computer_id,
+        number=last.number,
         n_edits=len(edits),
         since=since,
     )
@@ -120,6 +123,7 @@ def _run(run: Run) -> Mark:
         program_name=run.program_name,
         version_id=run.version_id,
         computer_id=run.computer_id,
+        number=run.number,
         run=run,
     )
 

@@ -49,7 +49,7 @@ def list_runs(path: IdPath, query: RunPage) -> Response:
     store.groups.get(path.id)
     rows = store.runs.of_group(path.id, before=query.before, limit=query.limit)
     after = rows[-1].id if len(rows) == query.limit else None
-    return answer(RunList(runs=[_model(row) for row in rows], next=after))
+    return answer(RunList(runs=[run_model(row) for row in rows], next=after))
 
 
 @api.post("/runs", responses=answers(Run, 404, 409, 503, 507))
@@ -78,7 +78,7 @@ def begin_run(body: NewRun) -> Response:
     except PinelError:
         parts.store.runs.discard(row.id)
         raise
-    return answer(_model(row))
+    return answer(run_model(row))
 
 
 def _runnable(version: VersionRow, parts: Services) -> dict[str, object]:
@@ -217,7 +217,7 @@ def get_run(path: IdPath) -> Response:
     store = services().store
     row = store.runs.get(path.id)
     version = store.versions.get(row.version_id) if row.version_id else None
-    run = _model(row)
+    run = run_model(row)
     return answer(
         RunWithVersion(
             **{name: getattr(run, name) for name in Run.model_fields},
@@ -260,7 +260,8 @@ def _keep_up(run_id: str) -> None:
         parts.keep_up()
 
 
-def _model(row: RunRow | RunLine) -> Run:
+def run_model(row: RunRow | RunLine) -> Run:
+    """A run as it is answered, its reason in the words of the language."""
     language = services().preferences.language
     words = describe(row.reason, row.params, language) if row.reason else None
     fields = {

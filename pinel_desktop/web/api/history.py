@@ -1,0 +1,58 @@
+"""Runs of all groups, for the teacher."""
+
+from datetime import UTC, date, datetime, time, timedelta
+
+from flask import Response
+
+from pinel_desktop.web.answers import answer
+from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.api.runs import run_model
+from pinel_desktop.web.models.review import GroupHead, History, HistoryPage, HistoryRun
+from pinel_desktop.web.models.runs import Run
+from pinel_desktop.web.services import services
+from pinel_desktop.web.teaching import require_teacher
+from storage import HistoryLine, RunFilter
+
+api = resource("history", "Runs of all groups.", __name__)
+
+# what time zones are known for
+_FIRST_YEAR, _LAST_YEAR = 1971, 2200
+
+
+@api.get("/runs", responses=answers(History, 403))
+def list_history(query: HistoryPage) -> Response:
+    """Runs of all groups, newest first, a page at a time. For the teacher."""
+    require_teacher()
+    lines = services().store.history.page(_filter(query), before=query.before, limit=query.limit)
+    after = lines[-1].run.id if len(lines) == query.limit else None
+    return answer(History(runs=[_model(line) for line in lines], next=after))
+
+
+def _filter(query: HistoryPage) -> RunFilter:
+    begin, end = _bounds(query.day) if query.day else (None, None)
+    return RunFilter(
+        classroom_id=query.classroom,
+        group_id=query.group,
+        activity=query.activity,
+        lesson_ids=tuple(services().store.lessons.parts(query.lesson)) if query.lesson else None,
+        began_from=begin,
+        began_before=end,
+        outcome=query.outcome,
+    )
+
+
+def _bounds(day: date) -> tuple[str, str]:
+    """Times in UTC between which the day of this PC lies."""
+    if not _FIRST_YEAR <= day.year <= _LAST_YEAR:
+        return day.isoformat(), f"{day.isoformat()}~"
+    midnights = (datetime.combine(day + timedelta(days=more), time()) for more in (0, 1))
+    begin, end = (f"{midnight.astimezone(UTC):%Y-%m-%dT%H:%M:%S}" for midnight in midnights)
+    return begin, end
+
+
+def _model(line: HistoryLine) -> HistoryRun:
+    run = run_model(line.run)
+    return HistoryRun(
+        **{name: getattr(run, name) for name in Run.model_fields},
+        group=None if line.group is None else GroupHead(**line.group._asdict()),
+    )

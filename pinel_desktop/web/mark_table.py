@@ -1,0 +1,81 @@
+"""The marks of a lesson as a table for spreadsheets, in words of the language."""
+
+from collections.abc import Mapping
+from datetime import datetime
+
+from pinel_desktop.messages import describe
+from pinel_desktop.review import Counts, LessonReview, Mark, spreadsheet
+from pinel_desktop.review.spreadsheet import Cell
+
+_COLUMNS = (
+    "group",
+    "computer",
+    "at",
+    "kind",
+    "program",
+    "version",
+    "n_edits",
+    "added",
+    "removed",
+    "changed",
+    "moved",
+    "state",
+    "reason",
+    "activity",
+    "passed",
+    "duration_s",
+    "repairs",
+)
+
+
+def mark_table(
+    review: LessonReview, computers: Mapping[str, str], reasons: Mapping[str, str], language: str
+) -> str:
+    """CSV with one row for each mark of each group.
+
+    Args:
+        computers: names of PCs by their key.
+        reasons: why runs ended, in words, by run.
+    """
+
+    def words(code: str) -> str:
+        return describe(f"review_{code}", {}, language).message
+
+    def row(name: str, mark: Mark, begins: Mapping[str, str]) -> list[Cell]:
+        run, changes = mark.run, mark.changes
+        counts = changes or Counts()
+        changed = (counts.added, counts.removed, counts.changed, counts.moved)
+        return [
+            name,
+            computers.get(mark.computer_id or ""),
+            _local(mark.at),
+            words(f"kind_{mark.kind}"),
+            mark.program_name,
+            mark.number,
+            None if run else mark.n_edits,
+            *(None if changes is None else count for count in changed),
+            words(f"state_{run.state}") if run else None,
+            reasons.get(run.id) if run else None,
+            run.activity if run else None,
+            None if run is None or run.passed is None else words(_YES_NO[run.passed]),
+            run.duration_s if run else None,
+            begins.get(mark.repairs or ""),
+        ]
+
+    rows = [
+        row(group.name, mark, {one.run.id: _local(one.at) for one in group.marks if one.run})
+        for group in review.groups
+        for mark in group.marks
+    ]
+    return spreadsheet([words(f"column_{name}") for name in _COLUMNS], rows, language)
+
+
+_YES_NO = {True: "passed_yes", False: "passed_no"}
+
+
+def _local(time: str) -> str:
+    """The time on the wall of this PC, as spreadsheets read it; what is no time stays as it is."""
+    try:
+        return f"{datetime.fromisoformat(time).astimezone():%Y-%m-%d %H:%M:%S}"
+    except (ValueError, OverflowError):
+        return time
