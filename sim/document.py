@@ -5,7 +5,8 @@ Metres, degrees and kilograms. pydantic takes longer to load than all worlds: im
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, Tag
+from pydantic_core import PydanticCustomError
 
 from sim.floor import MAX_NAME, Color
 from sim.world import DEFAULT_BOX_MASS_KG
@@ -121,13 +122,20 @@ _Paint = Annotated[
 ]
 
 
+def _number(version: Any) -> Any:
+    """Python takes true for 1; the format does not."""
+    if isinstance(version, bool):
+        raise PydanticCustomError("world_version_unknown", "true and false are no numbers")
+    return version
+
+
 class WorldDocument(_Part):
     """A floor with its middle at (0, 0), what stands and what is drawn on it, and where the robot starts.
 
     `title` is one text, or one in each language. Of zones and floor the last is on top.
     """
 
-    pinel_world: Literal[1]
+    pinel_world: Annotated[Literal[1], BeforeValidator(_number)]
     name: Annotated[str, Field(pattern=WORLD_NAME)]
     title: _Title
     size_m: Annotated[list[_FloorSide], _Pair]

@@ -1,6 +1,7 @@
 """Reading a world document: all of its faults, or the world. Never raises for what a document contains."""
 
 import json
+import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from itertools import islice
@@ -8,14 +9,15 @@ from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
-from sim.document import MAX_BYTES, WorldDocument
+from sim.document import MAX_BYTES, MAX_TITLE, WorldDocument
 from sim.floor import paint_from_document, zone_from_document
 from sim.placement import Parts, misplaced
 from sim.world import World, box_from_document, wall_from_document, world_from_document
-from sim.world_faults import Path, Placed, WorldFault, placed_error
+from sim.world_faults import Path, Placed, WorldFault, placed, placed_error
 
 T = TypeVar("T")
 MAX_FAULTS = 100
+_LONE_SURROGATE = re.compile("[\ud800-\udfff]")
 _LISTS = ("walls", "boxes", "zones", "floor")
 _ORDER = ("pinel_world", "name", "title", "size_m", "start", *_LISTS)
 
@@ -45,11 +47,13 @@ def read_world(source: Any, *, robot_radius_m: float) -> WorldReading:
         return WorldReading(None, None, (source,))
     if not isinstance(source, dict):
         return WorldReading(None, None, (WorldFault("not_a_world"),))
+    source, odd = _with_known_keys(source)
     document = _without_nulls(source)
     model, unsound = _validated(document)
+    unsound = [*odd, *unsound]
     if len(unsound) > MAX_FAULTS:
         return WorldReading(None, None, _in_order(unsound))
-    parts = _sound_parts(document, {path[:2] for path, _ in unsound})
+    parts = _sound_parts(document, {path[:2] for path, _ in unsound if path})
     # there may be as many as pairs of walls
     found = [*unsound, *islice(misplaced(parts, robot_radius_m), MAX_FAULTS)]
     if found or model is None:
@@ -88,9 +92,20 @@ def _too_large(size: int) -> WorldFault:
     return WorldFault("world_too_large", params={"value": size, "max": MAX_BYTES})
 
 
-def _without_nulls(document: dict[Any, Any]) -> dict[str, Any]:
+def _with_known_keys(document: dict[Any, Any]) -> tuple[dict[str, Any], list[Placed]]:
+    """The document without keys that are no text, for which nothing else of it would be looked at."""
+    kept = {key: value for key, value in document.items() if _is_text(key)}
+    odd = [repr(key)[:MAX_TITLE] for key in document if not _is_text(key)]
+    return kept, [placed((), "world_unknown_key", name=name) for name in odd[: MAX_FAULTS + 1]]
+
+
+def _is_text(key: Any) -> bool:
+    return isinstance(key, str) and not _LONE_SURROGATE.search(key)
+
+
+def _without_nulls(document: dict[str, Any]) -> dict[str, Any]:
     """The document and its entries without keys that are null: those say as much as if they were absent."""
-    kept = {str(key): value for key, value in document.items() if value is not None}
+    kept = {key: value for key, value in document.items() if value is not None}
     for name in _LISTS:
         if isinstance(kept.get(name), list):
             kept[name] = [_entry(entry) for entry in kept[name]]
@@ -115,7 +130,7 @@ def _sound_parts(document: dict[str, Any], unsound: set[Path]) -> Parts:
     """What is sound in itself, so that faults of places are told beside those of other parts."""
 
     def is_sound(name: str) -> bool:
-        return name in document and not any(path[0] == name for path in unsound if path)
+        return name in document and not any(path[0] == name for path in unsound)
 
     def entries(name: str, read: Callable[[dict[str, Any]], T]) -> dict[int, T]:
         if name not in document or (name,) in unsound:

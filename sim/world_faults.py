@@ -47,7 +47,7 @@ def placed_error(document: Any, error: ErrorDetails) -> Placed:
     kind = error["type"]
     if kind in _CODES:
         return placed(path, _CODES[kind], name=name)
-    code, params = _SPECIAL[kind](error, name)
+    code, params = _SPECIAL.get(kind, _otherwise)(error, name)
     return placed(path, code, **params)
 
 
@@ -79,6 +79,11 @@ def _name(error: ErrorDetails, name: str) -> tuple[str, Params]:
     if error["ctx"]["pattern"].startswith("^"):
         return "world_name_invalid", {"value": _shown(error["input"])}
     return "world_text_blank", {"name": name}
+
+
+def _otherwise(error: ErrorDetails, name: str) -> tuple[str, Params]:
+    """pydantic has a hundred kinds of errors and gets more; none may be a crash."""
+    return "world_value_wrong", {"name": name, "value": _shown(error["input"])}
 
 
 def _shown(value: object) -> object:
@@ -119,6 +124,7 @@ _SPECIAL: dict[str, Callable[[ErrorDetails, str], tuple[str, Params]]] = {
     ),
     "string_pattern_mismatch": _name,
     "literal_error": _constant,
+    "world_version_unknown": _constant,
     "too_short": _length,
     "too_long": _length,
 }

@@ -147,6 +147,10 @@ def test_what_is_no_world_at_all_is_one_fault(source: Any, code: str) -> None:
         ),
         ({"start": {"x_m": 2.8, "y_m": 0, "heading_deg": 0}}, "start_off_floor", "/start"),
         ({"walls": {}}, "wrong_type_list", "/walls"),
+        ({"pinel_world": 10**400}, "world_value_wrong", "/pinel_world"),
+        ({"pinel_world": True}, "world_version_unknown", "/pinel_world"),
+        ({5: 1}, "world_unknown_key", ""),
+        ({"\ud800": 1}, "world_unknown_key", ""),
         ({"walls": [[0, 0, 1, 1]]}, "world_not_an_object", "/walls/0"),
         ({"walls": [{"from": [1, 1]}]}, "missing_parameter", "/walls/0"),
         ({"walls": [wall(1, 1, math.inf, 1)]}, "not_finite", "/walls/0/to/0"),
@@ -187,8 +191,8 @@ def test_what_is_no_world_at_all_is_one_fault(source: Any, code: str) -> None:
     ],
     ids=lambda value: str(value)[:40] if isinstance(value, str) else "",
 )
-def test_a_fault_is_told_at_its_place(parts: dict[str, Any], code: str, pointer: str) -> None:
-    assert faults(world(**parts)) == [(code, pointer)]
+def test_a_fault_is_told_at_its_place(parts: dict[Any, Any], code: str, pointer: str) -> None:
+    assert faults({**world(), **parts}) == [(code, pointer)]
 
 
 def test_crossing_walls_are_both_named_counted_as_people_count() -> None:
@@ -304,7 +308,9 @@ GARBAGE = st.recursive(
     ),
     max_leaves=12,
 )
-KEYS = st.sampled_from([*world(), "boxes", "zones", "floor", "other"])
+KEYS: st.SearchStrategy[Any] = st.sampled_from(
+    [*world(), "boxes", "zones", "floor", "other", "\ud800", 7, None]
+)
 NUMBERS = st.floats(-4, 4) | st.sampled_from([0, 1, 1e-9, math.nan, 10**400])
 POINTS = st.lists(NUMBERS, min_size=2, max_size=2)
 
@@ -326,9 +332,19 @@ LISTS: dict[str, Callable[[], st.SearchStrategy[Any]]] = {
     st.dictionaries(KEYS, GARBAGE),
     st.fixed_dictionaries({}, optional={k: v() for k, v in LISTS.items()}),
 )
-def test_no_garbage_ever_raises(parts: dict[str, Any], lists: dict[str, Any]) -> None:
+def test_no_garbage_ever_raises(parts: dict[Any, Any], lists: dict[str, Any]) -> None:
     reading = read({**world(), **lists, **parts})
     assert (reading.world is None) == bool(reading.faults)
+
+
+def test_a_key_that_is_no_text_hides_no_other_fault() -> None:
+    found = faults({**world(walls=[{"to": [0, 1]}, wall(1, 1, 1, 1)]), "\ud800": 1, None: 2})
+    assert sorted(found) == [
+        ("missing_parameter", "/walls/0"),
+        ("wall_too_short", "/walls/1"),
+        ("world_unknown_key", ""),
+        ("world_unknown_key", ""),
+    ]
 
 
 @given(st.binary(max_size=200) | st.text(max_size=200))

@@ -59,6 +59,13 @@ def test_an_unknown_robot_is_refused_with_those_there_are(
     assert browser.get(f"/api/groups/{group['id']}/runs").data["runs"] == []
 
 
+@pytest.mark.parametrize("seed", [True, "1", 1.5])
+def test_a_seed_is_a_whole_number(browser: Browser, version: dict[str, Any], seed: Any) -> None:
+    wish = {"version_id": version["id"], "world": "empty_room", "seed": seed}
+    answer = browser.post("/api/runs", wish)
+    assert (answer.status, answer.error["code"]) == (422, "invalid_request")
+
+
 def test_a_second_run_waits_for_the_first(
     browser: Browser, version: dict[str, Any], run: dict[str, Any]
 ) -> None:

@@ -37,6 +37,15 @@ def test_a_sound_world_is_checked_without_faults(browser: Browser) -> None:
     assert browser.post("/api/worlds/check", {"world": OWN}).data == {"faults": []}
 
 
+@pytest.mark.parametrize(
+    "odd", [{"pinel_world": 10**400}, {"pinel_world": True}, {"\ud800": 1, "walls": [{"to": 5}]}]
+)
+def test_what_no_model_foresaw_is_a_fault_too(browser: Browser, odd: dict[str, Any]) -> None:
+    faults = browser.post("/api/worlds/check", {"world": {**OWN, **odd}}).data["faults"]
+    assert faults
+    assert all(fault["message"] and fault["remedy"] for fault in faults)
+
+
 def test_faults_of_a_world_are_told_in_words_with_their_places(browser: Browser) -> None:
     (fault,) = browser.post("/api/worlds/check", {"world": CROSSING}).data["faults"]
     assert (fault["code"], fault["pointer"], fault["block"]) == ("walls_cross", "/walls/1", None)

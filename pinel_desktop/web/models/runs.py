@@ -78,7 +78,7 @@ class NewRun(Body):
 
     version_id: Id
     world: Annotated[str, Field(max_length=100, description="a name, or `own`: the version's")]
-    seed: Annotated[int | None, Field(ge=0, le=2**53 - 1)] = None
+    seed: Annotated[int | None, Field(strict=True, ge=0, le=2**53 - 1)] = None
     start: Annotated[Start | None, Field(description="another start than the world's")] = None
     model: RobotName = PIONEER_3DX.name
     preset: Preset = "ideal"
