@@ -20,11 +20,13 @@ from typing import Literal
 from pinel_desktop import __version__
 from pinel_desktop.desktop.backends import Pc, backends, find_browser
 from pinel_desktop.engine.client import EngineClient
+from storage.backups import damage_of, folder_of, list_backups
 
 Level = Literal["ok", "warn", "fail"]
 
 _LITTLE_SPACE = 2**30
 _TOO_LITTLE_SPACE = 50 * 2**20
+_BACKUPS_BEHIND_S = 2 * 86_400.0
 _ENGINE_TIMEOUT_S = 20.0
 _ROS_FOLDER = Path("/opt/ros")
 
@@ -47,6 +49,7 @@ def examine(database: Path, pc: Pc | None = None) -> Iterator[Finding]:
     yield _engine()
     yield from _disk(database.parent)
     yield _database(database)
+    yield _backups(database)
     yield _camera(Path("/dev"))
     yield _ros(os.environ, _ROS_FOLDER)
 
@@ -143,19 +146,45 @@ def _database(path: Path) -> Finding:
         return Finding("database", "fail", "doctor_database_damaged", params | {"problem": problem})
     if not os.access(path, os.W_OK):
         return Finding("database", "fail", "doctor_database_read_only", params)
+    if n_rows := _asked(path, "SELECT count(*) FROM pragma_foreign_key_check"):
+        params |= {"n_rows": n_rows}
+        return Finding("database", "warn", "doctor_database_inconsistent", params)
     return Finding("database", "ok", "doctor_database_ok", params)
 
 
 def _damage(path: Path) -> str | None:
     """What SQLite finds wrong with the file, read only; None when all is well."""
-    # A file in WAL mode in a closed folder can only be read as one that nobody changes.
-    mode = "mode=ro" if os.access(path.parent, os.W_OK) else "mode=ro&immutable=1"
     try:
-        with closing(sqlite3.connect(f"{path.absolute().as_uri()}?{mode}", uri=True)) as connection:
-            verdict = str(connection.execute("PRAGMA quick_check(1)").fetchone()[0])
+        verdict = str(_asked(path, "PRAGMA integrity_check(1)"))
     except sqlite3.Error as error:
         return str(error)
     return None if verdict == "ok" else verdict
+
+
+def _asked(path: Path, question: str) -> object:
+    # A file in WAL mode in a closed folder can only be read as one that nobody changes.
+    mode = "mode=ro" if os.access(path.parent, os.W_OK) else "mode=ro&immutable=1"
+    address = f"{path.absolute().as_uri()}?{mode}"
+    with closing(sqlite3.connect(address, uri=True)) as connection:
+        found: object = connection.execute(question).fetchone()[0]
+        return found
+
+
+def _backups(path: Path) -> Finding:
+    """How many there are, whether the newest is sound, and whether they keep up with the work."""
+    found = list_backups(path)
+    params: dict[str, object] = {"n_backups": len(found), "folder": str(folder_of(path))}
+    if not found:
+        return Finding("backups", "warn" if path.exists() else "ok", "doctor_backups_none", params)
+    newest = found[0]
+    params |= {"time": f"{newest.made_at.astimezone():%Y-%m-%d %H:%M}", "name": newest.path.name}
+    if damage_of(newest.path) is not None:
+        return Finding("backups", "warn", "doctor_backups_bad", params)
+    # against the last work, not against today: nobody is to be warned after the holidays
+    behind_s = path.stat().st_mtime - newest.made_at.timestamp() if path.exists() else 0.0
+    if behind_s > _BACKUPS_BEHIND_S:
+        return Finding("backups", "warn", "doctor_backups_old", params)
+    return Finding("backups", "ok", "doctor_backups_ok", params)
 
 
 def _camera(folder: Path) -> Finding:

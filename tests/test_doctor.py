@@ -4,6 +4,7 @@ import json
 import os
 import sqlite3
 from contextlib import closing
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,8 @@ from pinel_desktop.cli import main
 from pinel_desktop.desktop.backends import Pc
 from pinel_desktop.doctor import Finding
 from pinel_desktop.messages import LANGUAGES, describe
+from storage import open_store
+from storage.backups import list_backups, make_backup
 
 
 def pc(*, screen: bool = True, gtk: str | None = None, browser: str | None = None) -> Pc:
@@ -92,6 +95,77 @@ def test_a_database_that_cannot_be_written_fails(
     monkeypatch.setattr(os, "access", lambda place, mode: mode != os.W_OK)
     path.write_bytes(b"")
     assert database(path) == ("fail", "doctor_database_read_only")
+
+
+def test_rows_that_point_to_nothing_are_a_warning_with_their_number(tmp_path: Path) -> None:
+    path = tmp_path / "pinel.db"
+    open_store(path).close()
+    with closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute(
+            "INSERT INTO programs (id, group_id, name, created_at, updated_at) VALUES ('p', 'x', '', '', '')"
+        )
+    finding = doctor._database(path)
+    assert (finding.level, finding.code) == ("warn", "doctor_database_inconsistent")
+    assert finding.params["n_rows"] == 1
+
+
+def test_an_index_that_lost_a_row_is_damage_which_a_quick_look_would_not_see(
+    tmp_path: Path,
+) -> None:
+    path = tmp_path / "pinel.db"
+    with closing(sqlite3.connect(path)) as connection:
+        connection.executescript(
+            """CREATE TABLE things (id INTEGER, name TEXT); CREATE INDEX names ON things (name);
+               INSERT INTO things VALUES (1, 'a'); PRAGMA writable_schema = ON;
+               UPDATE sqlite_master SET sql = 'CREATE INDEX names ON things (id)' WHERE name = 'names';"""
+        )
+    assert database(path) == ("fail", "doctor_database_damaged")
+
+
+@pytest.fixture
+def backed_up(tmp_path: Path) -> Path:
+    """A database with two backups, the last from now."""
+    path = tmp_path / "pinel.db"
+    open_store(path).close()
+    now = datetime.now(UTC)
+    for made_at in (now - timedelta(days=30), now):
+        make_backup(path, made_at)
+    return path
+
+
+def backups(path: Path) -> tuple[str, str]:
+    finding = doctor._backups(path)
+    return finding.level, finding.code
+
+
+def test_backups_are_counted_and_the_last_has_its_time(backed_up: Path) -> None:
+    finding = doctor._backups(backed_up)
+    assert (finding.level, finding.code) == ("ok", "doctor_backups_ok")
+    assert finding.params["n_backups"] == 2
+    assert str(datetime.now().year) in str(finding.params["time"])
+
+
+def test_no_backups_are_a_warning_once_there_is_something_to_lose(tmp_path: Path) -> None:
+    assert backups(tmp_path / "pinel.db") == ("ok", "doctor_backups_none")
+    (tmp_path / "pinel.db").touch()
+    assert backups(tmp_path / "pinel.db") == ("warn", "doctor_backups_none")
+
+
+def test_a_damaged_backup_is_named(backed_up: Path) -> None:
+    newest = list_backups(backed_up)[0].path
+    newest.write_bytes(b"rubbish" * 1000)
+    assert backups(backed_up) == ("warn", "doctor_backups_bad")
+    assert doctor._backups(backed_up).params["name"] == newest.name
+
+
+def test_backups_that_do_not_keep_up_with_the_work_are_a_warning_and_holidays_are_not(
+    backed_up: Path,
+) -> None:
+    list_backups(backed_up)[0].path.unlink()
+    assert backups(backed_up) == ("warn", "doctor_backups_old")
+    month_ago = (datetime.now(UTC) - timedelta(days=30)).timestamp()
+    os.utime(backed_up, (month_ago, month_ago))
+    assert backups(backed_up) == ("ok", "doctor_backups_ok")
 
 
 @pytest.mark.parametrize(
@@ -178,6 +252,7 @@ def test_the_command_prints_one_object_about_everything(tmp_path: Path) -> None:
         "engine",
         "disk",
         "database",
+        "backups",
         "camera",
         "ros",
     }
@@ -217,7 +292,7 @@ def test_every_word_of_the_doctor_exists_in_every_language(language: str) -> Non
             "path",
         ],
         "x",
-    ) | dict.fromkeys(["problem", "found", "seconds"], "x")
+    ) | dict.fromkeys(["problem", "found", "seconds", "n_rows", "n_backups", "time", "name"], "x")
     source = Path(doctor.__file__).read_text("utf-8")
     codes = {
         word.strip("\"',)(")
