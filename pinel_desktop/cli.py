@@ -12,6 +12,8 @@ _COMMANDS = {
     "python": "Print a program as Python text.",
     "check": "Check whether programs fulfil an activity.",
     "runs": "List, show and verify recorded runs.",
+    "export": "Write all work, or a part of it, into one file.",
+    "merge": "Bring in the work of other PCs.",
     "doctor": "Say what this PC has and lacks.",
 }
 _HIDDEN = ("app", "engine")

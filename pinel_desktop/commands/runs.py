@@ -5,10 +5,11 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import asdict
-from typing import IO, TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
+from pinel_desktop.commands.failure import Failure
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, language_of_system
 from pinel_desktop.paths import database_path
@@ -118,17 +119,6 @@ def _in_words(verdict: "Verdict", row: RunRow) -> tuple[str, dict[str, Any]]:
     }
 
 
-class _Failure(click.ClickException):
-    """An error in the words of the language: what is wrong, and below it what to do."""
-
-    def __init__(self, error: PinelError | StoreError) -> None:
-        words = describe(error.code, error.params, language_of_system())
-        super().__init__(f"{words.message}\n{words.remedy}")
-
-    def show(self, file: IO[Any] | None = None) -> None:
-        click.echo(self.message, file=file, err=file is None)
-
-
 @contextmanager
 def _opened(ctx: click.Context) -> Iterator[Store]:
     """The store, to look at only; what goes wrong with it is told in words."""
@@ -139,7 +129,7 @@ def _opened(ctx: click.Context) -> Iterator[Store]:
         with open_for_reading(path) as store:
             yield store
     except (PinelError, StoreError) as error:
-        raise _Failure(error) from error
+        raise Failure(error) from error
 
 
 def _found(store: Store, run: str) -> RunRow:

@@ -1,0 +1,109 @@
+"""`pinel export`: one file with everybody's work, or a part of it, for other PCs."""
+
+import json
+import platform
+import re
+from collections.abc import Sequence
+from dataclasses import asdict
+from datetime import datetime
+from pathlib import Path
+from typing import Any, Protocol
+
+import click
+
+from pinel_desktop import __version__
+from pinel_desktop.commands.store_file import opened_store
+from pinel_desktop.errors import PinelError
+from pinel_desktop.messages import describe, language_of_system
+from pinel_desktop.paths import database_path
+from storage import Store, StoreError
+from storage.bundles import SUFFIX, BundleInfo, Scope
+from storage.exchange import exchange_of
+from storage.text import name_key, new_id
+
+
+@click.command()
+@click.argument("dest", type=click.Path(path_type=Path))
+@click.option(
+    "--db", type=click.Path(dir_okay=False), help="Database file instead of the user's own."
+)
+@click.option("--class", "classroom", help="Only this class (name or key).")
+@click.option("--group", help="Only this group (name or key).")
+@click.option("--program", help="Only this program (name or key).")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+@click.pass_context
+def command(
+    ctx: click.Context,
+    dest: Path,
+    db: str | None,
+    classroom: str | None,
+    group: str | None,
+    program: str | None,
+    as_json: bool,
+) -> None:
+    """Write all work into one file for another PC (`pinel merge` reads it).
+
+    DEST is a folder or a file name; a file that is there already is kept, and the new one gets a number.
+    """
+    if sum(part is not None for part in (classroom, group, program)) > 1:
+        raise click.UsageError("--class, --group and --program cannot be combined")
+    with opened_store(database_path(db or ctx.obj["db"]), may_be_new=False) as store:
+        scope = _scope(store, classroom, group, program)
+        computer = _computer(store)
+        name = computer[1] if scope.whole else f"{computer[1]}-{classroom or group or program}"
+        info = exchange_of(store).export(
+            _file(dest, name), app_version=__version__, computer=computer, scope=scope
+        )
+    click.echo(json.dumps(_as_object(info), ensure_ascii=False) if as_json else _in_words(info))
+
+
+class _Named(Protocol):
+    @property
+    def id(self) -> str: ...
+    @property
+    def name(self) -> str: ...
+
+
+def _scope(store: Store, classroom: str | None, group: str | None, program: str | None) -> Scope:
+    if classroom is not None:
+        return Scope(classroom_id=_found(classroom, store.classrooms.all()))
+    if group is not None:
+        return Scope(group_id=_found(group, store.groups.all()))
+    if program is not None:
+        groups = store.groups.all()
+        programs = [one for group in groups for one in store.programs.of_group(group.id)]
+        return Scope(program_id=_found(program, programs))
+    return Scope()
+
+
+def _found(wanted: str, rows: Sequence[_Named]) -> str:
+    ids = [row.id for row in rows if wanted == row.id or name_key(row.name) == name_key(wanted)]
+    if not ids:
+        raise PinelError("export_unknown", name=wanted, known=[row.name for row in rows])
+    if len(ids) > 1:
+        raise PinelError("export_ambiguous", name=wanted, ids=ids)
+    return ids[0]
+
+
+def _computer(store: Store) -> tuple[str, str]:
+    """Key and name of this PC, or of none where they cannot be kept."""
+    try:
+        return store.computers.here()
+    except StoreError:
+        return new_id(), platform.node() or "PC"
+
+
+def _file(dest: Path, name: str) -> Path:
+    if dest.is_dir():
+        plain = re.sub(r"[^\w-]+", "-", name).strip("-")
+        return dest / f"{plain or 'pinel'}-{datetime.now():%Y-%m-%d}{SUFFIX}"
+    return dest if dest.suffix else dest.with_suffix(SUFFIX)
+
+
+def _as_object(info: BundleInfo) -> dict[str, Any]:
+    return {**asdict(info), "path": str(info.path)}
+
+
+def _in_words(info: BundleInfo) -> str:
+    params = {"path": str(info.path), **info.counts}
+    return describe("exported", params, language_of_system()).message

@@ -1,0 +1,118 @@
+"""`pinel merge`: the work of other PCs, from files that they have exported."""
+
+import json
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import click
+
+from pinel_desktop.commands.store_file import opened_store
+from pinel_desktop.messages import describe, language_of_system
+from pinel_desktop.paths import database_path
+from storage import Store, StoreError
+from storage.bundles import SUFFIX
+from storage.exchange import exchange_of
+from storage.merging import MergeReport
+
+_REFUSED = 2
+
+
+@dataclass(frozen=True, slots=True)
+class _Outcome:
+    file: Path
+    report: MergeReport | None
+    error: StoreError | None
+
+
+@click.command()
+@click.argument("files", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.option(
+    "--db", type=click.Path(dir_okay=False), help="Database file instead of the user's own."
+)
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+@click.pass_context
+def command(ctx: click.Context, files: tuple[Path, ...], db: str | None, as_json: bool) -> None:
+    """Bring in the work of other PCs; FILES were written by `pinel export`, or are folders of such files.
+
+    The order does not matter, and what was merged before changes nothing. Ends with 2 when a file was refused; the
+    others are merged all the same.
+    """
+    with opened_store(database_path(db or ctx.obj["db"]), may_be_new=True) as store:
+        outcomes = []
+        for file in _all(files):
+            outcomes.append(_merged(store, file))
+            if not as_json:
+                click.echo(_in_words(outcomes[-1]))
+        found = exchange_of(store).content_hash()
+    click.echo(
+        json.dumps(_as_object(outcomes, found), ensure_ascii=False)
+        if as_json
+        else f"content_hash  {found}"
+    )
+    ctx.exit(_REFUSED if any(outcome.error for outcome in outcomes) else 0)
+
+
+def _all(files: Iterable[Path]) -> Iterator[Path]:
+    """In folders, every bundle; a folder without any stands for itself."""
+    for file in files:
+        found = sorted(file.glob(f"*{SUFFIX}")) if file.is_dir() else []
+        yield from found or [file]
+
+
+def _merged(store: Store, file: Path) -> _Outcome:
+    try:
+        if file.is_dir():
+            raise StoreError("bundles_none", path=str(file))
+        return _Outcome(file, exchange_of(store).merge(file), None)
+    except StoreError as error:
+        return _Outcome(file, None, error)
+
+
+def _in_words(outcome: _Outcome) -> str:
+    report, error = outcome.report, outcome.error
+    if error is not None:
+        words = describe(error.code, error.params, language_of_system())
+        return f"{words.message}\n{words.remedy}"
+    assert report is not None
+    params: dict[str, Any] = {"file": outcome.file.name, "computer": report.info.computer_name}
+    for table in ("groups", "programs", "versions", "runs"):
+        params[table] = report.added.get(table, 0)
+    for name in ("changed", "skipped", "removed"):
+        params[name] = sum(getattr(report, name).values())
+    code = "merged_nothing_new" if report.nothing_new else "merged"
+    return describe(code, params, language_of_system()).message
+
+
+def _as_object(outcomes: list[_Outcome], found: str) -> dict[str, Any]:
+    added: Counter[str] = Counter()
+    for outcome in outcomes:
+        added.update(outcome.report.added if outcome.report else {})
+    return {
+        "files": [_of_file(outcome) for outcome in outcomes],
+        "added": dict(added),
+        "content_hash": found,
+    }
+
+
+def _of_file(outcome: _Outcome) -> dict[str, Any]:
+    report, error = outcome.report, outcome.error
+    if report is None:
+        assert error is not None
+        words = describe(error.code, error.params, language_of_system())
+        return {
+            "file": str(outcome.file),
+            "error": {"code": error.code, "message": words.message, "remedy": words.remedy},
+        }
+    counts = {name: getattr(report, name) for name in ("added", "changed", "skipped", "removed")}
+    return {
+        "file": str(outcome.file),
+        "error": None,
+        "computer_id": report.info.computer_id,
+        "computer_name": report.info.computer_name,
+        "exported_at": report.info.exported_at,
+        "nothing_new": report.nothing_new,
+        **counts,
+    }

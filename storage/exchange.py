@@ -1,0 +1,50 @@
+"""What goes between stores: exported, merged, compared, heard of."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from storage.bundles import ALL, BundleInfo, Scope, export_bundle
+from storage.connection import Access
+from storage.content import content_hash
+from storage.merging import Heard, MergeReport, heard_from, merge
+
+if TYPE_CHECKING:
+    from storage.store import Store
+
+
+class Exchange:
+    """The store's side of exporting and merging."""
+
+    def __init__(self, access: Access) -> None:
+        self._access = access
+
+    def export(
+        self,
+        dest: Path,
+        *,
+        app_version: str,
+        computer: tuple[str, str],
+        scope: Scope = ALL,
+    ) -> BundleInfo:
+        """Writes a bundle; see `export_bundle`."""
+        return export_bundle(
+            self._access, dest, app_version=app_version, computer=computer, scope=scope
+        )
+
+    def merge(self, path: Path) -> MergeReport:
+        """Brings a bundle in; on disk when this returns. Raises StoreError, see `open_bundle`."""
+        return merge(self._access, path)
+
+    def heard_from(self) -> list[Heard]:
+        """PCs whose bundles were merged, the one heard of last first."""
+        return heard_from(self._access)
+
+    def content_hash(self) -> str:
+        """One number for all that the store holds; equal stores have equal ones."""
+        with self._access.reading() as db:
+            return content_hash(db)
+
+
+def exchange_of(store: "Store") -> Exchange:
+    """Of an open store."""
+    return Exchange(store._access)

@@ -1,0 +1,178 @@
+"""`pinel export` and `pinel merge`, as they are typed."""
+
+import json
+import sqlite3
+from contextlib import closing
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner, Result
+
+from pinel_desktop.cli import main
+from storage import open_store
+from tests.storage.bundle_makers import a_run, work
+
+
+@pytest.fixture(autouse=True)
+def english(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PINEL_LANG", "en")
+
+
+@pytest.fixture
+def lab(tmp_path: Path) -> Path:
+    """The database of a PC of the lab on which two groups have worked."""
+    path = tmp_path / "lab.db"
+    with open_store(path) as store:
+        store.computers.rename("Lab 7")
+        classroom = store.classrooms.create("5º B")
+        for name in ("Onças", "Araras"):
+            group = store.groups.create(name, classroom_id=classroom.id)
+            work(store, group, f"Quadrado das {name}")
+    return path
+
+
+@pytest.fixture
+def stick(tmp_path: Path) -> Path:
+    folder = tmp_path / "stick"
+    folder.mkdir()
+    return folder
+
+
+@pytest.fixture
+def teacher(tmp_path: Path) -> Path:
+    return tmp_path / "teacher" / "pinel.db"
+
+
+def pinel(*arguments: object) -> Result:
+    return CliRunner().invoke(main, [str(argument) for argument in arguments])
+
+
+def answer(*arguments: object) -> dict[str, Any]:
+    done = pinel(*arguments, "--json")
+    assert done.exit_code == 0, done.output
+    found: dict[str, Any] = json.loads(done.stdout)
+    return found
+
+
+def test_a_folder_gets_a_file_named_after_the_pc(lab: Path, stick: Path) -> None:
+    done = pinel("export", stick, "--db", lab)
+    assert done.exit_code == 0
+    (file,) = stick.iterdir()
+    assert file.name.startswith("Lab-7-")
+    assert file.suffix == ".pinel"
+    assert "2 groups, 2 programs, 2 runs" in done.stdout
+
+
+def test_what_was_exported_comes_in_once(lab: Path, stick: Path, teacher: Path) -> None:
+    exported = answer("export", stick, "--db", lab)
+    first = answer("merge", exported["path"], "--db", teacher)
+    assert first["added"]["runs"] == 2
+    assert first["content_hash"] == exported["content_hash"]
+    (file,) = first["files"]
+    assert (file["computer_name"], file["nothing_new"]) == ("Lab 7", False)
+    second = answer("merge", exported["path"], "--db", teacher)
+    assert second["added"] == {}
+    assert second["files"][0]["nothing_new"]
+    assert second["content_hash"] == first["content_hash"]
+
+
+def test_whoever_merges_has_the_same_hash(lab: Path, stick: Path, tmp_path: Path) -> None:
+    answer("export", stick, "--db", lab)
+    with open_store(tmp_path / "other.db") as store:
+        a_run(store, None)
+    answer("export", stick / "other", "--db", tmp_path / "other.db")
+    files = sorted(stick.iterdir())
+    hashes = {
+        answer("merge", *order, "--db", tmp_path / f"{n}.db")["content_hash"]
+        for n, order in enumerate([files, files[::-1], [stick], [*files, *files]])
+    }
+    assert len(hashes) == 1
+
+
+def test_in_words(lab: Path, stick: Path, teacher: Path) -> None:
+    pinel("export", stick / "a", "--db", lab)
+    done = pinel("merge", stick, "--db", teacher)
+    assert "a.pinel, from Lab 7: 2 groups, 2 programs, 4 versions and 2 runs" in done.stdout
+    assert done.stdout.splitlines()[-1].startswith("content_hash  ")
+    assert "nothing new" in pinel("merge", stick, "--db", teacher).stdout
+
+
+@pytest.mark.parametrize(
+    ("option", "name", "runs"), [("--group", "onças", 1), ("--class", "5º b", 2)]
+)
+def test_a_part_is_chosen_by_name(
+    lab: Path, stick: Path, option: str, name: str, runs: int
+) -> None:
+    exported = answer("export", stick / "part.pinel", "--db", lab, option, name)
+    assert exported["counts"]["runs"] == runs
+
+
+def test_a_program_goes_on_on_another_pc(lab: Path, stick: Path, teacher: Path) -> None:
+    exported = answer("export", stick, "--db", lab, "--program", "Quadrado das Araras")
+    assert exported["counts"]["programs"] == 1
+    assert answer("merge", stick, "--db", teacher)["added"]["versions"] == 2
+
+
+def test_a_name_that_nobody_has_is_told_with_those_that_there_are(lab: Path, stick: Path) -> None:
+    done = pinel("export", stick, "--db", lab, "--group", "Zebras")
+    assert done.exit_code == 1
+    assert "Zebras" in done.stderr
+    assert "Araras" in done.stderr
+    assert list(stick.iterdir()) == []
+
+
+def test_what_cannot_be_used_is_refused_and_the_rest_merged(
+    lab: Path, stick: Path, teacher: Path
+) -> None:
+    answer("export", stick, "--db", lab)
+    (stick / "a.pinel").write_bytes(b"")
+    (stick / "b.pinel").write_text("a letter", "utf-8")
+    done = pinel("merge", stick, stick / "missing.pinel", lab, "--db", teacher, "--json")
+    assert done.exit_code == 2
+    found = json.loads(done.stdout)
+    assert found["added"]["runs"] == 2
+    codes = [file["error"] and file["error"]["code"] for file in found["files"]]
+    assert sorted(filter(None, codes)) == sorted(
+        ["bundle_damaged", "bundle_foreign", "bundle_missing", "bundle_is_store"]
+    )
+
+
+def test_an_empty_folder_is_told(stick: Path, teacher: Path) -> None:
+    done = pinel("merge", stick, "--db", teacher)
+    assert done.exit_code == 2
+    assert "holds no exported files" in done.stdout
+
+
+def test_without_a_database_there_is_nothing_to_export(tmp_path: Path, stick: Path) -> None:
+    done = pinel("export", stick, "--db", tmp_path / "none.db")
+    assert done.exit_code == 1
+    assert not (tmp_path / "none.db").exists()
+
+
+def test_a_damaged_database_is_left_where_it_is(lab: Path, stick: Path) -> None:
+    lab.write_bytes(lab.read_bytes()[:5000])
+    before = lab.read_bytes()
+    for arguments in (("export", stick), ("merge", stick)):
+        assert pinel(*arguments, "--db", lab).exit_code == 1
+    assert lab.read_bytes() == before
+
+
+def test_another_program_that_writes_all_the_time_is_told(
+    lab: Path, stick: Path, teacher: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    answer("export", stick, "--db", lab)
+    monkeypatch.setattr("storage.opening._BUSY_S", 0.05)
+    pinel("merge", stick / "none", "--db", teacher)
+    with closing(sqlite3.connect(teacher)) as other:
+        other.execute("BEGIN IMMEDIATE")
+        done = pinel("merge", stick, "--db", teacher)
+    assert done.exit_code in (1, 2)
+    assert "another" in done.output.lower()
+
+
+def test_it_works_beside_an_open_app(lab: Path, stick: Path, teacher: Path) -> None:
+    answer("export", stick, "--db", lab)
+    with open_store(teacher) as app:
+        assert answer("merge", stick, "--db", teacher)["added"]["runs"] == 2
+        assert len(app.groups.all()) == 2
