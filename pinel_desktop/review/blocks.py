@@ -68,8 +68,13 @@ class BlocksInUse:
 
 def blocks_in_use(workspace: object) -> BlocksInUse:
     """Counts the blocks of a workspace by type, types in alphabetical order."""
+    return blocks_of_sheet(read_sheet(workspace))
+
+
+def blocks_of_sheet(sheet: Sheet) -> BlocksInUse:
+    """The same for a workspace that was read already."""
     counts: tuple[Counter[str], Counter[str]] = (Counter(), Counter())
-    for block in read_sheet(workspace).blocks.values():
+    for block in sheet.blocks.values():
         if block.type != START:
             counts[block.in_program][block.type] += 1
     loose, attached = (dict(sorted(count.items())) for count in counts)

@@ -78,7 +78,11 @@ def difference(before: object, after: object) -> Difference:
     Takes whatever there is: what is no block is passed over. The start block, which every program has, never counts
     as added, removed or moved. With the two changed round, what was added is removed, and the same blocks are moved.
     """
-    old, new = read_sheet(before), read_sheet(after)
+    return difference_of_sheets(read_sheet(before), read_sheet(after))
+
+
+def difference_of_sheets(old: Sheet, new: Sheet) -> Difference:
+    """The same for workspaces that were read already."""
     moved = _moved(old, new)
     return Difference(
         added=_marks(new, (key for key in new.blocks if key not in old.blocks)),

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from unicodedata import combining, normalize
 
-from pinel_desktop.review.blocks import BlocksInUse, blocks_in_use
+from pinel_desktop.review.blocks import BlocksInUse, Sheet, blocks_of_sheet, read_sheet
 from pinel_desktop.review.marks import NOTHING, Mark, marks_of, with_changes
 from pinel_desktop.review.order import lines_of
 from pinel_desktop.review.records import Edit, Event, GroupWork, Run
@@ -76,8 +76,9 @@ def review_group(
         workspaces: of the versions that are needed, by version; what is missing is told as unknown.
         activity: what the lesson was about, None where everybody did something else.
     """
-    marks = tuple(with_changes(mark, workspaces) for mark in marks_of(work))
-    uses = [blocks_in_use(workspaces.get(key)) for key in _last_versions(marks)]
+    sheets = {NOTHING: Sheet(), **{key: read_sheet(one) for key, one in workspaces.items()}}
+    marks = tuple(with_changes(mark, sheets) for mark in marks_of(work))
+    uses = [blocks_of_sheet(sheets[key]) for key in _last_versions(marks) if key in sheets]
     return GroupReview(work.id, work.name, marks, _figures(work, marks, activity), _sum(uses))
 
 

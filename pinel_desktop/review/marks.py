@@ -3,7 +3,8 @@
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from pinel_desktop.review.difference import Counts, difference
+from pinel_desktop.review.blocks import Sheet
+from pinel_desktop.review.difference import Counts, difference_of_sheets
 from pinel_desktop.review.order import lines_of
 from pinel_desktop.review.records import Edit, Event, GroupWork, Run
 
@@ -56,16 +57,15 @@ def marks_of(work: GroupWork) -> tuple[Mark, ...]:
     return tuple(_with_repairs(marks))
 
 
-def with_changes(mark: Mark, workspaces: Mapping[str, object]) -> Mark:
-    """The mark with what changed, where both versions are among the workspaces."""
-    known = {NOTHING: None, **workspaces} if mark.since == NOTHING else workspaces
+def with_changes(mark: Mark, known: Mapping[str, Sheet]) -> Mark:
+    """The mark with what changed, where both versions are known; `NOTHING` is to be among them."""
     if (
         mark.since is None
         or mark.version_id is None
         or not {mark.since, mark.version_id} <= known.keys()
     ):
         return mark
-    changes = difference(known[mark.since], known[mark.version_id]).summary
+    changes = difference_of_sheets(known[mark.since], known[mark.version_id]).summary
     return replace(mark, changes=changes)
 
 
