@@ -24,6 +24,7 @@ from storage.text import loaded
 
 _MAX_BYTES = 4 * 2**30
 _MAGIC = b"SQLite format 3\0"
+_HEADER = 100
 _FIRST_WITH_BUNDLES = 4  # steps of the tables; earlier releases wrote none
 # its words change from release to release; texts can do nothing
 _ABOUT = re.compile(
@@ -70,11 +71,11 @@ def _copied(path: Path, copy: Path) -> None:
         if path.stat().st_size > _MAX_BYTES:
             raise StoreError("bundle_too_large", path=str(path), max=_MAX_BYTES // 2**30)
         with path.open("rb") as file:
-            head = file.read(len(_MAGIC))
-        if not head or (head != _MAGIC and _MAGIC.startswith(head)):
-            raise StoreError("bundle_damaged", path=str(path), problem="cut off")
-        if head != _MAGIC:
+            head = file.read(_HEADER)
+        if not head.startswith(_MAGIC[: len(head)]):
             raise StoreError("bundle_foreign", path=str(path))
+        if path.stat().st_size != _size_by(head):
+            raise StoreError("bundle_damaged", path=str(path), problem="cut off")
     except OSError as error:
         raise StoreError("bundle_unreadable", path=str(path), problem=error.strerror) from error
     try:
@@ -83,6 +84,14 @@ def _copied(path: Path, copy: Path) -> None:
         shutil.copyfile(path, copy)
     except OSError as error:
         raise StoreError("bundle_unreadable", path=str(path), problem=error.strerror) from error
+
+
+def _size_by(head: bytes) -> int:
+    """The length in bytes that the file must have, by its header (sqlite.org/fileformat.html)."""
+    if len(head) < _HEADER:
+        return -1
+    page = int.from_bytes(head[16:18], "big")
+    return (65536 if page == 1 else page) * int.from_bytes(head[28:32], "big")
 
 
 def _examined(copy: Path, path: Path) -> BundleInfo:

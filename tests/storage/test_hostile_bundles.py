@@ -1,0 +1,339 @@
+"""Bundles that no PINEL wrote, or not all of it: refused with the reason, the store untouched."""
+
+import contextlib
+import os
+import random
+import sqlite3
+import zlib
+from collections.abc import Callable
+from contextlib import closing
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from storage import Store, StoreError, bundle_reading, schema
+from storage.bundle_rules import RULES
+from storage.content import CONTENT, columns, content_hash
+from storage.telemetry import COLUMNS, pack
+from tests.storage.bundle_makers import a_run, exported, hash_of, merged, work
+
+Change = Callable[[sqlite3.Connection], object]
+
+
+@pytest.fixture
+def bundle(tmp_path: Path, opened: Callable[..., Store]) -> Path:
+    """A bundle of a PC with a little of everything."""
+    there = opened(tmp_path / "there.db")
+    classroom = there.classrooms.create("5º B")
+    there.lessons.open(classroom.id, "Quadrados")
+    work(there, there.groups.create("Onças", classroom_id=classroom.id), "Quadrado")
+    a_run(there, None)
+    return exported(there, tmp_path / "there.pinel").path
+
+
+@pytest.fixture
+def refused(store: Store) -> Callable[[Path], StoreError]:
+    """Merges a file that must be refused, and sees that the store is as it was."""
+    work(store, store.groups.create("Daqui"), "Programa")
+
+    def attempt(path: Path) -> StoreError:
+        before = hash_of(store)
+        with pytest.raises(StoreError) as caught:
+            merged(store, path)
+        assert hash_of(store) == before
+        return caught.value
+
+    return attempt
+
+
+def changed(path: Path, change: Change | str, *, honest: bool = True) -> Path:
+    """The bundle after a change by hand; an honest one has a new checksum."""
+    with closing(sqlite3.connect(path, isolation_level=None)) as db:
+        db.execute("PRAGMA foreign_keys = OFF")
+        if isinstance(change, str):
+            db.executescript(change)
+        else:
+            change(db)
+        if honest:
+            db.execute("UPDATE bundle SET content_hash = ?", [content_hash(db)])
+    return path
+
+
+class TestNotABundle:
+    def test_no_file(self, tmp_path: Path, refused: Callable[[Path], StoreError]) -> None:
+        assert refused(tmp_path / "none.pinel").code == "bundle_missing"
+        assert refused(tmp_path).code == "bundle_missing"
+
+    @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes")
+    def test_a_pipe_does_not_hang(
+        self, tmp_path: Path, refused: Callable[[Path], StoreError]
+    ) -> None:
+        os.mkfifo(tmp_path / "pipe.pinel")
+        assert refused(tmp_path / "pipe.pinel").code == "bundle_missing"
+
+    @pytest.mark.parametrize(
+        ("octets", "code"),
+        [
+            (b"", "bundle_damaged"),
+            (b"SQLite for", "bundle_damaged"),
+            (b"a letter to the teacher", "bundle_foreign"),
+            (b"\x89PNG\r\n\x1a\n" + bytes(500), "bundle_foreign"),
+            (b"SQLite format 3\0" + bytes(500), "bundle_damaged"),
+        ],
+    )
+    def test_other_files(
+        self, tmp_path: Path, refused: Callable[[Path], StoreError], octets: bytes, code: str
+    ) -> None:
+        (tmp_path / "x.pinel").write_bytes(octets)
+        assert refused(tmp_path / "x.pinel").code == code
+
+    def test_a_database_of_another_program(
+        self, tmp_path: Path, refused: Callable[[Path], StoreError]
+    ) -> None:
+        for n, script in enumerate(("CREATE TABLE moz_places (id)", "CREATE TABLE groups (id)")):
+            with closing(sqlite3.connect(tmp_path / f"{n}.pinel")) as db:
+                db.executescript(script)
+            assert refused(tmp_path / f"{n}.pinel").code == "bundle_foreign"
+
+    def test_the_file_that_an_app_works_in(
+        self, tmp_path: Path, opened: Callable[..., Store], refused: Callable[[Path], StoreError]
+    ) -> None:
+        opened(tmp_path / "other.db").close()
+        assert refused(tmp_path / "other.db").code == "bundle_is_store"
+
+
+class TestDamaged:
+    @pytest.mark.parametrize("share", [0.001, 0.1, 0.5, 0.9, 0.999])
+    def test_cut_off(
+        self, bundle: Path, refused: Callable[[Path], StoreError], share: float
+    ) -> None:
+        octets = bundle.read_bytes()
+        bundle.write_bytes(octets[: int(len(octets) * share)])
+        assert refused(bundle).code == "bundle_damaged"
+
+    @pytest.mark.parametrize("seed", range(30))
+    def test_a_flipped_bit_is_noticed_or_changes_nothing(
+        self, bundle: Path, store: Store, tmp_path: Path, seed: int
+    ) -> None:
+        octets = bytearray(bundle.read_bytes())
+        octets[random.Random(seed).randrange(100, len(octets))] ^= 1 << seed % 8
+        flipped = tmp_path / "flipped.pinel"
+        flipped.write_bytes(octets)
+        before = hash_of(store)
+        with contextlib.suppress(StoreError):
+            merged(store, flipped)
+            before = hash_of(store)
+            assert merged(store, bundle).nothing_new
+        assert hash_of(store) == before
+
+    def test_changed_content_does_not_fit_its_checksum(
+        self, bundle: Path, refused: Callable[[Path], StoreError]
+    ) -> None:
+        changed(bundle, "UPDATE groups SET name = 'Outro'", honest=False)
+        assert refused(bundle).params["problem"] == "checksum"
+
+    def test_without_what_it_says_of_itself(
+        self, bundle: Path, refused: Callable[[Path], StoreError]
+    ) -> None:
+        assert refused(changed(bundle, "DELETE FROM bundle")).code == "bundle_damaged"
+
+
+class TestOtherReleases:
+    @pytest.mark.parametrize(
+        "script",
+        [
+            "INSERT INTO _sqlite_migrations VALUES (99, 'pinel', 'holograms', 't')",
+            "UPDATE bundle SET format = 2",
+            "ALTER TABLE bundle ADD COLUMN signature TEXT; UPDATE bundle SET format = 2",
+        ],
+    )
+    def test_a_newer_one(
+        self, bundle: Path, refused: Callable[[Path], StoreError], script: str
+    ) -> None:
+        assert refused(changed(bundle, script)).code == "bundle_newer"
+
+    def test_an_older_one_is_brought_up_to_date_on_a_copy(
+        self,
+        bundle: Path,
+        tmp_path: Path,
+        opened: Callable[..., Store],
+        monkeypatch: pytest.MonkeyPatch,
+    ) -> None:
+        before = bundle.read_bytes()
+        later = (*schema._MIGRATIONS, lambda db: db.table("groups").add_column("motto", str))
+        later[-1].__name__ = "mottos"
+        monkeypatch.setattr(schema, "_MIGRATIONS", later)
+        monkeypatch.setattr(
+            "storage.opening.KNOWN_MIGRATIONS", frozenset(step.__name__ for step in later)
+        )
+        monkeypatch.setitem(schema._ABOUT, "mottos", "not in the older one")
+        bundle_reading._expected.cache_clear()
+        store = opened(tmp_path / "newer.db")
+        assert merged(store, bundle).added["runs"] == 2
+        assert store.groups.all()[0].name == "Onças"
+        assert bundle.read_bytes() == before
+        bundle_reading._expected.cache_clear()
+
+
+# what a bundle must not bring along, as objects of the file
+OBJECTS = {
+    "a trigger": "CREATE TRIGGER evil AFTER INSERT ON groups BEGIN DELETE FROM groups; END",
+    "another table": "CREATE TABLE evil (x)",
+    "a view": "CREATE VIEW evil AS SELECT load_extension('evil')",
+    "a changed view": "DROP VIEW group_list; CREATE VIEW group_list AS SELECT randomblob(1e9)",
+    "a view that never ends": """DROP VIEW about; CREATE VIEW about AS
+        WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT i AS name, i AS meaning FROM n""",
+    "a virtual table": "CREATE VIRTUAL TABLE evil USING fts5(x)",
+    "a generated column": "ALTER TABLE runs ADD COLUMN evil TEXT AS (zeroblob(1e9)) VIRTUAL",
+    "an index by expression": "CREATE INDEX evil ON groups (length(zeroblob(1000000)))",
+    "a missing index": "DROP INDEX notes_run",
+    "a missing table": "DROP TABLE notes",
+    "an additional column": "ALTER TABLE groups ADD COLUMN pupils TEXT",
+    "a table without its types": """DROP TABLE computers; CREATE TABLE computers
+        (id TEXT PRIMARY KEY, name TEXT NOT NULL, revision INTEGER NOT NULL DEFAULT 1, changed_at TEXT)""",
+    "steps that never were": "DELETE FROM _sqlite_migrations WHERE name = 'first_views'",
+}
+
+
+@pytest.mark.parametrize("kind", OBJECTS)
+def test_objects_that_pinel_does_not_make(
+    bundle: Path, refused: Callable[[Path], StoreError], kind: str
+) -> None:
+    assert refused(changed(bundle, OBJECTS[kind], honest=False)).code == "bundle_hostile"
+
+
+def test_a_table_of_steps_that_is_a_view_is_never_asked(
+    bundle: Path, refused: Callable[[Path], StoreError]
+) -> None:
+    script = """DROP TABLE _sqlite_migrations; CREATE VIEW _sqlite_migrations AS
+        WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n)
+        SELECT i AS name, 'pinel' AS migration_set FROM n"""
+    assert refused(changed(bundle, script, honest=False)).code == "bundle_foreign"
+
+
+_UUID = "0193a5b0-0000-7000-8000-00000000000"
+_DEEP = "[" * 1500 + "]" * 1500
+VALUES = {
+    "a key that is a path": "UPDATE groups SET id = '../../etc/passwd'",
+    "a name that is too long": "UPDATE groups SET name = printf('%.*c', 61, 'x')",
+    "an empty name": "UPDATE programs SET name = ''",
+    "a name that turns the direction": "UPDATE groups SET name = 'a' || char(8238) || 'b'",
+    "a name with a line feed": "UPDATE classrooms SET name = 'a' || char(10)",
+    "a colour that is style": "UPDATE groups SET color = 'red;background:url(x)'",
+    "a picture that is a path": "UPDATE groups SET picture = '../../x.svg'",
+    "a number that overflows": "UPDATE versions SET number = 9223372036854775807",
+    "a revision that overflows": "UPDATE programs SET revision = 9223372036854775807",
+    "a time that is none": "UPDATE runs SET started_at = 'yesterday'",
+    "infinity": "UPDATE runs SET duration_s = 9e999",
+    "a run that goes on": "UPDATE runs SET state = 'running'",
+    "an unknown state": "UPDATE runs SET state = 'won'",
+    "JSON that is none": "UPDATE versions SET workspace = '{'",
+    "JSON of another kind": "UPDATE versions SET workspace = '[]'",
+    "JSON that is too deep": f"""UPDATE versions SET workspace = '{{"a":{_DEEP}}}'""",
+    "JSON with infinity": """UPDATE runs SET summary = '{"a":1e999}'""",
+    "JSON with a number of a million digits": """UPDATE runs SET summary = '{"a":1' || hex(zeroblob(99999)) || '}'""",
+    "faults of another form": "UPDATE versions SET faults = '[1]'",
+    "a path of another form": "UPDATE runs SET path = '[[1]]'",
+    "events of another form": "UPDATE events SET data = '3'",
+    "an event's type that is a path": "UPDATE events SET type = '../x'",
+    "telemetry that is none": "UPDATE telemetry SET data = x'00112233'",
+    "telemetry of other length": "UPDATE telemetry SET n_rows = n_rows + 1",
+    "telemetry without rows": "UPDATE telemetry SET n_rows = 0",
+    "a note that is too long": "UPDATE notes SET text = printf('%.*c', 1001, 'x')",
+    "a run of nobody": f"UPDATE runs SET group_id = '{_UUID}1' WHERE group_id IS NOT NULL",
+    "a tombstone that is a text": "INSERT INTO tombstones VALUES ('João da Silva')",
+    "a PC's name that is none": "UPDATE bundle SET computer_name = char(27) || '[31m'",
+    "huge texts": "UPDATE notes SET text = printf('%.*c', 20000000, 'x')",
+}
+
+
+@pytest.mark.parametrize("kind", VALUES)
+def test_values_that_pinel_does_not_write(
+    bundle: Path, refused: Callable[[Path], StoreError], kind: str
+) -> None:
+    assert refused(changed(bundle, VALUES[kind])).code == "bundle_hostile"
+
+
+def test_telemetry_that_unpacks_to_gigabytes(
+    bundle: Path, refused: Callable[[Path], StoreError]
+) -> None:
+    bomb = zlib.compress(bytes(300_000_000), 9)
+    change: Change = lambda db: db.execute("UPDATE telemetry SET data = ?", [bomb])  # noqa: E731
+    assert refused(changed(bundle, change)).code == "bundle_hostile"
+
+
+def test_many_chunks_that_unpack_to_gigabytes_together(
+    bundle: Path, refused: Callable[[Path], StoreError]
+) -> None:
+    blob = pack(np.zeros((100_000, len(COLUMNS))))
+
+    def change(db: sqlite3.Connection) -> None:
+        (run_id,) = db.execute("SELECT run_id FROM telemetry").fetchone()
+        db.executemany(
+            "INSERT INTO telemetry VALUES (?, ?, 0, 100000, ?)",
+            [(run_id, chunk, blob) for chunk in range(100, 103)],
+        )
+
+    assert refused(changed(bundle, change)).code == "bundle_hostile"
+
+
+def test_text_that_is_not_utf_8(bundle: Path, refused: Callable[[Path], StoreError]) -> None:
+    change: Change = lambda db: db.execute(  # noqa: E731
+        "UPDATE groups SET name = CAST(x'ff41' AS TEXT)"
+    )
+    with closing(sqlite3.connect(bundle, isolation_level=None)) as db:
+        change(db)
+    assert refused(bundle).code == "bundle_damaged"
+
+
+def test_an_index_that_does_not_fit_its_table(
+    bundle: Path, refused: Callable[[Path], StoreError]
+) -> None:
+    def change(db: sqlite3.Connection) -> None:
+        (sql,) = db.execute("SELECT sql FROM sqlite_schema WHERE name = 'notes_run'").fetchone()
+        db.execute("PRAGMA writable_schema = ON")
+        db.execute("DELETE FROM sqlite_schema WHERE name = 'notes_run'")
+        db.execute("PRAGMA writable_schema = RESET")
+        db.execute("UPDATE notes SET text = 'x'")
+        db.execute(sql.replace("run_id", "text"))
+        db.execute("PRAGMA writable_schema = ON")
+        db.execute("UPDATE sqlite_schema SET sql = ? WHERE name = 'notes_run'", [sql])
+
+    changed(bundle, change, honest=False)
+    assert refused(bundle).code == "bundle_damaged"
+
+
+def test_a_log_beside_it_is_not_believed(bundle: Path, store: Store, tmp_path: Path) -> None:
+    for name in ("-journal", "-wal", "-shm"):
+        bundle.with_name(bundle.name + name).write_bytes(os.urandom(4096))
+    assert merged(store, bundle).added["runs"] == 2
+    assert len(list(tmp_path.glob("there.pinel*"))) == 4
+
+
+def test_a_stick_that_can_only_be_read_is_read(bundle: Path, store: Store) -> None:
+    folder = bundle.parent / "stick"
+    folder.mkdir()
+    there = bundle.rename(folder / bundle.name)
+    there.chmod(0o444)
+    folder.chmod(0o555)
+    try:
+        assert merged(store, there).added["runs"] == 2
+        assert [file.name for file in folder.iterdir()] == [there.name]
+    finally:
+        folder.chmod(0o755)
+
+
+def test_a_file_that_may_not_be_read_is_told(
+    bundle: Path, refused: Callable[[Path], StoreError]
+) -> None:
+    bundle.chmod(0)
+    if os.access(bundle, os.R_OK):
+        pytest.skip("this user may read everything")
+    assert refused(bundle).code == "bundle_unreadable"
+
+
+def test_every_column_of_content_has_a_rule(store: Store) -> None:
+    with store._access.reading() as db:
+        for content in CONTENT:
+            assert set(RULES[content.table]) == set(columns(db, content.table))
