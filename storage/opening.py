@@ -11,8 +11,10 @@ from storage.backups import make_backup, restored_copy
 from storage.errors import StoreError, translated
 from storage.places import is_on_share
 from storage.schema import KNOWN_MIGRATIONS, MIGRATION_SET, MIGRATIONS_TABLE, migrate
+from storage.text import LAST_ID, go_on_after
 
 _BUSY_S = 5.0
+_ORDERED_BY_ID = ("runs", "versions", "programs", "groups")
 # in the order in which they are set aside: a WAL that stayed would be read as part of what takes the file's place
 _SIBLINGS = ("-shm", "-wal", "")
 
@@ -232,11 +234,20 @@ def _migrate(path: Path, now: datetime) -> Notice | None:
                 notice = _back_up(path, now) or notice
             if applied != KNOWN_MIGRATIONS:
                 migrate(connection)
+            _go_on_after_newest(connection)
             return notice
     except sqlite3.OperationalError as error:
         if translated(error, path).code != "database_read_only" or not path.exists():
             raise
         raise _ReadOnlyError(_readable_address(path)) from error
+
+
+def _go_on_after_newest(connection: sqlite3.Connection) -> None:
+    """Lists are in the order of ids, and a PC whose battery is empty starts in 2010 every day."""
+    for table in _ORDERED_BY_ID:
+        query = f"SELECT max(id) FROM {table} WHERE id < ?"
+        newest = connection.execute(query, [LAST_ID]).fetchone()[0]
+        go_on_after(newest or "")
 
 
 def _back_up(path: Path, now: datetime) -> Notice | None:

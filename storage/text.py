@@ -1,11 +1,14 @@
 """JSON, ids, times and names as the store writes them."""
 
+import contextlib
 import json
+import secrets
+import threading
+import time
 import unicodedata
+import uuid
 from datetime import UTC, datetime
 from typing import Any
-
-import uuid6
 
 from storage.errors import StoreError
 
@@ -17,9 +20,40 @@ _JOINERS = "\u200c\u200d"
 _BLANKS = "\u115f\u1160\u3164\uffa0\u2800"
 
 
+class _Ids:
+    """UUIDv7 as RFC 9562 has them: a time of ms, then chance; the time goes on where the clock goes back."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._last_ms = 0
+
+    def next(self) -> str:
+        with self._lock:
+            self._last_ms = ms = max(time.time_ns() // 10**6, self._last_ms + 1)
+        chance = secrets.randbits(74)
+        high, low = chance >> 62, chance & (2**62 - 1)
+        return str(uuid.UUID(int=ms << 80 | 7 << 76 | high << 64 | 2 << 62 | low))
+
+    def go_on_after(self, newest: str) -> None:
+        with self._lock, contextlib.suppress(ValueError):
+            self._last_ms = max(self._last_ms, uuid.UUID(newest).int >> 80)
+
+
+_ids = _Ids()
+# no clock is that wrong: an id beyond it was made up
+LAST_ID = "07"
+
+
 def new_id() -> str:
-    """UUIDv7 text; within a process each is greater than the one before, even when the clock goes back."""
-    return str(uuid6.uuid7())
+    """UUIDv7 text; each is greater than the one before, even when the clock goes back."""
+    return _ids.next()
+
+
+def go_on_after(newest: str) -> None:
+    """Has all further ids be greater than this one, which the file had already: the PC may have started with an
+    earlier time than it had before. What is no id changes nothing."""
+    if newest < LAST_ID:
+        _ids.go_on_after(newest)
 
 
 def time_text(moment: datetime) -> str:

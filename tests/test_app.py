@@ -2,11 +2,12 @@
 
 import json
 import os
+import sqlite3
 import stat
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack
+from contextlib import ExitStack, closing
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -228,3 +229,19 @@ def test_a_backup_that_took_the_place_of_a_damaged_file_is_said_and_can_be_writt
     found = status_of(app)["database"]
     assert (found["writable"], found["notice"]["code"]) == (True, "database_restored")
     assert [group.name for group in app._store.groups.all()] == ["A"]
+
+
+def test_a_file_that_another_program_holds_too_long_is_said_in_words_and_free_again_later(
+    database: Path, start_app: Callable[..., App]
+) -> None:
+    app = start_app()
+    browser = Browser.signed_in(app.address)
+    app._store._access.submit(lambda db: db.execute("PRAGMA busy_timeout = 50").fetchone()).result()
+    with closing(sqlite3.connect(database, isolation_level=None)) as other:
+        other.execute("BEGIN EXCLUSIVE")
+        answer = browser.post("/api/groups", {"name": "A"})
+        other.execute("ROLLBACK")
+    assert (answer.status, answer.error["code"]) == (503, "database_locked")
+    assert answer.error["message"]
+    assert str(database) in answer.error["remedy"]
+    assert browser.post("/api/groups", {"name": "A"}).status == 200
