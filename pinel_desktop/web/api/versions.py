@@ -2,7 +2,6 @@
 
 from flask import Response
 
-from pinel_desktop.review import difference
 from pinel_desktop.web.answers import answer
 from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.api.programs import version_model
@@ -37,6 +36,9 @@ def get_version(path: IdPath) -> Response:
 @api.get("/versions/<id>/difference", responses=answers(VersionDifference, 404))
 def get_difference(path: IdPath, query: DifferenceTo) -> Response:
     """What differs in a later version, block by block."""
+    # the page is drawn before anybody compares
+    from pinel_desktop.review import difference  # noqa: PLC0415
+
     versions = services().store.versions
     before, after = (versions.get(version_id) for version_id in (path.id, query.to))
     found = difference(before.workspace, after.workspace)

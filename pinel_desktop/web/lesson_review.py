@@ -1,0 +1,122 @@
+"""The review of a lesson, read from the store and put into the shapes of the answers."""
+
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from pinel_desktop.messages import describe
+from pinel_desktop.review import (
+    BlocksInUse,
+    Edit,
+    GroupReview,
+    GroupWork,
+    LessonReview,
+    Mark,
+    Run,
+    review_group,
+    review_lesson,
+    versions_needed,
+)
+from pinel_desktop.web.api.classrooms import lesson_model
+from pinel_desktop.web.mark_table import mark_table
+from pinel_desktop.web.models import review as shapes
+from pinel_desktop.web.services import Services
+from storage import GroupLine, GroupLines, LessonLines, LessonRow
+
+
+@dataclass(frozen=True, slots=True)
+class ReadLesson:
+    """A lesson with its review.
+
+    Attributes:
+        reasons: why runs ended, in words of the language, by run.
+    """
+
+    lesson: LessonRow
+    lines: LessonLines
+    review: LessonReview
+    reasons: dict[str, str]
+    language: str
+
+    def model(self) -> shapes.LessonReview:
+        """As the page gets it."""
+        heads = {group.id: shapes.GroupHead(**group._asdict()) for group in self.lines.groups}
+        groups = [
+            shapes.GroupReview(
+                group=heads[group.id],
+                marks=[_mark(mark, self.lines, self.reasons) for mark in group.marks],
+                figures=shapes.Figures(**asdict(group.figures)),
+                blocks=_blocks(group.blocks),
+            )
+            for group in self.review.groups
+        ]
+        return shapes.LessonReview(lesson=lesson_model(self.lesson), groups=groups)
+
+    def table(self) -> str:
+        """As a spreadsheet opens it."""
+        return mark_table(self.review, self.lines.computers, self.reasons, self.language)
+
+
+def read_lesson(lesson_id: str, parts: Services) -> ReadLesson:
+    """The lesson with all that were joined to it; workspaces are read of one group at a time.
+
+    Raises:
+        StoreError: `lesson_not_found`.
+    """
+    store, language = parts.store, parts.preferences.language
+    lesson = store.lessons.get(lesson_id)
+    lines = store.lesson_records.of(store.lessons.parts(lesson_id))
+    groups: list[GroupReview] = []
+    for group in lines.groups:
+        work = _work(group, lines.work[group.id])
+        workspaces = store.lesson_records.workspaces(versions_needed(work))
+        groups.append(review_group(work, workspaces, lesson.activity))
+    return ReadLesson(lesson, lines, review_lesson(groups), _reasons(lines, language), language)
+
+
+def _work(group: GroupLine, lines: GroupLines) -> GroupWork:
+    edits = tuple(Edit(**edit._asdict()) for edit in lines.edits)
+    fields = Run.__dataclass_fields__
+    runs = (Run(**{name: getattr(run, name) for name in fields}) for run in lines.runs)
+    return GroupWork(group.id, group.name, edits, tuple(runs))
+
+
+def _reasons(lines: LessonLines, language: str) -> dict[str, str]:
+    runs = (run for work in lines.work.values() for run in work.runs)
+    return {
+        run.id: describe(run.reason, run.params, language).message for run in runs if run.reason
+    }
+
+
+def _mark(mark: Mark, lines: LessonLines, words: dict[str, str]) -> shapes.ReviewMark:
+    run, changes = mark.run, mark.changes
+    return shapes.ReviewMark(
+        kind="run" if run else "edit",
+        at=mark.at,
+        until=mark.until,
+        computer=lines.computers.get(mark.computer_id or ""),
+        program_id=mark.program_id,
+        program_name=mark.program_name,
+        version_id=mark.version_id,
+        number=mark.number,
+        n_edits=None if run else mark.n_edits,
+        since=mark.since,
+        changes=None if changes is None else shapes.ChangeCounts(**asdict(changes)),
+        **_of_run(run, words),
+        repairs=mark.repairs,
+    )
+
+
+def _of_run(run: Run | None, words: dict[str, str]) -> dict[str, Any]:
+    names = ("state", "reason", "activity", "passed", "duration_s")
+    if run is None:
+        return dict.fromkeys(("run_id", "message", *names))
+    values = {name: getattr(run, name) for name in names}
+    return {"run_id": run.id, "message": words.get(run.id), **values}
+
+
+def _blocks(use: BlocksInUse) -> list[shapes.BlockCount]:
+    """Types in alphabetical order: how often one is used says nothing about what it is good for."""
+    return [
+        shapes.BlockCount(type=kind, count=use.attached.get(kind, 0), loose=use.loose.get(kind, 0))
+        for kind in sorted({*use.attached, *use.loose})
+    ]
