@@ -131,6 +131,7 @@ def export_bundle(
     computer: tuple[str, str],
     scope: Scope = ALL,
     alter: Alteration | None = None,
+    is_noted: bool = True,
 ) -> BundleInfo:
     """Writes what is on disk at this moment and has ended; a file is there only when it is whole.
 
@@ -138,6 +139,7 @@ def export_bundle(
         dest: the file; where there is one already, the new one gets a number.
         computer: key and name of this PC.
         alter: changes the copy before it is finished; the bundle then counts as anonymous.
+        is_noted: whether `exports` says where the file is; not for one that is handed on at once.
 
     Raises:
         StoreError: `classroom_not_found`, `group_not_found`, `program_not_found`; `export_failed` or `disk_full`
@@ -156,7 +158,7 @@ def export_bundle(
         finally:
             part.unlink(missing_ok=True)
         _synced_folder(final.parent)
-    if access.can_write:
+    if is_noted and access.can_write:
         access.write(lambda db: _note(db, info, scope))
     return info
 

@@ -3,9 +3,11 @@
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from storage.bundle_reading import open_bundle
 from storage.bundles import ALL, BundleInfo, Scope, export_bundle
 from storage.connection import Access
 from storage.content import content_hash
+from storage.errors import StoreError
 from storage.merging import Heard, MergeReport, heard_from, merge
 
 if TYPE_CHECKING:
@@ -25,14 +27,32 @@ class Exchange:
         app_version: str,
         computer: tuple[str, str],
         scope: Scope = ALL,
+        is_noted: bool = True,
     ) -> BundleInfo:
         """Writes a bundle; see `export_bundle`."""
         return export_bundle(
-            self._access, dest, app_version=app_version, computer=computer, scope=scope
+            self._access,
+            dest,
+            app_version=app_version,
+            computer=computer,
+            scope=scope,
+            is_noted=is_noted,
         )
 
     def merge(self, path: Path) -> MergeReport:
         """Brings a bundle in; on disk when this returns. Raises StoreError, see `open_bundle`."""
+        return merge(self._access, path)
+
+    def merge_program(self, path: Path) -> MergeReport:
+        """The same for what any group may bring in: one program, and no deletions.
+
+        Raises:
+            StoreError: `bundle_not_program`, and what `merge` raises.
+        """
+        with open_bundle(path) as bundle:
+            counts = bundle.info.counts
+        if counts.get("programs", 0) != 1 or counts.get("tombstones", 0):
+            raise StoreError("bundle_not_program", path=str(path))
         return merge(self._access, path)
 
     def heard_from(self) -> list[Heard]:

@@ -7,6 +7,7 @@ from concurrent.futures import Future
 from datetime import UTC, datetime
 from pathlib import Path
 from types import TracebackType
+from typing import TYPE_CHECKING
 
 from storage.checks import Checks
 from storage.classrooms import Classrooms
@@ -25,6 +26,9 @@ from storage.schema import migrate
 from storage.settings import Settings
 from storage.text import new_id
 from storage.versions import Versions
+
+if TYPE_CHECKING:
+    from storage.exchange import Exchange
 
 Clock = Callable[[], datetime]
 
@@ -73,6 +77,13 @@ class Store:
     def unfinished(self) -> bool:
         """True when runs that were cut off could not be closed at the start; `record` closes them."""
         return bool(self._interrupted)
+
+    @property
+    def exchange(self) -> "Exchange":
+        """What goes from this file to others and comes from them."""
+        from storage.exchange import Exchange  # noqa: PLC0415 - most starts need none of it
+
+        return Exchange(self._access)
 
     def listen(self, on_written: Callable[[], None]) -> None:
         """Has it called after each write that is on disk, on the writer's thread; it must not raise or wait."""

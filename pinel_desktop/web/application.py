@@ -9,6 +9,7 @@ from flask_openapi3.openapi import OpenAPI
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.web import errors
+from pinel_desktop.web.api.exchange import LARGEST_FILE, TAKES_FILES
 from pinel_desktop.web.page import PagePath, page
 from pinel_desktop.web.protection import add_headers, check_guard
 from pinel_desktop.web.routes import bare_app, description_text
@@ -55,7 +56,10 @@ def _finite(text: str) -> float:
 
 
 def _check_body() -> None:
-    """Says what is wrong with a body that is no JSON; the models would only miss an object."""
+    """Says what is wrong with a body that is no JSON; the models would only miss an object. Files are no JSON."""
+    if request.path in TAKES_FILES and request.mimetype == "application/octet-stream":
+        request.max_content_length = LARGEST_FILE
+        return
     if not request.get_data(cache=True):
         return
     if not request.is_json:

@@ -15,6 +15,7 @@ from pydantic import BaseModel
 from pinel_desktop import __version__
 from pinel_desktop.web.api import (
     classrooms,
+    exchange,
     groups,
     history,
     instance,
@@ -44,6 +45,7 @@ _RESOURCES = (
     history,
     review,
     notes,
+    exchange,
     python,
     worlds,
     robots,

@@ -1,0 +1,213 @@
+"""Work that goes from PC to PC: sticks, shared folders, and one program as a file."""
+
+import re
+import tempfile
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from flask import Response, request
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.messages import describe
+from pinel_desktop.web.answers import answer, showable
+from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.models import IdPath
+from pinel_desktop.web.models.errors import Notice
+from pinel_desktop.web.models.exchange import (
+    Bundle,
+    BundlesToMerge,
+    FileFound,
+    Folder,
+    FolderList,
+    HeardComputer,
+    HeardList,
+    Merged,
+    MergedCounts,
+    MergeList,
+    NewBundle,
+    SharedFolder,
+)
+from pinel_desktop.web.services import services
+from pinel_desktop.web.teaching import require_teacher
+from storage import StoreError
+
+if TYPE_CHECKING:  # needed when files go or come, not when the page is drawn
+    from pinel_desktop.drives import FileFound as FileOnDisk
+    from pinel_desktop.drives import Folder as FolderOnDisk
+    from storage.bundles import BundleInfo
+    from storage.merging import MergeReport
+
+api = resource("exchange", "Work from PC to PC.", __name__)
+
+_FOLDER = "shared_folder"
+TAKES_FILES = ("/api/programs/file",)
+LARGEST_FILE = 256 * 2**20
+_OCTETS = {
+    "content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}}
+}
+
+
+@api.get("/folders", responses=answers(FolderList, 403))
+def list_folders() -> Response:
+    """Sticks and the shared folder, each with its bundles, the newest first. For the teacher."""
+    require_teacher()
+    return _folders()
+
+
+@api.put("/folders/shared", responses=answers(FolderList, 403, 503, 507))
+def choose_shared_folder(body: SharedFolder) -> Response:
+    """Remembers the school's shared folder. For the teacher."""
+    require_teacher()
+    if body.path and not Path(body.path).is_dir():
+        raise PinelError("folder_missing", path=body.path)
+    services().store.settings.set(_FOLDER, body.path)
+    return _folders()
+
+
+@api.post("/bundles", responses=answers(Bundle, 403, 404, 503, 507))
+def write_bundle(body: NewBundle) -> Response:
+    """Writes all work, or that of a class or group, into a folder. For the teacher."""
+    from storage.bundles import SUFFIX, Scope  # noqa: PLC0415 - see above
+
+    require_teacher()
+    folder = Path(body.folder)
+    if not folder.is_dir():
+        raise PinelError("folder_missing", path=body.folder)
+    parts = services()
+    computer = parts.store.computers.here()
+    dest = folder / f"{_file_name(computer[1])}-{datetime.now().astimezone():%Y-%m-%d}{SUFFIX}"
+    scope = Scope(classroom_id=body.classroom_id, group_id=body.group_id)
+    info = parts.store.exchange.export(
+        dest, app_version=parts.app_version, computer=computer, scope=scope
+    )
+    return answer(_bundle(info))
+
+
+@api.post("/bundles/merge", responses=answers(MergeList, 403))
+def merge_bundles(body: BundlesToMerge) -> Response:
+    """Brings files in; one that is refused does not keep the others out. For the teacher."""
+    require_teacher()
+    merged = [_merged(Path(path)) for path in body.paths]
+    return answer(MergeList(merged=merged, content_hash=services().store.exchange.content_hash()))
+
+
+@api.get("/bundles/heard", responses=answers(HeardList, 403))
+def list_heard() -> Response:
+    """PCs whose work is here, and when it came. For the teacher."""
+    require_teacher()
+    heard = services().store.exchange.heard_from()
+    return answer(
+        HeardList(
+            computers=[HeardComputer.model_validate(one, from_attributes=True) for one in heard]
+        )
+    )
+
+
+@api.get("/programs/<id>/file", responses=answers(_OCTETS, 404, 503, 507))
+def get_program_file(path: IdPath) -> Response:
+    """A program with its group, versions and runs as a file, so that the group can go on at another PC."""
+    from storage.bundles import SUFFIX, Scope  # noqa: PLC0415 - see above
+
+    parts = services()
+    name = _file_name(parts.store.programs.get(path.id).name)
+    with tempfile.TemporaryDirectory() as folder:
+        info = parts.store.exchange.export(
+            Path(folder) / f"{name}{SUFFIX}",
+            app_version=parts.app_version,
+            computer=parts.store.computers.here(),
+            scope=Scope(program_id=path.id),
+            is_noted=False,
+        )
+        octets = info.path.read_bytes()
+    return Response(octets, mimetype="application/octet-stream")
+
+
+@api.post("/programs/file", responses=answers(Merged, 413, 503, 507))
+def read_program_file() -> Response:
+    """Brings in a file that `GET /programs/{id}/file` gave on another PC. The body is the file."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "upload"
+        with path.open("wb") as file:
+            while chunk := request.stream.read(2**20):
+                file.write(chunk)
+        report = services().store.exchange.merge_program(path)
+    return answer(_report(path, report))
+
+
+def _folders() -> Response:
+    from pinel_desktop.drives import folders  # noqa: PLC0415 - see above
+    from storage.bundles import SUFFIX  # noqa: PLC0415
+
+    kept = services().store.settings.get(_FOLDER)
+    found = folders(SUFFIX, [Path(kept)] if kept else [])
+    return answer(FolderList(folders=[_folder(one) for one in found]))
+
+
+def _folder(folder: "FolderOnDisk") -> Folder:
+    return Folder(
+        path=showable(str(folder.path)),
+        name=showable(folder.name),
+        is_stick=folder.is_stick,
+        is_writable=folder.is_writable,
+        free_bytes=folder.free_bytes,
+        files=[_file(file) for file in folder.files],
+    )
+
+
+def _file(file: "FileOnDisk") -> FileFound:
+    return FileFound(
+        path=showable(str(file.path)),
+        name=showable(file.path.name),
+        size_bytes=file.size_bytes,
+        modified_at=datetime.fromtimestamp(file.modified_s, UTC).isoformat(),
+    )
+
+
+def _file_name(name: str) -> str:
+    """What every file system takes as the name of a file."""
+    return re.sub(r"[^\w -]", "", name).strip()[:60] or "PINEL"
+
+
+def _bundle(info: "BundleInfo") -> Bundle:
+    return Bundle(
+        path=str(info.path),
+        name=info.path.name,
+        exported_at=info.exported_at,
+        n_groups=info.counts.get("groups", 0),
+        n_programs=info.counts.get("programs", 0),
+        n_runs=info.counts.get("runs", 0),
+    )
+
+
+def _merged(path: Path) -> Merged:
+    parts = services()
+    try:
+        return _report(path, parts.store.exchange.merge(path))
+    except StoreError as error:
+        words = describe(error.code, showable(error.params), parts.preferences.language)
+        return Merged(
+            path=str(path),
+            name=path.name,
+            computer=None,
+            exported_at=None,
+            added=_counts({}),
+            nothing_new=True,
+            problem=Notice(code=error.code, message=words.message, remedy=words.remedy),
+        )
+
+
+def _report(path: Path, report: "MergeReport") -> Merged:
+    return Merged(
+        path=str(path),
+        name=path.name,
+        computer=report.info.computer_name,
+        exported_at=report.info.exported_at,
+        added=_counts(report.added),
+        nothing_new=report.nothing_new,
+        problem=None,
+    )
+
+
+def _counts(added: dict[str, int]) -> MergedCounts:
+    return MergedCounts(**{name: added.get(name, 0) for name in MergedCounts.model_fields})

@@ -1,0 +1,111 @@
+"""Bundles: files that carry work from PC to PC."""
+
+from typing import Annotated
+
+from pydantic import Field
+
+from pinel_desktop.web.models import Body, Id, Shape, Time
+from pinel_desktop.web.models.errors import Notice
+
+_Path = Annotated[str, Field(max_length=4000)]
+
+
+class FileFound(Shape):
+    """A bundle that lies in a folder; `modified_at` by the clock of the PC that wrote it."""
+
+    path: str
+    name: str
+    size_bytes: int
+    modified_at: Time
+
+
+class Folder(Shape):
+    """A stick that is plugged in, or the school's shared folder; `free_bytes` null where nobody can tell."""
+
+    path: str
+    name: str
+    is_stick: bool
+    is_writable: bool
+    free_bytes: int | None
+    files: list[FileFound]
+
+
+class FolderList(Shape):
+    """Sticks first."""
+
+    folders: list[Folder]
+
+
+class SharedFolder(Body):
+    """A folder of this PC or of the network; "" for none."""
+
+    path: _Path
+
+
+class NewBundle(Body):
+    """Where to, and of what: all, or one class or group."""
+
+    folder: _Path
+    classroom_id: Id | None = None
+    group_id: Id | None = None
+
+
+class Bundle(Shape):
+    """A bundle that was written."""
+
+    path: str
+    name: str
+    exported_at: Time
+    n_groups: int
+    n_programs: int
+    n_runs: int
+
+
+class BundlesToMerge(Body):
+    """Files to bring in, one after the other."""
+
+    paths: Annotated[list[_Path], Field(min_length=1, max_length=500)]
+
+
+class MergedCounts(Shape):
+    """How many came."""
+
+    groups: int
+    programs: int
+    versions: int
+    runs: int
+
+
+class Merged(Shape):
+    """What came of one file: what it brought, or why it was refused."""
+
+    path: str
+    name: str
+    computer: str | None
+    exported_at: Time | None
+    added: MergedCounts
+    nothing_new: bool
+    problem: Notice | None
+
+
+class MergeList(Shape):
+    """In the order of the files; `content_hash` is the same on every PC that holds the same work."""
+
+    merged: list[Merged]
+    content_hash: str
+
+
+class HeardComputer(Shape):
+    """A PC whose work is here: when it wrote what came last, and when that came."""
+
+    computer_id: Id
+    name: str
+    exported_at: Time
+    merged_at: Time
+    n_runs: int
+
+
+class HeardList(Shape):
+    """The one heard of last first."""
+
+    computers: list[HeardComputer]

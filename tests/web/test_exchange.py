@@ -1,0 +1,134 @@
+"""Work that goes from PC to PC: sticks, the shared folder, a program as a file."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from pinel_desktop.app import App
+from storage.bundles import Scope
+from tests.web.browser import Answer, Browser
+from tests.web.conftest import SQUARE
+
+PIN = {"pin": "314159"}
+
+
+@pytest.fixture
+def stick(tmp_path: Path) -> Path:
+    folder = tmp_path / "pen drive é"
+    folder.mkdir()
+    return folder
+
+
+@pytest.fixture
+def other(start_app: Callable[..., App], tmp_path: Path) -> Browser:
+    """The teacher at another PC."""
+    browser = Browser.signed_in(start_app(tmp_path / "other" / "pinel.db").address)
+    browser.put("/api/teacher/pin", PIN)
+    return browser
+
+
+@pytest.fixture
+def teacher(browser: Browser) -> Browser:
+    browser.put("/api/teacher/pin", PIN)
+    return browser
+
+
+def test_all_work_goes_to_another_pc_by_stick(
+    teacher: Browser, other: Browser, version: dict[str, Any], stick: Path
+) -> None:
+    teacher.patch("/api/computer", {"name": "PC 07"})
+    written = teacher.post("/api/bundles", {"folder": str(stick)}).data
+    assert written["name"].startswith("PC 07-")
+    assert (written["n_groups"], written["n_programs"], written["n_runs"]) == (1, 1, 0)
+    other.put("/api/folders/shared", {"path": str(stick)})
+    (folder,) = other.get("/api/folders").data["folders"]
+    assert [file["name"] for file in folder["files"]] == [written["name"]]
+    to_merge = {"paths": [folder["files"][0]["path"]]}
+    first, again = (other.post("/api/bundles/merge", to_merge).data for _ in range(2))
+    assert first["merged"][0]["added"] == {"groups": 1, "programs": 1, "versions": 1, "runs": 0}
+    assert (first["merged"][0]["computer"], again["merged"][0]["nothing_new"]) == ("PC 07", True)
+    assert first["content_hash"] == again["content_hash"]
+    (heard,) = other.get("/api/bundles/heard").data["computers"]
+    assert heard["name"] == "PC 07"
+    assert [group["name"] for group in other.get("/api/groups").data["groups"]] == ["Os Robôs"]
+
+
+def test_a_file_that_is_refused_does_not_keep_the_others_out(
+    teacher: Browser, other: Browser, version: dict[str, Any], stick: Path
+) -> None:
+    good = teacher.post("/api/bundles", {"folder": str(stick)}).data["path"]
+    bad = stick / "bad.pinel"
+    bad.write_bytes(Path(good).read_bytes()[:5000])
+    paths = [str(bad), good, str(stick / "gone.pinel"), str(stick)]
+    merged = other.post("/api/bundles/merge", {"paths": paths}).data["merged"]
+    assert [one["problem"] is None for one in merged] == [False, True, False, False]
+    for one in merged:
+        if one["problem"]:
+            assert one["problem"]["message"] != one["problem"]["code"]
+            assert one["problem"]["remedy"]
+
+
+def test_a_group_goes_on_with_its_program_at_another_pc(
+    browser: Browser, other: Browser, program: dict[str, Any], version: dict[str, Any]
+) -> None:
+    octets = browser.get(f"/api/programs/{program['id']}/file").body
+    merged = _bring(other, octets).data
+    assert merged["added"]["programs"] == 1
+    place = f"/api/programs/{program['id']}"
+    assert other.get(place).data["version"]["document"]["name"] == "square"
+    more = {"workspace": {"more": 1}, "document": SQUARE}
+    assert other.post(f"{place}/versions", more).status == 200
+    back = other.get(f"{place}/file").body
+    assert _bring(browser, back).data["added"]["versions"] == 1
+    assert browser.get(place).data["version"]["workspace"] == {"more": 1}
+    assert browser.get(f"{place}/versions").data["versions"][0]["number"] == 2
+
+
+def test_pupils_bring_in_one_program_only(
+    app: App, browser: Browser, version: dict[str, Any], tmp_path: Path
+) -> None:
+    browser.post("/api/groups", {"name": "B"})
+    browser.post(f"/api/groups/{_group(browser)}/programs", {"name": "Segundo"})
+    store = app._store
+    info = store.exchange.export(
+        tmp_path / "all.pinel", app_version="1", computer=store.computers.here(), scope=Scope()
+    )
+    refused = _bring(browser, info.path.read_bytes())
+    assert (refused.status, refused.error["code"]) == (422, "bundle_not_program")
+    rubbish = _bring(browser, b"rubbish")
+    assert rubbish.status == 422
+    assert rubbish.error["remedy"]
+
+
+def test_sticks_and_files_are_the_teacher_s(browser: Browser, stick: Path) -> None:
+    for answer in (
+        browser.get("/api/folders"),
+        browser.put("/api/folders/shared", {"path": str(stick)}),
+        browser.post("/api/bundles", {"folder": str(stick)}),
+        browser.post("/api/bundles/merge", {"paths": ["a"]}),
+        browser.get("/api/bundles/heard"),
+    ):
+        assert (answer.status, answer.error["code"]) == (403, "pin_missing")
+
+
+def test_a_folder_that_is_not_there_is_said(teacher: Browser, stick: Path) -> None:
+    gone = str(stick / "gone")
+    for answer in (
+        teacher.put("/api/folders/shared", {"path": gone}),
+        teacher.post("/api/bundles", {"folder": gone}),
+    ):
+        assert answer.error["code"] == "folder_missing"
+        assert gone in answer.error["message"]
+
+
+FILE = {"Content-Type": "application/octet-stream"}
+
+
+def _bring(browser: Browser, octets: bytes) -> Answer:
+    return browser.send("POST", "/api/programs/file", body=octets, headers=FILE)
+
+
+def _group(browser: Browser) -> str:
+    return str(browser.get("/api/groups").data["groups"][0]["id"])
