@@ -8,6 +8,8 @@ from typing import Any
 import pytest
 
 from pinel_desktop.app import App
+from pinel_desktop.messages import LANGUAGES, describe
+from pinel_desktop.web.models.review import Figures
 from tests.review.sketches import Sketch, move, start, workspace_of
 from tests.storage.sample_runs import ended
 from tests.web.browser import Browser
@@ -138,11 +140,20 @@ def test_the_table_has_a_row_for_each_mark(
     header, *rows = csv.reader(io.StringIO(answer.text[1:]), delimiter=comma)
     assert header[0] == {"pt-BR": "Grupo", "en": "Group"}[language]
     assert [len(row) for row in rows] == [len(header)] * 4
+    assert "review_" not in answer.text  # the code of words that are not there
     assert {row[0] for row in rows} == {"Os Robôs"}
     assert {row[4] for row in rows} == {"'=Programa de Os Robôs"}
     assert rows[1][15] == f"2{point}5"
     assert rows[3][16] == rows[1][2]
     assert rows[0][6:11] == ["1", "1", "0", "0", "0"]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_figure_says_in_words_what_it_counts(language: str) -> None:
+    for name in (*Figures.model_fields, "blocks", "changes", "repairs"):
+        words = describe(f"figure_{name}", {}, language)
+        assert words.message != f"figure_{name}"
+        assert words.remedy.startswith(("Cont", "Counts", "Cuenta", "Marca", "Marks"))
 
 
 def test_two_versions_are_compared_block_by_block(browser: Browser, pupils: Pupils) -> None:
