@@ -1,4 +1,4 @@
-"""What goes between stores: exported, merged, compared, heard of."""
+"""What goes between stores: exported, merged, compared, heard of; and what is to go from all of them."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -9,6 +9,7 @@ from storage.connection import Access
 from storage.content import content_hash
 from storage.errors import StoreError
 from storage.merging import Heard, MergeReport, heard_from, merge
+from storage.removal import Removal, remove
 
 if TYPE_CHECKING:
     from storage.store import Store
@@ -58,6 +59,10 @@ class Exchange:
     def heard_from(self) -> list[Heard]:
         """PCs whose bundles were merged, the one heard of last first."""
         return heard_from(self._access)
+
+    def remove(self, kind: str, key: str) -> Removal:
+        """Deletes for good a `classroom`, `group`, `program`, `run`, `lesson` or `note`; see `removal.remove`."""
+        return remove(self._access, kind, key)
 
     def content_hash(self) -> str:
         """One number for all that the store holds; equal stores have equal ones."""

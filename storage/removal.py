@@ -3,6 +3,13 @@ them back."""
 
 import sqlite3
 from collections.abc import Iterable
+from contextlib import closing
+from dataclasses import dataclass
+
+from storage.connection import Access
+from storage.errors import StoreError
+from storage.opening import connect
+from storage.text import loaded
 
 # What has a key of its own and is deleted by it -> what of it is deleted too, by which column. A run, version or
 # label is only ever found below these.
@@ -28,6 +35,71 @@ _DELETIONS = (
     ("lessons", f"id IN {_DEAD}"),
     ("classrooms", f"id IN {_DEAD}"),
 )
+
+
+# kind -> what tells which class, group and programs it has to do with
+_RELATED = {
+    "classroom": """SELECT groups.classroom_id, groups.id, programs.id FROM groups
+        LEFT JOIN programs ON programs.group_id = groups.id WHERE groups.classroom_id = ?""",
+    "group": """SELECT groups.classroom_id, groups.id, programs.id FROM groups
+        LEFT JOIN programs ON programs.group_id = groups.id WHERE groups.id = ?""",
+    "program": """SELECT groups.classroom_id, groups.id, programs.id FROM programs
+        JOIN groups ON groups.id = programs.group_id WHERE programs.id = ?""",
+    "run": """SELECT groups.classroom_id, groups.id, runs.program_id FROM runs
+        LEFT JOIN groups ON groups.id = runs.group_id WHERE runs.id = ?""",
+    "lesson": "SELECT classroom_id FROM lessons WHERE id = ?",
+    "note": """SELECT groups.classroom_id, groups.id, runs.program_id FROM notes JOIN runs ON runs.id = notes.run_id
+        LEFT JOIN groups ON groups.id = runs.group_id WHERE notes.id = ?""",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Exported:
+    """A file that was written from this store."""
+
+    path: str
+    made_at: str
+
+
+@dataclass(frozen=True, slots=True)
+class Removal:
+    """What was deleted for good.
+
+    Attributes:
+        ids: the keys that no merge brings back; backups are to lose the same.
+        counts: rows by table.
+        exports: files that were written from this store and may still hold it.
+        overwritten: False while another program still reads the log, in which the text is until it has ended.
+    """
+
+    ids: tuple[str, ...]
+    counts: dict[str, int]
+    exports: tuple[Exported, ...]
+    overwritten: bool
+
+
+def remove(access: Access, kind: str, key: str) -> Removal:
+    """Deletes a `classroom` with its groups, a `group` with its programs, a `program` with its runs, a `run` with
+    its notes, a `lesson` or a `note`; not from backups, which `ids` are for, nor from bundles.
+
+    Raises:
+        StoreError: KIND`_not_found`; `run_in_progress` where a run of it has not ended.
+    """
+
+    def job(db: sqlite3.Connection) -> Removal:
+        if db.execute(f"SELECT 1 FROM {kind}s WHERE id = ?", [key]).fetchone() is None:
+            raise StoreError(f"{kind}_not_found", id=key)
+        exports = _exports_of(db, kind, key)
+        known, running = _tombstones(db), _running(db)
+        counts = remove_keys(db, [key])
+        if _running(db) != running:
+            raise StoreError("run_in_progress")
+        return Removal(tuple(sorted(_tombstones(db) - known)), counts, exports, False)
+
+    removal = access.write(job)
+    with closing(connect(access.address)) as db:
+        overwritten = forget_log(db)
+    return Removal(removal.ids, removal.counts, removal.exports, overwritten)
 
 
 def remove_keys(db: sqlite3.Connection, ids: Iterable[str]) -> dict[str, int]:
@@ -62,3 +134,23 @@ def forget_log(db: sqlite3.Connection) -> bool:
     """Empties the WAL, outside of a transaction; False where another program still reads from it."""
     busy, _, _ = db.execute("PRAGMA wal_checkpoint(TRUNCATE)").fetchone()
     return not busy
+
+
+def _exports_of(db: sqlite3.Connection, kind: str, key: str) -> tuple[Exported, ...]:
+    """Those of all of the store, and those of a part that has to do with it."""
+    related = {key, *(value for row in db.execute(_RELATED[kind], [key]) for value in row if value)}
+    rows = db.execute("SELECT path, made_at, content FROM exports ORDER BY id").fetchall()
+    parts = [{part for part in loaded(row["content"])["of"].values() if part} for row in rows]
+    return tuple(
+        Exported(row["path"], row["made_at"])
+        for row, part in zip(rows, parts, strict=True)
+        if not part or part & related
+    )
+
+
+def _tombstones(db: sqlite3.Connection) -> set[str]:
+    return {str(row["id"]) for row in db.execute("SELECT id FROM tombstones")}
+
+
+def _running(db: sqlite3.Connection) -> int:
+    return int(db.execute("SELECT count(*) FROM runs WHERE state = 'running'").fetchone()[0])

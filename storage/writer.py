@@ -24,6 +24,8 @@ class Writer:
     """
 
     def __init__(self, connection: sqlite3.Connection, path: Path) -> None:
+        # what is changed or deleted is overwritten: a renamed group's old name must not outlive it
+        connection.execute("PRAGMA secure_delete = ON")
         self._connection = connection
         self._path = path
         self._tasks: queue.SimpleQueue[_Task | None] = queue.SimpleQueue()

@@ -6,10 +6,13 @@ from pathlib import Path
 
 import pytest
 
-from storage import Recorder, RunStart, Store
+from storage import Recorder, RunStart, Store, StoreError
+from storage.bundles import Scope
 from storage.content import content_hash
+from storage.exchange import exchange_of
 from storage.opening import connect
 from storage.removal import forget_log, remove_keys
+from tests.storage.bundle_makers import exported, work
 from tests.storage.conftest import SQUARE, WORLD
 from tests.storage.sample_runs import ended, sample
 
@@ -74,3 +77,77 @@ def test_keys_that_are_not_there_are_kept_from_coming(db: sqlite3.Connection) ->
     before = content_hash(db)
     assert removed(db, "0193a5b0-0000-7000-8000-000000000000") == {}
     assert content_hash(db) != before
+
+
+class TestRemove:
+    def test_a_class_goes_with_its_groups_and_lessons(self, store: Store) -> None:
+        classroom = store.classrooms.create("5º B")
+        work(store, store.groups.create("Onças", classroom_id=classroom.id), "P")
+        work(store, store.groups.create("Visitas"), "P")
+        removal = exchange_of(store).remove("classroom", classroom.id)
+        assert (removal.counts["groups"], removal.counts["lessons"], len(removal.ids)) == (1, 1, 4)
+        assert [group.name for group in store.groups.all()] == ["Visitas"]
+        assert store.classrooms.all() == []
+
+    def test_a_program_goes_with_its_runs_and_labels(self, store: Store) -> None:
+        group = store.groups.create("Onças")
+        gone, _ = work(store, group, "P")
+        kept, _ = work(store, group, "Q")
+        counts = exchange_of(store).remove("program", gone.id).counts
+        assert (counts["version_labels"], counts["runs"], counts["notes"]) == (1, 1, 1)
+        assert [program.id for program in store.programs.of_group(group.id)] == [kept.id]
+
+    def test_a_run_goes_with_its_notes_and_leaves_the_version(self, store: Store) -> None:
+        program, run_id = work(store, store.groups.create("Onças"), "P")
+        counts = exchange_of(store).remove("run", run_id).counts
+        assert counts == {"events": 2, "telemetry": 1, "notes": 1, "runs": 1}
+        assert store.programs.get(program.id).n_versions == 2
+
+    def test_a_name_that_it_had_before_is_gone_too(self, store: Store, path: Path) -> None:
+        group = store.groups.create("Zebras")
+        work(store, group, "Quagga")
+        store.groups.change(group.id, {"name": "Onças"})
+        assert exchange_of(store).remove("group", group.id).overwritten
+        octets = path.read_bytes()
+        assert [word for word in ("Zebras", "Quagga", "Onças") if word.encode() in octets] == []
+
+    def test_while_somebody_reads_the_log_it_says_so(
+        self, store: Store, db: sqlite3.Connection, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.setattr("storage.opening._BUSY_S", 0.05)
+        group = store.groups.create("Zebras")
+        db.execute("BEGIN")
+        db.execute("SELECT count(*) FROM groups").fetchone()
+        assert not exchange_of(store).remove("group", group.id).overwritten
+        db.execute("ROLLBACK")
+
+    def test_a_group_whose_run_goes_on_is_not_deleted(self, store: Store) -> None:
+        group = store.groups.create("Onças")
+        program = store.programs.create(group.id, "P")
+        version = store.versions.save(program.id, {}, SQUARE)
+        store.runs.begin(RunStart("sim", "w", WORLD, 1, "0.1.0", version_id=version.id))
+        with pytest.raises(StoreError) as caught:
+            exchange_of(store).remove("group", group.id)
+        assert caught.value.code == "run_in_progress"
+        assert store.groups.get(group.id).n_runs == 1
+
+    @pytest.mark.parametrize("kind", ["classroom", "group", "program", "run", "lesson", "note"])
+    def test_what_is_not_there_cannot_be_deleted(self, store: Store, kind: str) -> None:
+        with pytest.raises(StoreError) as caught:
+            exchange_of(store).remove(kind, "x")
+        assert caught.value.code == f"{kind}_not_found"
+
+    def test_bundles_that_may_still_hold_it_are_named(self, store: Store, tmp_path: Path) -> None:
+        gone, other = (store.groups.create(name) for name in ("Onças", "Araras"))
+        program, _ = work(store, gone, "P")
+        scopes = {
+            "all": Scope(),
+            "group": Scope(group_id=gone.id),
+            "program": Scope(program_id=program.id),
+            "other": Scope(group_id=other.id),
+        }
+        for name, scope in scopes.items():
+            exported(store, tmp_path / f"{name}.pinel", scope)
+        exports = exchange_of(store).remove("group", gone.id).exports
+        assert [Path(export.path).stem for export in exports] == ["all", "group", "program"]
+        assert all(export.made_at for export in exports)
