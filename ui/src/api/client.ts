@@ -26,13 +26,17 @@ const KEEPALIVE_LIMIT = 60_000;
 
 type Method = "GET" | "POST" | "PUT" | "PATCH" | "DELETE";
 
-async function request(method: Method, path: string, body?: object, last = false) {
+function request(method: Method, path: string, body?: object, last = false): Promise<Response> {
   const init: RequestInit = { method };
   if (body) {
     init.headers = { "Content-Type": "application/json" };
     init.body = JSON.stringify(body);
     init.keepalive = last && init.body.length < KEEPALIVE_LIMIT;
   }
+  return ask(path, init);
+}
+
+async function ask(path: string, init: RequestInit): Promise<Response> {
   let response: Response;
   try {
     response = await fetch(path, init);
@@ -41,6 +45,17 @@ async function request(method: Method, path: string, body?: object, last = false
   }
   if (!response.ok) throw await errorOf(response);
   return response;
+}
+
+/** A file of the server. */
+export async function octets(path: string): Promise<Blob> {
+  return (await ask(path, {})).blob();
+}
+
+/** Sends a file as it is. */
+export async function sendFile<T>(path: string, file: Blob): Promise<T> {
+  const headers = { "Content-Type": "application/octet-stream" };
+  return (await ask(path, { method: "POST", headers, body: file })).json();
 }
 
 async function errorOf(response: Response): Promise<ApiError> {

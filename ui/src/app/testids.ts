@@ -126,4 +126,8 @@ export const TEST = {
   replayForward: "replay-forward",
   replaySpeed: "replay-speed",
   replayProgram: "replay-program",
+  mergeFiles: "merge-files",
+  mergeResults: "merge-results",
+  saveBundle: "save-bundle",
+  sharedFolder: "shared-folder",
 } as const;

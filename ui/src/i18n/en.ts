@@ -1,9 +1,11 @@
 import { classesEn } from "./classes/en";
 import { en as activity } from "./activity/en";
+import { en as exchange } from "./exchange/en";
 import type { Texts } from "./pt-BR";
 
 export const en: Texts = {
   activity,
+  exchange,
   classes: classesEn,
   header: {
     home: "Change group",

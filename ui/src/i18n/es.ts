@@ -1,9 +1,11 @@
 import { classesEs } from "./classes/es";
 import { es as activity } from "./activity/es";
+import { es as exchange } from "./exchange/es";
 import type { Texts } from "./pt-BR";
 
 export const es: Texts = {
   activity,
+  exchange,
   classes: classesEs,
   header: {
     home: "Cambiar de grupo",

@@ -1,0 +1,28 @@
+import { json, octets, sendFile } from "./client";
+import type { components } from "./types";
+
+type Schemas = components["schemas"];
+
+export type Folder = Schemas["Folder"];
+export type Bundle = Schemas["Bundle"];
+export type Merged = Schemas["Merged"];
+export type HeardComputer = Schemas["HeardComputer"];
+
+type Folders = { folders: Folder[] };
+
+/** Work from PC to PC. */
+export const exchange = {
+  folders: async () => (await json<Folders>("GET", "/api/folders")).folders,
+  /** Remembers the school's shared folder; "" for none. */
+  share: async (path: string) =>
+    (await json<Folders>("PUT", "/api/folders/shared", { path })).folders,
+  write: (folder: string, classroom: string | null) =>
+    json<Bundle>("POST", "/api/bundles", { folder, classroom_id: classroom }),
+  merge: async (path: string) =>
+    (await json<{ merged: Merged[] }>("POST", "/api/bundles/merge", { paths: [path] })).merged[0],
+  heard: async () =>
+    (await json<{ computers: HeardComputer[] }>("GET", "/api/bundles/heard")).computers,
+
+  programFile: (program: string) => octets(`/api/programs/${program}/file`),
+  bringProgram: (file: Blob) => sendFile<Merged>("/api/programs/file", file),
+};

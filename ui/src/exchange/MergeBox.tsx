@@ -1,0 +1,163 @@
+import { useSignal } from "@preact/signals";
+import { CircleCheck, Combine, HardDrive, RefreshCw, TriangleAlert, Usb } from "lucide-preact";
+import { exchange, type Folder, type Merged } from "../api/exchange";
+import { report } from "../app/session";
+import { TEST } from "../app/testids";
+import { language, texts } from "../i18n";
+import { when } from "../i18n/format";
+import { size } from "./size";
+
+interface Properties {
+  folders: readonly Folder[];
+  /** Look for sticks again, and for whose work is here. */
+  onLook(): void;
+}
+
+/** Every file on every stick is to be merged, but those that a person has unticked. */
+export function MergeBox({ folders, onLook }: Properties) {
+  const left = useSignal<ReadonlySet<string>>(new Set());
+  const results = useSignal<Merged[]>([]);
+  const busy = useSignal<{ n: number; of: number } | null>(null);
+  const { exchange: words } = texts.value;
+  const chosen = folders
+    .flatMap((folder) => folder.files.map((file) => file.path))
+    .filter((path) => !left.value.has(path));
+
+  const mergeAll = async () => {
+    results.value = [];
+    try {
+      for (const [n, path] of chosen.entries()) {
+        busy.value = { n: n + 1, of: chosen.length };
+        const merged = await exchange.merge(path);
+        if (merged) results.value = [...results.value, merged];
+      }
+    } finally {
+      busy.value = null;
+      onLook();
+    }
+  };
+  const toggle = (path: string) => {
+    const next = new Set(left.value);
+    if (!next.delete(path)) next.add(path);
+    left.value = next;
+  };
+
+  return (
+    <section class="exchange__box" aria-labelledby="exchange-places">
+      <header class="exchange__head">
+        <h2 id="exchange-places">{words.places}</h2>
+        <button type="button" class="button button--plain" onClick={onLook}>
+          <RefreshCw class="icon" aria-hidden="true" />
+          {words.lookAgain}
+        </button>
+      </header>
+      {folders.length === 0 && (
+        <p class="exchange__empty">
+          <strong>{words.nowhere}</strong> {words.nowhereHint}
+        </p>
+      )}
+      {folders.map((folder) => (
+        <FolderFiles key={folder.path} folder={folder} left={left.value} onToggle={toggle} />
+      ))}
+      {chosen.length > 0 && (
+        <button
+          type="button"
+          class="button button--run exchange__act"
+          data-testid={TEST.mergeFiles}
+          disabled={busy.value !== null}
+          onClick={() => void mergeAll().catch(report)}
+        >
+          <Combine class="icon" aria-hidden="true" />
+          {busy.value ? words.merging(busy.value.n, busy.value.of) : words.merge(chosen.length)}
+        </button>
+      )}
+      <div role="status" aria-label={words.results}>
+        {results.value.length > 0 && (
+          <ul class="exchange__results" data-testid={TEST.mergeResults}>
+            {results.value.map((one) => (
+              <Result key={one.path} merged={one} />
+            ))}
+          </ul>
+        )}
+      </div>
+    </section>
+  );
+}
+
+function FolderFiles(properties: {
+  folder: Folder;
+  left: ReadonlySet<string>;
+  onToggle(path: string): void;
+}) {
+  const { folder, left, onToggle } = properties;
+  const { exchange: words } = texts.value;
+  const Icon = folder.is_stick ? Usb : HardDrive;
+  const now = new Date();
+  return (
+    <fieldset class="exchange__folder">
+      <legend>
+        <Icon class="icon" aria-hidden="true" />
+        {folder.is_stick ? words.stick(folder.name) : words.folder(folder.name)}
+        <FolderState folder={folder} />
+      </legend>
+      {folder.files.length === 0 && <p class="exchange__none">{words.noFiles}</p>}
+      {folder.files.map((file) => (
+        <label key={file.path} class="exchange__file">
+          <input
+            type="checkbox"
+            checked={!left.has(file.path)}
+            aria-label={words.choose(file.name)}
+            onChange={() => onToggle(file.path)}
+          />
+          <span class="exchange__name">{file.name}</span>
+          <span class="exchange__about">
+            {words.file(
+              size(file.size_bytes, language.value),
+              when(file.modified_at, now, language.value, texts.value),
+            )}
+          </span>
+        </label>
+      ))}
+    </fieldset>
+  );
+}
+
+function FolderState({ folder }: { folder: Folder }) {
+  const { exchange: words } = texts.value;
+  if (!folder.is_writable) return <span class="exchange__about">{words.readOnly}</span>;
+  if (folder.free_bytes === null) return null;
+  return <span class="exchange__about">{words.free(size(folder.free_bytes, language.value))}</span>;
+}
+
+/** What one file brought, or why it was refused. */
+export function Result({ merged }: { merged: Merged }) {
+  const { problem } = merged;
+  const Icon = problem ? TriangleAlert : CircleCheck;
+  return (
+    <li class={`exchange__result exchange__result--${problem ? "problem" : "good"}`}>
+      <Icon class="icon" aria-hidden="true" />
+      <p>
+        {problem ? (
+          <>
+            <strong>{merged.name}</strong>: {problem.message} {problem.remedy}
+          </>
+        ) : (
+          outcome(merged)
+        )}
+      </p>
+    </li>
+  );
+}
+
+function outcome({ computer, name, added, nothing_new }: Merged): string {
+  const { exchange: words } = texts.value;
+  const who = computer ?? name;
+  if (nothing_new) return words.nothingNew(who);
+  const parts = [
+    added.groups > 0 && words.groups(added.groups),
+    added.programs > 0 && words.programs(added.programs),
+    added.versions > 0 && words.versions(added.versions),
+    added.runs > 0 && words.runs(added.runs),
+  ].filter((part) => part !== false);
+  return parts.length > 0 ? words.brought(who, parts.join(", ")) : words.only(who);
+}

@@ -1,0 +1,88 @@
+import { useSignal } from "@preact/signals";
+import { ChevronDown, Save } from "lucide-preact";
+import { type Bundle, exchange, type Folder } from "../api/exchange";
+import type { Classroom } from "../api/model";
+import { report } from "../app/session";
+import { TEST } from "../app/testids";
+import { texts } from "../i18n";
+
+interface Properties {
+  folders: readonly Folder[];
+  classes: readonly Classroom[];
+  onSaved(): void;
+}
+
+/** Takes the work of this PC, or of one class, along. */
+export function SaveBox({ folders, classes, onSaved }: Properties) {
+  const classroom = useSignal("");
+  const saving = useSignal<string | null>(null);
+  const saved = useSignal<Bundle | null>(null);
+  const { exchange: words } = texts.value;
+  const writable = folders.filter((folder) => folder.is_writable);
+  if (writable.length === 0) return null;
+
+  const save = async (folder: string) => {
+    saving.value = folder;
+    saved.value = null;
+    try {
+      saved.value = await exchange.write(folder, classroom.value || null);
+      onSaved();
+    } finally {
+      saving.value = null;
+    }
+  };
+
+  return (
+    <section class="exchange__box" aria-labelledby="exchange-save">
+      <h2 id="exchange-save">{words.saveHere}</h2>
+      {classes.length > 0 && (
+        <label class="exchange__what">
+          {words.what}
+          <span class="select">
+            <select
+              value={classroom.value}
+              onChange={(event) => {
+                classroom.value = event.currentTarget.value;
+              }}
+            >
+              <option value="">{words.everything}</option>
+              {classes.map((one) => (
+                <option key={one.id} value={one.id}>
+                  {words.onlyClass(one.name)}
+                </option>
+              ))}
+            </select>
+            <ChevronDown class="icon icon--end" aria-hidden="true" />
+          </span>
+        </label>
+      )}
+      <div class="exchange__buttons">
+        {writable.map((folder) => (
+          <button
+            key={folder.path}
+            type="button"
+            class="button"
+            data-testid={TEST.saveBundle}
+            disabled={saving.value !== null}
+            onClick={() => void save(folder.path).catch(report)}
+          >
+            <Save class="icon" aria-hidden="true" />
+            {saving.value === folder.path
+              ? words.saving
+              : folder.is_stick
+                ? words.stick(folder.name)
+                : words.folder(folder.name)}
+          </button>
+        ))}
+      </div>
+      <p role="status" class="exchange__saved">
+        {saved.value &&
+          words.saved(
+            saved.value.name,
+            words.groups(saved.value.n_groups),
+            words.runs(saved.value.n_runs),
+          )}
+      </p>
+    </section>
+  );
+}

@@ -1,0 +1,15 @@
+import { decimal } from "../i18n/format";
+import type { Language } from "../i18n/language";
+
+const UNITS = ["KB", "MB", "GB", "TB"] as const;
+
+/** Bytes as people say them: "340 KB", "1,2 GB". */
+export function size(bytes: number, language: Language): string {
+  let value = Math.max(1, bytes / 1000);
+  let unit = 0;
+  while (value >= 999.5 && unit < UNITS.length - 1) {
+    value /= 1000;
+    unit += 1;
+  }
+  return `${decimal(value, value < 10 && unit > 0 ? 1 : 0, language)}\u00a0${UNITS[unit]}`;
+}
