@@ -53,6 +53,8 @@ export interface Content {
   document: object | null;
   /** A world of the group's own, null where the program runs in one chosen by name. */
   world?: World | null;
+  /** The version that was edited; the newest where it is not told. */
+  parent_id?: string;
 }
 
 /** The name under which a version's own world is run in. */

@@ -1,8 +1,9 @@
 import { effect, signal } from "@preact/signals";
 import { api } from "../api/client";
-import type { Content, Fault, ProgramWithVersion, World } from "../api/model";
+import type { Content, Fault, ProgramWithVersion, SavedVersion, World } from "../api/model";
 import { Autosave } from "./autosave";
 import { OwnWorld } from "./own_world";
+import { Parents } from "./parents";
 
 /** The program on the desk: what the header, the editor and the run bar share. */
 export class OpenProgram {
@@ -10,6 +11,7 @@ export class OpenProgram {
   readonly content = signal<Content | null>(null);
   readonly faults = signal<Fault[]>([]);
   readonly ownWorld: OwnWorld;
+  private readonly parents = new Parents();
   private readonly stopEffect: () => void;
 
   constructor(readonly program: ProgramWithVersion) {
@@ -18,7 +20,7 @@ export class OpenProgram {
     this.autosave = new Autosave(
       (content, last) =>
         this.ownWorld.saveWith(content.world ?? null, (world) =>
-          api.saveVersion(id, { ...content, world }, last),
+          this.keep({ ...content, world }, last),
         ),
       version,
     );
@@ -29,6 +31,18 @@ export class OpenProgram {
 
   get id(): string {
     return this.program.id;
+  }
+
+  /** What the editor shows of the stored version, before anything is edited. */
+  begin(content: Content): void {
+    this.content.value = content;
+    if (this.program.version) this.remember(this.program.version.id);
+  }
+
+  /** What is on the screen is that version: who goes on from here goes on from there. */
+  remember(version: string): void {
+    const { value: content } = this.content;
+    if (content) this.parents.keep(content.workspace, version);
   }
 
   edit(content: Content): void {
@@ -52,6 +66,17 @@ export class OpenProgram {
     this.stopEffect();
     this.ownWorld.close();
     this.autosave.dispose();
+  }
+
+  private async keep(content: Content, last: boolean): Promise<SavedVersion> {
+    const parent = this.parents.of(content.workspace);
+    const kept = await api.saveVersion(
+      this.id,
+      parent ? { ...content, parent_id: parent } : content,
+      last,
+    );
+    this.parents.keep(content.workspace, kept.id);
+    return kept;
   }
 
   private save(): void {

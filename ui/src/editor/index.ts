@@ -18,6 +18,7 @@ import { type Peek, ValueBubble } from "./peek";
 import { quietly } from "./quietly";
 import { ensureStartBlock, markLooseBlocks } from "./start_block";
 import { StartHint } from "./start_hint";
+import { tellNothingToUndo, undoInto } from "./steps_back";
 import { blocklyTheme, pageFont, type ThemeName } from "./themes";
 import { addZoomControls } from "./zoom_controls";
 
@@ -34,6 +35,8 @@ export interface EditorOptions {
   onBreakpoints?(ids: readonly string[]): void;
   /** What an expression is worth now; without it values are not shown. */
   peek?: Peek;
+  /** Undo was asked for, and nothing that was done here is left to undo. */
+  onNothingToUndo?(): void;
   onChange(content: { workspace: object; document: object | null }): void;
 }
 
@@ -59,6 +62,11 @@ export interface Editor {
   setReadOnly(readOnly: boolean): void;
   undo(): void;
   redo(): void;
+  /**
+   * Undoes to what was there before the session, null for nothing; false, and nothing happens, where it looks like
+   * what is there. Throws as `load` does.
+   */
+  undoTo(workspace: object | null): boolean;
   /** Lines up loose blocks. */
   tidy(): void;
   zoomToFit(): void;
@@ -108,11 +116,12 @@ class BlockEditor implements Editor {
     this.measureAgainWithFont();
     this.workspace.addChangeListener((event) => this.onEvent(event));
     watchContent(this.workspace, () => this.onContent());
+    tellNothingToUndo(this.workspace, () => options.onNothingToUndo?.());
   }
 
   load(saved: object | null): void {
     const workspace = saved && upgradeWorkspace(saved);
-    assertLoadable(workspace);
+    if (workspace) tried(workspace);
     Blockly.hideChaff();
     this.running.show(null);
     this.faults.clear();
@@ -182,6 +191,17 @@ class BlockEditor implements Editor {
     this.workspace.undo(true);
   }
 
+  undoTo(saved: object | null): boolean {
+    const workspace = upgradeWorkspace(saved ?? {});
+    const looksTheSame = saved
+      ? JSON.stringify(tried(workspace)) === this.fingerprint()
+      : this.workspace.getAllBlocks(false).length <= 1;
+    if (looksTheSame) return false;
+    Blockly.hideChaff();
+    undoInto(this.workspace, workspace, (state) => this.exchange(state));
+    return true;
+  }
+
   tidy(): void {
     this.workspace.cleanUp();
   }
@@ -239,6 +259,13 @@ class BlockEditor implements Editor {
     return node instanceof Blockly.BlockSvg && node.workspace === this.workspace ? node.id : null;
   }
 
+  private exchange(workspace: object): void {
+    this.running.show(null);
+    this.faults.clear();
+    this.replace(workspace);
+    this.onContent();
+  }
+
   private replace(workspace: object | null): void {
     quietly(() => {
       this.hint.hide();
@@ -289,12 +316,12 @@ class BlockEditor implements Editor {
   }
 }
 
-/** Tries the content where nothing can be lost. */
-function assertLoadable(workspace: object | null): void {
-  if (!workspace) return;
+/** Tries the content where nothing can be lost, and tells how it would be saved. Throws when it cannot be loaded. */
+function tried(workspace: object): object {
   const trial = new Blockly.Workspace();
   try {
     quietly(() => Blockly.serialization.workspaces.load(workspace, trial));
+    return Blockly.serialization.workspaces.save(trial);
   } finally {
     trial.dispose();
   }

@@ -112,6 +112,7 @@ function Workspace({ control }: { control: StudioControl }) {
       level: level.value,
       programName: () => program.value?.name ?? "",
       onChange: (content) => control.onEdit(content),
+      onNothingToUndo: () => control.undoPast(),
       peek: (expression) => control.peek(expression),
       onBreakpoints: (ids) => {
         breakpoints.value = ids;
@@ -144,7 +145,7 @@ function Workspace({ control }: { control: StudioControl }) {
 function openIn(editor: Editor, { open }: StudioControl): void {
   try {
     editor.load(open.program.version?.workspace ?? null);
-    open.content.value = editor.content();
+    open.begin(editor.content());
   } catch {
     // blocks of a newer version: shown nothing, and above all nothing saved over them
     editor.setReadOnly(true);

@@ -3,6 +3,7 @@ import { api } from "../api/client";
 import { ApiError } from "../api/errors";
 import type { Content, Fault } from "../api/model";
 import type { OpenProgram } from "../app/open_program";
+import { Past } from "../app/past";
 import { renameProgram } from "../app/rename";
 import { connection, engine, judged, problem, Refused, report, wordsOf } from "../app/session";
 import { breakpoints, tellRun, wishes } from "../debug/debugging";
@@ -58,7 +59,10 @@ export class StudioControl {
   private pointing = 0;
   private busy = false;
 
+  private past: Past;
+
   constructor(readonly open: OpenProgram) {
+    this.past = new Past(open);
     this.worlds = new WorldControl(open);
     this.start = new StartChoice(open.id, this.worlds);
   }
@@ -106,6 +110,12 @@ export class StudioControl {
     this.open.edit(content);
   }
 
+  /** Undo goes on with what was there before the program was opened. */
+  undoPast(): void {
+    const take = (workspace: object | null) => this.editor?.undoTo(workspace) ?? true;
+    this.past.back(take).catch(report);
+  }
+
   /** Shows a document as blocks in place of those that are there, and gives the program its name. */
   async place(document: object): Promise<void> {
     const n = commandCount(document);
@@ -130,6 +140,7 @@ export class StudioControl {
     if (!editor) return;
     const before = editor.content().workspace;
     editor.load(workspace);
+    this.past = new Past(this.open);
     this.replaced.value = { workspace: before, now };
     this.onEdit(editor.content());
   }
