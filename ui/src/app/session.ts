@@ -31,6 +31,9 @@ export const program = signal<Program | null>(null);
 export const engine = computed(() => status.value?.engine ?? "starting");
 
 const POLL_MS = 1000;
+// said once, then what the server says of itself is shown again
+const GOOD_NEWS = new Set(["recording_resumed", "keeping_well_again"]);
+const GOOD_NEWS_MS = 8000;
 
 /** An error in words, in the line under the header; 401 and a lost server have their own places. */
 export function report(error: unknown): void {
@@ -109,6 +112,7 @@ function onStream(event: StreamEvent): void {
       break;
     case "notice":
       notice.value = event;
+      if (GOOD_NEWS.has(event.code)) window.setTimeout(() => void refreshStatus(), GOOD_NEWS_MS);
       break;
     case "judged":
       judged.value = event;

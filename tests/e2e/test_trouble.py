@@ -1,0 +1,60 @@
+"""What a group sees when the file or the disk is in trouble."""
+
+from datetime import UTC, datetime
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import expect
+
+from pinel_desktop.app import App
+from storage.backups import make_backup
+from tests.e2e.app_process import AppProcess
+from tests.e2e.conftest import OpenStudio
+from tests.e2e.studio import Studio
+from tests.e2e.watch import Watch
+from tests.web.fake_engine import FakeEngine
+
+NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
+
+
+def test_a_damaged_file_gives_way_to_its_backup_and_the_page_says_so(
+    studio: Studio, open_studio: OpenStudio, app: AppProcess, watch: Watch, tmp_path: Path
+) -> None:
+    watch.expect("Failed to load resource")  # the open page asks for a server that is gone
+    studio.enter_group("Os Tatus")
+    database = tmp_path / "pinel.db"
+    assert make_backup(database, NOON)
+    app.kill()
+    expect(studio["gone"]).to_be_visible()
+    for suffix in ("-wal", "-shm"):
+        database.with_name(database.name + suffix).unlink(missing_ok=True)
+    database.write_bytes(b"no database at all " * 1000)
+
+    app.start()
+    later = open_studio()
+    expect(later["notice"]).to_contain_text("voltou a cópia de segurança")
+    [damaged] = tmp_path.glob("pinel.damaged-*.db")
+    expect(later["notice"]).to_contain_text(damaged.name)
+    expect(later["group-card"].filter(has_text="Os Tatus")).to_be_visible()
+
+
+def test_a_disk_that_fills_up_is_said_and_the_line_goes_by_itself_when_there_is_room(
+    open_studio: OpenStudio, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    room = [10**12]
+    monkeypatch.setattr("shutil.disk_usage", lambda folder: type("Usage", (), {"free": room[0]}))
+    monkeypatch.setenv("PINEL_LANG", "pt")
+    with App(tmp_path / "other" / "pinel.db", make_engine=FakeEngine) as app:
+        studio = open_studio(app.address)
+        expect(studio.page.get_by_role("main")).to_be_visible()
+        expect(studio["notice"]).to_have_count(0)
+        room[0] = 300 * 10**6
+        app._caretaker.look_at_disk()
+        expect(studio["notice"]).to_contain_text("quase cheio: restam 300 MB")
+        room[0] = 10**12
+        app._caretaker.look_at_disk()
+        expect(studio["notice"]).to_contain_text("resolvido")
+        expect(studio["notice"]).to_have_count(0, timeout=15_000)
+        studio.page.close()
