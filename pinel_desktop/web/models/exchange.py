@@ -109,3 +109,23 @@ class HeardList(Shape):
     """The one heard of last first."""
 
     computers: list[HeardComputer]
+
+
+class WrittenFile(Shape):
+    """A bundle that was written on this PC, and when."""
+
+    path: str
+    made_at: Time
+
+
+class Removed(Shape):
+    """What was deleted for good, from the file and its backups.
+
+    These may still hold it: `backups` that could not be written anew, `files` that were written on this PC.
+    """
+
+    n_groups: int
+    n_programs: int
+    n_runs: int
+    backups: list[str]
+    files: list[WrittenFile]

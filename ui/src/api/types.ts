@@ -117,11 +117,11 @@ export interface paths {
         get?: never;
         put?: never;
         post?: never;
-        delete?: never;
+        /** Deletes a class with its groups and lessons in the same way. For the teacher. */
+        delete: operations["deleteClassroom"];
         options?: never;
         head?: never;
-        /** Gives a class another name. For the teacher. */
-        patch: operations["renameClassroom"];
+        patch?: never;
         trace?: never;
     };
     "/api/classrooms/{id}/lesson": {
@@ -239,11 +239,11 @@ export interface paths {
         get?: never;
         put?: never;
         post?: never;
-        delete?: never;
+        /** Deletes a group with all that it made, also from the backups; no file brings it back. For the teacher. */
+        delete: operations["deleteGroup"];
         options?: never;
         head?: never;
-        /** Gives a group another name, colour, picture or class. */
-        patch: operations["changeGroup"];
+        patch?: never;
         trace?: never;
     };
     "/api/groups/{id}/bin": {
@@ -410,11 +410,11 @@ export interface paths {
         get?: never;
         put?: never;
         post?: never;
-        delete?: never;
+        /** Takes a note back, everywhere. For the teacher. */
+        delete: operations["deleteNote"];
         options?: never;
         head?: never;
-        /** Writes another text, which is new to the group again. For the teacher. */
-        patch: operations["rewriteNote"];
+        patch?: never;
         trace?: never;
     };
     "/api/notes/{id}/seen": {
@@ -2562,6 +2562,24 @@ export interface components {
             faults: components["schemas"]["Fault"][];
         };
         /**
+         * Removed
+         * @description What was deleted for good, from the file and its backups.
+         *
+         *     These may still hold it: `backups` that could not be written anew, `files` that were written on this PC.
+         */
+        Removed: {
+            /** Backups */
+            backups: string[];
+            /** Files */
+            files: components["schemas"]["WrittenFile"][];
+            /** N Groups */
+            n_groups: number;
+            /** N Programs */
+            n_programs: number;
+            /** N Runs */
+            n_runs: number;
+        };
+        /**
          * ReviewMark
          * @description A burst of edits between two runs, or a run; times are of the PC's own clock.
          *
@@ -3406,6 +3424,19 @@ export interface components {
             world: unknown;
         };
         /**
+         * WrittenFile
+         * @description A bundle that was written on this PC, and when.
+         */
+        WrittenFile: {
+            /**
+             * Made At
+             * @description ISO 8601 in UTC
+             */
+            made_at: string;
+            /** Path */
+            path: string;
+        };
+        /**
          * WrittenPython
          * @description The text, null where the document has faults, and which command each line is.
          */
@@ -4054,7 +4085,7 @@ export interface operations {
             };
         };
     };
-    renameClassroom: {
+    deleteClassroom: {
         parameters: {
             query?: never;
             header?: never;
@@ -4064,11 +4095,7 @@ export interface operations {
             };
             cookie?: never;
         };
-        requestBody: {
-            content: {
-                "application/json": components["schemas"]["ClassroomName"];
-            };
-        };
+        requestBody?: never;
         responses: {
             /** @description OK */
             200: {
@@ -4076,7 +4103,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Classroom"];
+                    "application/json": components["schemas"]["Removed"];
                 };
             };
             /** @description Bad Request */
@@ -4997,7 +5024,7 @@ export interface operations {
             };
         };
     };
-    changeGroup: {
+    deleteGroup: {
         parameters: {
             query?: never;
             header?: never;
@@ -5007,11 +5034,7 @@ export interface operations {
             };
             cookie?: never;
         };
-        requestBody: {
-            content: {
-                "application/json": components["schemas"]["GroupChanges"];
-            };
-        };
+        requestBody?: never;
         responses: {
             /** @description OK */
             200: {
@@ -5019,7 +5042,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Group"];
+                    "application/json": components["schemas"]["Removed"];
                 };
             };
             /** @description Bad Request */
@@ -6003,7 +6026,7 @@ export interface operations {
             };
         };
     };
-    rewriteNote: {
+    deleteNote: {
         parameters: {
             query?: never;
             header?: never;
@@ -6013,11 +6036,7 @@ export interface operations {
             };
             cookie?: never;
         };
-        requestBody: {
-            content: {
-                "application/json": components["schemas"]["NoteText"];
-            };
-        };
+        requestBody?: never;
         responses: {
             /** @description OK */
             200: {
@@ -6025,7 +6044,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Note"];
+                    "application/json": components["schemas"]["Removed"];
                 };
             };
             /** @description Bad Request */

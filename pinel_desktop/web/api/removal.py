@@ -1,0 +1,51 @@
+"""Deleting for good: groups and classes, everywhere that this PC can reach."""
+
+from flask import Response
+
+from pinel_desktop.web.answers import answer, showable
+from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.models import IdPath
+from pinel_desktop.web.models.exchange import Removed, WrittenFile
+from pinel_desktop.web.services import services
+from pinel_desktop.web.teaching import require_teacher
+
+api = resource("removal", "Deleting for good.", __name__)
+
+
+@api.delete("/groups/<id>", responses=answers(Removed, 403, 404, 409, 503, 507))
+def delete_group(path: IdPath) -> Response:
+    """Deletes a group with all that it made, also from the backups; no file brings it back. For the teacher."""
+    return _delete("group", path.id)
+
+
+@api.delete("/classrooms/<id>", responses=answers(Removed, 403, 404, 409, 503, 507))
+def delete_classroom(path: IdPath) -> Response:
+    """Deletes a class with its groups and lessons in the same way. For the teacher."""
+    return _delete("classroom", path.id)
+
+
+@api.delete("/notes/<id>", responses=answers(Removed, 403, 404, 503, 507))
+def delete_note(path: IdPath) -> Response:
+    """Takes a note back, everywhere. For the teacher."""
+    return _delete("note", path.id)
+
+
+def _delete(kind: str, key: str) -> Response:
+    from storage.backups import remove_from_backups  # noqa: PLC0415 - seldom needed
+    from storage.removal import remove_keys  # noqa: PLC0415
+
+    require_teacher()
+    store = services().store
+    removal = store.exchange.remove(kind, key)
+    left = remove_from_backups(store.path, removal.ids, remove_keys)
+    return answer(
+        Removed(
+            n_groups=removal.counts.get("groups", 0),
+            n_programs=removal.counts.get("programs", 0),
+            n_runs=removal.counts.get("runs", 0),
+            backups=[showable(str(path)) for path in left],
+            files=[
+                WrittenFile(path=showable(one.path), made_at=one.made_at) for one in removal.exports
+            ],
+        )
+    )
