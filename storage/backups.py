@@ -10,6 +10,7 @@ import os
 import re
 import shutil
 import sqlite3
+import threading
 import time
 from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import closing
@@ -34,6 +35,8 @@ _PAUSE_S = 0.002
 _RESTARTS = 20
 _STEPS_BETWEEN_STOPS = 10_000
 _TIME = "%Y%m%dT%H%M%SZ"
+# what is deleted for good must not come back by a copy that was begun before and is whole after
+_at_work = threading.Lock()
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,18 +97,14 @@ def make_backup(
         StoreError: `backup_no_room`; `backup_found_damage` when the copy is not sound, so neither is the
             file; `backup_failed`.
     """
-    folder = folder_of(path)
     try:
-        _require_room(path, free)
-        folder.mkdir(exist_ok=True)
-        for left in folder.glob("*.part"):  # by a power cut
-            left.unlink()
-        number = max((backup.number for backup in list_backups(path)), default=0) + 1
-        final = folder / f"{path.stem}-{number:05d}-{now.astimezone(UTC):{_TIME}}{path.suffix}"
-        with _part_of(final) as part:
-            _copy(path, part, stop)
-            _require_sound(part, path, stop)
-            shutil.copymode(path, part)
+        with _at_work:
+            _require_room(path, free)
+            with _part_of(_next_place(path, now)) as part:
+                _copy(path, part, stop)
+                _require_sound(part, path, stop)
+                shutil.copymode(path, part)
+            remove_surplus(path, free=free)
     except _StoppedError:
         return None
     except sqlite3.Error as error:
@@ -113,8 +112,16 @@ def make_backup(
     except OSError as error:
         code = "disk_full" if _is_full(error) else ""
         raise _given_up(path, code, str(error.strerror)) from error
-    remove_surplus(path, free=free)
     return list_backups(path)[0]
+
+
+def _next_place(path: Path, now: datetime) -> Path:
+    folder = folder_of(path)
+    folder.mkdir(exist_ok=True)
+    for left in folder.glob("*.part"):  # by a power cut
+        left.unlink()
+    number = max((backup.number for backup in list_backups(path)), default=0) + 1
+    return folder / f"{path.stem}-{number:05d}-{now.astimezone(UTC):{_TIME}}{path.suffix}"
 
 
 def remove_surplus(path: Path, *, free: Free = free_bytes) -> None:
@@ -192,15 +199,12 @@ def remove_from_backups(path: Path, ids: Collection[str], remove: Remove) -> lis
         Files that may hold them still, for people to be told: backups that could not be written anew, and damaged
         files that were set aside.
     """
-    left = []
-    for backup in list_backups(path):
-        try:
-            with _part_of(backup.path) as part:
-                shutil.copy2(backup.path, part)
-                _remove(part, ids, remove)
-                _require_sound(part, path, lambda: False)
-        except (sqlite3.Error, OSError, StoreError):
-            left.append(backup.path)
+    with _at_work:
+        left = [
+            backup.path
+            for backup in list_backups(path)
+            if not _is_removed(backup.path, path, ids, remove)
+        ]
     return left + sorted(path.parent.glob(f"{path.stem}.damaged-*{path.suffix}"))
 
 
@@ -262,6 +266,17 @@ def _breather(stop: Stop) -> Callable[[int, int, int], None]:
         time.sleep(_PAUSE_S)
 
     return breathe
+
+
+def _is_removed(backup: Path, path: Path, ids: Collection[str], remove: Remove) -> bool:
+    try:
+        with _part_of(backup) as part:
+            shutil.copy2(backup, part)
+            _remove(part, ids, remove)
+            _require_sound(part, path, lambda: False)
+    except (sqlite3.Error, OSError, StoreError):
+        return False
+    return True
 
 
 def _remove(file: Path, ids: Collection[str], remove: Remove) -> None:

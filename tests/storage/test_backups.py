@@ -2,6 +2,7 @@
 
 import os
 import sqlite3
+import threading
 from collections.abc import Callable, Collection
 from datetime import UTC, datetime, timedelta
 from itertools import pairwise
@@ -21,6 +22,7 @@ from storage.backups import (
     remove_from_backups,
     remove_surplus,
 )
+from storage.removal import remove, remove_keys
 
 NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
 DAY = timedelta(days=1)
@@ -384,3 +386,43 @@ def test_what_may_still_hold_deleted_work_is_named(store: Store, path: Path) -> 
     aside.write_bytes(b"Fulano")
     assert remove_from_backups(path, [gone.id], remove_group) == [bad, aside]
     assert names_in(good) == []
+
+
+def test_a_group_with_all_its_work_goes_out_of_backups_of_earlier_releases_too(
+    older: Path, opened: Callable[..., Store]
+) -> None:
+    with sqlite3.connect(older) as db:
+        db.execute("INSERT INTO programs VALUES ('p', 'g', 'Quadrado', 't', 't')")
+        db.execute("INSERT INTO versions VALUES ('v', 'p', 1, 't', '{}', NULL, '[]')")
+    db.close()
+    backed_up(older)
+    store = opened(older, clock=lambda: NOON + DAY)
+    kept_group = store.groups.create("B")
+    backed_up(older, NOON + 2 * DAY)
+    assert remove_from_backups(older, ["g"], remove_keys) == []
+    assert [names_in(backup.path) for backup in list_backups(older)] == [[kept_group.name], [], []]
+    for backup in list_backups(older):
+        db = sqlite3.connect(f"{backup.path.as_uri()}?immutable=1", uri=True)
+        assert db.execute("SELECT count(*) FROM versions").fetchone() == (0,)
+        db.close()
+
+
+def test_a_backup_that_is_being_made_does_not_keep_what_is_deleted_meanwhile(
+    store: Store, path: Path
+) -> None:
+    gone = store.groups.create("Fulano de Tal")
+    deleting: list[threading.Thread] = []
+
+    def delete() -> None:
+        remove(store._access, "group", gone.id)
+        remove_from_backups(path, [gone.id], remove_keys)
+
+    def stop() -> bool:
+        if not deleting:  # the copy has begun
+            deleting.append(threading.Thread(target=delete))
+            deleting[0].start()
+        return False
+
+    assert make_backup(path, NOON, free=much, stop=stop) is not None
+    deleting[0].join()
+    assert [names_in(backup.path) for backup in list_backups(path)] == [[]]
