@@ -64,7 +64,12 @@ async function errorOf(response: Response): Promise<ApiError> {
 }
 
 /** Asks the server; throws ApiError with its words, or ServerGone. The parts of `api/` build on it. */
-export async function json<T>(method: Method, path: string, body?: object, last = false): Promise<T> {
+export async function json<T>(
+  method: Method,
+  path: string,
+  body?: object,
+  last = false,
+): Promise<T> {
   const response = await request(method, path, body, last);
   return (await response.json()) as T;
 }
@@ -75,7 +80,6 @@ export const api = {
     json<{ language: Language }>("PUT", "/api/settings", { language }),
 
   groups: async () => (await json<{ groups: Group[] }>("GET", "/api/groups")).groups,
-  createGroup: (name: string) => json<Group>("POST", "/api/groups", { name }),
 
   programs: async (group: string) =>
     (await json<{ programs: Program[] }>("GET", `/api/groups/${group}/programs`)).programs,

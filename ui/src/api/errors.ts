@@ -5,6 +5,7 @@ export class ApiError extends Error {
   readonly code: string;
   readonly remedy: string;
   readonly faults: Fault[];
+  readonly params: Record<string, unknown>;
 
   constructor(
     readonly status: number,
@@ -15,6 +16,7 @@ export class ApiError extends Error {
     this.code = body.code ?? `http_${status}`;
     this.remedy = body.remedy ?? "";
     this.faults = body.faults ?? [];
+    this.params = body.params ?? {};
   }
 }
 

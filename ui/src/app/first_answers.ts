@@ -1,27 +1,41 @@
+import { classesApi } from "../api/classes";
 import { api } from "../api/client";
-import type { Group, ProgramWithVersion, Status } from "../api/model";
+import type { Classroom, Door, Group, ProgramWithVersion, Status } from "../api/model";
 import { route } from "./route";
 
 type ProgramAnswer = Promise<[ProgramWithVersion, Group[]]>;
+type StartAnswer = Promise<[Group[], Classroom[]]>;
 
 let firstStatus: Promise<Status> | null = null;
 let firstProgram: { id: string; answer: ProgramAnswer } | null = null;
+let firstStart: StartAnswer | null = null;
+let firstDoor: Promise<Door> | null = null;
 
-function ask(id: string): ProgramAnswer {
+function askProgram(id: string): ProgramAnswer {
   return Promise.all([api.program(id), api.groups()]);
+}
+
+function askStart(): StartAnswer {
+  return Promise.all([api.groups(), classesApi.classrooms()]);
 }
 
 /** Asks for what the page needs first; whoever takes an answer hears of its failure. */
 export function askFirst(): void {
   firstStatus = api.status();
   const now = route.peek();
-  firstProgram = now.screen === "studio" ? { id: now.program, answer: ask(now.program) } : null;
-  for (const answer of [firstStatus, firstProgram?.answer]) answer?.catch(() => {});
+  if (now.screen === "studio") firstProgram = { id: now.program, answer: askProgram(now.program) };
+  if (now.screen === "start") firstStart = askStart();
+  if (now.screen === "start" || now.screen === "teacher") firstDoor = classesApi.door();
+  for (const answer of asked()) answer?.catch(() => {});
+}
+
+function asked() {
+  return [firstStatus, firstProgram?.answer, firstStart, firstDoor];
 }
 
 /** Resolves when all that was asked for first is there, or has failed. */
 export async function firstAnswers(): Promise<void> {
-  await Promise.allSettled([firstStatus, firstProgram?.answer]);
+  await Promise.allSettled(asked());
 }
 
 /** How the server is; what was asked for at the start is handed out once. */
@@ -35,5 +49,19 @@ export function serverStatus(): Promise<Status> {
 export function programAndGroups(id: string): ProgramAnswer {
   const early = firstProgram?.id === id ? firstProgram.answer : null;
   firstProgram = null;
-  return early ?? ask(id);
+  return early ?? askProgram(id);
+}
+
+/** All groups and classes; what was asked for at the start is handed out once. */
+export function groupsAndClasses(): StartAnswer {
+  const early = firstStart;
+  firstStart = null;
+  return early ?? askStart();
+}
+
+/** How the teacher's door is; what was asked for at the start is handed out once. */
+export function doorAtFirst(): Promise<Door> {
+  const early = firstDoor;
+  firstDoor = null;
+  return early ?? classesApi.door();
 }

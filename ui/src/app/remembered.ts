@@ -5,7 +5,7 @@ const YEAR_S = 31_536_000;
  * local storage, may be another one each time.
  */
 export function remembered(name: string): string | null {
-  return document.cookie.match(new RegExp(`(?:^|; )${name}=(\\w+)`))?.[1] ?? null;
+  return document.cookie.match(new RegExp(`(?:^|; )${name}=([\\w-]+)`))?.[1] ?? null;
 }
 
 export function remember(name: string, value: string): void {

@@ -4,14 +4,27 @@ export type Route =
   | { screen: "start" }
   | { screen: "studio"; program: string }
   | { screen: "work"; group: string }
-  | { screen: "replay"; run: string };
+  | { screen: "replay"; run: string }
+  | { screen: "lesson"; lesson: string }
+  | { screen: "runs" }
+  | { screen: "compare"; runs: readonly [string, string] }
+  | { screen: "teacher"; part: TeacherPart };
+
+export const TEACHER_PARTS = ["lessons", "classes", "computer"] as const;
+export type TeacherPart = (typeof TEACHER_PARTS)[number];
 
 /** The address after `#` is the whole state of navigation, so that Back works. */
 export function parse(hash: string): Route {
-  const [, screen, id] = hash.replace(/^#/, "").split("/");
+  const [, screen, id, other] = hash.replace(/^#/, "").split("/");
   if (screen === "program" && id) return { screen: "studio", program: id };
   if (screen === "work" && id) return { screen: "work", group: id };
   if (screen === "run" && id) return { screen: "replay", run: id };
+  if (screen === "lesson" && id) return { screen, lesson: id };
+  if (screen === "runs") return { screen };
+  if (screen === "compare" && id && other) return { screen, runs: [id, other] };
+  if (screen === "teacher") {
+    return { screen, part: TEACHER_PARTS.find((one) => one === id) ?? "lessons" };
+  }
   return { screen: "start" };
 }
 
@@ -23,6 +36,14 @@ export function hashOf(route: Route): string {
       return `#/work/${route.group}`;
     case "replay":
       return `#/run/${route.run}`;
+    case "lesson":
+      return `#/lesson/${route.lesson}`;
+    case "runs":
+      return "#/runs";
+    case "compare":
+      return `#/compare/${route.runs.join("/")}`;
+    case "teacher":
+      return `#/teacher/${route.part}`;
     default:
       return "#/";
   }

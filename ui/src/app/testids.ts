@@ -20,7 +20,53 @@ export const TEST = {
   // start
   groupName: "group-name",
   createGroup: "create-group",
-  groupCard: "group-card", // of each
+  groupCard: "group-card", // of each; data-picture
+  classChip: "class-chip", // of each
+  choosePicture: "choose-picture", // shows the drawings of a new group
+  picture: "picture", // of each; data-name
+  door: "door", // to the teacher's part
+  prepare: "prepare", // the same, on the first day
+  leaveDoor: "leave-door",
+  lessonChip: "lesson-chip", // what the lesson is about, over the studio
+  turns: "turns", // time to swap
+  turnsDone: "turns-done",
+
+  // the teacher's part
+  pin: "pin",
+  pinAgain: "pin-again",
+  pinWait: "pin-wait", // how long to wait
+  enterDoor: "enter-door",
+  className: "class-name",
+  computerName: "computer-name",
+  keepComputer: "keep-computer",
+  prepareDone: "prepare-done",
+  newPin: "new-pin",
+  newPinAgain: "new-pin-again",
+  keepPin: "keep-pin",
+  swapEvery: "swap-every", // of each; data-minutes
+  teacherPart: "teacher-part", // of each; data-part: lessons | classes | computer
+  newClass: "new-class",
+  makeClass: "make-class",
+  renameClass: "rename-class",
+  classGroup: "class-group", // of each
+  groupRename: "group-rename", // of each group
+  moveGroup: "move-group", // of each group: a select
+  newGroupName: "new-group-name",
+  makeGroup: "make-group",
+  lessonTitle: "lesson-title",
+  lessonActivity: "lesson-activity", // a select
+  openLesson: "open-lesson",
+  lessonNow: "lesson-now",
+  closeLesson: "close-lesson",
+  lessonRow: "lesson-row", // of each
+  lessonPick: "lesson-pick", // of each; a checkbox
+  lessonJoin: "lesson-join",
+  lessonApart: "lesson-apart", // of each that was joined
+  lessonLink: "lesson-link", // of each
+  nameField: "name-field", // what is being renamed
+  groupEdit: "group-edit", // on our work
+  groupColor: "group-color", // of each
+  groupSave: "group-save",
 
   // studio
   editor: "editor",
@@ -130,4 +176,32 @@ export const TEST = {
   mergeResults: "merge-results",
   saveBundle: "save-bundle",
   sharedFolder: "shared-folder",
+
+  // the teacher's review
+  lessonPage: "lesson-page",
+  lessonEmpty: "lesson-empty",
+  lessonTime: "lesson-time", // of each; data-value: group | clock
+  lessonTable: "lesson-table",
+  lessonPrint: "lesson-print",
+  lessonExplained: "lesson-explained",
+  reviewGroup: "review-group", // of each; data-name
+  reviewOpen: "review-open", // of each
+  reviewMark: "review-mark", // of each; data-kind: edit | run, data-outcome, data-repairs: a run
+  reviewFigure: "review-figure", // of each; data-name, data-value
+  reviewDetail: "review-detail",
+  reviewRun: "review-run", // of each; data-outcome
+  reviewRepair: "review-repair", // of each
+  note: "note", // data-state: unchanged | changed | saving | saved
+  noteOpen: "note-open",
+  noteText: "note-text", // a textarea
+  noteSave: "note-save",
+  runFilter: "run-filter", // of each; data-name: classroom | group | activity | day | outcome
+  historyRun: "history-run", // of each; data-outcome
+  historyOlder: "history-older",
+  historyEmpty: "history-empty",
+  compareChoose: "compare-choose", // of each; an input
+  compareOpen: "compare-open",
+  comparePage: "compare-page",
+  compareSide: "compare-side", // of each; data-phase
+  compareView: "compare-view", // of each; data-value: apart | together
 } as const;

@@ -1,7 +1,8 @@
 import { describe, expect, test } from "vitest";
+import { TEACHER_TEXTS } from "../teacher/words";
 import { CATALOGUES } from ".";
 import { decimal, duration, headingDegrees, when } from "./format";
-import { LANGUAGES } from "./language";
+import { LANGUAGES, type Language } from "./language";
 import { reasonWords } from "./reasons";
 
 type Leaf = string | ((...args: never[]) => string);
@@ -19,11 +20,17 @@ function leaves(node: object, path = ""): [string, string][] {
   });
 }
 
+/** What is fetched at the start, and what only the teacher's part fetches. */
+const all = (language: Language) => ({
+  ...CATALOGUES[language],
+  teacher: TEACHER_TEXTS[language],
+});
+
 describe.each(LANGUAGES)("the catalogue %s", (language) => {
-  const texts = leaves(CATALOGUES[language]);
+  const texts = leaves(all(language));
 
   test("has a text for every key", () => {
-    const first = leaves(CATALOGUES["pt-BR"]).map(([path]) => path);
+    const first = leaves(all("pt-BR")).map(([path]) => path);
     expect(texts.map(([path]) => path)).toEqual(first);
   });
 
@@ -36,7 +43,7 @@ describe.each(LANGUAGES)("the catalogue %s", (language) => {
 
   test("does not repeat another language's long texts", () => {
     const others = LANGUAGES.filter((other) => other !== language).flatMap((other) =>
-      leaves(CATALOGUES[other]).map(([path, text]) => `${path} ${text}`),
+      leaves(all(other)).map(([path, text]) => `${path} ${text}`),
     );
     for (const [path, text] of texts) {
       if (text.length > 24) expect(others).not.toContain(`${path} ${text}`);

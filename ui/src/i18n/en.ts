@@ -1,12 +1,12 @@
-import { classesEn } from "./classes/en";
 import { en as activity } from "./activity/en";
+import { en as classes } from "./classes/en";
 import { en as exchange } from "./exchange/en";
 import type { Texts } from "./pt-BR";
 
 export const en: Texts = {
   activity,
   exchange,
-  classes: classesEn,
+  classes,
   header: {
     home: "Change group",
     group: "Group",

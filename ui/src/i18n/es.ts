@@ -1,12 +1,12 @@
-import { classesEs } from "./classes/es";
 import { es as activity } from "./activity/es";
+import { es as classes } from "./classes/es";
 import { es as exchange } from "./exchange/es";
 import type { Texts } from "./pt-BR";
 
 export const es: Texts = {
   activity,
   exchange,
-  classes: classesEs,
+  classes,
   header: {
     home: "Cambiar de grupo",
     group: "Grupo",

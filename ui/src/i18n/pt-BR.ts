@@ -1,13 +1,12 @@
-import { classesPtBR } from "./classes/pt-BR";
-
 import { ptBR as activity } from "./activity/pt-BR";
+import { ptBR as classes } from "./classes/pt-BR";
 import { ptBR as exchange } from "./exchange/pt-BR";
 
 /** The first catalogue: its shape is what every other language must have. */
 export const ptBR = {
   activity,
   exchange,
-  classes: classesPtBR,
+  classes,
   header: {
     home: "Trocar de grupo",
     group: "Grupo",

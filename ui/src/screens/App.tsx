@@ -2,11 +2,14 @@ import { route } from "../app/route";
 import { connection } from "../app/session";
 import { Header } from "./Header";
 import { Locked } from "./Locked";
+import { later } from "./later";
 import { Messages } from "./Messages";
 import { ReplayScreen } from "./ReplayScreen";
 import { StartScreen } from "./StartScreen";
 import { StudioScreen } from "./StudioScreen";
 import { WorkScreen } from "./WorkScreen";
+
+const TeacherScreen = later(async () => (await import("../teacher/TeacherScreen")).TeacherScreen);
 
 export function App() {
   if (connection.value === "locked") return <Locked />;
@@ -29,6 +32,8 @@ function Screen() {
       return <WorkScreen key={now.group} groupId={now.group} />;
     case "replay":
       return <ReplayScreen key={now.run} runId={now.run} />;
+    case "teacher":
+      return <TeacherScreen part={now.part} />;
     default:
       return <StartScreen />;
   }

@@ -9,6 +9,7 @@ import { createEditor, type Editor } from "../editor";
 import { language, texts } from "../i18n";
 import { FaultList } from "./FaultList";
 import type { StudioControl } from "./studio_control";
+import { Turns } from "./Turns";
 import { WayBack } from "./WayBack";
 
 export function BlocksPane({ control }: { control: StudioControl }) {
@@ -17,6 +18,7 @@ export function BlocksPane({ control }: { control: StudioControl }) {
     <section class="blocks" aria-label={studio.blocks}>
       <Tools control={control} />
       <Swap control={control} />
+      <Turns group={control.open.program.group_id} />
       <Workspace control={control} />
       <FaultList faults={control.open.faults.value} onGo={(fault) => control.goTo(fault)} />
     </section>

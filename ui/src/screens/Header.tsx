@@ -7,16 +7,19 @@ import { nextTheme, setTheme, theme } from "../app/theme";
 import { language, texts } from "../i18n";
 import { isLanguage, LANGUAGES } from "../i18n/language";
 import "./header.css";
+import { GroupPicture } from "./GroupPicture";
+import { LessonChip } from "./LessonChip";
 import { Mark } from "./Mark";
 import { ProgramName } from "./ProgramName";
 import { SavedMark } from "./SavedMark";
+import { TeacherChip } from "./TeacherChip";
 
 const LANGUAGE_NAMES = { "pt-BR": "Português", en: "English", es: "Español" } as const;
 const THEME_ICONS = { light: Sun, dark: Moon, contrast: Contrast } as const;
 
 /** The same places on every screen: who, what, saved, our work, look, language. */
 export function Header() {
-  const inside = route.value.screen !== "start";
+  const inside = !["start", "teacher"].includes(route.value.screen);
   return (
     <header class="header">
       <a class="header__home" href="#/" data-testid={TEST.home} title={texts.value.header.home}>
@@ -26,7 +29,9 @@ export function Header() {
       {inside && <GroupChip />}
       {inside && <ProgramName />}
       {route.value.screen === "studio" && <SavedMark />}
+      {route.value.screen === "studio" && <LessonChip />}
       <span class="header__space" />
+      <TeacherChip />
       {inside && <WorkButton />}
       <ThemeButton />
       <LanguageChoice />
@@ -45,7 +50,9 @@ function GroupChip() {
       data-testid={TEST.headerGroup}
       style={{ "--group": now.color }}
     >
-      <span class="header__dot" aria-hidden="true" />
+      <span class="badge">
+        <GroupPicture name={now.picture} />
+      </span>
       <span class="header__group-name">{now.name}</span>
     </a>
   );

@@ -1,17 +1,30 @@
 import { ArrowRight, UserRoundPlus } from "lucide-preact";
 import { useEffect, useRef, useState } from "preact/hooks";
-import { api } from "../api/client";
+import { classesApi } from "../api/classes";
+import type { Group } from "../api/model";
 import { enterGroup } from "../app/entering";
 import { type Problem, wordsOf } from "../app/session";
 import { TEST } from "../app/testids";
 import { texts } from "../i18n";
+import { PictureButton } from "./PictureButton";
+import { PictureChoice } from "./PictureChoice";
+import { rarestPicture } from "./pictures";
 
 const LONGEST = 60;
 
-/** One field: type a name, press Enter. */
-export function NewGroup({ first = false }: { first?: boolean }) {
+interface NewGroupProps {
+  classroomId: string | null;
+  /** The other groups of that class. */
+  others: readonly Group[];
+  first?: boolean;
+}
+
+/** One field: type a name, press Enter. A drawing is there already, and can be another. */
+export function NewGroup({ classroomId, others, first = false }: NewGroupProps) {
   const { start } = texts.value;
   const input = useRef<HTMLInputElement>(null);
+  const taken = others.map((one) => one.picture);
+  const [picture, setPicture] = useState<string>(() => rarestPicture(taken));
   const [busy, setBusy] = useState(false);
   const [fault, setFault] = useState<Problem | null>(null);
 
@@ -29,7 +42,8 @@ export function NewGroup({ first = false }: { first?: boolean }) {
     }
     setBusy(true);
     try {
-      await enterGroup(await api.createGroup(name));
+      const wanted = { name, picture, classroom_id: classroomId };
+      await enterGroup(await classesApi.createGroup(wanted));
     } catch (error) {
       setFault(wordsOf(error));
       setBusy(false);
@@ -37,6 +51,7 @@ export function NewGroup({ first = false }: { first?: boolean }) {
     }
   };
 
+  const choice = { chosen: picture, taken, onChoose: setPicture };
   return (
     <form
       class={first ? "new-group new-group--first" : "new-group card"}
@@ -49,18 +64,21 @@ export function NewGroup({ first = false }: { first?: boolean }) {
           {start.newGroup}
         </h2>
       )}
-      <input
-        ref={input}
-        class="field new-group__field"
-        data-testid={TEST.groupName}
-        aria-label={start.nameLabel}
-        aria-invalid={fault !== null}
-        placeholder={start.namePlaceholder}
-        maxLength={LONGEST}
-        autocomplete="off"
-        spellcheck={false}
-        onInput={() => setFault(null)}
-      />
+      <div class="new-group__who">
+        {!first && <PictureButton {...choice} />}
+        <input
+          ref={input}
+          class="field new-group__field"
+          data-testid={TEST.groupName}
+          aria-label={start.nameLabel}
+          aria-invalid={fault !== null}
+          placeholder={start.namePlaceholder}
+          maxLength={LONGEST}
+          autocomplete="off"
+          spellcheck={false}
+          onInput={() => setFault(null)}
+        />
+      </div>
       <button
         type="submit"
         class="button button--run new-group__go"
@@ -75,6 +93,7 @@ export function NewGroup({ first = false }: { first?: boolean }) {
           <strong>{fault.message}</strong> {fault.remedy}
         </p>
       )}
+      {first && <PictureChoice {...choice} />}
     </form>
   );
 }

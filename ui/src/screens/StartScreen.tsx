@@ -1,9 +1,16 @@
 import { useSignal } from "@preact/signals";
+import { DoorClosed, DoorOpen, GraduationCap } from "lucide-preact";
 import { useEffect } from "preact/hooks";
-import { api } from "../api/client";
-import type { Group } from "../api/model";
+import { NO_CLASS } from "../api/classes";
+import type { Classroom, Group } from "../api/model";
+import { classroom, groupsIn, shownClass } from "../app/classroom";
+import { groupsAndClasses } from "../app/first_answers";
+import { hashOf } from "../app/route";
 import { group, program, report } from "../app/session";
+import { door, knowDoor } from "../app/teacher";
+import { TEST } from "../app/testids";
 import { texts } from "../i18n";
+import { ClassChips } from "./ClassChips";
 import { GroupCard } from "./GroupCard";
 import { NewGroup } from "./NewGroup";
 import { StartPicture } from "./StartPicture";
@@ -11,34 +18,74 @@ import "./start.css";
 
 const SHOWN_AT_FIRST = 11;
 
-/** Who are you? Groups as cards, and one field for a new one. */
+interface Found {
+  groups: Group[];
+  classes: Classroom[];
+}
+
+/** Who are you? Groups by their pictures, class by class, and one field for a new one. */
 export function StartScreen() {
-  const groups = useSignal<Group[] | null>(null);
-  const shown = useSignal(SHOWN_AT_FIRST);
+  const found = useSignal<Found | null>(null);
   useEffect(() => {
     group.value = null;
     program.value = null;
-    api.groups().then((found) => {
-      groups.value = found;
+    groupsAndClasses().then(([groups, classes]) => {
+      found.value = { groups, classes };
     }, report);
+    knowDoor().catch(report);
   }, []);
-  if (!groups.value) return <main class="screen" aria-busy="true" />;
-  if (groups.value.length === 0) return <FirstGroup />;
-  const { start } = texts.value;
+  if (!found.value) return <main class="screen" aria-busy="true" />;
+  const { groups, classes } = found.value;
+  if (groups.length + classes.length === 0) return <FirstGroup />;
+  return <Groups {...found.value} />;
+}
+
+function Groups({ groups, classes }: Found) {
+  const { start, classes: words } = texts.value;
+  const shown = shownClass(classroom.value, classes, groups);
+  const here = groupsIn(shown, groups);
+  const withNone = shown === NO_CLASS || groups.some((one) => !one.classroom_id);
+  const classroomId = shown === NO_CLASS ? null : shown;
   return (
     <main class="screen start">
-      <h1 class="start__title">{start.title}</h1>
+      <div class="start__head">
+        <h1 class="start__title">{here.length ? start.title : words.emptyTitle}</h1>
+        <DoorLink />
+      </div>
+      {classes.length > 0 && <ClassChips classes={classes} withNone={withNone} shown={shown} />}
+      {here.length ? (
+        <Cards key={shown} groups={here} classroomId={classroomId} />
+      ) : (
+        <div class="start__empty">
+          <p class="start__hint">{words.emptyHint}</p>
+          <NewGroup key={shown} first classroomId={classroomId} others={[]} />
+        </div>
+      )}
+    </main>
+  );
+}
+
+interface CardsProps {
+  groups: readonly Group[];
+  classroomId: string | null;
+}
+
+function Cards({ groups, classroomId }: CardsProps) {
+  const { start } = texts.value;
+  const shown = useSignal(SHOWN_AT_FIRST);
+  return (
+    <>
       <ul class="start__groups" aria-label={start.groups}>
         <li>
-          <NewGroup />
+          <NewGroup classroomId={classroomId} others={groups} />
         </li>
-        {groups.value.slice(0, shown.value).map((one) => (
+        {groups.slice(0, shown.value).map((one) => (
           <li key={one.id}>
             <GroupCard group={one} />
           </li>
         ))}
       </ul>
-      {groups.value.length > shown.value && (
+      {groups.length > shown.value && (
         <button
           type="button"
           class="button start__more"
@@ -49,20 +96,51 @@ export function StartScreen() {
           {start.more}
         </button>
       )}
-    </main>
+    </>
   );
 }
 
 function FirstGroup() {
-  const { start } = texts.value;
+  const { start, classes } = texts.value;
+  const isNew = door.value?.has_pin === false;
   return (
     <main class="screen start start--first">
       <StartPicture />
       <div class="start__welcome">
         <h1 class="start__title">{start.firstTitle}</h1>
         <p class="start__hint">{start.firstHint}</p>
-        <NewGroup first />
+        <NewGroup first classroomId={null} others={[]} />
+        {isNew ? (
+          <a
+            class="prepare"
+            href={hashOf({ screen: "teacher", part: "lessons" })}
+            data-testid={TEST.prepare}
+          >
+            <GraduationCap class="icon prepare__icon" aria-hidden="true" />
+            <span class="prepare__words">
+              <strong>{classes.prepare}</strong>
+              <span>{classes.prepareHint}</span>
+            </span>
+          </a>
+        ) : (
+          <DoorLink />
+        )}
       </div>
     </main>
+  );
+}
+
+/** The way to the teacher's part. */
+function DoorLink() {
+  const Icon = door.value?.is_open ? DoorOpen : DoorClosed;
+  return (
+    <a
+      class="button button--plain start__door"
+      href={hashOf({ screen: "teacher", part: "lessons" })}
+      data-testid={TEST.door}
+    >
+      <Icon class="icon" aria-hidden="true" />
+      {texts.value.classes.door}
+    </a>
   );
 }

@@ -8,6 +8,7 @@ import { go } from "../app/route";
 import { group, program, report } from "../app/session";
 import { TEST } from "../app/testids";
 import { texts } from "../i18n";
+import { GroupHead } from "./GroupHead";
 import { ProgramCard } from "./ProgramCard";
 import { RunCard } from "./RunCard";
 import "./work.css";
@@ -49,6 +50,7 @@ export function WorkScreen({ groupId }: { groupId: string }) {
   return (
     <main class="screen work">
       <h1 class="visually-hidden">{work.title(group.value?.name ?? "")}</h1>
+      {group.value && <GroupHead key={groupId} group={group.value} />}
       <section>
         <h2 class="work__title">{work.programs}</h2>
         <ul class="work__cards">

@@ -1,0 +1,30 @@
+import { signal } from "@preact/signals";
+import { NO_CLASS } from "../api/classes";
+import type { Classroom, Group } from "../api/model";
+import { remember, remembered } from "./remembered";
+
+const COOKIE = "pinel_class";
+
+/** The class that was last chosen on this PC: an id, or NO_CLASS. */
+export const classroom = signal<string | null>(remembered(COOKIE));
+
+export function setClassroom(id: string): void {
+  classroom.value = id;
+  remember(COOKIE, id);
+}
+
+/** What to show: the class last chosen, or that of the group used last, or the first; NO_CLASS where there is none. */
+export function shownClass(
+  wanted: string | null,
+  classes: readonly Classroom[],
+  groups: readonly Group[],
+): string {
+  const known = [...classes.map(({ id }) => id), NO_CLASS];
+  if (wanted !== null && known.includes(wanted)) return wanted;
+  return groups.find((one) => one.classroom_id)?.classroom_id ?? classes[0]?.id ?? NO_CLASS;
+}
+
+/** The groups of a class, those without one under NO_CLASS. */
+export function groupsIn(id: string, groups: readonly Group[]): Group[] {
+  return groups.filter((one) => (one.classroom_id ?? NO_CLASS) === id);
+}

@@ -1,0 +1,59 @@
+import { signal } from "@preact/signals";
+import { classesApi } from "../api/classes";
+import { ApiError } from "../api/errors";
+import type { Door } from "../api/model";
+import { doorAtFirst } from "./first_answers";
+
+/** The teacher's door as the server last told it, null until it has. */
+export const door = signal<Door | null>(null);
+
+const SHUT = ["teacher_only", "pin_missing"];
+
+/** Asks how the door is. */
+export async function knowDoor(): Promise<Door> {
+  door.value = await doorAtFirst();
+  return door.value;
+}
+
+/** Opens the door; throws ApiError `pin_wrong`, or `pin_wait` with the seconds to wait. */
+export async function enterDoor(pin: string): Promise<void> {
+  door.value = await classesApi.enter(pin);
+}
+
+/** The first PIN, or another while the door is open. */
+export async function choosePin(pin: string): Promise<void> {
+  door.value = await classesApi.choosePin(pin);
+}
+
+export async function leaveDoor(): Promise<void> {
+  door.value = await classesApi.leave();
+}
+
+let waiting: (() => void)[] = [];
+
+door.subscribe((now) => {
+  if (!now?.is_open) return;
+  const released = waiting;
+  waiting = [];
+  for (const go of released) go();
+});
+
+/**
+ * Does what only the teacher may. Where the door has shut meanwhile it waits for the PIN, which the page then asks for,
+ * and goes on: nothing that was typed is lost.
+ */
+export async function asTeacher<T>(work: () => Promise<T>): Promise<T> {
+  try {
+    return await work();
+  } catch (error) {
+    if (!(error instanceof ApiError) || !SHUT.includes(error.code)) throw error;
+    door.value = { has_pin: error.code !== "pin_missing", is_open: false };
+    await new Promise<void>((resolve) => waiting.push(resolve));
+    return asTeacher(work);
+  }
+}
+
+/** Nobody waits for the PIN any more: what was asked for is not done when it is given later. */
+export function giveUpWaiting(): void {
+  waiting = [];
+}

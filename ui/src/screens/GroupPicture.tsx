@@ -1,0 +1,14 @@
+import { UsersRound } from "lucide-preact";
+import { isPicture, PICTURES } from "./pictures";
+import "./pictures.css";
+
+interface GroupPictureProps {
+  name: string;
+  class?: string;
+}
+
+/** A group's drawing; groups of earlier releases have none of their own. */
+export function GroupPicture({ name, class: extra = "" }: GroupPictureProps) {
+  const Drawing = isPicture(name) ? PICTURES[name] : UsersRound;
+  return <Drawing class={`icon ${extra}`} aria-hidden="true" />;
+}

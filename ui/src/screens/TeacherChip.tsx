@@ -1,0 +1,26 @@
+import { LogOut } from "lucide-preact";
+import { go } from "../app/route";
+import { report } from "../app/session";
+import { door, leaveDoor } from "../app/teacher";
+import { TEST } from "../app/testids";
+import { texts } from "../i18n";
+
+/** While the teacher's part is open, whatever the screen: a press shuts it. */
+export function TeacherChip() {
+  const { classes } = texts.value;
+  if (!door.value?.is_open) return null;
+  return (
+    <button
+      type="button"
+      class="button header__teacher"
+      title={classes.open}
+      data-testid={TEST.leaveDoor}
+      onClick={() => {
+        leaveDoor().then(() => go({ screen: "start" }), report);
+      }}
+    >
+      <LogOut class="icon" aria-hidden="true" />
+      {classes.leave}
+    </button>
+  );
+}

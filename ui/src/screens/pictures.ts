@@ -1,0 +1,84 @@
+import {
+  Anchor,
+  Apple,
+  Bike,
+  Bird,
+  Cat,
+  Cherry,
+  Crown,
+  Dog,
+  Fish,
+  Flower,
+  Guitar,
+  Moon,
+  Mountain,
+  Plane,
+  Rabbit,
+  Rocket,
+  Ship,
+  Snail,
+  Squirrel,
+  Star,
+  Sun,
+  TreeDeciduous,
+  Turtle,
+  Umbrella,
+} from "lucide-preact";
+
+/** The drawings that groups choose from, in the order in which they are offered; the server knows their names. */
+export const PICTURES = {
+  rocket: Rocket,
+  cat: Cat,
+  tree: TreeDeciduous,
+  fish: Fish,
+  star: Star,
+  bird: Bird,
+  bike: Bike,
+  sun: Sun,
+  turtle: Turtle,
+  guitar: Guitar,
+  flower: Flower,
+  snail: Snail,
+  ship: Ship,
+  rabbit: Rabbit,
+  mountain: Mountain,
+  dog: Dog,
+  umbrella: Umbrella,
+  cherry: Cherry,
+  plane: Plane,
+  crown: Crown,
+  squirrel: Squirrel,
+  anchor: Anchor,
+  apple: Apple,
+  moon: Moon,
+} as const;
+
+export type PictureName = keyof typeof PICTURES;
+
+export const PICTURE_NAMES = Object.keys(PICTURES) as PictureName[];
+
+export function isPicture(name: string): name is PictureName {
+  return Object.hasOwn(PICTURES, name);
+}
+
+/** The first that fewest of these have. */
+export function rarestPicture(taken: readonly string[]): PictureName {
+  const uses = (name: string) => taken.filter((one) => one === name).length;
+  return PICTURE_NAMES.reduce((best, name) => (uses(name) < uses(best) ? name : best));
+}
+
+/** The colours of groups, as the server knows them. */
+export const COLORS = [
+  "#1f6f8b",
+  "#b3541e",
+  "#5b4b9a",
+  "#2e7d4f",
+  "#a03561",
+  "#8a6a00",
+  "#34568b",
+  "#7a3e3e",
+  "#00796b",
+  "#6d5d4b",
+  "#9c3d97",
+  "#4a6b1c",
+] as const;

@@ -1,0 +1,22 @@
+import type { Lesson } from "../api/model";
+
+/** A lesson with those that were joined to it. */
+export interface LessonGroup {
+  lesson: Lesson;
+  parts: Lesson[];
+}
+
+/** Lessons in their order, each with its parts below it; a part whose lesson is not there stands alone. */
+export function withParts(lessons: readonly Lesson[]): LessonGroup[] {
+  const ids = new Set(lessons.map((one) => one.id));
+  const isPart = (one: Lesson) => one.part_of !== null && ids.has(one.part_of);
+  return lessons
+    .filter((one) => !isPart(one))
+    .map((lesson) => ({ lesson, parts: lessons.filter((one) => one.part_of === lesson.id) }));
+}
+
+/** The one that the others become part of: the first with a title, else the oldest. */
+export function whole(lessons: readonly Lesson[]): Lesson | undefined {
+  const oldestFirst = [...lessons].sort((a, b) => (a.opened_at < b.opened_at ? -1 : 1));
+  return oldestFirst.find((one) => one.title) ?? oldestFirst[0];
+}
