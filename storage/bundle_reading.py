@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from storage.bundle_rules import MAX_VALUE, json_of, key, name, problem_in_rows, short, time
-from storage.bundles import BUNDLE_TABLE, FORMAT, BundleInfo
+from storage.bundles import BUNDLE_TABLE, FORMAT, BundleInfo, counts_of
 from storage.content import content_hash
 from storage.errors import StoreError
 from storage.schema import MIGRATION_SET, MIGRATIONS_TABLE, migrate, steps
@@ -158,6 +158,8 @@ def _described(db: sqlite3.Connection, path: Path) -> BundleInfo:
     for column, rule in _RULES.items():
         if not rule(values[column]):
             raise StoreError("bundle_hostile", path=str(path), problem=f"bundle.{column}")
+    if loaded(values["counts"]) != counts_of(db):
+        raise StoreError("bundle_hostile", path=str(path), problem="bundle.counts")
     del values["format"]
     values |= {"counts": loaded(values["counts"]), "anonymous": bool(values["anonymous"])}
     return BundleInfo(path, **values)

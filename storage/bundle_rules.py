@@ -274,6 +274,8 @@ RULES: dict[str, dict[str, Rule]] = {
 
 def _problem_in_table(db: sqlite3.Connection, content: Content) -> str | None:
     names = columns(db, content.table)
+    if not names:  # a table that the release which wrote it did not have
+        return None
     rules = [RULES[content.table][column] for column in names]
     place = names.index("n_rows") if "n_rows" in names else None
     for row in tuples(db, f"SELECT {', '.join(names)} FROM {content.table}"):

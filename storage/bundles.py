@@ -189,7 +189,7 @@ def _written(
             access.now(),
             *computer,
             content_hash(db),
-            _counts(db),
+            counts_of(db),
             alter is not None,
         )
         db.execute("INSERT INTO bundle VALUES (?, ?, ?, ?, ?, ?, ?, ?)", _row(info))
@@ -224,8 +224,9 @@ def _copy_table(
     )
 
 
-def _counts(db: sqlite3.Connection) -> dict[str, int]:
-    tables = (content.table for content in CONTENT)
+def counts_of(db: sqlite3.Connection) -> dict[str, int]:
+    """Rows by table of content."""
+    tables = (content.table for content in CONTENT if columns(db, content.table))
     return {
         table: int(db.execute(f"SELECT count(*) FROM {table}").fetchone()[0]) for table in tables
     }

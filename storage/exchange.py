@@ -1,8 +1,10 @@
 """What goes between stores: exported, merged, compared, heard of; and what is to go from all of them."""
 
+from collections.abc import Collection
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from storage.anonymous import anonymising
 from storage.bundle_reading import open_bundle
 from storage.bundles import ALL, BundleInfo, Scope, export_bundle
 from storage.connection import Access
@@ -10,6 +12,7 @@ from storage.content import content_hash
 from storage.errors import StoreError
 from storage.merging import Heard, MergeReport, heard_from, merge
 from storage.removal import Removal, remove
+from storage.text import new_id
 
 if TYPE_CHECKING:
     from storage.store import Store
@@ -29,15 +32,21 @@ class Exchange:
         computer: tuple[str, str],
         scope: Scope = ALL,
         is_noted: bool = True,
+        anonymous: Collection[str] | None = None,
     ) -> BundleInfo:
-        """Writes a bundle; see `export_bundle`."""
+        """Writes a bundle; see `export_bundle`.
+
+        Args:
+            anonymous: leaves names and texts out, but for these names of worlds and activities that ship.
+        """
         return export_bundle(
             self._access,
             dest,
             app_version=app_version,
-            computer=computer,
+            computer=computer if anonymous is None else (new_id(), "PC"),
             scope=scope,
             is_noted=is_noted,
+            alter=None if anonymous is None else anonymising(anonymous),
         )
 
     def merge(self, path: Path) -> MergeReport:

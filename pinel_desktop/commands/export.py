@@ -12,10 +12,12 @@ from typing import Any, Protocol
 import click
 
 from pinel_desktop import __version__
+from pinel_desktop.activities.reading import activity_names
 from pinel_desktop.commands.store_file import opened_store
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, language_of_system
 from pinel_desktop.paths import database_path
+from sim.world import list_worlds
 from storage import Store, StoreError
 from storage.bundles import SUFFIX, BundleInfo, Scope
 from storage.exchange import exchange_of
@@ -30,6 +32,11 @@ from storage.text import name_key, new_id
 @click.option("--class", "classroom", help="Only this class (name or key).")
 @click.option("--group", help="Only this group (name or key).")
 @click.option("--program", help="Only this program (name or key).")
+@click.option(
+    "--anonymous",
+    is_flag=True,
+    help="Leave out all names and texts (docs/bundles.md says what stays).",
+)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @click.pass_context
 def command(
@@ -39,6 +46,7 @@ def command(
     classroom: str | None,
     group: str | None,
     program: str | None,
+    anonymous: bool,
     as_json: bool,
 ) -> None:
     """Write all work into one file for another PC (`pinel merge` reads it).
@@ -50,9 +58,13 @@ def command(
     with opened_store(database_path(db or ctx.obj["db"]), may_be_new=False) as store:
         scope = _scope(store, classroom, group, program)
         computer = _computer(store)
-        name = computer[1] if scope.whole else f"{computer[1]}-{classroom or group or program}"
+        part = "" if scope.whole else f"-{classroom or group or program}"
         info = exchange_of(store).export(
-            _file(dest, name), app_version=__version__, computer=computer, scope=scope
+            _file(dest, "pinel" if anonymous else f"{computer[1]}{part}"),
+            app_version=__version__,
+            computer=computer,
+            scope=scope,
+            anonymous=_shipped_names() if anonymous else None,
         )
     click.echo(json.dumps(_as_object(info), ensure_ascii=False) if as_json else _in_words(info))
 
@@ -91,6 +103,12 @@ def _computer(store: Store) -> tuple[str, str]:
         return store.computers.here()
     except StoreError:
         return new_id(), platform.node() or "PC"
+
+
+def _shipped_names() -> list[str]:
+    """Names that tell nothing of who used them."""
+    worlds = [str(world["name"]) for world in list_worlds()]
+    return [*worlds, *activity_names()]
 
 
 def _file(dest: Path, name: str) -> Path:

@@ -114,6 +114,14 @@ def test_a_program_goes_on_on_another_pc(lab: Path, stick: Path, teacher: Path) 
     assert answer("merge", stick, "--db", teacher)["added"]["versions"] == 2
 
 
+def test_names_can_be_left_out(lab: Path, stick: Path, teacher: Path) -> None:
+    exported = answer("export", stick, "--db", lab, "--anonymous")
+    octets = Path(exported["path"]).read_bytes()
+    assert [name for name in ("Onças", "Araras", "Lab 7", "5º B") if name.encode() in octets] == []
+    assert Path(exported["path"]).name.startswith("pinel-")
+    assert answer("merge", stick, "--db", teacher)["added"]["groups"] == 2
+
+
 def test_a_name_that_nobody_has_is_told_with_those_that_there_are(lab: Path, stick: Path) -> None:
     done = pinel("export", stick, "--db", lab, "--group", "Zebras")
     assert done.exit_code == 1

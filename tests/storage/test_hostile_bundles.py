@@ -244,6 +244,7 @@ VALUES = {
     "a run of nobody": f"UPDATE runs SET group_id = '{_UUID}1' WHERE group_id IS NOT NULL",
     "a tombstone that is a text": "INSERT INTO tombstones VALUES ('João da Silva')",
     "a PC's name that is none": "UPDATE bundle SET computer_name = char(27) || '[31m'",
+    "counts that are not true": """UPDATE bundle SET counts = '{"programs":1}'""",
     "huge texts": "UPDATE notes SET text = printf('%.*c', 20000000, 'x')",
 }
 

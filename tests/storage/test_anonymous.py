@@ -1,0 +1,125 @@
+"""Bundles without names and texts."""
+
+import json
+import sqlite3
+from collections.abc import Callable
+from contextlib import closing
+from pathlib import Path
+
+import pytest
+
+from storage import Recorder, RunStart, Store
+from storage.exchange import exchange_of
+from tests.storage.bundle_makers import exported, merged, problems_in, work
+from tests.storage.sample_runs import ended, sample
+
+DOCUMENT = {
+    "pinel_ir": 1,
+    "name": "Segredo do Joao",
+    "functions": [{"name": "danca do Joao", "parameters": ["passos do Joao"], "commands": []}],
+    "commands": [
+        {"action": "say", "text": "Joao mora aqui", "comment": "Joao", "block": "k1"},
+        {"action": "set_variable", "name": "Joao", "value": 3},
+        {"action": "move_forward", "distance": {"op": "+", "args": [{"var": "Joao"}, 1]}},
+        {"action": "call", "function": "danca do Joao", "arguments": {"passos do Joao": 2}},
+        {"action": "pen", "down": True, "color": "red"},
+    ],
+}
+WORLD = {"pinel_world": 1, "name": "own", "title": "Casa do Joao", "floor": [{"color": "green"}]}
+FACTS = ("Joao", "Quadrado", "5º B", "Muito bem", "funciona", "Aula da Maria", "Lab 7")
+
+
+@pytest.fixture
+def private(store: Store) -> Store:
+    """A store full of what must not leave it."""
+    store.computers.rename("Lab 7 da Joao")
+    classroom = store.classrooms.create("5º B")
+    store.lessons.open(classroom.id, "Aula da Maria")
+    group = store.groups.create("Joao e Ana", classroom_id=classroom.id)
+    program, _ = work(store, group, "Quadrado do Joao")
+    version = store.versions.save(program.id, {"text": "Joao"}, DOCUMENT, world=WORLD)
+    run = store.runs.begin(RunStart("sim", "own", WORLD, 1, "0.1.0", version_id=version.id))
+    recorder = Recorder(store)
+    recorder(sample(run.id, 0))
+    said = {"v": 1, "run": run.id, "tick": 1, "block": "k1"}
+    recorder({**said, "type": "said", "seq": 1, "text": "Joao mora aqui"})
+    recorder(
+        {**said, "type": "watch", "seq": 2, "variables": {"Joao": 3}, "stack": [], "gesture": "B"}
+    )
+    recorder(ended(run.id, 3, 2))
+    exchange_of(store).remove("run", work(store, group, "Quadrado")[1])
+    return store
+
+
+@pytest.fixture
+def anonymous(private: Store, tmp_path: Path) -> Path:
+    info = exchange_of(private).export(
+        tmp_path / "x.pinel",
+        app_version="0.1.0",
+        computer=private.computers.here(),
+        anonymous=["empty_room"],
+    )
+    assert info.anonymous
+    return info.path
+
+
+def rows(path: Path, query: str) -> list[tuple[str, ...]]:
+    with closing(sqlite3.connect(path)) as db:
+        return db.execute(query).fetchall()
+
+
+def test_nothing_of_what_was_written_is_in_the_file(private: Store, anonymous: Path) -> None:
+    octets = anonymous.read_bytes()
+    assert [fact for fact in FACTS if fact.encode() in octets] == []
+    assert [fact for fact in FACTS if json.dumps(fact)[1:-1].encode() in octets] == []
+
+
+def test_no_key_of_the_store_is_in_the_file(private: Store, anonymous: Path, path: Path) -> None:
+    octets = anonymous.read_bytes()
+    for table in ("groups", "classrooms", "programs", "versions", "runs", "lessons", "computers"):
+        keys = [key for (key,) in rows(path, f"SELECT id FROM {table}")]
+        assert keys
+        assert [key for key in keys if key.encode() in octets] == []
+
+
+def test_programs_still_say_what_they_do(anonymous: Path) -> None:
+    documents = [json.loads(text) for (text,) in rows(anonymous, "SELECT document FROM versions")]
+    found = next(one for one in documents if one["functions"])
+    say, set_variable, move, call, pen = found["commands"]
+    assert say == {"action": "say", "text": say["text"], "block": say["block"]}
+    assert set_variable["name"] == move["distance"]["args"][0]["var"]
+    assert (move["action"], move["distance"]["op"], pen["color"]) == ("move_forward", "+", "red")
+    (function,) = found["functions"]
+    assert call["function"] == function["name"]
+    assert list(call["arguments"]) == function["parameters"]
+
+
+def test_what_was_driven_stays(private: Store, anonymous: Path, path: Path) -> None:
+    blobs = "SELECT data FROM telemetry ORDER BY run_id, chunk"
+    assert rows(anonymous, blobs) == rows(path, blobs)
+    outcome = "SELECT state, started_at, path_length_m, seed FROM runs ORDER BY id"
+    assert rows(anonymous, outcome) == rows(path, outcome)
+
+
+def test_it_is_a_bundle_as_any_other(
+    anonymous: Path, tmp_path: Path, opened: Callable[..., Store]
+) -> None:
+    other = opened(tmp_path / "other.db")
+    report = merged(other, anonymous)
+    assert report.added["groups"] == 1
+    (group,) = other.groups.all()
+    assert (group.name, other.classrooms.all()[0].name) == ("Grupo 1", "Turma 1")
+    assert other.lessons.of_classroom(group.classroom_id)[0].title.startswith("Aula ")
+    assert report.info.computer_name == "PC"
+    assert problems_in(tmp_path / "other.db") == []
+
+
+def test_two_of_them_cannot_be_joined_by_their_keys(private: Store, tmp_path: Path) -> None:
+    keys = []
+    for n in range(2):
+        info = exchange_of(private).export(
+            tmp_path / f"{n}.pinel", app_version="1", computer=("", ""), anonymous=[]
+        )
+        keys.append(set(rows(info.path, "SELECT id FROM runs UNION SELECT id FROM groups")))
+    assert keys[0].isdisjoint(keys[1])
+    assert exported(private, tmp_path / "plain.pinel").content_hash != ""
