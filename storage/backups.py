@@ -19,10 +19,10 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 from storage.errors import StoreError, translated
+from storage.places import Free, free_bytes
 from storage.schema import migrate
 
 Stop = Callable[[], bool]
-Free = Callable[[Path], int]
 Remove = Callable[[sqlite3.Connection, Collection[str]], object]
 
 EVERY = timedelta(hours=24)
@@ -51,11 +51,6 @@ class Backup:
 
 class _StoppedError(Exception):
     pass
-
-
-def free_bytes(folder: Path) -> int:
-    """Room on the disk of a folder."""
-    return shutil.disk_usage(folder).free
 
 
 def folder_of(path: Path) -> Path:

@@ -4,9 +4,9 @@ import threading
 from collections.abc import Callable
 from datetime import UTC, datetime
 
-from storage.backups import Free, folder_of, free_bytes, is_due, make_backup
 from storage.errors import StoreError
 from storage.opening import Notice
+from storage.places import Free, free_bytes
 from storage.store import Store
 
 NEARLY_FULL = 500 * 10**6
@@ -77,6 +77,8 @@ class Caretaker:
 
     def back_up(self) -> None:
         """Makes a backup if it is time for one."""
+        from storage.backups import folder_of, is_due, make_backup  # noqa: PLC0415 - after the start
+
         path, now = self._store.path, self._clock()
         if not is_due(path, now):
             return

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
-from storage.backups import make_backup, restored_copy
 from storage.errors import StoreError, translated
 from storage.places import is_on_share
 from storage.schema import KNOWN_MIGRATIONS, MIGRATION_SET, MIGRATIONS_TABLE, migrate
@@ -177,6 +176,8 @@ def _applied(connection: sqlite3.Connection) -> set[str]:
 
 def _replaced(path: Path, problem: str, now: datetime) -> Notice:
     """Sets the file aside and puts the last good backup in its place, where there is one."""
+    from storage.backups import restored_copy  # noqa: PLC0415 - few starts need it
+
     copy = _restoring(path)
     backup = restored_copy(path, copy, lambda connection: _require_ours(connection, path))
     aside = _set_aside(path, now)
@@ -251,6 +252,8 @@ def _go_on_after_newest(connection: sqlite3.Connection) -> None:
 
 
 def _back_up(path: Path, now: datetime) -> Notice | None:
+    from storage.backups import make_backup  # noqa: PLC0415 - see above
+
     try:
         make_backup(path, now)
     except StoreError as error:  # each step of a migration is a transaction: it can go on without

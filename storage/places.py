@@ -1,14 +1,41 @@
 """Where a file lies."""
 
 import re
+import shutil
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
+Free = Callable[[Path], int]
+
 _MOUNTS = Path("/proc/self/mountinfo")
-_SHARED = re.compile(
-    r"nfs\d?|cifs|smb\w*|ncpfs|afs|ceph|fuse\.(sshfs|rclone|gvfsd-fuse|glusterfs|davfs2?)|davfs"
+_SHARED = frozenset(
+    [
+        "afs",
+        "ceph",
+        "cifs",
+        "davfs",
+        "fuse.davfs",
+        "fuse.davfs2",
+        "fuse.glusterfs",
+        "fuse.gvfsd-fuse",
+        "fuse.rclone",
+        "fuse.sshfs",
+        "ncpfs",
+        "nfs",
+        "nfs3",
+        "nfs4",
+        "smb2",
+        "smb3",
+        "smbfs",
+    ]
 )
 _REMOTE_DRIVE = 4
+
+
+def free_bytes(folder: Path) -> int:
+    """Room on the disk of a folder."""
+    return shutil.disk_usage(folder).free
 
 
 def is_on_share(folder: Path) -> bool:
@@ -26,7 +53,7 @@ def is_on_share(folder: Path) -> bool:
         kind = kind_of_file_system(folder.resolve(), mounts)
     except OSError:
         return False
-    return _SHARED.fullmatch(kind) is not None
+    return kind in _SHARED
 
 
 def kind_of_file_system(folder: Path, mounts: str) -> str:

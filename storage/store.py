@@ -153,8 +153,8 @@ class Store:
 def open_store(path: Path, *, close_interrupted: bool = False, clock: Clock = _utc_now) -> Store:
     """Opens the file, making it and its folder where there is none.
 
-    A damaged file is set aside and a new one begun; a file that can only be read is opened for reading. Both
-    are told by `notice`.
+    A damaged file is set aside and its last good backup takes its place, or a new one is begun; a file that can
+    only be read is opened for reading. Both are told by `notice`.
 
     Args:
         close_interrupted: ends runs that are still `running`. Only for the one program that holds the lock of

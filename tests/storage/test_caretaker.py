@@ -116,7 +116,7 @@ def test_whatever_keeps_a_backup_from_being_made_is_told_and_the_store_goes_on(
     def fail(*_: object, **__: object) -> None:
         raise error
 
-    monkeypatch.setattr("storage.caretaker.make_backup", fail)
+    monkeypatch.setattr("storage.backups.make_backup", fail)
     keeping.caretaker.back_up()
     assert keeping.code == "backup_failed"
     assert store.groups.create("A").name == "A"
@@ -133,7 +133,7 @@ def test_once_started_it_backs_up_by_itself_and_ends_when_told(
         make_backup(*given, **named)
         made.set()
 
-    monkeypatch.setattr("storage.caretaker.make_backup", make)
+    monkeypatch.setattr("storage.backups.make_backup", make)
     keeping = Keeping(store)
     answers = iter([NEARLY_FULL - 1])
     monkeypatch.setattr(keeping.caretaker, "_free", lambda folder: next(answers, MUCH))
