@@ -7,6 +7,9 @@ import { doorAtFirst } from "./first_answers";
 /** The teacher's door as the server last told it, null until it has. */
 export const door = signal<Door | null>(null);
 
+/** Whether the door was open in this window when the page was last drawn anew. */
+const FLAG = "pinel_teacher";
+
 const SHUT = ["teacher_only", "pin_missing"];
 
 /** Asks how the door is. */
@@ -28,6 +31,16 @@ export async function choosePin(pin: string): Promise<void> {
 export async function leaveDoor(): Promise<void> {
   door.value = await classesApi.leave();
 }
+
+/** After a reload: asks only where the door was open, which is not where pupils wait for their blocks. */
+export async function knowDoorAgain(): Promise<void> {
+  if (!door.peek() && sessionStorage.getItem(FLAG)) await knowDoor();
+}
+
+door.subscribe((now) => {
+  if (now?.is_open) sessionStorage.setItem(FLAG, "1");
+  else if (now) sessionStorage.removeItem(FLAG);
+});
 
 let waiting: (() => void)[] = [];
 

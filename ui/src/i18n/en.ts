@@ -1,11 +1,13 @@
 import { en as activity } from "./activity/en";
 import { en as classes } from "./classes/en";
 import { en as exchange } from "./exchange/en";
+import { en as keeping } from "./keeping/en";
 import type { Texts } from "./pt-BR";
 
 export const en: Texts = {
   activity,
   exchange,
+  keeping,
   classes,
   header: {
     home: "Change group",
@@ -29,7 +31,7 @@ export const en: Texts = {
   start: {
     title: "Who is going to program?",
     firstTitle: "Hello! What is your group called?",
-    firstHint: "Choose a name and go in. Everything you make is kept with it.",
+    firstHint: "Choose a name and a picture, and go in. Everything you make is kept with it.",
     newGroup: "New group",
     nameLabel: "Name of the group",
     namePlaceholder: "Name of the group",

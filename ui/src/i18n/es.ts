@@ -1,11 +1,13 @@
 import { es as activity } from "./activity/es";
 import { es as classes } from "./classes/es";
 import { es as exchange } from "./exchange/es";
+import { es as keeping } from "./keeping/es";
 import type { Texts } from "./pt-BR";
 
 export const es: Texts = {
   activity,
   exchange,
+  keeping,
   classes,
   header: {
     home: "Cambiar de grupo",
@@ -29,7 +31,7 @@ export const es: Texts = {
   start: {
     title: "¿Quién va a programar?",
     firstTitle: "¡Hola! ¿Cómo se llama el grupo?",
-    firstHint: "Elijan un nombre y entren. Todo lo que hagan queda guardado con él.",
+    firstHint: "Elijan un nombre y un dibujo, y entren. Todo lo que hagan queda guardado con él.",
     newGroup: "Grupo nuevo",
     nameLabel: "Nombre del grupo",
     namePlaceholder: "Nombre del grupo",

@@ -1,11 +1,13 @@
 import { ptBR as activity } from "./activity/pt-BR";
 import { ptBR as classes } from "./classes/pt-BR";
 import { ptBR as exchange } from "./exchange/pt-BR";
+import { ptBR as keeping } from "./keeping/pt-BR";
 
 /** The first catalogue: its shape is what every other language must have. */
 export const ptBR = {
   activity,
   exchange,
+  keeping,
   classes,
   header: {
     home: "Trocar de grupo",
@@ -29,7 +31,7 @@ export const ptBR = {
   start: {
     title: "Quem vai programar?",
     firstTitle: "Olá! Como se chama o grupo?",
-    firstHint: "Escolham um nome e entrem. Tudo o que vocês fizerem fica guardado com ele.",
+    firstHint: "Escolham um nome e um desenho, e entrem. Tudo o que vocês fizerem fica guardado com ele.",
     newGroup: "Novo grupo",
     nameLabel: "Nome do grupo",
     namePlaceholder: "Nome do grupo",

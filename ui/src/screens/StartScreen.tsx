@@ -57,8 +57,11 @@ function Groups({ groups, classes }: Found) {
         <Cards key={shown} groups={here} classroomId={classroomId} />
       ) : (
         <div class="start__empty">
-          <p class="start__hint">{words.emptyHint}</p>
-          <NewGroup key={shown} first classroomId={classroomId} others={[]} />
+          <div>
+            <p class="start__hint">{words.emptyHint}</p>
+            <NewGroup key={shown} first classroomId={classroomId} others={[]} />
+          </div>
+          <StartPicture />
         </div>
       )}
     </main>

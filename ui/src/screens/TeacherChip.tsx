@@ -1,13 +1,17 @@
 import { LogOut } from "lucide-preact";
+import { useEffect } from "preact/hooks";
 import { go } from "../app/route";
 import { report } from "../app/session";
-import { door, leaveDoor } from "../app/teacher";
+import { door, knowDoorAgain, leaveDoor } from "../app/teacher";
 import { TEST } from "../app/testids";
 import { texts } from "../i18n";
 
 /** While the teacher's part is open, whatever the screen: a press shuts it. */
 export function TeacherChip() {
   const { classes } = texts.value;
+  useEffect(() => {
+    knowDoorAgain().catch(report);
+  }, []);
   if (!door.value?.is_open) return null;
   return (
     <button

@@ -5,10 +5,10 @@ import { classesApi } from "../api/classes";
 import type { Lesson } from "../api/model";
 import { hashOf } from "../app/route";
 import { TEST } from "../app/testids";
-import { language } from "../i18n";
 import { useAct } from "./act";
 import { FaultLine } from "./FaultLine";
 import { whole, withParts } from "./lessons";
+import { momentOf } from "./moments";
 import { NameField } from "./NameField";
 import { words } from "./words";
 
@@ -115,7 +115,12 @@ function Row({ lesson, onChanged, isPart = false, children }: RowProps) {
           </span>
         </NameField>
         <p class="lesson-row__line">
-          {[dayOf(lesson), lesson.computer, say.edits(lesson.n_versions), say.runs(lesson.n_runs)]
+          {[
+            momentOf(lesson.opened_at),
+            lesson.computer,
+            say.edits(lesson.n_versions),
+            say.runs(lesson.n_runs),
+          ]
             .filter(Boolean)
             .join(" · ")}
         </p>
@@ -149,16 +154,4 @@ function Row({ lesson, onChanged, isPart = false, children }: RowProps) {
 
 function titleOf(lesson: Lesson): string {
   return lesson.title || words.value.lessons.untitled;
-}
-
-/** As the clock of that PC had it. */
-function dayOf(lesson: Lesson): string {
-  return new Date(lesson.opened_at).toLocaleString(language.value, {
-    weekday: "short",
-    day: "numeric",
-    month: "short",
-    year: "numeric",
-    hour: "2-digit",
-    minute: "2-digit",
-  });
 }

@@ -7,13 +7,12 @@ import { hashOf } from "../app/route";
 import { report } from "../app/session";
 import { asTeacher } from "../app/teacher";
 import { TEST } from "../app/testids";
-import { language, texts } from "../i18n";
-import { when } from "../i18n/format";
 import { ClassChips } from "../screens/ClassChips";
 import { useAct } from "./act";
 import { useActivities } from "./activities";
 import { FaultLine } from "./FaultLine";
 import { LessonList } from "./LessonList";
+import { momentOf } from "./moments";
 import { OpenLesson } from "./OpenLesson";
 import type { School } from "./TeacherScreen";
 import { words } from "./words";
@@ -92,7 +91,7 @@ function OpenNow({ lesson, onClosed }: OpenNowProps) {
   const { lessons: say } = words.value;
   const { busy, fault, act } = useAct();
   const activity = useActivities().find((one) => one.name === lesson.activity);
-  const since = say.since(when(lesson.opened_at, new Date(), language.value, texts.value));
+  const since = say.since(momentOf(lesson.opened_at));
   const close = async () => {
     await classesApi.changeLesson(lesson.id, { closed: true });
     await onClosed();
