@@ -1,13 +1,11 @@
 import { en as activity } from "./activity/en";
 import { en as classes } from "./classes/en";
 import { en as exchange } from "./exchange/en";
-import { en as keeping } from "./keeping/en";
 import type { Texts } from "./pt-BR";
 
 export const en: Texts = {
   activity,
   exchange,
-  keeping,
   classes,
   header: {
     home: "Change group",
