@@ -9,7 +9,12 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Fiel
 from pydantic_core import PydanticCustomError
 
 from sim.floor import MAX_NAME, Color
-from sim.world import DEFAULT_BOX_MASS_KG
+from sim.world import (
+    DEFAULT_BOX_MASS_KG,
+    LEAST_PUSHED_KG,
+    LEAST_PUSHED_SIDE_M,
+    MOST_PUSHED_KG,
+)
 
 MAX_BYTES = 256 * 1024
 MAX_WALLS, MAX_BOXES, MAX_AREAS = 500, 200, 200
@@ -67,8 +72,21 @@ class _Disc(_Part):
     heading_deg: _Degrees = 0.0  # of no consequence, and no fault
 
 
+_PUSHED = {
+    "if": {"properties": {"movable": {"const": True}}, "required": ["movable"]},
+    "then": {
+        "properties": {
+            "size": {"items": {"minimum": LEAST_PUSHED_SIDE_M}},
+            "mass_kg": {"minimum": LEAST_PUSHED_KG, "maximum": MOST_PUSHED_KG},
+        }
+    },
+}
+
+
 class Box(_Rectangle):
-    """A box on the floor; a movable one of `mass_kg` can be pushed."""
+    """A box on the floor; a movable one of `mass_kg` can be pushed, within limits that `placement` looks at."""
+
+    model_config = ConfigDict(json_schema_extra=_PUSHED)  # type: ignore[typeddict-item] # plain JSON
 
     movable: bool = False
     mass_kg: Annotated[float, Field(ge=0.1, le=100.0)] = DEFAULT_BOX_MASS_KG

@@ -1,4 +1,7 @@
-"""Where things of a world must not be: across each other, off the floor, in the robot's place at the start."""
+"""Where things of a world must not be: across each other, off the floor, in the robot's place at the start.
+
+And what a box must be that the robot can push.
+"""
 
 import math
 from collections import Counter
@@ -9,7 +12,14 @@ import numpy as np
 
 from sim.floor import Disc, Paint, Rectangle, Shape, Zone
 from sim.geometry import Array, crossings, distances_to_boxes, distances_to_segments, overlaps
-from sim.world import WALL_RADIUS_M, Box, Wall
+from sim.world import (
+    LEAST_PUSHED_KG,
+    LEAST_PUSHED_SIDE_M,
+    MOST_PUSHED_KG,
+    WALL_RADIUS_M,
+    Box,
+    Wall,
+)
 from sim.world_faults import Placed, placed, pointer
 
 SHORTEST_WALL_M = 0.01
@@ -35,6 +45,7 @@ def misplaced(parts: Parts, robot_radius_m: float) -> Iterator[Placed]:
         yield from _off_the_floor(parts, parts.size_m, robot_radius_m)
     yield from _short_walls(parts)
     yield from _crossing_walls(parts)
+    yield from _boxes_that_cannot_be_pushed(parts)
     yield from _pressed_boxes(parts)
     yield from _same_names(parts)
     if parts.start is not None:
@@ -90,13 +101,23 @@ def _crossing_walls(parts: Parts) -> Iterator[Placed]:
         yield placed(("walls", j), "walls_cross", **walls)
 
 
+def _boxes_that_cannot_be_pushed(parts: Parts) -> Iterator[Placed]:
+    for i, box in parts.boxes.items():
+        if box.movable and min(box.size) < LEAST_PUSHED_SIDE_M:
+            yield placed(("boxes", i, "size"), "box_too_thin", box=i + 1, min=LEAST_PUSHED_SIDE_M)
+        if box.movable and not LEAST_PUSHED_KG <= box.mass_kg <= MOST_PUSHED_KG:
+            limits = {"min": LEAST_PUSHED_KG, "max": MOST_PUSHED_KG}
+            place = ("boxes", i, "mass_kg")
+            yield placed(place, "box_mass_wrong", box=i + 1, value=box.mass_kg, **limits)
+
+
 def _pressed_boxes(parts: Parts) -> Iterator[Placed]:
     """Boxes to push that stand in a wall or another box: the physics would throw them out at the start."""
     indices, movable = list(parts.boxes), [i for i, box in parts.boxes.items() if box.movable]
     corners = _corners(parts)
     loose = corners[[indices.index(i) for i in movable]]
     walls = list(parts.walls)
-    for one, other in overlaps(loose, _segments(parts), _PRESSED_M):
+    for one, other in overlaps(loose, _thick_walls(parts), _PRESSED_M):
         yield _pressed(movable[one], ("walls", walls[other]), "box_in_wall")
     for one, other in overlaps(loose, corners, _PRESSED_M):
         i, j = movable[one], indices[other]
@@ -144,6 +165,17 @@ def _in_the_way(other: tuple[str, int], code: str, needed_m: float) -> Placed:
 def _segments(parts: Parts) -> Array:
     ends = [(wall.start, wall.end) for wall in parts.walls.values()]
     return np.array(ends, dtype=np.float64).reshape(-1, 2, 2)
+
+
+def _thick_walls(parts: Parts) -> Array:
+    """The walls as rectangles, which reach beyond their ends as far as to their sides."""
+    walls = (_thick(*wall.start, *wall.end) for wall in parts.walls.values())
+    return np.array([wall.corners() for wall in walls], dtype=np.float64).reshape(-1, 4, 2)
+
+
+def _thick(x1: float, y1: float, x2: float, y2: float) -> Box:
+    size = (math.hypot(x2 - x1, y2 - y1) + 2 * WALL_RADIUS_M, 2 * WALL_RADIUS_M)
+    return Box(((x1 + x2) / 2, (y1 + y2) / 2), size, math.atan2(y2 - y1, x2 - x1))
 
 
 def _corners(parts: Parts) -> Array:

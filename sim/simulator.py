@@ -5,7 +5,8 @@ a gear joint whose forces are limited like those of wheels: the robot follows co
 stalls at a wall. Setting the circle's own velocity instead would drive it straight through walls.
 
 A movable box is a dynamic body held to the floor in the same way, by what friction can hold: it slides when it is
-pushed harder, and stands as soon as nobody pushes.
+pushed harder, and stands as soon as nobody pushes. Where there are such boxes steps are half as long, so that what a
+box that is whipped about sinks into a wall is halved, too; `sim.holding` sees to it that none ever comes through one.
 """
 
 import math
@@ -16,6 +17,7 @@ import pymunk
 
 from sim.chipmunk import BodyAccess, Rays, Stepper
 from sim.floor import color_at, zone_at
+from sim.holding import FIXED, MOVABLE, Hold
 from sim.world import WALL_RADIUS_M, Box, World
 
 TICK_S = 1.0 / 30.0
@@ -27,6 +29,7 @@ BOX_FRICTION = 0.4  # cardboard and wood on a school's floor: 0.3 to 0.5
 GRAVITY_MPS2 = 9.81
 # Chipmunk's default of 10 is not enough for a light box between the robot and a wall.
 ITERATIONS_WITH_MOVABLE = 40
+STEPS_WITH_MOVABLE = 2  # within a substep
 _ROBOT = 0b10  # category of the robot's shape: rays start inside it and must not hit it
 _ALL_BUT_ROBOT = pymunk.ShapeFilter(mask=pymunk.ShapeFilter.ALL_MASKS() ^ _ROBOT)
 
@@ -48,7 +51,9 @@ class Simulator:
     """One robot in one world, stepped in ticks of 1/30 s of 8 substeps each.
 
     The same sequence of calls gives the same numbers to the bit, in any process, on one build and platform.
-    A velocity takes effect one substep (`SUBSTEP_S`) after the tick it was set for begins.
+
+    Attributes:
+        delay_s: a velocity takes effect so long after the tick it was set for begins: one step of the physics.
     """
 
     def __init__(self, world: World, robot: RobotBody) -> None:
@@ -57,15 +62,19 @@ class Simulator:
         self._world = world
         self._movable: dict[int, pymunk.Body] = {}
         self._add_obstacles(world)
-        if self._movable:
-            self.space.iterations = ITERATIONS_WITH_MOVABLE
+        self._steps_each = STEPS_WITH_MOVABLE if self._movable else 1
+        self.delay_s = SUBSTEP_S / self._steps_each
         self._body = self._add_robot(world, robot)
         self.wheels = self._add_wheels(robot)
         self._yaw, self._omega = world.start[2], 0.0
         self._rolls = False
         self._robot, self._drive = BodyAccess(self._body), BodyAccess(self.wheels)
-        self._steps = Stepper(self.space, SUBSTEP_S).steps
+        self._steps: Callable[[int], None] = Stepper(self.space, self.delay_s).steps
         self._rays = Rays(self.space, _ALL_BUT_ROBOT)
+        if self._movable:
+            self.space.iterations = ITERATIONS_WITH_MOVABLE
+            hold = Hold(self.space, list(self._movable.values()), self._body)
+            self._steps = hold.around(self._steps)
 
     def _add_obstacles(self, world: World) -> None:
         static = self.space.static_body
@@ -79,6 +88,7 @@ class Simulator:
 
     def _add_fixed(self, shape: pymunk.Shape) -> None:
         shape.friction = 0.5
+        shape.filter = pymunk.ShapeFilter(categories=FIXED)
         self.space.add(shape)
 
     def _add_movable(self, box: Box) -> pymunk.Body:
@@ -86,6 +96,7 @@ class Simulator:
         body.position, body.angle = box.center, box.angle_rad
         shape = pymunk.Poly.create_box(body, box.size)
         shape.friction = 0.5
+        shape.filter = pymunk.ShapeFilter(categories=MOVABLE)
         floor = self.space.static_body
         slide = pymunk.PivotJoint(floor, body, (0.0, 0.0), (0.0, 0.0))
         turn = pymunk.GearJoint(floor, body, 0.0, 1.0)
@@ -119,21 +130,21 @@ class Simulator:
     def tick(self, v_mps: float, omega_radps: float) -> None:
         """Lets one tick pass with the given velocity."""
         self._set_velocity(v_mps, omega_radps, TICK_S)
-        self._steps(SUBSTEPS)
+        self._steps(SUBSTEPS * self._steps_each)
         self._yaw = self._robot.angle()
 
     def substep(self, v_mps: float, omega_radps: float) -> None:
         """Lets one substep pass with the given velocity; a tick is `SUBSTEPS` of them."""
         self._set_velocity(v_mps, omega_radps, SUBSTEP_S)
-        self._steps(1)
+        self._steps(self._steps_each)
         self._yaw = self._robot.angle()
 
     def _set_velocity(self, v_mps: float, omega_radps: float, time_s: float) -> None:
         """The arc of that time is driven as its chord: along the heading in the middle of the time in which the
-        velocity holds, which starts one substep late, and shortened by the sinc of half the angle.
+        velocity holds, which starts one step late, and shortened by the sinc of half the angle.
         """
         half_angle = omega_radps * time_s / 2.0
-        heading = self._yaw + self._omega * SUBSTEP_S + half_angle
+        heading = self._yaw + self._omega * self.delay_s + half_angle
         chord = v_mps if half_angle == 0.0 else v_mps * math.sin(half_angle) / half_angle
         if chord != 0.0 or self._rolls:  # telling pymunk takes longer than a substep
             self._drive.move(chord * math.cos(heading), chord * math.sin(heading))

@@ -14,6 +14,9 @@ DEFAULT_WORLD = "empty_room"
 _LESSONS = (DEFAULT_WORLD, "tic_tac_toe", "obstacles", "slalom", "maze", "lines", "pushing")
 DEFAULT_BOX_MASS_KG = 2.0
 WALL_RADIUS_M = 0.01
+# of boxes to push: what is thinner or lighter would sink into walls and robots too deep to look right
+LEAST_PUSHED_SIDE_M = 0.05
+LEAST_PUSHED_KG, MOST_PUSHED_KG = 0.5, 20.0
 _NAME = re.compile(r"[a-z0-9_]{1,64}\Z")
 
 

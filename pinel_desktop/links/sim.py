@@ -18,7 +18,7 @@ from pinel_desktop.robot import (
 )
 from pinel_desktop.robot.sensors import SCAN_RAD, missing
 from sim.realistic import REALISTIC, Measuring, RealisticDrive
-from sim.simulator import SUBSTEP_S, TICK_S, Simulator
+from sim.simulator import TICK_S, Simulator
 from sim.world import World, WorldError, load_world, world_from_document
 
 
@@ -139,7 +139,7 @@ class SimLink:
         self._max_v, self._max_omega = robot.max_v_mps, robot.max_omega_radps
         self._twist = STANDSTILL
         self.simulator = Simulator(self._world, robot)
-        self.command_delay_s = SUBSTEP_S
+        self.command_delay_s = self.simulator.delay_s
         self.slips = setting.preset == "realistic"
         self._drive: RealisticDrive | None = None
         self.sensors: Sensors = SimSensors(self.simulator, robot, self._world)

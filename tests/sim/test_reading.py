@@ -14,6 +14,7 @@ from sim.world import list_worlds
 
 RADIUS_M = 0.25
 BOX: dict[str, Any] = {"center": [2, 0], "size": [0.4, 0.4]}
+PUSHED: dict[str, Any] = {**BOX, "movable": True}
 DISC: dict[str, Any] = {"center": [0, 0], "radius": 0.5}
 CROSS = [{"from": [-1, 1], "to": [1, 1]}, {"from": [0, 0.5], "to": [0, 1.5]}]
 
@@ -165,6 +166,14 @@ def test_what_is_no_world_at_all_is_one_fault(source: Any, code: str) -> None:
         ({"boxes": [{**BOX, "movable": 1}]}, "wrong_type_boolean", "/boxes/0/movable"),
         ({"boxes": [{**BOX, "mass_kg": 0}]}, "world_value_too_small", "/boxes/0/mass_kg"),
         ({"boxes": [{**BOX, "mass_kg": 101}]}, "world_value_too_large", "/boxes/0/mass_kg"),
+        (
+            {"boxes": [{**BOX, "mass_kg": 0.2}, {**BOX, "size": [0.02, 9.9]}]},
+            "box_off_floor",
+            "/boxes/1",
+        ),
+        ({"boxes": [{**PUSHED, "mass_kg": 0.4}]}, "box_mass_wrong", "/boxes/0/mass_kg"),
+        ({"boxes": [{**PUSHED, "mass_kg": 20.5}]}, "box_mass_wrong", "/boxes/0/mass_kg"),
+        ({"boxes": [{**PUSHED, "size": [0.5, 0.04]}]}, "box_too_thin", "/boxes/0/size"),
         ({"boxes": [{**BOX, "center": [0, 0]}]}, "start_in_box", "/start"),
         ({"boxes": [{**BOX, "center": [0.449, 0]}]}, "start_in_box", "/start"),
         ({"zones": [{"name": "", **DISC}]}, "world_text_blank", "/zones/0/name"),
@@ -219,7 +228,12 @@ def test_walls_that_meet_do_not_cross(second: dict[str, Any]) -> None:
     ("boxes", "walls", "found"),
     [
         ([{**BOX, "movable": True}], [wall(2, -1, 2, 1)], [("box_in_wall", "/boxes/0")]),
-        ([{**BOX, "movable": True}], [wall(2.2, -1, 2.2, 1)], []),
+        # walls are 2 cm thick
+        ([{**BOX, "movable": True}], [wall(2.2, -1, 2.2, 1)], [("box_in_wall", "/boxes/0")]),
+        ([{**BOX, "movable": True}], [wall(2.208, -1, 2.208, 1)], [("box_in_wall", "/boxes/0")]),
+        ([{**BOX, "movable": True}], [wall(2.21, -1, 2.21, 1)], []),
+        ([{**BOX, "movable": True}], [wall(2.208, 0, 2.8, 0)], [("box_in_wall", "/boxes/0")]),
+        ([{**BOX, "movable": True}], [wall(2.21, 0, 2.8, 0)], []),
         ([BOX], [wall(2, -1, 2, 1)], []),
         ([{**BOX, "movable": True}, BOX], [], [("box_in_box", "/boxes/0")]),
         ([{**BOX, "movable": True}] * 2, [], [("box_in_box", "/boxes/1")]),

@@ -38,6 +38,9 @@ def test_worlds_and_their_normal_forms_keep_to_the_schema(
     "parts",
     [
         {"pinel_world": 2},
+        {"boxes": [{**BOX, "movable": True, "mass_kg": 0.4}]},
+        {"boxes": [{**BOX, "movable": True, "mass_kg": 21}]},
+        {"boxes": [{**BOX, "movable": True, "size": [0.4, 0.04]}]},
         {"title": 7},
         {"title": {"pt-BR": "Sala", "en": "Room"}},
         {"size_m": [6]},

@@ -4,9 +4,11 @@ from typing import Any
 
 import pytest
 
+from pinel_desktop.app import App
 from sim.document import Box, WorldDocument
 from sim.reading import read_world
 from sim.world import DEFAULT_BOX_MASS_KG, list_worlds
+from tests.storage.sample_runs import ended
 from tests.web.browser import Browser
 from tests.web.conftest import SQUARE
 from tests.web.fake_engine import FakeEngine
@@ -139,3 +141,29 @@ def test_the_interface_describes_worlds_as_the_reader_reads_them(browser: Browse
     assert described == {field.alias or name for name, field in WorldDocument.model_fields.items()}
     assert set(schemas["Box"]["properties"]) == set(Box.model_fields)
     assert schemas["Box"]["properties"]["mass_kg"]["default"] == DEFAULT_BOX_MASS_KG
+
+
+def test_a_world_that_was_kept_before_a_rule_came_opens_runs_and_is_kept_again(
+    app: App, browser: Browser, program: dict[str, Any], engine: FakeEngine
+) -> None:
+    thin = {"center": [-1, 0], "size": [0.02, 0.4], "movable": True, "mass_kg": 0.1}
+    normal = read_world(OWN, robot_radius_m=0.25).document
+    assert normal is not None
+    old = {**normal, "boxes": [{**thin, "heading_deg": 0.0}]}
+    assert app._store is not None
+    app._store.versions.save(program["id"], {"blocks": 1}, SQUARE, [], old)
+    opened = browser.get(f"/api/programs/{program['id']}").data["version"]["world"]
+    kept = save(browser, program, opened)
+    assert kept.status == 200
+    wish = {"version_id": kept.data["id"], "world": "own"}
+    moved = {"x_m": 1.0, "y_m": -1.0, "heading_deg": 0.0}
+    assert browser.post("/api/runs", {**wish, "start": moved}).status == 200
+    assert engine.begun["world"] == {**old, "start": moved}
+    engine.send(ended(engine.begun["run"], 0, 0))
+    nowhere = browser.post("/api/runs", {**wish, "start": {**moved, "y_m": -2.0}})
+    assert nowhere.error["code"] in ("start_in_wall", "start_off_floor")
+    changed = save(browser, program, {**opened, "title": "x"})
+    assert [fault["code"] for fault in changed.error["faults"]] == [
+        "box_too_thin",
+        "box_mass_wrong",
+    ]

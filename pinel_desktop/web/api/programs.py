@@ -6,7 +6,7 @@ from pinel_desktop.program.faults import Fault
 from pinel_desktop.web.answers import MAX_FAULTS, answer, faults_in_words, showable
 from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.api.worlds import sound_world
-from pinel_desktop.web.models import Empty, IdPath
+from pinel_desktop.web.models import Empty, IdPath, Json
 from pinel_desktop.web.models.work import (
     CheckedDocument,
     DocumentToCheck,
@@ -22,7 +22,7 @@ from pinel_desktop.web.models.work import (
     VersionMark,
     VersionPage,
 )
-from pinel_desktop.web.services import services
+from pinel_desktop.web.services import Services, services
 from storage import FaultRow, ProgramRow, VersionRow
 
 api = resource("programs", "Programs, their versions, and checking documents.", __name__)
@@ -73,13 +73,19 @@ def save_version(path: IdPath, body: NewVersion) -> Response:
         reading = parts.read_document(body.document)
         document = None if reading.faults else reading.document
         faults = [_fault_row(fault) for fault in reading.faults[:MAX_FAULTS]]
-    world = None if body.world is None else sound_world(body.world)
+    world = None if body.world is None else _world_to_keep(path.id, body.world, parts)
     row = parts.store.versions.save(
         path.id, body.workspace, document, faults, world, parent_id=body.parent_id
     )
     return answer(
         SavedVersion(id=row.id, created_at=row.created_at, faults=version_model(row).faults)
     )
+
+
+def _world_to_keep(program_id: str, world: Json, parts: Services) -> Json:
+    """The world in its normal form. One that was kept before is kept again, whatever rules have come since."""
+    newest = parts.store.versions.newest(program_id)
+    return world if newest is not None and world == newest.world else sound_world(world)
 
 
 @api.get("/programs/<id>/versions", responses=answers(VersionLine, 404))

@@ -111,10 +111,12 @@ def _setting(body: NewRun) -> Setting:
 def _moved(
     world: dict[str, object], start: Start, robot: str, parts: Services
 ) -> dict[str, object]:
-    """The world with another start; only that can be wrong with it, and the error is the first thing that is."""
-    moved, faults = parts.read_world({**world, "start": start.model_dump()}, robot=robot)
-    if moved is None:
-        raise PinelError(faults[0].code, **faults[0].params)
+    """The world with another start; the error is the first thing that is wrong with that. The rest was kept before."""
+    moved = {**world, "start": start.model_dump()}
+    _, faults = parts.read_world(moved, robot=robot)
+    for fault in faults:
+        if fault.pointer.startswith("/start"):
+            raise PinelError(fault.code, **fault.params)
     return moved
 
 

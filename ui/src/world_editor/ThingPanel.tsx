@@ -4,7 +4,7 @@ import { texts } from "../i18n";
 import { Choice } from "./Choice";
 import type { WorldDesk } from "./desk";
 import { clean, FINE, GRID } from "./geometry";
-import { LONGEST, NAME_MOST, SHORTEST } from "./limits";
+import { LONGEST, NAME_MOST, PUSHED_LEAST_KG, PUSHED_MOST_KG, SHORTEST } from "./limits";
 import { NumberField } from "./NumberField";
 import {
   type Area,
@@ -153,7 +153,7 @@ interface Range {
 }
 const SIDE: Range = { least: SHORTEST, most: LONGEST, step: GRID };
 const TURN: Range = { least: -360, most: 360, step: 5 };
-const MASS: Range = { least: 0.1, most: 100, step: 1 };
+const MASS: Range = { least: PUSHED_LEAST_KG, most: PUSHED_MOST_KG, step: 0.5 };
 /** What a box weighs that nobody has weighed, kilograms. */
 const USUAL_MASS = 2;
 

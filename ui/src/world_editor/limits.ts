@@ -5,3 +5,6 @@ export const FLOOR_LEAST = 1;
 export const NAME_MOST = 64;
 export const TITLE_MOST = 60;
 export const FILE_MOST_BYTES = 256 * 1024;
+/** Of boxes to push, kilograms. */
+export const PUSHED_LEAST_KG = 0.5;
+export const PUSHED_MOST_KG = 20;
