@@ -166,7 +166,8 @@ def restored_copy(
         is_ours: raises StoreError for a file that is not to be used.
 
     Raises:
-        StoreError: `disk_full` and others; nothing has changed.
+        StoreError: `disk_full`; nothing has changed.
+        OSError: the folder cannot be written; nothing has changed.
     """
     for backup in list_backups(path):
         if not _is_good(backup.path, is_ours):
@@ -175,8 +176,9 @@ def restored_copy(
             with _part_of(target) as part:
                 shutil.copyfile(backup.path, part)
         except OSError as error:
-            code = "disk_full" if _is_full(error) else "database_failed"
-            raise StoreError(code, path=str(path), problem=error.strerror) from error
+            if _is_full(error):
+                raise StoreError("disk_full", path=str(path)) from error
+            raise
         if _is_good(target, is_ours):
             return backup
         target.unlink()

@@ -1,5 +1,6 @@
 """Copies of the file: made while others write, kept for a while, put back when the file is damaged."""
 
+import errno
 import os
 import sqlite3
 import threading
@@ -264,20 +265,23 @@ def test_where_no_backup_is_good_a_new_file_is_begun_as_without_any(path: Path) 
     assert len(list_backups(path)) == 1
 
 
-def test_a_damaged_file_stays_in_its_place_while_there_is_no_room_for_the_backup(
-    path: Path, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize(
+    ("number", "code"), [(errno.ENOSPC, "disk_full"), (errno.EROFS, "database_read_only")]
+)
+def test_a_damaged_file_stays_in_its_place_while_the_backup_cannot_be_copied(
+    path: Path, monkeypatch: pytest.MonkeyPatch, number: int, code: str
 ) -> None:
     with open_store(path) as store:
         store.groups.create("A")
         backed_up(path)
     damaged = spoil(path)
 
-    def full(*_: object) -> None:
-        raise OSError(28, "No space left on device")
+    def fail(*_: object) -> None:
+        raise OSError(number, os.strerror(number))
 
     with monkeypatch.context() as patch:
-        patch.setattr("shutil.copyfile", full)
-        assert code_of(lambda: open_store(path)) == "disk_full"
+        patch.setattr("shutil.copyfile", fail)
+        assert code_of(lambda: open_store(path)) == code
     assert path.read_bytes() == damaged
     with open_store(path) as store:
         assert [group.name for group in store.groups.all()] == ["A"]

@@ -116,6 +116,7 @@ def kill_again_and_again(folder: Path, n_kills: int, seed: int) -> None:
     assert min(counts[kept] for kept in ("version", "run", "end of run", "refused", "backup")) > 10
 
 
+@pytest.mark.timeout(300)
 def test_nothing_acknowledged_is_lost_in_a_hundred_kills_at_random_moments(tmp_path: Path) -> None:
     kill_again_and_again(tmp_path, 100, random.SystemRandom().randrange(2**32))
 
