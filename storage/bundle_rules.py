@@ -4,24 +4,22 @@ A file from a stick may have been made by anybody. Its values end up in lists, i
 a key that is no key, a number that overflows with the next change or a blob that unpacks to gigabytes is not let in.
 """
 
-import json
 import math
 import re
 import sqlite3
 import zlib
-from collections.abc import Callable, Iterator
-from functools import lru_cache
+from collections.abc import Callable
 from typing import Any
 
 from storage.content import CONTENT, Content, columns, tuples
 from storage.groups import PICTURES
+from storage.json_check import is_object, parsed
 from storage.notes import MAX_NOTE
 from storage.text import MAX_NAME
 
 Rule = Callable[[Any], bool]
 
 MAX_VALUE = 16 * 2**20  # bytes of one text or blob
-_MAX_DEPTH = 200
 _MAX_ROWS = 200_000  # samples in a chunk, and in all of a run: an hour has 108,000
 _MAX_COUNT = 10**7
 _MAX_REVISION = 10**9
@@ -35,7 +33,6 @@ _SHA256 = re.compile(r"[0-9a-f]{64}")
 _WORD = re.compile(r"[a-z][a-z0-9_]{0,63}")
 # control characters, and those that turn the direction of what follows
 _UNSEEN = re.compile(r"[\x00-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
-_CONTROLS = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f]")
 
 
 def problem_in_rows(db: sqlite3.Connection) -> str | None:
@@ -67,9 +64,12 @@ def visible(most: int, least: int = 0) -> Rule:
 
 def lines(most: int) -> Rule:
     """Text of several lines."""
-    return lambda value: (
-        isinstance(value, str) and len(value) <= most and not _CONTROLS.search(value)
-    )
+    return lambda value: isinstance(value, str) and len(value) <= most and "\0" not in value
+
+
+def workspace(value: Any) -> bool:
+    """JSON of what the editor shows."""
+    return isinstance(value, str) and is_object(value)
 
 
 def optional(rule: Rule) -> Rule:
@@ -86,45 +86,10 @@ def json_of(kind: type, check: Callable[[Any], bool] = lambda value: True) -> Ru
     """JSON whose outermost value is of a kind."""
 
     def rule(text: Any) -> bool:
-        found = _parsed(text) if isinstance(text, str) else None
+        found = parsed(text) if isinstance(text, str) else None
         return isinstance(found, kind) and check(found)
 
     return rule
-
-
-@lru_cache(maxsize=512)
-def _parsed(text: str) -> Any:
-    """The value of a JSON text that every other part of the program can read too, else None."""
-    try:
-        value = json.loads(text, parse_constant=_refused, parse_float=_finite)
-    except (ValueError, RecursionError):
-        return None
-    nested = text.count("[") + text.count("{") > _MAX_DEPTH and _depth(value) > _MAX_DEPTH
-    return None if nested else value
-
-
-def _refused(name: str) -> Any:
-    raise ValueError(name)
-
-
-def _finite(text: str) -> float:
-    value = float(text)
-    return value if math.isfinite(value) else _refused(text)
-
-
-def _depth(value: Any) -> int:
-    level, depth = [value], 0
-    while level:
-        depth += 1
-        level = [part for whole in level for part in _parts(whole)]
-    return depth
-
-
-def _parts(value: Any) -> Iterator[Any]:
-    if isinstance(value, dict):
-        yield from value.values()
-    elif isinstance(value, list):
-        yield from value
 
 
 def _are_faults(value: list[Any]) -> bool:
@@ -212,7 +177,7 @@ RULES: dict[str, dict[str, Rule]] = {
         "program_id": key,
         "number": whole(1, _MAX_COUNT),
         "created_at": time,
-        "workspace": json_of(dict),
+        "workspace": workspace,
         "document": optional(json_of(dict)),
         "faults": json_of(list, _are_faults),
         "world": optional(json_of(dict)),

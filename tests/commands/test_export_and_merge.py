@@ -13,6 +13,8 @@ from pinel_desktop.cli import main
 from storage import open_store
 from tests.storage.bundle_makers import a_run, work
 
+PROGRAMS = Path(__file__).parents[1] / "programs"
+
 
 @pytest.fixture(autouse=True)
 def english(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -112,6 +114,19 @@ def test_a_program_goes_on_on_another_pc(lab: Path, stick: Path, teacher: Path) 
     exported = answer("export", stick, "--db", lab, "--program", "Quadrado das Araras")
     assert exported["counts"]["programs"] == 1
     assert answer("merge", stick, "--db", teacher)["added"]["versions"] == 2
+
+
+def test_runs_as_they_are_really_recorded_pass_all_that_a_bundle_is_held_against(
+    tmp_path: Path, stick: Path, teacher: Path
+) -> None:
+    lab = tmp_path / "real.db"
+    for name in ("tic_tac_toe", "classroom", "b_or_a_not_recognised"):
+        pinel("run", PROGRAMS / f"{name}.json", "--db", lab, "--preset", "realistic")
+    pinel("run", PROGRAMS / "square.json", "--db", lab, "--gestures", "B,A")
+    answer("export", stick, "--db", lab)
+    assert answer("merge", stick, "--db", teacher)["added"]["runs"] == 4
+    answer("export", stick, "--db", lab, "--anonymous")
+    assert answer("merge", stick, "--db", teacher)["added"]["runs"] == 4
 
 
 def test_names_can_be_left_out(lab: Path, stick: Path, teacher: Path) -> None:

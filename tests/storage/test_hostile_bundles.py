@@ -3,16 +3,17 @@
 import contextlib
 import os
 import random
+import shutil
 import sqlite3
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import closing
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from storage import Store, StoreError, bundle_reading, schema
+from storage import Store, StoreError, bundle_reading, open_store, schema
 from storage.bundle_rules import RULES
 from storage.content import CONTENT, columns, content_hash
 from storage.telemetry import COLUMNS, pack
@@ -21,27 +22,41 @@ from tests.storage.bundle_makers import a_run, exported, hash_of, merged, work
 Change = Callable[[sqlite3.Connection], object]
 
 
-@pytest.fixture
-def bundle(tmp_path: Path, opened: Callable[..., Store]) -> Path:
+@pytest.fixture(scope="module")
+def original(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A bundle of a PC with a little of everything."""
-    there = opened(tmp_path / "there.db")
-    classroom = there.classrooms.create("5º B")
-    there.lessons.open(classroom.id, "Quadrados")
-    work(there, there.groups.create("Onças", classroom_id=classroom.id), "Quadrado")
-    a_run(there, None)
-    return exported(there, tmp_path / "there.pinel").path
+    folder = tmp_path_factory.mktemp("there")
+    with open_store(folder / "there.db") as there:
+        classroom = there.classrooms.create("5º B")
+        there.lessons.open(classroom.id, "Quadrados")
+        work(there, there.groups.create("Onças", classroom_id=classroom.id), "Quadrado")
+        a_run(there, None)
+        return exported(there, folder / "there.pinel").path
 
 
 @pytest.fixture
-def refused(store: Store) -> Callable[[Path], StoreError]:
+def bundle(original: Path, tmp_path: Path) -> Path:
+    """It, to be changed."""
+    return shutil.copyfile(original, tmp_path / original.name)
+
+
+@pytest.fixture(scope="module")
+def untouched(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Store]:
+    """A store that nothing of what is refused ever gets into."""
+    with open_store(tmp_path_factory.mktemp("here") / "here.db") as store:
+        work(store, store.groups.create("Daqui"), "Programa")
+        yield store
+
+
+@pytest.fixture
+def refused(untouched: Store) -> Callable[[Path], StoreError]:
     """Merges a file that must be refused, and sees that the store is as it was."""
-    work(store, store.groups.create("Daqui"), "Programa")
 
     def attempt(path: Path) -> StoreError:
-        before = hash_of(store)
+        before = hash_of(untouched)
         with pytest.raises(StoreError) as caught:
-            merged(store, path)
-        assert hash_of(store) == before
+            merged(untouched, path)
+        assert hash_of(untouched) == before
         return caught.value
 
     return attempt
@@ -213,7 +228,8 @@ def test_a_table_of_steps_that_is_a_view_is_never_asked(
 
 
 _UUID = "0193a5b0-0000-7000-8000-00000000000"
-_DEEP = "[" * 1500 + "]" * 1500
+_DEEP = "[" * 20_000 + "]" * 20_000
+_SHALLOWER = "[" * 1500 + "]" * 1500
 VALUES = {
     "a key that is a path": "UPDATE groups SET id = '../../etc/passwd'",
     "a name that is too long": "UPDATE groups SET name = printf('%.*c', 61, 'x')",
@@ -231,6 +247,9 @@ VALUES = {
     "JSON that is none": "UPDATE versions SET workspace = '{'",
     "JSON of another kind": "UPDATE versions SET workspace = '[]'",
     "JSON that is too deep": f"""UPDATE versions SET workspace = '{{"a":{_DEEP}}}'""",
+    "a document that is too deep": f"""UPDATE versions SET document = '{{"a":{_SHALLOWER}}}'""",
+    "a deep workspace that is none": f"""UPDATE versions SET workspace = '{{"a":{_SHALLOWER}}},'""",
+    "a deep workspace with infinity": f"""UPDATE versions SET workspace = '{{"a":{_SHALLOWER},"b":1e999}}'""",
     "JSON with infinity": """UPDATE runs SET summary = '{"a":1e999}'""",
     "JSON with a number of a million digits": """UPDATE runs SET summary = '{"a":1' || hex(zeroblob(99999)) || '}'""",
     "faults of another form": "UPDATE versions SET faults = '[1]'",

@@ -1,0 +1,115 @@
+"""Whether a text is JSON that every part of the program can read, without reading it the way that could fail.
+
+Blockly nests each block in the one above it, two levels of JSON a block: a workspace may be thousands deep, which
+the web server makes room for and Python's own parser elsewhere does not.
+"""
+
+import json
+import math
+import re
+from functools import lru_cache
+from typing import Any
+
+_PLAIN_DEPTH = 400  # what Python's parser always has room for
+_MAX_DEPTH = 9_000  # under the web server's limit
+_MAX_NUMBER = 400  # signs
+_BRACKETS = re.compile(r'"(?:[^"\\]|\\.)*"|([\[{])|([\]}])')
+_TOKEN = re.compile(
+    r'[ \t\n\r]*(?:(?P<string>"(?:[^"\\\x00-\x1f]|\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4}))*")'
+    r"|(?P<scalar>-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?|true|false|null)|(?P<sign>[\[\]{},:])|(?P<end>$))"
+)
+_OPENING = {"{": "}", "[": "]"}
+
+
+@lru_cache(maxsize=512)
+def parsed(text: str) -> Any:
+    """The value of a JSON text of ordinary depth with finite numbers; None for every other."""
+    if _is_deeper_than(text, _PLAIN_DEPTH):
+        return None
+    try:
+        return json.loads(text, parse_constant=_refused, parse_float=_finite)
+    except (ValueError, RecursionError):
+        return None
+
+
+def is_object(text: str) -> bool:
+    """True for a JSON object, which may be as deep as a workspace."""
+    if not _is_deeper_than(text, _PLAIN_DEPTH):
+        return isinstance(parsed(text), dict)
+    return not _is_deeper_than(text, _MAX_DEPTH) and _is_deep_object(text)
+
+
+def _refused(name: str) -> Any:
+    raise ValueError(name)
+
+
+def _finite(text: str) -> float:
+    value = float(text)
+    return value if math.isfinite(value) else _refused(text)
+
+
+def _is_deeper_than(text: str, limit: int) -> bool:
+    if text.count("[") + text.count("{") <= limit:
+        return False
+    depth = deepest = 0
+    for found in _BRACKETS.finditer(text):
+        depth += (found[1] is not None) - (found[2] is not None)
+        deepest = max(deepest, depth)
+    return deepest > limit
+
+
+def _is_deep_object(text: str) -> bool:
+    """The grammar of RFC 8259, with a stack of our own."""
+    closings: list[str] = []
+    awaited, place = "object", 0
+    while awaited != "end":
+        token = _TOKEN.match(text, place)
+        if token is None:
+            return False
+        place = token.end()
+        following = _after(token, awaited, closings)
+        if following is None:
+            return False
+        awaited = following
+    return text[place:].strip(" \t\n\r") == ""
+
+
+def _after(token: re.Match[str], awaited: str, closings: list[str]) -> str | None:
+    """What must follow a token where another was awaited; None where it must not stand."""
+    sign = token["sign"]
+    if (
+        sign in _OPENING
+        and awaited in ("object", "value", "value or ]")
+        and not (awaited == "object" and sign != "{")
+    ):
+        closings.append(_OPENING[sign])
+        return "key or }" if sign == "{" else "value or ]"
+    if sign and sign in "]}":
+        return _closed(sign, awaited, closings)
+    if sign == ":":
+        return "value" if awaited == ":" else None
+    if sign == ",":
+        following = "key" if closings and closings[-1] == "}" else "value"
+        return following if awaited == ", or end" else None
+    if token["string"] is not None and awaited in ("key", "key or }"):
+        return ":"
+    if token["end"] is not None or awaited not in ("value", "value or ]"):
+        return None
+    return ", or end" if token["string"] or _is_readable(token["scalar"]) else None
+
+
+def _closed(sign: str, awaited: str, closings: list[str]) -> str | None:
+    if (
+        not closings
+        or closings[-1] != sign
+        or awaited not in (", or end", f"key or {sign}", f"value or {sign}")
+    ):
+        return None
+    closings.pop()
+    return ", or end" if closings else "end"
+
+
+def _is_readable(scalar: str) -> bool:
+    return scalar in ("true", "false", "null") or (
+        len(scalar) <= _MAX_NUMBER and math.isfinite(float(scalar))
+    )
