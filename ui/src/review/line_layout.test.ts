@@ -6,17 +6,33 @@ import { between, GAP, roomFor, spread } from "./places";
 
 const NOON = Date.UTC(2026, 10, 21, 12) / 1000;
 
-function mark(kind: ReviewMark["kind"], second: number, more: Partial<ReviewMark> = {}): ReviewMark {
+function mark(
+  kind: ReviewMark["kind"],
+  second: number,
+  more: Partial<ReviewMark> = {},
+): ReviewMark {
   const at = new Date((NOON + second) * 1000).toISOString();
   return {
     kind,
     at,
+    until: null,
+    computer: "PC 1",
     program_id: "p",
     program_name: "Quadrado",
     version_id: "v",
+    number: 1,
+    since: null,
+    changes: null,
+    state: null,
+    reason: null,
+    message: null,
+    activity: null,
+    passed: null,
     repairs: null,
-    ...(kind === "run" ? { run_id: `run-${second}`, duration_s: 0 } : { n_edits: 1 }),
-    ...more,
+    ...(kind === "run"
+      ? { run_id: `run-${second}`, duration_s: 0, n_edits: null }
+      : { run_id: null, duration_s: null, n_edits: 1 }),
+    ...(more as object),
   };
 }
 

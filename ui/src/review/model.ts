@@ -1,60 +1,31 @@
-import type { Lesson, Run } from "../api/model";
+import type { components } from "../api/types";
 
-/** How many blocks differ between two versions. */
-export interface ChangeCounts {
-  added: number;
-  removed: number;
-  changed: number;
-  moved: number;
-}
+type Schemas = components["schemas"];
 
-/** A burst of edits or a run on the line of a group. */
-export interface ReviewMark {
-  kind: "edit" | "run";
-  at: string;
-  until?: string | null;
-  program_id: string | null;
-  program_name: string | null;
-  version_id: string | null;
-  n_edits?: number | null;
-  changes?: ChangeCounts | null;
-  since?: string | null;
-  run_id?: string | null;
-  state?: Run["state"] | null;
-  reason?: string | null;
-  message?: string | null;
-  passed?: boolean | null;
-  duration_s?: number | null;
-  /** The failing run that this one made good. */
-  repairs: string | null;
-}
-
-export interface Figures {
-  n_edits: number;
-  n_runs: number;
-  n_failed: number;
-  time_to_first_run_s: number | null;
-  attempts_until_passed: number | null;
-  active_s: number;
-}
-
+export type LessonReview = Schemas["LessonReview"];
+export type GroupReview = Schemas["GroupReview"];
+export type GroupHead = Schemas["GroupHead"];
+export type ReviewMark = Schemas["ReviewMark"];
+export type ChangeCounts = Schemas["ChangeCounts"];
+export type Figures = Schemas["Figures"];
 export type FigureName = keyof Figures;
+export type BlockCount = Schemas["BlockCount"];
+export type HistoryRun = Schemas["HistoryRun"];
+export type VersionDifference = Schemas["VersionDifference"];
+export type BlockChange = Schemas["BlockChange"];
 
-export interface GroupFace {
-  id: string;
-  name: string;
-  color: string;
-  picture: string;
+/** How a run ended, as its mark shows it. */
+export type Outcome = "passed" | "finished" | "notyet" | "stopped" | "failed" | "running";
+
+/** What is known of a run's end. */
+export interface Ended {
+  readonly state: ReviewMark["state"];
+  readonly passed: boolean | null;
 }
 
-export interface GroupReview {
-  group: GroupFace;
-  marks: ReviewMark[];
-  figures: Figures;
-  blocks: { type: string; count: number }[];
-}
-
-export interface LessonReview {
-  lesson: Lesson;
-  groups: GroupReview[];
+/** Passing comes before how it ended: a run may be stopped when the goal is reached. */
+export function outcomeOf({ state, passed }: Ended): Outcome {
+  if (passed) return "passed";
+  if (state === "finished" && passed === false) return "notyet";
+  return state ?? "running";
 }

@@ -1,0 +1,141 @@
+"""A lesson that is over, in the file before the app starts: edits at their times, and runs that were really driven."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+from typing import Any
+
+from pinel_desktop.commands.world_file import choose_world
+from pinel_desktop.events.model import Event, EventStamp, RunEnded
+from pinel_desktop.execution.executor import RunOptions, execute
+from pinel_desktop.links import open_link
+from pinel_desktop.program.reading import read_document
+from pinel_desktop.robot import Setting
+from storage import Recorder, RunStart, Store, open_store
+
+Step = tuple[str, float]
+TICK_S = 1 / 30
+
+SQUARE: list[Step] = [("move_forward", 1), ("turn", 90)] * 4
+
+
+class PastLesson:
+    """What groups of a class did; the clock on the wall goes on as the test says."""
+
+    def __init__(self, store: Store, now: datetime) -> None:
+        self.store, self.now = store, now
+        self.classroom = store.classrooms.create("7º B").id
+        self.lesson = store.lessons.open(self.classroom, "Quadrados e desvios", "square").id
+
+    def at(self, minute: float) -> None:
+        """The clock of the lesson, which began at 0."""
+        self.now = BEGAN + timedelta(minutes=minute)
+
+    def group(self, name: str) -> "PastGroup":
+        return PastGroup(self, name)
+
+
+BEGAN = datetime(2026, 11, 19, 13, 30, tzinfo=UTC)
+
+
+@contextmanager
+def past_lesson(home: Path) -> Iterator[PastLesson]:
+    """Opens the file of an app that does not run yet."""
+    clock = [lambda: BEGAN]
+    with open_store(home / "pinel.db", clock=lambda: clock[0]()) as store:
+        lesson = PastLesson(store, BEGAN)
+        clock[0] = lambda: lesson.now
+        yield lesson
+
+
+class PastGroup:
+    """A group and its one program."""
+
+    def __init__(self, lesson: PastLesson, name: str) -> None:
+        self._lesson, self._store = lesson, lesson.store
+        self.id = self._store.groups.create(name, classroom_id=lesson.classroom).id
+        self.program = self._store.programs.create(self.id, "Quadrado da sala").id
+        self.version = ""
+
+    def edit(self, *steps: Step, world: Any = None) -> str:
+        """Saves a version; blocks keep their ids by their place."""
+        self.version = self._store.versions.save(
+            self.program, workspace_of(list(steps)), document_of(list(steps)), world=world
+        ).id
+        return self.version
+
+    def run(self, world: str = "empty_room", *, stop_at_s: float | None = None) -> str:
+        """Drives the version as it is, in the simulator; `stop_at_s` cuts the record where a hand pressed Stop."""
+        chosen = choose_world(world, robot=Setting().model)
+        document = self._store.versions.get(self.version).document
+        begun = self._store.runs.begin(
+            RunStart(
+                link="sim",
+                world=world,
+                world_document=chosen.document,
+                seed=0,
+                app_version="0.5",
+                version_id=self.version,
+                parameters=Setting().as_parameters(),
+            )
+        )
+        assert document is not None
+        program = read_document(document).program
+        assert program is not None
+        observer = _Keeping(self._lesson, begun.id, stop_at_s)
+        link = open_link("sim", world=chosen.document, setting=Setting(), seed=0)
+        execute(program, link, RunOptions(observer=observer))
+        return begun.id
+
+    def judged(self, run_id: str, *, passed: bool) -> None:
+        self._store.checks.keep(run_id, passed, {"passed": passed})
+
+
+class _Keeping:
+    """Records events while the clock of the lesson goes on with them."""
+
+    def __init__(self, lesson: PastLesson, run_id: str, stop_at_s: float | None) -> None:
+        self._lesson, self._begun = lesson, lesson.now
+        self._record, self._stamp = Recorder(lesson.store), EventStamp(run_id)
+        self._stop_tick = None if stop_at_s is None else round(stop_at_s / TICK_S)
+
+    def __call__(self, tick: int, event: Event) -> None:
+        if self._stop_tick is not None and tick > self._stop_tick:
+            if not isinstance(event, RunEnded):
+                return
+            stopped = {"state": "stopped", "reason": "stopped_by_person", "params": {}}
+            tick = self._stop_tick
+            event = replace(event, **{**stopped, "duration_s": tick * TICK_S})
+        self._lesson.now = self._begun + timedelta(seconds=tick * TICK_S)
+        self._record(self._stamp.wire(tick, event))
+
+
+def workspace_of(steps: list[Step]) -> dict[str, Any]:
+    """The steps as Blockly keeps them, below the start block."""
+    below: dict[str, Any] | None = None
+    for place, (kind, value) in reversed(list(enumerate(steps))):
+        below = {**_block(kind, value, place), **({"next": {"block": below}} if below else {})}
+    start: dict[str, Any] = {"type": "program_start", "id": "start", "x": 40, "y": 40}
+    blocks = [{**start, **({"next": {"block": below}} if below else {})}]
+    return {"blocks": {"languageVersion": 0, "blocks": blocks}}
+
+
+def _block(kind: str, value: float, place: int) -> dict[str, Any]:
+    name = {"move_forward": "DISTANCE", "turn": "ANGLE", "wait": "SECONDS"}[kind]
+    shadow = {"type": "number", "id": f"n{place}", "fields": {"NUM": abs(value)}}
+    block: dict[str, Any] = {"type": kind, "id": f"b{place}", "inputs": {name: {"shadow": shadow}}}
+    if kind == "turn":
+        block["fields"] = {"DIRECTION": "RIGHT" if value < 0 else "LEFT"}
+    return block
+
+
+def document_of(steps: list[Step]) -> dict[str, Any]:
+    """The steps as the robot gets them."""
+    names = {"move_forward": "distance", "turn": "angle", "wait": "seconds"}
+    commands = [
+        {"action": kind, "block": f"b{place}", names[kind]: value}
+        for place, (kind, value) in enumerate(steps)
+    ]
+    return {"pinel_ir": 1, "name": "", "functions": [], "commands": commands}

@@ -1,0 +1,80 @@
+import type { Signal } from "@preact/signals";
+import { hashOf } from "../app/route";
+import { TEST } from "../app/testids";
+import { language, texts } from "../i18n";
+import { duration, when } from "../i18n/format";
+import { words } from "../i18n/review";
+import { PathPicture } from "../scene/PathPicture";
+import { GroupPicture } from "../screens/GroupPicture";
+import { type HistoryRun, outcomeOf } from "./model";
+import { Sign } from "./Sign";
+
+interface HistoryCardProps {
+  run: HistoryRun;
+  chosen: Signal<readonly HistoryRun[]>;
+}
+
+/** A run with its group: opens its replay, or is chosen to be seen beside another. */
+export function HistoryCard({ run, chosen }: HistoryCardProps) {
+  const { outcomes, runs } = words.value;
+  const { work } = texts.value;
+  const outcome = outcomeOf(run);
+  const name = run.program_name ?? work.noName;
+  const facts = [
+    when(run.started_at, new Date(), language.value, texts.value),
+    run.duration_s === null ? null : duration(run.duration_s, language.value),
+  ].filter(Boolean);
+  const title = `${run.group?.name ?? runs.commandLine}, ${name}, ${outcomes[outcome]}`;
+  return (
+    <div
+      class="work-card card tinted run-card"
+      style={run.group ? { "--group": run.group.color } : {}}
+      data-testid={TEST.historyRun}
+      data-outcome={outcome}
+    >
+      <a
+        class="run-card__open"
+        href={hashOf({ screen: "replay", run: run.id })}
+        aria-label={`${work.replay}: ${title}. ${facts.join(" · ")}`}
+      >
+        <span class="work-card__picture">
+          <PathPicture path={run.path} />
+        </span>
+        <span class="work-card__words">
+          <span class="run-card__group">
+            <GroupPicture name={run.group?.picture ?? ""} class="run-card__picture" />
+            <span>{run.group?.name ?? runs.commandLine}</span>
+          </span>
+          <span class="work-card__line work-card__line--strong run-card__outcome">
+            <Sign outcome={outcome} />
+            {outcomes[outcome]}
+          </span>
+          <span class="work-card__line">{[name, ...facts].join(" · ")}</span>
+        </span>
+      </a>
+      <Choose run={run} chosen={chosen} title={title} />
+    </div>
+  );
+}
+
+function Choose({ run, chosen, title }: HistoryCardProps & { title: string }) {
+  const { runs } = words.value;
+  const isChosen = chosen.value.some(({ id }) => id === run.id);
+  return (
+    <label class="run-card__choose" data-chosen={isChosen}>
+      <input
+        type="checkbox"
+        checked={isChosen}
+        disabled={run.state === "running"}
+        aria-label={runs.chooseOf(title)}
+        data-testid={TEST.compareChoose}
+        onChange={() => {
+          const others = chosen.value.filter(({ id }) => id !== run.id);
+          // a third takes the place of the one that was chosen before the last
+          chosen.value = isChosen ? others : [...others.slice(-1), run];
+        }}
+      />
+      <span>{isChosen ? runs.chosen : runs.choose}</span>
+    </label>
+  );
+}

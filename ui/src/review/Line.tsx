@@ -1,0 +1,160 @@
+import { useRef } from "preact/hooks";
+import { hashOf } from "../app/route";
+import { TEST } from "../app/testids";
+import { language, texts } from "../i18n";
+import { words } from "../i18n/review";
+import { differenceOf } from "./differences";
+import { barHeight, type LineLayout, type PlacedMark } from "./line_layout";
+import { clock, type MarkBook, spell, wordsOf } from "./mark_words";
+import { outcomeOf, type ReviewMark } from "./model";
+import { rove } from "./roving";
+import { Sign } from "./Sign";
+import { hideTip, isTipOf, showTip, TIP_ID, tip } from "./tip";
+
+/** Where the line lies under the marks, and how high all of it is; pixels, as in lesson.css. */
+const BASE = 42;
+const HEIGHT = 60;
+
+interface LineProps {
+  group: string;
+  book: MarkBook;
+  layout: LineLayout;
+  /** The ruler counts minutes from here; null for the time on the wall. Seconds. */
+  zero: number | null;
+}
+
+/** What a group did over time: bars of edits, round runs, arcs of repairs. */
+export function Line({ group, book, layout, zero }: LineProps) {
+  const { line } = words.value;
+  return (
+    <div class="line" style={{ width: `${layout.width}px`, "--line-width": layout.width }}>
+      <Ground layout={layout} zero={zero} />
+      <ol class="line__marks" aria-label={`${line.label(group)}. ${line.keys}`} onKeyDown={rove}>
+        {layout.marks.map((placed) => (
+          <li
+            key={placed.mark.run_id ?? `${placed.mark.version_id}/${placed.index}`}
+            class={`line__place line__place--${placed.mark.kind}`}
+            style={{
+              left: `${placed.x}px`,
+              width: `${placed.width}px`,
+              height: `${placed.height}px`,
+            }}
+          >
+            <Mark placed={placed} book={book} />
+          </li>
+        ))}
+      </ol>
+    </div>
+  );
+}
+
+function Mark({ placed: { mark, index }, book }: { placed: PlacedMark; book: MarkBook }) {
+  const touched = useRef(false);
+  const speech = { texts: words.value, language: language.value, page: texts.value };
+  const plain = wordsOf(mark, book, null, speech);
+  const outcome = outcomeOf(mark);
+  const isRun = mark.kind === "run";
+  const show = (event: { currentTarget: HTMLElement }) =>
+    showTip(event.currentTarget, () => saying(mark, book));
+  return (
+    <a
+      class={`review-mark review-mark--${isRun ? "run" : "edit"}`}
+      href={placeOf(mark)}
+      tabIndex={index === 0 ? 0 : -1}
+      data-rove
+      data-testid={TEST.reviewMark}
+      data-kind={mark.kind}
+      data-outcome={isRun ? outcome : undefined}
+      data-repairs={mark.repairs ?? undefined}
+      aria-label={`${plain.title}. ${plain.lines.join(" ")}`}
+      aria-describedby={tip.value && isShown(mark) ? TIP_ID : undefined}
+      onPointerDown={(event) => {
+        touched.current = event.pointerType === "touch" && !isTipOf(event.currentTarget);
+      }}
+      onClick={(event) => {
+        // a finger cannot point without pressing: the first touch says what it is, the next opens it
+        if (!touched.current) return hideTip();
+        event.preventDefault();
+        show(event);
+      }}
+      onMouseEnter={show}
+      onFocus={show}
+      onMouseLeave={(event) => hideTip(event.currentTarget)}
+      onBlur={(event) => hideTip(event.currentTarget)}
+    >
+      {isRun ? <Sign outcome={outcome} /> : <span class="review-mark__bar" />}
+    </a>
+  );
+}
+
+const isShown = (mark: ReviewMark) => tip.value?.anchor.getAttribute("href") === placeOf(mark);
+
+function saying(mark: ReviewMark, book: MarkBook) {
+  const changed = book.changeOf(mark);
+  const { since, version_id } = changed ?? {};
+  const difference = since && version_id ? differenceOf(since, version_id).value : null;
+  return wordsOf(mark, book, difference, {
+    texts: words.value,
+    language: language.value,
+    page: texts.value,
+  });
+}
+
+/** What a mark opens: the replay of a run, the two versions of edits. */
+export function placeOf(mark: ReviewMark): string {
+  if (mark.run_id) return hashOf({ screen: "replay", run: mark.run_id });
+  const { program_id, since, version_id } = mark;
+  return since
+    ? `#/differences/${program_id}/${since}/${version_id}`
+    : `#/versions/${program_id}/${version_id}`;
+}
+
+/** The line itself, its ruler, folded pauses, and arcs from what failed to what made it good. */
+function Ground({ layout, zero }: { layout: LineLayout; zero: number | null }) {
+  const { line } = words.value;
+  const { width, ticks, folds, arcs, marks } = layout;
+  const end = Math.max(...marks.map(({ x, width: wide }) => x + wide / 2), 0);
+  const round = marks.find(({ mark }) => mark.kind === "run")?.height ?? barHeight(1);
+  return (
+    <svg class="line__ground" width={width} height={HEIGHT} aria-hidden="true">
+      <path class="line__base" d={`M0 ${BASE}H${end}`} />
+      {folds.map(({ x, fold }) => (
+        <g key={fold.from} class="line__fold" transform={`translate(${x} ${BASE})`}>
+          <title>{line.fold(spell(fold.seconds, language.value))}</title>
+          <rect x="-7" y="-4" width="14" height="8" />
+          <path d="M-7 5l4-10M3 5l4-10" />
+          <text y="16">{line.minutes(Math.round(fold.seconds / 60))}</text>
+        </g>
+      ))}
+      {ticks
+        .filter(({ x }) => folds.every((fold) => Math.abs(fold.x - x) > 44))
+        .map(({ x, time }) => (
+          <g
+            key={time}
+            class={x < 20 ? "line__tick line__tick--first" : "line__tick"}
+            transform={`translate(${x} ${BASE})`}
+          >
+            <path d="M0 0v5" />
+            <text y="16">{tickWords(time, zero)}</text>
+          </g>
+        ))}
+      {arcs.map(({ from, to }) => (
+        <path key={`${from}/${to}`} class="line__arc" d={arcPath(from, to, BASE - round)} />
+      ))}
+    </svg>
+  );
+}
+
+function tickWords(time: number, zero: number | null): string {
+  const { line } = words.value;
+  if (zero === null) return clock(new Date(time * 1000).toISOString(), language.value);
+  const minutes = Math.round((time - zero) / 60);
+  return minutes === 0 ? line.begin : line.minutes(minutes);
+}
+
+/** From above one mark to above another, with a head at its end. */
+function arcPath(from: number, to: number, top: number): string {
+  const high = Math.max(-2, top - 8 - (to - from) / 8);
+  const head = `M${to - 4} ${top - 5}L${to} ${top}L${to + 3} ${top - 6}`;
+  return `M${from} ${top}C${from} ${high} ${to} ${high} ${to} ${top}${head}`;
+}

@@ -1,0 +1,151 @@
+import { type Signal, signal, useSignal } from "@preact/signals";
+import { ArrowLeft, Columns2, X } from "lucide-preact";
+import { useEffect } from "preact/hooks";
+import { classesApi } from "../api/classes";
+import { api } from "../api/client";
+import { type RunFilter, reviewApi } from "../api/review";
+import { hashOf } from "../app/route";
+import { report } from "../app/session";
+import { asTeacher } from "../app/teacher";
+import { TEST } from "../app/testids";
+import { words } from "../i18n/review";
+import { Behind } from "./Behind";
+import { HistoryCard } from "./HistoryCard";
+import type { HistoryRun } from "./model";
+import { NO_FILTER, RunFilters, type School } from "./RunFilters";
+import "../screens/work.css";
+import "./lesson.css";
+import "./runs.css";
+
+/** What was chosen last stays for as long as the page is open: a replay is a step away and back. */
+const filter = signal<RunFilter>(NO_FILTER);
+const chosen = signal<readonly HistoryRun[]>([]);
+
+/** Runs of all groups, newest first, for the teacher. */
+export function RunsScreen() {
+  return (
+    <Behind>
+      <Runs />
+    </Behind>
+  );
+}
+
+function Runs() {
+  const texts = words.value.runs;
+  const school = useSignal<School>({ classrooms: [], groups: [], activities: [] });
+  const list = useRunList(filter);
+  useEffect(() => {
+    askSchool().then((found) => {
+      school.value = found;
+    }, report);
+  }, []);
+  return (
+    <main class="screen runs" data-testid={TEST.historyPage}>
+      <div class="runs__head">
+        <a
+          class="button button--icon"
+          href={hashOf({ screen: "teacher", part: "lessons" })}
+          aria-label={words.value.lesson.back}
+          title={words.value.lesson.back}
+        >
+          <ArrowLeft class="icon" aria-hidden="true" />
+        </a>
+        <h1>{texts.title}</h1>
+        <p>{texts.help}</p>
+      </div>
+      <RunFilters filter={filter} school={school.value} />
+      {list.runs.value?.length === 0 && (
+        <div class="lesson__empty" data-testid={TEST.historyEmpty}>
+          <strong>{texts.emptyTitle}</strong>
+          <p>{texts.empty}</p>
+        </div>
+      )}
+      <ul class="work__cards runs__cards" aria-busy={list.runs.value === null}>
+        {list.runs.value?.map((run) => (
+          <li key={run.id}>
+            <HistoryCard run={run} chosen={chosen} />
+          </li>
+        ))}
+      </ul>
+      {list.next.value && (
+        <button
+          type="button"
+          class="button work__older"
+          data-testid={TEST.historyOlder}
+          onClick={list.older}
+        >
+          {texts.older}
+        </button>
+      )}
+      <Chosen />
+    </main>
+  );
+}
+
+async function askSchool(): Promise<School> {
+  const [classrooms, groups, activities] = await Promise.all([
+    classesApi.classrooms(),
+    api.groups(),
+    classesApi.activities(),
+  ]);
+  return { classrooms, groups, activities };
+}
+
+/** The list of the filter that is on, a page at a time. */
+function useRunList(of: Signal<RunFilter>) {
+  const runs = useSignal<HistoryRun[] | null>(null);
+  const next = useSignal<string | null>(null);
+  const wanted = of.value;
+  useEffect(() => {
+    let left = false;
+    asTeacher(() => reviewApi.runs(wanted, null)).then((page) => {
+      if (left) return;
+      runs.value = page.runs;
+      next.value = page.next;
+    }, report);
+    return () => {
+      left = true;
+    };
+  }, [wanted]);
+  const older = () => {
+    const before = next.value;
+    void asTeacher(() => reviewApi.runs(wanted, before)).then((page) => {
+      if (of.peek() !== wanted || next.value !== before) return;
+      runs.value = [...(runs.value ?? []), ...page.runs];
+      next.value = page.next;
+    }, report);
+  };
+  return { runs, next, older };
+}
+
+/** What is chosen for side by side, at the bottom of the screen. */
+function Chosen() {
+  const texts = words.value.runs;
+  const [first, second] = chosen.value;
+  if (!first) return null;
+  return (
+    <div class="runs__chosen card" role="status">
+      <span>{second ? texts.twoChosen : texts.oneChosen}</span>
+      <button
+        type="button"
+        class="button"
+        onClick={() => {
+          chosen.value = [];
+        }}
+      >
+        <X class="icon" aria-hidden="true" />
+        {texts.forget}
+      </button>
+      {second && (
+        <a
+          class="button button--run"
+          href={hashOf({ screen: "compare", runs: [first.id, second.id] })}
+          data-testid={TEST.compareOpen}
+        >
+          <Columns2 class="icon" aria-hidden="true" />
+          {texts.compare}
+        </a>
+      )}
+    </div>
+  );
+}

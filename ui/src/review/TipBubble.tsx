@@ -1,0 +1,45 @@
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
+import { hideTip, TIP_ID, tip } from "./tip";
+
+const GAP_PX = 8;
+const EDGE_PX = 8;
+
+/** The one bubble of the page; it goes with Escape, and when its place scrolls away. */
+export function TipBubble() {
+  const bubble = useRef<HTMLDivElement>(null);
+  const now = tip.value;
+  useEffect(() => {
+    const onKey = ({ key }: KeyboardEvent) => key === "Escape" && hideTip();
+    const onScroll = () => hideTip();
+    window.addEventListener("keydown", onKey);
+    window.addEventListener("scroll", onScroll, { capture: true, passive: true });
+    return () => {
+      window.removeEventListener("keydown", onKey);
+      window.removeEventListener("scroll", onScroll, { capture: true });
+      hideTip();
+    };
+  }, []);
+  const said = now?.say();
+  useLayoutEffect(() => {
+    if (bubble.current && now) place(bubble.current, now.anchor.getBoundingClientRect());
+  });
+  if (!said) return null;
+  return (
+    <div class="tip" role="tooltip" id={TIP_ID} ref={bubble}>
+      <strong>{said.title}</strong>
+      {said.lines.map((line) => (
+        <p key={line}>{line}</p>
+      ))}
+    </div>
+  );
+}
+
+/** Above its place, or below where there is no room above. */
+function place(bubble: HTMLElement, anchor: DOMRect): void {
+  const { width, height } = bubble.getBoundingClientRect();
+  const middle = anchor.left + anchor.width / 2 - width / 2;
+  const left = Math.max(EDGE_PX, Math.min(middle, window.innerWidth - width - EDGE_PX));
+  const above = anchor.top - height - GAP_PX;
+  bubble.style.left = `${left}px`;
+  bubble.style.top = `${above >= EDGE_PX ? above : anchor.bottom + GAP_PX}px`;
+}

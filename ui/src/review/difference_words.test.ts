@@ -1,0 +1,72 @@
+import { expect, test } from "vitest";
+import { REVIEW_TEXTS } from "../i18n/review";
+import { blockName, countsInWords, differenceInWords, MOST } from "./difference_words";
+import type { VersionDifference } from "./model";
+
+const NONE: VersionDifference = { added: [], removed: [], changed: [], moved: [] };
+const pt = REVIEW_TEXTS["pt-BR"];
+
+test("a block is called by the words on it", () => {
+  expect(blockName("turn", "pt-BR")).toBe("girar");
+  expect(blockName("move_forward", "en")).toBe("move forward");
+  expect(blockName("repeat", "pt-BR")).toBe("repetir…vezes");
+  expect(blockName("of_a_later_release", "pt-BR")).toBe("of_a_later_release");
+});
+
+test("every block has a name", () => {
+  expect(blockName("arc", "es")).toMatch(/\p{L}/u);
+});
+
+test("another value is told with the one before", () => {
+  const changed = [
+    {
+      block: "a",
+      type: "turn",
+      what: [
+        { name: "ANGLE", before: 90, after: 120.5 },
+        { name: "DIRECTION", before: "LEFT", after: "RIGHT" },
+      ],
+    },
+  ];
+  expect(differenceInWords({ ...NONE, changed }, pt, "pt-BR")).toEqual([
+    "em “girar” trocaram 90 por 120,5",
+    "em “girar” trocaram à esquerda por à direita",
+  ]);
+});
+
+test("blocks that came, went and moved are told by name, and equal ones are counted", () => {
+  const found = differenceInWords(
+    {
+      changed: [],
+      added: [
+        { block: "a", type: "turn" },
+        { block: "b", type: "turn" },
+      ],
+      removed: [{ block: "c", type: "stop" }],
+      moved: [{ block: "d", type: "move_forward" }],
+    },
+    pt,
+    "pt-BR",
+  );
+  expect(found).toEqual([
+    "puseram “girar” (2×)",
+    "tiraram “parar”",
+    "mudaram “andar para frente” de lugar",
+  ]);
+});
+
+test("not everything is told", () => {
+  const added = ["turn", "stop", "wait", "arc", "move_forward", "move_backward"].map((type) => ({
+    block: type,
+    type,
+  }));
+  const found = differenceInWords({ ...NONE, added }, pt, "pt-BR");
+  expect(found).toHaveLength(MOST + 1);
+  expect(found.at(-1)).toBe("e mais 2 coisas");
+});
+
+test("counts leave out what there is none of", () => {
+  const words = countsInWords({ added: 2, removed: 0, changed: 1, moved: 0 }, pt);
+  expect(words).toEqual(["2 blocos a mais", "1 bloco com outro valor"]);
+  expect(countsInWords({ added: 0, removed: 0, changed: 0, moved: 0 }, pt)).toEqual([pt.line.same]);
+});

@@ -1,0 +1,98 @@
+import { ALL_DEFINITIONS, argumentsOf } from "../blocks/definitions";
+import { BLOCK_TEXTS } from "../blocks/texts";
+import type { TextKey } from "../blocks/texts/keys";
+import type { Language } from "../i18n/language";
+import type { ReviewTexts } from "../i18n/review/pt-BR";
+import type { BlockChange, ChangeCounts, VersionDifference } from "./model";
+
+/** So much is said of a difference; who wants more compares the versions. */
+export const MOST = 4;
+
+const ROWS = new Map<string, (typeof ALL_DEFINITIONS)[number]>(
+  ALL_DEFINITIONS.map((row) => [row.type, row]),
+);
+
+/** The words on a block without its holes: "girar" for "%1 girar %2 %3 °". */
+export function blockName(type: string, language: Language): string {
+  const text = BLOCK_TEXTS[language][type.toUpperCase() as TextKey];
+  if (!text) return type;
+  const words = text
+    .split(/%\d+/)
+    .map((part) => part.replace(/[():,;]+/g, " ").trim())
+    .filter((part) => /\p{L}{3}/u.test(part));
+  return (words.length > 0 ? words.join("…") : text.replace(/%\d+/g, "…")).trim();
+}
+
+/** How many blocks differ, in words. */
+export function countsInWords(changes: ChangeCounts, { line }: ReviewTexts): string[] {
+  const kinds = ["added", "removed", "changed", "moved"] as const;
+  const found = kinds.filter((kind) => changes[kind] > 0).map((kind) => line[kind](changes[kind]));
+  return found.length > 0 ? found : [line.same];
+}
+
+/** What differs, block by block, the most telling first: new values, then blocks that came, went and moved. */
+export function differenceInWords(
+  { added, removed, changed, moved }: VersionDifference,
+  texts: ReviewTexts,
+  language: Language,
+): string[] {
+  const { difference } = texts;
+  const name = ({ type }: { type: string }) => blockName(type, language);
+  const found = [
+    ...changed.flatMap((block) =>
+      block.what.map((change) => changeInWords(block.type, change, texts, language)),
+    ),
+    ...added.map((block) => difference.added(name(block))),
+    ...removed.map((block) => difference.removed(name(block))),
+    ...moved.map((block) => difference.moved(name(block))),
+  ];
+  const told = counted(found, difference.times);
+  if (told.length <= MOST) return told;
+  return [...told.slice(0, MOST), difference.more(told.length - MOST)];
+}
+
+function counted(all: readonly string[], times: (what: string, n: number) => string): string[] {
+  const counts = new Map<string, number>();
+  for (const one of all) counts.set(one, (counts.get(one) ?? 0) + 1);
+  return [...counts].map(([what, n]) => (n === 1 ? what : times(what, n)));
+}
+
+function changeInWords(
+  type: string,
+  { name, before, after }: BlockChange,
+  { difference }: ReviewTexts,
+  language: Language,
+): string {
+  const block = blockName(type, language);
+  if (name === "disabled") return difference.switched(block, after === true);
+  if (name === "comment") return difference.commented(block);
+  if (name === "type" || name.startsWith("extraState")) return difference.reshaped(block);
+  const value = (one: unknown) => valueInWords(type, name, one, language) ?? difference.nothing;
+  return difference.changed(block, value(before), value(after));
+}
+
+function valueInWords(
+  type: string,
+  name: string,
+  value: unknown,
+  language: Language,
+): string | null {
+  if (value === null || value === undefined || value === "") return null;
+  if (typeof value === "number") {
+    return value.toLocaleString(language, { maximumFractionDigits: 3, useGrouping: false });
+  }
+  if (typeof value !== "string") return null;
+  return optionWords(type, name, value, language) ?? `“${value}”`;
+}
+
+/** An entry of a dropdown as the block shows it. */
+function optionWords(type: string, name: string, value: string, language: Language): string | null {
+  const row = ROWS.get(type);
+  const field = row && argumentsOf(row).find((argument) => argument.name === name);
+  const options = field?.options as readonly (readonly [string, string])[] | undefined;
+  const label = options?.find?.(([, key]) => key === value)?.[0];
+  if (!label) return null;
+  return label.replace(/%\{BKY_PINEL_(\w+)\}/g, (_, key: string) => {
+    return BLOCK_TEXTS[language][key as TextKey] ?? key;
+  });
+}
