@@ -195,7 +195,8 @@ export const TEST = {
   noteOpen: "note-open",
   noteText: "note-text", // a textarea
   noteSave: "note-save",
-  runFilter: "run-filter", // of each; data-name: classroom | group | activity | day | outcome
+  historyPage: "history-page",
+  historyFilter: "history-filter", // of each; data-name: classroom | group | activity | day | outcome
   historyRun: "history-run", // of each; data-outcome
   historyOlder: "history-older",
   historyEmpty: "history-empty",

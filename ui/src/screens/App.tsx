@@ -10,6 +10,8 @@ import { StudioScreen } from "./StudioScreen";
 import { WorkScreen } from "./WorkScreen";
 
 const TeacherScreen = later(async () => (await import("../teacher/TeacherScreen")).TeacherScreen);
+const LessonScreen = later(async () => (await import("../review/LessonScreen")).LessonScreen);
+const RunsScreen = later(async () => (await import("../review/RunsScreen")).RunsScreen);
 
 export function App() {
   if (connection.value === "locked") return <Locked />;
@@ -34,6 +36,10 @@ function Screen() {
       return <ReplayScreen key={now.run} runId={now.run} />;
     case "teacher":
       return <TeacherScreen part={now.part} />;
+    case "lesson":
+      return <LessonScreen key={now.lesson} lessonId={now.lesson} />;
+    case "runs":
+      return <RunsScreen />;
     default:
       return <StartScreen />;
   }
