@@ -1,5 +1,7 @@
 """Errors of the store: a code and what fills its words."""
 
+import errno
+import os
 import shutil
 import sqlite3
 from pathlib import Path
@@ -15,6 +17,7 @@ _BY_PREFIX = {
     "SQLITE_NOTADB": "database_damaged",
 }
 _NEARLY_FULL = 2**20
+_PROBE = 2**16
 
 
 class StoreError(Exception):
@@ -39,7 +42,7 @@ def translated(error: sqlite3.Error, path: Path) -> StoreError:
     for prefix, code in _BY_PREFIX.items():
         if name.startswith(prefix):
             return StoreError(code, path=str(path))
-    if name.startswith("SQLITE_IOERR") and _is_nearly_full(path):
+    if name.startswith("SQLITE_IOERR") and (_is_nearly_full(path) or _is_quota_used_up(path)):
         return StoreError("disk_full", path=str(path))
     return StoreError("database_failed", path=str(path), problem=str(error))
 
@@ -49,3 +52,17 @@ def _is_nearly_full(path: Path) -> bool:
         return shutil.disk_usage(path.parent).free < _NEARLY_FULL
     except OSError:
         return False
+
+
+def _is_quota_used_up(path: Path) -> bool:
+    """True where this user may write no more, on a disk with room: what SQLite calls an I/O error."""
+    import tempfile  # noqa: PLC0415 - hardly ever needed
+
+    try:
+        with tempfile.TemporaryFile(dir=path.parent) as file:
+            file.write(bytes(_PROBE))
+            file.flush()
+            os.fsync(file.fileno())
+    except OSError as error:
+        return error.errno in (errno.ENOSPC, errno.EDQUOT)
+    return False

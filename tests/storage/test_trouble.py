@@ -1,6 +1,7 @@
 """Files that are damaged, foreign, newer, locked or read-only, and disks that are full."""
 
 import contextlib
+import errno
 import os
 import sqlite3
 import subprocess
@@ -431,3 +432,30 @@ def test_the_run_found_running_is_closed_even_by_a_store_that_was_closed_badly(
 ) -> None:
     run: RunRow = store.runs.begin(start)
     assert opened(close_interrupted=True).runs.get(run.id).reason == "interrupted"
+
+
+@pytest.mark.parametrize(
+    ("number", "code"), [(errno.EDQUOT, "disk_full"), (errno.EIO, "database_failed")]
+)
+def test_a_quota_that_is_used_up_is_told_apart_from_a_broken_disk(
+    store: Store, path: Path, monkeypatch: pytest.MonkeyPatch, number: int, code: str
+) -> None:
+    def refuse(**_: object) -> None:
+        raise OSError(number, os.strerror(number))
+
+    def fail(_db: sqlite3.Connection) -> None:
+        error = sqlite3.OperationalError("disk I/O error")
+        error.sqlite_errorname = "SQLITE_IOERR_WRITE"
+        raise error
+
+    monkeypatch.setattr("tempfile.TemporaryFile", refuse)
+    assert code_of(lambda: store._access.write(fail)) == code
+
+
+def test_an_io_error_on_a_disk_with_room_is_not_taken_for_a_full_one(store: Store) -> None:
+    def fail(_db: sqlite3.Connection) -> None:
+        error = sqlite3.OperationalError("disk I/O error")
+        error.sqlite_errorname = "SQLITE_IOERR_READ"
+        raise error
+
+    assert code_of(lambda: store._access.write(fail)) == "database_failed"
