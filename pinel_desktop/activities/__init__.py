@@ -2,11 +2,13 @@
 
 from pinel_desktop.activities.batch import check_files
 from pinel_desktop.activities.checking import Report, check_program
+from pinel_desktop.activities.faults import ActivityError
 from pinel_desktop.activities.model import Activity
 from pinel_desktop.activities.reading import activity_names, choose_activity
 
 __all__ = [
     "Activity",
+    "ActivityError",
     "Report",
     "activity_names",
     "check_files",

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from pinel_desktop.activities.checks import Evidence, Witness, holds
+from pinel_desktop.activities.faults import world_of
 from pinel_desktop.activities.model import Activity, Case
-from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event
 from pinel_desktop.execution.answers import ScriptedAnswers
 from pinel_desktop.execution.clock import TICK_HZ
@@ -16,8 +16,7 @@ from pinel_desktop.links import open_link
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.reading import Reading
 from pinel_desktop.robot import Setting
-from pinel_desktop.worlds import read_own_world
-from sim.world import WorldError, world_document, world_from_document
+from sim.world import world_from_document
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,20 +63,6 @@ def check_program(activity: Activity, reading: Reading, program: str = "") -> Re
     if reading.program is None:
         return Report(program, reading.faults, ())
     return Report(program, (), tuple(_case(activity, case, reading) for case in activity.cases))
-
-
-def world_of(activity: Activity) -> dict[str, Any]:
-    """The document of its world. Raises PinelError `unknown_world`, or the first fault of a document of its own."""
-    world = activity.world
-    if not isinstance(world, str):
-        document, faults = read_own_world(world, robot=activity.model)
-        if document is None:
-            raise PinelError(faults[0].code, **faults[0].params)
-        return document
-    try:
-        return world_document(world)
-    except WorldError as error:
-        raise PinelError(error.code, **error.params) from error
 
 
 def _case(activity: Activity, case: Case, reading: Reading) -> CaseReport:

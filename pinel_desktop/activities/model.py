@@ -6,7 +6,8 @@ Every kind of check is a model here with its tag, a function in `checks.py`, wor
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic_core import PydanticCustomError
 
 from pinel_desktop.robot import PIONEER_3DX, Feedback, Preset
 
@@ -139,6 +140,13 @@ class Title(_Model):
     es: Annotated[str, Field(max_length=200)]
 
 
+def _number(version: Any) -> Any:
+    """Python takes true for 1; the format does not."""
+    if isinstance(version, bool):
+        raise PydanticCustomError("activity_value_wrong", "true and false are no numbers")
+    return version
+
+
 class Activity(_Model):
     """A mission: every case is run, and its own checks and those of the activity have to hold.
 
@@ -147,7 +155,7 @@ class Activity(_Model):
         limit_s: robot time after which a run is stopped, which fails it.
     """
 
-    pinel_activity: Literal[1]
+    pinel_activity: Annotated[Literal[1], BeforeValidator(_number)]
     name: _Name
     title: Title
     world: _Name | dict[str, Any]

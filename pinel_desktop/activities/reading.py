@@ -1,13 +1,17 @@
 """Activities that ship, and those of a file."""
 
+import json
+import os
 from functools import cache
 from importlib import resources
 from pathlib import Path
 
 from pydantic import ValidationError
 
+from pinel_desktop.activities.faults import ActivityError, faults_of_form, unfulfillable
 from pinel_desktop.activities.model import Activity
 from pinel_desktop.errors import PinelError
+from pinel_desktop.program.faults import Fault
 
 _MAX_BYTES = 2**20
 
@@ -26,25 +30,43 @@ def activity_names() -> list[str]:
 
 
 def choose_activity(name_or_file: str) -> Activity:
-    """The activity of that name, or of that file (`.json`).
+    """The activity of that name, or of that file.
 
     Raises:
-        PinelError: `unknown_activity`, `file_unreadable`, `activity_invalid`.
+        PinelError: `unknown_activity`, `file_unreadable`.
+        ActivityError: `activity_invalid`, with all faults of the file.
     """
-    if not name_or_file.endswith(".json"):
-        if name_or_file not in _shipped():
-            raise PinelError("unknown_activity", value=name_or_file, allowed=activity_names())
+    if name_or_file in _shipped():
         return _shipped()[name_or_file]
+    if not is_file(name_or_file):
+        raise PinelError("unknown_activity", value=name_or_file, allowed=activity_names())
     try:
         with Path(name_or_file).open("rb") as file:
             text = file.read(_MAX_BYTES)
     except (OSError, ValueError) as error:
         raise PinelError("file_unreadable", path=name_or_file) from error
+    activity, faults = read_activity(text)
+    if activity is None or faults:
+        raise ActivityError(name_or_file, faults)
+    return activity
+
+
+def read_activity(text: str | bytes) -> tuple[Activity | None, tuple[Fault, ...]]:
+    """The activity that a JSON text holds, or None; and everything that is wrong with it."""
     try:
-        return Activity.model_validate_json(text)
+        document = json.loads(text)
+    except json.JSONDecodeError as error:
+        params: dict[str, object] = {"line": error.lineno, "column": error.colno}
+        return None, (Fault("activity_syntax", params=params),)
+    except (ValueError, RecursionError):  # not UTF-8, a number of thousands of digits, or a nest
+        return None, (Fault("activity_syntax", params={"line": 1, "column": 1}),)
+    try:
+        activity = Activity.model_validate(document)
     except ValidationError as error:
-        first = error.errors(include_url=False)[0]
-        place = "/" + "/".join(str(part) for part in first["loc"])
-        raise PinelError(
-            "activity_invalid", path=name_or_file, place=place, detail=first["msg"]
-        ) from error
+        return None, faults_of_form(document, error)
+    return activity, unfulfillable(activity)
+
+
+def is_file(name_or_file: str) -> bool:
+    """Whether a file is meant: by its ending, or because there is one."""
+    return name_or_file.lower().endswith(".json") or os.path.isfile(name_or_file)

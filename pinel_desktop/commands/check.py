@@ -7,13 +7,20 @@ from typing import Any
 
 import click
 
-from pinel_desktop.activities import Activity, Report, check_files, choose_activity
-from pinel_desktop.commands.program_file import place_of
+from pinel_desktop.activities import (
+    Activity,
+    ActivityError,
+    Report,
+    check_files,
+    choose_activity,
+)
+from pinel_desktop.commands.program_file import place_of, say_faults
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, language_of_system
 
 _MOST_FAULTS = 5
-_PASSED, _NOT_PASSED, _UNUSABLE = 0, 1, 2
+_MOST_FAULTS_OF_ACTIVITY = 50
+_PASSED, _NOT_PASSED, _UNUSABLE, _INTERRUPTED = 0, 1, 2, 130
 
 
 @click.command()
@@ -32,14 +39,14 @@ def command(
     """Check whether programs fulfil an activity.
 
     ACTIVITY is the name of one that ships, or a file (.json). FILE is a program document, a bare list or Python text.
-    Exit status: 0 all of them do, 1 not all, 2 the activity cannot be used.
+    Exit status: 0 all of them do, 1 not all, 2 the activity cannot be used, 130 ended by Ctrl-C: what was ready by then
+    is printed.
     """
     language = language_of_system()
     try:
-        reports = _checked(choose_activity(activity), files, processes)
+        reports, is_whole = _checked(choose_activity(activity), files, processes)
     except PinelError as error:
-        words = describe(error.code, error.params, language)
-        click.echo(f"{words.message} {words.remedy}", err=True)
+        _say(error, language)
         ctx.exit(_UNUSABLE)
     for report in reports:
         if as_json:
@@ -49,17 +56,33 @@ def command(
     n_passed = sum(report.passed for report in reports)
     if not as_json:
         click.echo(f"{n_passed}/{len(reports)}")
+    if not is_whole:
+        words = describe("check_interrupted", {"done": len(reports), "of": len(files)}, language)
+        click.echo(f"{words.message} {words.remedy}", err=True)
+        ctx.exit(_INTERRUPTED)
     ctx.exit(_PASSED if n_passed == len(reports) else _NOT_PASSED)
 
 
-def _checked(activity: Activity, files: tuple[str, ...], processes: int | None) -> list[Report]:
-    """The reports in the order of the files; progress goes to standard error."""
+def _say(error: PinelError, language: str) -> None:
+    words = describe(error.code, error.params, language)
+    click.echo(f"{words.message} {words.remedy}", err=True)
+    if isinstance(error, ActivityError):
+        say_faults(error.faults[:_MOST_FAULTS_OF_ACTIVITY], language)
+
+
+def _checked(
+    activity: Activity, files: tuple[str, ...], processes: int | None
+) -> tuple[list[Report], bool]:
+    """The reports in the order of the files, and whether they are all; progress goes to standard error."""
     reports: dict[int, Report] = {}
     with click.progressbar(length=len(files), file=sys.stderr) as progress:
-        for i, report in check_files(activity, files, n_processes=processes):
-            reports[i] = report
-            progress.update(1)
-    return [reports[i] for i in range(len(files))]
+        try:
+            for i, report in check_files(activity, files, n_processes=processes):
+                reports[i] = report
+                progress.update(1)
+        except KeyboardInterrupt:
+            pass  # what is ready is told
+    return [reports[i] for i in sorted(reports)], len(reports) == len(files)
 
 
 def _as_object(report: Report, language: str) -> dict[str, Any]:

@@ -3,11 +3,14 @@
 import json
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from click.testing import CliRunner, Result
 
+from pinel_desktop.activities import Report, check_files
 from pinel_desktop.cli import main
 from sim.world import world_document
 
@@ -88,6 +91,30 @@ def test_a_world_of_its_own_with_a_fault_is_told_in_words(tmp_path: Path) -> Non
     done = check(str(file), SQUARE)
     assert done.exit_code == 2
     assert "does not fit on the floor" in done.stderr
+
+
+def test_an_activity_that_nobody_can_fulfil_is_refused_with_all_its_faults(tmp_path: Path) -> None:
+    file = tmp_path / "a"  # a file that is there needs no ending
+    title = {"pt-BR": "x", "en": "x", "es": "x"}
+    checks = [{"check": "ends_in", "zone": "Z"}, {"check": "uses", "action": "fly"}]
+    text = {"pinel_activity": 1, "name": "a", "title": title, "world": "pushing", "checks": checks}
+    file.write_text(json.dumps(text), "utf-8")
+    done = check(str(file), SQUARE)
+    assert done.exit_code == 2
+    assert "/checks/0/zone: The world of this activity has no zone called “Z”." in done.stderr
+    assert "/checks/1/action: " in done.stderr
+
+
+def test_ctrl_c_prints_what_is_ready(monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(*arguments: Any, **options: Any) -> Iterator[tuple[int, Report]]:
+        yield next(check_files(*arguments, **options))
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("pinel_desktop.commands.check.check_files", interrupted)
+    done = check("square", SQUARE, TRIANGLE, "--processes", "1")
+    assert done.exit_code == 130
+    assert done.stdout.splitlines() == [f"+ {SQUARE}", "1/1"]
+    assert "Interrupted: 1 of 2" in done.stderr
 
 
 def test_from_a_shell_with_processes_of_its_own() -> None:

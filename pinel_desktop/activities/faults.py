@@ -1,0 +1,181 @@
+"""What is wrong with an activity: its form, and what no program could ever fulfil in its world."""
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from pydantic import ValidationError
+from pydantic_core import ErrorDetails
+
+from pinel_desktop.activities import model
+from pinel_desktop.activities.model import Activity
+from pinel_desktop.errors import PinelError
+from pinel_desktop.program.faults import Fault
+from pinel_desktop.program.model import action_names
+from pinel_desktop.program.places import pointer
+from pinel_desktop.program.translation import WRONG_TYPE, path_of_error
+from pinel_desktop.robot import ROBOTS
+from pinel_desktop.worlds import read_own_world
+from sim.world import World, WorldError, world_document, world_from_document
+
+Path = tuple[str | int, ...]
+Params = dict[str, object]
+
+
+class ActivityError(PinelError):
+    """An activity that cannot be used, with everything that is wrong with it."""
+
+    def __init__(self, path: str, faults: tuple[Fault, ...]) -> None:
+        super().__init__("activity_invalid", path=path, count=len(faults))
+        self.faults = faults
+
+
+def world_of(activity: Activity) -> dict[str, Any]:
+    """The document of its world. Raises PinelError `unknown_world`, or the first fault of a document of its own."""
+    document, faults = _world(activity)
+    if document is None:
+        raise PinelError(faults[0].code, **faults[0].params)
+    return document
+
+
+def make_sure(activity: Activity) -> None:
+    """Raises ActivityError where no program could fulfil it."""
+    if faults := unfulfillable(activity):
+        raise ActivityError(activity.name, faults)
+
+
+def faults_of_form(document: Any, error: ValidationError) -> tuple[Fault, ...]:
+    """pydantic's errors as faults with their places in the document, each place once."""
+    found: dict[Path, Fault] = {}
+    for one in error.errors(include_url=False):
+        path = path_of_error(document, one)
+        code, params = _code_and_params(one, path)
+        place = (*path, params["name"]) if code == "missing_parameter" else path
+        found.setdefault(place, Fault(code, pointer(path), None, params))
+    return tuple(found.values())
+
+
+def _code_and_params(error: ErrorDetails, path: Path) -> tuple[str, Params]:
+    kind = error["type"]
+    name = next((part for part in reversed(path) if isinstance(part, str)), "")
+    if kind in ("model_type", "model_attributes_type"):
+        return "wrong_type_object", {"name": name}
+    if kind in WRONG_TYPE:
+        return f"wrong_type_{WRONG_TYPE[kind]}", {"name": name}
+    return _KINDS.get(kind, _otherwise)(error, name)
+
+
+def _otherwise(error: ErrorDetails, name: str) -> tuple[str, Params]:
+    value = error["input"]
+    shown = value if isinstance(value, str | int | float) else type(value).__name__
+    return "activity_value_wrong", {"name": name, "value": shown}
+
+
+def _limit(code: str, limit: str) -> Callable[[ErrorDetails, str], tuple[str, Params]]:
+    which = "min" if code.endswith("small") else "max"
+    return lambda error, name: (
+        code,
+        {"name": name, "value": error["input"], which: error["ctx"][limit]},
+    )
+
+
+_KINDS: dict[str, Callable[[ErrorDetails, str], tuple[str, Params]]] = {
+    "missing": lambda error, _: ("missing_parameter", {"name": str(error["loc"][-1])}),
+    "union_tag_not_found": lambda _error, _: ("missing_parameter", {"name": "check"}),
+    "union_tag_invalid": lambda error, _: (
+        "unknown_check",
+        {"value": error["ctx"]["tag"], "allowed": error["ctx"]["expected_tags"].replace("'", "")},
+    ),
+    "extra_forbidden": lambda error, _: ("activity_unknown_key", {"name": str(error["loc"][-1])}),
+    "finite_number": lambda _error, name: ("not_finite", {"name": name}),
+    "string_unicode": lambda _error, name: ("text_not_unicode", {"name": name}),
+    "greater_than": _limit("activity_value_too_small", "gt"),
+    "greater_than_equal": _limit("activity_value_too_small", "ge"),
+    "less_than": _limit("activity_value_too_large", "lt"),
+    "less_than_equal": _limit("activity_value_too_large", "le"),
+    "string_too_long": lambda error, name: (
+        "text_too_long",
+        {"name": name, "value": len(error["input"]), "max": error["ctx"]["max_length"]},
+    ),
+}
+
+
+def unfulfillable(activity: Activity) -> tuple[Fault, ...]:
+    """What is of sound form, but in vain: unknown zones, boxes and commands, limits that cross, nothing to check."""
+    faults: list[Fault] = []
+    if activity.model not in ROBOTS:
+        params: Params = {"value": activity.model, "allowed": list(ROBOTS)}
+        return (Fault("unknown_robot", "/model", None, params),)
+    document, found = _world(activity)
+    faults += found
+    world = world_from_document(document) if document else None
+    for place, check in _checks(activity):
+        for path, code, params in _in_vain(check, world):
+            faults.append(Fault(code, pointer((*place, *path)), None, params))
+    faults += _nothing_to_check(activity)
+    return tuple(faults)
+
+
+def _world(activity: Activity) -> tuple[dict[str, Any] | None, list[Fault]]:
+    world = activity.world
+    if isinstance(world, str):
+        try:
+            return world_document(world), []
+        except WorldError as error:
+            return None, [Fault(error.code, "/world", None, error.params)]
+    document, faults = read_own_world(world, robot=activity.model)
+    return document, [Fault(f.code, f"/world{f.pointer}", None, f.params) for f in faults]
+
+
+def _checks(activity: Activity) -> Iterator[tuple[Path, model.Check]]:
+    for i, case in enumerate(activity.cases):
+        for j, check in enumerate(case.checks):
+            yield ("cases", i, "checks", j), check
+    for i, check in enumerate(activity.checks):
+        yield ("checks", i), check
+
+
+def _nothing_to_check(activity: Activity) -> Iterator[Fault]:
+    """A case without any check would be passed by every program."""
+    if activity.checks:
+        return
+    for i, case in enumerate(activity.cases):
+        if not case.checks:
+            yield Fault("activity_without_checks", pointer(("cases", i)), None, {"case": i + 1})
+
+
+def _in_vain(check: model.Check, world: World | None) -> Iterator[tuple[Path, str, Params]]:
+    match check:
+        case model.EndsIn() | model.Marks():
+            yield from _zone(("zone",), check.zone, world)
+        case model.Visits():
+            for i, zone in enumerate(check.zones):
+                yield from _zone(("zones", i), zone, world)
+        case model.Pushed():
+            yield from _zone(("zone",), check.zone, world)
+            yield from _box(check.box, world)
+        case model.Uses():
+            if check.action not in action_names():
+                allowed = action_names()
+                params: Params = {"value": check.action, "allowed": allowed}
+                yield ("action",), "unknown_action", params
+            yield from _crossed(check.at_least, check.at_most, "at_least")
+        case model.PathLength():
+            yield from _crossed(check.at_least_m, check.at_most_m, "at_least_m")
+
+
+def _zone(place: Path, name: str, world: World | None) -> Iterator[tuple[Path, str, Params]]:
+    known = [zone.name for zone in world.zones] if world else [name]
+    if name not in known:
+        yield place, "activity_unknown_zone", {"value": name, "allowed": known}
+
+
+def _box(box: int, world: World | None) -> Iterator[tuple[Path, str, Params]]:
+    if world is None or (box < len(world.boxes) and world.boxes[box].movable):
+        return
+    movable = [i for i, one in enumerate(world.boxes) if one.movable]
+    yield ("box",), "activity_unknown_box", {"value": box, "allowed": movable}
+
+
+def _crossed(least: float, most: float, name: str) -> Iterator[tuple[Path, str, Params]]:
+    if least > most:
+        yield (name,), "activity_limits_crossed", {"name": name, "value": least, "max": most}

@@ -1,0 +1,77 @@
+"""Many programs at once: what happens when a process dies, and when nobody waits any more."""
+
+import json
+import multiprocessing
+import os
+import signal
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from pinel_desktop.activities import check_files, choose_activity
+
+PROGRAMS = Path(__file__).parents[1] / "programs"
+SQUARE = str(PROGRAMS / "square.json")
+
+
+@pytest.fixture
+def endless(tmp_path: Path) -> str:
+    """A program that takes a minute to check."""
+    count = {"action": "change_variable", "name": "n", "by": 1}
+    begin = {"action": "set_variable", "name": "n", "value": 0}
+    file = tmp_path / "endless.json"
+    file.write_text(json.dumps([begin, {"action": "forever", "commands": [count]}]), "utf-8")
+    return str(file)
+
+
+def kill_all() -> None:
+    for child in multiprocessing.active_children():
+        assert child.pid is not None
+        os.kill(child.pid, signal.SIGKILL)
+
+
+def when(condition: Callable[[], bool], then: Callable[[], None]) -> None:
+    """Does something from another thread as soon as a condition holds."""
+
+    def watch() -> None:
+        while not condition():
+            time.sleep(0.01)
+        then()
+
+    threading.Thread(target=watch, daemon=True).start()
+
+
+def test_a_process_that_dies_is_its_programs_failure_and_the_others_go_on(endless: str) -> None:
+    reports = check_files(choose_activity("square"), [endless, SQUARE, SQUARE], n_processes=2)
+    ready = [next(reports), next(reports)]
+    kill_all()
+    ready += reports
+    assert [(i, report.passed) for i, report in sorted(ready, key=lambda one: one[0])] == [
+        (0, False),
+        (1, True),
+        (2, True),
+    ]
+    (lost,) = [report for i, report in ready if i == 0]
+    assert [fault.code for fault in lost.faults] == ["check_process_lost"]
+    assert lost.program == endless
+
+
+def test_programs_that_wait_get_another_process(endless: str) -> None:
+    when(lambda: len(multiprocessing.active_children()) == 2, kill_all)
+    reports = dict(
+        check_files(choose_activity("square"), [endless, endless, SQUARE], n_processes=2)
+    )
+    assert [reports[i].passed for i in range(3)] == [False, False, True]
+
+
+def test_all_processes_end_when_nobody_waits_any_more(endless: str) -> None:
+    files = [SQUARE, *[endless] * 6]
+    reports = check_files(choose_activity("square"), files, n_processes=2)
+    assert next(reports)[1].passed
+    started = time.monotonic()
+    reports.close()  # type: ignore[attr-defined] # a generator
+    assert time.monotonic() - started < 2.0
+    assert multiprocessing.active_children() == []
