@@ -158,9 +158,15 @@ def export_bundle(
         finally:
             part.unlink(missing_ok=True)
         _synced_folder(final.parent)
-    if is_noted and access.can_write:
-        access.write(lambda db: _note(db, info, scope))
+    if is_noted:
+        note_export(access, info, scope)
     return info
+
+
+def note_export(access: Access, info: BundleInfo, scope: Scope) -> None:
+    """Remembers where the file is, as far as the store can be written: what is deleted later may be in it."""
+    if access.can_write:
+        access.write(lambda db: _note(db, info, scope))
 
 
 def _written(
@@ -247,7 +253,6 @@ def _row(info: BundleInfo) -> tuple[object, ...]:
 
 
 def _note(db: sqlite3.Connection, info: BundleInfo, scope: Scope) -> None:
-    """What is deleted here later may still be in that file."""
     content = dumped(
         {"checksum": info.content_hash, "of": scope.values(), "runs": info.counts["runs"]}
     )

@@ -1,16 +1,19 @@
 """What goes between stores: exported, merged, compared, heard of; and what is to go from all of them."""
 
+import tempfile
 from collections.abc import Collection
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from storage.anonymous import anonymising
 from storage.bundle_reading import open_bundle
-from storage.bundles import ALL, BundleInfo, Scope, export_bundle
+from storage.bundles import ALL, BundleInfo, Scope, export_bundle, note_export
 from storage.connection import Access
 from storage.content import content_hash
 from storage.errors import StoreError
 from storage.merging import Heard, MergeReport, heard_from, merge
+from storage.parquet import write_parquet
 from storage.removal import Removal, remove
 from storage.text import new_id
 
@@ -48,6 +51,29 @@ class Exchange:
             is_noted=is_noted,
             alter=None if anonymous is None else anonymising(anonymous),
         )
+
+    def export_parquet(
+        self,
+        dest: Path,
+        *,
+        app_version: str,
+        computer: tuple[str, str],
+        scope: Scope = ALL,
+        anonymous: Collection[str] | None = None,
+    ) -> BundleInfo:
+        """Writes a folder of Parquet files; see `write_parquet`, and `export` for the rest."""
+        with tempfile.TemporaryDirectory(prefix="pinel-") as folder:
+            info = self.export(
+                Path(folder) / "bundle",
+                app_version=app_version,
+                computer=computer,
+                scope=scope,
+                is_noted=False,
+                anonymous=anonymous,
+            )
+            info = replace(info, path=write_parquet(info.path, dest))
+        note_export(self._access, info, scope)
+        return info
 
     def merge(self, path: Path) -> MergeReport:
         """Brings a bundle in; on disk when this returns. Raises StoreError, see `open_bundle`."""

@@ -37,30 +37,34 @@ from storage.text import name_key, new_id
     is_flag=True,
     help="Leave out all names and texts (docs/bundles.md says what stays).",
 )
+@click.option("--parquet", is_flag=True, help="Write a folder of Parquet files (docs/parquet.md).")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @click.pass_context
 def command(
     ctx: click.Context,
+    /,
     dest: Path,
     db: str | None,
-    classroom: str | None,
-    group: str | None,
-    program: str | None,
     anonymous: bool,
+    parquet: bool,
     as_json: bool,
+    **wanted: str | None,
 ) -> None:
     """Write all work into one file for another PC (`pinel merge` reads it).
 
     DEST is a folder or a file name; a file that is there already is kept, and the new one gets a number.
     """
-    if sum(part is not None for part in (classroom, group, program)) > 1:
+    named = [name for name in wanted.values() if name is not None]
+    if len(named) > 1:
         raise click.UsageError("--class, --group and --program cannot be combined")
     with opened_store(database_path(db or ctx.obj["db"]), may_be_new=False) as store:
-        scope = _scope(store, classroom, group, program)
+        scope = _scope(store, **wanted)
         computer = _computer(store)
-        part = "" if scope.whole else f"-{classroom or group or program}"
-        info = exchange_of(store).export(
-            _file(dest, "pinel" if anonymous else f"{computer[1]}{part}"),
+        name = "pinel" if anonymous else "-".join([computer[1], *named])
+        exchange = exchange_of(store)
+        write = exchange.export_parquet if parquet else exchange.export
+        info = write(
+            _file(dest, name, "" if parquet else SUFFIX),
             app_version=__version__,
             computer=computer,
             scope=scope,
@@ -76,7 +80,7 @@ class _Named(Protocol):
     def name(self) -> str: ...
 
 
-def _scope(store: Store, classroom: str | None, group: str | None, program: str | None) -> Scope:
+def _scope(store: Store, *, classroom: str | None, group: str | None, program: str | None) -> Scope:
     if classroom is not None:
         return Scope(classroom_id=_found(classroom, store.classrooms.all()))
     if group is not None:
@@ -111,11 +115,11 @@ def _shipped_names() -> list[str]:
     return [*worlds, *activity_names()]
 
 
-def _file(dest: Path, name: str) -> Path:
+def _file(dest: Path, name: str, suffix: str) -> Path:
     if dest.is_dir():
         plain = re.sub(r"[^\w-]+", "-", name).strip("-")
-        return dest / f"{plain or 'pinel'}-{datetime.now():%Y-%m-%d}{SUFFIX}"
-    return dest if dest.suffix else dest.with_suffix(SUFFIX)
+        return dest / f"{plain or 'pinel'}-{datetime.now():%Y-%m-%d}{suffix}"
+    return dest if dest.suffix else dest.with_suffix(suffix)
 
 
 def _as_object(info: BundleInfo) -> dict[str, Any]:

@@ -129,6 +129,16 @@ def test_runs_as_they_are_really_recorded_pass_all_that_a_bundle_is_held_against
     assert answer("merge", stick, "--db", teacher)["added"]["runs"] == 4
 
 
+def test_a_district_gets_parquet(lab: Path, stick: Path) -> None:
+    folder = Path(answer("export", stick, "--db", lab, "--parquet")["path"])
+    assert folder.parent == stick
+    assert (folder / "runs.parquet").stat().st_size > 0
+
+
+def test_only_one_part_can_be_chosen(lab: Path, stick: Path) -> None:
+    assert pinel("export", stick, "--db", lab, "--group", "a", "--class", "b").exit_code == 2
+
+
 def test_names_can_be_left_out(lab: Path, stick: Path, teacher: Path) -> None:
     exported = answer("export", stick, "--db", lab, "--anonymous")
     octets = Path(exported["path"]).read_bytes()
