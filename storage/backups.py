@@ -26,6 +26,7 @@ Stop = Callable[[], bool]
 Remove = Callable[[sqlite3.Connection, Collection[str]], object]
 
 EVERY = timedelta(hours=24)
+_LATEST = 3  # a PC whose battery is empty has the same day every day
 _DAYS = 14
 _WEEKS = 8
 _MOST_BYTES = 10**9
@@ -130,10 +131,11 @@ def remove_surplus(path: Path, *, free: Free = free_bytes) -> None:
 
 
 def kept(backups: Sequence[Backup], limit_bytes: int) -> list[Backup]:
-    """Of backups, the newest first, those worth their room: the newest in any case, then the last of each day.
+    """Of backups, the newest first, those worth their room: the last three, then the last of each day.
 
     Days and weeks are those on which there were backups, 14 days and before them 8 weeks: so neither holidays
-    nor a wrong clock make all of them old at once. The oldest go when together they are too large.
+    nor a wrong clock make all of them old at once. The oldest go when together they are too large, the newest
+    never does.
     """
     days: set[object] = set()
     weeks: set[object] = set()
@@ -141,14 +143,11 @@ def kept(backups: Sequence[Backup], limit_bytes: int) -> list[Backup]:
     total = 0
     for backup in backups:
         day, week = backup.made_at.date(), backup.made_at.isocalendar()[:2]
-        if len(days) < _DAYS:
-            is_first = day not in days
+        if len(chosen) < _LATEST or (day not in days and len(days) < _DAYS):
             days.add(day)
+        elif day not in days and week not in weeks and len(weeks) < _WEEKS:
+            weeks.add(week)
         else:
-            is_first = day not in days and week not in weeks and len(weeks) < _WEEKS
-            if is_first:
-                weeks.add(week)
-        if not is_first:
             continue
         total += backup.size_bytes
         if chosen and total > limit_bytes:

@@ -184,15 +184,21 @@ def fakes(*made_at: datetime, size: int = 10) -> list[Backup]:
     return made[::-1]
 
 
-def test_of_each_day_the_last_is_kept_for_14_days_then_of_each_week_for_8() -> None:
+def test_the_last_three_are_kept_and_the_last_of_each_day_for_14_days_then_of_each_week_for_8() -> (
+    None
+):
     twice_a_day = [NOON + n * DAY / 2 for n in range(2 * 150)]
     chosen = kept(fakes(*twice_a_day), MUCH)
-    days = [backup.made_at.date() for backup in chosen]
-    assert len(chosen) == 14 + 8
+    assert [backup.number for backup in chosen[:4]] == [299, 298, 297, 296]
+    days = sorted({backup.made_at.date() for backup in chosen}, reverse=True)
+    assert len(days) == 14 + 8
     assert all(before - after == DAY for before, after in pairwise(days[:14]))
-    weeks = [day.isocalendar()[:2] for day in days[14:]]
-    assert len(set(weeks)) == 8
-    assert chosen[0].number == 299
+    assert len({day.isocalendar()[:2] for day in days[14:]}) == 8
+    assert len(chosen) <= 3 + 14 + 8
+
+
+def test_a_pc_that_has_the_same_day_every_day_has_more_than_one_backup() -> None:
+    assert len(kept(fakes(*[NOON] * 30), MUCH)) == 3
 
 
 def test_holidays_and_wrong_clocks_make_nothing_old() -> None:
