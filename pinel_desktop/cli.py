@@ -14,6 +14,7 @@ _COMMANDS = {
     "runs": "List, show and verify recorded runs.",
     "export": "Write all work, or a part of it, into one file.",
     "merge": "Bring in the work of other PCs.",
+    "pin": "Choose another PIN for the teacher.",
     "doctor": "Say what this PC has and lacks.",
 }
 _HIDDEN = ("app", "engine")

@@ -40,7 +40,7 @@ class TeacherDoor:
 
     def __init__(self, kept: Kept, clock: Callable[[], float] = time.time) -> None:
         self._kept, self._clock = kept, clock
-        self._open: dict[str, float] = {}
+        self._open: dict[str, tuple[float, str]] = {}  # when last used, under which PIN
         self._lock = threading.Lock()
 
     @property
@@ -50,7 +50,7 @@ class TeacherDoor:
 
     def choose(self, pin: str) -> None:
         """Sets the PIN, and closes the door for everybody. Raises PinelError `pin_format`."""
-        _check_format(pin)
+        check_format(pin)
         salt = secrets.token_bytes(16)
         self._kept.set(_PIN, {**_COST, "salt": salt.hex(), "hash": _hash(pin, salt, _COST).hex()})
         self._kept.set(_TRIES, None)
@@ -72,18 +72,20 @@ class TeacherDoor:
             self._check_wait()
             self._check(pin)
             token = secrets.token_urlsafe(32)
-            self._open[token] = self._clock()
+            self._open[token] = (self._clock(), self._salt())
         return token
 
     def is_open(self, token: str | None) -> bool:
-        """Whether the token still opens; using it keeps it good."""
-        now = self._clock()
+        """Whether the token still opens; using it keeps it good. Another PIN, by `pinel pin` too, shuts the door."""
+        if token is None:
+            return False
+        now, salt = self._clock(), self._salt()
         with self._lock:
-            used = self._open.get(token or "")
-            if used is None or not 0.0 <= now - used <= IDLE_S:
-                self._open.pop(token or "", None)
+            used, under = self._open.get(token, (-IDLE_S, ""))
+            if under != salt or not 0.0 <= now - used <= IDLE_S:
+                self._open.pop(token, None)
                 return False
-            self._open[token or ""] = now
+            self._open[token] = (now, salt)
         return True
 
     def leave(self, token: str | None) -> None:
@@ -115,11 +117,16 @@ class TeacherDoor:
         if abs(self._clock() - tries["at"]) < wait_s:
             raise PinelError("pin_wait", failed=failed, seconds=int(wait_s - passed_s) + 1)
 
+    def _salt(self) -> str:
+        """What tells one PIN from another, also from the same one chosen again."""
+        return str((self._kept.get(_PIN) or {}).get("salt", ""))
+
     def _failed(self) -> int:
         return int((self._kept.get(_TRIES) or {}).get("failed", 0))
 
 
-def _check_format(pin: str) -> None:
+def check_format(pin: str) -> None:
+    """Raises PinelError `pin_format`."""
     if not (pin.isascii() and pin.isdecimal() and MIN_DIGITS <= len(pin) <= MAX_DIGITS):
         raise PinelError("pin_format", min=MIN_DIGITS, max=MAX_DIGITS)
 

@@ -1,0 +1,47 @@
+"""`pinel pin`: the way out for a teacher who has forgotten the PIN."""
+
+from collections.abc import Sequence
+
+import click
+
+from pinel_desktop.commands.store_file import opened_store
+from pinel_desktop.errors import PinelError
+from pinel_desktop.messages import describe, language_of_system
+from pinel_desktop.paths import database_path
+from pinel_desktop.teacher import TeacherDoor, check_format
+
+
+@click.command()
+@click.option("--forget", is_flag=True, help="Take the PIN away; the page asks for another.")
+@click.option(
+    "--db", type=click.Path(dir_okay=False), help="Database file instead of the user's own."
+)
+@click.pass_context
+def command(ctx: click.Context, forget: bool, db: str | None) -> None:
+    """Choose another PIN for the teacher; the old one is not asked for.
+
+    It works while PINEL is open. Whoever may write the database file may choose the PIN (docs/teacher.md).
+    """
+    path = database_path(db or (ctx.obj or {}).get("db"))
+    with opened_store(path, may_be_new=True) as store:
+        door = TeacherDoor(store.settings)
+        if forget:
+            door.forget()
+        else:
+            door.choose(_asked())
+    click.echo("\n".join(_words("pin_taken_away" if forget else "pin_chosen")))
+
+
+def _asked() -> str:
+    """A PIN typed twice. Raises PinelError `pin_format` or `pin_different`."""
+    first = click.prompt(_words("pin_prompt")[0], hide_input=True)
+    check_format(first)
+    again = click.prompt(_words("pin_prompt_again")[0], hide_input=True)
+    if first != again:
+        raise PinelError("pin_different")
+    return str(first)
+
+
+def _words(code: str) -> Sequence[str]:
+    words = describe(code, {}, language_of_system())
+    return [line for line in (words.message, words.remedy) if line]
