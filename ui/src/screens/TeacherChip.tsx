@@ -17,6 +17,7 @@ export function TeacherChip() {
     <button
       type="button"
       class="button header__teacher"
+      aria-label={classes.leave}
       title={classes.open}
       data-testid={TEST.leaveDoor}
       onClick={() => {
@@ -24,7 +25,7 @@ export function TeacherChip() {
       }}
     >
       <LogOut class="icon" aria-hidden="true" />
-      {classes.leave}
+      <span class="header__word">{classes.leave}</span>
     </button>
   );
 }
