@@ -6,6 +6,7 @@ type Schemas = components["schemas"];
 export type Folder = Schemas["Folder"];
 export type Bundle = Schemas["Bundle"];
 export type Merged = Schemas["Merged"];
+export type Removed = Schemas["Removed"];
 export type HeardComputer = Schemas["HeardComputer"];
 
 type Folders = { folders: Folder[] };
@@ -22,6 +23,9 @@ export const exchange = {
     (await json<{ merged: Merged[] }>("POST", "/api/bundles/merge", { paths: [path] })).merged[0],
   heard: async () =>
     (await json<{ computers: HeardComputer[] }>("GET", "/api/bundles/heard")).computers,
+
+  deleteGroup: (id: string) => json<Removed>("DELETE", `/api/groups/${id}`),
+  deleteClassroom: (id: string) => json<Removed>("DELETE", `/api/classrooms/${id}`),
 
   programFile: (program: string) => octets(`/api/programs/${program}/file`),
   bringProgram: (file: Blob) => sendFile<Merged>("/api/programs/file", file),

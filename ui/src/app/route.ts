@@ -10,7 +10,7 @@ export type Route =
   | { screen: "compare"; runs: readonly [string, string] }
   | { screen: "teacher"; part: TeacherPart };
 
-export const TEACHER_PARTS = ["lessons", "classes", "computer"] as const;
+export const TEACHER_PARTS = ["lessons", "classes", "files", "computer"] as const;
 export type TeacherPart = (typeof TEACHER_PARTS)[number];
 
 /** The address after `#` is the whole state of navigation, so that Back works. */

@@ -176,6 +176,12 @@ export const TEST = {
   mergeResults: "merge-results",
   saveBundle: "save-bundle",
   sharedFolder: "shared-folder",
+  deletionOpen: "deletion-open",
+  deletionWhat: "deletion-what", // a select
+  deletionGo: "deletion-go",
+  deletionDone: "deletion-done",
+  programFile: "program-file", // takes the program along
+  bringProgram: "bring-program", // an input
 
   // the teacher's review
   lessonPage: "lesson-page",

@@ -4,11 +4,12 @@ import { classesApi } from "../api/classes";
 import { exchange, type Folder, type HeardComputer } from "../api/exchange";
 import type { Classroom } from "../api/model";
 import { report } from "../app/session";
-import { texts } from "../i18n";
+import { asTeacher } from "../app/teacher";
 import { Heard } from "./Heard";
 import { MergeBox } from "./MergeBox";
 import { SaveBox } from "./SaveBox";
 import { SharedFolder } from "./SharedFolder";
+import { words } from "./words";
 import "./exchange.css";
 
 /** A stick is noticed so soon after it was plugged in. */
@@ -19,7 +20,7 @@ export function ExchangePanel() {
   const folders = useSignal<Folder[] | null>(null);
   const heard = useSignal<HeardComputer[]>([]);
   const classes = useSignal<Classroom[]>([]);
-  const { exchange: words } = texts.value;
+  const say = words.value;
 
   const look = async () => {
     folders.value = await exchange.folders();
@@ -32,7 +33,7 @@ export function ExchangePanel() {
     ]);
   };
   useEffect(() => {
-    all().catch(report);
+    asTeacher(all).catch(report);
     const timer = setInterval(() => {
       if (!document.hidden) look().catch(() => {}); // said by the first look already
     }, LOOK_MS);
@@ -43,14 +44,14 @@ export function ExchangePanel() {
   return (
     <section class="exchange" aria-labelledby="exchange-title">
       <h1 id="exchange-title" class="exchange__title">
-        {words.title}
+        {say.title}
       </h1>
-      <p class="exchange__intro">{words.intro}</p>
-      <MergeBox folders={folders.value} onLook={() => all().catch(report)} />
+      <p class="exchange__intro">{say.intro}</p>
+      <MergeBox folders={folders.value} onLook={() => void asTeacher(all).catch(report)} />
       <SaveBox
         folders={folders.value}
         classes={classes.value}
-        onSaved={() => look().catch(report)}
+        onSaved={() => void look().catch(report)}
       />
       <Heard computers={heard.value} />
       <SharedFolder

@@ -1,27 +1,28 @@
 import type { HeardComputer } from "../api/exchange";
 import { language, texts } from "../i18n";
 import { when } from "../i18n/format";
+import { words } from "./words";
 
 /** PCs whose work is here, and when it came. */
 export function Heard({ computers }: { computers: readonly HeardComputer[] }) {
-  const { exchange: words } = texts.value;
+  const say = words.value;
   const now = new Date();
   const at = (iso: string) => when(iso, now, language.value, texts.value);
   return (
     <section class="exchange__box" aria-labelledby="exchange-heard">
-      <h2 id="exchange-heard">{words.heard}</h2>
+      <h2 id="exchange-heard">{say.heard}</h2>
       {computers.length === 0 ? (
-        <p class="exchange__none">{words.heardNobody}</p>
+        <p class="exchange__none">{say.heardNobody}</p>
       ) : (
         <>
           <table class="exchange__table">
             <thead>
               <tr>
-                <th scope="col">{words.computer}</th>
-                <th scope="col">{words.exported}</th>
-                <th scope="col">{words.merged}</th>
+                <th scope="col">{say.computer}</th>
+                <th scope="col">{say.exported}</th>
+                <th scope="col">{say.merged}</th>
                 <th scope="col" class="exchange__number">
-                  {words.heardRuns}
+                  {say.heardRuns}
                 </th>
               </tr>
             </thead>
@@ -36,7 +37,7 @@ export function Heard({ computers }: { computers: readonly HeardComputer[] }) {
               ))}
             </tbody>
           </table>
-          <p class="exchange__none">{words.clock}</p>
+          <p class="exchange__none">{say.clock}</p>
         </>
       )}
     </section>

@@ -2,10 +2,12 @@ import { useSignal } from "@preact/signals";
 import { CircleCheck, Combine, HardDrive, RefreshCw, TriangleAlert, Usb } from "lucide-preact";
 import { exchange, type Folder, type Merged } from "../api/exchange";
 import { report } from "../app/session";
+import { asTeacher } from "../app/teacher";
 import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
 import { when } from "../i18n/format";
 import { size } from "./size";
+import { words } from "./words";
 
 interface Properties {
   folders: readonly Folder[];
@@ -18,7 +20,7 @@ export function MergeBox({ folders, onLook }: Properties) {
   const left = useSignal<ReadonlySet<string>>(new Set());
   const results = useSignal<Merged[]>([]);
   const busy = useSignal<{ n: number; of: number } | null>(null);
-  const { exchange: words } = texts.value;
+  const say = words.value;
   const chosen = folders
     .flatMap((folder) => folder.files.map((file) => file.path))
     .filter((path) => !left.value.has(path));
@@ -28,7 +30,7 @@ export function MergeBox({ folders, onLook }: Properties) {
     try {
       for (const [n, path] of chosen.entries()) {
         busy.value = { n: n + 1, of: chosen.length };
-        const merged = await exchange.merge(path);
+        const merged = await asTeacher(() => exchange.merge(path));
         if (merged) results.value = [...results.value, merged];
       }
     } finally {
@@ -45,15 +47,15 @@ export function MergeBox({ folders, onLook }: Properties) {
   return (
     <section class="exchange__box" aria-labelledby="exchange-places">
       <header class="exchange__head">
-        <h2 id="exchange-places">{words.places}</h2>
+        <h2 id="exchange-places">{say.places}</h2>
         <button type="button" class="button button--plain" onClick={onLook}>
           <RefreshCw class="icon" aria-hidden="true" />
-          {words.lookAgain}
+          {say.lookAgain}
         </button>
       </header>
       {folders.length === 0 && (
         <p class="exchange__empty">
-          <strong>{words.nowhere}</strong> {words.nowhereHint}
+          <strong>{say.nowhere}</strong> {say.nowhereHint}
         </p>
       )}
       {folders.map((folder) => (
@@ -68,10 +70,10 @@ export function MergeBox({ folders, onLook }: Properties) {
           onClick={() => void mergeAll().catch(report)}
         >
           <Combine class="icon" aria-hidden="true" />
-          {busy.value ? words.merging(busy.value.n, busy.value.of) : words.merge(chosen.length)}
+          {busy.value ? say.merging(busy.value.n, busy.value.of) : say.merge(chosen.length)}
         </button>
       )}
-      <div role="status" aria-label={words.results}>
+      <div role="status" aria-label={say.results}>
         {results.value.length > 0 && (
           <ul class="exchange__results" data-testid={TEST.mergeResults}>
             {results.value.map((one) => (
@@ -90,28 +92,28 @@ function FolderFiles(properties: {
   onToggle(path: string): void;
 }) {
   const { folder, left, onToggle } = properties;
-  const { exchange: words } = texts.value;
+  const say = words.value;
   const Icon = folder.is_stick ? Usb : HardDrive;
   const now = new Date();
   return (
     <fieldset class="exchange__folder">
       <legend>
         <Icon class="icon" aria-hidden="true" />
-        {folder.is_stick ? words.stick(folder.name) : words.folder(folder.name)}
+        {folder.is_stick ? say.stick(folder.name) : say.folder(folder.name)}
         <FolderState folder={folder} />
       </legend>
-      {folder.files.length === 0 && <p class="exchange__none">{words.noFiles}</p>}
+      {folder.files.length === 0 && <p class="exchange__none">{say.noFiles}</p>}
       {folder.files.map((file) => (
         <label key={file.path} class="exchange__file">
           <input
             type="checkbox"
             checked={!left.has(file.path)}
-            aria-label={words.choose(file.name)}
+            aria-label={say.choose(file.name)}
             onChange={() => onToggle(file.path)}
           />
           <span class="exchange__name">{file.name}</span>
           <span class="exchange__about">
-            {words.file(
+            {say.file(
               size(file.size_bytes, language.value),
               when(file.modified_at, now, language.value, texts.value),
             )}
@@ -123,10 +125,10 @@ function FolderFiles(properties: {
 }
 
 function FolderState({ folder }: { folder: Folder }) {
-  const { exchange: words } = texts.value;
-  if (!folder.is_writable) return <span class="exchange__about">{words.readOnly}</span>;
+  const say = words.value;
+  if (!folder.is_writable) return <span class="exchange__about">{say.readOnly}</span>;
   if (folder.free_bytes === null) return null;
-  return <span class="exchange__about">{words.free(size(folder.free_bytes, language.value))}</span>;
+  return <span class="exchange__about">{say.free(size(folder.free_bytes, language.value))}</span>;
 }
 
 /** What one file brought, or why it was refused. */
@@ -150,14 +152,14 @@ export function Result({ merged }: { merged: Merged }) {
 }
 
 function outcome({ computer, name, added, nothing_new }: Merged): string {
-  const { exchange: words } = texts.value;
+  const say = words.value;
   const who = computer ?? name;
-  if (nothing_new) return words.nothingNew(who);
+  if (nothing_new) return say.nothingNew(who);
   const parts = [
-    added.groups > 0 && words.groups(added.groups),
-    added.programs > 0 && words.programs(added.programs),
-    added.versions > 0 && words.versions(added.versions),
-    added.runs > 0 && words.runs(added.runs),
+    added.groups > 0 && say.groups(added.groups),
+    added.programs > 0 && say.programs(added.programs),
+    added.versions > 0 && say.versions(added.versions),
+    added.runs > 0 && say.runs(added.runs),
   ].filter((part) => part !== false);
-  return parts.length > 0 ? words.brought(who, parts.join(", ")) : words.only(who);
+  return parts.length > 0 ? say.brought(who, parts.join(", ")) : say.only(who);
 }

@@ -3,8 +3,9 @@ import { ChevronDown, Save } from "lucide-preact";
 import { type Bundle, exchange, type Folder } from "../api/exchange";
 import type { Classroom } from "../api/model";
 import { report } from "../app/session";
+import { asTeacher } from "../app/teacher";
 import { TEST } from "../app/testids";
-import { texts } from "../i18n";
+import { words } from "./words";
 
 interface Properties {
   folders: readonly Folder[];
@@ -17,7 +18,7 @@ export function SaveBox({ folders, classes, onSaved }: Properties) {
   const classroom = useSignal("");
   const saving = useSignal<string | null>(null);
   const saved = useSignal<Bundle | null>(null);
-  const { exchange: words } = texts.value;
+  const say = words.value;
   const writable = folders.filter((folder) => folder.is_writable);
   if (writable.length === 0) return null;
 
@@ -25,7 +26,7 @@ export function SaveBox({ folders, classes, onSaved }: Properties) {
     saving.value = folder;
     saved.value = null;
     try {
-      saved.value = await exchange.write(folder, classroom.value || null);
+      saved.value = await asTeacher(() => exchange.write(folder, classroom.value || null));
       onSaved();
     } finally {
       saving.value = null;
@@ -34,10 +35,10 @@ export function SaveBox({ folders, classes, onSaved }: Properties) {
 
   return (
     <section class="exchange__box" aria-labelledby="exchange-save">
-      <h2 id="exchange-save">{words.saveHere}</h2>
+      <h2 id="exchange-save">{say.saveHere}</h2>
       {classes.length > 0 && (
         <label class="exchange__what">
-          {words.what}
+          {say.what}
           <span class="select">
             <select
               value={classroom.value}
@@ -45,10 +46,10 @@ export function SaveBox({ folders, classes, onSaved }: Properties) {
                 classroom.value = event.currentTarget.value;
               }}
             >
-              <option value="">{words.everything}</option>
+              <option value="">{say.everything}</option>
               {classes.map((one) => (
                 <option key={one.id} value={one.id}>
-                  {words.onlyClass(one.name)}
+                  {say.onlyClass(one.name)}
                 </option>
               ))}
             </select>
@@ -68,19 +69,19 @@ export function SaveBox({ folders, classes, onSaved }: Properties) {
           >
             <Save class="icon" aria-hidden="true" />
             {saving.value === folder.path
-              ? words.saving
+              ? say.saving
               : folder.is_stick
-                ? words.stick(folder.name)
-                : words.folder(folder.name)}
+                ? say.stick(folder.name)
+                : say.folder(folder.name)}
           </button>
         ))}
       </div>
       <p role="status" class="exchange__saved">
         {saved.value &&
-          words.saved(
+          say.saved(
             saved.value.name,
-            words.groups(saved.value.n_groups),
-            words.runs(saved.value.n_runs),
+            say.groups(saved.value.n_groups),
+            say.runs(saved.value.n_runs),
           )}
       </p>
     </section>

@@ -1,8 +1,9 @@
 import { useSignal } from "@preact/signals";
 import { exchange, type Folder } from "../api/exchange";
 import { type Problem, wordsOf } from "../app/session";
+import { asTeacher } from "../app/teacher";
 import { TEST } from "../app/testids";
-import { texts } from "../i18n";
+import { words } from "./words";
 
 interface Properties {
   path: string;
@@ -13,12 +14,12 @@ interface Properties {
 export function SharedFolder({ path, onChosen }: Properties) {
   const typed = useSignal(path);
   const problem = useSignal<Problem | null>(null);
-  const { exchange: words } = texts.value;
+  const say = words.value;
 
   const keep = async () => {
     problem.value = null;
     try {
-      onChosen(await exchange.share(typed.value.trim()));
+      onChosen(await asTeacher(() => exchange.share(typed.value.trim())));
     } catch (error) {
       problem.value = wordsOf(error);
     }
@@ -33,10 +34,10 @@ export function SharedFolder({ path, onChosen }: Properties) {
       }}
     >
       <h2>
-        <label for="shared-folder">{words.shared}</label>
+        <label for="shared-folder">{say.shared}</label>
       </h2>
       <p id="shared-folder-hint" class="exchange__none">
-        {words.sharedHint}
+        {say.sharedHint}
       </p>
       <div class="exchange__buttons">
         <input
@@ -53,7 +54,7 @@ export function SharedFolder({ path, onChosen }: Properties) {
           }}
         />
         <button type="submit" class="button">
-          {words.keepShared}
+          {say.keepShared}
         </button>
       </div>
       <p role="alert" class="exchange__problem">

@@ -1,4 +1,5 @@
 import { describe, expect, test } from "vitest";
+import { EXCHANGE_TEXTS } from "../exchange/words";
 import { TEACHER_TEXTS } from "../teacher/words";
 import { CATALOGUES } from ".";
 import { decimal, duration, headingDegrees, when } from "./format";
@@ -24,6 +25,7 @@ function leaves(node: object, path = ""): [string, string][] {
 const all = (language: Language) => ({
   ...CATALOGUES[language],
   teacher: TEACHER_TEXTS[language],
+  exchange: EXCHANGE_TEXTS[language],
 });
 
 describe.each(LANGUAGES)("the catalogue %s", (language) => {

@@ -1,11 +1,11 @@
 import { en as activity } from "./activity/en";
 import { en as classes } from "./classes/en";
-import { en as exchange } from "./exchange/en";
+import { en as programFile } from "./program_file/en";
 import type { Texts } from "./pt-BR";
 
 export const en: Texts = {
   activity,
-  exchange,
+  programFile,
   classes,
   header: {
     home: "Change group",

@@ -1,11 +1,11 @@
 import { es as activity } from "./activity/es";
 import { es as classes } from "./classes/es";
-import { es as exchange } from "./exchange/es";
+import { es as programFile } from "./program_file/es";
 import type { Texts } from "./pt-BR";
 
 export const es: Texts = {
   activity,
-  exchange,
+  programFile,
   classes,
   header: {
     home: "Cambiar de grupo",

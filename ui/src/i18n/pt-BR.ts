@@ -1,11 +1,11 @@
 import { ptBR as activity } from "./activity/pt-BR";
 import { ptBR as classes } from "./classes/pt-BR";
-import { ptBR as exchange } from "./exchange/pt-BR";
+import { ptBR as programFile } from "./program_file/pt-BR";
 
 /** The first catalogue: its shape is what every other language must have. */
 export const ptBR = {
   activity,
-  exchange,
+  programFile,
   classes,
   header: {
     home: "Trocar de grupo",

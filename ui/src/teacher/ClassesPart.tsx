@@ -4,6 +4,7 @@ import { classesApi, NO_CLASS } from "../api/classes";
 import type { Group } from "../api/model";
 import { classroom, groupsIn, setClassroom, shownClass } from "../app/classroom";
 import { TEST } from "../app/testids";
+import { Deletion } from "../exchange/Deletion";
 import { texts } from "../i18n";
 import { ClassChips } from "../screens/ClassChips";
 import { GroupPicture } from "../screens/GroupPicture";
@@ -93,6 +94,7 @@ function ClassPanel({ id, school }: { id: string; school: School }) {
           onAdd={add}
         />
       )}
+      {(now || here.length > 0) && <Deletion classroom={now} groups={here} onDone={reload} />}
     </section>
   );
 }

@@ -1,4 +1,4 @@
-import { BookOpen, Monitor, UsersRound } from "lucide-preact";
+import { BookOpen, Monitor, Usb, UsersRound } from "lucide-preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { classesApi } from "../api/classes";
 import { api } from "../api/client";
@@ -7,6 +7,7 @@ import { hashOf, TEACHER_PARTS, type TeacherPart } from "../app/route";
 import { group, program, report } from "../app/session";
 import { door, giveUpWaiting, knowDoor } from "../app/teacher";
 import { TEST } from "../app/testids";
+import { ExchangePanel } from "../exchange/ExchangePanel";
 import { ClassesPart } from "./ClassesPart";
 import { ComputerPart } from "./ComputerPart";
 import { DoorForm } from "./DoorForm";
@@ -44,7 +45,7 @@ export function TeacherScreen({ part }: { part: TeacherPart }) {
   );
 }
 
-const ICONS = { lessons: BookOpen, classes: UsersRound, computer: Monitor } as const;
+const ICONS = { lessons: BookOpen, classes: UsersRound, files: Usb, computer: Monitor } as const;
 
 function Desk({ part, hidden }: { part: TeacherPart; hidden: boolean }) {
   const { parts } = words.value;
@@ -85,6 +86,8 @@ function Part({ part, school }: { part: TeacherPart; school: School }) {
   switch (part) {
     case "classes":
       return <ClassesPart school={school} />;
+    case "files":
+      return <ExchangePanel />;
     case "computer":
       return <ComputerPart />;
     default:

@@ -1,6 +1,6 @@
-import type { ptBR } from "./pt-BR";
+import type { ExchangeTexts } from "./pt-BR";
 
-export const en: typeof ptBR = {
+export const en: ExchangeTexts = {
   title: "Stick and school folder",
   intro:
     "Here the work of many PCs becomes one collection. Merging a file twice changes nothing, and the order does not matter.",
@@ -43,9 +43,19 @@ export const en: typeof ptBR = {
   sharedHint:
     "A folder of the network or of this PC that is shown here like a stick. Leave it empty to use none.",
   keepShared: "Use this folder",
-  takeAlong: "Take the program along",
-  takeAlongHint: "Saves the program in a file, to go on at another PC.",
-  bringIn: "Bring a program in",
-  broughtIn: (n: number): string =>
-    n === 0 ? "This program was here already." : "The program has come, with its whole history.",
+  deletion: {
+    title: "Delete for good",
+    hint: "For when a class leaves, or somebody asks for their data to be deleted. It goes from this PC and from its backups, and no stick brings it back.",
+    what: "What to delete",
+    nothing: "Choose a group or the class…",
+    group: (name: string) => `Group ${name}`,
+    classroom: (name: string) => `All of class ${name}, with its groups`,
+    goes: (name: string, programs: string, runs: string) =>
+      `${name}: ${programs} and ${runs} will be deleted. This cannot be undone.`,
+    go: "Delete for good",
+    cancel: "Leave it as it is",
+    done: (groups: string, programs: string, runs: string) =>
+      `Deleted: ${groups}, ${programs}, ${runs}.`,
+    left: "Delete these files too, which may still hold that work:",
+  },
 };

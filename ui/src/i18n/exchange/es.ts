@@ -1,6 +1,6 @@
-import type { ptBR } from "./pt-BR";
+import type { ExchangeTexts } from "./pt-BR";
 
-export const es: typeof ptBR = {
+export const es: ExchangeTexts = {
   title: "Memoria USB y carpeta de la escuela",
   intro:
     "Aquí los trabajos de muchos ordenadores se vuelven un solo conjunto. Unir dos veces el mismo archivo no cambia nada, y el orden no importa.",
@@ -43,9 +43,19 @@ export const es: typeof ptBR = {
   sharedHint:
     "Una carpeta de la red o de este ordenador que aparece aquí como una memoria. Déjala vacía para no usar ninguna.",
   keepShared: "Usar esta carpeta",
-  takeAlong: "Llevar el programa",
-  takeAlongHint: "Guarda el programa en un archivo, para seguir en otro ordenador.",
-  bringIn: "Traer un programa",
-  broughtIn: (n: number): string =>
-    n === 0 ? "Este programa ya estaba aquí." : "El programa llegó, con toda su historia.",
+  deletion: {
+    title: "Borrar para siempre",
+    hint: "Para cuando una clase se despide o alguien pide que se borren sus datos. Desaparece de este ordenador y de las copias de seguridad, y ninguna memoria lo trae de vuelta.",
+    what: "Qué borrar",
+    nothing: "Elige un grupo o la clase…",
+    group: (name: string) => `El grupo ${name}`,
+    classroom: (name: string) => `Toda la clase ${name}, con sus grupos`,
+    goes: (name: string, programs: string, runs: string) =>
+      `${name}: se borrarán ${programs} y ${runs}. No se puede deshacer.`,
+    go: "Borrar para siempre",
+    cancel: "Dejarlo como está",
+    done: (groups: string, programs: string, runs: string) =>
+      `Borrado: ${groups}, ${programs}, ${runs}.`,
+    left: "Borra también estos archivos, que todavía pueden contener esos trabajos:",
+  },
 };

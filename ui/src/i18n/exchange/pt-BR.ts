@@ -42,9 +42,21 @@ export const ptBR = {
   sharedHint:
     "Uma pasta da rede ou deste computador que aparece aqui como um pendrive. Deixe vazio para não usar.",
   keepShared: "Usar esta pasta",
-  takeAlong: "Levar o programa",
-  takeAlongHint: "Guarda o programa num arquivo, para continuar em outro computador.",
-  bringIn: "Trazer um programa",
-  broughtIn: (n: number): string =>
-    n === 0 ? "Este programa já estava aqui." : "O programa chegou, com toda a sua história.",
+  deletion: {
+    title: "Apagar para sempre",
+    hint: "Para quando uma turma se despede ou alguém pede que os seus dados sejam apagados. Some deste computador e das cópias de segurança, e nenhum pendrive traz de volta.",
+    what: "O que apagar",
+    nothing: "Escolha um grupo ou a turma…",
+    group: (name: string) => `O grupo ${name}`,
+    classroom: (name: string) => `A turma ${name} inteira, com seus grupos`,
+    goes: (name: string, programs: string, runs: string) =>
+      `${name}: ${programs} e ${runs} serão apagados. Não dá para desfazer.`,
+    go: "Apagar para sempre",
+    cancel: "Deixar como está",
+    done: (groups: string, programs: string, runs: string) =>
+      `Apagado: ${groups}, ${programs}, ${runs}.`,
+    left: "Apague também estes arquivos, que ainda podem conter esses trabalhos:",
+  },
 };
+
+export type ExchangeTexts = typeof ptBR;

@@ -35,6 +35,7 @@ export const en: TeacherTexts = {
     label: "For the teacher",
     lessons: "Lessons",
     classes: "Classes and groups",
+    files: "Stick and folder",
     computer: "This PC",
   },
   lessons: {

@@ -36,6 +36,7 @@ export const es: TeacherTexts = {
     label: "Zona del profesor",
     lessons: "Lecciones",
     classes: "Clases y grupos",
+    files: "Memoria y carpeta",
     computer: "Este ordenador",
   },
   lessons: {

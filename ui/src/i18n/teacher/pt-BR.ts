@@ -35,6 +35,7 @@ export const ptBR = {
     label: "Área do professor",
     lessons: "Aulas",
     classes: "Turmas e grupos",
+    files: "Pendrive e pasta",
     computer: "Este computador",
   },
   lessons: {

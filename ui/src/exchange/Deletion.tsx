@@ -1,0 +1,116 @@
+import { ChevronDown, Trash2 } from "lucide-preact";
+import { useState } from "preact/hooks";
+import { exchange, type Removed } from "../api/exchange";
+import type { Classroom, Group } from "../api/model";
+import { TEST } from "../app/testids";
+import { useAct } from "../teacher/act";
+import { FaultLine } from "../teacher/FaultLine";
+import { words } from "./words";
+import "./exchange.css";
+
+interface Properties {
+  classroom: Classroom | undefined;
+  groups: readonly Group[];
+  onDone(): Promise<void>;
+}
+
+/** A group, or the whole class, for good: what goes is said before, and where it may still be after. */
+export function Deletion({ classroom, groups, onDone }: Properties) {
+  const [chosen, setChosen] = useState("");
+  const [removed, setRemoved] = useState<Removed | null>(null);
+  const { busy, fault, act } = useAct();
+  const { deletion } = words.value;
+  const doomed = chosen === classroom?.id ? groups : groups.filter(({ id }) => id === chosen);
+  const name = chosen === classroom?.id ? classroom.name : (doomed[0]?.name ?? "");
+
+  const go = () =>
+    act(async () => {
+      const isClass = chosen === classroom?.id;
+      setRemoved(await (isClass ? exchange.deleteClassroom : exchange.deleteGroup)(chosen));
+      setChosen("");
+      await onDone();
+    });
+
+  return (
+    <details class="deletion">
+      <summary data-testid={TEST.deletionOpen}>
+        <Trash2 class="icon" aria-hidden="true" />
+        {deletion.title}
+      </summary>
+      <p class="exchange__none">{deletion.hint}</p>
+      <span class="select deletion__what">
+        <select
+          aria-label={deletion.what}
+          data-testid={TEST.deletionWhat}
+          value={chosen}
+          onChange={({ currentTarget }) => {
+            setRemoved(null);
+            setChosen(currentTarget.value);
+          }}
+        >
+          <option value="">{deletion.nothing}</option>
+          {groups.map((one) => (
+            <option key={one.id} value={one.id}>
+              {deletion.group(one.name)}
+            </option>
+          ))}
+          {classroom && <option value={classroom.id}>{deletion.classroom(classroom.name)}</option>}
+        </select>
+        <ChevronDown class="icon icon--end" aria-hidden="true" />
+      </span>
+      {chosen && (
+        <div class="deletion__sure">
+          <p>
+            <Goes name={name} groups={doomed} />
+          </p>
+          <div class="exchange__buttons">
+            <button
+              type="button"
+              class="button button--stop"
+              data-testid={TEST.deletionGo}
+              disabled={busy}
+              onClick={() => void go()}
+            >
+              {deletion.go}
+            </button>
+            <button type="button" class="button" onClick={() => setChosen("")}>
+              {deletion.cancel}
+            </button>
+          </div>
+        </div>
+      )}
+      <FaultLine fault={fault} />
+      <div role="status">{removed && <Gone removed={removed} />}</div>
+    </details>
+  );
+}
+
+function Goes({ name, groups }: { name: string; groups: readonly Group[] }) {
+  const say = words.value;
+  const total = (count: (group: Group) => number) =>
+    groups.reduce((sum, group) => sum + count(group), 0);
+  const programs = say.programs(total((group) => group.n_programs));
+  const runs = say.runs(total((group) => group.n_runs));
+  return <>{say.deletion.goes(name, programs, runs)}</>;
+}
+
+function Gone({ removed }: { removed: Removed }) {
+  const say = words.value;
+  const left = [...removed.files.map(({ path }) => path), ...removed.backups];
+  const { n_groups, n_programs, n_runs } = removed;
+  return (
+    <div class="deletion__done" data-testid={TEST.deletionDone}>
+      <p>{say.deletion.done(say.groups(n_groups), say.programs(n_programs), say.runs(n_runs))}</p>
+      {left.length > 0 && (
+        <>
+          <p>{say.deletion.left}</p>
+          <ul>
+            {left.map((path) => (
+              <li key={path}>{path}</li>
+            ))}
+          </ul>
+        </>
+      )}
+    </div>
+  );
+}
