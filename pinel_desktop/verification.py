@@ -115,10 +115,7 @@ def _repeated(row: RunRow, document: dict[str, Any], repeater: Repeater, seen: S
     reading = read_document(document)
     if reading.program is None:
         raise PinelError("invalid_program", count=len(reading.faults))
-    try:
-        setting = setting_from(row.parameters)
-    except ValueError as error:
-        raise PinelError("run_damaged", part="parameters") from error
+    setting = setting_from(row.parameters)
 
     def observe(tick: int, event: Event) -> None:
         seen.observe(tick, event)

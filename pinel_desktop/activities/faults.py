@@ -49,7 +49,7 @@ def faults_of_form(document: Any, error: ValidationError) -> tuple[Fault, ...]:
     for one in error.errors(include_url=False):
         path = path_of_error(document, one)
         code, params = _code_and_params(one, path)
-        place = (*path, params["name"]) if code == "missing_parameter" else path
+        place = (*path, str(params["name"])) if code == "missing_parameter" else path
         found.setdefault(place, Fault(code, pointer(path), None, params))
     return tuple(found.values())
 

@@ -114,7 +114,7 @@ class _LiveRun:
 
     def _live_clock(self, link: RobotLink) -> LiveClock:
         """A robot knows one speed only; the simulator is as fast as somebody wants it."""
-        return LiveClock(speed=lambda: self.control.speed) if link.simulated else LiveClock()
+        return LiveClock(speed=lambda: self.control.pace) if link.simulated else LiveClock()
 
     def _observe(self, tick: int, event: Event) -> None:
         self._engine.send(self._stamp.wire(tick, event))

@@ -27,7 +27,8 @@ class MaxClock:
 class LiveClock:
     """30 ticks a second on absolute deadlines, so that lateness does not add up.
 
-    `speed` tells at each tick how many times faster than that they are to come.
+    `speed` tells how many times faster than that they are to come. In slow motion it is asked again while a tick is
+    waited for: what somebody wants is done at once.
     """
 
     def __init__(
@@ -40,8 +41,11 @@ class LiveClock:
         self._due: float | None = None
 
     def wait_for_tick(self) -> None:
-        now = self._now()
-        due = now if self._due is None else self._due + TICK_S / self._speed()
+        before, now = self._due, self._now()
+        if before is None:
+            self._due = now
+            return
+        while (due := before + TICK_S / self._speed()) > now:
+            self._sleep(min(due - now, TICK_S))
+            now = self._now()
         self._due = now if now - due > _MAX_LATENESS_S else due
-        if self._due > now:
-            self._sleep(self._due - now)

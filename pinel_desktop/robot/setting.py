@@ -42,7 +42,7 @@ class Setting:
 def setting_from(parameters: Mapping[str, Any]) -> Setting:
     """The setting in a run's parameters; what they do not tell is as it was before there was a choice.
 
-    Raises ValueError for what no setting ever was.
+    Raises PinelError `run_damaged` for what no setting ever was.
     """
     known = {name: parameters[name] for name in Setting.__slots__ if name in parameters}
     setting = Setting(**known)
@@ -51,5 +51,5 @@ def setting_from(parameters: Mapping[str, Any]) -> Setting:
         or setting.preset not in PRESETS
         or setting.feedback not in FEEDBACKS
     ):
-        raise ValueError(f"no setting: {known}")
+        raise PinelError("run_damaged", part="parameters")
     return setting

@@ -1,6 +1,12 @@
 import pytest
 
+from pinel_desktop.events.model import Event, Telemetry
 from pinel_desktop.execution.clock import TICK_S, LiveClock
+from pinel_desktop.execution.control import RunControl
+from pinel_desktop.execution.executor import RunOptions, execute
+from pinel_desktop.links import open_link
+from pinel_desktop.program.reading import read_document
+from pinel_desktop.robot import Preset, Setting
 
 
 class FakeTime:
@@ -44,3 +50,58 @@ def test_ticks_come_as_much_faster_as_somebody_wants() -> None:
     speed[0] = 0.5
     clock.wait_for_tick()
     assert time.now == pytest.approx(100.0 + TICK_S + 2 * TICK_S)
+
+
+def test_another_speed_holds_at_once_also_within_a_slow_tick() -> None:
+    time, speed = FakeTime(), [0.1]
+
+    def hurry(seconds: float) -> None:
+        time.sleep(seconds)
+        speed[0] = 1.0
+
+    clock = LiveClock(lambda: time.now, hurry, speed=lambda: speed[0])
+    clock.wait_for_tick()
+    clock.wait_for_tick()
+    assert time.now == pytest.approx(100.0 + TICK_S)
+
+
+@pytest.mark.parametrize("speed", [0.1, 0.5, 1.0, 10.0])
+@pytest.mark.parametrize("preset", ["ideal", "realistic"])
+@pytest.mark.parametrize("paused", [False, True])
+def test_stop_takes_no_longer_in_slow_motion(
+    speed: float, preset: Preset, paused: bool
+) -> None:
+    time, control, commands = FakeTime(), RunControl(), []
+    control.set_speed(speed)
+    seen: list[float] = []
+
+    def observe(tick: int, event: Event) -> None:
+        if type(event) is Telemetry:
+            if tick == 60:
+                if paused:
+                    control.pause()
+                else:
+                    control.stop()
+                seen.append(time.now)
+            if tick == 61 and paused:  # in the middle of coming to rest
+                control.stop()
+                seen[0] = time.now
+            if control.stop_requested and len(seen) == 1 and tick > 60 + paused:
+                commands.append((event.command_v_mps, event.command_omega_radps))
+
+    drive = {"action": "drive", "linear": 1.2, "angular": 60}
+    commands_of_run = [
+        {"action": "set_speed", "linear": 1.2, "angular": 100},
+        drive,
+        {"action": "wait", "seconds": 600},
+    ]
+    program = read_document(commands_of_run).program
+    assert program is not None
+    link = open_link("sim", world="empty_room", setting=Setting(preset=preset))
+    clock = LiveClock(lambda: time.now, time.sleep, speed=lambda: control.pace)
+    options = RunOptions(observer=observe, clock=clock, control=control)
+    ended = execute(program, link, options).ended
+    assert ended.state == "stopped"
+    # wheels with inertia take a while from 1.2 m/s
+    assert time.now - seen[0] < (0.2 if preset == "ideal" else 0.6)
+    assert set(commands) == {(0.0, 0.0)}
