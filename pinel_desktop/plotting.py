@@ -13,6 +13,7 @@ from pinel_desktop.execution.clock import TICK_HZ
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+_ENDINGS = (".png", ".svg", ".pdf")
 _WORDS = {
     "pt-BR": {
         "path": "Caminho no chão",
@@ -101,11 +102,20 @@ class Curves:
         return [tick / TICK_HZ for tick in range(len(self["x_m"]))]
 
 
+def plot_format(file: str) -> str:
+    """The kind of picture that the file's name ends in. Raises PinelError `plot_ending` for any other."""
+    ending = Path(file).suffix.lower()
+    if ending not in _ENDINGS:
+        raise PinelError("plot_ending", path=file, allowed=list(_ENDINGS))
+    return ending[1:]
+
+
 def draw(curves: Curves, file: str, *, title: str, language: str) -> None:
     """Writes a picture (PNG, SVG or PDF, by the ending of its name).
 
-    Raises PinelError `plot_unwritable` with the reason.
+    Raises PinelError `plot_ending`, or `plot_unwritable` with the reason.
     """
+    kind = plot_format(file)
     # numpy and fonts: for those who want a picture only
     from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
     from matplotlib.figure import Figure  # noqa: PLC0415
@@ -113,14 +123,14 @@ def draw(curves: Curves, file: str, *, title: str, language: str) -> None:
     words = _WORDS[language]
     figure = Figure(figsize=_INCHES, dpi=_DPI, layout="constrained")
     FigureCanvasAgg(figure)
-    figure.suptitle(title)
+    figure.suptitle(title, parse_math=False)
     axes = figure.subplots(2, 2)
     _path(axes[0, 0], curves, words)
     _position(axes[0, 1], curves, words)
     _heading(axes[1, 0], curves, words)
     _signals(axes[1, 1], curves, words)
     try:
-        figure.savefig(Path(file))
+        figure.savefig(Path(file), format=kind)
     except (OSError, ValueError) as error:
         raise PinelError("plot_unwritable", path=file, detail=str(error)) from error
 

@@ -20,7 +20,7 @@ from pinel_desktop.execution.summary import faulty_object, run_object, unbegun_o
 from pinel_desktop.links import LINK_NAMES, open_link
 from pinel_desktop.messages import describe, language_of_system
 from pinel_desktop.paths import database_path
-from pinel_desktop.plotting import Curves, draw
+from pinel_desktop.plotting import Curves, draw, plot_format
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.reading import Reading
 from pinel_desktop.robot import FEEDBACKS, PIONEER_3DX, PRESETS, ROBOTS, Setting
@@ -28,6 +28,7 @@ from storage import Notice, Recorder, RunStart, Store, StoreError, open_store
 
 _LONGEST_VALUE = 200  # of a variable, for people; --json gives it whole
 _FINISHED, _NOT_FINISHED, _INVALID = 0, 1, 2
+_INVALID_REASONS = ("invalid_program", "invalid_world", "unknown_world", "plot_ending")
 
 
 @click.command()
@@ -42,7 +43,7 @@ _FINISHED, _NOT_FINISHED, _INVALID = 0, 1, 2
 )
 @click.option(
     "--world",
-    metavar="NAME|FILE.json",
+    metavar="NAME|FILE",
     default="empty_room",
     show_default=True,
     help="World of the simulator: the name of one that ships, or a file with a world document.",
@@ -105,12 +106,15 @@ def command(
     """Run a program and print its result.
 
     FILE is a program document or a bare list of commands, as JSON, or Python text; - is standard input. Exit status:
-    0 finished, 1 failed or stopped, 2 the program or the world has faults or cannot be read.
+    0 finished, 1 failed or stopped, 2 the program or the world has faults or cannot be read, or no plot is called so.
     """
     language = language_of_system()
+    wrong = _wrong_plot(options["plot"])
     reading = read_file(file)
     if reading.program is None:
         summary = _faulty(reading, language)
+    elif wrong is not None:
+        summary = _unbegun(wrong, language)
     else:
         for warning in reading.warnings:
             _warn(warning, language, warning.pointer)
@@ -122,8 +126,18 @@ def command(
     ctx.exit(_status(summary))
 
 
+def _wrong_plot(file: str | None) -> PinelError | None:
+    """Why no picture can be called that, before anything is run for it."""
+    if file is not None:
+        try:
+            plot_format(file)
+        except PinelError as error:
+            return error
+    return None
+
+
 def _status(summary: dict[str, Any]) -> int:
-    if summary["reason"] in ("invalid_program", "invalid_world"):
+    if summary["reason"] in _INVALID_REASONS:
         return _INVALID
     return _FINISHED if summary["state"] == "finished" else _NOT_FINISHED
 

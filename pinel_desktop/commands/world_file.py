@@ -1,5 +1,6 @@
 """The world that a command is told: one that ships, by its name, or a document in a file."""
 
+import os
 from dataclasses import dataclass
 from typing import Any
 
@@ -25,19 +26,23 @@ class WorldFileError(PinelError):
 
 
 def choose_world(name_or_file: str, *, robot: str) -> ChosenWorld:
-    """The world of that name, or of that file (`.json`), in which the robot has room at the start.
+    """The world of that name, or of that file, in which the robot has room at the start.
+
+    A file is what ends in `.json`, and what is there without being the name of a world.
 
     Raises:
         PinelError: `unknown_world`.
         WorldFileError: `invalid_world`.
     """
-    if name_or_file.endswith(".json"):
-        document = _read(name_or_file, robot)
-        return ChosenWorld(document["name"], document)
+    is_json = name_or_file.lower().endswith(".json")
     try:
-        return ChosenWorld(name_or_file, world_document(name_or_file))
+        if not is_json:
+            return ChosenWorld(name_or_file, world_document(name_or_file))
     except WorldError as error:
-        raise PinelError(error.code, **error.params) from error
+        if not os.path.isfile(name_or_file):
+            raise PinelError(error.code, **error.params) from error
+    document = _read(name_or_file, robot)
+    return ChosenWorld(document["name"], document)
 
 
 def _read(file: str, robot: str) -> dict[str, Any]:

@@ -152,10 +152,20 @@ def test_file_that_cannot_be_read_ends_with_2_and_names_it(tmp_path: Path) -> No
 
 
 def test_unknown_world_is_named_with_those_there_are() -> None:
-    status, printed = run_json(SQUARE, "--world", "../../etc/passwd", "--no-store")
-    assert status == 1
+    status, printed = run_json(SQUARE, "--world", "../nowhere", "--no-store")
+    assert status == 2
     assert printed["reason"] == "unknown_world"
-    assert "../../etc/passwd" in printed["message"]
+    assert "../nowhere" in printed["message"]
+
+
+@pytest.mark.parametrize("name", ["own.json", "own.JSON", "own", "own.txt"])
+def test_a_world_is_read_from_a_file_whatever_its_ending(name: str, tmp_path: Path) -> None:
+    (tmp_path / name).write_text(json.dumps(OWN_WORLD), "utf-8")
+    status, printed = run_json("-", "--world", str(tmp_path / name), "--no-store", text="[]")
+    assert (status, printed["state"]) == (0, "finished")
+    (tmp_path / name).write_text("{", "utf-8")
+    status, printed = run_json("-", "--world", str(tmp_path / name), "--no-store", text="[]")
+    assert (status, printed["reason"]) == (2, "invalid_world")
 
 
 def test_same_program_has_the_same_hash_again() -> None:
@@ -350,12 +360,35 @@ def test_plot_draws_the_curves_of_the_run(tmp_path: Path) -> None:
     assert (width, height) == (1320, 1020)
 
 
-@pytest.mark.parametrize("name", ["nowhere/plot.png", "plot.docx"])
-def test_a_plot_that_cannot_be_written_loses_no_run(name: str, tmp_path: Path) -> None:
-    result = pinel("run", SQUARE, "--json", "--plot", str(tmp_path / name))
+def test_a_plot_that_cannot_be_written_loses_no_run(tmp_path: Path) -> None:
+    result = pinel("run", SQUARE, "--json", "--plot", str(tmp_path / "nowhere" / "plot.png"))
     assert result.exit_code == 0
     assert json.loads(result.stdout)["run_id"]
     assert "plot could not be written" in result.stderr
+
+
+@pytest.mark.parametrize(
+    "name", ["plot.docx", "plot.pgf", "plot.eps", "plot", ".png", "plot.png.gz"]
+)
+def test_a_plot_of_an_unknown_kind_is_refused_before_the_run(name: str, tmp_path: Path) -> None:
+    folder = tmp_path / "plots"
+    folder.mkdir()
+    result = pinel("run", SQUARE, "--json", "--plot", str(folder / name))
+    assert result.exit_code == 2
+    printed = json.loads(result.stdout)
+    assert (printed["reason"], printed["run_id"]) == ("plot_ending", None)
+    assert name in printed["message"]
+    assert list(folder.iterdir()) == []
+
+
+@pytest.mark.parametrize("name", ["a.PNG", "a.svg", "a.Pdf"])
+def test_a_plot_is_written_to_the_file_that_was_named(name: str, tmp_path: Path) -> None:
+    folder = tmp_path / "plots"
+    folder.mkdir()
+    program = '{"pinel_ir": 1, "name": "$x_{", "commands": []}'
+    status, _ = run_json("-", "--no-store", "--plot", str(folder / name), text=program)
+    assert status == 0
+    assert [file.name for file in folder.iterdir()] == [name]
 
 
 def test_plotting_curves_are_those_of_the_telemetry() -> None:
