@@ -11,13 +11,12 @@ import "./exchange.css";
 interface Properties {
   classroom: Classroom | undefined;
   groups: readonly Group[];
-  onDone(): Promise<void>;
+  onDone(removed: Removed): Promise<void>;
 }
 
-/** A group, or the whole class, for good: what goes is said before, and where it may still be after. */
+/** A group, or the whole class, for good: what goes is said before. */
 export function Deletion({ classroom, groups, onDone }: Properties) {
   const [chosen, setChosen] = useState("");
-  const [removed, setRemoved] = useState<Removed | null>(null);
   const { busy, fault, act } = useAct();
   const { deletion } = words.value;
   const doomed = chosen === classroom?.id ? groups : groups.filter(({ id }) => id === chosen);
@@ -26,9 +25,9 @@ export function Deletion({ classroom, groups, onDone }: Properties) {
   const go = () =>
     act(async () => {
       const isClass = chosen === classroom?.id;
-      setRemoved(await (isClass ? exchange.deleteClassroom : exchange.deleteGroup)(chosen));
+      const removed = await (isClass ? exchange.deleteClassroom : exchange.deleteGroup)(chosen);
       setChosen("");
-      await onDone();
+      await onDone(removed);
     });
 
   return (
@@ -43,10 +42,7 @@ export function Deletion({ classroom, groups, onDone }: Properties) {
           aria-label={deletion.what}
           data-testid={TEST.deletionWhat}
           value={chosen}
-          onChange={({ currentTarget }) => {
-            setRemoved(null);
-            setChosen(currentTarget.value);
-          }}
+          onChange={({ currentTarget }) => setChosen(currentTarget.value)}
         >
           <option value="">{deletion.nothing}</option>
           {groups.map((one) => (
@@ -80,7 +76,6 @@ export function Deletion({ classroom, groups, onDone }: Properties) {
         </div>
       )}
       <FaultLine fault={fault} />
-      <div role="status">{removed && <Gone removed={removed} />}</div>
     </details>
   );
 }
@@ -94,12 +89,13 @@ function Goes({ name, groups }: { name: string; groups: readonly Group[] }) {
   return <>{say.deletion.goes(name, programs, runs)}</>;
 }
 
-function Gone({ removed }: { removed: Removed }) {
+/** What is gone, and where it may still be. */
+export function Gone({ removed }: { removed: Removed }) {
   const say = words.value;
   const left = [...removed.files.map(({ path }) => path), ...removed.backups];
   const { n_groups, n_programs, n_runs } = removed;
   return (
-    <div class="deletion__done" data-testid={TEST.deletionDone}>
+    <div class="deletion__done" role="status" data-testid={TEST.deletionDone}>
       <p>{say.deletion.done(say.groups(n_groups), say.programs(n_programs), say.runs(n_runs))}</p>
       {left.length > 0 && (
         <>

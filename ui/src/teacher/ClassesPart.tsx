@@ -1,10 +1,11 @@
 import { ChevronDown } from "lucide-preact";
 import { useState } from "preact/hooks";
 import { classesApi, NO_CLASS } from "../api/classes";
+import type { Removed } from "../api/exchange";
 import type { Group } from "../api/model";
 import { classroom, groupsIn, setClassroom, shownClass } from "../app/classroom";
 import { TEST } from "../app/testids";
-import { Deletion } from "../exchange/Deletion";
+import { Deletion, Gone } from "../exchange/Deletion";
 import { texts } from "../i18n";
 import { ClassChips } from "../screens/ClassChips";
 import { GroupPicture } from "../screens/GroupPicture";
@@ -21,6 +22,7 @@ export function ClassesPart({ school }: { school: School }) {
   const { classes, groups, reload } = school;
   const shown = shownClass(classroom.value, classes, groups);
   const withNone = groupsIn(NO_CLASS, groups).length > 0;
+  const [removed, setRemoved] = useState<Removed | null>(null);
 
   const make = async (name: string) => {
     const made = await classesApi.createClassroom(name);
@@ -40,14 +42,23 @@ export function ClassesPart({ school }: { school: School }) {
           onAdd={make}
         />
       </div>
+      {removed && <Gone removed={removed} />}
       {classes.length === 0 && <p class="teacher__hint">{say.first}</p>}
       {classes.length > 0 && <ClassChips classes={classes} withNone={withNone} shown={shown} />}
-      {(classes.length > 0 || withNone) && <ClassPanel key={shown} id={shown} school={school} />}
+      {(classes.length > 0 || withNone) && (
+        <ClassPanel key={shown} id={shown} school={school} onRemoved={setRemoved} />
+      )}
     </>
   );
 }
 
-function ClassPanel({ id, school }: { id: string; school: School }) {
+interface ClassPanelProps {
+  id: string;
+  school: School;
+  onRemoved(removed: Removed): void;
+}
+
+function ClassPanel({ id, school, onRemoved }: ClassPanelProps) {
   const { classes: say } = words.value;
   const { reload } = school;
   const [moved, setMoved] = useState("");
@@ -56,6 +67,10 @@ function ClassPanel({ id, school }: { id: string; school: School }) {
 
   const rename = async (name: string) => {
     await classesApi.renameClassroom(id, name);
+    await reload();
+  };
+  const forget = async (removed: Removed) => {
+    onRemoved(removed);
     await reload();
   };
   const add = async (name: string) => {
@@ -94,7 +109,7 @@ function ClassPanel({ id, school }: { id: string; school: School }) {
           onAdd={add}
         />
       )}
-      {(now || here.length > 0) && <Deletion classroom={now} groups={here} onDone={reload} />}
+      {(now || here.length > 0) && <Deletion classroom={now} groups={here} onDone={forget} />}
     </section>
   );
 }

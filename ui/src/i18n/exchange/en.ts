@@ -13,7 +13,7 @@ export const en: ExchangeTexts = {
   free: (size: string) => `${size} free`,
   readOnly: "can only be read",
   noFiles: "No files of PINEL yet.",
-  file: (size: string, when: string) => `${size}, from ${when}`,
+  file: (size: string, when: string) => `${size} · ${when}`,
   choose: (name: string) => `Merge ${name}`,
   merge: (n: number) => (n === 1 ? "Merge 1 file" : `Merge ${n} files`),
   merging: (n: number, of: number) => `Merging ${n} of ${of}…`,

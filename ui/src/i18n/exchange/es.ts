@@ -13,7 +13,7 @@ export const es: ExchangeTexts = {
   free: (size: string) => `${size} libres`,
   readOnly: "solo se puede leer",
   noFiles: "Todavía sin archivos de PINEL.",
-  file: (size: string, when: string) => `${size}, de ${when}`,
+  file: (size: string, when: string) => `${size} · ${when}`,
   choose: (name: string) => `Unir ${name}`,
   merge: (n: number) => (n === 1 ? "Unir 1 archivo" : `Unir ${n} archivos`),
   merging: (n: number, of: number) => `Uniendo ${n} de ${of}…`,

@@ -12,7 +12,7 @@ export const ptBR = {
   free: (size: string) => `${size} livres`,
   readOnly: "só pode ser lido",
   noFiles: "Ainda sem arquivos do PINEL.",
-  file: (size: string, when: string) => `${size}, de ${when}`,
+  file: (size: string, when: string) => `${size} · ${when}`,
   choose: (name: string) => `Juntar ${name}`,
   merge: (n: number) => (n === 1 ? "Juntar 1 arquivo" : `Juntar ${n} arquivos`),
   merging: (n: number, of: number) => `Juntando ${n} de ${of}…`,

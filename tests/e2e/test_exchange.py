@@ -1,0 +1,83 @@
+"""Work goes from PC to PC by stick, and is deleted for good."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, expect
+
+from tests.e2e.app_process import AppProcess
+from tests.e2e.studio import Studio
+from tests.e2e.test_accessibility import violations
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
+
+PIN = "314159"
+
+
+@pytest.fixture
+def stick(tmp_path: Path) -> Path:
+    folder = tmp_path / "Escola é aqui"
+    folder.mkdir()
+    return folder
+
+
+@pytest.fixture
+def other_pc(tmp_path_factory: pytest.TempPathFactory, browser: Browser) -> Iterator[Studio]:
+    """The teacher's PC, with an empty file of its own."""
+    app = AppProcess(tmp_path_factory.mktemp("other"))
+    context = browser.new_context(locale="pt-BR", reduced_motion="reduce")
+    context.set_default_timeout(15_000)
+    page = context.new_page()
+    page.goto(app.start())
+    yield Studio(page)
+    context.close()
+    app.stop()
+
+
+def at_the_files(studio: Studio, folder: Path) -> None:
+    """Behind the door, with the folder as the school's."""
+    studio.tell("PUT", "/teacher/pin", {"pin": PIN})
+    studio.tell("PUT", "/folders/shared", {"path": str(folder)})
+    studio.page.goto(f"{studio.origin}/#/teacher/files")
+    expect(studio["shared-folder"]).to_have_value(str(folder))
+
+
+def test_the_work_of_one_pc_comes_to_another(studio: Studio, other_pc: Studio, stick: Path) -> None:
+    studio.enter_group("Os Tatus")
+    at_the_files(studio, stick)
+    studio["save-bundle"].click()
+    expect(studio.page.get_by_text("Guardado em")).to_contain_text("1 grupo e 0 rodadas")
+    assert len(list(stick.glob("*.pinel"))) == 1
+
+    (stick / "estragado.pinel").write_bytes(b"SQLite format 3\0 but not for long")
+    at_the_files(other_pc, stick)
+    other_pc["merge-files"].click()
+    results = other_pc["merge-results"].get_by_role("listitem")
+    expect(results).to_have_count(2)
+    expect(results.filter(has_text="1 grupo, 1 programa")).to_have_count(1)
+    expect(results.filter(has_text="estragado.pinel")).to_have_class(
+        "exchange__result exchange__result--problem"
+    )
+    other_pc["merge-files"].click()
+    expect(results.filter(has_text="nada novo")).to_have_count(1)
+    expect(other_pc.page.get_by_role("table")).to_be_visible()
+    assert violations(other_pc) == []
+    other_pc["home"].click()
+    expect(other_pc["group-card"].filter(has_text="Os Tatus")).to_be_visible()
+
+
+def test_a_group_is_deleted_for_good(studio: Studio, stick: Path) -> None:
+    studio.enter_group("Os Tatus")
+    at_the_files(studio, stick)
+    studio["save-bundle"].click()
+    expect(studio.page.get_by_text("Guardado em")).to_be_visible()
+    studio.page.goto(f"{studio.origin}/#/teacher/classes")
+    studio["deletion-open"].click()
+    studio["deletion-what"].select_option(label="O grupo Os Tatus")
+    expect(studio.page.get_by_text("Não dá para desfazer")).to_contain_text("1 programa")
+    assert violations(studio) == []
+    studio["deletion-go"].click()
+    expect(studio["deletion-done"]).to_contain_text("Apagado: 1 grupo")
+    expect(studio["deletion-done"]).to_contain_text(".pinel")
+    assert studio.api("/groups") == {"groups": []}
