@@ -14,6 +14,7 @@ from pinel_desktop.robot import STANDSTILL, Pose2D, Twist2D, wrap_angle
 _BLOCKED_TICKS = 2 * TICK_HZ
 _MOVE_STEP_M = 0.01
 _TURN_STEP_RAD = math.radians(1.0)
+_NEARLY_DONE_RAD = math.radians(5.0)
 _BESIDE_M = 0.05  # the end of an arc; what is less the next motion corrects
 _ALREADY_THERE_M = 1e-6
 _SLOWEST = 1e-6  # m/s, rad/s; such a motion ends as blocked
@@ -168,7 +169,7 @@ def drive_arc(context: RunContext, radius_m: float, angle_rad: float) -> Routine
             break
         stuck = progress.stuck(done, context.tick), way.stuck(done * length, context.tick)
         if all(stuck):
-            raise _blocked_turn(done, angle_rad)
+            raise _blocked_arc(context, arc, done, angle_rad)
         context.command = arc.correct(context.pose, expected, speed)
         if context.observed:
             context.setpoint, context.done = arc.point(expected), math.degrees(done)
@@ -255,3 +256,14 @@ def _end(context: RunContext, goal: Pose2D) -> None:
 def _blocked_turn(turned_rad: float, angle_rad: float) -> RunFailureError:
     done, amount = round(math.degrees(turned_rad), 1), round(math.degrees(angle_rad), 6)
     return RunFailureError("blocked", done=done, amount=amount, unit="°")
+
+
+def _blocked_arc(
+    context: RunContext, arc: Arc, done_rad: float, angle_rad: float
+) -> RunFailureError:
+    """One whose angle is nearly done may have been pushed off its circle: then the distance to its end says more."""
+    away_m = context.pose.distance_to(arc.point(angle_rad))
+    if abs(angle_rad - done_rad) > _NEARLY_DONE_RAD or away_m <= _BESIDE_M:
+        return _blocked_turn(done_rad, angle_rad)
+    params = {"done": round(math.degrees(done_rad), 1), "amount": round(math.degrees(angle_rad), 6)}
+    return RunFailureError("blocked_beside", **params, unit="°", away=round(away_m, 2))

@@ -96,8 +96,28 @@ def test_motions_after_an_arc_start_at_its_goal_so_that_errors_do_not_add_up(
 def test_arc_that_the_wall_keeps_from_its_end_is_blocked(execute_commands: Any) -> None:
     result, _ = execute_commands({**arc(3, 180), "block": "a"})
     ended = result.ended
-    assert (ended.reason, ended.block) == ("blocked", "a")
+    assert (ended.reason, ended.block) == ("blocked_beside", "a")
     assert ended.params["unit"] == "°"
+
+
+def test_arc_that_is_stopped_on_its_way_tells_its_angle(execute_commands: Any) -> None:
+    start = {"x_m": 0, "y_m": 0, "heading_deg": 0}
+    corner = [{"from": [1, -3], "to": [1, 3]}, {"from": [-3, 1.5], "to": [3, 1.5]}]
+    world = {"name": "w", "start": start, "walls": corner}
+    result, _ = execute_commands(arc(5, 90), world=world)
+    assert (result.ended.state, result.ended.reason) == ("failed", "blocked")
+    assert result.ended.params["done"] < 80.0
+
+
+def test_arc_that_slid_along_a_wall_tells_how_far_it_is_from_its_end(execute_commands: Any) -> None:
+    walls = [{"from": [-3, 2.9], "to": [3, 2.9]}]
+    start = {"x_m": 0, "y_m": 0, "heading_deg": 0}
+    world = {"name": "w", "start": start, "walls": walls}
+    result, _ = execute_commands(arc(2, 180), world=world)
+    assert (result.ended.state, result.ended.reason) == ("failed", "blocked_beside")
+    params = result.ended.params
+    assert params["done"] == pytest.approx(180, abs=5)
+    assert params["away"] == pytest.approx(4.0 - (2.9 - 0.01 - 0.2225), abs=0.1)
 
 
 def test_done_of_an_arc_counts_up_to_its_angle(execute_commands: Any) -> None:
