@@ -11,7 +11,7 @@ from tests.e2e.studio import Studio
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
 
-# Elements whose words are wider than they are, or that leave the window. What a group called itself may be
+# Elements whose words are wider than they are, or that leave the window. What a group or a class called itself may be
 # shortened, and says itself in full when pointed at.
 _CUT = """() => {
   const cut = [];
@@ -23,7 +23,7 @@ _CUT = """() => {
     const box = element.getBoundingClientRect();
     const style = getComputedStyle(element);
     if (!box.width || style.visibility === 'hidden' || style.clipPath !== 'none') continue;
-    if (element.matches('.header__group-name, .group-card__name')) continue;
+    if (element.matches('.header__group-name, .group-card__name, [data-shortened]')) continue;
     const scrolls = element.closest('[data-scrolls], pre');
     const name = element.dataset.testid ?? element.className;
     const what = `${element.tagName} ${name}: ${element.textContent.trim().slice(0, 40)}`;

@@ -17,7 +17,7 @@ export function GroupCard({ group }: { group: Group }) {
       style={{ "--group": group.color }}
       data-testid={TEST.groupCard}
       data-picture={group.picture}
-      aria-label={start.open(group.name)}
+      aria-label={`${start.open(group.name)}. ${counts}`}
       title={group.name}
       onClick={() => void enterGroup(group).catch(report)}
     >

@@ -54,9 +54,10 @@ function Desk({ part, hidden }: { part: TeacherPart; hidden: boolean }) {
     const [classes, groups] = await Promise.all([classesApi.classrooms(), api.groups()]);
     setFound({ classes, groups });
   };
+  // pupils may have made groups in another window meanwhile
   useEffect(() => {
     reload().catch(report);
-  }, []);
+  }, [part]);
   return (
     <main class="screen teacher" hidden={hidden}>
       <nav class="teacher__nav" aria-label={parts.label}>

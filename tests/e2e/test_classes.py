@@ -1,0 +1,290 @@
+"""Classes, groups by their pictures, the first day, the teacher's door."""
+
+from typing import Any
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.e2e.app_process import AppProcess
+from tests.e2e.conftest import OpenStudio
+from tests.e2e.studio import Studio
+from tests.e2e.test_accessibility import violations
+from tests.e2e.test_layout import cut
+from tests.e2e.watch import Watch
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
+
+PIN = "314159"
+LONG = "Grupo com um nome muito comprido que não cabe em linha alguma"[:60]
+
+
+def prepare(studio: Studio, classroom: str = "9º A") -> None:
+    """What a teacher does on the first day."""
+    studio["prepare"].click()
+    studio["pin"].fill(PIN)
+    studio["pin-again"].fill(PIN)
+    studio["class-name"].fill(classroom)
+    studio["prepare-done"].click()
+    expect(studio["new-group-name"]).to_be_visible()
+
+
+def to_part(studio: Studio, part: str) -> None:
+    studio.page.locator(f"[data-testid=teacher-part][data-part={part}]").click()
+
+
+def open_lesson(studio: Studio, title: str, activity: str = "") -> None:
+    studio["lesson-title"].fill(title)
+    if activity:
+        studio["lesson-activity"].select_option(activity)
+    studio["open-lesson"].click()
+    expect(studio["lesson-now"]).to_contain_text(title)
+
+
+def call(studio: Studio, method: str, path: str, body: dict[str, Any]) -> Any:
+    """For tests that begin with something made."""
+    origin = studio.page.url.split("#")[0].rstrip("/")
+    answer = studio.page.context.request.fetch(f"{origin}/api{path}", method=method, data=body)
+    assert answer.ok, f"{path}: {answer.status} {answer.text()}"
+    return answer.json()
+
+
+def test_the_first_day_of_a_teacher(studio: Studio) -> None:
+    expect(studio["group-name"]).to_be_visible()
+    studio["prepare"].click()
+    studio["pin"].fill(PIN)
+    studio["pin-again"].fill("271828")
+    studio["class-name"].fill("9º A")
+    studio["prepare-done"].click()
+    expect(studio.page.get_by_role("alert")).to_contain_text("não são iguais")
+    studio["pin-again"].fill(PIN)
+    studio["computer-name"].fill("PC 7")
+    studio["prepare-done"].click()
+    expect(studio.page.get_by_role("heading", name="9º A")).to_be_visible()
+    expect(studio["leave-door"]).to_be_visible()
+    assert studio.api("/computer")["name"] == "PC 7"
+    assert studio.api("/teacher") == {"has_pin": True, "is_open": True}
+    studio["leave-door"].click()
+    expect(studio["class-chip"]).to_have_text(["9º A"])
+    expect(studio["leave-door"]).to_have_count(0)
+    assert studio.api("/teacher")["is_open"] is False
+
+
+def test_pupils_begin_without_a_teacher(studio: Studio) -> None:
+    studio.enter_group("Os Tatus")
+    expect(studio["lesson-chip"]).to_have_count(0)
+    studio["home"].click()
+    expect(studio["group-card"]).to_have_count(1)
+    expect(studio["class-chip"]).to_have_count(0)
+    expect(studio["door"]).to_be_visible()
+
+
+def test_groups_pick_a_picture_and_know_themselves_by_it(studio: Studio) -> None:
+    prepare(studio)
+    studio["leave-door"].click()
+    studio.page.locator("[data-testid=picture][data-name=turtle]").click()
+    studio.enter_group("Tartarugas")
+    group = studio.api("/groups")["groups"][0]
+    assert (group["picture"], group["classroom_id"] is not None) == ("turtle", True)
+    studio["home"].click()
+    expect(studio["group-card"]).to_have_attribute("data-picture", "turtle")
+
+    studio["choose-picture"].click()
+    taken = studio.page.locator("[data-testid=picture][data-name=turtle]")
+    expect(taken.get_by_role("radio")).to_have_accessible_name("tartaruga (outro grupo já tem)")
+    studio.page.keyboard.press("ArrowRight")
+    studio.page.keyboard.press("Enter")
+    expect(taken).to_have_count(0)
+    expect(studio["choose-picture"]).to_be_focused()
+    studio["choose-picture"].click()
+    studio.page.locator("[data-testid=picture][data-name=moon]").click()
+    expect(taken).to_have_count(0)
+    studio.enter_group("Luas")
+    assert studio.api("/groups")["groups"][0]["picture"] == "moon"
+
+
+def test_a_group_changes_how_it_looks(studio: Studio) -> None:
+    studio.enter_group("Os Tatus")
+    studio["open-work"].click()
+    studio["group-edit"].click()
+    studio["group-name"].fill("As Capivaras")
+    studio.page.locator("[data-testid=picture][data-name=rabbit]").click()
+    studio.page.locator("[data-testid=group-color]").nth(3).click()
+    studio["group-save"].click()
+    expect(studio["header-group"]).to_contain_text("As Capivaras")
+    group = studio.api("/groups")["groups"][0]
+    assert (group["name"], group["picture"], group["color"]) == (
+        "As Capivaras",
+        "rabbit",
+        "#2e7d4f",
+    )
+
+
+def test_the_door_says_what_is_wrong_and_how_long_to_wait(studio: Studio, watch: Watch) -> None:
+    watch.expect("(FORBIDDEN)")
+    watch.expect("(TOO MANY REQUESTS)")
+    prepare(studio)
+    studio["leave-door"].click()
+    studio["door"].click()
+    for _ in range(5):
+        studio["pin"].fill("0000")
+        studio["enter-door"].click()
+        expect(studio.page.get_by_role("alert")).to_contain_text("O PIN não está certo")
+        expect(studio["pin"]).to_have_value("")
+    studio["pin"].fill(PIN)
+    studio["enter-door"].click()
+    expect(studio["pin-wait"]).to_contain_text("Espere 2")  # 29 seconds, and fewer
+    expect(studio["enter-door"]).to_be_disabled()
+    expect(studio["teacher-part"]).to_have_count(0)
+
+
+def test_pupils_see_the_lesson_that_the_teacher_opened(
+    studio: Studio, open_studio: OpenStudio
+) -> None:
+    prepare(studio)
+    to_part(studio, "lessons")
+    open_lesson(studio, "Quadrados", "square")
+    studio["leave-door"].click()
+    studio.enter_group("Os Tatus")
+    expect(studio["lesson-chip"]).to_contain_text("Quadrados")
+    expect(studio["lesson-chip"]).to_contain_text("Um quadrado de 1 m")
+
+    teacher = open_studio()
+    teacher["door"].click()
+    teacher["pin"].fill(PIN)
+    teacher["enter-door"].click()
+    teacher["close-lesson"].click()
+    expect(teacher["lesson-now"]).to_have_count(0)
+    studio.page.reload()
+    studio.wait_until_open()
+    expect(studio["lesson-chip"]).to_have_count(0)
+
+
+def test_lessons_are_joined_and_taken_apart(studio: Studio) -> None:
+    prepare(studio)
+    to_part(studio, "lessons")
+    open_lesson(studio, "Quadrados")
+    open_lesson(studio, "Quadrados de novo")
+    expect(studio["lesson-row"]).to_have_count(2)
+    expect(studio["lesson-join"]).to_be_disabled()
+    for pick in studio["lesson-pick"].all():
+        pick.check()
+    studio["lesson-join"].click()
+    expect(studio["lesson-apart"]).to_have_count(1)
+    expect(studio["lesson-link"]).to_have_count(1)
+    expect(studio["lesson-row"].first).to_contain_text("Quadrados")
+    studio["lesson-apart"].click()
+    expect(studio["lesson-link"]).to_have_count(2)
+
+
+def test_a_group_is_moved_to_another_class(studio: Studio) -> None:
+    prepare(studio)
+    studio["new-group-name"].fill("Os Tatus")
+    studio["make-group"].click()
+    expect(studio["class-group"]).to_have_count(1)
+    studio["new-class"].fill("9º B")
+    studio["make-class"].click()
+    expect(studio.page.get_by_role("heading", name="9º B")).to_be_visible()
+    expect(studio["class-group"]).to_have_count(0)
+    studio["class-chip"].filter(has_text="9º A").click()
+    studio["move-group"].select_option(label="9º B")
+    expect(studio.page.get_by_text("Os Tatus agora está em 9º B.")).to_be_visible()
+    expect(studio["class-group"]).to_have_count(0)
+    studio["class-chip"].filter(has_text="9º B").click()
+    studio["group-rename"].click()
+    studio["name-field"].fill("As Onças")
+    studio.page.keyboard.press("Enter")
+    expect(studio["class-group"]).to_contain_text("As Onças")
+
+
+def test_the_class_last_chosen_on_this_pc_is_shown_again(
+    studio: Studio, open_studio: OpenStudio
+) -> None:
+    prepare(studio)
+    studio["new-class"].fill("9º B")
+    studio["make-class"].click()
+    studio["leave-door"].click()
+    expect(studio.page.locator("[data-testid=class-chip][aria-pressed=true]")).to_have_text("9º B")
+    studio["class-chip"].filter(has_text="9º A").click()
+    studio.page.reload()
+    expect(studio.page.locator("[data-testid=class-chip][aria-pressed=true]")).to_have_text("9º A")
+
+
+def test_what_was_typed_stays_when_the_door_shuts(studio: Studio, watch: Watch) -> None:
+    watch.expect("(FORBIDDEN)")
+    prepare(studio)
+    studio["new-class"].fill("9º C")
+    call(studio, "POST", "/teacher/leave", {})  # as half an hour without a touch does
+    studio["make-class"].click()
+    expect(studio["pin"]).to_be_visible()
+    expect(studio["class-chip"].first).to_be_hidden()
+    studio["pin"].fill(PIN)
+    studio["enter-door"].click()
+    expect(studio.page.get_by_role("heading", name="9º C")).to_be_visible()
+
+
+def test_it_is_time_to_swap(studio: Studio) -> None:
+    prepare(studio)
+    to_part(studio, "computer")
+    studio.page.locator("[data-testid=swap-every][data-minutes='5']").click()
+    studio["leave-door"].click()
+    studio.page.clock.install()
+    studio.enter_group("Os Tatus")
+    expect(studio["turns"]).to_have_count(0)
+    studio.page.clock.fast_forward("05:01")
+    expect(studio["turns"]).to_contain_text("Hora de trocar!")
+    studio["turns-done"].click()
+    expect(studio["turns"]).to_have_count(0)
+
+
+@pytest.mark.parametrize("theme", ["light", "dark", "contrast"])
+def test_every_part_has_names_and_contrast(studio: Studio, theme: str) -> None:
+    while studio["theme"].get_attribute("data-theme") != theme:
+        studio["theme"].click()
+    found: dict[str, list[str]] = {}
+
+    def look(screen: str) -> None:
+        found[screen] = violations(studio)
+
+    studio["prepare"].click()
+    expect(studio["pin"]).to_be_visible()
+    look("first day")
+    studio.page.go_back()
+    prepare(studio)
+    studio["new-group-name"].fill("Os Tatus")
+    studio["make-group"].click()
+    expect(studio["class-group"]).to_have_count(1)
+    look("classes")
+    to_part(studio, "computer")
+    look("this PC")
+    to_part(studio, "lessons")
+    open_lesson(studio, "Quadrados", "square")
+    look("lessons")
+    studio["leave-door"].click()
+    look("groups")
+    studio["choose-picture"].click()
+    look("pictures")
+    studio["door"].click()
+    expect(studio["pin"]).to_be_visible()
+    look("door")
+    assert {screen: one for screen, one in found.items() if one} == {}
+
+
+@pytest.mark.parametrize("width", [1366, 1024])
+@pytest.mark.parametrize("language", ["pt-BR", "en", "es"])
+def test_twelve_groups_with_long_names_are_not_cut(
+    open_studio: OpenStudio, app: AppProcess, width: int, language: str
+) -> None:
+    studio = open_studio(viewport={"width": width, "height": 768})
+    prepare(studio)
+    classroom = studio.api("/classrooms")["classrooms"][0]["id"]
+    for number in range(12):
+        name = f"{number} {LONG}"[:60]
+        call(studio, "POST", "/groups", {"name": name, "classroom_id": classroom})
+    studio["language"].select_option(language)
+    for part in ("lessons", "computer", "classes"):
+        to_part(studio, part)
+        assert cut(studio.page) == []
+    expect(studio["class-group"]).to_have_count(12)
+    studio["leave-door"].click()
+    expect(studio["group-card"]).to_have_count(11)
+    assert cut(studio.page) == []
