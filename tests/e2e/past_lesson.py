@@ -43,10 +43,13 @@ BEGAN = datetime(2026, 11, 19, 13, 30, tzinfo=UTC)
 @contextmanager
 def past_lesson(home: Path) -> Iterator[PastLesson]:
     """Opens the file of an app that does not run yet."""
-    clock = [lambda: BEGAN]
-    with open_store(home / "pinel.db", clock=lambda: clock[0]()) as store:
+    lesson: PastLesson | None = None
+
+    def clock() -> datetime:
+        return lesson.now if lesson else BEGAN
+
+    with open_store(home / "pinel.db", clock=clock) as store:
         lesson = PastLesson(store, BEGAN)
-        clock[0] = lambda: lesson.now
         yield lesson
 
 
@@ -60,7 +63,7 @@ class PastGroup:
         self.version = ""
 
     def edit(self, *steps: Step, world: Any = None) -> str:
-        """Saves a version; blocks keep their ids by their place."""
+        """Saves a version."""
         self.version = self._store.versions.save(
             self.program, workspace_of(list(steps)), document_of(list(steps)), world=world
         ).id
@@ -105,9 +108,14 @@ class _Keeping:
         if self._stop_tick is not None and tick > self._stop_tick:
             if not isinstance(event, RunEnded):
                 return
-            stopped = {"state": "stopped", "reason": "stopped_by_person", "params": {}}
             tick = self._stop_tick
-            event = replace(event, **{**stopped, "duration_s": tick * TICK_S})
+            event = replace(
+                event,
+                state="stopped",
+                reason="stopped_by_person",
+                params={},
+                duration_s=tick * TICK_S,
+            )
         self._lesson.now = self._begun + timedelta(seconds=tick * TICK_S)
         self._record(self._stamp.wire(tick, event))
 
@@ -115,17 +123,24 @@ class _Keeping:
 def workspace_of(steps: list[Step]) -> dict[str, Any]:
     """The steps as Blockly keeps them, below the start block."""
     below: dict[str, Any] | None = None
-    for place, (kind, value) in reversed(list(enumerate(steps))):
-        below = {**_block(kind, value, place), **({"next": {"block": below}} if below else {})}
+    for block_id, (kind, value) in reversed(list(zip(_ids(steps), steps, strict=True))):
+        block = _block(kind, value, block_id)
+        below = {**block, **({"next": {"block": below}} if below else {})}
     start: dict[str, Any] = {"type": "program_start", "id": "start", "x": 40, "y": 40}
     blocks = [{**start, **({"next": {"block": below}} if below else {})}]
     return {"blocks": {"languageVersion": 0, "blocks": blocks}}
 
 
-def _block(kind: str, value: float, place: int) -> dict[str, Any]:
+def _ids(steps: list[Step]) -> list[str]:
+    """Blocks keep their ids by their kind and their place among their kind."""
+    kinds = [kind for kind, _ in steps]
+    return [f"{kind}{kinds[:place].count(kind)}" for place, kind in enumerate(kinds)]
+
+
+def _block(kind: str, value: float, block_id: str) -> dict[str, Any]:
     name = {"move_forward": "DISTANCE", "turn": "ANGLE", "wait": "SECONDS"}[kind]
-    shadow = {"type": "number", "id": f"n{place}", "fields": {"NUM": abs(value)}}
-    block: dict[str, Any] = {"type": kind, "id": f"b{place}", "inputs": {name: {"shadow": shadow}}}
+    shadow = {"type": "number", "id": f"{block_id}/{name}", "fields": {"NUM": abs(value)}}
+    block: dict[str, Any] = {"type": kind, "id": block_id, "inputs": {name: {"shadow": shadow}}}
     if kind == "turn":
         block["fields"] = {"DIRECTION": "RIGHT" if value < 0 else "LEFT"}
     return block
@@ -135,7 +150,7 @@ def document_of(steps: list[Step]) -> dict[str, Any]:
     """The steps as the robot gets them."""
     names = {"move_forward": "distance", "turn": "angle", "wait": "seconds"}
     commands = [
-        {"action": kind, "block": f"b{place}", names[kind]: value}
-        for place, (kind, value) in enumerate(steps)
+        {"action": kind, "block": block_id, names[kind]: value}
+        for block_id, (kind, value) in zip(_ids(steps), steps, strict=True)
     ]
     return {"pinel_ir": 1, "name": "", "functions": [], "commands": commands}

@@ -6,8 +6,18 @@ import { duration, when } from "../i18n/format";
 import { words } from "../i18n/review";
 import { PathPicture } from "../scene/PathPicture";
 import { GroupPicture } from "../screens/GroupPicture";
-import { type HistoryRun, outcomeOf } from "./model";
+import { type HistoryRun, type Outcome, outcomeOf } from "./model";
 import { Sign } from "./Sign";
+
+/** Shorter words, where there are any. */
+const SHORT: Partial<Record<Outcome, "passed" | "not_passed" | "finished" | "stopped" | "failed">> =
+  {
+    passed: "passed",
+    notyet: "not_passed",
+    finished: "finished",
+    stopped: "stopped",
+    failed: "failed",
+  };
 
 interface HistoryCardProps {
   run: HistoryRun;
@@ -47,9 +57,10 @@ export function HistoryCard({ run, chosen }: HistoryCardProps) {
           </span>
           <span class="work-card__line work-card__line--strong run-card__outcome">
             <Sign outcome={outcome} />
-            {outcomes[outcome]}
+            {SHORT[outcome] ? runs.outcomes[SHORT[outcome]] : outcomes[outcome]}
           </span>
-          <span class="work-card__line">{[name, ...facts].join(" · ")}</span>
+          <span class="work-card__line">{name}</span>
+          <span class="work-card__line">{facts.join(" · ")}</span>
         </span>
       </a>
       <Choose run={run} chosen={chosen} title={title} />

@@ -17,8 +17,10 @@ import { GroupRow } from "./GroupRow";
 import { Legend } from "./Legend";
 import { linesOf, type TimeOf } from "./lines";
 import type { LessonReview } from "./model";
-import { canPrint, printPage } from "./printing";
+import { canPrint, forPaper, PAPER_PX, printPage } from "./printing";
 import { TipBubble } from "./TipBubble";
+import "./parts.css";
+import "./line.css";
 import "./lesson.css";
 import "./print.css";
 
@@ -243,13 +245,18 @@ function Groups({ review: { groups }, timeOf }: GroupsProps) {
     if (!element) return;
     const measure = () => {
       const line = element.querySelector(".group-row__work");
-      // on paper the lines are made smaller as they are
       if (line && !matchMedia("print").matches) width.value = line.clientWidth;
     };
     measure();
     const sizes = new ResizeObserver(measure);
     sizes.observe(element);
-    return () => sizes.disconnect();
+    const stop = forPaper(() => {
+      width.value = PAPER_PX;
+    }, measure);
+    return () => {
+      sizes.disconnect();
+      stop();
+    };
   }, []);
   const lines = useMemo(
     () => linesOf(groups, timeOf.value, Math.max(200, width.value)),

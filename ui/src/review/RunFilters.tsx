@@ -77,6 +77,7 @@ export function RunFilters({ filter, school }: RunFiltersProps) {
           value={now.day}
           data-testid={TEST.historyFilter}
           data-name="day"
+          data-on={now.day !== ""}
           onChange={(event) => set({ day: event.currentTarget.value })}
         />
       </label>

@@ -14,7 +14,7 @@ import { HistoryCard } from "./HistoryCard";
 import type { HistoryRun } from "./model";
 import { NO_FILTER, RunFilters, type School } from "./RunFilters";
 import "../screens/work.css";
-import "./lesson.css";
+import "./parts.css";
 import "./runs.css";
 
 /** What was chosen last stays for as long as the page is open: a replay is a step away and back. */

@@ -55,6 +55,17 @@ test("blocks that came, went and moved are told by name, and equal ones are coun
   ]);
 });
 
+test("a block of another kind in the place of one is told as that", () => {
+  const what = [
+    { name: "type", before: "turn", after: "stop" },
+    { name: "ANGLE", before: 90, after: null },
+  ];
+  const changed = [{ block: "a", type: "stop", what }];
+  expect(differenceInWords({ ...NONE, changed }, pt, "pt-BR")).toEqual([
+    "trocaram “girar” por “parar”",
+  ]);
+});
+
 test("not everything is told", () => {
   const added = ["turn", "stop", "wait", "arc", "move_forward", "move_backward"].map((type) => ({
     block: type,

@@ -39,9 +39,12 @@ export function differenceInWords(
   const { difference } = texts;
   const name = ({ type }: { type: string }) => blockName(type, language);
   const found = [
-    ...changed.flatMap((block) =>
-      block.what.map((change) => changeInWords(block.type, change, texts, language)),
-    ),
+    ...changed.flatMap(({ type, what }) => {
+      const other = what.find((change) => change.name === "type");
+      if (other)
+        return difference.replaced(blockName(String(other.before), language), name({ type }));
+      return what.map((change) => changeInWords(type, change, texts, language));
+    }),
     ...added.map((block) => difference.added(name(block))),
     ...removed.map((block) => difference.removed(name(block))),
     ...moved.map((block) => difference.moved(name(block))),
@@ -66,7 +69,7 @@ function changeInWords(
   const block = blockName(type, language);
   if (name === "disabled") return difference.switched(block, after === true);
   if (name === "comment") return difference.commented(block);
-  if (name === "type" || name.startsWith("extraState")) return difference.reshaped(block);
+  if (name.startsWith("extraState")) return difference.reshaped(block);
   const value = (one: unknown) => valueInWords(type, name, one, language) ?? difference.nothing;
   return difference.changed(block, value(before), value(after));
 }

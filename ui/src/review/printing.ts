@@ -1,4 +1,8 @@
+import { options } from "preact";
 import { hideTip } from "./tip";
+
+/** What A4 leaves for a line beside the name of its group, as in print.css. */
+export const PAPER_PX = 556;
 
 /** The windows of some systems have no printing of their own. */
 export const canPrint = () => typeof window.print === "function";
@@ -6,4 +10,25 @@ export const canPrint = () => typeof window.print === "function";
 export function printPage(): void {
   hideTip();
   window.print();
+}
+
+/** Draws for paper before the page is printed, and for the screen again afterwards. */
+export function forPaper(draw: () => void, drawBack: () => void): () => void {
+  const before = () => atOnce(draw);
+  const after = () => atOnce(drawBack);
+  window.addEventListener("beforeprint", before);
+  window.addEventListener("afterprint", after);
+  return () => {
+    window.removeEventListener("beforeprint", before);
+    window.removeEventListener("afterprint", after);
+  };
+}
+
+/** The page is printed as it is when the event is over: too early for what is drawn with the next frame. */
+function atOnce(change: () => void): void {
+  const { debounceRendering } = options;
+  options.debounceRendering = (draw) => draw();
+  change();
+  if (debounceRendering) options.debounceRendering = debounceRendering;
+  else delete options.debounceRendering;
 }

@@ -8,6 +8,7 @@ import { prefersStill, theme } from "../app/theme";
 import { language, texts } from "../i18n";
 import { degrees, headingDegrees, metres } from "../i18n/format";
 import type { Pose, RunView } from "../run/reducer";
+import type { Companion } from "./companion";
 import { startOf, toWorld, type XY } from "./frames";
 import { type Grip, listenToHands } from "./hands";
 import { drawMeasure, measureWords } from "./measure_view";
@@ -31,12 +32,14 @@ interface SceneProps {
   view: ReadonlySignal<RunView>;
   /** Where the robot is at a moment of the screen's clock, finer than the ticks of `view`. */
   poseAt(now: number): Pose;
+  /** Another run on the same floor. */
+  companion?: ReadonlySignal<Companion | null>;
   /** Missing where a run is only looked at. */
   hold?: RobotHold;
 }
 
 /** The floor from above. Wheel and buttons zoom, dragging moves it or the robot, tools measure on it. */
-export function Scene({ world, view, poseAt, hold }: SceneProps) {
+export function Scene({ world, view, poseAt, companion, hold }: SceneProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const renderer = useRef<SceneRenderer | null>(null);
   const tools = useSignal(new SceneTools()).peek();
@@ -58,6 +61,7 @@ export function Scene({ world, view, poseAt, hold }: SceneProps) {
       }),
       effect(() => scene.setMovable(hold?.grip.value.isAtStart ?? false)),
       effect(() => scene.setRanges(hold?.ranges.value ?? null)),
+      effect(() => scene.setCompanion(companion?.value ?? null)),
       showMeasure(scene, tools),
       listenToHands({
         element,
@@ -73,7 +77,7 @@ export function Scene({ world, view, poseAt, hold }: SceneProps) {
       sizes.disconnect();
       scene.dispose();
     };
-  }, [view, poseAt, hold]);
+  }, [view, poseAt, companion, hold]);
 
   useEffect(() => renderer.current?.setWorld(world), [world]);
 

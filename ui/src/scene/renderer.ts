@@ -10,6 +10,7 @@ import {
   type Size,
   toFloor,
 } from "./camera";
+import { type Companion, drawCompanion } from "./companion";
 import { drawRulers, drawThings } from "./floor";
 import { startOf, toWorld, type XY } from "./frames";
 import { type Palette, readPalette } from "./palette";
@@ -59,6 +60,7 @@ export class SceneRenderer {
   /** While a hand moves something, the camera stays where it is. */
   private held = false;
   private overlay: Overlay | null = null;
+  private companion: Companion | null = null;
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -98,6 +100,13 @@ export class SceneRenderer {
 
   setOverlay(overlay: Overlay | null): void {
     this.overlay = overlay;
+    this.wake();
+  }
+
+  /** Another run that is drawn on this floor. */
+  setCompanion(companion: Companion | null): void {
+    this.companion = companion;
+    this.moved = true;
     this.wake();
   }
 
@@ -188,7 +197,7 @@ export class SceneRenderer {
     canvas.height = size.height * ratio;
     const ctx = canvas.getContext("2d");
     if (!ctx) return canvas;
-    const camera = cameraFor(subjectOf(this.world, this.view), size);
+    const camera = cameraFor(subjectOf(this.world, this.view, this.companion), size);
     const { world, view } = this;
     const sheet = { world, view, palette, size, ratio };
     this.paintSheet(ctx, sheet, new Paper(), camera, performance.now());
@@ -210,7 +219,11 @@ export class SceneRenderer {
     this.moved = false;
     if (this.held) return;
     if (this.framing === "subject")
-      this.target = cameraFor(subjectOf(this.world, this.view), this.size, EDGE_WITH_TOOLS);
+      this.target = cameraFor(
+        subjectOf(this.world, this.view, this.companion),
+        this.size,
+        EDGE_WITH_TOOLS,
+      );
     if (this.framing === "room")
       this.target = cameraFor(wholeRoom(this.world), this.size, EDGE_WITH_TOOLS);
   }
@@ -268,6 +281,10 @@ export class SceneRenderer {
       paper.drawPaths(ctx, sheet, camera, end);
     });
     paper.layFilm(ctx, sheet, camera);
+    const { companion } = this;
+    if (companion) {
+      onFloor(ctx, sheet, camera, () => drawCompanion(ctx, companion, camera, palette, ratio));
+    }
     onFloor(ctx, sheet, camera, () => {
       toStartFrame(ctx, world);
       paper.drawPen(ctx, sheet, camera, end);

@@ -1,7 +1,7 @@
 import type { World } from "../api/model";
 import type { RunView } from "../run/reducer";
 import type { Point, Trail } from "../run/trail";
-import { type Box, include, roomOf, startOf, toWorld } from "./frames";
+import { type Box, include, roomOf, type StartPose, startOf, toWorld } from "./frames";
 
 /** Around the start and around what stands in the room, in metres. */
 const AROUND_START = 2.1;
@@ -12,7 +12,11 @@ const WALL = 0.12;
  * What is worth seeing: the start, the path so far and everything that stands in the room. An empty room is
  * not shown whole, because the robot would be a speck.
  */
-export function subjectOf(world: World | null, view: RunView): Box {
+export function subjectOf(
+  world: World | null,
+  view: RunView,
+  companion: { readonly world: World | null; readonly view: RunView } | null = null,
+): Box {
   const room = roomOf(world);
   const start = startOf(world);
   const box: Box = { left: start.x, right: start.x, bottom: start.y, top: start.y };
@@ -30,11 +34,16 @@ export function subjectOf(world: World | null, view: RunView): Box {
     if (isOuter(wall, room)) continue;
     for (const [x, y] of [wall.from, wall.to]) include(box, x ?? 0, y ?? 0);
   }
-  for (const [x, y] of corners(view.path)) {
+  includePath(box, start, view.path);
+  if (companion) includePath(box, startOf(companion.world), companion.view.path);
+  return inside(box, room);
+}
+
+function includePath(box: Box, start: StartPose, path: Trail): void {
+  for (const [x, y] of corners(path)) {
     const place = toWorld(start, x, y);
     include(box, place.x, place.y, AROUND_PATH);
   }
-  return inside(box, room);
 }
 
 /** Of chunks that are full, which do not change any more. */

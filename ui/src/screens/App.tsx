@@ -12,6 +12,7 @@ import { WorkScreen } from "./WorkScreen";
 const TeacherScreen = later(async () => (await import("../teacher/TeacherScreen")).TeacherScreen);
 const LessonScreen = later(async () => (await import("../review/LessonScreen")).LessonScreen);
 const RunsScreen = later(async () => (await import("../review/RunsScreen")).RunsScreen);
+const CompareScreen = later(async () => (await import("../review/CompareScreen")).CompareScreen);
 
 export function App() {
   if (connection.value === "locked") return <Locked />;
@@ -40,6 +41,8 @@ function Screen() {
       return <LessonScreen key={now.lesson} lessonId={now.lesson} />;
     case "runs":
       return <RunsScreen />;
+    case "compare":
+      return <CompareScreen key={now.runs.join()} runs={now.runs} />;
     default:
       return <StartScreen />;
   }

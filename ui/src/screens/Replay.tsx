@@ -1,25 +1,23 @@
-import { useComputed, useSignal } from "@preact/signals";
+import { useSignal } from "@preact/signals";
 import { ArrowLeft, ChartLine, Eye } from "lucide-preact";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect } from "preact/hooks";
+import { door } from "../app/teacher";
 import { TEST } from "../app/testids";
-import { theme } from "../app/theme";
-import { createEditor, type Editor } from "../editor";
-import { language, texts } from "../i18n";
+import { texts } from "../i18n";
 import { MuteButton } from "../run/MuteButton";
 import type { Playback } from "../run/playback";
 import { Readout } from "../run/Readout";
-import { litBlock } from "../run/reducer";
 import { Shown } from "../run/Shown";
-import { StatusLine } from "../run/StatusLine";
-import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
 import { beep } from "../run/sound";
 import { Scene } from "../scene/Scene";
 import { FootButton } from "./FootButton";
 import { later } from "./later";
-import type { Recording } from "./ReplayScreen";
+import { ReplayBlocks, ReplayWords } from "./ReplayParts";
+import type { Recording } from "./recording";
 import { Transport } from "./Transport";
 import "../run/run.css";
 
+const TeacherNote = later(async () => (await import("../review/TeacherNote")).TeacherNote);
 const PlotsPanel = later(async () => (await import("../plots/PlotsPanel")).PlotsPanel);
 
 interface ReplayProps {
@@ -49,10 +47,11 @@ export function Replay({ recording, onOpen }: ReplayProps) {
             </button>
           )}
         </div>
-        <ReadOnlyBlocks recording={recording} />
+        <ReplayBlocks run={run} view={playback.view} />
+        {door.value?.is_open && run.group_id && <TeacherNote key={run.id} run={run.id} />}
       </section>
       <section class="floor" aria-label={texts.value.studio.floor}>
-        <Words recording={recording} />
+        <ReplayWords run={run} view={playback.view} />
         <div class="floor__stage">
           <div class={`floor__view ${besides}`} hidden={plotting.value && tall.value}>
             <div class="floor__scene">
@@ -91,7 +90,7 @@ export function Replay({ recording, onOpen }: ReplayProps) {
           />
         </div>
       </section>
-      <Transport recording={recording} />
+      <Transport playback={playback} tracks={[recording.stretches]} />
     </main>
   );
 }
@@ -106,49 +105,4 @@ function soundOf(playback: Playback): () => void {
     if (beeps > heard && playing.peek() && speed.peek() <= LOUD_SPEED) beep();
     heard = beeps;
   });
-}
-
-function Words({ recording: { run, playback } }: { recording: Recording }) {
-  const sentence = useComputed<Sentence>(() => {
-    const begin: Sentence = { text: texts.value.replay.begin, more: "", tone: "calm" };
-    if (playback.tick.value < 1) return begin;
-    const voice = {
-      texts: texts.value,
-      language: language.value,
-      parameterOf: (pointer: string, name: string) =>
-        parameterIn(run.version?.document, pointer, name),
-    };
-    return sentenceOf(playback.view.value, voice) ?? begin;
-  });
-  return <StatusLine sentence={sentence.value} />;
-}
-
-function ReadOnlyBlocks({ recording: { run, playback } }: { recording: Recording }) {
-  const container = useRef<HTMLDivElement>(null);
-  const editor = useRef<Editor | null>(null);
-
-  useEffect(() => {
-    if (!container.current || !run.version) return;
-    const made = createEditor({
-      container: container.current,
-      language: language.value,
-      theme: theme.value,
-      mediaPath: "/media/",
-      onChange: () => {},
-    });
-    editor.current = made;
-    made.load(run.version.workspace);
-    made.setReadOnly(true);
-    const stop = playback.view.subscribe((view) => made.highlight(litBlock(view)));
-    return () => {
-      stop();
-      made.dispose();
-      editor.current = null;
-    };
-  }, [run.id]);
-
-  useEffect(() => editor.current?.setTheme(theme.value), [theme.value]);
-  useEffect(() => editor.current?.setLanguage(language.value), [language.value]);
-
-  return <div class="blocks__editor" ref={container} data-testid={TEST.editor} />;
 }

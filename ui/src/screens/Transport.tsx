@@ -24,8 +24,7 @@ import { TEST } from "../app/testids";
 import { CATEGORY_COLOURS, categoryOf } from "../design/categories";
 import { language, texts } from "../i18n";
 import { decimal, duration } from "../i18n/format";
-import { coarse, SPEEDS, type Stretch, stepFrom } from "../run/playback";
-import type { Recording } from "./ReplayScreen";
+import { coarse, type Playback, SPEEDS, type Stretch, stepFrom } from "../run/playback";
 
 /** A stretch narrower than this part of the slider has no room for a picture. */
 const LEGIBLE_PART = 0.035;
@@ -51,18 +50,23 @@ function iconOf({ action, amount }: Stretch): typeof Play | null {
   return ICONS[action] ?? null;
 }
 
+interface TransportProps {
+  playback: Playback;
+  /** What ran when, of each run that is shown. */
+  tracks: readonly (readonly Stretch[])[];
+}
+
 /** Time of a replay: play, step from block to block, speed, and the slider coloured by block. */
-export function Transport({ recording }: { recording: Recording }) {
-  const { playback } = recording;
+export function Transport({ playback, tracks }: TransportProps) {
   const { replay } = texts.value;
   const step = (way: -1 | 1) => {
     playback.pause();
-    playback.seek(stepFrom(recording.stretches, playback.tick.value, way, playback.end));
+    playback.seek(stepFrom(inOrder(tracks), playback.tick.value, way, playback.end));
   };
-  useEffect(() => listenToKeys(() => playback.toggle(), step), [recording]);
+  useEffect(() => listenToKeys(() => playback.toggle(), step), [playback]);
   return (
     <section class="transport" aria-label={replay.title}>
-      <PlayButton recording={recording} />
+      <PlayButton playback={playback} />
       <div class="transport__steps">
         <button
           type="button"
@@ -85,13 +89,13 @@ export function Transport({ recording }: { recording: Recording }) {
           <StepForward class="icon" aria-hidden="true" />
         </button>
       </div>
-      <Slider recording={recording} />
-      <Speed recording={recording} />
+      <Slider playback={playback} tracks={tracks} />
+      <Speed playback={playback} />
     </section>
   );
 }
 
-function PlayButton({ recording: { playback } }: { recording: Recording }) {
+function PlayButton({ playback }: { playback: Playback }) {
   const { replay } = texts.value;
   const playing = playback.playing.value;
   const over = !playing && playback.tick.value >= playback.end;
@@ -110,17 +114,22 @@ function PlayButton({ recording: { playback } }: { recording: Recording }) {
   );
 }
 
-function Slider({ recording }: { recording: Recording }) {
-  const { playback } = recording;
+function Slider({ playback, tracks }: TransportProps) {
   const { replay } = texts.value;
   const end = Math.max(1, playback.end);
   const time = (tick: number) => duration(tick / 30, language.value);
   const said = replay.at(time(playback.tick.value), time(playback.end));
   return (
     <div class="slider">
-      <div class="slider__track" aria-hidden="true">
-        <Stretches recording={recording} />
-      </div>
+      {tracks.map((stretches, index) => (
+        <div
+          key={index}
+          class={`slider__track ${tracks.length > 1 ? `slider__track--half slider__track--${index}` : ""}`}
+          aria-hidden="true"
+        >
+          <Stretches stretches={stretches} end={end} />
+        </div>
+      ))}
       <input
         type="range"
         class="slider__input"
@@ -141,8 +150,13 @@ function Slider({ recording }: { recording: Recording }) {
   );
 }
 
-function Stretches({ recording: { playback, stretches } }: { recording: Recording }) {
-  const end = Math.max(1, playback.end);
+/** The blocks of all runs in the order in which they begin. */
+function inOrder(tracks: TransportProps["tracks"]): readonly Stretch[] {
+  const [only, ...others] = tracks;
+  return only && others.length === 0 ? only : tracks.flat().sort((a, b) => a.from - b.from);
+}
+
+function Stretches({ stretches, end }: { stretches: readonly Stretch[]; end: number }) {
   return (
     <>
       {coarse(stretches, end).map((stretch) => {
@@ -167,7 +181,7 @@ function Stretches({ recording: { playback, stretches } }: { recording: Recordin
   );
 }
 
-function Speed({ recording: { playback } }: { recording: Recording }) {
+function Speed({ playback }: { playback: Playback }) {
   const { replay } = texts.value;
   return (
     <span class="select transport__speed">

@@ -104,6 +104,7 @@ export const en: ReviewTexts = {
     removed: (block) => `they removed “${block}”`,
     moved: (block) => `they moved “${block}”`,
     changed: (block, before, after) => `in “${block}” they replaced ${before} by ${after}`,
+    replaced: (before, after) => `they replaced “${before}” by “${after}”`,
     reshaped: (block) => `they reshaped “${block}”`,
     switched: (block, off) =>
       off ? `they switched “${block}” off` : `they switched “${block}” on`,

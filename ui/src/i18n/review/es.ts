@@ -105,6 +105,7 @@ export const es: ReviewTexts = {
     removed: (block) => `quitaron “${block}”`,
     moved: (block) => `cambiaron “${block}” de lugar`,
     changed: (block, before, after) => `en “${block}” cambiaron ${before} por ${after}`,
+    replaced: (before, after) => `cambiaron “${before}” por “${after}”`,
     reshaped: (block) => `cambiaron la forma de “${block}”`,
     switched: (block, off) => (off ? `apagaron “${block}”` : `encendieron “${block}”`),
     commented: (block) => `cambiaron el comentario de “${block}”`,

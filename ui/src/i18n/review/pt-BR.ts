@@ -106,6 +106,7 @@ export const ptBR = {
     moved: (block: string) => `mudaram “${block}” de lugar`,
     changed: (block: string, before: string, after: string) =>
       `em “${block}” trocaram ${before} por ${after}`,
+    replaced: (before: string, after: string) => `trocaram “${before}” por “${after}”`,
     reshaped: (block: string) => `mudaram a forma de “${block}”`,
     switched: (block: string, off: boolean) =>
       off ? `desligaram “${block}”` : `ligaram “${block}”`,

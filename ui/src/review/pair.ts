@@ -1,0 +1,42 @@
+import { computed, type ReadonlySignal } from "@preact/signals";
+import type { Playback } from "../run/playback";
+import type { Pose, RunView } from "../run/reducer";
+import type { Recording } from "../screens/recording";
+
+/** One of two runs at the moment of the shared clock. */
+export interface Side {
+  readonly recording: Recording;
+  readonly view: ReadonlySignal<RunView>;
+  /** Where its robot is between two ticks. */
+  pose(): Pose;
+}
+
+/** Two runs on one clock that begins with both of them; the shorter one waits at its end. */
+export class Pair {
+  readonly sides: readonly [Side, Side];
+  /** The clock: that of the longer run. */
+  readonly playback: Playback;
+
+  constructor(first: Recording, second: Recording) {
+    const longer = second.playback.end > first.playback.end ? second : first;
+    this.playback = longer.playback;
+    this.sides = [this.sideOf(first), this.sideOf(second)];
+  }
+
+  private sideOf(recording: Recording): Side {
+    const { playback: clock } = this;
+    const { playback } = recording;
+    if (playback === clock) return { recording, view: clock.view, pose: clock.pose };
+    const { history } = playback;
+    const tick = computed(() => Math.min(Math.floor(clock.tick.value), playback.end));
+    return {
+      recording,
+      view: computed(() => history.at(tick.value)),
+      pose: () => history.poseAt(clock.tick.peek()),
+    };
+  }
+
+  dispose(): void {
+    this.playback.dispose();
+  }
+}

@@ -1,0 +1,40 @@
+import type { World } from "../api/model";
+import type { Pose, RunView } from "../run/reducer";
+import { points } from "../run/trail";
+import type { Camera } from "./camera";
+import { startOf } from "./frames";
+import type { Palette } from "./palette";
+import { drawRobot } from "./robot";
+
+/** Another run on the same floor, from its own start. */
+export interface Companion {
+  readonly world: World | null;
+  readonly view: RunView;
+  pose(): Pose;
+}
+
+/** Its path is dashed and in the colour of the start, for the two to be told apart without seeing colours. */
+export function drawCompanion(
+  ctx: CanvasRenderingContext2D,
+  { world, view, pose }: Companion,
+  { scale }: Camera,
+  palette: Palette,
+  ratio: number,
+): void {
+  const start = startOf(world);
+  const here = pose();
+  ctx.save();
+  ctx.translate(start.x, start.y);
+  ctx.rotate(start.yaw);
+  ctx.beginPath();
+  for (const point of points(view.path)) ctx.lineTo(...point);
+  if (view.run) ctx.lineTo(here.x, here.y);
+  ctx.strokeStyle = palette.start;
+  ctx.lineWidth = 5 / scale;
+  ctx.lineJoin = "round";
+  ctx.setLineDash([12 / scale, 7 / scale]);
+  ctx.stroke();
+  ctx.setLineDash([]);
+  drawRobot(ctx, here, { ...palette, robot: palette.start }, scale * ratio);
+  ctx.restore();
+}

@@ -1,0 +1,64 @@
+import type { ReadonlySignal } from "@preact/signals";
+import { useComputed } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import type { RunWithVersion } from "../api/model";
+import { TEST } from "../app/testids";
+import { theme } from "../app/theme";
+import { createEditor, type Editor } from "../editor";
+import { language, texts } from "../i18n";
+import { litBlock, type RunView } from "../run/reducer";
+import { StatusLine } from "../run/StatusLine";
+import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
+
+/** A recorded run at the moment that is shown. */
+export interface Shown {
+  readonly run: RunWithVersion;
+  readonly view: ReadonlySignal<RunView>;
+}
+
+/** What the robot did at that moment, in words. */
+export function ReplayWords({ run, view }: Shown) {
+  const sentence = useComputed<Sentence>(() => {
+    const begin: Sentence = { text: texts.value.replay.begin, more: "", tone: "calm" };
+    if (view.value.tick < 1) return begin;
+    const voice = {
+      texts: texts.value,
+      language: language.value,
+      parameterOf: (pointer: string, name: string) =>
+        parameterIn(run.version?.document, pointer, name),
+    };
+    return sentenceOf(view.value, voice) ?? begin;
+  });
+  return <StatusLine sentence={sentence.value} />;
+}
+
+/** The blocks as they were, the running one lit. */
+export function ReplayBlocks({ run, view }: Shown) {
+  const container = useRef<HTMLDivElement>(null);
+  const editor = useRef<Editor | null>(null);
+
+  useEffect(() => {
+    if (!container.current || !run.version) return;
+    const made = createEditor({
+      container: container.current,
+      language: language.value,
+      theme: theme.value,
+      mediaPath: "/media/",
+      onChange: () => {},
+    });
+    editor.current = made;
+    made.load(run.version.workspace);
+    made.setReadOnly(true);
+    const stop = view.subscribe((now) => made.highlight(litBlock(now)));
+    return () => {
+      stop();
+      made.dispose();
+      editor.current = null;
+    };
+  }, [run.id]);
+
+  useEffect(() => editor.current?.setTheme(theme.value), [theme.value]);
+  useEffect(() => editor.current?.setLanguage(language.value), [language.value]);
+
+  return <div class="blocks__editor" ref={container} data-testid={TEST.editor} />;
+}

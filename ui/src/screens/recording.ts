@@ -1,0 +1,54 @@
+import { signal } from "@preact/signals";
+import { api } from "../api/client";
+import type { RunEvent, RunWithVersion } from "../api/model";
+import type { PlotSource } from "../plots/PlotsPanel";
+import { History } from "../run/history";
+import { Playback, type Stretch, stretches } from "../run/playback";
+import { Samples } from "../run/samples";
+import { decodeTelemetry, type Telemetry } from "../run/telemetry";
+
+/** A recorded run with all that is needed to show any moment of it. */
+export interface Recording {
+  run: RunWithVersion;
+  playback: Playback;
+  stretches: Stretch[];
+  plots: PlotSource;
+}
+
+/** Fetches all of a run. */
+export async function loadRecording(runId: string): Promise<Recording> {
+  const [run, events, samples] = await Promise.all([
+    api.run(runId),
+    api.runEvents(runId),
+    api.runTelemetry(runId),
+  ]);
+  return record(run, events, samples);
+}
+
+function record(run: RunWithVersion, events: RunEvent[], samples: ArrayBuffer): Recording {
+  const telemetry = decodeTelemetry(samples);
+  const history = new History(run.id, events, telemetry);
+  const playback = new Playback(history);
+  const blocks = stretches(events, history.lastTick);
+  return { run, playback, stretches: blocks, plots: plotsOf(run, playback, telemetry, blocks) };
+}
+
+/** The plots of a replay show the moment of its slider, and move it. */
+function plotsOf(
+  run: RunWithVersion,
+  playback: Playback,
+  telemetry: Telemetry,
+  blocks: Stretch[],
+): PlotSource {
+  return {
+    samples: Samples.of(telemetry),
+    stretches: blocks,
+    revision: signal(0),
+    moment: playback.tick,
+    hand: {
+      onPoint: (tick) => playback.point(tick),
+      onPress: (tick) => playback.seek(tick),
+    },
+    name: () => run.program_name ?? "",
+  };
+}
