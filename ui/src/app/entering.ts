@@ -1,13 +1,20 @@
 import { api } from "../api/client";
+import { keeping } from "../api/keeping";
 import type { Group, Program } from "../api/model";
 import { texts } from "../i18n";
 import { go } from "./route";
 
-/** Opens the newest program of a group, or its first one, made now. */
+/** Opens the newest program of a group, or its first one, made now; a letter of the teacher is read before. */
 export async function enterGroup(group: Group): Promise<void> {
-  const [newest] = await api.programs(group.id);
+  const [[newest], notes] = await Promise.all([api.programs(group.id), unseenNotes(group)]);
+  if (notes.length > 0) return go({ screen: "work", group: group.id });
   const program = newest ?? (await createProgram(group.id, []));
   go({ screen: "studio", program: program.id });
+}
+
+/** Nobody is kept out by a letter that cannot be fetched: it is there the next time. */
+function unseenNotes(group: Group) {
+  return keeping.unseenNotes(group.id).catch(() => []);
 }
 
 /** Makes a program with the first free name of its kind: "Programa 1", "Programa 2". */

@@ -5,6 +5,8 @@ export type Route =
   | { screen: "studio"; program: string }
   | { screen: "work"; group: string }
   | { screen: "replay"; run: string }
+  | { screen: "versions"; program: string; version: string | null }
+  | { screen: "differences"; program: string; before: string; after: string }
   | { screen: "lesson"; lesson: string }
   | { screen: "runs" }
   | { screen: "compare"; runs: readonly [string, string] }
@@ -15,10 +17,14 @@ export type TeacherPart = (typeof TEACHER_PARTS)[number];
 
 /** The address after `#` is the whole state of navigation, so that Back works. */
 export function parse(hash: string): Route {
-  const [, screen, id, other] = hash.replace(/^#/, "").split("/");
+  const [, screen, id, other, more] = hash.replace(/^#/, "").split("/");
   if (screen === "program" && id) return { screen: "studio", program: id };
   if (screen === "work" && id) return { screen: "work", group: id };
   if (screen === "run" && id) return { screen: "replay", run: id };
+  if (screen === "versions" && id) return { screen, program: id, version: other || null };
+  if (screen === "differences" && id && other && more) {
+    return { screen, program: id, before: other, after: more };
+  }
   if (screen === "lesson" && id) return { screen, lesson: id };
   if (screen === "runs") return { screen };
   if (screen === "compare" && id && other) return { screen, runs: [id, other] };
@@ -36,6 +42,10 @@ export function hashOf(route: Route): string {
       return `#/work/${route.group}`;
     case "replay":
       return `#/run/${route.run}`;
+    case "versions":
+      return `#/versions/${[route.program, route.version].filter(Boolean).join("/")}`;
+    case "differences":
+      return `#/differences/${route.program}/${route.before}/${route.after}`;
     case "lesson":
       return `#/lesson/${route.lesson}`;
     case "runs":

@@ -165,6 +165,41 @@ export const TEST = {
   programCard: "program-card", // of each
   runCard: "run-card", // of each; data-state
 
+  noteCard: "note-card", // of each: what the teacher wrote
+  noteRun: "note-run", // of each
+  noteSeen: "note-seen", // of each
+  runFilter: "run-filter", // of each; data-outcome: all | finished | stopped | failed
+  runProgram: "run-program", // a select
+  throwAway: "throw-away", // of each program
+  throwBack: "throw-back",
+  bin: "bin",
+  binProgram: "bin-program", // of each
+  takeBack: "take-back", // of each
+
+  // versions of a program
+  openHistory: "open-history", // of the open program, or of each card
+  versionStep: "version-step", // of each; data-number of its newest, data-n
+  versionUnfold: "version-unfold", // of each burst of edits
+  versionFork: "version-fork", // of each
+  versionBranch: "version-branch", // of each
+  versionSlider: "version-slider", // a range; its value is the place in the line, from 0
+  versionOlder: "version-older",
+  versionNewer: "version-newer",
+  versionBack: "version-back",
+  versionCompareFork: "version-compare-fork", // of each fork
+  versionShown: "version-shown", // data-number
+  versionRename: "version-rename",
+  versionName: "version-name",
+  versionKeepName: "version-keep-name",
+  versionGoOn: "version-go-on",
+  versionCompare: "version-compare",
+  versionBlocks: "version-blocks",
+  differenceSide: "difference-side", // of each; a select, data-side: before | after
+  difference: "difference", // of each; data-kind: added | removed | changed | moved
+  differenceNext: "difference-next",
+  differencePrevious: "difference-previous",
+  differenceCount: "difference-count",
+
   // replay
   replaySlider: "replay-slider", // a range; its value is the tick
   replayPlay: "replay-play", // data-does: play | pause

@@ -3,9 +3,16 @@ import * as Blockly from "blockly/core";
 export const RENDERER = "pinel";
 
 /** What may be drawn around a block. */
-export type Ring = "running" | "fault";
+export type Ring = "running" | "fault" | "added" | "removed" | "changed" | "moved";
 
-const CLASSES: Readonly<Record<Ring, string>> = { running: "pinelRunning", fault: "pinelFault" };
+const CLASSES: Readonly<Record<Ring, string>> = {
+  running: "pinelRunning",
+  fault: "pinelFault",
+  added: "pinelAdded",
+  removed: "pinelRemoved",
+  changed: "pinelChanged",
+  moved: "pinelMoved",
+};
 
 /**
  * Draws rings above everything inside a block, where its own outline would be half covered by the next block, and

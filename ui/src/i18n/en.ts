@@ -1,11 +1,13 @@
 import { en as activity } from "./activity/en";
 import { en as classes } from "./classes/en";
+import { en as keeping } from "./keeping/en";
 import { en as programFile } from "./program_file/en";
 import type { Texts } from "./pt-BR";
 
 export const en: Texts = {
   activity,
   programFile,
+  keeping,
   classes,
   header: {
     home: "Change group",

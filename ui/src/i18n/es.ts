@@ -1,11 +1,13 @@
 import { es as activity } from "./activity/es";
 import { es as classes } from "./classes/es";
+import { es as keeping } from "./keeping/es";
 import { es as programFile } from "./program_file/es";
 import type { Texts } from "./pt-BR";
 
 export const es: Texts = {
   activity,
   programFile,
+  keeping,
   classes,
   header: {
     home: "Cambiar de grupo",

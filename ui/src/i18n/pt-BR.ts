@@ -1,11 +1,13 @@
 import { ptBR as activity } from "./activity/pt-BR";
 import { ptBR as classes } from "./classes/pt-BR";
+import { ptBR as keeping } from "./keeping/pt-BR";
 import { ptBR as programFile } from "./program_file/pt-BR";
 
 /** The first catalogue: its shape is what every other language must have. */
 export const ptBR = {
   activity,
   programFile,
+  keeping,
   classes,
   header: {
     home: "Trocar de grupo",

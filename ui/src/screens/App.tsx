@@ -9,6 +9,8 @@ import { StartScreen } from "./StartScreen";
 import { StudioScreen } from "./StudioScreen";
 import { WorkScreen } from "./WorkScreen";
 
+const VersionsScreen = later(async () => (await import("../versions")).VersionsScreen);
+const DifferencesScreen = later(async () => (await import("../versions")).DifferencesScreen);
 const TeacherScreen = later(async () => (await import("../teacher/TeacherScreen")).TeacherScreen);
 const LessonScreen = later(async () => (await import("../review/LessonScreen")).LessonScreen);
 const RunsScreen = later(async () => (await import("../review/RunsScreen")).RunsScreen);
@@ -35,6 +37,12 @@ function Screen() {
       return <WorkScreen key={now.group} groupId={now.group} />;
     case "replay":
       return <ReplayScreen key={now.run} runId={now.run} />;
+    case "versions":
+      return (
+        <VersionsScreen key={now.program} programId={now.program} versionId={now.version} />
+      );
+    case "differences":
+      return <DifferencesScreen key={`${now.before} ${now.after}`} {...now} />;
     case "teacher":
       return <TeacherScreen part={now.part} />;
     case "lesson":

@@ -1,6 +1,14 @@
-import { AlignVerticalJustifyStart, ChevronDown, Layers, Redo2, Undo2 } from "lucide-preact";
+import {
+  AlignVerticalJustifyStart,
+  ChevronDown,
+  History,
+  Layers,
+  Redo2,
+  Undo2,
+} from "lucide-preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { LEVELS, level, setLevel } from "../app/level";
+import { go } from "../app/route";
 import { problem, program } from "../app/session";
 import { TEST } from "../app/testids";
 import { theme } from "../app/theme";
@@ -48,8 +56,30 @@ function Tools({ control }: { control: StudioControl }) {
       {tool(TEST.undo, studio.undo, Undo2, (editor) => editor.undo())}
       {tool(TEST.redo, studio.redo, Redo2, (editor) => editor.redo())}
       {tool(TEST.tidy, studio.tidy, AlignVerticalJustifyStart, (editor) => editor.tidy())}
+      <HistoryButton control={control} />
       <LevelChoice />
     </div>
+  );
+}
+
+function HistoryButton({ control: { open } }: { control: StudioControl }) {
+  const { history } = texts.value.keeping;
+  const show = async () => {
+    // what is in the line there is what is on the screen here; what cannot be saved says so itself
+    await open.autosave.flush().catch(() => {});
+    go({ screen: "versions", program: open.id, version: null });
+  };
+  return (
+    <button
+      type="button"
+      class="button button--plain"
+      data-testid={TEST.openHistory}
+      title={history}
+      onClick={() => void show()}
+    >
+      <History class="icon" aria-hidden="true" />
+      {history}
+    </button>
   );
 }
 

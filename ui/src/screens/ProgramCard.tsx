@@ -1,3 +1,4 @@
+import { History, Trash2 } from "lucide-preact";
 import type { Program } from "../api/model";
 import { hashOf } from "../app/route";
 import { TEST } from "../app/testids";
@@ -9,27 +10,52 @@ interface ProgramCardProps {
   program: Program;
   /** Of its newest run. */
   path: readonly (readonly number[])[];
+  onThrowAway(): void;
 }
 
-export function ProgramCard({ program, path }: ProgramCardProps) {
-  const { work } = texts.value;
+export function ProgramCard({ program, path, onThrowAway }: ProgramCardProps) {
+  const { work, keeping } = texts.value;
   const changed = when(program.updated_at, new Date(), language.value, texts.value);
+  const about = (words: string) => `${words}: ${program.name}`;
   return (
-    <a
-      class="work-card card"
-      href={hashOf({ screen: "studio", program: program.id })}
-      data-testid={TEST.programCard}
-      aria-label={`${work.open}: ${program.name}`}
-    >
-      <span class="work-card__picture">
-        <PathPicture path={path} />
-        {path.length < 2 && <span class="work-card__none">{work.emptyProgram}</span>}
-      </span>
-      <span class="work-card__words">
-        <span class="work-card__name">{program.name}</span>
-        <span class="work-card__line">{work.changed(changed)}</span>
-        <span class="work-card__line">{work.runCount(program.n_runs)}</span>
-      </span>
-    </a>
+    <div class="program-card card">
+      <a
+        class="work-card"
+        href={hashOf({ screen: "studio", program: program.id })}
+        data-testid={TEST.programCard}
+        aria-label={about(work.open)}
+      >
+        <span class="work-card__picture">
+          <PathPicture path={path} />
+          {path.length < 2 && <span class="work-card__none">{work.emptyProgram}</span>}
+        </span>
+        <span class="work-card__words">
+          <span class="work-card__name">{program.name}</span>
+          <span class="work-card__line">{work.changed(changed)}</span>
+          <span class="work-card__line">{work.runCount(program.n_runs)}</span>
+        </span>
+      </a>
+      <div class="program-card__acts">
+        <a
+          class="button button--plain"
+          href={hashOf({ screen: "versions", program: program.id, version: null })}
+          data-testid={TEST.openHistory}
+          aria-label={about(keeping.history)}
+        >
+          <History class="icon" aria-hidden="true" />
+          {keeping.history}
+        </a>
+        <button
+          type="button"
+          class="button button--plain"
+          data-testid={TEST.throwAway}
+          aria-label={about(keeping.throwAway)}
+          onClick={onThrowAway}
+        >
+          <Trash2 class="icon" aria-hidden="true" />
+          {keeping.throwAway}
+        </button>
+      </div>
+    </div>
   );
 }

@@ -2,57 +2,59 @@ import { useSignal } from "@preact/signals";
 import { Plus } from "lucide-preact";
 import { useEffect } from "preact/hooks";
 import { api } from "../api/client";
-import type { Program, Run } from "../api/model";
 import { createProgram } from "../app/entering";
 import { go } from "../app/route";
 import { group, program, report } from "../app/session";
 import { TEST } from "../app/testids";
 import { texts } from "../i18n";
+import { Letters } from "../notes/Letters";
+import { Bin } from "./Bin";
 import { GroupHead } from "./GroupHead";
 import { ProgramCard } from "./ProgramCard";
+import { ProgramShelf } from "./program_shelf";
 import { RunCard } from "./RunCard";
+import { RunFilters } from "./RunFilters";
+import { RunList } from "./run_list";
+import { WayBack } from "./WayBack";
+import "./keeping.css";
 import "./work.css";
 
 /** Everything a group has made: its programs and their runs, as pictures of their paths. */
 export function WorkScreen({ groupId }: { groupId: string }) {
-  const programs = useSignal<Program[] | null>(null);
-  const runs = useSignal<Run[]>([]);
-  const next = useSignal<string | null>(null);
-  const { work } = texts.value;
-
-  const older = async (before: string | null) => {
-    const page = await api.runs(groupId, before);
-    runs.value = [...runs.value, ...page.runs];
-    next.value = page.next;
-  };
+  const shelf = useSignal(new ProgramShelf(groupId)).peek();
+  const list = useSignal(new RunList(groupId)).peek();
+  const { value: programs } = shelf.programs;
+  const { work, keeping } = texts.value;
 
   useEffect(() => {
     const load = async () => {
       if (group.value?.id !== groupId) {
         group.value = (await api.groups()).find((one) => one.id === groupId) ?? null;
       }
-      await older(null);
-      programs.value = await api.programs(groupId);
+      await list.load();
+      await shelf.load();
     };
     load().catch(report);
   }, [groupId]);
 
   const pictureOf = (id: string) =>
-    runs.value.find((run) => run.program_id === id && run.path.length > 1)?.path ?? [];
+    list.runs.value.find((run) => run.program_id === id && run.path.length > 1)?.path ?? [];
 
   const create = async () => {
-    const made = await createProgram(groupId, programs.value ?? []);
+    const made = await createProgram(groupId, [...(programs ?? []), ...shelf.bin.value]);
     program.value = made;
     go({ screen: "studio", program: made.id });
   };
 
-  if (!programs.value) return <main class="screen" aria-busy="true" />;
+  if (!programs) return <main class="screen" aria-busy="true" />;
   return (
     <main class="screen work">
       <h1 class="visually-hidden">{work.title(group.value?.name ?? "")}</h1>
       {group.value && <GroupHead key={groupId} group={group.value} />}
+      <Letters groupId={groupId} />
       <section>
         <h2 class="work__title">{work.programs}</h2>
+        <WayBackFromBin shelf={shelf} />
         <ul class="work__cards">
           <li>
             <button
@@ -65,38 +67,67 @@ export function WorkScreen({ groupId }: { groupId: string }) {
               {work.newProgram}
             </button>
           </li>
-          {programs.value.map((one) => (
+          {programs.map((one) => (
             <li key={one.id}>
-              <ProgramCard program={one} path={pictureOf(one.id)} />
+              <ProgramCard
+                program={one}
+                path={pictureOf(one.id)}
+                onThrowAway={() => void shelf.throwAway(one).catch(report)}
+              />
             </li>
           ))}
         </ul>
       </section>
       <section>
         <h2 class="work__title">{work.runs}</h2>
-        {runs.value.length === 0 && (
+        {list.runs.value.length === 0 ? (
           <div class="work__empty">
             <strong>{work.emptyRunsTitle}</strong>
             <p>{work.emptyRuns}</p>
           </div>
+        ) : (
+          <RunFilters list={list} programs={[...programs, ...shelf.bin.value]} />
+        )}
+        {list.runs.value.length > 0 && list.shown.value.length === 0 && (
+          <p class="work__empty">{list.next.value ? keeping.noneLikeYet : keeping.noneLike}</p>
         )}
         <ul class="work__cards">
-          {runs.value.map((run) => (
+          {list.shown.value.map((run) => (
             <li key={run.id}>
               <RunCard run={run} />
             </li>
           ))}
         </ul>
-        {next.value && (
+        {list.next.value && (
           <button
             type="button"
             class="button work__older"
-            onClick={() => void older(next.value).catch(report)}
+            onClick={() => void list.older().catch(report)}
           >
             {work.older}
           </button>
         )}
       </section>
+      <Bin shelf={shelf} />
     </main>
+  );
+}
+
+function WayBackFromBin({ shelf }: { shelf: ProgramShelf }) {
+  const { value: thrown } = shelf.thrown;
+  if (!thrown) return null;
+  const { keeping } = texts.value;
+  return (
+    <div class="work__thrown">
+      <WayBack
+        words={keeping.thrown(thrown.name)}
+        action={keeping.undo}
+        testId={TEST.throwBack}
+        onBack={() => void shelf.takeBack(thrown).catch(report)}
+        onClose={() => {
+          shelf.thrown.value = null;
+        }}
+      />
+    </div>
   );
 }

@@ -1,0 +1,28 @@
+import * as Blockly from "blockly/core";
+
+/** What became of a block between two versions. */
+export type Difference = "added" | "removed" | "changed" | "moved";
+
+const { dom, Svg } = Blockly.utils;
+
+/** Drawn with a stroke in a disc at the corner of the block, so that nobody needs to tell colours apart. */
+export const SIGNS: Readonly<Record<Difference, string>> = {
+  added: "M-5 0H5M0 -5V5",
+  removed: "M-5 0H5",
+  changed: "M-5 -2.5H5M-5 2.5H5M3 -5.5L-3 5.5",
+  moved: "M0 -6V6M-3 -3L0 -6L3 -3M-3 3L0 6L3 3",
+};
+
+const RADIUS = 11;
+
+/** Above all blocks, for the next one in a stack would cover it; blocks that are only looked at stay where they are. */
+export function addDifferenceSign(block: Blockly.BlockSvg, kinds: readonly Difference[]): void {
+  const { x, y } = block.getRelativeToSurfaceXY();
+  const layer = block.workspace.getCanvas();
+  kinds.forEach((kind, place) => {
+    const sign = dom.createSvgElement(Svg.G, { class: `pinelSign pinelSign--${kind}` }, layer);
+    sign.setAttribute("transform", `translate(${x + 2 + place * (2 * RADIUS + 2)} ${y + 1})`);
+    dom.createSvgElement(Svg.CIRCLE, { r: RADIUS }, sign);
+    dom.createSvgElement(Svg.PATH, { d: SIGNS[kind] }, sign);
+  });
+}

@@ -1,0 +1,40 @@
+import { signal } from "@preact/signals";
+import { api } from "../api/client";
+import { keeping } from "../api/keeping";
+import type { Program } from "../api/model";
+
+/** A group's programs, those in its bin, and the one that was thrown away last. */
+export class ProgramShelf {
+  /** Null until they are known. */
+  readonly programs = signal<Program[] | null>(null);
+  readonly bin = signal<Program[]>([]);
+  readonly thrown = signal<Program | null>(null);
+
+  constructor(private readonly group: string) {}
+
+  async load(): Promise<void> {
+    const [programs, bin] = await Promise.all([api.programs(this.group), keeping.bin(this.group)]);
+    this.bin.value = bin;
+    this.programs.value = programs;
+  }
+
+  /** Into the bin: nothing is asked, the way back stays in sight. */
+  async throwAway(program: Program): Promise<void> {
+    const thrown = await keeping.throwAway(program.id);
+    this.programs.value = without(this.programs.peek() ?? [], program);
+    this.bin.value = [thrown, ...without(this.bin.peek(), program)];
+    this.thrown.value = thrown;
+  }
+
+  async takeBack(program: Program): Promise<void> {
+    const back = await keeping.takeBack(program.id);
+    this.bin.value = without(this.bin.peek(), program);
+    const others = without(this.programs.peek() ?? [], program);
+    this.programs.value = [...others, back].sort((one, other) => (one.id < other.id ? 1 : -1));
+    if (this.thrown.peek()?.id === program.id) this.thrown.value = null;
+  }
+}
+
+function without(programs: readonly Program[], program: Program): Program[] {
+  return programs.filter(({ id }) => id !== program.id);
+}

@@ -1,0 +1,204 @@
+import {
+  ChevronDown,
+  ChevronUp,
+  CircleCheck,
+  Columns2,
+  Flag,
+  GitFork,
+  Pencil,
+  Play,
+} from "lucide-preact";
+import { useEffect, useRef } from "preact/hooks";
+import type { VersionMark } from "../api/keeping";
+import { hashOf } from "../app/route";
+import { program } from "../app/session";
+import { TEST } from "../app/testids";
+import { language, texts } from "../i18n";
+import type { VersionHistory } from "./history";
+import { type Fork, faceOf, type Section, type Step } from "./line";
+import { factsOf, sectionWords, spanOf, stepWords } from "./words";
+
+/** The versions by lesson and day, bursts of edits folded into one mark. */
+export function LineList({ history }: { history: VersionHistory }) {
+  const list = useRef<HTMLElement>(null);
+  const id = history.chosen.value?.id;
+  useEffect(() => {
+    list.current?.querySelector('[aria-current="true"]')?.scrollIntoView({ block: "nearest" });
+  }, [id]);
+  return (
+    <nav class="line-list" aria-label={texts.value.keeping.line} ref={list} data-scrolls>
+      {history.sections.value.map((section) => (
+        <SectionOf key={section.from} section={section} history={history} />
+      ))}
+    </nav>
+  );
+}
+
+function SectionOf({ section, history }: { section: Section; history: VersionHistory }) {
+  return (
+    <section>
+      <h2 class="line-list__day">
+        {sectionWords(section, new Date(), language.value, texts.value)}
+      </h2>
+      <ol>
+        {section.items.map((item) =>
+          item.kind === "step" ? (
+            <StepOf key={faceOf(item).id} step={item} history={history} />
+          ) : (
+            <ForkOf
+              key={item.branches[0]?.steps[0]?.versions[0]?.id}
+              fork={item}
+              history={history}
+            />
+          ),
+        )}
+      </ol>
+    </section>
+  );
+}
+
+function ForkOf({ fork, history }: { fork: Fork; history: VersionHistory }) {
+  const words = texts.value.keeping;
+  return (
+    <li class="line-list__fork" data-testid={TEST.versionFork}>
+      <p class="line-list__fork-words">
+        <GitFork class="icon" aria-hidden="true" />
+        <span>
+          <strong>{words.forkTitle(fork.branches.length)}</strong> {words.forkKept}
+        </span>
+      </p>
+      <CompareBranches fork={fork} />
+      <div class="line-list__branches">
+        {fork.branches.map((branch) => (
+          <section
+            key={branch.steps[0]?.versions[0]?.id}
+            class="line-list__branch"
+            data-testid={TEST.versionBranch}
+          >
+            <h3>{branch.computer ?? words.unknownComputer}</h3>
+            <ol>
+              {branch.steps.map((step) => (
+                <StepOf key={faceOf(step).id} step={step} history={history} />
+              ))}
+            </ol>
+          </section>
+        ))}
+      </div>
+    </li>
+  );
+}
+
+/** What the first two PCs came to, side by side. */
+function CompareBranches({ fork }: { fork: Fork }) {
+  const [before, after] = fork.branches.map(({ steps }) => steps.at(-1)).map((s) => s && faceOf(s));
+  if (!before || !after || !program.value) return null;
+  return (
+    <a
+      class="button line-list__compare"
+      href={hashOf({
+        screen: "differences",
+        program: program.value.id,
+        before: before.id,
+        after: after.id,
+      })}
+      data-testid={TEST.versionCompareFork}
+    >
+      <Columns2 class="icon" aria-hidden="true" />
+      {texts.value.keeping.compareBranches}
+    </a>
+  );
+}
+
+function StepOf({ step, history }: { step: Step; history: VersionHistory }) {
+  const words = texts.value.keeping;
+  const face = faceOf(step);
+  const { versions } = step;
+  const open = history.isUnfolded(step);
+  const UnfoldIcon = open ? ChevronUp : ChevronDown;
+  if (versions.length === 1) return <Line version={face} step={step} history={history} />;
+  return (
+    <>
+      <li class="line-list__burst">
+        <LineButton
+          version={face}
+          step={step}
+          history={history}
+          current={!open && history.holdsChosen(step)}
+        />
+        <button
+          type="button"
+          class="button button--plain button--icon"
+          data-testid={TEST.versionUnfold}
+          aria-expanded={open}
+          aria-label={open ? words.foldAgain : words.showEach(versions.length)}
+          title={open ? words.foldAgain : words.showEach(versions.length)}
+          onClick={() => history.fold(step)}
+        >
+          <UnfoldIcon class="icon" aria-hidden="true" />
+        </button>
+      </li>
+      {open &&
+        versions.map((version) => (
+          <Line
+            key={version.id}
+            version={version}
+            step={{ kind: "step", versions: [version] }}
+            history={history}
+            inner
+          />
+        ))}
+    </>
+  );
+}
+
+interface LineProps {
+  version: VersionMark;
+  step: Step;
+  history: VersionHistory;
+  inner?: boolean;
+}
+
+function Line({ inner = false, ...line }: LineProps) {
+  const current = line.history.chosen.value?.id === line.version.id;
+  return (
+    <li class={inner ? "line-list__inner" : ""}>
+      <LineButton {...line} current={current} />
+    </li>
+  );
+}
+
+function LineButton({ version, step, history, current }: LineProps & { current: boolean }) {
+  const first = step.versions[0] ?? version;
+  const Icon = iconOf(version);
+  const facts = version.label ? factsOf(version, texts.value) : [];
+  const times = spanOf(first.created_at, version.created_at, language.value);
+  return (
+    <button
+      type="button"
+      class={`line-list__step line-list__step--${toneOf(version)}`}
+      aria-current={current}
+      data-testid={TEST.versionStep}
+      data-number={version.number}
+      data-n={step.versions.length}
+      onClick={() => history.choose(version)}
+    >
+      <Icon class="icon" aria-hidden="true" />
+      <span class="line-list__words">
+        <strong>{stepWords(step, texts.value)}</strong>
+        <span>{[texts.value.keeping.version(version.number), times, ...facts].join(" · ")}</span>
+      </span>
+    </button>
+  );
+}
+
+function iconOf({ label, n_passed, n_runs }: VersionMark) {
+  if (n_passed > 0) return CircleCheck;
+  if (label) return Flag;
+  return n_runs > 0 ? Play : Pencil;
+}
+
+function toneOf({ label, n_passed, n_runs }: VersionMark): string {
+  if (n_passed > 0) return "passed";
+  if (label) return "named";
+  return n_runs > 0 ? "ran" : "plain";
+}

@@ -1,0 +1,102 @@
+import { ChevronLeft, ChevronRight, CircleCheck, Flag } from "lucide-preact";
+import type { VersionMark } from "../api/keeping";
+import { TEST } from "../app/testids";
+import { language, texts } from "../i18n";
+import type { VersionHistory } from "./history";
+import { versionsIn } from "./line";
+import { dayWords, versionLine } from "./words";
+
+/** What a day needs of the line to be named below it. */
+const ROOM = 0.1;
+
+/** The whole line at a glance: lessons as stretches, marks where something ran, passed or has a name. */
+export function LineSlider({ history }: { history: VersionHistory }) {
+  const words = texts.value.keeping;
+  const { value: line } = history.line;
+  const { value: place } = history.place;
+  const last = line.length - 1;
+  const chosen = line[place];
+  const stepper = (by: number, label: string, testId: string, Icon: typeof ChevronLeft) => (
+    <button
+      type="button"
+      class="button button--icon"
+      aria-label={label}
+      title={label}
+      data-testid={testId}
+      disabled={place + by < 0 || place + by > last}
+      onClick={() => history.step(by)}
+    >
+      <Icon class="icon" aria-hidden="true" />
+    </button>
+  );
+  return (
+    <div class="transport versions__transport">
+      <div class="transport__steps">
+        {stepper(-1, words.older, TEST.versionOlder, ChevronLeft)}
+        <span class="versions__place">{words.of(place + 1, line.length)}</span>
+        {stepper(1, words.newer, TEST.versionNewer, ChevronRight)}
+      </div>
+      <div class="slider versions__slider">
+        <div class="slider__track" aria-hidden="true">
+          <Stretches history={history} />
+          {line.map((version, index) => (
+            <MarkAt key={version.id} version={version} at={last > 0 ? index / last : 0.5} />
+          ))}
+        </div>
+        <input
+          class="slider__input"
+          type="range"
+          min={0}
+          max={Math.max(1, last)}
+          step={1}
+          value={place}
+          disabled={last < 1}
+          aria-label={words.line}
+          aria-valuetext={chosen && versionLine(chosen, language.value, texts.value)}
+          data-testid={TEST.versionSlider}
+          onInput={({ currentTarget }) => history.go(Number(currentTarget.value))}
+        />
+        <div class="versions__days" aria-hidden="true">
+          <Stretches history={history} named />
+        </div>
+      </div>
+    </div>
+  );
+}
+
+function Stretches({ history, named = false }: { history: VersionHistory; named?: boolean }) {
+  const last = Math.max(1, history.line.value.length - 1);
+  let begin = 0;
+  return (
+    <>
+      {history.sections.value.map((section) => {
+        const left = Math.max(0, begin - 0.5) / last;
+        begin += versionsIn(section).length;
+        const right = Math.min(last, begin - 0.5) / last;
+        return (
+          <span
+            key={section.from}
+            class="versions__stretch"
+            style={{ left: `${left * 100}%`, width: `${(right - left) * 100}%` }}
+          >
+            {named && right - left > ROOM && (
+              <span>{dayWords(section, new Date(), language.value, texts.value)}</span>
+            )}
+          </span>
+        );
+      })}
+    </>
+  );
+}
+
+function MarkAt({ version, at }: { version: VersionMark; at: number }) {
+  const { label, n_passed, n_runs } = version;
+  if (!label && n_runs === 0) return null;
+  const Icon = n_passed > 0 ? CircleCheck : Flag;
+  return (
+    <span class="versions__mark" style={{ left: `${at * 100}%` }}>
+      {n_runs > 0 && <span class="versions__run" />}
+      {(label || n_passed > 0) && <Icon class="icon" />}
+    </span>
+  );
+}

@@ -1,0 +1,24 @@
+import type { BlocksReader } from "../editor/reader";
+import type { Texts } from "../i18n";
+import { commentText, type Differing, hiddenChange } from "./differences";
+
+/** What became of a block, in the words that stand on it: "andar para frente 1 m → andar para frente 2 m". */
+export function differenceWords(
+  one: Differing,
+  before: BlocksReader,
+  after: BlocksReader,
+  texts: Texts,
+): string {
+  const { keeping } = texts;
+  const was = before.words(one.block) || keeping.blockAlone;
+  const is = after.words(one.block) || keeping.blockAlone;
+  if (one.kinds.includes("removed")) return was;
+  if (!one.kinds.includes("changed")) return is;
+  if (was !== is) return keeping.became(was, is);
+  const comment = hiddenChange(one.what);
+  if (!comment) return is;
+  const [first, then] = [comment.before, comment.after].map(
+    (kept) => commentText(kept) || keeping.nothing,
+  );
+  return `${is} (${keeping.comment}: ${keeping.became(first ?? "", then ?? "")})`;
+}

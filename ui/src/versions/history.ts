@@ -1,0 +1,131 @@
+import { computed, effect, signal } from "@preact/signals";
+import { keeping, type StoredVersion, type VersionMark } from "../api/keeping";
+import { faceOf, type Section, type Step, sectionsOf } from "./line";
+
+/** Whoever steps quickly sees the last of it. */
+const PATIENCE_MS = 40;
+const MOST_KEPT = 40;
+
+/** The line of a program's versions and the one that is looked at. */
+export class VersionHistory {
+  readonly line = signal<VersionMark[]>([]);
+  readonly place = signal(0);
+  /** What is shown: it may be a moment behind the place. */
+  readonly shown = signal<StoredVersion | null>(null);
+  /** Steps that are shown one version at a time, by the id of their first. */
+  readonly unfolded = signal<ReadonlySet<string>>(new Set());
+  readonly sections = computed<Section[]>(() => sectionsOf(this.line.value));
+  readonly chosen = computed<VersionMark | null>(() => this.line.value[this.place.value] ?? null);
+  private readonly stored = new Map<string, Promise<StoredVersion>>();
+  private readonly stop: () => void;
+  private timer = 0;
+
+  constructor(
+    line: VersionMark[],
+    wanted: string | null,
+    private readonly onError: (error: unknown) => void,
+  ) {
+    this.line.value = line;
+    const place = line.findIndex(({ id }) => id === wanted);
+    this.place.value = place < 0 ? Math.max(0, line.length - 1) : place;
+    this.stop = effect(() => this.fetch(this.chosen.value?.id));
+  }
+
+  get isNewest(): boolean {
+    return this.place.value === this.line.value.length - 1;
+  }
+
+  /** The number of the version that this one was made of, where that is not the one before it. */
+  readonly madeOf = computed<number | null>(() => {
+    const { value: version } = this.chosen;
+    const before = this.line.value[this.place.value - 1];
+    if (!version?.parent_id || version.parent_id === before?.id) return null;
+    const parent = this.line.value.find(({ id }) => id === version.parent_id);
+    return parent && parent.number < version.number - 1 ? parent.number : null;
+  });
+
+  /** The version that was edited, or where that is not known or not here the one before in the line. */
+  madeFrom({ id, parent_id }: StoredVersion): VersionMark | null {
+    const line = this.line.peek();
+    const parent = line.find((one) => one.id === parent_id);
+    return parent ?? line[line.findIndex((one) => one.id === id) - 1] ?? null;
+  }
+
+  go(place: number): void {
+    this.place.value = Math.max(0, Math.min(place, this.line.value.length - 1));
+  }
+
+  step(by: number): void {
+    this.go(this.place.peek() + by);
+  }
+
+  choose(version: VersionMark): void {
+    this.go(this.line.peek().findIndex(({ id }) => id === version.id));
+  }
+
+  isUnfolded({ versions: [first] }: Step): boolean {
+    return first !== undefined && this.unfolded.value.has(first.id);
+  }
+
+  fold({ versions: [first] }: Step): void {
+    if (!first) return;
+    const unfolded = new Set(this.unfolded.peek());
+    if (!unfolded.delete(first.id)) unfolded.add(first.id);
+    this.unfolded.value = unfolded;
+  }
+
+  holdsChosen(step: Step): boolean {
+    const id = this.chosen.value?.id;
+    return step.versions.some((one) => one.id === id);
+  }
+
+  /** A name for the chosen version, as in the store. */
+  async name(text: string): Promise<void> {
+    const { value: version } = this.chosen;
+    if (!version) return;
+    await keeping.label(version.id, text);
+    const label = text.trim();
+    this.line.value = this.line.value.map((one) =>
+      one.id === version.id ? { ...one, label } : one,
+    );
+  }
+
+  /** What it is worth comparing the chosen version with: the newest, or for that the step before. */
+  get counterpart(): VersionMark | null {
+    const line = this.line.value;
+    if (!this.isNewest) return line.at(-1) ?? null;
+    const steps = this.sections.value.flatMap(({ items }) =>
+      items.flatMap((item) => (item.kind === "step" ? [item] : [])),
+    );
+    const before = steps.at(-2);
+    return (before && faceOf(before)) ?? line.at(-2) ?? null;
+  }
+
+  dispose(): void {
+    clearTimeout(this.timer);
+    this.stop();
+  }
+
+  private fetch(id: string | undefined): void {
+    clearTimeout(this.timer);
+    if (!id) return;
+    const show = async () => {
+      try {
+        const version = await this.content(id);
+        if (this.chosen.peek()?.id === id) this.shown.value = version;
+      } catch (error) {
+        this.stored.delete(id);
+        this.onError(error);
+      }
+    };
+    this.timer = window.setTimeout(() => void show(), this.shown.peek() ? PATIENCE_MS : 0);
+  }
+
+  private content(id: string): Promise<StoredVersion> {
+    const known = this.stored.get(id) ?? keeping.version(id);
+    this.stored.set(id, known);
+    const [oldest] = this.stored.keys();
+    if (this.stored.size > MOST_KEPT && oldest) this.stored.delete(oldest);
+    return known;
+  }
+}

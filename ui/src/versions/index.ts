@@ -1,0 +1,2 @@
+export { DifferencesScreen } from "./DifferencesScreen";
+export { VersionsScreen } from "./VersionsScreen";

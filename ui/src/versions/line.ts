@@ -1,0 +1,163 @@
+import type { VersionMark } from "../api/keeping";
+
+/** Versions that are shown as one mark: a burst of edits, or one that has something to say. The last is its face. */
+export interface Step {
+  readonly kind: "step";
+  readonly versions: readonly VersionMark[];
+}
+
+/** What was made of one version on several PCs that did not know of each other. */
+export interface Fork {
+  readonly kind: "fork";
+  readonly branches: readonly Branch[];
+}
+
+export interface Branch {
+  readonly computer: string | null;
+  readonly steps: readonly Step[];
+}
+
+/** What was made on one day in one lesson. */
+export interface Section {
+  readonly from: string;
+  readonly to: string;
+  readonly items: readonly (Step | Fork)[];
+}
+
+/** A pause that ends a burst of edits. */
+const PAUSE_MS = 90_000;
+
+/** The versions of a program, the oldest first, as a person goes through them. */
+export function sectionsOf(line: readonly VersionMark[]): Section[] {
+  const sections: Section[] = [];
+  for (const stretch of stretches(line)) {
+    for (const part of stretch.forked ? [stretch.versions] : byLesson(stretch.versions)) {
+      const items = stretch.forked ? [forkOf(part)] : foldedInto(part);
+      const last = sections.at(-1);
+      const [first, end] = [part[0], part.at(-1)];
+      if (!first || !end) continue;
+      if (last && follows(lastOf(last), first)) {
+        sections[sections.length - 1] = joined(last, items, end);
+      } else sections.push({ from: first.created_at, to: end.created_at, items });
+    }
+  }
+  return sections;
+}
+
+/** The face of a step: what it led to. */
+export function faceOf({ versions }: Step): VersionMark {
+  return versions[versions.length - 1] as VersionMark;
+}
+
+/** All versions of a section, in the order of the line. */
+export function versionsIn({ items }: Section): VersionMark[] {
+  return items.flatMap((item) =>
+    item.kind === "step"
+      ? item.versions
+      : item.branches.flatMap(({ steps }) => steps.flatMap(({ versions }) => versions)),
+  );
+}
+
+function joined(section: Section, items: readonly (Step | Fork)[], end: VersionMark): Section {
+  return { ...section, to: end.created_at, items: [...section.items, ...items] };
+}
+
+function lastOf(section: Section): VersionMark {
+  return versionsIn(section).at(-1) as VersionMark;
+}
+
+interface Stretch {
+  forked: boolean;
+  versions: VersionMark[];
+}
+
+/** Parts of the line in which each number is there once, and parts in which there are several. */
+function stretches(line: readonly VersionMark[]): Stretch[] {
+  const count = new Map<number, number>();
+  for (const { number } of line) count.set(number, (count.get(number) ?? 0) + 1);
+  const found: Stretch[] = [];
+  for (const version of line) {
+    const forked = (count.get(version.number) ?? 0) > 1;
+    const last = found.at(-1);
+    if (last?.forked === forked) last.versions.push(version);
+    else found.push({ forked, versions: [version] });
+  }
+  return found;
+}
+
+function forkOf(versions: readonly VersionMark[]): Fork {
+  const computers = new Set(versions.map(({ computer }) => computer));
+  const branches = computers.size > 1 ? byComputer(versions) : byParent(versions);
+  return {
+    kind: "fork",
+    branches: branches.map((branch) => ({
+      computer: branch[0]?.computer ?? null,
+      steps: foldedInto(branch),
+    })),
+  };
+}
+
+function byComputer(versions: readonly VersionMark[]): VersionMark[][] {
+  const branches = new Map<string | null, VersionMark[]>();
+  for (const version of versions) {
+    const branch = branches.get(version.computer);
+    if (branch) branch.push(version);
+    else branches.set(version.computer, [version]);
+  }
+  return [...branches.values()];
+}
+
+/** PCs that have no name, or the same: what was made of what tells them apart. */
+function byParent(versions: readonly VersionMark[]): VersionMark[][] {
+  const branches: VersionMark[][] = [];
+  const home = new Map<string, VersionMark[]>();
+  for (const version of versions) {
+    let branch = version.parent_id === null ? undefined : home.get(version.parent_id);
+    if (!branch || branch.at(-1)?.number === version.number) {
+      branch = [];
+      branches.push(branch);
+    }
+    branch.push(version);
+    home.set(version.id, branch);
+  }
+  return branches;
+}
+
+function byLesson(versions: readonly VersionMark[]): VersionMark[][] {
+  return split(versions, follows);
+}
+
+function follows(before: VersionMark, version: VersionMark): boolean {
+  return before.lesson_id === version.lesson_id && day(before) === day(version);
+}
+
+function day({ created_at }: VersionMark): string {
+  return new Date(created_at).toDateString();
+}
+
+function foldedInto(versions: readonly VersionMark[]): Step[] {
+  return split(versions, isOneBurst).map((burst) => ({ kind: "step", versions: burst }));
+}
+
+function isOneBurst(before: VersionMark, version: VersionMark): boolean {
+  const apart = Math.abs(Date.parse(version.created_at) - Date.parse(before.created_at));
+  return isPlain(before) && isPlain(version) && apart < PAUSE_MS;
+}
+
+function isPlain({ label, n_runs }: VersionMark): boolean {
+  return !label && n_runs === 0;
+}
+
+function split(
+  versions: readonly VersionMark[],
+  belong: (before: VersionMark, version: VersionMark) => boolean,
+): VersionMark[][] {
+  const parts: VersionMark[][] = [];
+  let before: VersionMark | undefined;
+  for (const version of versions) {
+    if (before && belong(before, version)) parts.at(-1)?.push(version);
+    else parts.push([version]);
+    before = version;
+  }
+  return parts;
+}

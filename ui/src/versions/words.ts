@@ -1,0 +1,75 @@
+import type { VersionMark } from "../api/keeping";
+import type { Language, Texts } from "../i18n";
+import { faceOf, type Section, type Step } from "./line";
+
+/** What a version has to say for itself besides when it was made, the most telling first. */
+export function factsOf(version: VersionMark, texts: Texts): string[] {
+  const { keeping, work } = texts;
+  const facts: string[] = [];
+  if (version.n_passed > 0) facts.push(keeping.passed);
+  if (version.n_runs > 0) facts.push(work.runCount(version.n_runs));
+  else if (!version.can_run) facts.push(keeping.incomplete);
+  return facts;
+}
+
+/** What a step is called in the list. */
+export function stepWords(step: Step, texts: Texts): string {
+  const face = faceOf(step);
+  const [fact] = factsOf({ ...face, can_run: true }, texts);
+  return face.label || fact || texts.keeping.changes(step.versions.length);
+}
+
+/** The time of a day: "10:32". */
+export function timeOf(iso: string, language: Language): string {
+  return new Date(iso).toLocaleTimeString(language, { hour: "2-digit", minute: "2-digit" });
+}
+
+/** From when to when: "10:02–10:05", "10:02". */
+export function spanOf(from: string, to: string, language: Language): string {
+  const [first, last] = [timeOf(from, language), timeOf(to, language)];
+  return first === last ? first : `${first}–${last}`;
+}
+
+/** The day and the times of a section: "ontem, 09:10–09:25". */
+export function sectionWords(section: Section, now: Date, language: Language, texts: Texts) {
+  const then = new Date(section.from);
+  const days = midnight(now) - midnight(then);
+  const span = spanOf(section.from, section.to, language);
+  if (days === 0) return texts.units.today(span);
+  if (days === 1) return texts.units.yesterday(span);
+  const sameYear = then.getFullYear() === now.getFullYear();
+  const day = then.toLocaleDateString(language, {
+    day: "numeric",
+    month: "long",
+    ...(sameYear ? {} : { year: "numeric" }),
+  });
+  return `${day}, ${span}`;
+}
+
+/** The day alone, short: "19 de nov.", "hoje". */
+export function dayWords({ from }: Section, now: Date, language: Language, texts: Texts): string {
+  const then = new Date(from);
+  const days = midnight(now) - midnight(then);
+  if (days === 0) return texts.keeping.today;
+  if (days === 1) return texts.keeping.yesterday;
+  return then.toLocaleDateString(language, { day: "numeric", month: "short" });
+}
+
+function midnight(date: Date): number {
+  return Math.round(
+    new Date(date.getFullYear(), date.getMonth(), date.getDate()).getTime() / 864e5,
+  );
+}
+
+/** When a version was made: "hoje, 10:32", "19 de novembro, 10:32". */
+export function madeWords({ created_at }: VersionMark, language: Language, texts: Texts): string {
+  const alone = { from: created_at, to: created_at, items: [] };
+  return sectionWords(alone, new Date(), language, texts);
+}
+
+/** A version in one line, as in a list to choose from. */
+export function versionLine(version: VersionMark, language: Language, texts: Texts): string {
+  const about = version.label || factsOf(version, texts)[0];
+  const made = madeWords(version, language, texts);
+  return [texts.keeping.version(version.number), about, made].filter(Boolean).join(" · ");
+}
