@@ -28,7 +28,9 @@ export function ClassChips({ classes, withNone, shown }: ClassChipsProps) {
           data-testid={TEST.classChip}
           onClick={() => setClassroom(id)}
         >
-          <span class="class-chips__name" data-shortened>{name}</span>
+          <span class="class-chips__name" data-shortened>
+            {name}
+          </span>
         </button>
       ))}
     </fieldset>

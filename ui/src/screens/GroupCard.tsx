@@ -17,8 +17,7 @@ export function GroupCard({ group }: { group: Group }) {
       style={{ "--group": group.color }}
       data-testid={TEST.groupCard}
       data-picture={group.picture}
-      aria-label={`${start.open(group.name)}. ${counts}`}
-      title={group.name}
+      title={start.open(group.name)}
       onClick={() => void enterGroup(group).catch(report)}
     >
       <span class="group-card__picture">
@@ -27,7 +26,7 @@ export function GroupCard({ group }: { group: Group }) {
         </span>
       </span>
       <span class="group-card__words">
-        <span class="group-card__name">{group.name}</span>
+        <span class="group-card__name">{group.name}</span>{" "}
         <span class="group-card__counts">{counts}</span>
       </span>
     </button>

@@ -22,8 +22,14 @@ export function LessonChip() {
     <p class="lesson-chip" title={whole} data-testid={TEST.lessonChip}>
       <BookOpen class="icon" aria-hidden="true" />
       <span class="lesson-chip__words">
-        <span class="lesson-chip__title" data-shortened>{now.title}</span>
-        {now.activity && <span class="lesson-chip__activity" data-shortened>{now.activity}</span>}
+        <span class="lesson-chip__title" data-shortened>
+          {now.title}
+        </span>
+        {now.activity && (
+          <span class="lesson-chip__activity" data-shortened>
+            {now.activity}
+          </span>
+        )}
       </span>
     </p>
   );
