@@ -19,7 +19,7 @@ export function Preparation({ onDone }: { onDone(): void }) {
   const [name, setName] = useState("");
   const [computer, setComputer] = useState("");
   const [known, setKnown] = useState("");
-  const [needsClass, setNeedsClass] = useState(true);
+  const [hasClass, setHasClass] = useState(false);
   const { busy, fault, act, refuse, clear } = useAct();
 
   useEffect(() => {
@@ -27,7 +27,7 @@ export function Preparation({ onDone }: { onDone(): void }) {
       const [here, classes] = await Promise.all([classesApi.computer(), classesApi.classrooms()]);
       setKnown(here.name);
       setComputer((now) => now || here.name);
-      setNeedsClass(classes.length === 0);
+      setHasClass(classes.length > 0);
     };
     load().catch(report);
   }, []);
@@ -42,10 +42,10 @@ export function Preparation({ onDone }: { onDone(): void }) {
   const submit = async (event: Event) => {
     event.preventDefault();
     if (pin !== again) refuse(prepare.different);
-    else if (needsClass && !name.trim()) refuse(prepare.classMissing);
     else if (await act(done)) {
       onDone();
-      go({ screen: "teacher", part: "classes" });
+      // a class that was not made here comes by stick
+      go({ screen: "teacher", part: hasClass || name.trim() ? "classes" : "files" });
     }
   };
 

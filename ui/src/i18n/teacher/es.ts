@@ -24,8 +24,8 @@ export const es: TeacherTexts = {
     pinAgain: "El mismo PIN otra vez",
     different: "Los dos PIN no son iguales. Escribe el mismo PIN en los dos campos.",
     className: "Nombre de la clase",
-    classHint: "Por ejemplo, 9.º A. Los grupos vienen después.",
-    classMissing: "Escribe el nombre de la clase.",
+    classHint:
+      "Por ejemplo, 9.º A. Déjalo vacío si la clase viene de otro ordenador, en una memoria.",
     computer: "Nombre de este ordenador",
     computerHint: "Ayuda a saber de dónde viene cada trabajo. Puede quedar así.",
     done: "Listo, abrir la clase",

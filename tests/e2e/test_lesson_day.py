@@ -1,0 +1,218 @@
+"""A lesson of five groups on three PCs, as it goes: prepared by stick, worked in, merged, and read by the teacher."""
+
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Locator, expect
+
+from tests.e2e.app_process import AppProcess
+from tests.e2e.python_pane import write_program
+from tests.e2e.studio import Studio
+from tests.e2e.watch import Watch
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(400)]
+
+PIN = "314159"
+SQUARE = "for _ in range(4):\n    robot.move_forward({side})\n    robot.turn(90)\n"
+INTO_THE_WALL = "robot.move_forward(9)\n"
+LESSON = "Quadrados"
+
+
+@pytest.fixture
+def pcs(
+    browser: Browser, watch: Watch, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[list[Studio]]:
+    """Three PCs with an empty file each; the first is the teacher's."""
+    with ExitStack() as stack:
+
+        def pc(number: int) -> Studio:
+            app = AppProcess(tmp_path_factory.mktemp(f"pc{number}"))
+            link = app.start()
+            stack.callback(app.stop)
+            context = browser.new_context(
+                viewport={"width": 1366, "height": 768}, locale="pt-BR", reduced_motion="reduce"
+            )
+            stack.callback(context.close)
+            context.set_default_timeout(15_000)
+            watch.over(context)
+            page = context.new_page()
+            page.goto(link)
+            return Studio(page)
+
+        yield [pc(number) for number in (1, 2, 3)]
+
+
+@pytest.fixture
+def stick(tmp_path: Path) -> Path:
+    folder = tmp_path / "pendrive"
+    folder.mkdir()
+    return folder
+
+
+def test_a_lesson_on_three_pcs_is_read_on_one(pcs: list[Studio], stick: Path) -> None:
+    mine, second, third = pcs
+    prepare(mine, "Mesa da professora")
+    for name in ("Amarelos", "Brancos", "Cinzas", "Dourados", "Esmeraldas"):
+        mine["new-group-name"].fill(name)
+        mine["make-group"].click()
+        expect(mine["class-group"].filter(has_text=name)).to_be_visible()
+    open_lesson(mine)
+    save_on(mine, stick)
+    for pc, name in ((second, "PC 2"), (third, "PC 3")):
+        prepare(pc, name, from_stick=stick)
+        open_lesson(pc)
+
+    with_group(mine, "Amarelos", passes_at_once)
+    with_group(mine, "Brancos", repairs)
+    with_group(second, "Cinzas", meets_the_wall)
+    with_group(second, "Dourados", only_edits)
+    with_group(third, "Esmeraldas", stops)
+
+    for pc in (second, third):
+        save_on(pc, stick)
+    hashes = [merge_all(mine, stick), merge_all(mine, stick)]
+    assert hashes[0] == hashes[1]
+
+    read_the_lesson(mine)
+
+
+def prepare(pc: Studio, name: str, from_stick: Path | None = None) -> None:
+    """Day one: PIN, class (from the stick where there is one), and the PC's name."""
+    pc["prepare"].click()
+    pc["pin"].fill(PIN)
+    pc["pin-again"].fill(PIN)
+    if from_stick is None:
+        pc["class-name"].fill("9º A")
+    pc["computer-name"].fill(name)
+    pc["prepare-done"].click()
+    expect(pc["teacher-part"].first).to_be_visible()
+    if from_stick is not None:
+        merge_all(pc, from_stick)
+    pc["teacher-part"].and_(pc.page.locator("[data-part=classes]")).click()
+
+
+def open_lesson(pc: Studio) -> None:
+    pc["teacher-part"].and_(pc.page.locator("[data-part=lessons]")).click()
+    pc["lesson-title"].fill(LESSON)
+    pc["lesson-activity"].select_option("square")
+    pc["open-lesson"].click()
+    expect(pc["lesson-now"]).to_contain_text(LESSON)
+
+
+def save_on(pc: Studio, stick: Path) -> None:
+    at_the_stick(pc, stick)
+    pc["save-bundle"].click()
+    expect(pc.page.get_by_text("Guardado em")).to_be_visible()
+
+
+def merge_all(pc: Studio, stick: Path) -> str:
+    """Merges every file of the stick; what the store holds then."""
+    at_the_stick(pc, stick)
+    n_files = len(list(stick.glob("*.pinel")))
+    with pc.page.expect_response(lambda answer: answer.url.endswith("/merge")) as merged:
+        pc["merge-files"].click()
+    expect(pc["merge-results"].get_by_role("listitem")).to_have_count(n_files)
+    assert merged.value.ok
+    paths = [str(file) for file in stick.glob("*.pinel")]
+    return str(pc.tell("POST", "/bundles/merge", {"paths": paths})["content_hash"])
+
+
+def at_the_stick(pc: Studio, stick: Path) -> None:
+    pc.page.goto(f"{pc.origin}/#/teacher/files")
+    expect(pc["shared-folder"]).to_be_visible()
+    pc["shared-folder"].fill(str(stick))
+    pc["shared-folder"].press("Enter")
+    expect(pc.page.get_by_text(f"Pasta {stick.name}").first).to_be_visible()
+
+
+def with_group(pc: Studio, name: str, work: Callable[[Studio], None]) -> None:
+    """A group finds itself by its picture, works, and leaves."""
+    pc["home"].click()
+    pc["group-card"].filter(has_text=name).click()
+    pc.wait_until_open()
+    expect(pc["lesson-chip"]).to_contain_text(LESSON)
+    pc["speed"].select_option("10")
+    work(pc)
+    pc.wait_until_saved()
+
+
+def passes_at_once(pc: Studio) -> None:
+    pc.build_square("1")
+    finish(pc)
+    expect(pc["status-line"]).to_contain_text("A atividade está resolvida")
+
+
+def repairs(pc: Studio) -> None:
+    write_program(pc, SQUARE.format(side=0.5))
+    finish(pc)
+    expect(pc["status-line"]).to_contain_text("Ainda falta para a atividade")
+    pc.blocks.type_into(pc.blocks.by_words("andar para frente"), "1")
+    pc.eventually(lambda: pc.commands()[0]["commands"][0]["distance"], 1)
+    finish(pc)
+    expect(pc["status-line"]).to_contain_text("A atividade está resolvida")
+
+
+def meets_the_wall(pc: Studio) -> None:
+    write_program(pc, INTO_THE_WALL)
+    pc.run()
+    pc.wait_for_phase("failed")
+
+
+def only_edits(pc: Studio) -> None:
+    blocks = pc.blocks
+    blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
+    pc.eventually(pc.actions, ["move_forward"])
+
+
+def stops(pc: Studio) -> None:
+    pc["speed"].select_option("1")
+    write_program(pc, SQUARE.format(side=2))
+    pc.run()
+    pc.wait_for_phase("running")
+    pc["stop"].click()
+    pc.wait_for_phase("stopped")
+
+
+def finish(pc: Studio) -> None:
+    pc.run()
+    pc.wait_for_phase("running")
+    pc.wait_for_phase("finished")
+
+
+def read_the_lesson(pc: Studio) -> None:
+    """What happened, in the teacher's page: a line for each group, and each mark opens its replay."""
+    pc.page.goto(f"{pc.origin}/#/teacher/lessons")
+    pc["lesson-link"].filter(visible=True).first.click()
+    expect(pc["lesson-page"]).to_be_visible()
+    groups = pc["review-group"]
+    expect(groups).to_have_count(5)
+    names = [group.get_attribute("data-name") for group in groups.all()]
+    assert names == ["Amarelos", "Brancos", "Cinzas", "Dourados", "Esmeraldas"]
+
+    def runs(name: str) -> list[str | None]:
+        marks = group(name).get_by_test_id("review-mark")
+        marks = marks.and_(pc.page.locator("[data-kind=run]"))
+        return [mark.get_attribute("data-outcome") for mark in marks.all()]
+
+    def group(name: str) -> Locator:
+        return groups.and_(pc.page.locator(f"[data-name={name}]"))
+
+    def figure(name: str, of: str) -> str | None:
+        figures = group(of).get_by_test_id("review-figure")
+        return figures.and_(pc.page.locator(f"[data-name={name}]")).get_attribute("data-value")
+
+    assert runs("Amarelos") == ["passed"]
+    assert runs("Brancos")[1:] == ["passed"]
+    assert runs("Cinzas") == ["failed"]
+    assert runs("Dourados") == []
+    assert runs("Esmeraldas") == ["stopped"]
+    assert figure("attempts_until_passed", "Brancos") == "2"
+    assert figure("n_failed", "Cinzas") == "1"
+    repaired = group("Brancos").locator("[data-repairs]")
+    expect(repaired).to_have_count(1)
+    repaired.focus()
+    repaired.press("Enter")
+    pc.page.wait_for_url("**/#/run/*")
+    expect(pc["replay-program"]).to_be_visible()
