@@ -47,6 +47,6 @@ export const en: ClassesTexts = {
   open: "The teacher's part is open",
   leave: "Teacher: leave",
   turnsTitle: "Time to swap!",
-  turns: "Whoever had the mouse guides now, and somebody else takes the mouse.",
+  turns: "Whoever had the mouse guides now.",
   turnsDone: "We swapped",
 };

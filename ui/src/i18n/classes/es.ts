@@ -47,6 +47,6 @@ export const es: ClassesTexts = {
   open: "La zona del profesor está abierta",
   leave: "Profesor: salir",
   turnsTitle: "¡Hora de cambiar!",
-  turns: "Quien tenía el ratón pasa a guiar, y otra persona toma el ratón.",
+  turns: "Quien tenía el ratón pasa a guiar.",
   turnsDone: "Cambiamos",
 };

@@ -46,7 +46,7 @@ export const ptBR = {
   open: "Área do professor aberta",
   leave: "Professor: sair",
   turnsTitle: "Hora de trocar!",
-  turns: "Quem estava no mouse passa a guiar, e outra pessoa pega o mouse.",
+  turns: "Quem estava no mouse passa a guiar.",
   turnsDone: "Trocamos",
 };
 
