@@ -2,9 +2,9 @@
 
 import tempfile
 from collections.abc import Collection
+from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from storage.anonymous import anonymising
 from storage.bundle_reading import open_bundle
@@ -13,12 +13,10 @@ from storage.connection import Access
 from storage.content import content_hash
 from storage.errors import StoreError
 from storage.merging import Heard, MergeReport, heard_from, merge
+from storage.opening import connect
 from storage.parquet import write_parquet
 from storage.removal import Removal, remove
 from storage.text import new_id
-
-if TYPE_CHECKING:
-    from storage.store import Store
 
 
 class Exchange:
@@ -79,17 +77,18 @@ class Exchange:
         """Brings a bundle in; on disk when this returns. Raises StoreError, see `open_bundle`."""
         return merge(self._access, path)
 
-    def merge_program(self, path: Path) -> MergeReport:
-        """The same for what any group may bring in: one program, and no deletions.
+    def merge_program(self, path: Path) -> tuple[MergeReport, str]:
+        """The same for what any group may bring in: one program, whose key it tells too, and no deletions.
 
         Raises:
             StoreError: `bundle_not_program`, and what `merge` raises.
         """
-        with open_bundle(path) as bundle:
-            counts = bundle.info.counts
-        if counts.get("programs", 0) != 1 or counts.get("tombstones", 0):
+        with open_bundle(path) as bundle, closing(connect(bundle.address)) as db:
+            programs = [str(row["id"]) for row in db.execute("SELECT id FROM programs LIMIT 2")]
+            deletes = db.execute("SELECT 1 FROM tombstones LIMIT 1").fetchone()
+        if len(programs) != 1 or deletes:
             raise StoreError("bundle_not_program", path=str(path))
-        return merge(self._access, path)
+        return merge(self._access, path), programs[0]
 
     def heard_from(self) -> list[Heard]:
         """PCs whose bundles were merged, the one heard of last first."""
@@ -103,8 +102,3 @@ class Exchange:
         """One number for all that the store holds; equal stores have equal ones."""
         with self._access.reading() as db:
             return content_hash(db)
-
-
-def exchange_of(store: "Store") -> Exchange:
-    """Of an open store."""
-    return Exchange(store._access)

@@ -74,10 +74,10 @@ class Lessons:
             StoreError: `classroom_not_found`, `name_empty`, `name_too_long`.
         """
         clean, now = clean_name(title), self._access.now()
-        lesson_id = str(uuid.uuid5(uuid.UUID(classroom_id), name_key(clean)))
 
-        def insert(db: sqlite3.Connection) -> None:
+        def insert(db: sqlite3.Connection) -> str:
             require_classroom(db, classroom_id)
+            lesson_id = _key_of(db, classroom_id, clean)
             computer_id, _ = here(db, now)
             _close(db, _OPEN + " AND id != ?", [computer_id, classroom_id, lesson_id], now)
             db.execute(
@@ -87,9 +87,9 @@ class Lessons:
                        computer_id = excluded.computer_id, revision = revision + 1, changed_at = excluded.changed_at""",
                 [lesson_id, classroom_id, clean, activity, computer_id, now, now, now, now],
             )
+            return lesson_id
 
-        self._access.write(insert)
-        return self.get(lesson_id)
+        return self.get(self._access.write(insert))
 
     def close(self, lesson_id: str) -> LessonRow:
         """Ends a lesson. Raises StoreError `lesson_not_found`."""
@@ -138,6 +138,14 @@ def lesson_for(db: sqlite3.Connection, group_id: str, now: str) -> tuple[str, st
     else:
         db.execute("UPDATE lessons SET used_at = ? WHERE id = ?", [now, lesson_id])
     return lesson_id, computer_id
+
+
+def _key_of(db: sqlite3.Connection, classroom_id: str, title: str) -> str:
+    """The same on every PC; another one where the lesson of that title was deleted for good."""
+    key = uuid.uuid5(uuid.UUID(classroom_id), name_key(title))
+    while db.execute("SELECT 1 FROM tombstones WHERE id = ?", [str(key)]).fetchone():
+        key = uuid.uuid5(key, "again")
+    return str(key)
 
 
 def _going_on(

@@ -20,7 +20,6 @@ from pinel_desktop.paths import database_path
 from sim.world import list_worlds
 from storage import Store, StoreError
 from storage.bundles import SUFFIX, BundleInfo, Scope
-from storage.exchange import exchange_of
 from storage.text import name_key, new_id
 
 
@@ -61,7 +60,7 @@ def command(
         scope = _scope(store, **wanted)
         computer = _computer(store)
         name = "pinel" if anonymous else "-".join([computer[1], *named])
-        exchange = exchange_of(store)
+        exchange = store.exchange
         write = exchange.export_parquet if parquet else exchange.export
         info = write(
             _file(dest, name, "" if parquet else SUFFIX),

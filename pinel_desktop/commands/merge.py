@@ -14,7 +14,6 @@ from pinel_desktop.messages import describe, language_of_system
 from pinel_desktop.paths import database_path
 from storage import Store, StoreError
 from storage.bundles import SUFFIX
-from storage.exchange import exchange_of
 from storage.merging import MergeReport
 
 _REFUSED = 2
@@ -46,7 +45,7 @@ def command(ctx: click.Context, files: tuple[Path, ...], db: str | None, as_json
             outcomes.append(_merged(store, file))
             if not as_json:
                 click.echo(_in_words(outcomes[-1]))
-        found = exchange_of(store).content_hash()
+        found = store.exchange.content_hash()
     click.echo(
         json.dumps(_as_object(outcomes, found), ensure_ascii=False)
         if as_json
@@ -66,7 +65,7 @@ def _merged(store: Store, file: Path) -> _Outcome:
     try:
         if file.is_dir():
             raise StoreError("bundles_none", path=str(file))
-        return _Outcome(file, exchange_of(store).merge(file), None)
+        return _Outcome(file, store.exchange.merge(file), None)
     except StoreError as error:
         return _Outcome(file, None, error)
 

@@ -58,7 +58,9 @@ def _of_http(error: HTTPException) -> Response:
         return error.response  # type: ignore[return-value] # made by `invalid_request`
     match error:
         case RequestEntityTooLarge():
-            return _answer("body_too_large", {"max_mib": (request.max_content_length or 0) // 2**20})
+            return _answer(
+                "body_too_large", {"max_mib": (request.max_content_length or 0) // 2**20}
+            )
         case MethodNotAllowed():
             allowed = sorted(error.valid_methods or [])
             answer = _answer("method_not_allowed", {"method": request.method, "allowed": allowed})

@@ -14,7 +14,6 @@ import pytest
 from storage import Recorder, RunStart, Store, open_store
 from storage.bundles import export_bundle
 from storage.content import CONTENT, columns
-from storage.exchange import exchange_of
 from storage.merging import MergeReport
 from storage.schema import migrate
 from storage.text import new_id
@@ -109,7 +108,7 @@ def pair(bundles: list[Path], folder: Path) -> tuple[float, float, float, float]
     folder.mkdir()
     bare = seconds(lambda: copy_bare(folder / "bare.db", bundles))
     with open_store(folder / "teacher.db") as store:
-        exchange = exchange_of(store)
+        exchange = store.exchange
         reports: list[MergeReport] = []
         first = seconds(lambda: reports.extend(exchange.merge(file) for file in bundles))
         hashing = seconds(exchange.content_hash)

@@ -9,7 +9,6 @@ from pathlib import Path
 import pytest
 
 from storage import Recorder, RunStart, Store
-from storage.exchange import exchange_of
 from tests.storage.bundle_makers import exported, merged, problems_in, work
 from tests.storage.sample_runs import ended, sample
 
@@ -47,13 +46,13 @@ def private(store: Store) -> Store:
         {**said, "type": "watch", "seq": 2, "variables": {"Joao": 3}, "stack": [], "gesture": "B"}
     )
     recorder(ended(run.id, 3, 2))
-    exchange_of(store).remove("run", work(store, group, "Quadrado")[1])
+    store.exchange.remove("run", work(store, group, "Quadrado")[1])
     return store
 
 
 @pytest.fixture
 def anonymous(private: Store, tmp_path: Path) -> Path:
-    info = exchange_of(private).export(
+    info = private.exchange.export(
         tmp_path / "x.pinel",
         app_version="0.1.0",
         computer=private.computers.here(),
@@ -117,7 +116,7 @@ def test_it_is_a_bundle_as_any_other(
 def test_two_of_them_cannot_be_joined_by_their_keys(private: Store, tmp_path: Path) -> None:
     keys = []
     for n in range(2):
-        info = exchange_of(private).export(
+        info = private.exchange.export(
             tmp_path / f"{n}.pinel", app_version="1", computer=("", ""), anonymous=[]
         )
         keys.append(set(rows(info.path, "SELECT id FROM runs UNION SELECT id FROM groups")))

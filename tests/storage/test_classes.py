@@ -127,7 +127,9 @@ def test_the_line_of_versions_knows_what_came_of_what(school: Store, square: Pro
         (1, None, "anda em linha"),
     ]
     assert [(mark.can_run, mark.n_runs) for mark in line] == [(False, 0), (True, 1), (True, 0)]
-    assert [mark.id for mark in school.versions.line_of(square.id, before=back.id, limit=1)] == [second]
+    assert [mark.id for mark in school.versions.line_of(square.id, before=back.id, limit=1)] == [
+        second
+    ]
     assert school.versions.label(first, "").label == ""
     assert school.versions.get(back.id).parent_id == first
     assert code_of(lambda: school.versions.label("x", "a")) == "version_not_found"
@@ -174,6 +176,16 @@ def test_the_teacher_s_lesson_is_one_on_every_pc(
     assert school.lessons.current(ninth) is None
     assert {lesson.by_itself for lesson in school.lessons.of_classroom(ninth)} == {True, False}
     assert code_of(lambda: school.lessons.open(ninth, " ")) == "name_empty"
+
+
+def test_a_lesson_that_was_deleted_for_good_is_another_when_its_title_comes_back(
+    school: Store, ninth: str
+) -> None:
+    first = school.lessons.open(ninth, "Aula 7").id
+    school.exchange.remove("lesson", first)
+    second = school.lessons.open(ninth, "Aula 7").id
+    assert second != first
+    assert school.lessons.open(ninth, "aula 7").id == second
 
 
 def test_lessons_of_one_class_can_be_joined(

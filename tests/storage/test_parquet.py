@@ -10,7 +10,6 @@ import pytest
 
 from storage import Store, StoreError
 from storage.bundles import BundleInfo
-from storage.exchange import exchange_of
 from storage.parquet import TABLES
 from tests.storage.bundle_makers import a_run, work
 
@@ -25,7 +24,7 @@ TYPES = {
 
 
 def written(store: Store, dest: Path, **options: Any) -> BundleInfo:
-    return exchange_of(store).export_parquet(
+    return store.exchange.export_parquet(
         dest, app_version="0.1.0", computer=store.computers.here(), **options
     )
 
@@ -90,7 +89,7 @@ def test_a_folder_that_is_there_stays_and_is_remembered(busy: Store, tmp_path: P
     assert folder.name == "school-2"
     assert [file.name for file in tmp_path.glob("*school*")] == ["school", "school-2"]
     group = busy.groups.all()[0]
-    assert exchange_of(busy).remove("group", group.id).exports[0].path == str(folder)
+    assert busy.exchange.remove("group", group.id).exports[0].path == str(folder)
 
 
 def test_names_can_be_left_out(busy: Store, tmp_path: Path) -> None:

@@ -9,7 +9,6 @@ import pytest
 from storage import Recorder, RunStart, Store, StoreError
 from storage.bundles import Scope
 from storage.content import content_hash
-from storage.exchange import exchange_of
 from storage.opening import connect
 from storage.removal import forget_log, remove_keys
 from tests.storage.bundle_makers import exported, work
@@ -84,7 +83,7 @@ class TestRemove:
         classroom = store.classrooms.create("5º B")
         work(store, store.groups.create("Onças", classroom_id=classroom.id), "P")
         work(store, store.groups.create("Visitas"), "P")
-        removal = exchange_of(store).remove("classroom", classroom.id)
+        removal = store.exchange.remove("classroom", classroom.id)
         assert (removal.counts["groups"], removal.counts["lessons"], len(removal.ids)) == (1, 1, 4)
         assert [group.name for group in store.groups.all()] == ["Visitas"]
         assert store.classrooms.all() == []
@@ -93,13 +92,13 @@ class TestRemove:
         group = store.groups.create("Onças")
         gone, _ = work(store, group, "P")
         kept, _ = work(store, group, "Q")
-        counts = exchange_of(store).remove("program", gone.id).counts
+        counts = store.exchange.remove("program", gone.id).counts
         assert (counts["version_labels"], counts["runs"], counts["notes"]) == (1, 1, 1)
         assert [program.id for program in store.programs.of_group(group.id)] == [kept.id]
 
     def test_a_run_goes_with_its_notes_and_leaves_the_version(self, store: Store) -> None:
         program, run_id = work(store, store.groups.create("Onças"), "P")
-        counts = exchange_of(store).remove("run", run_id).counts
+        counts = store.exchange.remove("run", run_id).counts
         assert counts == {"events": 2, "telemetry": 1, "notes": 1, "runs": 1}
         assert store.programs.get(program.id).n_versions == 2
 
@@ -107,7 +106,7 @@ class TestRemove:
         group = store.groups.create("Zebras")
         work(store, group, "Quagga")
         store.groups.change(group.id, {"name": "Onças"})
-        assert exchange_of(store).remove("group", group.id).overwritten
+        assert store.exchange.remove("group", group.id).overwritten
         octets = path.read_bytes()
         assert [word for word in ("Zebras", "Quagga", "Onças") if word.encode() in octets] == []
 
@@ -118,7 +117,7 @@ class TestRemove:
         group = store.groups.create("Zebras")
         db.execute("BEGIN")
         db.execute("SELECT count(*) FROM groups").fetchone()
-        assert not exchange_of(store).remove("group", group.id).overwritten
+        assert not store.exchange.remove("group", group.id).overwritten
         db.execute("ROLLBACK")
 
     def test_a_group_whose_run_goes_on_is_not_deleted(self, store: Store) -> None:
@@ -127,14 +126,14 @@ class TestRemove:
         version = store.versions.save(program.id, {}, SQUARE)
         store.runs.begin(RunStart("sim", "w", WORLD, 1, "0.1.0", version_id=version.id))
         with pytest.raises(StoreError) as caught:
-            exchange_of(store).remove("group", group.id)
+            store.exchange.remove("group", group.id)
         assert caught.value.code == "run_in_progress"
         assert store.groups.get(group.id).n_runs == 1
 
     @pytest.mark.parametrize("kind", ["classroom", "group", "program", "run", "lesson", "note"])
     def test_what_is_not_there_cannot_be_deleted(self, store: Store, kind: str) -> None:
         with pytest.raises(StoreError) as caught:
-            exchange_of(store).remove(kind, "x")
+            store.exchange.remove(kind, "x")
         assert caught.value.code == f"{kind}_not_found"
 
     def test_bundles_that_may_still_hold_it_are_named(self, store: Store, tmp_path: Path) -> None:
@@ -148,6 +147,6 @@ class TestRemove:
         }
         for name, scope in scopes.items():
             exported(store, tmp_path / f"{name}.pinel", scope)
-        exports = exchange_of(store).remove("group", gone.id).exports
+        exports = store.exchange.remove("group", gone.id).exports
         assert [Path(export.path).stem for export in exports] == ["all", "group", "program"]
         assert all(export.made_at for export in exports)

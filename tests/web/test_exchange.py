@@ -74,14 +74,19 @@ def test_a_group_goes_on_with_its_program_at_another_pc(
     browser: Browser, other: Browser, program: dict[str, Any], version: dict[str, Any]
 ) -> None:
     octets = browser.get(f"/api/programs/{program['id']}/file").body
-    merged = _bring(other, octets).data
-    assert merged["added"]["programs"] == 1
+    brought = _bring(other, octets).data
+    assert brought == {
+        "program_id": program["id"],
+        "group_id": program["group_id"],
+        "nothing_new": False,
+    }
     place = f"/api/programs/{program['id']}"
     assert other.get(place).data["version"]["document"]["name"] == "square"
     more = {"workspace": {"more": 1}, "document": SQUARE}
     assert other.post(f"{place}/versions", more).status == 200
     back = other.get(f"{place}/file").body
-    assert _bring(browser, back).data["added"]["versions"] == 1
+    assert _bring(browser, back).data["nothing_new"] is False
+    assert _bring(browser, back).data["nothing_new"] is True
     assert browser.get(place).data["version"]["workspace"] == {"more": 1}
     assert browser.get(f"{place}/versions").data["versions"][0]["number"] == 2
 

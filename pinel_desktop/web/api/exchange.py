@@ -15,6 +15,7 @@ from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.errors import Notice
 from pinel_desktop.web.models.exchange import (
+    BroughtProgram,
     Bundle,
     BundlesToMerge,
     FileFound,
@@ -123,7 +124,7 @@ def get_program_file(path: IdPath) -> Response:
     return Response(octets, mimetype="application/octet-stream")
 
 
-@api.post("/programs/file", responses=answers(Merged, 413, 503, 507))
+@api.post("/programs/file", responses=answers(BroughtProgram, 404, 413, 503, 507))
 def read_program_file() -> Response:
     """Brings in a file that `GET /programs/{id}/file` gave on another PC. The body is the file."""
     with tempfile.TemporaryDirectory() as folder:
@@ -131,8 +132,14 @@ def read_program_file() -> Response:
         with path.open("wb") as file:
             while chunk := request.stream.read(2**20):
                 file.write(chunk)
-        report = services().store.exchange.merge_program(path)
-    return answer(_report(path, report))
+        report, program_id = services().store.exchange.merge_program(path)
+    # one that was deleted here stays away: program_not_found
+    program = services().store.programs.get(program_id)
+    return answer(
+        BroughtProgram(
+            program_id=program.id, group_id=program.group_id, nothing_new=report.nothing_new
+        )
+    )
 
 
 def _folders() -> Response:

@@ -95,6 +95,14 @@ class MergeList(Shape):
     content_hash: str
 
 
+class BroughtProgram(Shape):
+    """A program that came as a file, and whose it is."""
+
+    program_id: Id
+    group_id: Id
+    nothing_new: bool
+
+
 class HeardComputer(Shape):
     """A PC whose work is here: when it wrote what came last, and when that came."""
 

@@ -1266,6 +1266,24 @@ export interface components {
             blocks: string[];
         };
         /**
+         * BroughtProgram
+         * @description A program that came as a file, and whose it is.
+         */
+        BroughtProgram: {
+            /**
+             * Group Id
+             * @description UUIDv7 text
+             */
+            group_id: string;
+            /** Nothing New */
+            nothing_new: boolean;
+            /**
+             * Program Id
+             * @description UUIDv7 text
+             */
+            program_id: string;
+        };
+        /**
          * Bundle
          * @description A bundle that was written.
          */
@@ -6249,7 +6267,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Merged"];
+                    "application/json": components["schemas"]["BroughtProgram"];
                 };
             };
             /** @description Bad Request */
@@ -6272,6 +6290,15 @@ export interface operations {
             };
             /** @description Forbidden */
             403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorAnswer"];
+                };
+            };
+            /** @description Not Found */
+            404: {
                 headers: {
                     [name: string]: unknown;
                 };
