@@ -68,9 +68,7 @@ def test_another_speed_holds_at_once_also_within_a_slow_tick() -> None:
 @pytest.mark.parametrize("speed", [0.1, 0.5, 1.0, 10.0])
 @pytest.mark.parametrize("preset", ["ideal", "realistic"])
 @pytest.mark.parametrize("paused", [False, True])
-def test_stop_takes_no_longer_in_slow_motion(
-    speed: float, preset: Preset, paused: bool
-) -> None:
+def test_stop_takes_no_longer_in_slow_motion(speed: float, preset: Preset, paused: bool) -> None:
     time, control, commands = FakeTime(), RunControl(), []
     control.set_speed(speed)
     seen: list[float] = []
