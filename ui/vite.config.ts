@@ -47,7 +47,11 @@ export default defineConfig({
     emptyOutDir: true,
     target: "es2022",
     chunkSizeWarningLimit: 1500,
-    modulePreload: { polyfill: false }, // there is one chunk
+    modulePreload: { polyfill: false },
+    // what the start needs is one file, whatever parts that come later have in common with it
+    rolldownOptions: {
+      output: { codeSplitting: { groups: [{ name: "start", tags: ["$initial"] }] } },
+    },
   },
   server: { fs: { allow: [here("..")] } },
   test: {
