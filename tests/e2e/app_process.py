@@ -32,6 +32,11 @@ class AppProcess:
     def origin(self) -> str:
         return self.link.split("?")[0]
 
+    @property
+    def database(self) -> Path:
+        """The group's file: to be touched only while the app is stopped."""
+        return self._home / "pinel.db"
+
     def fresh_link(self) -> str:
         """What a second start of the command prints: another one-time address of the running app."""
         second = self._spawn(subprocess.DEVNULL)

@@ -1,11 +1,17 @@
 """Nothing that a group did is ever lost: undo after a restart, the line of versions, the bin, notes of the teacher."""
 
+import re
+import sqlite3
+from contextlib import closing
+from typing import Any
+
 import pytest
 from playwright.sync_api import expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.studio import Studio
+from tests.e2e.test_accessibility import violations
 from tests.e2e.watch import Watch
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
@@ -72,3 +78,243 @@ def test_what_was_undone_is_not_gone_through_again_after_a_restart(
     later.wait_until_open()
     later["undo"].click()
     later.eventually(lambda: later.values("distance"), [1])
+
+
+def open_history(studio: Studio) -> None:
+    studio["open-history"].click()
+    expect(studio["version-shown"]).to_be_visible()
+
+
+def numbers(studio: Studio) -> list[str | None]:
+    """The number of the version on the screen, and of the step that is lit in the list."""
+    shown = studio["version-shown"].get_attribute("data-number")
+    lit = studio.page.locator('[data-testid=version-step][aria-current="true"]')
+    return [shown, lit.get_attribute("data-number")]
+
+
+def test_a_group_steps_through_its_versions_names_one_and_goes_on_from_it(studio: Studio) -> None:
+    studio.enter_group("Os Tatus")
+    build(studio, "0,7", "2")
+    open_history(studio)
+    page = studio.page
+    studio.eventually(lambda: numbers(studio), ["3", "3"])
+    expect(studio["version-step"]).to_have_count(1)  # a burst of edits is one mark
+    expect(studio["version-go-on"]).to_be_disabled()
+
+    page.keyboard.press("ArrowLeft")
+    studio.eventually(lambda: numbers(studio)[0], "2")
+    expect(studio["version-blocks"]).to_contain_text("0,7")
+    expect(page.locator(".pinelChanged")).to_have_count(1)  # what was set anew in it
+    studio["version-unfold"].click()
+    expect(studio["version-step"]).to_have_count(4)
+    studio["version-older"].click()
+    studio.eventually(lambda: numbers(studio), ["1", "1"])
+    studio["version-slider"].fill("1")
+    studio.eventually(lambda: numbers(studio), ["2", "2"])
+
+    studio["version-rename"].click()
+    studio["version-name"].fill("anda certo")
+    studio["version-keep-name"].click()
+    expect(studio["version-shown"]).to_contain_text("anda certo")
+    expect(page.locator('[data-testid=version-step][data-number="2"]')).to_contain_text(
+        "anda certo"
+    )
+    program = re.search(r"#/versions/([^/]+)", page.url)
+    assert program
+    line = studio.api(f"/programs/{program[1]}/versions")["versions"]
+    assert [one["label"] for one in line] == ["", "anda certo", ""]
+
+    studio["version-go-on"].click()
+    studio.wait_until_open()
+    expect(studio.blocks.by_words(MOVE)).to_contain_text("0,7")
+    assert studio.values("distance") == [0.7]
+    line = studio.api(f"/programs/{studio.program_id}/versions")["versions"]
+    assert [one["number"] for one in line] == [4, 3, 2, 1]
+    assert line[0]["parent_id"] == line[2]["id"]
+    studio["undo"].click()  # goes back from the version that was gone on from
+    studio.eventually(lambda: studio.values("distance"), [1])
+
+
+def test_two_versions_are_compared_block_by_block(studio: Studio) -> None:
+    studio.enter_group("Os Tatus")
+    build(studio, "2")
+    blocks = studio.blocks
+    blocks.drag_from_toolbox("motion", "girar", blocks.below(blocks.by_words(MOVE)))
+    studio.eventually(studio.actions, ["move_forward", "turn"])
+    open_history(studio)
+    page = studio.page
+    page.keyboard.press("Home")
+    studio.eventually(lambda: numbers(studio)[0], "1")
+    studio["version-compare"].click()
+
+    expect(studio["difference"]).to_have_count(2)
+    changed, added = studio["difference"].all()
+    expect(changed).to_have_attribute("data-kind", "changed")
+    expect(changed).to_contain_text(f"{MOVE} 1 m → {MOVE} 2 m")
+    expect(added).to_have_attribute("data-kind", "added")
+    expect(added).to_contain_text("girar à esquerda 90°")
+    expect(page.locator(".pinelChanged")).to_have_count(2)
+    expect(page.locator(".pinelAdded")).to_have_count(1)
+
+    page.keyboard.press("ArrowDown")
+    expect(changed).to_have_attribute("aria-current", "true")
+    expect(page.locator(".pinelRunning")).to_have_count(2)
+    page.keyboard.press("ArrowDown")
+    expect(added).to_have_attribute("aria-current", "true")
+    expect(page.locator(".pinelRunning")).to_have_count(1)
+    studio["difference-previous"].click()
+    expect(changed).to_have_attribute("aria-current", "true")
+
+    studio["language"].select_option("en")
+    expect(added).to_contain_text("turn left 90°")
+    expect(page.locator(".pinelAdded")).to_have_count(1)
+    after = page.locator('[data-testid=difference-side][data-side="after"]')
+    after.select_option(index=0)
+    expect(studio["difference-count"]).to_be_visible()
+
+
+def test_two_pcs_that_went_on_from_one_version_are_shown_side_by_side(
+    studio: Studio, open_studio: OpenStudio, app: AppProcess, watch: Watch
+) -> None:
+    watch.expect("Failed to load resource")
+    studio.enter_group("Os Tatus")
+    build(studio, "2")
+    program = studio.program_id
+    app.stop()
+    with closing(sqlite3.connect(app.database)) as db, db:
+        db.execute("UPDATE computers SET name = 'PC 3'")
+        db.execute("INSERT INTO computers (id, name, changed_at) VALUES ('other', 'PC 7', '')")
+        columns = [row[1] for row in db.execute("PRAGMA table_info(versions)")]
+        rest = [name for name in columns if name not in ("id", "computer_id")]
+        db.execute(
+            f"INSERT INTO versions (id, computer_id, {', '.join(rest)})"
+            f" SELECT 'f' || substr(id, 2), 'other', {', '.join(rest)} FROM versions"
+            " WHERE number = 2"
+        )
+    app.start()
+    later = open_studio()
+    later.page.goto(f"{app.origin}#/versions/{program}")
+    expect(later["version-fork"]).to_contain_text("2 computadores")
+    expect(later["version-branch"]).to_have_count(2)
+    assert [branch.locator("h3").inner_text() for branch in later["version-branch"].all()] == [
+        "PC 3",
+        "PC 7",
+    ]
+    later["version-compare-fork"].click()
+    expect(later["difference-count"]).to_have_text("0 diferenças")
+
+
+def test_a_program_goes_into_the_bin_and_comes_back(studio: Studio) -> None:
+    studio.enter_group("Os Tatus")
+    build(studio)
+    studio.run()
+    studio.wait_for_phase("finished")
+    studio["open-work"].click()
+    expect(studio["program-card"]).to_have_count(1)
+    studio["throw-away"].click()
+    expect(studio["program-card"]).to_have_count(0)
+    expect(studio["run-card"]).to_have_count(1)  # what was driven stays
+    studio["throw-back"].click()
+    expect(studio["program-card"]).to_have_count(1)
+
+    studio["throw-away"].click()
+    studio.page.reload()
+    studio["bin"].click()
+    expect(studio["bin-program"]).to_contain_text("Programa 1")
+    studio["take-back"].click()
+    expect(studio["program-card"]).to_have_count(1)
+    expect(studio["bin"]).to_have_count(0)
+
+
+def test_runs_are_chosen_by_how_they_ended(studio: Studio) -> None:
+    studio.enter_group("Os Tatus")
+    build(studio)
+    studio.run()
+    studio.wait_for_phase("finished")
+    set_distance(studio, "50")
+    studio.run()
+    studio.wait_for_phase("running")
+    studio["stop"].click()
+    studio.wait_for_phase("stopped")
+    studio["open-work"].click()
+    expect(studio["run-card"]).to_have_count(2)
+    choose = studio.page.locator
+    choose('[data-testid=run-filter][data-outcome="stopped"]').click()
+    expect(studio["run-card"]).to_have_count(1)
+    expect(studio["run-card"]).to_have_attribute("data-state", "stopped")
+    choose('[data-testid=run-filter][data-outcome="failed"]').click()
+    expect(studio["run-card"]).to_have_count(0)
+    choose('[data-testid=run-filter][data-outcome="all"]').click()
+    expect(studio["run-card"]).to_have_count(2)
+
+
+def test_a_group_reads_what_its_teacher_wrote(studio: Studio, open_studio: OpenStudio) -> None:
+    studio.enter_group("Os Tatus")
+    build(studio)
+    studio.run()
+    studio.wait_for_phase("finished")
+    group = studio.api("/groups")["groups"][0]["id"]
+    [run] = studio.api(f"/groups/{group}/runs")["runs"]
+    teacher = open_studio()
+    ask(teacher, "PUT", "/teacher/pin", {"pin": "314159"})
+    ask(teacher, "POST", f"/runs/{run['id']}/notes", {"text": "Por que 90°?"})
+
+    studio["home"].click()
+    studio["group-card"].filter(has_text="Os Tatus").click()
+    expect(studio["note-card"]).to_contain_text("Por que 90°?")
+    studio["note-run"].click()
+    expect(studio["replay-play"]).to_be_visible()
+    expect(studio["note-card"]).to_contain_text("Por que 90°?")
+    studio["open-work"].click()
+    studio["note-seen"].click()
+    expect(studio["note-card"]).to_have_count(0)
+
+    studio["home"].click()
+    studio["group-card"].filter(has_text="Os Tatus").click()
+    studio.wait_until_open()
+
+
+def ask(studio: Studio, method: str, path: str, body: dict[str, Any]) -> None:
+    address = f"{studio.page.url.split('#')[0].rstrip('/')}/api{path}"
+    answer = studio.page.context.request.fetch(address, method=method, data=body)
+    assert answer.ok, answer.text()
+
+
+@pytest.mark.parametrize("theme", ["light", "dark", "contrast"])
+def test_history_bin_and_letters_have_names_and_contrast(studio: Studio, theme: str) -> None:
+    while studio["theme"].get_attribute("data-theme") != theme:
+        studio["theme"].click()
+    studio.enter_group("Os Tatus")
+    found: dict[str, list[str]] = {}
+    open_page = studio.page.goto
+    origin = studio.page.url.split("#")[0]
+    open_page(f"{origin}#/versions/{studio.program_id}")
+    expect(studio.page.locator("h1")).to_be_visible()
+    found["no versions"] = violations(studio)
+    open_page(f"{origin}#/")
+    studio["group-card"].click()
+    studio.wait_until_open()
+    build(studio, "2")
+    studio.run()
+    studio.wait_for_phase("finished")
+    group = studio.api("/groups")["groups"][0]["id"]
+    [run] = studio.api(f"/groups/{group}/runs")["runs"]
+    ask(studio, "PUT", "/teacher/pin", {"pin": "314159"})
+    ask(studio, "POST", f"/runs/{run['id']}/notes", {"text": "Por que 90°?"})
+
+    open_history(studio)
+    found["versions"] = violations(studio)
+    studio["version-compare"].click()
+    expect(studio["difference"]).to_have_count(1)
+    studio["difference"].click()
+    found["differences"] = violations(studio)
+    studio["open-work"].click()
+    expect(studio["note-card"]).to_be_visible()
+    studio["throw-away"].click()
+    studio["bin"].click()
+    expect(studio["take-back"]).to_be_visible()
+    found["work"] = violations(studio)
+    studio["note-run"].click()
+    expect(studio["note-card"]).to_be_visible()
+    found["replay"] = violations(studio)
+    assert {screen: one for screen, one in found.items() if one} == {}

@@ -115,6 +115,12 @@ export class BlocksReader {
     this.workspace.setTheme(blocklyTheme(theme));
   }
 
+  /** What a screen reader calls this place, so that two of them can be told apart. */
+  setName(name: string): void {
+    const area = this.workspace.getParentSvg().querySelector(".blocklyWorkspace");
+    area?.setAttribute("aria-label", name);
+  }
+
   /** Blocks take their words when they are made: they are made again. */
   setLanguage(language: Language): void {
     applyLanguage(language);

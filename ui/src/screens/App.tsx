@@ -38,9 +38,7 @@ function Screen() {
     case "replay":
       return <ReplayScreen key={now.run} runId={now.run} />;
     case "versions":
-      return (
-        <VersionsScreen key={now.program} programId={now.program} versionId={now.version} />
-      );
+      return <VersionsScreen key={now.program} programId={now.program} versionId={now.version} />;
     case "differences":
       return <DifferencesScreen key={`${now.before} ${now.after}`} {...now} />;
     case "teacher":

@@ -16,6 +16,7 @@ import { breakpoints } from "../debug/debugging";
 import { createEditor, type Editor } from "../editor";
 import { language, texts } from "../i18n";
 import { FaultList } from "./FaultList";
+import { InBin } from "./InBin";
 import type { StudioControl } from "./studio_control";
 import { Turns } from "./Turns";
 import { WayBack } from "./WayBack";
@@ -25,6 +26,7 @@ export function BlocksPane({ control }: { control: StudioControl }) {
   return (
     <section class="blocks" aria-label={studio.blocks}>
       <Tools control={control} />
+      <InBin program={control.open.program} />
       <Swap control={control} />
       <Turns group={control.open.program.group_id} />
       <Workspace control={control} />

@@ -23,8 +23,8 @@ export function ProgramCard({ program, path, onThrowAway }: ProgramCardProps) {
         class="work-card"
         href={hashOf({ screen: "studio", program: program.id })}
         data-testid={TEST.programCard}
-        aria-label={about(work.open)}
       >
+        <span class="visually-hidden">{work.open}: </span>
         <span class="work-card__picture">
           <PathPicture path={path} />
           {path.length < 2 && <span class="work-card__none">{work.emptyProgram}</span>}

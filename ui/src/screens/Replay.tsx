@@ -4,6 +4,7 @@ import { useEffect } from "preact/hooks";
 import { door } from "../app/teacher";
 import { TEST } from "../app/testids";
 import { texts } from "../i18n";
+import { RunNotes } from "../notes/RunNotes";
 import { MuteButton } from "../run/MuteButton";
 import type { Playback } from "../run/playback";
 import { Readout } from "../run/Readout";
@@ -47,6 +48,7 @@ export function Replay({ recording, onOpen }: ReplayProps) {
             </button>
           )}
         </div>
+        <RunNotes runId={run.id} />
         <ReplayBlocks run={run} view={playback.view} />
         {door.value?.is_open && run.group_id && <TeacherNote key={run.id} run={run.id} />}
       </section>

@@ -29,13 +29,8 @@ export function RunCard({ run }: { run: Run }) {
     run.duration_s === null ? null : duration(run.duration_s, language.value),
   ];
   return (
-    <a
-      class="work-card card"
-      href={placeOf(run)}
-      data-testid={TEST.runCard}
-      data-state={run.state}
-      aria-label={`${work.replay}: ${run.program_name ?? work.noName}, ${work.states[run.state]}`}
-    >
+    <a class="work-card card" href={placeOf(run)} data-testid={TEST.runCard} data-state={run.state}>
+      <span class="visually-hidden">{work.replay}: </span>
       <span class="work-card__picture">
         <PathPicture path={run.path} />
       </span>

@@ -2,6 +2,7 @@ import { signal } from "@preact/signals";
 import { api } from "../api/client";
 import { keeping } from "../api/keeping";
 import type { Program } from "../api/model";
+import { opened } from "../app/open_program";
 
 /** A group's programs, those in its bin, and the one that was thrown away last. */
 export class ProgramShelf {
@@ -22,6 +23,8 @@ export class ProgramShelf {
   async throwAway(program: Program): Promise<void> {
     const thrown = await keeping.throwAway(program.id);
     this.programs.value = without(this.programs.peek() ?? [], program);
+    // the header leads back to what is on the desk, and not into the bin
+    if (opened.peek()?.id === program.id) opened.value = null;
     this.bin.value = [thrown, ...without(this.bin.peek(), program)];
     this.thrown.value = thrown;
   }

@@ -6,7 +6,7 @@ import { problem } from "../app/session";
 import { TEST } from "../app/testids";
 import type { Difference } from "../editor/difference_sign";
 import type { BlocksReader } from "../editor/reader";
-import { language, texts } from "../i18n";
+import { texts } from "../i18n";
 import type { Compared } from "./DifferencesScreen";
 import { differenceWords } from "./difference_words";
 import { type Differing, differing, kindsOf } from "./differences";
@@ -66,14 +66,14 @@ export function Differences({ compared, programId }: DifferencesProps) {
   const lines = useComputed(() => {
     const [first, second] = [before.value, after.value];
     const tell = texts.value;
-    if (!first || !second) return [];
+    if (filled.value === 0 || !first || !second) return [];
     return list.value.map((one) => differenceWords(one, first, second, tell));
   });
 
   return (
     <main class="screen differences">
       <h1 class="visually-hidden">{words.compareTitle}</h1>
-      <section class="blocks differences__side" aria-label={words.before}>
+      <section class="blocks differences__side">
         <SideChoice side="before" compared={compared} programId={programId} />
         <ReadBlocks
           label={`${words.before}: ${words.version(compared.before.number)}`}
@@ -82,12 +82,15 @@ export function Differences({ compared, programId }: DifferencesProps) {
           }}
         />
       </section>
-      <section class="blocks differences__side" aria-label={words.after}>
+      <section class="blocks differences__side">
         <SideChoice side="after" compared={compared} programId={programId} />
         <ReadBlocks
           label={`${words.after}: ${words.version(compared.after.number)}`}
           onReader={(made) => {
             after.value = made;
+          }}
+          onLanguage={() => {
+            filled.value += 1;
           }}
         />
       </section>
@@ -149,7 +152,6 @@ export function Differences({ compared, programId }: DifferencesProps) {
         </ol>
         {list.value.length > 1 && <p class="differences__keys">{words.keys}</p>}
       </section>
-      <span hidden>{language.value}</span>
     </main>
   );
 }

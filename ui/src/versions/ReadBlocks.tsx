@@ -8,10 +8,12 @@ interface ReadBlocksProps {
   testId?: string;
   /** Hands the blocks over once they can be filled; null when they are gone. */
   onReader(reader: BlocksReader | null): void;
+  /** The blocks speak another language now. */
+  onLanguage?(): void;
 }
 
 /** A place for blocks to look at. */
-export function ReadBlocks({ label, testId, onReader }: ReadBlocksProps) {
+export function ReadBlocks({ label, testId, onReader, onLanguage }: ReadBlocksProps) {
   const container = useRef<HTMLDivElement>(null);
   const reader = useRef<BlocksReader | null>(null);
   useEffect(() => {
@@ -31,6 +33,10 @@ export function ReadBlocks({ label, testId, onReader }: ReadBlocksProps) {
     };
   }, []);
   useEffect(() => reader.current?.setTheme(theme.value), [theme.value]);
-  useEffect(() => reader.current?.setLanguage(language.value), [language.value]);
-  return <section class="blocks__editor" aria-label={label} data-testid={testId} ref={container} />;
+  useEffect(() => {
+    reader.current?.setLanguage(language.value);
+    onLanguage?.();
+  }, [language.value]);
+  useEffect(() => reader.current?.setName(label), [label, language.value]);
+  return <div class="blocks__editor" data-testid={testId} ref={container} />;
 }

@@ -54,7 +54,7 @@ export function VersionPane({ history }: { history: VersionHistory }) {
   };
 
   return (
-    <section class="blocks versions__pane" aria-label={words.readOnly}>
+    <section class="blocks versions__pane">
       <div class="versions__bar">
         <ChosenWords history={history} />
         {!naming.value && (
@@ -148,7 +148,7 @@ function ChosenWords({ history }: { history: VersionHistory }) {
         <ArrowLeft class="icon" aria-hidden="true" />
       </a>
       <p aria-live="polite">
-        <strong>{version.label || name}</strong>
+        <strong title={version.label || undefined}>{version.label || name}</strong>
         <span>{[version.label ? name : "", ...facts].filter(Boolean).join(" · ")}</span>
       </p>
     </div>
