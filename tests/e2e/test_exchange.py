@@ -81,3 +81,27 @@ def test_a_group_is_deleted_for_good(studio: Studio, stick: Path) -> None:
     expect(studio["deletion-done"]).to_contain_text("Apagado: 1 grupo")
     expect(studio["deletion-done"]).to_contain_text(".pinel")
     assert studio.api("/groups") == {"groups": []}
+
+
+def test_a_group_goes_on_with_its_program_at_another_pc(
+    studio: Studio, other_pc: Studio, tmp_path: Path
+) -> None:
+    studio.enter_group("Os Tatus")
+    studio.build_square("0,5")
+    studio.wait_until_saved()
+    studio["open-work"].click()
+    with studio.page.expect_download() as taken:
+        studio["program-file"].click()
+    file = tmp_path / taken.value.suggested_filename
+    taken.value.save_as(file)
+    assert file.suffix == ".pinel"
+
+    other_pc["bring-program"].set_input_files(file)
+    other_pc.wait_until_open()
+    expect(other_pc.blocks.by_words("andar para frente")).to_contain_text("0,5")
+    expect(other_pc["header-group"]).to_contain_text("Os Tatus")
+    other_pc["home"].click()
+    bad = tmp_path / "foto.pinel"
+    bad.write_bytes(b"no bundle")
+    other_pc["bring-program"].set_input_files(bad)
+    expect(other_pc.page.get_by_text("não foi exportado pelo PINEL")).to_be_visible()

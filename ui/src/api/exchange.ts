@@ -28,5 +28,5 @@ export const exchange = {
   deleteClassroom: (id: string) => json<Removed>("DELETE", `/api/classrooms/${id}`),
 
   programFile: (program: string) => octets(`/api/programs/${program}/file`),
-  bringProgram: (file: Blob) => sendFile<Merged>("/api/programs/file", file),
+  bringProgram: (file: Blob) => sendFile<Schemas["BroughtProgram"]>("/api/programs/file", file),
 };

@@ -5,6 +5,7 @@ import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
 import { when } from "../i18n/format";
 import { PathPicture } from "../scene/PathPicture";
+import { TakeAlong } from "./ProgramFile";
 
 interface ProgramCardProps {
   program: Program;
@@ -45,6 +46,7 @@ export function ProgramCard({ program, path, onThrowAway }: ProgramCardProps) {
           <History class="icon" aria-hidden="true" />
           {keeping.history}
         </a>
+        <TakeAlong program={program} />
         <button
           type="button"
           class="button button--plain"

@@ -13,6 +13,7 @@ import { texts } from "../i18n";
 import { ClassChips } from "./ClassChips";
 import { GroupCard } from "./GroupCard";
 import { NewGroup } from "./NewGroup";
+import { BringIn } from "./ProgramFile";
 import { StartPicture } from "./StartPicture";
 import "./start.css";
 
@@ -50,7 +51,10 @@ function Groups({ groups, classes }: Found) {
     <main class="screen start">
       <div class="start__head">
         <h1 class="start__title">{here.length ? start.title : words.emptyTitle}</h1>
-        <DoorLink />
+        <div class="start__doors">
+          <BringIn />
+          <DoorLink />
+        </div>
       </div>
       {classes.length > 0 && <ClassChips classes={classes} withNone={withNone} shown={shown} />}
       {here.length ? (
@@ -128,6 +132,9 @@ function FirstGroup() {
         ) : (
           <DoorLink />
         )}
+        <div>
+          <BringIn />
+        </div>
       </div>
     </main>
   );

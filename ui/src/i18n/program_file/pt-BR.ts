@@ -2,7 +2,6 @@
 export const ptBR = {
   takeAlong: "Levar o programa",
   takeAlongHint: "Guarda o programa num arquivo, para continuar em outro computador.",
-  bringIn: "Trazer um programa",
-  broughtIn: (n: number): string =>
-    n === 0 ? "Este programa já estava aqui." : "O programa chegou, com toda a sua história.",
+  take: "Levar",
+  bringIn: "Trazer um programa de outro computador",
 };

@@ -1,0 +1,58 @@
+import { Download, Upload } from "lucide-preact";
+import { exchange } from "../api/exchange";
+import type { Program } from "../api/model";
+import { go } from "../app/route";
+import { fileName, saveFile } from "../app/save_file";
+import { report } from "../app/session";
+import { TEST } from "../app/testids";
+import { texts } from "../i18n";
+
+const SUFFIX = ".pinel";
+
+/** Takes a program along to another PC. */
+export function TakeAlong({ program }: { program: Program }) {
+  const { programFile } = texts.value;
+  const take = async () => {
+    const file = await exchange.programFile(program.id);
+    saveFile(`${fileName(program.name, "programa")}${SUFFIX}`, file);
+  };
+  return (
+    <button
+      type="button"
+      class="button button--plain"
+      data-testid={TEST.programFile}
+      title={programFile.takeAlongHint}
+      aria-label={`${programFile.takeAlong}: ${program.name}`}
+      onClick={() => void take().catch(report)}
+    >
+      <Download class="icon" aria-hidden="true" />
+      {programFile.take}
+    </button>
+  );
+}
+
+/** Brings in a program that was taken along from another PC, with its group, and opens it. */
+export function BringIn() {
+  const { programFile } = texts.value;
+  const bring = async (file: File | undefined) => {
+    if (!file) return;
+    const brought = await exchange.bringProgram(file);
+    go({ screen: "studio", program: brought.program_id });
+  };
+  return (
+    <label class="button button--plain bring-in">
+      <Upload class="icon" aria-hidden="true" />
+      {programFile.bringIn}
+      <input
+        type="file"
+        class="visually-hidden"
+        accept={SUFFIX}
+        data-testid={TEST.bringProgram}
+        onChange={({ currentTarget }) => {
+          void bring(currentTarget.files?.[0]).catch(report);
+          currentTarget.value = "";
+        }}
+      />
+    </label>
+  );
+}
