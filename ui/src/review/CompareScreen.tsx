@@ -6,7 +6,7 @@ import type { Group } from "../api/model";
 import { hashOf } from "../app/route";
 import { report } from "../app/session";
 import { TEST } from "../app/testids";
-import { language, texts } from "../i18n";
+import { language } from "../i18n";
 import { duration } from "../i18n/format";
 import { words } from "../i18n/review";
 import { Readout } from "../run/Readout";
@@ -14,12 +14,13 @@ import type { Companion } from "../scene/companion";
 import { Scene } from "../scene/Scene";
 import { GroupPicture } from "../screens/GroupPicture";
 import { NotOpened } from "../screens/NotOpened";
-import { ReplayBlocks, ReplayWords } from "../screens/ReplayParts";
+import { ReplayWords } from "../screens/ReplayParts";
 import { loadRecording } from "../screens/recording";
 import { Transport } from "../screens/Transport";
 import { Behind } from "./Behind";
 import { outcomeOf } from "./model";
 import { Pair, type Side } from "./pair";
+import { SideBlocks } from "./SideBlocks";
 import { Sign } from "./Sign";
 import "../run/run.css";
 import "../screens/studio.css";
@@ -193,8 +194,7 @@ function SidePane({ side, number, groups, together }: SidePaneProps) {
       )}
       <ReplayWords run={run} view={side.view} />
       <div class="compare__blocks">
-        <ReplayBlocks run={run} view={side.view} />
-        {!run.version && <p class="compare__none">{texts.value.replay.noVersion}</p>}
+        <SideBlocks side={side} number={number} label={compare.blocksOf(`${number}: ${title}`)} />
       </div>
       <div class="floor__foot card" title={compare.pathOf(title)}>
         <Readout view={side.view} />

@@ -27,7 +27,7 @@ export function GroupDetail({ review, book }: GroupDetailProps) {
   return (
     <div class="detail" data-testid={TEST.reviewDetail}>
       <div class="detail__runs">
-        <h3 class="detail__title">{detail.runs}</h3>
+        <h2 class="detail__title">{detail.runs}</h2>
         {runs.length === 0 && <p class="detail__none">{detail.noRuns}</p>}
         <ol>
           {runs.map((mark) => (
@@ -36,7 +36,7 @@ export function GroupDetail({ review, book }: GroupDetailProps) {
         </ol>
       </div>
       <div class="detail__blocks">
-        <h3 class="detail__title">{detail.blocks}</h3>
+        <h2 class="detail__title">{detail.blocks}</h2>
         <BlockChips blocks={review.blocks} />
       </div>
     </div>

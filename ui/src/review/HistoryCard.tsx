@@ -42,11 +42,7 @@ export function HistoryCard({ run, chosen }: HistoryCardProps) {
       data-testid={TEST.historyRun}
       data-outcome={outcome}
     >
-      <a
-        class="run-card__open"
-        href={hashOf({ screen: "replay", run: run.id })}
-        aria-label={`${work.replay}: ${title}. ${facts.join(" · ")}`}
-      >
+      <a class="run-card__open" href={hashOf({ screen: "replay", run: run.id })}>
         <span class="work-card__picture">
           <PathPicture path={run.path} />
         </span>

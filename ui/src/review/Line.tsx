@@ -104,9 +104,10 @@ function saying(mark: ReviewMark, book: MarkBook) {
 export function placeOf(mark: ReviewMark): string {
   if (mark.run_id) return hashOf({ screen: "replay", run: mark.run_id });
   const { program_id, since, version_id } = mark;
+  if (!program_id || !version_id) return hashOf({ screen: "runs" });
   return since
-    ? `#/differences/${program_id}/${since}/${version_id}`
-    : `#/versions/${program_id}/${version_id}`;
+    ? hashOf({ screen: "differences", program: program_id, before: since, after: version_id })
+    : hashOf({ screen: "versions", program: program_id, version: version_id });
 }
 
 /** The line itself, its ruler, folded pauses, and arcs from what failed to what made it good. */
