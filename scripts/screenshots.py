@@ -32,6 +32,7 @@ ARGUMENTS = [
 SIZES = {"1366x768": (1366, 768), "1024x768": (1024, 768), "1920x1080": (1920, 1080)}
 THEMES = ("light", "dark", "contrast")
 LANGUAGES = ("pt-BR", "en", "es")
+PIN = "314159"
 
 Block = dict[str, Any]
 
@@ -204,10 +205,16 @@ class Seed(NamedTuple):
 
 
 def seed(camera: Photographer) -> Seed:
-    """Groups, programs and runs like those of a lesson."""
+    """A class with its lesson, groups, programs and runs."""
+    camera.call("PUT", "/api/teacher/pin", {"pin": PIN})
+    classroom = camera.call("POST", "/api/classrooms", {"name": "9º A"})["id"]
+    lesson = {"title": "Quadrados", "activity": "square"}
+    camera.call("POST", f"/api/classrooms/{classroom}/lessons", lesson)
+    camera.call("POST", "/api/teacher/leave")
     for name in ("Os Parafusos", "Equipe Beta", "Meninas do Robô", "Curto-circuito"):
-        camera.call("POST", "/api/groups", {"name": name})
-    group = camera.call("POST", "/api/groups", {"name": "Turma dos Quadrados"})["id"]
+        camera.call("POST", "/api/groups", {"name": name, "classroom_id": classroom})
+    wanted = {"name": "Turma dos Quadrados", "classroom_id": classroom}
+    group = camera.call("POST", "/api/groups", wanted)["id"]
     programs = {
         name: save(camera, group, name, blocks)
         for name, blocks in {
@@ -270,6 +277,23 @@ def photograph(camera: Photographer, seeded: Seed) -> None:
     camera.round("work")
     replay(camera, seeded.run)
     camera.round("replay")
+    teacher(camera)
+
+
+def teacher(camera: Photographer) -> None:
+    """The door, and each part behind it."""
+    camera.go("#/teacher")
+    camera.of("pin").wait_for()
+    camera.round("teacher-door")
+    camera.of("pin").fill(PIN)
+    camera.of("enter-door").click()
+    camera.of("lesson-row").first.wait_for()
+    camera.round("teacher-lessons")
+    for part in ("classes", "computer"):
+        camera.page.locator(f"[data-testid=teacher-part][data-part={part}]").click()
+        camera.round(f"teacher-{part}")
+    camera.of("leave-door").click()
+    camera.of("group-card").first.wait_for()
 
 
 def studio_running(camera: Photographer, program: str) -> None:

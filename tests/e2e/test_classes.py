@@ -174,6 +174,8 @@ def test_lessons_are_joined_and_taken_apart(studio: Studio) -> None:
     expect(studio["lesson-row"].first).to_contain_text("Quadrados")
     studio["lesson-apart"].click()
     expect(studio["lesson-link"]).to_have_count(2)
+    studio["lesson-link"].first.click()
+    expect(studio["lesson-page"]).to_be_visible()
 
 
 def test_a_group_is_moved_to_another_class(studio: Studio) -> None:

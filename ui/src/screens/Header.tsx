@@ -17,9 +17,12 @@ import { TeacherChip } from "./TeacherChip";
 const LANGUAGE_NAMES = { "pt-BR": "Português", en: "English", es: "Español" } as const;
 const THEME_ICONS = { light: Sun, dark: Moon, contrast: Contrast } as const;
 
+/** Screens that are about no group in particular. */
+const OUTSIDE = ["start", "teacher", "lesson", "runs", "compare"];
+
 /** The same places on every screen: who, what, saved, our work, look, language. */
 export function Header() {
-  const inside = !["start", "teacher"].includes(route.value.screen);
+  const inside = !OUTSIDE.includes(route.value.screen);
   return (
     <header class="header">
       <a class="header__home" href="#/" data-testid={TEST.home} title={texts.value.header.home}>
