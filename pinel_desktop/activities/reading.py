@@ -12,6 +12,7 @@ from pinel_desktop.activities.faults import ActivityError, faults_of_form, unful
 from pinel_desktop.activities.model import Activity
 from pinel_desktop.errors import PinelError
 from pinel_desktop.program.faults import Fault
+from sim.world import list_worlds
 
 _MAX_BYTES = 2**20
 
@@ -27,6 +28,11 @@ def _shipped() -> dict[str, Activity]:
 def activity_names() -> list[str]:
     """Names of the activities that ship, in alphabetical order."""
     return list(_shipped())
+
+
+def shipped_names() -> list[str]:
+    """Names of worlds and activities that ship: they tell nothing of who used them."""
+    return [*(str(world["name"]) for world in list_worlds()), *activity_names()]
 
 
 def choose_activity(name_or_file: str) -> Activity:

@@ -12,12 +12,11 @@ from typing import Any, Protocol
 import click
 
 from pinel_desktop import __version__
-from pinel_desktop.activities.reading import activity_names
+from pinel_desktop.activities.reading import shipped_names
 from pinel_desktop.commands.store_file import opened_store
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, language_of_system
 from pinel_desktop.paths import database_path
-from sim.world import list_worlds
 from storage import Store, StoreError
 from storage.bundles import SUFFIX, BundleInfo, Scope
 from storage.text import name_key, new_id
@@ -67,7 +66,7 @@ def command(
             app_version=__version__,
             computer=computer,
             scope=scope,
-            anonymous=_shipped_names() if anonymous else None,
+            anonymous=shipped_names() if anonymous else None,
         )
     click.echo(json.dumps(_as_object(info), ensure_ascii=False) if as_json else _in_words(info))
 
@@ -106,12 +105,6 @@ def _computer(store: Store) -> tuple[str, str]:
         return store.computers.here()
     except StoreError:
         return new_id(), platform.node() or "PC"
-
-
-def _shipped_names() -> list[str]:
-    """Names that tell nothing of who used them."""
-    worlds = [str(world["name"]) for world in list_worlds()]
-    return [*worlds, *activity_names()]
 
 
 def _file(dest: Path, name: str, suffix: str) -> Path:

@@ -55,6 +55,18 @@ def test_all_work_goes_to_another_pc_by_stick(
     assert [group["name"] for group in other.get("/api/groups").data["groups"]] == ["Os Robôs"]
 
 
+def test_work_can_be_shown_to_others_without_names(
+    teacher: Browser, other: Browser, version: dict[str, Any], stick: Path
+) -> None:
+    wanted = {"folder": str(stick), "anonymous": True}
+    written = teacher.post("/api/bundles", wanted).data
+    assert written["name"].startswith("PINEL-")
+    assert "Os Robôs".encode() not in Path(written["path"]).read_bytes()
+    other.post("/api/bundles/merge", {"paths": [written["path"]]})
+    (group,) = other.get("/api/groups").data["groups"]
+    assert group["name"] != "Os Robôs"
+
+
 def test_a_file_that_is_refused_does_not_keep_the_others_out(
     teacher: Browser, other: Browser, version: dict[str, Any], stick: Path
 ) -> None:

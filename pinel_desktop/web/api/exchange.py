@@ -69,7 +69,8 @@ def choose_shared_folder(body: SharedFolder) -> Response:
 @api.post("/bundles", responses=answers(Bundle, 403, 404, 503, 507))
 def write_bundle(body: NewBundle) -> Response:
     """Writes all work, or that of a class or group, into a folder. For the teacher."""
-    from storage.bundles import SUFFIX, Scope  # noqa: PLC0415 - see above
+    from pinel_desktop.activities import shipped_names  # noqa: PLC0415 - see above
+    from storage.bundles import SUFFIX, Scope  # noqa: PLC0415
 
     require_teacher()
     folder = Path(body.folder)
@@ -77,10 +78,15 @@ def write_bundle(body: NewBundle) -> Response:
         raise PinelError("folder_missing", path=body.folder)
     parts = services()
     computer = parts.store.computers.here()
-    dest = folder / f"{_file_name(computer[1])}-{datetime.now().astimezone():%Y-%m-%d}{SUFFIX}"
+    name = "PINEL" if body.anonymous else _file_name(computer[1])
+    dest = folder / f"{name}-{datetime.now().astimezone():%Y-%m-%d}{SUFFIX}"
     scope = Scope(classroom_id=body.classroom_id, group_id=body.group_id)
     info = parts.store.exchange.export(
-        dest, app_version=parts.app_version, computer=computer, scope=scope
+        dest,
+        app_version=parts.app_version,
+        computer=computer,
+        scope=scope,
+        anonymous=shipped_names() if body.anonymous else None,
     )
     return answer(_bundle(info))
 

@@ -48,6 +48,7 @@ class NewBundle(Body):
     folder: _Path
     classroom_id: Id | None = None
     group_id: Id | None = None
+    anonymous: Annotated[bool, Field(description="without names and texts")] = False
 
 
 class Bundle(Shape):

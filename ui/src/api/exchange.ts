@@ -17,8 +17,8 @@ export const exchange = {
   /** Remembers the school's shared folder; "" for none. */
   share: async (path: string) =>
     (await json<Folders>("PUT", "/api/folders/shared", { path })).folders,
-  write: (folder: string, classroom: string | null) =>
-    json<Bundle>("POST", "/api/bundles", { folder, classroom_id: classroom }),
+  write: (folder: string, classroom: string | null, anonymous: boolean) =>
+    json<Bundle>("POST", "/api/bundles", { folder, classroom_id: classroom, anonymous }),
   merge: async (path: string) =>
     (await json<{ merged: Merged[] }>("POST", "/api/bundles/merge", { paths: [path] })).merged[0],
   heard: async () =>

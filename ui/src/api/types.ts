@@ -2122,6 +2122,12 @@ export interface components {
          */
         NewBundle: {
             /**
+             * Anonymous
+             * @description without names and texts
+             * @default false
+             */
+            anonymous: boolean;
+            /**
              * Classroom Id
              * @default null
              */

@@ -16,6 +16,7 @@ interface Properties {
 /** Takes the work of this PC, or of one class, along. */
 export function SaveBox({ folders, classes, onSaved }: Properties) {
   const classroom = useSignal("");
+  const anonymous = useSignal(false);
   const saving = useSignal<string | null>(null);
   const saved = useSignal<Bundle | null>(null);
   const say = words.value;
@@ -26,7 +27,9 @@ export function SaveBox({ folders, classes, onSaved }: Properties) {
     saving.value = folder;
     saved.value = null;
     try {
-      saved.value = await asTeacher(() => exchange.write(folder, classroom.value || null));
+      saved.value = await asTeacher(() =>
+        exchange.write(folder, classroom.value || null, anonymous.value),
+      );
       onSaved();
     } finally {
       saving.value = null;
@@ -57,6 +60,17 @@ export function SaveBox({ folders, classes, onSaved }: Properties) {
           </span>
         </label>
       )}
+      <label class="exchange__file">
+        <input
+          type="checkbox"
+          checked={anonymous.value}
+          onChange={(event) => {
+            anonymous.value = event.currentTarget.checked;
+          }}
+        />
+        <span class="exchange__name">{say.anonymous}</span>
+        <span class="exchange__about">{say.anonymousHint}</span>
+      </label>
       <div class="exchange__buttons">
         {writable.map((folder) => (
           <button

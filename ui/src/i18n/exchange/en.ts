@@ -18,6 +18,8 @@ export const en: ExchangeTexts = {
   merge: (n: number) => (n === 1 ? "Merge 1 file" : `Merge ${n} files`),
   merging: (n: number, of: number) => `Merging ${n} of ${of}…`,
   saveHere: "Save the work here",
+  anonymous: "Without names and texts",
+  anonymousHint: "To show others: it does not tell whose work it is.",
   saving: "Saving…",
   what: "What to save",
   everything: "Everything on this PC",

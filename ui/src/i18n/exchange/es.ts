@@ -18,6 +18,8 @@ export const es: ExchangeTexts = {
   merge: (n: number) => (n === 1 ? "Unir 1 archivo" : `Unir ${n} archivos`),
   merging: (n: number, of: number) => `Uniendo ${n} de ${of}…`,
   saveHere: "Guardar los trabajos aquí",
+  anonymous: "Sin nombres ni textos",
+  anonymousHint: "Para mostrar a otros: no dice de quién es el trabajo.",
   saving: "Guardando…",
   what: "Qué guardar",
   everything: "Todo lo de este ordenador",

@@ -17,6 +17,8 @@ export const ptBR = {
   merge: (n: number) => (n === 1 ? "Juntar 1 arquivo" : `Juntar ${n} arquivos`),
   merging: (n: number, of: number) => `Juntando ${n} de ${of}…`,
   saveHere: "Guardar os trabalhos aqui",
+  anonymous: "Sem nomes nem textos",
+  anonymousHint: "Para mostrar a outros: não diz de quem é o trabalho.",
   saving: "Guardando…",
   what: "O que guardar",
   everything: "Tudo deste computador",
