@@ -194,7 +194,12 @@ function SidePane({ side, number, groups, together }: SidePaneProps) {
       )}
       <ReplayWords run={run} view={side.view} />
       <div class="compare__blocks">
-        <SideBlocks side={side} number={number} label={compare.blocksOf(`${number}: ${title}`)} />
+        <SideBlocks
+          key={String(together)}
+          side={side}
+          number={number}
+          label={compare.blocksOf(`${number}: ${title}`)}
+        />
       </div>
       <div class="floor__foot card" title={compare.pathOf(title)}>
         <Readout view={side.view} />

@@ -3,6 +3,7 @@ import { Axis, FOLDED_S, spansOf, stepFor } from "./axis";
 import { barHeight, layOut, ROUND } from "./line_layout";
 import type { ReviewMark } from "./model";
 import { between, GAP, roomFor, spread } from "./places";
+import { stretch } from "./stretch";
 
 const NOON = Date.UTC(2026, 10, 21, 12) / 1000;
 
@@ -112,6 +113,34 @@ describe("places", () => {
       [20, 60],
     ] as const;
     expect([0, 15, 30].map((value) => between(knots, value, 2))).toEqual([0, 40, 80]);
+  });
+});
+
+describe("one scale for many lines", () => {
+  const sparse = [0, 100, 200].map((time) => ({ time, gap: 10 }));
+  const dense = [100, 101, 102, 103].map((time) => ({ time, gap: 20 }));
+
+  test("has the same time at the same place, and room where one line is dense", () => {
+    const { places, end } = stretch([sparse, dense], 400);
+    expect(end).toBeLessThanOrEqual(400);
+    expect(end).toBeGreaterThan(399);
+    const [first = [], second = []] = places;
+    expect(second[0]).toBeCloseTo(first[1] ?? 0);
+    second.slice(1).forEach((place, index) => {
+      expect(place - (second[index] ?? 0)).toBeGreaterThanOrEqual(20 - 1e-9);
+    });
+  });
+
+  test("rises with time", () => {
+    const { knots } = stretch([sparse, dense], 300);
+    for (const side of [0, 1] as const) {
+      const values = knots.map((knot) => knot[side]);
+      expect(values).toEqual([...values].sort((a, b) => a - b));
+    }
+  });
+
+  test("gets longer than its room before marks overlap", () => {
+    expect(stretch([dense], 30).end).toBe(80);
   });
 });
 

@@ -1,10 +1,13 @@
 import { type Axis, type Fold, type Span, stepFor } from "./axis";
 import type { ReviewMark } from "./model";
-import { between, roomFor, spread } from "./places";
+import { between, GAP, roomFor, spread } from "./places";
+import type { Moment } from "./stretch";
 
 /** A round mark, and the smallest one that still shows its sign; in pixels. */
 export const ROUND = 26;
 const SMALLEST = 16;
+/** Round marks where many lines share one scale. */
+const DENSE = 20;
 const THINNEST_BAR = 10;
 const LOWEST_BAR = 8;
 const HIGHEST_BAR = 30;
@@ -36,6 +39,14 @@ export interface LineLayout {
   readonly folds: readonly { readonly x: number; readonly fold: Fold }[];
 }
 
+/** Places that were found for all lines together. */
+export interface Common {
+  /** The moments of this line as `momentsOf` has them. */
+  readonly places: readonly number[];
+  readonly knots: readonly (readonly [number, number])[];
+  readonly end: number;
+}
+
 interface LineInput {
   marks: readonly ReviewMark[];
   spans: readonly Span[];
@@ -45,10 +56,55 @@ interface LineInput {
   scale: number;
   /** Where the ruler's numbers count from, seconds. */
   zero: number;
+  /** Missing where each line has a scale of its own. */
+  common?: Common;
+}
+
+/** The moments of a line: one for each run, and the beginning and the end of each burst of edits. */
+export function momentsOf(
+  marks: readonly ReviewMark[],
+  spans: readonly Span[],
+  axis: Axis,
+): Moment[] {
+  let right = 0;
+  return marks.flatMap(({ kind }, index): Moment[] => {
+    const { from, to } = spans[index] ?? { from: 0, to: 0 };
+    const before = right;
+    right = kind === "run" ? DENSE / 2 : 0;
+    if (kind === "run") return [{ time: axis.at(from), gap: before + DENSE / 2 + GAP }];
+    return [
+      { time: axis.at(from), gap: before + GAP },
+      { time: axis.at(to), gap: (THINNEST_BAR * DENSE) / ROUND },
+    ];
+  });
+}
+
+/** Where everything on a line stands that shares its scale with others. */
+function layOutCommon({ marks, axis, width, scale, zero }: LineInput, common: Common): LineLayout {
+  let next = 0;
+  const take = () => EDGE + (common.places[next++] ?? 0);
+  const placed = marks.map((mark, index): PlacedMark => {
+    const from = take();
+    if (mark.kind === "run") return { mark, index, x: from, width: DENSE, height: DENSE };
+    const to = take();
+    const height = barHeight(mark.n_edits ?? 1);
+    return { mark, index, x: (from + to) / 2, width: to - from, height };
+  });
+  const place = (time: number) => EDGE + between(common.knots, axis.at(time), scale);
+  const room = Math.max(width - 2 * EDGE, common.end + DENSE / 2);
+  return {
+    width: room + 2 * EDGE,
+    marks: placed,
+    arcs: arcsOf(placed),
+    ticks: ticksOf(axis, scale, zero, place, room),
+    folds: axis.folds.map((fold) => ({ fold, x: place(fold.from + fold.seconds / 2) })),
+  };
 }
 
 /** Where everything on a line stands. The ruler goes with the marks where these had to make room for each other. */
-export function layOut({ marks, spans, axis, width, scale, zero }: LineInput): LineLayout {
+export function layOut(line: LineInput): LineLayout {
+  const { marks, spans, axis, width, scale, zero, common } = line;
+  if (common) return layOutCommon(line, common);
   const inner = width - 2 * EDGE;
   const begin = (index: number) => axis.at(spans[index]?.from ?? 0) * scale;
   const end = (index: number) => axis.at(spans[index]?.to ?? 0) * scale;

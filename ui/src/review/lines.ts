@@ -1,6 +1,7 @@
-import { Axis, spansOf } from "./axis";
-import { type LineLayout, layOut } from "./line_layout";
+import { Axis, type Span, spansOf } from "./axis";
+import { type LineLayout, layOut, momentsOf } from "./line_layout";
 import type { GroupReview } from "./model";
+import { type Stretched, stretch } from "./stretch";
 
 /** Whose time the lines show: each group's own, or the clock on the wall. */
 export type TimeOf = "group" | "clock";
@@ -26,14 +27,35 @@ export function linesOf(
   const longest = Math.max(SHORTEST_S, ...axes.map((axis) => axis.length));
   // room for the last mark, which begins at the end of the line
   const scale = Math.max(1, width - 40) / longest;
+  const stretched = timeOf === "clock" ? stretchAll(groups, spans, common, width) : null;
   return groups.map(({ marks }, index) => {
     const axis = axes[index] ?? common;
     const zero = timeOf === "clock" ? midnight(axis.from) : axis.from;
     return {
       zero: timeOf === "clock" ? null : zero,
-      layout: layOut({ marks, spans: spans[index] ?? [], axis, width, scale, zero }),
+      layout: layOut({
+        marks,
+        spans: spans[index] ?? [],
+        axis,
+        width,
+        scale,
+        zero,
+        ...(stretched && {
+          common: { ...stretched, places: stretched.places[index] ?? [] },
+        }),
+      }),
     };
   });
+}
+
+function stretchAll(
+  groups: readonly GroupReview[],
+  spans: readonly (readonly Span[])[],
+  common: Axis,
+  width: number,
+): Stretched {
+  const moments = groups.map(({ marks }, index) => momentsOf(marks, spans[index] ?? [], common));
+  return stretch(moments, width - 40);
 }
 
 /** The ruler of the clock has whole hours, also where time zones are half an hour apart. */

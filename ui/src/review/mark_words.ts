@@ -105,7 +105,7 @@ export function changesInWords(
 
 /** The time on the wall. */
 export function clock(iso: string, language: Language): string {
-  return new Date(iso).toLocaleTimeString(language, { hour: "2-digit", minute: "2-digit" });
+  return new Date(iso).toLocaleTimeString(language, { hour: "numeric", minute: "2-digit" });
 }
 
 /** How long something took, without tenths of seconds. */
