@@ -30,9 +30,13 @@ export function TeacherScreen({ part }: { part: TeacherPart }) {
   useEffect(() => {
     group.value = null;
     program.value = null;
-    knowDoor().then((now) => setPreparing(!now.has_pin), report);
+    knowDoor().catch(report);
     return giveUpWaiting;
   }, []);
+  // until it is done: the PIN is only the first step of it
+  useEffect(() => {
+    if (door.value?.has_pin === false) setPreparing(true);
+  }, [door.value?.has_pin]);
   const now = door.value;
   if (!now) return <main class="screen" aria-busy="true" />;
   if (preparing || !now.has_pin) return <Preparation onDone={() => setPreparing(false)} />;
