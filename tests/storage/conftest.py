@@ -1,5 +1,6 @@
 """Stores on real files; every store is closed, or the test fails with a ResourceWarning."""
 
+import sqlite3
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from pathlib import Path
@@ -7,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from storage import GroupRow, ProgramRow, RunStart, Store, VersionRow, open_store
+from storage import GroupRow, ProgramRow, RunStart, Store, VersionRow, open_store, schema
 
 WORLD: dict[str, Any] = {"pinel_world": 1, "name": "empty_room"}
 SQUARE: dict[str, Any] = {
@@ -60,3 +61,14 @@ def start(version: VersionRow) -> RunStart:
         app_version="0.1.0",
         version_id=version.id,
     )
+
+
+@pytest.fixture
+def older(path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A file of an earlier release with a group in it."""
+    with monkeypatch.context() as earlier, sqlite3.connect(path) as db:
+        earlier.setattr(schema, "_MIGRATIONS", (schema.first_tables, schema.first_views))
+        schema.migrate(db)
+        db.execute("INSERT INTO groups VALUES ('g', 'A', 'a', '#000000', 't', 't')")
+    db.close()
+    return path

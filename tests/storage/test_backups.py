@@ -1,17 +1,16 @@
 """Copies of the file: made while others write, kept for a while, put back when the file is damaged."""
 
-import errno
 import os
 import sqlite3
 import threading
 from collections.abc import Callable, Collection
-from datetime import UTC, datetime, timedelta
+from datetime import datetime, timedelta
 from itertools import pairwise
 from pathlib import Path
 
 import pytest
 
-from storage import Store, StoreError, backups, open_store, schema
+from storage import Store, backups, open_store
 from storage.backups import (
     Backup,
     damage_of,
@@ -24,41 +23,8 @@ from storage.backups import (
     remove_surplus,
 )
 from storage.removal import remove, remove_keys
-
-NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
-DAY = timedelta(days=1)
-MUCH = 10**12
-
-
-def much(_folder: Path) -> int:
-    return MUCH
-
-
-def backed_up(path: Path, now: datetime = NOON) -> Backup:
-    backup = make_backup(path, now, free=much)
-    assert backup is not None
-    return backup
-
-
-def code_of(attempt: Callable[[], object]) -> str:
-    with pytest.raises(StoreError) as caught:
-        attempt()
-    return caught.value.code
-
-
-def names_in(file: Path) -> list[str]:
-    db = sqlite3.connect(f"{file.as_uri()}?mode=ro&immutable=1", uri=True)
-    names = [name for (name,) in db.execute("SELECT name FROM groups ORDER BY id")]
-    db.close()
-    return names
-
-
-def spoil(path: Path) -> bytes:
-    """Damages a file in a way that no log can mend."""
-    for suffix in ("-wal", "-shm"):
-        path.with_name(path.name + suffix).unlink(missing_ok=True)
-    path.write_bytes(b"this is no database" + path.read_bytes()[19:])
-    return path.read_bytes()
+from tests.storage.backup_files import DAY, MUCH, NOON, backed_up, much, names_in
+from tests.storage.refusals import code_of
 
 
 def test_a_backup_is_the_file_at_one_moment_under_a_number_and_its_time(
@@ -218,149 +184,6 @@ def test_backups_take_a_tenth_of_the_free_disk_at_most(store: Store, path: Path)
     size = made[0].size_bytes
     remove_surplus(path, free=lambda _: 19 * size)
     assert list_backups(path) == [made[4], made[3]]
-
-
-def test_a_damaged_file_gives_way_to_its_last_backup_and_lies_beside(path: Path) -> None:
-    with open_store(path) as store:
-        store.groups.create("A")
-        backup = backed_up(path)
-        store.groups.create("B")
-    damaged = spoil(path)
-    with open_store(path, clock=lambda: NOON) as store:
-        assert store.notice is not None
-        assert store.notice.code == "database_restored"
-        assert store.notice.params["name"] == "pinel.damaged-20261121-120000.db"
-        assert str(store.notice.params["time"]).startswith("2026-11-2")
-        assert [group.name for group in store.groups.all()] == ["A"]
-        assert store.groups.create("C").name == "C"
-    assert path.with_name("pinel.damaged-20261121-120000.db").read_bytes() == damaged
-    assert names_in(backup.path) == ["A"]
-    with open_store(path) as store:
-        assert store.notice is None
-
-
-def test_where_the_newest_backup_is_bad_an_older_one_comes_back(path: Path) -> None:
-    with open_store(path) as store:
-        for n, name in enumerate("ABCD"):
-            store.groups.create(name)
-            backed_up(path, NOON + n * DAY)
-    newest, second, third, _ = (backup.path for backup in list_backups(path))
-    newest.write_bytes(b"rubbish" * 1000)
-    second.write_bytes(b"")
-    with sqlite3.connect(third) as db:  # of a newer program
-        db.execute(
-            "INSERT INTO _sqlite_migrations (migration_set, name, applied_at) VALUES ('pinel', 'next', '2031')"
-        )
-    db.close()
-    spoil(path)
-    with open_store(path) as store:
-        assert store.notice is not None
-        assert store.notice.code == "database_restored"
-        assert [group.name for group in store.groups.all()] == ["A"]
-
-
-def test_where_no_backup_is_good_a_new_file_is_begun_as_without_any(path: Path) -> None:
-    with open_store(path) as store:
-        store.groups.create("A")
-    backed_up(path).path.write_bytes(b"rubbish" * 1000)
-    spoil(path)
-    with open_store(path) as store:
-        assert store.notice is not None
-        assert store.notice.code == "database_set_aside"
-        assert store.groups.all() == []
-    assert len(list_backups(path)) == 1
-
-
-@pytest.mark.parametrize(
-    ("number", "code"), [(errno.ENOSPC, "disk_full"), (errno.EROFS, "database_read_only")]
-)
-def test_a_damaged_file_stays_in_its_place_while_the_backup_cannot_be_copied(
-    path: Path, monkeypatch: pytest.MonkeyPatch, number: int, code: str
-) -> None:
-    with open_store(path) as store:
-        store.groups.create("A")
-        backed_up(path)
-    damaged = spoil(path)
-
-    def fail(*_: object) -> None:
-        raise OSError(number, os.strerror(number))
-
-    with monkeypatch.context() as patch:
-        patch.setattr("shutil.copyfile", fail)
-        assert code_of(lambda: open_store(path)) == code
-    assert path.read_bytes() == damaged
-    with open_store(path) as store:
-        assert [group.name for group in store.groups.all()] == ["A"]
-
-
-@pytest.mark.parametrize("step", ["copy", "-shm", "-wal", "", "in place"])
-def test_a_power_cut_while_a_backup_comes_back_loses_nothing(
-    path: Path, monkeypatch: pytest.MonkeyPatch, step: str
-) -> None:
-    with open_store(path) as store:
-        store.groups.create("A")
-        backed_up(path)
-        store.groups.create("B")
-        copies = {
-            suffix: path.with_name(path.name + suffix).read_bytes() for suffix in ("-wal", "-shm")
-        }
-    spoil(path)
-    for suffix, content in copies.items():  # of the damaged file, not of what takes its place
-        path.with_name(path.name + suffix).write_bytes(content)
-    steps = iter(["copy", "-shm", "-wal", "", "in place"])
-
-    def cut_off(old: Path, new: Path) -> Path:
-        if next(steps) == step:
-            raise KeyboardInterrupt
-        os.replace(old, new)
-        return new
-
-    with monkeypatch.context() as patch:
-        patch.setattr(Path, "replace", cut_off)
-        patch.setattr(Path, "rename", cut_off)
-        with pytest.raises(KeyboardInterrupt):
-            open_store(path)
-    with open_store(path) as store:
-        assert [group.name for group in store.groups.all()] == ["A"]
-    assert not path.with_name("pinel.db.restoring").exists()
-    assert damage_of(path) is None
-
-
-@pytest.fixture
-def older(path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A file of an earlier release with a group in it."""
-    with monkeypatch.context() as earlier, sqlite3.connect(path) as db:
-        earlier.setattr(schema, "_MIGRATIONS", (schema.first_tables, schema.first_views))
-        schema.migrate(db)
-        db.execute("INSERT INTO groups VALUES ('g', 'A', 'a', '#000000', 't', 't')")
-    db.close()
-    return path
-
-
-def test_before_a_file_is_brought_up_to_date_it_is_backed_up_as_it_was(older: Path) -> None:
-    with open_store(older, clock=lambda: NOON) as store:
-        assert store.notice is None
-    (backup,) = list_backups(older)
-    assert (backup.made_at, names_in(backup.path)) == (NOON, ["A"])
-    db = sqlite3.connect(f"{backup.path.as_uri()}?immutable=1", uri=True)
-    assert db.execute("SELECT name FROM _sqlite_migrations ORDER BY id").fetchall() == [
-        ("first_tables",),
-        ("first_views",),
-    ]
-    db.close()
-    open_store(older).close()
-    assert list_backups(older) == [backup]
-
-
-def test_a_disk_without_room_for_a_backup_does_not_keep_a_file_from_being_brought_up_to_date(
-    older: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    nothing = type("Usage", (), {"free": 0})
-    monkeypatch.setattr("shutil.disk_usage", lambda folder: nothing)
-    with open_store(older) as store:
-        assert store.notice is not None
-        assert store.notice.code == "backup_no_room"
-        assert store.groups.create("B").name == "B"
 
 
 def remove_group(db: sqlite3.Connection, ids: Collection[str]) -> None:

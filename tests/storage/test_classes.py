@@ -1,14 +1,14 @@
 """Classes, groups in them, lessons, notes, the bin, and the line of a program's versions."""
 
-from collections.abc import Callable
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from storage import GroupRow, ProgramRow, RunStart, Store, StoreError, open_store
+from storage import GroupRow, ProgramRow, RunStart, Store, open_store
 from storage.groups import COLORS, PICTURES
+from tests.storage.refusals import code_of
 
 
 class SchoolClock:
@@ -22,12 +22,6 @@ class SchoolClock:
 
     def passes(self, **amount: float) -> None:
         self.time += timedelta(**amount)
-
-
-def code_of(call: Callable[[], Any]) -> str:
-    with pytest.raises(StoreError) as caught:
-        call()
-    return caught.value.code
 
 
 @pytest.fixture

@@ -1,0 +1,14 @@
+"""What the store says when it cannot do something."""
+
+from collections.abc import Callable
+
+import pytest
+
+from storage import StoreError
+
+
+def code_of(attempt: Callable[[], object]) -> str:
+    """The code of the error that the attempt ends with."""
+    with pytest.raises(StoreError) as caught:
+        attempt()
+    return caught.value.code

@@ -1,0 +1,292 @@
+"""Disks that are full: nothing that was saved is lost, and what could not be is tried again."""
+
+import contextlib
+import errno
+import os
+import sqlite3
+import subprocess
+from collections.abc import Callable, Iterator
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+
+import pytest
+
+from storage import Recorder, RunRow, RunStart, Store, StoreError, VersionRow, open_store
+from tests.storage.refusals import code_of
+from tests.storage.sample_runs import ended, square
+
+NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
+IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
+
+
+def limit_pages(store: Store, extra: int) -> None:
+    """Makes the disk seem full after `extra` more pages."""
+    store._access.write(
+        lambda db: db.execute(
+            f"PRAGMA max_page_count = {db.execute('PRAGMA page_count').fetchone()[0] + extra}"
+        ).fetchone()
+    )
+
+
+def test_when_the_disk_is_full_nothing_that_was_saved_is_lost(
+    store: Store, version: VersionRow, opened: Callable[..., Store]
+) -> None:
+    limit_pages(store, 0)
+    big = {"blocks": "x" * 50_000}
+    assert code_of(lambda: store.versions.save(version.program_id, big, None)) == "disk_full"
+    assert opened().versions.newest(version.program_id) == version
+    limit_pages(store, 10_000)
+    assert store.versions.save(version.program_id, big, None).workspace == big
+
+
+def test_a_run_goes_on_while_the_disk_is_full_and_is_kept_when_there_is_room_again(
+    store: Store, start: RunStart
+) -> None:
+    run = store.runs.begin(start)
+    problems: list[str | None] = []
+    recorder = Recorder(store, lambda problem: problems.append(problem.code if problem else None))
+    limit_pages(store, 0)
+    events = list(square(run.id, laps=3))
+    recorder({**events[0], "type": "run_state", "state": "running", "text": "x" * 20_000})
+    for event in events:
+        recorder(event)
+    with pytest.raises(StoreError, match="disk_full"):
+        recorder.flush().result()
+    assert recorder.problem is not None
+    limit_pages(store, 10_000)
+    recorder(ended(run.id, len(events), len(events)))
+    assert recorder.problem is None
+    assert problems == ["disk_full", None]
+    assert store.runs.get(run.id).state == "finished"
+    assert len(store.runs.telemetry(run.id).rows) == len(events)
+
+
+class ManualTimer:
+    """Calls when the test says so."""
+
+    def __init__(self) -> None:
+        self.waiting: list[tuple[float, Callable[[], None]]] = []
+
+    def __call__(self, delay_s: float, call: Callable[[], None]) -> Callable[[], None]:
+        entry = (delay_s, call)
+        self.waiting.append(entry)
+        return lambda: self.waiting.remove(entry)
+
+    def elapse(self) -> float:
+        delay_s, call = self.waiting.pop()
+        call()
+        return delay_s
+
+
+def settle(store: Store, job: Callable[[sqlite3.Connection], object] = lambda db: None) -> None:
+    """Waits for all that was handed to the writer before; no write that the recorder could hear of."""
+
+    def fail(db: sqlite3.Connection) -> None:
+        job(db)
+        raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        store._access.write(fail)
+
+
+@pytest.fixture
+def timer() -> ManualTimer:
+    return ManualTimer()
+
+
+@pytest.fixture
+def problems() -> list[str | None]:
+    return []
+
+
+@pytest.fixture
+def recorder(store: Store, timer: ManualTimer, problems: list[str | None]) -> Recorder:
+    def note(problem: StoreError | None) -> None:
+        problems.append(problem.code if problem else None)
+
+    return Recorder(store, note, later=timer)
+
+
+def end_on_a_full_disk(store: Store, recorder: Recorder, run: RunRow) -> None:
+    limit_pages(store, 0)
+    recorder({**ended(run.id, 0, 60), "text": "x" * 20_000})
+    settle(store)
+    assert recorder.problem is not None
+
+
+def test_the_end_of_a_run_is_written_by_itself_when_the_disk_has_room_again(
+    store: Store,
+    start: RunStart,
+    recorder: Recorder,
+    timer: ManualTimer,
+    problems: list[str | None],
+) -> None:
+    run = store.runs.begin(start)
+    assert timer.waiting == []
+    end_on_a_full_disk(store, recorder, run)
+    for _ in range(3):
+        assert 1 <= timer.elapse() <= 2
+        settle(store)
+        assert (problems, len(timer.waiting)) == (["disk_full"], 1)
+    settle(store, lambda db: db.execute("PRAGMA max_page_count = 10000").fetchone())
+    assert store.runs.get(run.id).state == "running"
+    timer.elapse()
+    settle(store)
+    assert store.runs.get(run.id).state == "finished"
+    assert (problems, timer.waiting, recorder.problem) == (["disk_full", None], [], None)
+
+
+def test_the_end_of_a_run_is_written_after_anything_else_that_could_be(
+    store: Store, start: RunStart, recorder: Recorder, timer: ManualTimer
+) -> None:
+    run = store.runs.begin(start)
+    end_on_a_full_disk(store, recorder, run)
+    limit_pages(store, 10_000)
+    settle(store)
+    assert store.runs.get(run.id).state == "finished"
+    assert timer.waiting == []
+
+
+def test_a_run_that_could_be_written_late_only_ended_when_it_ended(
+    opened: Callable[..., Store], start: RunStart, timer: ManualTimer
+) -> None:
+    now = [NOON]
+    store = opened(clock=lambda: now[0])
+    recorder = Recorder(store, later=timer)
+    run = store.runs.begin(start)
+    end_on_a_full_disk(store, recorder, run)
+    now[0] += timedelta(hours=1)
+    limit_pages(store, 10_000)
+    settle(store)
+    assert store.runs.get(run.id).ended_at == "2026-11-21T12:00:00.000000Z"
+
+
+@pytest.mark.parametrize("end", ["recorder", "store"])
+def test_nothing_is_tried_any_more_after_closing(
+    store: Store, start: RunStart, recorder: Recorder, timer: ManualTimer, end: str
+) -> None:
+    end_on_a_full_disk(store, recorder, store.runs.begin(start))
+    (recorder if end == "recorder" else store).close()
+    while timer.waiting:
+        assert end == "store"
+        timer.elapse()
+
+
+def test_a_run_that_was_cut_off_is_closed_later_when_the_disk_was_full_at_the_start(
+    path: Path,
+    store: Store,
+    start: RunStart,
+    opened: Callable[..., Store],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    run = store.runs.begin(start)
+
+    def refuse(runs: object) -> None:
+        raise StoreError("disk_full", path=str(path))
+
+    with monkeypatch.context() as patch:
+        patch.setattr("storage.runs.Runs.close_interrupted", refuse)
+        later = opened(close_interrupted=True)
+    assert (later.unfinished, later.notice and later.notice.code) == (True, "disk_full")
+    recorder = Recorder(later)
+    recorder.flush()
+    recorder.flush().result()
+    assert later.runs.get(run.id).reason == "interrupted"
+    assert [event["type"] for event in later.runs.events(run.id)] == ["run_ended"]
+    assert (later.unfinished, later.notice) == (False, None)
+
+
+@pytest.fixture
+def tiny_disk(tmp_path: Path) -> Iterator[Path]:
+    """A file system of 600 KB, where this user may make one."""
+    folder = tmp_path / "disk"
+    folder.mkdir()
+    mount = ["mount", "-t", "tmpfs", "-o", "size=600k", "tmpfs", str(folder)]
+    if not IS_ROOT or subprocess.run(mount, capture_output=True, check=False).returncode != 0:
+        pytest.skip("only root can make a small disk")
+    yield folder
+    subprocess.run(["umount", "-l", str(folder)], check=True)
+
+
+def test_a_disk_that_is_really_full_is_told_and_keeps_what_was_saved(tiny_disk: Path) -> None:
+    path = tiny_disk / "pinel.db"
+    saved = []
+    with open_store(path) as store:
+        program = store.programs.create(store.groups.create("A").id, "P")
+
+        def save_on_and_on() -> None:
+            for n in range(1000):
+                content = {"n": n, "text": "x" * 8000}
+                saved.append(store.versions.save(program.id, content, None))
+
+        assert code_of(save_on_and_on) == "disk_full"
+        assert len(saved) > 5
+        assert store.versions.newest(program.id) == saved[-1]
+    with open_store(path, close_interrupted=True) as again:
+        assert again.versions.newest(program.id) == saved[-1]
+
+
+def test_a_run_that_ended_on_a_full_disk_is_kept_when_the_filler_is_gone(
+    tiny_disk: Path, timer: ManualTimer
+) -> None:
+    start = RunStart(link="sim", world="w", world_document={}, seed=0, app_version="1")
+    with open_store(tiny_disk / "pinel.db") as store:
+        run = store.runs.begin(start)
+        recorder = Recorder(store, later=timer)
+        filler = tiny_disk / "film.mp4"
+        with contextlib.suppress(OSError), filler.open("wb", buffering=0) as file:
+            while True:
+                file.write(b"x" * 1024)
+        events = list(square(run.id, laps=3))
+        for event in events:
+            recorder(event)
+        recorder({**ended(run.id, len(events), len(events)), "text": "x" * 100_000})
+        settle(store)
+        assert recorder.problem is not None
+        assert recorder.problem.code == "disk_full"
+        filler.unlink()
+        timer.elapse()
+        settle(store)
+        assert recorder.problem is None
+    with open_store(tiny_disk / "pinel.db") as again:
+        assert again.runs.get(run.id).state == "finished"
+        assert len(again.runs.telemetry(run.id).rows) == len(events)
+
+
+def test_a_disk_without_any_room_is_told_when_the_file_is_made(tiny_disk: Path) -> None:
+    (tiny_disk / "film.mp4").write_bytes(b"x" * 599 * 1024)
+    assert code_of(lambda: open_store(tiny_disk / "pinel.db")) == "disk_full"
+
+
+def test_the_run_found_running_is_closed_even_by_a_store_that_was_closed_badly(
+    store: Store, start: RunStart, opened: Callable[..., Store]
+) -> None:
+    run: RunRow = store.runs.begin(start)
+    assert opened(close_interrupted=True).runs.get(run.id).reason == "interrupted"
+
+
+@pytest.mark.parametrize(
+    ("number", "code"), [(errno.EDQUOT, "disk_full"), (errno.EIO, "database_failed")]
+)
+def test_a_quota_that_is_used_up_is_told_apart_from_a_broken_disk(
+    store: Store, path: Path, monkeypatch: pytest.MonkeyPatch, number: int, code: str
+) -> None:
+    def refuse(**_: object) -> None:
+        raise OSError(number, os.strerror(number))
+
+    def fail(_db: sqlite3.Connection) -> None:
+        error = sqlite3.OperationalError("disk I/O error")
+        error.sqlite_errorname = "SQLITE_IOERR_WRITE"
+        raise error
+
+    monkeypatch.setattr("tempfile.TemporaryFile", refuse)
+    assert code_of(lambda: store._access.write(fail)) == code
+
+
+def test_an_io_error_on_a_disk_with_room_is_not_taken_for_a_full_one(store: Store) -> None:
+    def fail(_db: sqlite3.Connection) -> None:
+        error = sqlite3.OperationalError("disk I/O error")
+        error.sqlite_errorname = "SQLITE_IOERR_READ"
+        raise error
+
+    assert code_of(lambda: store._access.write(fail)) == "database_failed"
