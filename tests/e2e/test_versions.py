@@ -85,11 +85,11 @@ def open_history(studio: Studio) -> None:
     expect(studio["version-shown"]).to_be_visible()
 
 
-def numbers(studio: Studio) -> list[str | None]:
+def numbers(studio: Studio) -> list[str]:
     """The number of the version on the screen, and of the step that is lit in the list."""
-    shown = studio["version-shown"].get_attribute("data-number")
+    shown = studio["version-shown"].get_attribute("data-number") or ""
     lit = studio.page.locator('[data-testid=version-step][aria-current="true"]')
-    return [shown, lit.get_attribute("data-number")]
+    return [shown, lit.get_attribute("data-number") or ""]
 
 
 def test_a_group_steps_through_its_versions_names_one_and_goes_on_from_it(studio: Studio) -> None:

@@ -157,7 +157,7 @@ class BlockEditor implements Editor {
 
   setLanguage(language: Language): void {
     applyLanguage(language);
-    this.workspace.updateToolbox(toolbox(this.level));
+    this.updateToolbox();
     this.zoomControls.relabel();
     // blocks take their words when they are made
     this.remake();
@@ -171,7 +171,7 @@ class BlockEditor implements Editor {
     if (level === this.level) return;
     this.level = level;
     Blockly.hideChaff();
-    this.workspace.updateToolbox(toolbox(level));
+    this.updateToolbox();
   }
 
   setReadOnly(readOnly: boolean): void {
@@ -257,6 +257,12 @@ class BlockEditor implements Editor {
     if (!this.options.container.contains(document.activeElement)) return null;
     const node = Blockly.getFocusManager().getFocusedNode();
     return node instanceof Blockly.BlockSvg && node.workspace === this.workspace ? node.id : null;
+  }
+
+  /** Blockly shows a toolbox that is made anew, also where nothing may be taken out of it. */
+  private updateToolbox(): void {
+    this.workspace.updateToolbox(toolbox(this.level));
+    if (this.workspace.isReadOnly()) this.workspace.getToolbox()?.setVisible(false);
   }
 
   private exchange(workspace: object): void {

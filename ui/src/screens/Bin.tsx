@@ -50,7 +50,7 @@ function Thrown({ program, shelf }: { program: Program; shelf: ProgramShelf }) {
     <li class="bin__program card" data-testid={TEST.binProgram}>
       <span class="bin__words">
         <strong class="work-card__name">{program.name}</strong>
-        <span class="work-card__line">
+        <span class="bin__line">
           {work.changed(changed)} · {work.runCount(program.n_runs)}
         </span>
       </span>

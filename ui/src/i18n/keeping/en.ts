@@ -52,7 +52,7 @@ export const en: typeof ptBR = {
   comment: "comment",
   nothing: "nothing",
   blockAlone: "block",
-  throwAway: "Throw away",
+  throwAway: "Discard",
   thrown: (program: string) => `“${program}” went into the bin.`,
   undo: "Undo",
   bin: (n: number) => `Bin (${n})`,
