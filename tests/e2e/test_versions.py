@@ -58,11 +58,11 @@ def test_undo_goes_on_after_the_app_was_closed(
     later.page.keyboard.press("Control+z")
     later.eventually(lambda: later.values("distance"), [1])
     later["undo"].click()
-    later.eventually(later.commands, [])
+    later.eventually(lambda: len(later.commands()), 0)
     later["undo"].click()  # nothing is left
     for distance in (1, 0.7, 2):
         later["redo"].click()
-        later.eventually(lambda distance=distance: later.values("distance"), [distance])
+        later.eventually(lambda: later.values("distance"), [distance])
 
 
 def test_what_was_undone_is_not_gone_through_again_after_a_restart(
