@@ -94,7 +94,7 @@ function Lesson(loaded: Loaded) {
       <div class="lesson__head">
         <Back />
         <Title {...loaded} />
-        <Tools {...loaded} timeOf={timeOf} />
+        {groups.length > 0 && <Tools {...loaded} timeOf={timeOf} />}
       </div>
       <p class="lesson__facts">{factsOf(loaded).join(" · ")}</p>
       {groups.length > 0 && <Legend />}
@@ -109,8 +109,8 @@ function Lesson(loaded: Loaded) {
           <strong>{lesson.noRunsTitle}.</strong> {lesson.noRuns}
         </p>
       )}
-      <Groups review={loaded.review} timeOf={timeOf} />
-      <Explained />
+      {groups.length > 0 && <Groups review={loaded.review} timeOf={timeOf} />}
+      {groups.length > 0 && <Explained />}
       <TipBubble />
     </main>
   );

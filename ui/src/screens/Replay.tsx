@@ -48,7 +48,7 @@ export function Replay({ recording, onOpen }: ReplayProps) {
             </button>
           )}
         </div>
-        <RunNotes runId={run.id} />
+        {!door.value?.is_open && <RunNotes runId={run.id} />}
         <ReplayBlocks run={run} view={playback.view} />
         {door.value?.is_open && run.group_id && <TeacherNote key={run.id} run={run.id} />}
       </section>
