@@ -55,7 +55,12 @@ function Mark({ placed: { mark, index }, book }: { placed: PlacedMark; book: Mar
   const outcome = outcomeOf(mark);
   const isRun = mark.kind === "run";
   const show = (event: { currentTarget: HTMLElement }) =>
-    showTip(event.currentTarget, () => saying(mark, book));
+    showTip(event.currentTarget, () => {
+      const said = saying(mark, book);
+      return touched.current
+        ? { ...said, lines: [...said.lines, words.value.line.tapAgain] }
+        : said;
+    });
   return (
     <a
       class={`review-mark review-mark--${isRun ? "run" : "edit"}`}
