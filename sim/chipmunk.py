@@ -11,6 +11,11 @@ from collections.abc import Sequence
 import pymunk
 from pymunk._chipmunk_cffi import ffi, lib
 
+_SIZE_AND_ALPHA = (
+    ffi.sizeof("cpSegmentQueryInfo"),
+    ffi.offsetof("cpSegmentQueryInfo", "alpha"),
+)
+
 
 class Stepper:
     """Lets steps of so many seconds pass in a space. No shape may be added or removed in a callback."""
@@ -77,17 +82,37 @@ class Rays:
         self._query(self._handle, start[0], end[0], 0.0, self._filter[0], self._hit)
         return float(self._hit.alpha)  # Chipmunk sets it to 1 where it has hit nothing
 
-    def fractions(
-        self, x: float, y: float, yaw: float, beams: Sequence[tuple[float, float]]
-    ) -> list[float]:
-        """The same along beams from (x, y), their ends given in the frame of a body that looks at `yaw`."""
-        cos, sin, found = math.cos(yaw), math.sin(yaw), []
-        start, end = self._start, self._end
-        start.x, start.y = x, y
-        from_, to, mask, hit = start[0], end[0], self._filter[0], self._hit
-        query, handle = self._query, self._handle
-        for ahead, left in beams:
+
+class Fan:
+    """A few rays from the middle of a body, given by their ends in its frame, in m."""
+
+    def __init__(
+        self,
+        space: pymunk.Space,
+        shape_filter: pymunk.ShapeFilter,
+        beams: Sequence[tuple[float, float]],
+    ) -> None:
+        self._space, self._handle = space, space._space
+        self._query = lib.cpSpaceSegmentQueryFirst
+        self._start, self._filter = ffi.new("cpVect *"), ffi.new("cpShapeFilter *")
+        self._filter[0] = tuple(shape_filter)
+        self._ends = ffi.new("cpVect[]", len(beams))
+        self._hits = ffi.new("cpSegmentQueryInfo[]", len(beams))
+        # each beam with the places from which Chipmunk reads its end and to which it writes what it has hit
+        self._beams = [(*beam, self._ends[i], self._hits + i) for i, beam in enumerate(beams)]
+        numbers = memoryview(ffi.buffer(self._hits)).cast("d")
+        whole, alpha = (n // numbers.itemsize for n in _SIZE_AND_ALPHA)
+        self._fractions = numbers[alpha::whole]
+
+    def fractions(self, x: float, y: float, yaw: float) -> "memoryview[float]":
+        """The same as `Rays.fraction` along each, from a body at (x, y) that looks at `yaw`.
+
+        What it gives is good until the next call.
+        """
+        cos, sin = math.cos(yaw), math.sin(yaw)
+        self._start.x, self._start.y = x, y
+        query, handle, start, mask = self._query, self._handle, self._start[0], self._filter[0]
+        for ahead, left, end, hit in self._beams:
             end.x, end.y = x + cos * ahead - sin * left, y + sin * ahead + cos * left
-            query(handle, from_, to, 0.0, mask, hit)
-            found.append(hit.alpha)
-        return found
+            query(handle, start, end, 0.0, mask, hit)
+        return self._fractions

@@ -28,9 +28,9 @@ class SimSensors(Sensors):
     def __init__(self, simulator: Simulator, robot: RobotModel, world: World) -> None:
         self._simulator, self._robot, self._world = simulator, robot, world
         self._reach = reach = robot.radius_m + robot.sonar_range_m
-        self._sonar_beams = [
-            (reach * math.cos(angle), reach * math.sin(angle)) for angle in robot.sonar_angles_rad
-        ]
+        angles = robot.sonar_angles_rad
+        beams = [(reach * math.cos(angle), reach * math.sin(angle)) for angle in angles]
+        self._sonar_parts = simulator.fan(beams)
         self._scanner: Callable[[float], list[float]] | None = None
 
     def sonar(self, index: int) -> float:
@@ -46,7 +46,7 @@ class SimSensors(Sensors):
         reach, hull, longest = self._reach, robot.radius_m, robot.sonar_range_m
         return [
             0.0 if (seen := part * reach - hull) < 0.0 else longest if seen > longest else seen
-            for part in self._simulator.fan(self._sonar_beams)
+            for part in self._sonar_parts()
         ]
 
     def lidar(self, angle_rad: float) -> float:
