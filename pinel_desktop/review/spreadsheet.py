@@ -6,8 +6,8 @@ from collections.abc import Iterable, Sequence
 
 # spreadsheets read a file without this as if it were written in another century's letters
 _BYTE_ORDER_MARK = "\ufeff"
-# what a spreadsheet takes for a formula, which a pupil may have written into a name
-_BEGINS_FORMULA = ("=", "+", "-", "@", "\t", "\r")
+# what a spreadsheet takes for a formula, which a pupil may have written into a name; some take wide signs too
+_BEGINS_FORMULA = ("=", "+", "-", "@", "\t", "\r", "\uff1d", "\uff0b", "\uff0d", "\uff20")
 
 Cell = str | int | float | bool | None
 

@@ -14,7 +14,7 @@ def test_each_language_has_its_signs() -> None:
     assert spreadsheet(["s"], rows, "en") == "\ufeffs\r\na;b,1.5,3,1,,-0.25\r\n"
 
 
-@pytest.mark.parametrize("sign", ["=", "+", "-", "@", "\t", "\r"])
+@pytest.mark.parametrize("sign", ["=", "+", "-", "@", "\t", "\r", "\uff1d"])
 def test_names_are_never_formulas(sign: str) -> None:
     text = spreadsheet([f"{sign}A1"], [[f"{sign}cmd|'/c calc'!A0"]], "en")
     assert f"'{sign}A1" in text
