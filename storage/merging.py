@@ -201,8 +201,9 @@ class _Merging:
         names = columns(self._db, content.table)
         rest = [name for name in names if name not in (*_FIRST, *content.key)]
         order = [name for name in _FIRST if name in names] + rest
+        # not coalesce alone: what stands in for NULL must not be greater than any number ("not judged" and "passed")
         theirs, ours = (
-            ", ".join(f"coalesce({side}.{name}, '')" for name in order)
+            ", ".join(f"{side}.{name} IS NOT NULL, coalesce({side}.{name}, 0)" for name in order)
             for side in ("theirs", "ours")
         )
         return f"(({theirs}) {sign} ({ours}))"

@@ -204,6 +204,21 @@ def test_a_run_that_was_cut_off_here_is_replaced_by_its_end(pc: Opened, tmp_path
     assert cut.runs.events(run_id) == whole.runs.events(run_id)
 
 
+@pytest.mark.parametrize("order", [("judged", "unjudged"), ("unjudged", "judged")])
+def test_what_was_judged_stays_judged(pc: Opened, tmp_path: Path, order: tuple[str, ...]) -> None:
+    """A bundle was written before the check of the run had come to its end, another one after."""
+    here, there = pc("a"), pc("b")
+    _, run_id = work(there, there.groups.create("Onças"), "Quadrado")
+    exported(there, tmp_path / "unjudged.pinel")
+    there.checks.keep(run_id, True, {"cases": []})
+    exported(there, tmp_path / "judged.pinel")
+    for name in order:
+        for store in (here, there):
+            merged(store, tmp_path / f"{name}.pinel")
+    assert (here.runs.get(run_id).passed, there.runs.get(run_id).passed) == (True, True)
+    assert hash_of(here) == hash_of(there)
+
+
 def test_the_store_knows_whom_it_has_heard_from(pc: Opened, tmp_path: Path) -> None:
     here, there = pc("a"), pc("b")
     there.computers.rename("Lab 7")
