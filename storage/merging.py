@@ -27,6 +27,7 @@ from storage.content import (
     Content,
     columns,
 )
+from storage.errors import StoreError
 from storage.removal import remove_keys
 from storage.text import dumped, new_id
 
@@ -72,7 +73,8 @@ def merge(access: Access, path: Path) -> MergeReport:
     """Brings a bundle in; on disk when this returns.
 
     Raises:
-        StoreError: the bundle is refused (see `open_bundle`) or the store cannot be written; nothing has changed.
+        StoreError: the bundle is refused (see `open_bundle`), it deletes a run that goes on here (`run_in_progress`)
+            or the store cannot be written; nothing has changed.
     """
     with open_bundle(path) as bundle:
         return access.write(
@@ -91,7 +93,10 @@ def merge_attached(db: sqlite3.Connection, info: BundleInfo, now: str) -> MergeR
     for content in (COMPUTERS, CLASSROOMS, GROUPS, LESSONS, PROGRAMS):
         merging.bury(content)
         merging.rows(content)
+    running = _running(db)
     removed = remove_keys(db, ())
+    if _running(db) != running:  # it is being recorded, and its group sits before it
+        raise StoreError("run_in_progress")
     for content in (VERSIONS, LABELS):
         merging.rows(content)
     merging.runs()
@@ -233,6 +238,11 @@ def _may_come(content: Content) -> str:
 
 def _of(side: str, names: tuple[str, ...]) -> str:
     return ", ".join(f"{side}.{name}" for name in names)
+
+
+def _running(db: sqlite3.Connection) -> int:
+    """Runs that have not ended; a merge neither brings nor ends any but those that it has the end of."""
+    return int(db.execute("SELECT count(*) FROM main.runs WHERE state = 'running'").fetchone()[0])
 
 
 def _some(counts: dict[str, int]) -> dict[str, int]:

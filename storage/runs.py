@@ -161,6 +161,11 @@ def write_batch(db: sqlite3.Connection, batch: Batch) -> None:
         _end(db, batch.run_id, batch.ended, batch.path, batch.at)
 
 
+def is_there(db: sqlite3.Connection, run_id: str) -> bool:
+    """Whether there is such a run."""
+    return db.execute("SELECT 1 FROM runs WHERE id = ?", [run_id]).fetchone() is not None
+
+
 def _end(
     db: sqlite3.Connection,
     run_id: str,

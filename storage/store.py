@@ -21,7 +21,7 @@ from storage.lessons_read import LessonRecords
 from storage.notes import Notes
 from storage.opening import Notice, connect, prepare, prepare_reading
 from storage.programs import Programs
-from storage.runs import Batch, Runs, close_runs, write_batch
+from storage.runs import Batch, Runs, close_runs, is_there, write_batch
 from storage.schema import migrate
 from storage.settings import Settings
 from storage.text import new_id
@@ -90,14 +90,18 @@ class Store:
         self._access.listen(on_written)
 
     def record(self, waiting: Callable[[], list[Batch]]) -> "Future[list[Batch]]":
-        """Writes what is waiting when its turn comes, in one transaction; the future gives what is on disk."""
+        """Writes what is waiting when its turn comes, in one transaction; the future gives what is on disk.
+
+        Batches of a run that is no longer there are done with too: they must not keep the others waiting.
+        """
         now, interrupted = self._access.now(), self._interrupted
 
         def write(db: sqlite3.Connection) -> list[Batch]:
             close_runs(db, interrupted, now)
             batches = waiting()
             for batch in batches:
-                write_batch(db, batch)
+                if is_there(db, batch.run_id):
+                    write_batch(db, batch)
             return batches
 
         written = self._access.submit(write)

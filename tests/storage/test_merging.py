@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from storage import Store, StoreError, open_for_reading, open_store
+from storage import Recorder, RunStart, Store, StoreError, open_for_reading, open_store
 from storage.bundles import Scope
 from storage.merging import heard_from, merge
 from tests.storage.bundle_makers import (
@@ -25,7 +25,9 @@ from tests.storage.bundle_makers import (
     removed,
     work,
 )
+from tests.storage.conftest import WORLD
 from tests.storage.random_life import RandomLife
+from tests.storage.sample_runs import ended
 
 Opened = Callable[[str], Store]
 
@@ -183,6 +185,25 @@ class TestDeleted:
         merged(here, exported(there, tmp_path / "2.pinel").path)
         assert [found.classroom_id for found in here.groups.all()] == [new.id]
         assert hash_of(here) == hash_of(there)
+
+
+def test_a_deletion_waits_until_the_run_has_ended(pc: Opened, tmp_path: Path) -> None:
+    here, there = pc("a"), pc("b")
+    program, _ = work(here, here.groups.create("Onças"), "Quadrado")
+    version = here.versions.newest(program.id)
+    assert version is not None
+    merged(there, exported(here, tmp_path / "a.pinel").path)
+    removed(there, program.id)
+    there.groups.create("Araras")
+    path = exported(there, tmp_path / "b.pinel").path
+    run = here.runs.begin(RunStart("sim", "w", WORLD, 1, "0.1.0", version_id=version.id))
+    before = hash_of(here)
+    with pytest.raises(StoreError) as caught:
+        merged(here, path)
+    assert (caught.value.code, hash_of(here)) == ("run_in_progress", before)
+    recorder = Recorder(here)
+    recorder(ended(run.id, 0, 0))
+    assert merged(here, path).removed["runs"] == 2
 
 
 def test_a_run_that_was_cut_off_here_is_replaced_by_its_end(pc: Opened, tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from storage import GroupRow, Recorder, RunRow, RunStart, Store, StoreError, VersionRow
+from storage.removal import remove_keys
 from tests.storage.conftest import SQUARE, WORLD
 from tests.storage.sample_runs import block_started, ended, sample, square
 
@@ -192,6 +193,20 @@ def test_another_program_that_opens_the_file_leaves_live_runs_alone(
     run: RunRow, opened: Callable[..., Store]
 ) -> None:
     assert opened().runs.get(run.id).state == "running"
+
+
+def test_what_comes_of_a_run_that_is_gone_does_not_keep_others_waiting(
+    store: Store, start: RunStart, run: RunRow, recorder: Recorder
+) -> None:
+    recorder(sample(run.id, 0))
+    store._access.write(lambda db: remove_keys(db, [run.id]))
+    recorder({"v": 1, "type": "said", "run": run.id, "seq": 1, "tick": 1, "text": "x"})
+    recorder(ended(run.id, 2, 1))
+    later = store.runs.begin(start)
+    recorder(ended(later.id, 0, 0))
+    assert recorder.problem is None
+    assert store.runs.get(later.id).state != "running"
+    assert [row.id for row in store.runs.newest(5)] == [later.id]
 
 
 def test_a_batch_written_twice_is_the_same(store: Store, run: RunRow, recorder: Recorder) -> None:
