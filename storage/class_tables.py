@@ -1,7 +1,9 @@
 """Tables of classes, lessons and what is said of work: the second part of `schema`.
 
 Rows that are changed in place carry `revision`, which counts their changes, and `changed_at`: of two states of a row
-the greater one (revision, then time, then content) is kept in every merge, whichever comes first. All other rows are
+the greater one (revision, then time, then content) is kept in every merge, whichever comes first. Of groups, lessons
+and notes the revision counts the teacher's changes only: what pupils change, and what happens by itself, does not beat
+what the teacher changed elsewhere meanwhile. All other rows are
 only ever added. A key in `tombstones` is never brought back.
 """
 

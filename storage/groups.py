@@ -2,12 +2,13 @@
 
 import sqlite3
 from collections.abc import Mapping
+from datetime import datetime, timedelta
 
 from storage.classrooms import require_classroom
 from storage.connection import Access
 from storage.errors import StoreError
 from storage.records import GroupRow
-from storage.text import clean_name, name_key, new_id
+from storage.text import clean_name, name_key, new_id, time_text
 
 # told apart on a projector and by colour-blind pupils; each dark enough for white text
 COLORS = (
@@ -109,8 +110,13 @@ class Groups:
 
         return self.get(self._access.write(insert))
 
-    def change(self, group_id: str, changes: Mapping[str, str | None]) -> GroupRow:
+    def change(
+        self, group_id: str, changes: Mapping[str, str | None], *, by_teacher: bool = False
+    ) -> GroupRow:
         """Changes some of `name`, `color`, `picture` and `classroom_id`.
+
+        Args:
+            by_teacher: where files are merged the change beats all that pupils changed without knowing of it.
 
         Raises:
             StoreError: `group_not_found` and what `create` raises; `color_unknown`.
@@ -123,7 +129,7 @@ class Groups:
             raise StoreError("color_unknown", value=wanted["color"], allowed=list(COLORS))
         _require_picture(str(wanted.get("picture", "")))
         now = self._access.now()
-        self._access.write(lambda db: _change(db, group_id, wanted, now))
+        self._access.write(lambda db: _change(db, group_id, wanted, now, by_teacher))
         return self.get(group_id)
 
 
@@ -133,7 +139,11 @@ def touch(db: sqlite3.Connection, group_id: str, now: str) -> None:
 
 
 def _change(
-    db: sqlite3.Connection, group_id: str, wanted: Mapping[str, str | None], now: str
+    db: sqlite3.Connection,
+    group_id: str,
+    wanted: Mapping[str, str | None],
+    now: str,
+    by_teacher: bool,
 ) -> None:
     group = db.execute("SELECT * FROM groups WHERE id = ?", [group_id]).fetchone()
     if group is None:
@@ -148,9 +158,22 @@ def _change(
         _require_free(db, changes.get("name") or group["name"], classroom_id, group_id)
     assignments = ", ".join(f"{name} = :{name}" for name in changes)
     db.execute(
-        f"UPDATE groups SET {assignments}, revision = revision + 1, changed_at = :now WHERE id = :id",
-        {**changes, "now": now, "id": group_id},
+        f"UPDATE groups SET {assignments}, revision = revision + :more, changed_at = :at WHERE id = :id",
+        {
+            **changes,
+            "more": int(by_teacher),
+            "at": max(now, _just_after(group["changed_at"])),
+            "id": group_id,
+        },
     )
+
+
+def _just_after(moment: str) -> str:
+    """Of states of one revision the later one is kept: a PC whose clock is behind must not lose its own change."""
+    try:
+        return time_text(datetime.fromisoformat(moment) + timedelta(microseconds=1))
+    except (ValueError, OverflowError):
+        return ""
 
 
 def _require_free(db: sqlite3.Connection, name: str, classroom_id: str | None, own_id: str) -> None:

@@ -84,7 +84,8 @@ class Lessons:
                 """INSERT INTO lessons (id, classroom_id, title, activity, by_itself, computer_id, opened_at, used_at,
                                         changed_at) VALUES (?, ?, ?, ?, 0, ?, ?, ?, ?)
                    ON CONFLICT (id) DO UPDATE SET closed_at = NULL, activity = excluded.activity, used_at = ?,
-                       computer_id = excluded.computer_id, revision = revision + 1, changed_at = excluded.changed_at""",
+                       computer_id = excluded.computer_id, changed_at = excluded.changed_at,
+                       revision = revision + (activity IS NOT excluded.activity)""",
                 [lesson_id, classroom_id, clean, activity, computer_id, now, now, now, now],
             )
             return lesson_id
@@ -165,10 +166,8 @@ def _going_on(
 
 
 def _close(db: sqlite3.Connection, which: str, values: list[str | None], now: str) -> None:
-    db.execute(
-        f"UPDATE lessons SET closed_at = ?, revision = revision + 1, changed_at = ? WHERE {which}",
-        [now, now, *values],
-    )
+    """No new state, which would beat the title that the teacher gives meanwhile: lessons also close by themselves."""
+    db.execute(f"UPDATE lessons SET closed_at = ? WHERE {which}", [now, *values])
 
 
 def _require_joinable(db: sqlite3.Connection, lesson_id: str, to: str) -> None:

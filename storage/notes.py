@@ -54,19 +54,25 @@ class Notes:
     def rewrite(self, note_id: str, text: str) -> NoteRow:
         """Another text, which the group has not read yet. Raises StoreError as `write`, and `note_not_found`."""
         clean, now = _clean(text), self._access.now()
-        return self._change(note_id, "text = ?, seen_at = NULL", [clean, now])
+        return self._change(
+            note_id,
+            "text = ?, seen_at = NULL, changed_at = ?, revision = revision + 1",
+            [clean, now],
+        )
 
     def see(self, note_id: str) -> NoteRow:
-        """Notes that the group has read it. Raises StoreError `note_not_found`."""
-        now = self._access.now()
-        return self._change(note_id, "seen_at = ?", [now, now])
+        """Notes that the group has read it: no new state, which would beat what the teacher writes meanwhile.
+
+        Raises:
+            StoreError: `note_not_found`.
+        """
+        return self._change(note_id, "seen_at = ?", [self._access.now()])
 
     def _change(self, note_id: str, assignments: str, values: list[str]) -> NoteRow:
         self._access.write(
             lambda db: (
                 db.execute(
-                    f"UPDATE notes SET {assignments}, changed_at = ?, revision = revision + 1 WHERE id = ?",
-                    [*values, note_id],
+                    f"UPDATE notes SET {assignments} WHERE id = ?", [*values, note_id]
                 ).rowcount
             )
         )

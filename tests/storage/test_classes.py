@@ -8,6 +8,7 @@ import pytest
 
 from storage import GroupRow, ProgramRow, RunStart, Store, open_store
 from storage.groups import COLORS, PICTURES
+from tests.storage.bundle_makers import exported, hash_of, merged
 from tests.storage.refusals import code_of
 
 
@@ -221,3 +222,77 @@ def test_this_pc_has_a_key_that_stays_and_a_name_to_choose(school: Store, path: 
     assert school.computers.rename("PC 07") == "PC 07"
     with open_store(path) as again:
         assert again.computers.here() == (key, "PC 07")
+
+
+def merged_in_both_orders(folder: Path, one: Store, other: Store) -> list[Store]:
+    """The states of two PCs in two fresh files; they hold the same."""
+    bundles = [exported(pc, folder / f"{n}.pinel").path for n, pc in enumerate((one, other))]
+    stores = []
+    for n, order in enumerate((bundles, bundles[::-1])):
+        store = open_store(folder / f"merged{n}.db")
+        for bundle in order:
+            merged(store, bundle)
+        stores.append(store)
+    assert hash_of(stores[0]) == hash_of(stores[1])
+    return stores
+
+
+@pytest.mark.parametrize("ahead", [1, -1])
+def test_the_teacher_s_change_beats_what_pupils_did_on_the_older_state(
+    school: Store,
+    robots: GroupRow,
+    square: ProgramRow,
+    clock: SchoolClock,
+    tmp_path: Path,
+    ahead: int,
+) -> None:
+    first = school.lessons.open(str(robots.classroom_id), "Aula 1").id
+    lesson = school.lessons.open(str(robots.classroom_id), "Aula 2").id
+    note = school.notes.write(run_of(school, edited(school, square, "a")), "Muito bem").id
+    school.close_interrupted()
+    other = school.classrooms.create("9º B").id
+    with open_store(tmp_path / "teacher.db", clock=clock) as teacher:
+        merged(teacher, exported(school, tmp_path / "b.pinel").path)
+        teacher.notes.rewrite(note, "Por quê?")
+        teacher.lessons.change(lesson, {"title": "Losango", "part_of": first})
+        teacher.groups.change(robots.id, {"classroom_id": other}, by_teacher=True)
+        clock.passes(days=ahead)
+        school.notes.see(note)
+        for color in COLORS[-2:]:
+            school.groups.change(robots.id, {"color": color, "name": "Gatos"})
+        edited(school, square, "b")
+        assert school.lessons.get(lesson).closed_at is not None
+        stores = merged_in_both_orders(tmp_path, school, teacher)
+    for store in stores:
+        with store:
+            assert (store.notes.get(note).text, store.notes.get(note).seen_at) == ("Por quê?", None)
+            kept = store.lessons.get(lesson)
+            assert (kept.title, kept.part_of) == ("Losango", first)
+            assert store.groups.get(robots.id).classroom_id == other
+
+
+@pytest.mark.parametrize("ahead", [1, -1])
+def test_what_pupils_did_is_kept_where_the_teacher_changed_nothing(
+    school: Store,
+    robots: GroupRow,
+    square: ProgramRow,
+    clock: SchoolClock,
+    tmp_path: Path,
+    ahead: int,
+) -> None:
+    lesson = school.lessons.open(str(robots.classroom_id), "Aula 1").id
+    note = school.notes.write(run_of(school, edited(school, square, "a")), "Muito bem").id
+    school.close_interrupted()
+    with open_store(tmp_path / "teacher.db", clock=clock) as teacher:
+        merged(teacher, exported(school, tmp_path / "b.pinel").path)
+        clock.passes(days=ahead)
+        school.notes.see(note)
+        school.groups.change(robots.id, {"color": COLORS[-1], "name": "Gatos"})
+        school.lessons.close(lesson)
+        stores = merged_in_both_orders(tmp_path, school, teacher)
+    for store in stores:
+        with store:
+            assert store.notes.get(note).seen_at is not None
+            assert store.lessons.get(lesson).closed_at is not None
+            group = store.groups.get(robots.id)
+            assert (group.name, group.color) == ("Gatos", COLORS[-1])

@@ -7,7 +7,7 @@ from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.work import Group, GroupChanges, GroupList, NewGroup
 from pinel_desktop.web.services import services
-from pinel_desktop.web.teaching import require_teacher
+from pinel_desktop.web.teaching import is_teacher, require_teacher
 
 api = resource("groups", "Groups of pupils.", __name__)
 
@@ -35,5 +35,5 @@ def change_group(path: IdPath, body: GroupChanges) -> Response:
     changes = body.model_dump(exclude_none=True)
     if "classroom_id" in changes:
         require_teacher()
-    row = services().store.groups.change(path.id, changes)
+    row = services().store.groups.change(path.id, changes, by_teacher=is_teacher())
     return answer(Group.model_validate(row, from_attributes=True))
