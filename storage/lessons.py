@@ -13,6 +13,7 @@ from storage.classrooms import require_classroom
 from storage.computers import here
 from storage.connection import Access
 from storage.errors import StoreError
+from storage.joined import settle, tree_of, whole_of
 from storage.records import LessonRow
 from storage.text import clean_name, name_key, new_id
 
@@ -41,15 +42,17 @@ class Lessons:
                 f"{_SELECT} WHERE lessons.classroom_id IS ? ORDER BY opened_at DESC, lessons.id DESC",
                 [classroom_id],
             ).fetchall()
-        return [_record(row) for row in rows]
+            wholes = whole_of(db)
+        return [_record(row, wholes) for row in rows]
 
     def get(self, lesson_id: str) -> LessonRow:
         """Raises StoreError `lesson_not_found`."""
         with self._access.reading() as db:
             row = db.execute(f"{_SELECT} WHERE lessons.id = ?", [lesson_id]).fetchone()
+            wholes = whole_of(db)
         if row is None:
             raise StoreError("lesson_not_found", id=lesson_id)
-        return _record(row)
+        return _record(row, wholes)
 
     def current(self, classroom_id: str | None) -> LessonRow | None:
         """What work of the class would belong to now on this PC, None when a new lesson would begin."""
@@ -62,10 +65,9 @@ class Lessons:
         return None if found is None else self.get(found)
 
     def parts(self, lesson_id: str) -> list[str]:
-        """Keys of the lesson and of all that were joined to it."""
+        """Keys of the lesson that it belongs to in the end, and of all that were joined to that one."""
         with self._access.reading() as db:
-            rows = db.execute("SELECT id FROM lessons WHERE part_of = ?", [lesson_id]).fetchall()
-        return [lesson_id, *(str(row["id"]) for row in rows)]
+            return tree_of(db, lesson_id)
 
     def open(self, classroom_id: str, title: str, activity: str | None = None) -> LessonRow:
         """Opens the lesson of that title, again where it was closed; what was open on this PC is closed.
@@ -99,18 +101,20 @@ class Lessons:
         return self.get(lesson_id)
 
     def change(self, lesson_id: str, changes: Mapping[str, str | None]) -> LessonRow:
-        """Changes some of `title`, `activity` and `part_of`, the lesson that it is to be a part of.
+        """Changes some of `title`, `activity` and `part_of`, the lesson that it is to be a part of with all its parts.
 
         Raises:
-            StoreError: `lesson_not_found`; `lesson_not_joinable` to itself, to a part, or to another class's.
+            StoreError: `lesson_not_found`; `lesson_not_joinable` to itself, to a part of it, or to another class's.
         """
         wanted, now = dict(changes), self._access.now()
-        if wanted.get("title") is not None:
-            wanted["title"] = clean_name(str(wanted["title"]))
+        if "title" in wanted:  # "" as of a lesson that opened by itself
+            wanted["title"] = clean_name(wanted["title"]) if wanted["title"] else ""
 
         def change(db: sqlite3.Connection) -> None:
-            if wanted.get("part_of") is not None:
-                _require_joinable(db, lesson_id, str(wanted["part_of"]))
+            if "part_of" in wanted:
+                if wanted["part_of"] is not None:
+                    wanted["part_of"] = _joinable(db, lesson_id, wanted["part_of"])
+                settle(db, lesson_id, now)
             assignments = ", ".join(f"{name} = :{name}" for name in wanted)
             db.execute(
                 f"UPDATE lessons SET {assignments}, revision = revision + 1, changed_at = :now WHERE id = :id",
@@ -170,27 +174,24 @@ def _close(db: sqlite3.Connection, which: str, values: list[str | None], now: st
     db.execute(f"UPDATE lessons SET closed_at = ? WHERE {which}", [now, *values])
 
 
-def _require_joinable(db: sqlite3.Connection, lesson_id: str, to: str) -> None:
-    lessons = {
-        row["id"]: row
-        for row in db.execute(
-            "SELECT id, classroom_id, part_of FROM lessons WHERE id IN (?, ?)", [lesson_id, to]
-        )
-    }
+def _joinable(db: sqlite3.Connection, lesson_id: str, to: str) -> str:
+    """The whole that the lesson can be joined to."""
+    rows = db.execute("SELECT id, classroom_id FROM lessons WHERE id IN (?, ?)", [lesson_id, to])
+    lessons = {row["id"]: row["classroom_id"] for row in rows}
     if len(lessons) < 2:
         missing = to if lesson_id in lessons and to != lesson_id else lesson_id
         code = "lesson_not_joinable" if to == lesson_id else "lesson_not_found"
         raise StoreError(code, id=missing)
-    has_parts = db.execute("SELECT 1 FROM lessons WHERE part_of = ?", [lesson_id]).fetchone()
-    same_class = lessons[lesson_id]["classroom_id"] == lessons[to]["classroom_id"]
-    if has_parts or lessons[to]["part_of"] is not None or not same_class:
+    whole = tree_of(db, to)[0]
+    if whole == lesson_id or lessons[lesson_id] != lessons[to]:
         raise StoreError("lesson_not_joinable", id=lesson_id)
+    return whole
 
 
 def _moment(text: str) -> datetime:
     return datetime.fromisoformat(text)
 
 
-def _record(row: sqlite3.Row) -> LessonRow:
-    values = dict(row)
-    return LessonRow(**{**values, "by_itself": bool(values["by_itself"])})
+def _record(row: sqlite3.Row, wholes: Mapping[str, str]) -> LessonRow:
+    shown = {"by_itself": bool(row["by_itself"]), "part_of": wholes.get(row["id"])}
+    return LessonRow(**{**dict(row), **shown})

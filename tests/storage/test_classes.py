@@ -296,3 +296,55 @@ def test_what_pupils_did_is_kept_where_the_teacher_changed_nothing(
             assert store.lessons.get(lesson).closed_at is not None
             group = store.groups.get(robots.id)
             assert (group.name, group.color) == ("Gatos", COLORS[-1])
+
+
+JOINS = {
+    "a chain": (("A", "B"), ("B", "C"), "C"),
+    "a circle": (("A", "B"), ("B", "A"), None),
+}
+
+
+@pytest.mark.parametrize("kind", JOINS)
+def test_no_lesson_is_lost_where_two_pcs_have_joined_lessons(
+    school: Store, ninth: str, square: ProgramRow, clock: SchoolClock, tmp_path: Path, kind: str
+) -> None:
+    ids = {title: school.lessons.open(ninth, title).id for title in "ABC"}
+    here, there, end = JOINS[kind]
+    with open_store(tmp_path / "other.db", clock=clock) as other:
+        merged(other, exported(school, tmp_path / "b.pinel").path)
+        for pc, (part, whole) in ((school, here), (other, there)):
+            pc.lessons.change(ids[part], {"part_of": ids[whole]})
+        stores = merged_in_both_orders(tmp_path, school, other)
+    tree = sorted(ids[title] for title in ("ABC" if end else "AB"))
+    root = ids[end] if end else tree[0]
+    for store in stores:
+        with store:
+            shown = {row.id: row.part_of for row in store.lessons.of_classroom(ninth)}
+            assert {part for part in shown if shown[part]} == set(tree) - {root}
+            assert {shown[part] for part in tree} == {None, root}
+            for part in tree:
+                assert sorted(store.lessons.parts(part)) == tree
+                assert store.lessons.parts(part)[0] == root
+            can_be_joined_and_separated(store, tree, root, school.lessons.open(ninth, "D").id)
+
+
+def can_be_joined_and_separated(store: Store, tree: list[str], root: str, absent: str) -> None:
+    lessons = store.lessons
+    parts = [part for part in tree if part != root]
+    assert code_of(lambda: lessons.change(root, {"part_of": parts[0]})) == "lesson_not_joinable"
+    assert code_of(lambda: lessons.change(root, {"part_of": absent})) == "lesson_not_found"
+    classroom_id = lessons.get(root).classroom_id
+    more = lessons.open(str(classroom_id), "E").id
+    assert lessons.change(root, {"part_of": more}).part_of == more
+    assert sorted(lessons.parts(parts[0])) == sorted([*tree, more])
+    assert lessons.change(root, {"part_of": None}).part_of is None
+    assert sorted(lessons.parts(more)) == sorted([more, *parts])
+    for part in parts:
+        lessons.change(part, {"part_of": None})
+    assert all(row.part_of is None for row in lessons.of_classroom(classroom_id))
+
+
+def test_the_title_of_a_lesson_can_be_taken_away(school: Store, ninth: str) -> None:
+    lesson = school.lessons.open(ninth, "Aula 1").id
+    for nothing in ("", None):
+        assert school.lessons.change(lesson, {"title": nothing}).title == ""

@@ -85,6 +85,8 @@ def test_a_lesson_is_opened_changed_joined_and_closed(
     assert teacher.patch(place, {"part_of": second["id"]}).data["part_of"] == second["id"]
     changed = teacher.patch(place, {"part_of": "", "activity": "", "title": "Aula um"}).data
     assert (changed["part_of"], changed["activity"], changed["title"]) == (None, None, "Aula um")
+    assert teacher.patch(place, {"title": ""}).data["title"] == ""
+    assert teacher.patch(place, {"title": "Aula um"}).data["title"] == "Aula um"
     closed = teacher.patch(f"/api/lessons/{second['id']}", {"closed": True}).data
     assert closed["closed_at"] is not None
     listed = teacher.get(f"{here}/lessons").data["lessons"]

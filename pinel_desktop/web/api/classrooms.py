@@ -80,6 +80,7 @@ def change_lesson(path: IdPath, body: LessonChanges) -> Response:
     lessons = services().store.lessons
     _require_activity(body.activity or None)
     told = body.model_dump(exclude_none=True, exclude={"closed"})
+    # "" takes it away
     row = lessons.change(path.id, {name: value or None for name, value in told.items()})
     return answer(lesson_model(lessons.close(path.id) if body.closed else row))
 
