@@ -15,10 +15,11 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from storage.bundle_rules import MAX_VALUE, json_of, key, name, problem_in_rows, short, time
+from storage.bundle_rules import json_of, key, name, problem_in_rows, short, time
 from storage.bundles import BUNDLE_TABLE, FORMAT, BundleInfo, counts_of
 from storage.content import content_hash
 from storage.errors import StoreError
+from storage.limits import MAX_VALUE
 from storage.schema import MIGRATION_SET, MIGRATIONS_TABLE, migrate, steps
 from storage.text import loaded
 

@@ -14,15 +14,13 @@ from typing import Any
 from storage.content import CONTENT, Content, columns, tuples
 from storage.groups import PICTURES
 from storage.json_check import is_object, parsed
+from storage.limits import MAX_COUNT, MAX_NUMBER, MAX_REVISION
 from storage.notes import MAX_NOTE
 from storage.text import MAX_NAME
 
 Rule = Callable[[Any], bool]
 
-MAX_VALUE = 16 * 2**20  # bytes of one text or blob
 _MAX_ROWS = 200_000  # samples in a chunk, and in all of a run: an hour has 108,000
-_MAX_COUNT = 10**7
-_MAX_REVISION = 10**9
 _MAX_SHORT = 200
 _MAX_TEXT = 10_000
 _SAMPLE_COLUMNS = 16
@@ -67,6 +65,11 @@ def lines(most: int) -> Rule:
     return lambda value: isinstance(value, str) and len(value) <= most and "\0" not in value
 
 
+def text(value: Any) -> bool:
+    """What an editor of blocks may have made a key of a block."""
+    return isinstance(value, str) and len(value) <= _MAX_TEXT
+
+
 def workspace(value: Any) -> bool:
     """JSON of what the editor shows."""
     return isinstance(value, str) and is_object(value)
@@ -85,8 +88,8 @@ def real(value: Any) -> bool:
 def json_of(kind: type, check: Callable[[Any], bool] = lambda value: True) -> Rule:
     """JSON whose outermost value is of a kind."""
 
-    def rule(text: Any) -> bool:
-        found = parsed(text) if isinstance(text, str) else None
+    def rule(value: Any) -> bool:
+        found = parsed(value) if isinstance(value, str) else None
         return isinstance(found, kind) and check(found)
 
     return rule
@@ -125,14 +128,14 @@ def unpacks(blob: Any, n_rows: int) -> bool:
 
 key = matching(_KEY)
 time = matching(_TIME)
-count = whole(0, _MAX_COUNT)
+count = whole(0, MAX_COUNT)
 word = matching(_WORD)
 short = visible(_MAX_SHORT)
 name = visible(MAX_NAME, least=1)
 flag = whole(0, 1)
 some_json = json_of(object)
 _CHANGES: dict[str, Rule] = {
-    "revision": whole(1, _MAX_REVISION),
+    "revision": whole(1, MAX_REVISION),
     "changed_at": lambda value: value == "" or time(value),
 }
 RULES: dict[str, dict[str, Rule]] = {
@@ -175,7 +178,7 @@ RULES: dict[str, dict[str, Rule]] = {
     "versions": {
         "id": key,
         "program_id": key,
-        "number": whole(1, _MAX_COUNT),
+        "number": whole(1, MAX_NUMBER),
         "created_at": time,
         "workspace": workspace,
         "document": optional(json_of(dict)),
@@ -202,7 +205,7 @@ RULES: dict[str, dict[str, Rule]] = {
         "state": lambda value: value in ("finished", "stopped", "failed"),
         "reason": optional(word),
         "params": optional(json_of(dict)),
-        "block": optional(lines(_MAX_TEXT)),
+        "block": optional(text),
         "started_at": time,
         "ended_at": optional(time),
         "duration_s": optional(real),

@@ -14,6 +14,7 @@ from pathlib import Path
 from storage.connection import Access
 from storage.content import CONTENT, Content, columns, content_hash
 from storage.errors import StoreError, translated
+from storage.limits import MAX_REVISION
 from storage.schema import migrate
 from storage.text import dumped, new_id
 
@@ -228,6 +229,8 @@ def _copy_table(
         f" WHERE {ended} AND {condition} ORDER BY {', '.join(content.key)}",
         values,
     )
+    if "revision" in columns(db, content.table):
+        db.execute(f"UPDATE main.{content.table} SET revision = min(revision, {MAX_REVISION})")
 
 
 def counts_of(db: sqlite3.Connection) -> dict[str, int]:

@@ -12,11 +12,11 @@ from typing import Any
 
 _PLAIN_DEPTH = 400  # what Python's parser always has room for
 _MAX_DEPTH = 9_000  # under the web server's limit
-_MAX_NUMBER = 400  # signs
+_MAX_DIGITS = 4_300  # of a whole number, as Python's own parser
 _BRACKETS = re.compile(r'"(?:[^"\\]|\\.)*"|([\[{])|([\]}])')
 _TOKEN = re.compile(
     r'[ \t\n\r]*(?:(?P<string>"(?:[^"\\\x00-\x1f]|\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4}))*")'
-    r"|(?P<scalar>-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?|true|false|null)|(?P<sign>[\[\]{},:])|(?P<end>$))"
+    r"|(?P<scalar>-?(?:0|[1-9][0-9]*)(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?|true|false|null)|(?P<sign>[\[\]{},:])|(?P<end>$))"
 )
 _OPENING = {"{": "}", "[": "]"}
 
@@ -110,6 +110,8 @@ def _closed(sign: str, awaited: str, closings: list[str]) -> str | None:
 
 
 def _is_readable(scalar: str) -> bool:
-    return scalar in ("true", "false", "null") or (
-        len(scalar) <= _MAX_NUMBER and math.isfinite(float(scalar))
-    )
+    if scalar in ("true", "false", "null"):
+        return True
+    if scalar.lstrip("-").isdigit():
+        return len(scalar.lstrip("-")) <= _MAX_DIGITS
+    return math.isfinite(float(scalar))

@@ -7,7 +7,9 @@ from dataclasses import astuple
 from storage.connection import Access
 from storage.errors import StoreError
 from storage.groups import touch
+from storage.json_check import is_object, parsed
 from storage.lessons import lesson_for
+from storage.limits import MAX_NUMBER
 from storage.records import FaultRow, Json, VersionMark, VersionRow
 from storage.text import clean_name, dumped, loaded, new_id
 
@@ -64,7 +66,9 @@ class Versions:
             parent_id: the version that was edited; the newest when not told.
 
         Raises:
-            StoreError: `program_not_found`, or why nothing could be kept.
+            StoreError: `program_not_found`; `version_not_found` where the one edited is none of this program;
+                `work_unreadable` too deep, or with numbers too long, to be read on another PC; or why nothing could
+                be kept.
         """
         content = (
             dumped(workspace),
@@ -72,6 +76,7 @@ class Versions:
             dumped([astuple(fault) for fault in faults]),
             None if world is None else dumped(world),
         )
+        _require_readable(content)
         now = self._access.now()
         return self.get(
             self._access.write(lambda db: _insert(db, program_id, content, parent_id, now))
@@ -117,10 +122,12 @@ def _insert(
     newest = db.execute(_NEWEST, [program_id]).fetchone()
     if newest and tuple(newest[name] for name in _CONTENT) == content:
         return str(newest["id"])
+    if parent_id is not None:
+        _require_own(db, program_id, parent_id)
     version = {
         "id": new_id(),
         "program_id": program_id,
-        "number": newest["number"] + 1 if newest else 1,
+        "number": min(newest["number"] + 1, MAX_NUMBER) if newest else 1,
         "created_at": now,
         **dict(zip(_CONTENT, content, strict=True)),
         "parent_id": parent_id or (newest["id"] if newest else None),
@@ -131,6 +138,20 @@ def _insert(
     db.execute("UPDATE programs SET updated_at = ? WHERE id = ?", [now, program_id])
     touch(db, program["group_id"], now)
     return str(version["id"])
+
+
+def _require_readable(content: _Content) -> None:
+    """What no bundle could carry is not kept: it would hold up all that is exported with it."""
+    workspace, document, faults, world = content
+    others = [text for text in (document, faults, world) if text is not None]
+    if not is_object(workspace) or any(parsed(text) is None for text in others):
+        raise StoreError("work_unreadable")
+
+
+def _require_own(db: sqlite3.Connection, program_id: str, version_id: str) -> None:
+    query = "SELECT 1 FROM versions WHERE id = ? AND program_id = ?"
+    if db.execute(query, [version_id, program_id]).fetchone() is None:
+        raise StoreError("version_not_found", id=version_id)
 
 
 def _record(row: sqlite3.Row) -> VersionRow:

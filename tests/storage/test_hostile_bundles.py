@@ -16,6 +16,7 @@ import pytest
 from storage import Store, StoreError, bundle_reading, open_store, schema
 from storage.bundle_rules import RULES
 from storage.content import CONTENT, columns, content_hash
+from storage.limits import MAX_NUMBER, MAX_REVISION
 from storage.telemetry import COLUMNS, pack
 from tests.storage.bundle_makers import a_run, exported, hash_of, merged, work
 
@@ -273,6 +274,39 @@ def test_values_that_pinel_does_not_write(
     bundle: Path, refused: Callable[[Path], StoreError], kind: str
 ) -> None:
     assert refused(changed(bundle, VALUES[kind])).code == "bundle_hostile"
+
+
+LARGEST = {
+    "a run of an hour with the most commands": "UPDATE runs SET n_executed = 108000000",
+    "a key of a block with NUL": "UPDATE runs SET block = 'a' || char(0) || 'b'",
+    "a deep workspace": f"""UPDATE versions SET workspace = '{{"a":{_SHALLOWER},"b":{"1" * 450}}}'""",
+}
+
+
+@pytest.mark.parametrize("kind", LARGEST)
+def test_what_a_store_may_write_is_let_in(bundle: Path, store: Store, kind: str) -> None:
+    assert merged(store, changed(bundle, LARGEST[kind])).added["runs"] == 2
+
+
+def test_after_the_largest_revision_and_number_work_still_travels(
+    bundle: Path, store: Store, tmp_path: Path, opened: Callable[..., Store]
+) -> None:
+    changed(
+        bundle,
+        f"UPDATE groups SET revision = {MAX_REVISION}; UPDATE programs SET revision = {MAX_REVISION};"
+        f"UPDATE versions SET number = {MAX_NUMBER}",
+    )
+    merged(store, bundle)
+    (group,) = store.groups.all()
+    (program,) = store.programs.of_group(group.id)
+    store.groups.change(group.id, {"name": "Outro"})
+    store.programs.rename(program.id, "Outro")
+    version = store.versions.save(program.id, {"z": 1}, None)
+    assert store.versions.newest(program.id) == version
+    third = opened(tmp_path / "third.db")
+    merged(third, exported(store, tmp_path / "third.pinel").path)
+    assert third.programs.get(program.id).name == "Outro"
+    assert third.versions.newest(program.id) is not None
 
 
 def test_telemetry_that_unpacks_to_gigabytes(

@@ -200,3 +200,59 @@ def test_every_world_is_told_with_its_walls(browser: Browser) -> None:
     assert room["size_m"] == [8, 8]
     assert len(room["walls"]) >= 4
     assert set(room["title"]) == {"pt-BR", "en", "es"}
+
+
+@pytest.mark.parametrize("parent", ["abc", "a\0", "\ud800", "0193a5b0-0000-7000-8000-000000000001"])
+def test_a_version_is_made_of_one_of_its_own_program_only(
+    browser: Browser, program: dict[str, Any], version: dict[str, Any], parent: str
+) -> None:
+    path = f"/api/programs/{program['id']}/versions"
+    body = {"workspace": {"n": 2}, "document": None, "parent_id": parent}
+    assert browser.post(path, body).status in (404, 422)
+    assert browser.post(path, {**body, "parent_id": version["id"]}).status == 200
+
+
+def test_a_version_of_another_program_is_no_parent(
+    browser: Browser, group: dict[str, Any], version: dict[str, Any]
+) -> None:
+    other = browser.post(f"/api/groups/{group['id']}/programs", {"name": "Outro"}).data
+    body = {"workspace": {}, "document": None, "parent_id": version["id"]}
+    refused = browser.post(f"/api/programs/{other['id']}/versions", body)
+    assert (refused.status, refused.error["code"]) == (404, "version_not_found")
+
+
+@pytest.mark.parametrize(
+    "workspace",
+    ['{"a":' * 9400 + "1" + "}" * 9400, '{"a":' * 500 + "1" * 4400 + "}" * 500],
+    ids=["deep", "long number"],
+)
+def test_what_no_other_pc_could_read_is_not_kept(
+    browser: Browser, program: dict[str, Any], workspace: str
+) -> None:
+    refused = browser.send(
+        "POST",
+        f"/api/programs/{program['id']}/versions",
+        body=f'{{"workspace":{workspace},"document":null}}'.encode(),
+        headers={"Content-Type": "application/json"},
+    )
+    assert refused.status in (400, 422)
+    assert browser.get(f"/api/programs/{program['id']}").data["version"] is None
+
+
+def test_ids_that_nothing_can_write_are_refused(browser: Browser) -> None:
+    for path, body in (
+        ("/api/groups", {"name": "X", "classroom_id": "\ud800"}),
+        ("/api/runs", {"version_id": "\ud800", "world": "empty_room"}),
+    ):
+        assert browser.post(path, body).status == 422
+
+
+def test_faults_of_a_deep_document_are_kept(browser: Browser, program: dict[str, Any]) -> None:
+    deep: list[Any] = []
+    for _ in range(600):
+        deep = [deep]
+    document = [{"action": "move_forward", "block": "b", "distance": deep}]
+    path = f"/api/programs/{program['id']}/versions"
+    saved = browser.post(path, {"workspace": {}, "document": document})
+    assert saved.status == 200
+    assert saved.data["faults"]

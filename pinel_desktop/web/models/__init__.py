@@ -2,9 +2,16 @@
 
 from typing import Annotated, Any
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
-Id = Annotated[str, Field(description="UUIDv7 text")]
+
+def _writable(text: str) -> str:
+    """A lone surrogate can stand in JSON, but no store can be asked for it."""
+    text.encode()
+    return text
+
+
+Id = Annotated[str, AfterValidator(_writable), Field(description="UUIDv7 text")]
 Time = Annotated[str, Field(description="ISO 8601 in UTC")]
 Json = Annotated[dict[str, Any], Field(description="any JSON object")]
 

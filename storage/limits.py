@@ -1,0 +1,12 @@
+"""How large what a store writes may become: what is more is no work of PINEL, and is not let in from a bundle.
+
+Numbers that grow by one with each change stop at their limit, so that a store into which the largest was brought
+writes nothing that another would refuse.
+"""
+
+MAX_NUMBER = 10**9  # of a version within its program
+MAX_REVISION = 10**9
+# a run of an hour at the most commands a tick has 1.08e8
+MAX_COUNT = 10**12
+# bytes of one text or blob: of a body of 4 MiB, with each number and letter written at its longest
+MAX_VALUE = 16 * 2**20
