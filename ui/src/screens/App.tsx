@@ -4,11 +4,11 @@ import { Header } from "./Header";
 import { Locked } from "./Locked";
 import { later } from "./later";
 import { Messages } from "./Messages";
-import { ReplayScreen } from "./ReplayScreen";
 import { StartScreen } from "./StartScreen";
 import { StudioScreen } from "./StudioScreen";
-import { WorkScreen } from "./WorkScreen";
 
+const WorkScreen = later(async () => (await import("./WorkScreen")).WorkScreen);
+const ReplayScreen = later(async () => (await import("./ReplayScreen")).ReplayScreen);
 const VersionsScreen = later(async () => (await import("../versions")).VersionsScreen);
 const DifferencesScreen = later(async () => (await import("../versions")).DifferencesScreen);
 const TeacherScreen = later(async () => (await import("../teacher/TeacherScreen")).TeacherScreen);

@@ -5,7 +5,7 @@ import { texts } from "../i18n";
 import * as robot from "../run/live";
 import { Readout } from "../run/Readout";
 import { StatusLine } from "../run/StatusLine";
-import { DRAWER, type DrawerState } from "../run/text/TextDrawer";
+import { DRAWER, type DrawerState } from "../run/text/drawer";
 import { Controls } from "./Controls";
 import { FootButton } from "./FootButton";
 import { Stage } from "./Stage";

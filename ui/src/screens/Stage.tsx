@@ -13,12 +13,13 @@ import type { Question } from "../run/output";
 import { QuestionPanel } from "../run/QuestionPanel";
 import { isLive } from "../run/reducer";
 import { Shown } from "../run/Shown";
-import { type DrawerState, TextDrawer } from "../run/text/TextDrawer";
+import type { DrawerState } from "../run/text/drawer";
 import { WorldChoice } from "../run/WorldChoice";
 import { Scene } from "../scene/Scene";
 import { later } from "./later";
 import type { StudioControl } from "./studio_control";
 
+const TextDrawer = later(async () => (await import("../run/text/TextDrawer")).TextDrawer);
 const PlotsPanel = later(async () => (await import("../plots/PlotsPanel")).PlotsPanel);
 
 interface StageProps {

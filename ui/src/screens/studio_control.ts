@@ -11,7 +11,6 @@ import { watchSensors } from "../debug/senses";
 import type { Editor } from "../editor";
 import { language, texts } from "../i18n";
 import { reasonWords } from "../i18n/reasons";
-import { commandCount, MOST_SHOWN, workspaceOf } from "../loader";
 import { withJudgement } from "../run/judgement";
 import * as robot from "../run/live";
 import { lookAround } from "../run/looking";
@@ -118,6 +117,7 @@ export class StudioControl {
 
   /** Shows a document as blocks in place of those that are there, and gives the program its name. */
   async place(document: object): Promise<void> {
+    const { commandCount, MOST_SHOWN, workspaceOf } = await import("../loader");
     const n = commandCount(document);
     if (n > MOST_SHOWN) {
       const { tooLong, tooLongRemedy } = texts.value.python;

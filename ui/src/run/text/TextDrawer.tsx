@@ -2,33 +2,10 @@ import { Maximize2, Minimize2 } from "lucide-preact";
 import { TEST } from "../../app/testids";
 import { texts } from "../../i18n";
 import type { LitBlock } from "../reducer";
+import { type DrawerState, TABS } from "./drawer";
 import { IrPanel } from "./IrPanel";
 import { PythonPane } from "./PythonPane";
 import "./text.css";
-
-const TABS = ["python", "ir"] as const;
-
-export type TextTab = (typeof TABS)[number];
-
-/**
- * How the drawer stands: the program as text or the plots, which form of the text, whether it takes the floor's room,
- * whether Python is being written.
- */
-export interface DrawerState {
-  readonly open: boolean;
-  readonly what: "text" | "plots";
-  readonly tab: TextTab;
-  readonly tall: boolean;
-  readonly editing: boolean;
-}
-
-export const DRAWER: DrawerState = {
-  open: false,
-  what: "text",
-  tab: "python",
-  tall: false,
-  editing: false,
-};
 
 interface TextDrawerProps {
   state: DrawerState;
