@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from storage.anonymous import anonymising
+from storage.backups import remove_from_backups
 from storage.bundle_reading import open_bundle
 from storage.bundles import ALL, BundleInfo, Scope, export_bundle, note_export
 from storage.connection import Access
@@ -15,7 +16,7 @@ from storage.errors import StoreError
 from storage.merging import Heard, MergeReport, heard_from, merge
 from storage.opening import connect
 from storage.parquet import write_parquet
-from storage.removal import Removal, remove
+from storage.removal import Removal, forget_log, remove, remove_keys
 from storage.text import new_id
 
 
@@ -73,9 +74,23 @@ class Exchange:
         note_export(self._access, info, scope)
         return info
 
-    def merge(self, path: Path) -> MergeReport:
-        """Brings a bundle in; on disk when this returns. Raises StoreError, see `open_bundle`."""
-        return merge(self._access, path)
+    def merge(self, path: Path, *, delete: bool = False) -> MergeReport:
+        """Brings a bundle in; on disk when this returns.
+
+        Args:
+            delete: also deletes here, and from the log and the backups, what was deleted for good where the bundle
+                is from; without it the report only tells what that is.
+
+        Raises:
+            StoreError: see `merging.merge`.
+        """
+        report = merge(self._access, path, delete=delete)
+        if report.removed:
+            with closing(connect(self._access.address)) as db:
+                forget_log(db)
+            left = remove_from_backups(self._access.path, report.buried, remove_keys)
+            report = replace(report, still_in=tuple(left))
+        return report
 
     def merge_program(self, path: Path) -> tuple[MergeReport, str]:
         """The same for what any group may bring in: one program, whose key it tells too, and no deletions.

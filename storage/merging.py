@@ -1,8 +1,9 @@
 """Bringing a bundle into a store: the union of both by key, of two states of one row the greater.
 
 As the union does not ask who was first, bundles give the same store in any order, and a bundle that was merged
-before changes nothing. A key in `tombstones` stays deleted, with all that belongs to it. Each bundle is one
-transaction: of one that is cut off nothing is there, and it can be merged again.
+before changes nothing. A key in `tombstones` stays deleted, with all that belongs to it; but nothing that is here goes
+because a file says so, unless a person says so too. Each bundle is one transaction: of one that is cut off nothing is
+there, and it can be merged again.
 """
 
 import sqlite3
@@ -28,11 +29,17 @@ from storage.content import (
     columns,
 )
 from storage.errors import StoreError
-from storage.removal import remove_keys
+from storage.removal import Doomed, bury_below, doomed, remove_keys, tombstones
 from storage.text import dumped, new_id
 
 _FIRST = ("revision", "changed_at")
 _DEAD = "(SELECT id FROM main.tombstones)"
+_BEFORE_VERSIONS = (COMPUTERS, CLASSROOMS, GROUPS, LESSONS, PROGRAMS)
+# what can be deleted by a key of its own
+_HERE = " UNION ALL ".join(
+    f"SELECT id FROM main.{content.table}"
+    for content in (CLASSROOMS, GROUPS, LESSONS, PROGRAMS, VERSIONS, LABELS, RUNS, NOTES)
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +51,9 @@ class MergeReport:
         changed: rows of which the bundle had a later state.
         skipped: rows that were not brought in, as they or what they belong to was deleted here.
         removed: rows that went, as they were deleted where the bundle is from.
+        would_delete: what stays, though it was deleted there, until the bundle is merged with `delete`.
+        buried: keys of what was deleted; backups are to lose the same.
+        still_in: backups that could not be written anew, and may hold what was deleted.
     """
 
     info: BundleInfo
@@ -51,11 +61,14 @@ class MergeReport:
     changed: dict[str, int]
     skipped: dict[str, int]
     removed: dict[str, int]
+    would_delete: Doomed | None = None
+    buried: tuple[str, ...] = ()
+    still_in: tuple[Path, ...] = ()
 
     @property
     def nothing_new(self) -> bool:
         """All of it was known, or was deleted here."""
-        return not (self.added or self.changed or self.removed)
+        return not (self.added or self.changed or self.removed or self.would_delete)
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,8 +82,12 @@ class Heard:
     n_runs: int
 
 
-def merge(access: Access, path: Path) -> MergeReport:
+def merge(access: Access, path: Path, *, delete: bool = False) -> MergeReport:
     """Brings a bundle in; on disk when this returns.
+
+    Args:
+        delete: also deletes here what was deleted for good where the bundle is from; not from the log nor from
+            backups, which `Exchange.merge` does.
 
     Raises:
         StoreError: the bundle is refused (see `open_bundle`), it deletes a run that goes on here (`run_in_progress`)
@@ -78,33 +95,51 @@ def merge(access: Access, path: Path) -> MergeReport:
     """
     with open_bundle(path) as bundle:
         return access.write(
-            lambda db: merge_attached(db, bundle.info, access.now()), attached=bundle.address
+            lambda db: merge_attached(db, bundle.info, access.now(), delete=delete),
+            attached=bundle.address,
         )
 
 
-def merge_attached(db: sqlite3.Connection, info: BundleInfo, now: str) -> MergeReport:
+def merge_attached(
+    db: sqlite3.Connection, info: BundleInfo, now: str, *, delete: bool
+) -> MergeReport:
     """The same with the bundle attached as the schema `bundle`, within the caller's transaction."""
+    merging = _Merging(db, delete=delete)
     if _known(db, info):
-        _note(db, info, now, {})
-        return MergeReport(info, {}, {}, {}, {})
+        would_delete = merging.would_delete()
+        if not (would_delete and delete):
+            _note(db, info, now, {})
+            return MergeReport(info, {}, {}, {}, {}, would_delete)
     db.execute("PRAGMA defer_foreign_keys = ON")
-    merging = _Merging(db)
+    before = tombstones(db) if delete else set()
     merging.tombstones()
-    for content in (COMPUTERS, CLASSROOMS, GROUPS, LESSONS, PROGRAMS):
+    for content in _BEFORE_VERSIONS:
         merging.bury(content)
         merging.rows(content)
-    running = _running(db)
-    removed = remove_keys(db, ())
-    if _running(db) != running:  # it is being recorded, and its group sits before it
-        raise StoreError("run_in_progress")
+    removed = _removed(db) if delete else {}
     for content in (VERSIONS, LABELS):
         merging.rows(content)
     merging.runs()
     merging.rows(NOTES)
     _note(db, info, now, merging.added)
     return MergeReport(
-        info, _some(merging.added), _some(merging.changed), _some(merging.skipped), removed
+        info,
+        _some(merging.added),
+        _some(merging.changed),
+        _some(merging.skipped),
+        removed,
+        None if delete else merging.would_delete(),
+        tuple(sorted(tombstones(db) - before)) if removed else (),
     )
+
+
+def _removed(db: sqlite3.Connection) -> dict[str, int]:
+    """Deletes what is dead now. Raises StoreError `run_in_progress`."""
+    running = _running(db)
+    removed = remove_keys(db, ())
+    if _running(db) != running:  # it is being recorded, and its group sits before it
+        raise StoreError("run_in_progress")
+    return removed
 
 
 def heard_from(access: Access) -> list[Heard]:
@@ -123,24 +158,45 @@ def heard_from(access: Access) -> list[Heard]:
 class _Merging:
     """One bundle on its way in, table by table; counts what becomes of its rows."""
 
-    def __init__(self, db: sqlite3.Connection) -> None:
+    def __init__(self, db: sqlite3.Connection, *, delete: bool) -> None:
         self.added: dict[str, int] = {}
         self.changed: dict[str, int] = {}
         self.skipped: dict[str, int] = {}
         self._db = db
+        self._delete = delete
 
     def tombstones(self) -> None:
+        """Of what is here only when it is to be deleted."""
+        kept = "" if self._delete else f" WHERE id NOT IN ({_HERE})"
         self.added["tombstones"] = self._do(
-            "INSERT OR IGNORE INTO main.tombstones SELECT id FROM bundle.tombstones"
+            f"INSERT OR IGNORE INTO main.tombstones SELECT id FROM bundle.tombstones{kept}"
         )
 
     def bury(self, content: Content) -> None:
         """What is, in its later state, part of something deleted is deleted by a key of its own."""
+        of_ours = f" OR {self._is_later(content)}" if self._delete else ""
         for column, _ in content.parents:
             self._do(
                 f"INSERT OR IGNORE INTO main.tombstones SELECT theirs.id {_both(content, 'LEFT')}"
-                f" WHERE theirs.{column} IN {_DEAD} AND (ours.id IS NULL OR {self._is_later(content)})"
+                f" WHERE theirs.{column} IN {_DEAD} AND (ours.id IS NULL{of_ours})"
             )
+
+    def would_delete(self) -> Doomed | None:
+        """What goes from here when the bundle is merged with `delete`, after all else of it is in."""
+        self._do("SAVEPOINT trial")
+        try:
+            self._do(
+                "INSERT OR IGNORE INTO main.tombstones"
+                f" SELECT id FROM bundle.tombstones WHERE id IN ({_HERE})"
+            )
+            trial = _Merging(self._db, delete=True)
+            for content in _BEFORE_VERSIONS:
+                trial.bury(content)
+            bury_below(self._db)
+            return doomed(self._db)
+        finally:
+            self._do("ROLLBACK TO trial")
+            self._do("RELEASE trial")
 
     def rows(self, content: Content) -> None:
         """Adds what is not here and may be, and brings the rest to its later state."""

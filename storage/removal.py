@@ -35,7 +35,14 @@ _DELETIONS = (
     ("lessons", f"id IN {_DEAD}"),
     ("classrooms", f"id IN {_DEAD}"),
 )
-
+_DOOMED_NAMES = f"""SELECT name FROM (
+    SELECT 1 AS place, name FROM main.classrooms WHERE id IN {_DEAD}
+    UNION SELECT 2, name FROM main.groups WHERE id IN {_DEAD}
+    UNION SELECT 3, title FROM main.lessons WHERE id IN {_DEAD}
+    UNION SELECT 4, name FROM main.programs WHERE id IN {_DEAD}
+    UNION SELECT 5, coalesce(program_name, world) FROM main.runs WHERE id IN {_DEAD}
+        OR id IN (SELECT run_id FROM main.notes WHERE id IN {_DEAD}))
+    GROUP BY name ORDER BY min(place), name LIMIT 20"""
 
 # kind -> what tells which class, group and programs it has to do with
 _RELATED = {
@@ -90,11 +97,11 @@ def remove(access: Access, kind: str, key: str) -> Removal:
         if db.execute(f"SELECT 1 FROM {kind}s WHERE id = ?", [key]).fetchone() is None:
             raise StoreError(f"{kind}_not_found", id=key)
         exports = _exports_of(db, kind, key)
-        known, running = _tombstones(db), _running(db)
+        known, running = tombstones(db), _running(db)
         counts = remove_keys(db, [key])
         if _running(db) != running:
             raise StoreError("run_in_progress")
-        return Removal(tuple(sorted(_tombstones(db) - known)), counts, exports, False)
+        return Removal(tuple(sorted(tombstones(db) - known)), counts, exports, False)
 
     removal = access.write(job)
     with closing(connect(access.address)) as db:
@@ -120,6 +127,31 @@ def remove_keys(db: sqlite3.Connection, ids: Iterable[str]) -> dict[str, int]:
         for table, condition in _DELETIONS
     }
     return {table: n for table, n in counts.items() if n}
+
+
+@dataclass(frozen=True, slots=True)
+class Doomed:
+    """What a merge would delete, by number; `names` are those of classes, groups, lessons and programs, not all where
+    there are many."""
+
+    groups: int
+    programs: int
+    runs: int
+    names: tuple[str, ...]
+
+
+def doomed(db: sqlite3.Connection) -> Doomed | None:
+    """What `remove_keys` would delete now, when its keys and `bury_below` are done; None for nothing."""
+    rows = {
+        table: int(db.execute(f"SELECT count(*) FROM main.{table} WHERE {condition}").fetchone()[0])
+        for table, condition in _DELETIONS
+    }
+    if not any(rows.values()):
+        return None
+    names = db.execute(_DOOMED_NAMES).fetchall()
+    return Doomed(
+        rows["groups"], rows["programs"], rows["runs"], tuple(str(row["name"]) for row in names)
+    )
 
 
 def bury_below(db: sqlite3.Connection) -> None:
@@ -148,7 +180,8 @@ def _exports_of(db: sqlite3.Connection, kind: str, key: str) -> tuple[Exported, 
     )
 
 
-def _tombstones(db: sqlite3.Connection) -> set[str]:
+def tombstones(db: sqlite3.Connection) -> set[str]:
+    """Keys of all that was deleted for good."""
     return {str(row["id"]) for row in db.execute("SELECT id FROM tombstones")}
 
 

@@ -73,8 +73,9 @@ def exported(store: Store, dest: Path, scope: Scope = ALL) -> BundleInfo:
     )
 
 
-def merged(store: Store, path: Path) -> MergeReport:
-    return merge(store._access, path)
+def merged(store: Store, path: Path, *, delete: bool = True) -> MergeReport:
+    """With `delete`, as when the teacher has confirmed it: only then do stores come to the same."""
+    return merge(store._access, path, delete=delete)
 
 
 def removed(store: Store, *ids: str) -> None:

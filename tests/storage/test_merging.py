@@ -8,11 +8,13 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
+from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
 
 from storage import Recorder, RunStart, Store, StoreError, open_for_reading, open_store
+from storage.backups import list_backups, make_backup
 from storage.bundles import Scope
 from storage.merging import heard_from, merge
 from tests.storage.bundle_makers import (
@@ -159,6 +161,59 @@ class TestDeleted:
         merged(here, exported(there, tmp_path / "3.pinel").path)
         assert hash_of(here) == hash_of(there)
         assert there_too.id not in {run.program_id for run in here.runs.newest(10)}
+
+    def test_nothing_is_deleted_until_it_is_confirmed(self, pc: Opened, tmp_path: Path) -> None:
+        here, there = pc("a"), pc("b")
+        classroom = here.classrooms.create("5º B")
+        work(here, here.groups.create("Onças", classroom_id=classroom.id), "Quadrado")
+        merged(there, exported(here, tmp_path / "1.pinel").path)
+        removed(there, classroom.id)
+        work(there, there.groups.create("Araras"), "Outro")
+        path = exported(there, tmp_path / "2.pinel").path
+        before = here.groups.all()
+        first, again = (merged(here, path, delete=False) for _ in range(2))
+        assert first.would_delete == again.would_delete
+        assert first.would_delete is not None
+        assert first.would_delete.names[:2] == ("5º B", "Onças")
+        counts = first.would_delete
+        assert (counts.groups, counts.programs, counts.runs) == (1, 1, 1)
+        assert (first.removed, first.added["runs"], again.added) == ({}, 1, {})
+        assert [group for group in here.groups.all() if group in before] == before
+        late = merged(here, path)
+        assert (late.removed["groups"], late.would_delete) == (1, None)
+        assert hash_of(here) == hash_of(there)
+        assert merged(here, path).nothing_new
+
+    def test_a_group_is_not_deleted_by_way_of_a_class_that_nobody_knows(
+        self, pc: Opened, tmp_path: Path
+    ) -> None:
+        here, there = pc("a"), pc("b")
+        group = here.groups.create("Onças")
+        merged(there, exported(here, tmp_path / "1.pinel").path)
+        there.groups.change(group.id, {"classroom_id": there.classrooms.create("X").id})
+        moved = exported(there, tmp_path / "2.pinel").path
+        removed(here, there.classrooms.all()[0].id)
+        report = merged(here, moved, delete=False)
+        assert report.would_delete is not None
+        assert report.would_delete.names == ("Onças",)
+        assert len(here.groups.all()) == 1
+        assert merged(here, moved).removed == {"groups": 1}
+
+    def test_it_leaves_log_and_backups_too(self, pc: Opened, tmp_path: Path) -> None:
+        here, there = pc("a"), pc("b")
+        group = here.groups.create("Zebras")
+        work(here, group, "Quagga")
+        merged(there, exported(here, tmp_path / "1.pinel").path)
+        removed(there, group.id)
+        path = exported(there, tmp_path / "2.pinel").path
+        make_backup(here.path, datetime(2026, 3, 3, tzinfo=UTC))
+        (backup,) = list_backups(here.path)
+        assert b"Quagga" in backup.path.read_bytes()
+        here.exchange.merge(path)
+        assert len(here.groups.all()) == 1
+        assert here.exchange.merge(path, delete=True).still_in == ()
+        files = [here.path, here.path.with_name(f"{here.path.name}-wal"), backup.path]
+        assert [file for file in files if b"Quagga" in file.read_bytes()] == []
 
     def test_groups_of_a_deleted_class_do_not_come_either(self, pc: Opened, tmp_path: Path) -> None:
         here, there = pc("a"), pc("b")
