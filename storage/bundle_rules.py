@@ -9,6 +9,7 @@ import re
 import sqlite3
 import zlib
 from collections.abc import Callable
+from datetime import datetime
 from typing import Any
 
 from storage.content import CONTENT, Content, columns, tuples
@@ -25,7 +26,7 @@ _MAX_SHORT = 200
 _MAX_TEXT = 10_000
 _SAMPLE_COLUMNS = 16
 _KEY = re.compile(r"[0-9a-f]{8}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{12}")
-_TIME = re.compile(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d{1,6})?Z")
+_TIME = re.compile(r"[0-9]{4}(-[0-9]{2}){2}T[0-9]{2}(:[0-9]{2}){2}(\.[0-9]{1,6})?Z")
 _COLOR = re.compile(r"#[0-9a-f]{6}")
 _SHA256 = re.compile(r"[0-9a-f]{64}")
 _WORD = re.compile(r"[a-z][a-z0-9_]{0,63}")
@@ -81,8 +82,21 @@ def optional(rule: Rule) -> Rule:
 
 
 def real(value: Any) -> bool:
-    """A finite number."""
-    return isinstance(value, int | float) and math.isfinite(value)
+    """A number that is finite as a float too."""
+    try:
+        return isinstance(value, int | float) and math.isfinite(value)
+    except OverflowError:
+        return False
+
+
+def time(value: Any) -> bool:
+    """A moment as the store writes it, with a day to spare at both ends of the calendar for zones of time."""
+    if not isinstance(value, str) or not _TIME.fullmatch(value):
+        return False
+    try:
+        return 1 < datetime.fromisoformat(value).year < 9999
+    except ValueError:
+        return False
 
 
 def json_of(kind: type, check: Callable[[Any], bool] = lambda value: True) -> Rule:
@@ -127,7 +141,6 @@ def unpacks(blob: Any, n_rows: int) -> bool:
 
 
 key = matching(_KEY)
-time = matching(_TIME)
 count = whole(0, MAX_COUNT)
 word = matching(_WORD)
 short = visible(_MAX_SHORT)

@@ -11,6 +11,7 @@ from functools import lru_cache
 from typing import Any
 
 _PLAIN_DEPTH = 400  # what Python's parser always has room for
+_SHORT = 4_000  # signs
 _MAX_DEPTH = 9_000  # under the web server's limit
 _MAX_DIGITS = 4_300  # of a whole number, as Python's own parser
 _BRACKETS = re.compile(r'"(?:[^"\\]|\\.)*"|([\[{])|([\]}])')
@@ -21,9 +22,20 @@ _TOKEN = re.compile(
 _OPENING = {"{": "}", "[": "]"}
 
 
-@lru_cache(maxsize=512)
 def parsed(text: str) -> Any:
     """The value of a JSON text of ordinary depth with finite numbers; None for every other."""
+    # short texts come again and again; what a large one needs is let go at once
+    return _remembered(text) if len(text) <= _SHORT else _read(text)
+
+
+def is_object(text: str) -> bool:
+    """True for a JSON object, which may be as deep as a workspace."""
+    if not _is_deeper_than(text, _PLAIN_DEPTH):
+        return isinstance(parsed(text), dict)
+    return not _is_deeper_than(text, _MAX_DEPTH) and _is_deep_object(text)
+
+
+def _read(text: str) -> Any:
     if _is_deeper_than(text, _PLAIN_DEPTH):
         return None
     try:
@@ -32,11 +44,7 @@ def parsed(text: str) -> Any:
         return None
 
 
-def is_object(text: str) -> bool:
-    """True for a JSON object, which may be as deep as a workspace."""
-    if not _is_deeper_than(text, _PLAIN_DEPTH):
-        return isinstance(parsed(text), dict)
-    return not _is_deeper_than(text, _MAX_DEPTH) and _is_deep_object(text)
+_remembered = lru_cache(maxsize=512)(_read)
 
 
 def _refused(name: str) -> Any:

@@ -1,0 +1,55 @@
+"""Single values of bundles: what each rule lets in, and what looking at it costs."""
+
+import tracemalloc
+from datetime import UTC, datetime
+
+import pytest
+
+from storage import json_check
+from storage.bundle_rules import RULES, time
+from storage.json_check import is_object, parsed
+from storage.text import time_text
+
+
+@pytest.mark.parametrize("year", [2, 1970, 2026, 9998])
+def test_times_that_a_clock_may_show_are_let_in(year: int) -> None:
+    assert time(time_text(datetime(year, 12, 31, 23, 59, 59, 123456, UTC)))
+    assert time(f"{year:04}-01-01T00:00:00Z")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "2026-99-99T99:99:99Z",
+        "2026-13-01T00:00:00Z",
+        "2026-02-30T00:00:00Z",
+        "0000-01-01T00:00:00Z",
+        "0001-01-01T00:00:00Z",
+        "9999-12-31T23:59:59Z",
+        "٢٠٢٦-٠١-٠١T٠٠:٠٠:٠٠Z",
+        "2026-01-01T00:00:00Z\n",
+        "2026-01-01T00:00:00+03:00",
+        "2026-01-01",
+    ],
+)
+def test_times_that_no_clock_shows_are_not(text: str) -> None:
+    assert not time(text)
+
+
+@pytest.mark.parametrize("number", ["1" * 400, "-" + "9" * 4000, "1" * 5000, "1e400"])
+def test_a_place_that_no_float_can_hold_is_refused(number: str) -> None:
+    assert not RULES["runs"]["path"](f"[[{number},0]]")
+
+
+def test_large_texts_are_not_remembered() -> None:
+    json_check._remembered.cache_clear()
+    tracemalloc.start()
+    try:
+        for n in range(5):
+            assert is_object(f'{{"a":[{"{}," * 100_000}{n}]}}')
+        assert parsed('{"a":1}') == {"a": 1}
+        left, _ = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert left < 1_000_000
+    assert json_check._remembered.cache_info().currsize == 1
