@@ -37,7 +37,7 @@ def settle(db: sqlite3.Connection, lesson_id: str, now: str) -> None:
 
 
 def _ends(joined: Mapping[str, str]) -> dict[str, str]:
-    """Where the way from each lesson ends. Each step is gone once: a file from a stick may hold a chain of any length."""
+    """Where the way from each lesson ends. Each step is gone once: a file from a stick may hold a chain without end."""
     ends: dict[str, str] = {}
     for start in joined:
         way: dict[str, None] = {}

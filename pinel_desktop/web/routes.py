@@ -14,6 +14,7 @@ from pydantic import BaseModel
 
 from pinel_desktop import __version__
 from pinel_desktop.web.api import (
+    Resource,
     classrooms,
     exchange,
     groups,
@@ -70,7 +71,7 @@ def bare_app() -> OpenAPI:
         openapi_extensions={"security": [{"cookie": []}]},
     )
     for module in _RESOURCES:
-        app.register_api(module.api)
+        _register(app, module.api)
     return app
 
 
@@ -81,6 +82,15 @@ def description() -> dict[str, Any]:
     document: dict[str, Any] = bare_app().api_doc
     document["components"]["schemas"] |= _schemas(stream.MODELS)
     return document
+
+
+def _register(app: OpenAPI, api: Resource) -> None:
+    """The library puts a path that two files have in place of the earlier one: what was told of it stays."""
+    before = {path: item.model_copy() for path, item in app.paths.items()}
+    app.register_api(api)
+    for path in before.keys() & app.paths.keys():
+        told = {name: value for name, value in app.paths[path] if value is not None}
+        app.paths[path] = before[path].model_copy(update=told)
 
 
 @cache
