@@ -28,7 +28,7 @@ from sim.world import world_document, world_from_document
 TESTS = Path(__file__).parents[1]
 PEERS = Path(__file__).parent / "peers"
 PEER_PYTHON = TESTS.parent / "build" / "peers" / "bin" / "python"
-ROUNDS = 12
+ROUNDS = 30
 ROWS = {
     "pinel": "this simulator, 16 sonars",
     "pinel, no sensors": "  the same without sensors",
