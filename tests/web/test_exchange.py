@@ -149,3 +149,11 @@ def _bring(browser: Browser, octets: bytes) -> Answer:
 
 def _group(browser: Browser) -> str:
     return str(browser.get("/api/groups").data["groups"][0]["id"])
+
+
+@pytest.mark.parametrize("folder", ["", "x" * 300, "a\0b", "\ud800"])
+def test_what_can_be_no_folder_is_refused_in_words(teacher: Browser, folder: str) -> None:
+    answers = [teacher.post("/api/bundles", {"folder": folder})]
+    if folder:
+        answers.append(teacher.put("/api/folders/shared", {"path": folder}))
+    assert [answer.status for answer in answers] == [422] * len(answers)

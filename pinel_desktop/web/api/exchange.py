@@ -43,7 +43,7 @@ api = resource("exchange", "Work from PC to PC.", __name__)
 
 _FOLDER = "shared_folder"
 TAKES_FILES = ("/api/programs/file",)
-LARGEST_FILE = 256 * 2**20
+LARGEST_FILE = 64 * 2**20
 _OCTETS = {
     "content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}}
 }
@@ -60,7 +60,7 @@ def list_folders() -> Response:
 def choose_shared_folder(body: SharedFolder) -> Response:
     """Remembers the school's shared folder. For the teacher."""
     require_teacher()
-    if body.path and not Path(body.path).is_dir():
+    if body.path and not _is_folder(body.path):
         raise PinelError("folder_missing", path=body.path)
     services().store.settings.set(_FOLDER, body.path)
     return _folders()
@@ -74,7 +74,7 @@ def write_bundle(body: NewBundle) -> Response:
 
     require_teacher()
     folder = Path(body.folder)
-    if not folder.is_dir():
+    if not _is_folder(body.folder):
         raise PinelError("folder_missing", path=body.folder)
     parts = services()
     computer = parts.store.computers.here()
@@ -146,6 +146,14 @@ def read_program_file() -> Response:
             program_id=program.id, group_id=program.group_id, nothing_new=report.nothing_new
         )
     )
+
+
+def _is_folder(path: str) -> bool:
+    """False too for what can be the name of none: empty, too long, or with signs that no name has."""
+    try:
+        return bool(path) and Path(path).is_dir()
+    except (OSError, ValueError):
+        return False
 
 
 def _folders() -> Response:
