@@ -42,7 +42,7 @@ _DOOMED_NAMES = f"""SELECT name FROM (
     UNION SELECT 4, name FROM main.programs WHERE id IN {_DEAD}
     UNION SELECT 5, coalesce(program_name, world) FROM main.runs WHERE id IN {_DEAD}
         OR id IN (SELECT run_id FROM main.notes WHERE id IN {_DEAD}))
-    GROUP BY name ORDER BY min(place), name LIMIT 20"""
+    WHERE name <> '' GROUP BY name ORDER BY min(place), name LIMIT 20"""
 
 # kind -> what tells which class, group and programs it has to do with
 _RELATED = {

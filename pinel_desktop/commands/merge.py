@@ -3,7 +3,7 @@
 import json
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +15,7 @@ from pinel_desktop.paths import database_path
 from storage import Store, StoreError
 from storage.bundles import SUFFIX
 from storage.merging import MergeReport
+from storage.removal import Doomed
 
 _REFUSED = 2
 
@@ -31,9 +32,16 @@ class _Outcome:
 @click.option(
     "--db", type=click.Path(dir_okay=False), help="Database file instead of the user's own."
 )
+@click.option(
+    "--delete",
+    is_flag=True,
+    help="Delete here too, for good, what was deleted on the PCs that the files are from.",
+)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @click.pass_context
-def command(ctx: click.Context, files: tuple[Path, ...], db: str | None, as_json: bool) -> None:
+def command(
+    ctx: click.Context, files: tuple[Path, ...], db: str | None, delete: bool, as_json: bool
+) -> None:
     """Bring in the work of other PCs; FILES were written by `pinel export`, or are folders of such files.
 
     The order does not matter, and what was merged before changes nothing. Ends with 2 when a file was refused; the
@@ -42,7 +50,7 @@ def command(ctx: click.Context, files: tuple[Path, ...], db: str | None, as_json
     with opened_store(database_path(db or ctx.obj["db"]), may_be_new=True) as store:
         outcomes = []
         for file in _all(files):
-            outcomes.append(_merged(store, file))
+            outcomes.append(_merged(store, file, delete=delete))
             if not as_json:
                 click.echo(_in_words(outcomes[-1]))
         found = store.exchange.content_hash()
@@ -61,11 +69,11 @@ def _all(files: Iterable[Path]) -> Iterator[Path]:
         yield from found or [file]
 
 
-def _merged(store: Store, file: Path) -> _Outcome:
+def _merged(store: Store, file: Path, *, delete: bool) -> _Outcome:
     try:
         if file.is_dir():
             raise StoreError("bundles_none", path=str(file))
-        return _Outcome(file, store.exchange.merge(file), None)
+        return _Outcome(file, store.exchange.merge(file, delete=delete), None)
     except StoreError as error:
         return _Outcome(file, None, error)
 
@@ -82,7 +90,18 @@ def _in_words(outcome: _Outcome) -> str:
     for name in ("changed", "skipped", "removed"):
         params[name] = sum(getattr(report, name).values())
     code = "merged_nothing_new" if report.nothing_new else "merged"
-    return describe(code, params, language_of_system()).message
+    lines = [describe(code, params, language_of_system()).message]
+    if report.would_delete is not None:
+        lines += _would_delete(report.would_delete)
+    if report.still_in:
+        kept = {"files": [str(path) for path in report.still_in]}
+        lines.append(describe("merge_deleted_kept", kept, language_of_system()).message)
+    return "\n".join(lines)
+
+
+def _would_delete(doomed: Doomed) -> tuple[str, str]:
+    words = describe("merge_would_delete", asdict(doomed), language_of_system())
+    return words.message, words.remedy
 
 
 def _as_object(outcomes: list[_Outcome], found: str) -> dict[str, Any]:
@@ -113,5 +132,7 @@ def _of_file(outcome: _Outcome) -> dict[str, Any]:
         "computer_name": report.info.computer_name,
         "exported_at": report.info.exported_at,
         "nothing_new": report.nothing_new,
+        "would_delete": report.would_delete and asdict(report.would_delete),
+        "still_in": [str(path) for path in report.still_in],
         **counts,
     }

@@ -100,6 +100,26 @@ def test_in_words(lab: Path, stick: Path, teacher: Path) -> None:
     assert "nothing new" in pinel("merge", stick, "--db", teacher).stdout
 
 
+def test_what_another_pc_has_deleted_goes_only_when_that_is_asked_for(
+    lab: Path, stick: Path, teacher: Path
+) -> None:
+    answer("export", stick, "--db", lab)
+    answer("merge", stick, "--db", teacher)
+    with open_store(lab) as store:
+        store.exchange.remove("classroom", store.classrooms.all()[0].id)
+    path = answer("export", stick, "--db", lab)["path"]
+    told = pinel("merge", path, "--db", teacher)
+    assert told.exit_code == 0
+    assert "2 groups, 2 programs, 2 runs (5º B, Araras, Onças" in told.stdout
+    assert "--delete" in told.stdout
+    (file,) = answer("merge", path, "--db", teacher)["files"]
+    assert (file["removed"], file["would_delete"]["groups"]) == ({}, 2)
+    (file,) = answer("merge", path, "--db", teacher, "--delete")["files"]
+    assert (file["removed"]["groups"], file["would_delete"]) == (2, None)
+    with open_store(teacher) as store:
+        assert store.classrooms.all() == []
+
+
 @pytest.mark.parametrize(
     ("option", "name", "runs"), [("--group", "onças", 1), ("--class", "5º b", 2)]
 )
