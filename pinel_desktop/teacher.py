@@ -35,11 +35,19 @@ class TeacherDoor:
     """Thread-safe. Those for whom the door is open hold a token.
 
     Args:
-        clock: seconds of a clock that goes on while the app does not run.
+        clock: seconds of a clock that goes on while the app does not run; anybody may set it.
+        steady: seconds of a clock that nobody can set.
     """
 
-    def __init__(self, kept: Kept, clock: Callable[[], float] = time.time) -> None:
-        self._kept, self._clock = kept, clock
+    def __init__(
+        self,
+        kept: Kept,
+        clock: Callable[[], float] = time.time,
+        steady: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self._kept, self._clock, self._steady = kept, clock, steady
+        self._tried = False  # since the start
+        self._since = steady()  # the last try, before the first one the start
         self._open: dict[str, tuple[float, str]] = {}  # when last used, under which PIN
         self._lock = threading.Lock()
 
@@ -67,6 +75,7 @@ class TeacherDoor:
 
         Raises:
             PinelError: `pin_missing`; `pin_wrong`; `pin_wait` with the seconds that must pass before the next try.
+            StoreError: the try cannot be counted, and so was none.
         """
         with self._lock:  # one guess at a time
             self._check_wait()
@@ -97,14 +106,13 @@ class TeacherDoor:
         kept = self._kept.get(_PIN)
         if kept is None:
             raise PinelError("pin_missing")
+        # before the answer: on a full disk guesses would not be counted
+        self._kept.set(_TRIES, {"failed": self._failed() + 1, "at": self._clock()})
+        self._tried, self._since = True, self._steady()
         given = _hash(pin, bytes.fromhex(kept["salt"]), kept)
-        if hmac.compare_digest(given, bytes.fromhex(kept["hash"])):
-            if self._failed():
-                self._kept.set(_TRIES, None)
-            return
-        failed = self._failed() + 1
-        self._kept.set(_TRIES, {"failed": failed, "at": self._clock()})
-        raise PinelError("pin_wrong")
+        if not hmac.compare_digest(given, bytes.fromhex(kept["hash"])):
+            raise PinelError("pin_wrong")
+        self._kept.set(_TRIES, None)
 
     def _check_wait(self) -> None:
         tries = self._kept.get(_TRIES)
@@ -112,10 +120,15 @@ class TeacherDoor:
         if not tries or failed < _FREE_TRIES:
             return
         wait_s = min(_FIRST_WAIT_S * 2 ** (failed - _FREE_TRIES), _LONGEST_WAIT_S)
-        # a clock that was set back must not keep a teacher out for years
-        passed_s = max(0.0, self._clock() - tries["at"])
-        if abs(self._clock() - tries["at"]) < wait_s:
-            raise PinelError("pin_wait", failed=failed, seconds=int(wait_s - passed_s) + 1)
+        left_s = wait_s - self._passed_s(tries["at"])
+        if left_s > 0:
+            raise PinelError("pin_wait", failed=failed, seconds=int(left_s) + 1)
+
+    def _passed_s(self, tried_at: float) -> float:
+        """Since the last try. A clock that was set back keeps no teacher out for years, and spares nobody the wait:
+        then it counts from the start of the app."""
+        by_clock_s = self._clock() - tried_at
+        return self._steady() - self._since if self._tried or by_clock_s < 0 else by_clock_s
 
     def _salt(self) -> str:
         """What tells one PIN from another, also from the same one chosen again."""

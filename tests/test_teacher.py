@@ -2,23 +2,34 @@
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.teacher import IDLE_S, TeacherDoor
-from storage import Store, open_store
+from pinel_desktop.teacher import IDLE_S, Kept, TeacherDoor
+from storage import Store, StoreError, open_store
 
 PIN, WRONG = "314159", "0000"
 START_S = 1_800_000_000.0
 
 
 class Clock:
+    """One that can be set, by `now_s`, and one that cannot."""
+
     def __init__(self) -> None:
         self.now_s = START_S
+        self.steady_s = 0.0
 
     def __call__(self) -> float:
         return self.now_s
+
+    def steady(self) -> float:
+        return self.steady_s
+
+    def passes(self, seconds: float) -> None:
+        self.now_s += seconds
+        self.steady_s += seconds
 
 
 @pytest.fixture
@@ -34,7 +45,7 @@ def store(tmp_path: Path) -> Iterator[Store]:
 
 @pytest.fixture
 def door(store: Store, clock: Clock) -> TeacherDoor:
-    door = TeacherDoor(store.settings, clock)
+    door = TeacherDoor(store.settings, clock, clock.steady)
     door.choose(PIN)
     return door
 
@@ -51,7 +62,7 @@ def fail(door: TeacherDoor, times: int) -> None:
 
 
 def test_nobody_enters_before_there_is_a_pin(store: Store, clock: Clock) -> None:
-    door = TeacherDoor(store.settings, clock)
+    door = TeacherDoor(store.settings, clock, clock.steady)
     assert not door.has_pin
     assert refusal(door, PIN).code == "pin_missing"
 
@@ -76,9 +87,9 @@ def test_another_token_is_not_shut_out_when_one_leaves(door: TeacherDoor) -> Non
 def test_an_open_door_shuts_when_nobody_uses_it(door: TeacherDoor, clock: Clock) -> None:
     token = door.enter(PIN)
     for _ in range(3):
-        clock.now_s += IDLE_S - 1
+        clock.passes(IDLE_S - 1)
         assert door.is_open(token)
-    clock.now_s += IDLE_S + 1
+    clock.passes(IDLE_S + 1)
     assert not door.is_open(token)
     clock.now_s -= 2
     assert not door.is_open(token)
@@ -98,9 +109,9 @@ def test_a_few_wrong_pins_cost_nothing_and_then_each_costs_twice_as_much(
         waiting = refusal(door, PIN)
         assert waiting.code == "pin_wait"
         assert waiting.params["seconds"] in (wait_s, wait_s + 1)
-        clock.now_s += wait_s - 0.5
+        clock.passes(wait_s - 0.5)
         assert refusal(door, PIN).params["seconds"] == 1
-        clock.now_s += 0.5
+        clock.passes(0.5)
         fail(door, 1)
 
 
@@ -108,7 +119,7 @@ def test_the_right_pin_after_the_wait_forgets_the_wrong_ones(
     door: TeacherDoor, clock: Clock
 ) -> None:
     fail(door, 5)
-    clock.now_s += 30
+    clock.passes(30)
     assert door.is_open(door.enter(PIN))
     fail(door, 5)
 
@@ -117,9 +128,9 @@ def test_starting_the_app_again_does_not_spare_the_wait(
     door: TeacherDoor, store: Store, clock: Clock
 ) -> None:
     fail(door, 5)
-    again = TeacherDoor(store.settings, clock)
+    again = TeacherDoor(store.settings, clock, clock.steady)
     assert refusal(again, PIN).code == "pin_wait"
-    clock.now_s += 30
+    clock.passes(30)
     assert again.is_open(again.enter(PIN))
 
 
@@ -127,13 +138,53 @@ def test_a_door_that_was_open_is_shut_after_a_start(
     door: TeacherDoor, store: Store, clock: Clock
 ) -> None:
     token = door.enter(PIN)
-    assert not TeacherDoor(store.settings, clock).is_open(token)
+    assert not TeacherDoor(store.settings, clock, clock.steady).is_open(token)
 
 
-def test_a_clock_set_back_far_keeps_no_teacher_out(door: TeacherDoor, clock: Clock) -> None:
+@pytest.mark.parametrize("set_by_s", [-10 * 365 * 86_400, -20, 20, 86_400])
+def test_setting_the_clock_neither_spares_the_wait_nor_makes_it_longer(
+    door: TeacherDoor, clock: Clock, set_by_s: float
+) -> None:
+    fail(door, 5)
+    clock.now_s += set_by_s
+    assert refusal(door, PIN).params["seconds"] in (30, 31)
+    clock.passes(29)
+    assert refusal(door, PIN).code == "pin_wait"
+    clock.passes(1)
+    assert door.is_open(door.enter(PIN))
+
+
+def test_a_clock_set_back_far_before_a_start_does_not_keep_a_teacher_out(
+    door: TeacherDoor, store: Store, clock: Clock
+) -> None:
     fail(door, 5)
     clock.now_s -= 10 * 365 * 86_400
-    assert door.is_open(door.enter(PIN))
+    clock.passes(5)
+    again = TeacherDoor(store.settings, clock, clock.steady)
+    assert refusal(again, PIN).params["seconds"] in (30, 31)
+    clock.passes(30)
+    assert again.is_open(again.enter(PIN))
+
+
+class FullDisk:
+    """Settings of a full disk: they can be read."""
+
+    def __init__(self, kept: Kept) -> None:
+        self._kept = kept
+
+    def get(self, key: str) -> Any:
+        return self._kept.get(key)
+
+    def set(self, key: str, value: object) -> None:
+        raise StoreError("disk_full")
+
+
+@pytest.mark.usefixtures("door")
+def test_a_guess_that_cannot_be_counted_is_none(store: Store, clock: Clock) -> None:
+    door = TeacherDoor(FullDisk(store.settings), clock, clock.steady)
+    for pin in (PIN, WRONG):
+        with pytest.raises(StoreError):
+            door.enter(pin)
 
 
 def test_another_pin_shuts_the_door_for_everybody(door: TeacherDoor) -> None:
@@ -148,10 +199,10 @@ def test_a_pin_chosen_beside_the_running_app_shuts_its_door(
     door: TeacherDoor, store: Store, clock: Clock
 ) -> None:
     token = door.enter(PIN)
-    TeacherDoor(store.settings, clock).choose(PIN)
+    TeacherDoor(store.settings, clock, clock.steady).choose(PIN)
     assert not door.is_open(token)
     token = door.enter(PIN)
-    TeacherDoor(store.settings, clock).forget()
+    TeacherDoor(store.settings, clock, clock.steady).forget()
     assert not door.is_open(token)
     assert not door.has_pin
 
