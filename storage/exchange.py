@@ -8,14 +8,13 @@ from pathlib import Path
 
 from storage.anonymous import anonymising
 from storage.backups import remove_from_backups
-from storage.bundle_reading import open_bundle
 from storage.bundles import ALL, BundleInfo, Scope, export_bundle, note_export
 from storage.connection import Access
 from storage.content import content_hash
-from storage.errors import StoreError
 from storage.merging import Heard, MergeReport, heard_from, merge
 from storage.opening import connect
 from storage.parquet import write_parquet
+from storage.program_merging import merge_program
 from storage.removal import Removal, forget_log, remove, remove_keys
 from storage.text import new_id
 
@@ -93,17 +92,8 @@ class Exchange:
         return report
 
     def merge_program(self, path: Path) -> tuple[MergeReport, str]:
-        """The same for what any group may bring in: one program, whose key it tells too, and no deletions.
-
-        Raises:
-            StoreError: `bundle_not_program`, and what `merge` raises.
-        """
-        with open_bundle(path) as bundle, closing(connect(bundle.address)) as db:
-            programs = [str(row["id"]) for row in db.execute("SELECT id FROM programs LIMIT 2")]
-            deletes = db.execute("SELECT 1 FROM tombstones LIMIT 1").fetchone()
-        if len(programs) != 1 or deletes:
-            raise StoreError("bundle_not_program", path=str(path))
-        return merge(self._access, path), programs[0]
+        """Brings in what is new of one program, whose key it tells too; see `program_merging.merge_program`."""
+        return merge_program(self._access, path)
 
     def heard_from(self) -> list[Heard]:
         """PCs whose bundles were merged, the one heard of last first."""

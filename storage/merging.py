@@ -204,10 +204,10 @@ class _Merging:
         self._count_skipped(content)
         self.added[content.table] = self._do(
             f"INSERT INTO main.{content.table} ({', '.join(names)})"
-            f" SELECT {_of('theirs', names)} FROM bundle.{content.table} AS theirs"
-            f" WHERE {_may_come(content)} AND {_is_new(content)} ORDER BY {_of('theirs', content.key)}"
+            f" SELECT {of('theirs', names)} FROM bundle.{content.table} AS theirs"
+            f" WHERE {may_come(content)} AND {is_new(content)} ORDER BY {of('theirs', content.key)}"
         )
-        self.changed[content.table] = self._bring_forward(content, _may_come(content))
+        self.changed[content.table] = self._bring_forward(content, may_come(content))
 
     def runs(self) -> None:
         """Runs with their events and samples: those of the later state, of equal states all."""
@@ -217,7 +217,7 @@ class _Merging:
         self._do(
             f"""CREATE TEMP TABLE coming AS
                 SELECT theirs.id {_both(RUNS, "LEFT")}
-                WHERE {_may_come(RUNS)} AND (ours.id IS NULL OR {later} OR {equal})"""
+                WHERE {may_come(RUNS)} AND (ours.id IS NULL OR {later} OR {equal})"""
         )
         for content in (EVENTS, TELEMETRY):
             self._do(f"DELETE FROM main.{content.table} WHERE run_id IN temp.replaced")
@@ -231,23 +231,25 @@ class _Merging:
         names = columns(self._db, content.table)
         self._do(
             f"INSERT OR IGNORE INTO main.{content.table} ({', '.join(names)})"
-            f" SELECT {_of('theirs', names)} FROM bundle.{content.table} AS theirs"
-            f" WHERE run_id IN temp.coming ORDER BY {_of('theirs', content.key)}"
+            f" SELECT {of('theirs', names)} FROM bundle.{content.table} AS theirs"
+            f" WHERE run_id IN temp.coming ORDER BY {of('theirs', content.key)}"
         )
         self._bring_forward(content, "theirs.run_id IN temp.shared")
 
     def _bring_forward(self, content: Content, condition: str) -> int:
         names = columns(self._db, content.table)
-        later = f"SELECT {_of('theirs', content.key)} {_both(content)} WHERE {self._is_later(content)} AND {condition}"
+        later = f"SELECT {of('theirs', content.key)} {_both(content)} WHERE {self._is_later(content)} AND {condition}"
         same_key = " AND ".join(f"theirs.{name} = {content.table}.{name}" for name in content.key)
         return self._do(
             f"UPDATE main.{content.table} SET ({', '.join(names)}) ="
-            f" (SELECT {_of('theirs', names)} FROM bundle.{content.table} AS theirs WHERE {same_key})"
+            f" (SELECT {of('theirs', names)} FROM bundle.{content.table} AS theirs WHERE {same_key})"
             f" WHERE ({', '.join(content.key)}) IN ({later})"
         )
 
     def _count_skipped(self, content: Content) -> None:
-        query = f"SELECT count(*) FROM bundle.{content.table} AS theirs WHERE NOT ({_may_come(content)})"
+        query = (
+            f"SELECT count(*) FROM bundle.{content.table} AS theirs WHERE NOT ({may_come(content)})"
+        )
         self.skipped[content.table] = int(self._db.execute(query).fetchone()[0])
 
     def _is_later(self, content: Content) -> str:
@@ -278,13 +280,14 @@ def _both(content: Content, kind: str = "") -> str:
     return f"FROM bundle.{content.table} AS theirs {kind} JOIN main.{content.table} AS ours ON {same_key}"
 
 
-def _is_new(content: Content) -> str:
+def is_new(content: Content) -> str:
+    """Condition: its key is not in the store."""
     same_key = " AND ".join(f"ours.{name} = theirs.{name}" for name in content.key)
     return f"NOT EXISTS (SELECT 1 FROM main.{content.table} AS ours WHERE {same_key})"
 
 
-def _may_come(content: Content) -> str:
-    """Neither it nor what it belongs to is deleted; a bundle holds what its rows belong to."""
+def may_come(content: Content) -> str:
+    """Condition: neither it nor what it belongs to is deleted; a bundle holds what its rows belong to."""
     here = [
         f"(theirs.{column} IS NULL OR EXISTS (SELECT 1 FROM main.{table} WHERE id = theirs.{column}))"
         for column, table in content.parents
@@ -292,7 +295,8 @@ def _may_come(content: Content) -> str:
     return " AND ".join([f"theirs.id NOT IN {_DEAD}", *here])
 
 
-def _of(side: str, names: tuple[str, ...]) -> str:
+def of(side: str, names: tuple[str, ...]) -> str:
+    """Columns of `theirs` or `ours`."""
     return ", ".join(f"{side}.{name}" for name in names)
 
 
