@@ -40,6 +40,7 @@ def at_the_files(studio: Studio, folder: Path) -> None:
     studio.tell("PUT", "/teacher/pin", {"pin": PIN})
     studio.tell("PUT", "/folders/shared", {"path": str(folder)})
     studio.page.goto(f"{studio.origin}/#/teacher/files")
+    studio.page.reload()  # the page has not heard of the PIN
     expect(studio["shared-folder"]).to_have_value(str(folder))
 
 
@@ -105,3 +106,30 @@ def test_a_group_goes_on_with_its_program_at_another_pc(
     bad.write_bytes(b"no bundle")
     other_pc["bring-program"].set_input_files(bad)
     expect(other_pc.page.get_by_text("não foi exportado pelo PINEL")).to_be_visible()
+
+
+def test_what_was_deleted_elsewhere_goes_when_the_teacher_says_so(
+    studio: Studio, other_pc: Studio, stick: Path
+) -> None:
+    studio.enter_group("Os Tatus")
+    at_the_files(studio, stick)
+    studio["save-bundle"].click()
+    expect(studio.page.get_by_text("Guardado em")).to_be_visible()
+    at_the_files(other_pc, stick)
+    other_pc["merge-files"].click()
+    expect(other_pc["merge-results"]).to_contain_text("1 grupo")
+
+    [group] = studio.api("/groups")["groups"]
+    studio.tell("DELETE", f"/groups/{group['id']}")
+    for file in stick.glob("*.pinel"):
+        file.unlink()
+    studio["save-bundle"].click()
+    expect(studio.page.get_by_text("Guardado em")).to_contain_text("0 grupos")
+
+    other_pc["merge-files"].click()
+    expect(other_pc["would-delete"]).to_contain_text("Os Tatus")
+    assert violations(other_pc) == []
+    assert len(other_pc.api("/groups")["groups"]) == 1
+    other_pc["delete-too"].click()
+    expect(other_pc["would-delete"]).to_have_count(0)
+    assert other_pc.api("/groups") == {"groups": []}

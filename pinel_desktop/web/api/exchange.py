@@ -18,6 +18,7 @@ from pinel_desktop.web.models.exchange import (
     BroughtProgram,
     Bundle,
     BundlesToMerge,
+    Doomed,
     FileFound,
     Folder,
     FolderList,
@@ -95,7 +96,7 @@ def write_bundle(body: NewBundle) -> Response:
 def merge_bundles(body: BundlesToMerge) -> Response:
     """Brings files in; one that is refused does not keep the others out. For the teacher."""
     require_teacher()
-    merged = [_merged(Path(path)) for path in body.paths]
+    merged = [_merged(Path(path), delete=body.delete) for path in body.paths]
     return answer(MergeList(merged=merged, content_hash=services().store.exchange.content_hash()))
 
 
@@ -201,10 +202,10 @@ def _bundle(info: "BundleInfo") -> Bundle:
     )
 
 
-def _merged(path: Path) -> Merged:
+def _merged(path: Path, *, delete: bool) -> Merged:
     parts = services()
     try:
-        return _report(path, parts.store.exchange.merge(path))
+        return _report(path, parts.store.exchange.merge(path, delete=delete))
     except StoreError as error:
         words = describe(error.code, showable(error.params), parts.preferences.language)
         return Merged(
@@ -214,6 +215,7 @@ def _merged(path: Path) -> Merged:
             exported_at=None,
             added=_counts({}),
             nothing_new=True,
+            would_delete=None,
             problem=Notice(code=error.code, message=words.message, remedy=words.remedy),
         )
 
@@ -226,8 +228,14 @@ def _report(path: Path, report: "MergeReport") -> Merged:
         exported_at=report.info.exported_at,
         added=_counts(report.added),
         nothing_new=report.nothing_new,
+        would_delete=_doomed(report),
         problem=None,
     )
+
+
+def _doomed(report: "MergeReport") -> Doomed | None:
+    doomed = report.would_delete
+    return None if doomed is None else Doomed.model_validate(doomed, from_attributes=True)
 
 
 def _counts(added: dict[str, int]) -> MergedCounts:

@@ -66,6 +66,7 @@ class BundlesToMerge(Body):
     """Files to bring in, one after the other."""
 
     paths: Annotated[list[_Path], Field(min_length=1, max_length=500)]
+    delete: Annotated[bool, Field(description="delete here too what was deleted there")] = False
 
 
 class MergedCounts(Shape):
@@ -77,8 +78,20 @@ class MergedCounts(Shape):
     runs: int
 
 
+class Doomed(Shape):
+    """What was deleted for good on another PC and is here still, until the teacher says so too."""
+
+    groups: int
+    programs: int
+    runs: int
+    names: Annotated[list[str], Field(description="of classes and groups, not more than a few")]
+
+
 class Merged(Shape):
-    """What came of one file: what it brought, or why it was refused."""
+    """What came of one file: what it brought, or why it was refused.
+
+    `would_delete` is what it says was deleted elsewhere: it stays until the file is merged with `delete`.
+    """
 
     path: str
     name: str
@@ -86,6 +99,7 @@ class Merged(Shape):
     exported_at: Time | None
     added: MergedCounts
     nothing_new: bool
+    would_delete: Doomed | None
     problem: Notice | None
 
 

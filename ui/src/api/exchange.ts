@@ -19,8 +19,14 @@ export const exchange = {
     (await json<Folders>("PUT", "/api/folders/shared", { path })).folders,
   write: (folder: string, classroom: string | null, anonymous: boolean) =>
     json<Bundle>("POST", "/api/bundles", { folder, classroom_id: classroom, anonymous }),
-  merge: async (path: string) =>
-    (await json<{ merged: Merged[] }>("POST", "/api/bundles/merge", { paths: [path] })).merged[0],
+  /** `drop`: what was deleted for good on the other PC goes here too. */
+  merge: async (path: string, drop = false) =>
+    (
+      await json<{ merged: Merged[] }>("POST", "/api/bundles/merge", {
+        paths: [path],
+        delete: drop,
+      })
+    ).merged[0],
   heard: async () =>
     (await json<{ computers: HeardComputer[] }>("GET", "/api/bundles/heard")).computers,
 

@@ -1313,6 +1313,12 @@ export interface components {
          * @description Files to bring in, one after the other.
          */
         BundlesToMerge: {
+            /**
+             * Delete
+             * @description delete here too what was deleted there
+             * @default false
+             */
+            delete: boolean;
             /** Paths */
             paths: string[];
         };
@@ -1505,6 +1511,23 @@ export interface components {
             document: {
                 [key: string]: unknown;
             } | unknown[];
+        };
+        /**
+         * Doomed
+         * @description What was deleted for good on another PC and is here still, until the teacher says so too.
+         */
+        Doomed: {
+            /** Groups */
+            groups: number;
+            /**
+             * Names
+             * @description of classes and groups, not more than a few
+             */
+            names: string[];
+            /** Programs */
+            programs: number;
+            /** Runs */
+            runs: number;
         };
         /**
          * Door
@@ -2091,6 +2114,8 @@ export interface components {
         /**
          * Merged
          * @description What came of one file: what it brought, or why it was refused.
+         *
+         *     `would_delete` is what it says was deleted elsewhere: it stays until the file is merged with `delete`.
          */
         Merged: {
             added: components["schemas"]["MergedCounts"];
@@ -2105,6 +2130,7 @@ export interface components {
             /** Path */
             path: string;
             problem: components["schemas"]["Notice"] | null;
+            would_delete: components["schemas"]["Doomed"] | null;
         };
         /**
          * MergedCounts

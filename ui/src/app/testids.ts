@@ -209,6 +209,8 @@ export const TEST = {
   replayProgram: "replay-program",
   mergeFiles: "merge-files",
   mergeResults: "merge-results",
+  wouldDelete: "would-delete", // what a file says was deleted elsewhere
+  deleteToo: "delete-too",
   saveBundle: "save-bundle",
   sharedFolder: "shared-folder",
   deletionOpen: "deletion-open",

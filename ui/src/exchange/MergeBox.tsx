@@ -38,6 +38,14 @@ export function MergeBox({ folders, onLook }: Properties) {
       onLook();
     }
   };
+  const replace = (merged: Merged) => {
+    results.value = results.value.map((one) => (one.path === merged.path ? merged : one));
+  };
+  const deleteToo = async (path: string) => {
+    const merged = await asTeacher(() => exchange.merge(path, true));
+    if (merged) replace(merged);
+    onLook();
+  };
   const toggle = (path: string) => {
     const next = new Set(left.value);
     if (!next.delete(path)) next.add(path);
@@ -77,7 +85,12 @@ export function MergeBox({ folders, onLook }: Properties) {
         {results.value.length > 0 && (
           <ul class="exchange__results" data-testid={TEST.mergeResults}>
             {results.value.map((one) => (
-              <Result key={one.path} merged={one} />
+              <Result
+                key={one.path}
+                merged={one}
+                onDelete={() => void deleteToo(one.path).catch(report)}
+                onKeep={() => replace({ ...one, would_delete: null })}
+              />
             ))}
           </ul>
         )}
@@ -131,9 +144,16 @@ function FolderState({ folder }: { folder: Folder }) {
   return <span class="exchange__about">{say.free(size(folder.free_bytes, language.value))}</span>;
 }
 
+interface ResultProps {
+  merged: Merged;
+  onDelete(): void;
+  onKeep(): void;
+}
+
 /** What one file brought, or why it was refused. */
-export function Result({ merged }: { merged: Merged }) {
+function Result({ merged, onDelete, onKeep }: ResultProps) {
   const { problem } = merged;
+  const say = words.value;
   const Icon = problem ? TriangleAlert : CircleCheck;
   return (
     <li class={`exchange__result exchange__result--${problem ? "problem" : "good"}`}>
@@ -147,6 +167,31 @@ export function Result({ merged }: { merged: Merged }) {
           outcome(merged)
         )}
       </p>
+      {merged.would_delete && (
+        <div class="deletion__sure" data-testid={TEST.wouldDelete}>
+          <p>
+            {say.doomed(
+              merged.computer ?? merged.name,
+              merged.would_delete.names.join(", "),
+              say.programs(merged.would_delete.programs),
+              say.runs(merged.would_delete.runs),
+            )}
+          </p>
+          <div class="exchange__buttons">
+            <button
+              type="button"
+              class="button button--stop"
+              data-testid={TEST.deleteToo}
+              onClick={onDelete}
+            >
+              {say.deleteToo}
+            </button>
+            <button type="button" class="button" onClick={onKeep}>
+              {say.keepHere}
+            </button>
+          </div>
+        </div>
+      )}
     </li>
   );
 }

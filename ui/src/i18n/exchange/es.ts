@@ -45,6 +45,10 @@ export const es: ExchangeTexts = {
   sharedHint:
     "Una carpeta de la red o de este ordenador que aparece aquí como una memoria. Déjala vacía para no usar ninguna.",
   keepShared: "Usar esta carpeta",
+  doomed: (computer: string, names: string, programs: string, runs: string) =>
+    `En ${computer} se borró para siempre: ${names} (aquí todavía hay ${programs} y ${runs}). ¿Borrarlo aquí también? No se puede deshacer.`,
+  deleteToo: "Borrarlo aquí también",
+  keepHere: "Dejarlo aquí",
   deletion: {
     title: "Borrar para siempre",
     hint: "Para cuando una clase se despide o alguien pide que se borren sus datos. Desaparece de este ordenador y de las copias de seguridad, y ninguna memoria lo trae de vuelta.",

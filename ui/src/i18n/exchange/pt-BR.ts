@@ -44,6 +44,10 @@ export const ptBR = {
   sharedHint:
     "Uma pasta da rede ou deste computador que aparece aqui como um pendrive. Deixe vazio para não usar.",
   keepShared: "Usar esta pasta",
+  doomed: (computer: string, names: string, programs: string, runs: string) =>
+    `Em ${computer} foi apagado para sempre: ${names} (${programs}, ${runs} que ainda estão aqui). Apagar aqui também? Não dá para desfazer.`,
+  deleteToo: "Apagar aqui também",
+  keepHere: "Manter aqui",
   deletion: {
     title: "Apagar para sempre",
     hint: "Para quando uma turma se despede ou alguém pede que os seus dados sejam apagados. Some deste computador e das cópias de segurança, e nenhum pendrive traz de volta.",
