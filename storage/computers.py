@@ -1,12 +1,17 @@
-"""This PC, by a key and a name: what is made here can be told from what was made elsewhere."""
+"""This PC, by a key and a name: what is made here can be told from what was made elsewhere.
+
+Beside the key stands a mark of the machine. Where it is that of another one, the folder was copied here: the copy gets
+a key of its own, and the old key stays with what was made before.
+"""
 
 import platform
 import sqlite3
 
+from storage import machine
 from storage.connection import Access
 from storage.text import clean_name, dumped, loaded, new_id
 
-_KEY = "computer_id"
+_KEY, _MARK = "computer_id", "machine_mark"
 
 
 class Computers:
@@ -18,7 +23,7 @@ class Computers:
     def here(self) -> tuple[str, str]:
         """Key and name of this PC; made when first asked for. Raises StoreError where they cannot be kept."""
         with self._access.reading() as db:
-            found = _known(db)
+            found = known(db)
         if found is not None:
             return found
         now = self._access.now()
@@ -41,19 +46,32 @@ class Computers:
 
 def here(db: sqlite3.Connection, now: str) -> tuple[str, str]:
     """Key and name of this PC, made where there are none, within the caller's transaction."""
-    found = _known(db)
+    found = known(db)
     if found is not None:
+        if _kept(db, _MARK) is None:  # made by an earlier release
+            _keep(db, _MARK, machine.machine_mark())
         return found
     key, name = new_id(), clean_name(platform.node() or "PC")
-    db.execute("INSERT OR REPLACE INTO settings VALUES (?, ?)", [_KEY, dumped(key)])
+    _keep(db, _KEY, key)
+    _keep(db, _MARK, machine.machine_mark())
     db.execute("INSERT INTO computers (id, name, changed_at) VALUES (?, ?, ?)", [key, name, now])
     return key, name
 
 
-def _known(db: sqlite3.Connection) -> tuple[str, str] | None:
-    row = db.execute("SELECT value FROM settings WHERE key = ?", [_KEY]).fetchone()
-    if row is None:
+def known(db: sqlite3.Connection) -> tuple[str, str] | None:
+    """Key and name of this PC, None where it has none in this file yet."""
+    key, mark, here = _kept(db, _KEY), _kept(db, _MARK), machine.machine_mark()
+    if key is None or (mark and here and mark != here):
         return None
-    key = str(loaded(row["value"]))
     named = db.execute("SELECT name FROM computers WHERE id = ?", [key]).fetchone()
     return None if named is None else (key, str(named["name"]))
+
+
+def _kept(db: sqlite3.Connection, name: str) -> str | None:
+    row = db.execute("SELECT value FROM settings WHERE key = ?", [name]).fetchone()
+    return None if row is None else str(loaded(row["value"]))
+
+
+def _keep(db: sqlite3.Connection, name: str, value: str | None) -> None:
+    if value is not None:
+        db.execute("INSERT OR REPLACE INTO settings VALUES (?, ?)", [name, dumped(value)])

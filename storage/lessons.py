@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from datetime import datetime
 
 from storage.classrooms import require_classroom
-from storage.computers import here
+from storage.computers import here, known
 from storage.connection import Access
 from storage.errors import StoreError
 from storage.joined import settle, tree_of, whole_of
@@ -58,10 +58,10 @@ class Lessons:
         """What work of the class would belong to now on this PC, None when a new lesson would begin."""
         now = self._access.now()
         with self._access.reading() as db:
-            key = db.execute("SELECT value FROM settings WHERE key = 'computer_id'").fetchone()
-            if key is None:
+            computer = known(db)
+            if computer is None:
                 return None
-            found = _going_on(db, classroom_id, str(key["value"]).strip('"'), now)
+            found = _going_on(db, classroom_id, computer[0], now)
         return None if found is None else self.get(found)
 
     def parts(self, lesson_id: str) -> list[str]:

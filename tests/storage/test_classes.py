@@ -216,14 +216,6 @@ def test_a_note_is_new_to_its_group_until_it_is_seen(
     assert code_of(lambda: school.notes.see("x")) == "note_not_found"
 
 
-def test_this_pc_has_a_key_that_stays_and_a_name_to_choose(school: Store, path: Path) -> None:
-    key, name = school.computers.here()
-    assert name
-    assert school.computers.rename("PC 07") == "PC 07"
-    with open_store(path) as again:
-        assert again.computers.here() == (key, "PC 07")
-
-
 def merged_in_both_orders(folder: Path, one: Store, other: Store) -> list[Store]:
     """The states of two PCs in two fresh files; they hold the same."""
     bundles = [exported(pc, folder / f"{n}.pinel").path for n, pc in enumerate((one, other))]

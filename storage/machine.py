@@ -1,0 +1,49 @@
+"""What tells one machine from another, so that a copied data folder is not taken for the PC that it was copied from."""
+
+import hashlib
+import sys
+import uuid
+from functools import cache
+from pathlib import Path
+
+_LINUX_IDS = (Path("/etc/machine-id"), Path("/var/lib/dbus/machine-id"))
+_CHANCE_BIT = 1 << 40  # set where `getnode` found no network card and made a number up
+
+
+@cache
+def machine_mark() -> str | None:
+    """The same at each start on this machine, without telling which it is; None where nothing is known of it."""
+    found = _windows_id() or _linux_id() or _network_card()
+    return hashlib.sha256(f"pinel {found}".encode()).hexdigest() if found else None
+
+
+def _linux_id() -> str:
+    for path in _LINUX_IDS:
+        try:
+            found = path.read_text("ascii").strip()
+        except (OSError, ValueError):
+            continue
+        if found and found != "uninitialized":
+            return found
+    return ""
+
+
+def _windows_id() -> str:
+    if sys.platform != "win32":
+        return ""
+    import winreg  # noqa: PLC0415 - only there
+
+    try:
+        with winreg.OpenKey(
+            winreg.HKEY_LOCAL_MACHINE,
+            r"SOFTWARE\Microsoft\Cryptography",
+            access=winreg.KEY_READ | winreg.KEY_WOW64_64KEY,
+        ) as key:
+            return str(winreg.QueryValueEx(key, "MachineGuid")[0])
+    except OSError:
+        return ""
+
+
+def _network_card() -> str:
+    node = uuid.getnode()
+    return "" if node & _CHANCE_BIT else f"{node:012x}"
