@@ -9,6 +9,7 @@ import pytest
 from storage import GroupRow, ProgramRow, RunStart, Store, open_store
 from storage.groups import COLORS, PICTURES
 from tests.storage.bundle_makers import exported, hash_of, merged
+from tests.storage.conftest import WORLD
 from tests.storage.refusals import code_of
 
 
@@ -56,7 +57,7 @@ def edited(school: Store, program: ProgramRow, text: str) -> str:
 
 
 def run_of(school: Store, version_id: str) -> str:
-    start = RunStart("sim", "empty_room", {"name": "empty_room"}, 0, "1", version_id=version_id)
+    start = RunStart("sim", "empty_room", WORLD, 0, "1", version_id=version_id)
     return school.runs.begin(start).id
 
 
