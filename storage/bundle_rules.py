@@ -128,6 +128,25 @@ def _are_points(value: list[Any]) -> bool:
     )
 
 
+_WORLD_PARTS = {
+    "size_m": list,
+    "start": dict,
+    "walls": list,
+    "boxes": list,
+    "zones": list,
+    "floor": list,
+}
+
+
+def _is_world(value: dict[str, Any]) -> bool:
+    """As far as it can be told without the simulator: what says that it is one, and its parts of their kinds."""
+    return (
+        isinstance(value.get("pinel_world"), int)
+        and isinstance(value.get("name"), str)
+        and all(isinstance(value.get(part, kind()), kind) for part, kind in _WORLD_PARTS.items())
+    )
+
+
 def unpacks(blob: Any, n_rows: int) -> bool:
     """True for telemetry of that many rows; never unpacks more than they need."""
     largest = 4 * _SAMPLE_COLUMNS * n_rows
@@ -146,7 +165,6 @@ word = matching(_WORD)
 short = visible(_MAX_SHORT)
 name = visible(MAX_NAME, least=1)
 flag = whole(0, 1)
-some_json = json_of(object)
 _CHANGES: dict[str, Rule] = {
     "revision": whole(1, MAX_REVISION),
     "changed_at": lambda value: value == "" or time(value),
@@ -196,7 +214,7 @@ RULES: dict[str, dict[str, Rule]] = {
         "workspace": workspace,
         "document": optional(json_of(dict)),
         "faults": json_of(list, _are_faults),
-        "world": optional(json_of(dict)),
+        "world": optional(json_of(dict, _is_world)),
         "parent_id": optional(key),
         "lesson_id": optional(key),
         "computer_id": optional(key),
@@ -211,7 +229,7 @@ RULES: dict[str, dict[str, Rule]] = {
         "document": optional(json_of(dict)),
         "link": short,
         "world": short,
-        "world_document": json_of(dict),
+        "world_document": json_of(dict, _is_world),
         "seed": whole(-(2**63), 2**63 - 1),
         "parameters": json_of(dict),
         "app_version": short,
@@ -232,7 +250,7 @@ RULES: dict[str, dict[str, Rule]] = {
         "computer_id": optional(key),
         "activity": optional(short),
         "passed": optional(flag),
-        "check_report": optional(some_json),
+        "check_report": optional(json_of(dict)),
     },
     "events": {"run_id": key, "seq": count, "tick": count, "type": word, "data": json_of(dict)},
     "telemetry": {

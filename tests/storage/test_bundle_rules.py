@@ -53,3 +53,13 @@ def test_large_texts_are_not_remembered() -> None:
         tracemalloc.stop()
     assert left < 1_000_000
     assert json_check._remembered.cache_info().currsize == 1
+
+
+@pytest.mark.parametrize(
+    "world", ["{}", '{"name":5}', '{"pinel_world":1,"name":"a","walls":{}}', '{"w":-0.0}', "[]"]
+)
+def test_worlds_and_reports_are_of_their_kind(world: str) -> None:
+    assert not RULES["runs"]["world_document"](world)
+    assert not RULES["versions"]["world"](world)
+    assert RULES["versions"]["world"]('{"pinel_world":1,"name":"a","walls":[]}')
+    assert not RULES["runs"]["check_report"]('"x"')

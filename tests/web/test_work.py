@@ -256,3 +256,12 @@ def test_faults_of_a_deep_document_are_kept(browser: Browser, program: dict[str,
     saved = browser.post(path, {"workspace": {}, "document": document})
     assert saved.status == 200
     assert saved.data["faults"]
+
+
+def test_a_world_that_is_none_does_not_keep_a_program_from_opening(
+    app: App, browser: Browser, program: dict[str, Any]
+) -> None:
+    assert app._store is not None
+    app._store.versions.save(program["id"], {"a": 1}, None, world={"pinel_world": 1, "name": "x"})
+    opened = browser.get(f"/api/programs/{program['id']}")
+    assert (opened.status, opened.data["version"]["world"]) == (200, None)

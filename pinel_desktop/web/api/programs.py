@@ -1,6 +1,7 @@
 """Programs of a group, their versions, and checking a document."""
 
 from flask import Response
+from pydantic import ValidationError
 
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.web.answers import MAX_FAULTS, answer, faults_in_words, showable
@@ -22,6 +23,7 @@ from pinel_desktop.web.models.work import (
     VersionMark,
     VersionPage,
 )
+from pinel_desktop.web.models.worlds import World
 from pinel_desktop.web.services import Services, services
 from storage import FaultRow, ProgramRow, VersionRow
 
@@ -144,8 +146,16 @@ def version_model(row: VersionRow) -> Version:
         workspace=row.workspace,
         document=row.document,
         faults=faults_in_words(row.faults, language),
-        world=row.world,  # type: ignore[arg-type] # pydantic reads it into the model
+        world=None if row.world is None else _readable_world(row.world),
     )
+
+
+def _readable_world(document: Json) -> World | None:
+    """None for what is no world: the program came in a file, and its blocks can be opened all the same."""
+    try:
+        return World.model_validate(document)
+    except ValidationError:
+        return None
 
 
 def _fault_row(fault: Fault) -> FaultRow:
