@@ -8,8 +8,9 @@ import re
 import shutil
 import sqlite3
 import tempfile
+import time as clock
 from collections.abc import Iterator
-from contextlib import closing, contextmanager
+from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -24,6 +25,8 @@ from storage.schema import MIGRATION_SET, MIGRATIONS_TABLE, migrate, steps
 from storage.text import loaded
 
 _MAX_BYTES = 4 * 2**30
+_PREFIX = "pinel-bundle-"
+_LEFTOVER_S = 86_400.0
 _MAGIC = b"SQLite format 3\0"
 _HEADER = 100
 _FIRST_WITH_BUNDLES = 4  # steps of the tables; earlier releases wrote none
@@ -55,7 +58,8 @@ def open_bundle(path: Path) -> Iterator[Bundle]:
             the file that an app works in; `bundle_damaged` truncated or changed; `bundle_newer`; `bundle_hostile`
             holds what no PINEL writes; `bundle_too_large`; `disk_full` no room for the copy.
     """
-    with tempfile.TemporaryDirectory(prefix="pinel-", ignore_cleanup_errors=True) as folder:
+    _remove_leftovers()
+    with tempfile.TemporaryDirectory(prefix=_PREFIX, ignore_cleanup_errors=True) as folder:
         copy = Path(folder) / "bundle"
         _copied(path, copy)
         try:
@@ -63,6 +67,15 @@ def open_bundle(path: Path) -> Iterator[Bundle]:
         except (sqlite3.DatabaseError, UnicodeDecodeError) as error:
             raise _refusal(error, path) from error
         yield Bundle(info, _address(copy))
+
+
+def _remove_leftovers() -> None:
+    """Private copies that stayed when the program was ended, or the power cut, in the middle of a merge."""
+    oldest = clock.time() - _LEFTOVER_S
+    for folder in Path(tempfile.gettempdir()).glob(f"{_PREFIX}*"):
+        with suppress(OSError):
+            if folder.lstat().st_mtime < oldest and folder.is_dir() and not folder.is_symlink():
+                shutil.rmtree(folder, ignore_errors=True)
 
 
 def _copied(path: Path, copy: Path) -> None:

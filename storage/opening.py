@@ -50,8 +50,8 @@ def prepare(path: Path, now: datetime) -> Opened:
     """Makes the file ready: puts its last backup in the place of a damaged one, makes or brings up to date the tables.
 
     Raises:
-        StoreError: `database_newer` or `database_foreign` with the file untouched; `database_read_only` where
-            not even reading is possible; `disk_full`, `database_locked`, `database_failed`.
+        StoreError: `database_newer`, `database_foreign` or `database_is_bundle` with the file untouched;
+            `database_read_only` where not even reading is possible; `disk_full`, `database_locked`, `database_failed`.
     """
     try:
         damage = _examined(path, now)
@@ -72,7 +72,7 @@ def prepare_reading(path: Path) -> Opened:
 
     Raises:
         StoreError: `database_damaged`, `database_older`, `database_newer`, `database_foreign`,
-            `database_unreadable`; `database_locked`, `database_failed`.
+            `database_is_bundle`, `database_unreadable`; `database_locked`, `database_failed`.
     """
     try:
         address = _untouching_address(path)
@@ -153,6 +153,8 @@ def _check_ownership(connection: sqlite3.Connection, path: Path) -> None:
         raise StoreError("database_foreign", path=str(path))
     if applied - KNOWN_MIGRATIONS:
         raise StoreError("database_newer", path=str(path))
+    if "bundle" in tables:  # with other work in it, no PC would take it as the bundle it was
+        raise StoreError("database_is_bundle", path=str(path))
 
 
 def _tables(connection: sqlite3.Connection) -> set[str]:

@@ -1,5 +1,6 @@
 """Bundles: one file that SQLite opens, with all that was to be in it."""
 
+import os
 import sqlite3
 from collections.abc import Callable
 from contextlib import closing
@@ -7,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from storage import RunStart, Store, StoreError, open_for_reading
+from storage import RunStart, Store, StoreError, open_for_reading, open_store
 from storage.bundle_reading import open_bundle
 from storage.bundles import Scope, export_bundle
 from storage.content import content_hash
@@ -126,3 +127,29 @@ def test_a_store_that_can_only_be_read_is_exported_too(
             reading._access, tmp_path / "a.pinel", app_version="1", computer=computer
         )
     assert info.counts["runs"] == 4
+
+
+def test_nobody_works_inside_a_bundle(busy: Store, tmp_path: Path) -> None:
+    path = exported(busy, tmp_path / "a.pinel").path
+    before = path.read_bytes()
+    for opening in (open_store, open_for_reading):
+        with pytest.raises(StoreError) as caught:
+            opening(path)
+        assert caught.value.code == "database_is_bundle"
+    assert path.read_bytes() == before
+
+
+def test_copies_that_a_merge_left_behind_go_after_a_day(
+    busy: Store, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    temporary = tmp_path / "temporary"
+    monkeypatch.setattr("tempfile.tempdir", str(temporary))
+    old, new, other = (temporary / name for name in ("pinel-bundle-a", "pinel-bundle-b", "other"))
+    for folder in (old, new, other):
+        folder.mkdir(parents=True)
+        (folder / "bundle").write_bytes(b"x")
+    for folder in (old, other):
+        os.utime(folder, (0, 0))
+    with open_bundle(exported(busy, tmp_path / "a.pinel").path):
+        assert not old.exists()
+    assert sorted(temporary.iterdir()) == [other, new]
