@@ -8,11 +8,11 @@ import math
 import re
 import sqlite3
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from datetime import datetime
 from typing import Any
 
-from storage.content import CONTENT, Content, columns, tuples
+from storage.content import CONTENT, TELEMETRY, Content, columns, tuples
 from storage.groups import PICTURES
 from storage.json_check import is_object, parsed
 from storage.limits import MAX_COUNT, MAX_NUMBER, MAX_REVISION
@@ -271,19 +271,27 @@ RULES: dict[str, dict[str, Rule]] = {
 }
 
 
-def _problem_in_table(db: sqlite3.Connection, content: Content) -> str | None:
+def odd_rows(db: sqlite3.Connection, content: Content) -> Iterator[tuple[tuple[Any, ...], str]]:
+    """Rows of a table that would be refused: the key, and the place as `table.column`; samples are not unpacked."""
     names = columns(db, content.table)
-    if not names:  # a table that the release which wrote it did not have
-        return None
     rules = [RULES[content.table][column] for column in names]
-    place = names.index("n_rows") if "n_rows" in names else None
+    places = [names.index(column) for column in content.key]
     for row in tuples(db, f"SELECT {', '.join(names)} FROM {content.table}"):
         for value, rule, column in zip(row, rules, names, strict=True):
             if not rule(value):
-                return f"{content.table}.{column}"
-        if place is not None and not unpacks(row[names.index("data")], row[place]):
-            return f"{content.table}.data"
-    return None
+                yield tuple(row[place] for place in places), f"{content.table}.{column}"
+                break
+
+
+def _problem_in_table(db: sqlite3.Connection, content: Content) -> str | None:
+    if not columns(db, content.table):  # a table that the release which wrote it did not have
+        return None
+    for _, problem in odd_rows(db, content):
+        return problem
+    if content is not TELEMETRY:
+        return None
+    samples = tuples(db, "SELECT data, n_rows FROM telemetry")
+    return None if all(unpacks(*row) for row in samples) else "telemetry.data"
 
 
 def _problem_in_runs(db: sqlite3.Connection) -> str | None:

@@ -4,6 +4,7 @@ The tables are those of a store, so that it opens in Datasette with the same vie
 tells where it is from and by its checksum that it is whole (docs/bundles.md).
 """
 
+import logging
 import os
 import sqlite3
 from collections.abc import Callable, Iterator
@@ -11,12 +12,15 @@ from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
+from storage.bundle_rules import odd_rows
 from storage.connection import Access
 from storage.content import CONTENT, Content, columns, content_hash
 from storage.errors import StoreError, translated
 from storage.limits import MAX_REVISION
 from storage.schema import migrate
 from storage.text import dumped, new_id
+
+_log = logging.getLogger(__name__)
 
 FORMAT = 1
 SUFFIX = ".pinel"
@@ -60,6 +64,7 @@ class BundleInfo:
         content_hash: `content.content_hash` of what it holds, as the release that wrote it counts it.
         counts: rows by table.
         anonymous: names and texts were left out.
+        left_out: of one just written, `table.column key` of rows that other PCs would refuse.
     """
 
     path: Path
@@ -70,6 +75,7 @@ class BundleInfo:
     content_hash: str
     counts: dict[str, int]
     anonymous: bool
+    left_out: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -190,6 +196,7 @@ def _written(
         db.execute("DETACH DATABASE store")
         if alter is not None:
             alter(db)
+        left_out = _leave_out(db)
         info = BundleInfo(
             final,
             app_version,
@@ -198,6 +205,7 @@ def _written(
             content_hash(db),
             counts_of(db),
             alter is not None,
+            left_out,
         )
         db.execute("INSERT INTO bundle VALUES (?, ?, ?, ?, ?, ?, ?, ?)", _row(info))
         db.execute("PRAGMA journal_mode = DELETE")
@@ -231,6 +239,22 @@ def _copy_table(
     )
     if "revision" in columns(db, content.table):
         db.execute(f"UPDATE main.{content.table} SET revision = min(revision, {MAX_REVISION})")
+
+
+def _leave_out(db: sqlite3.Connection) -> tuple[str, ...]:
+    """Takes rows away that would have the whole bundle refused, with what belongs to them, and says which."""
+    found: list[str] = []
+    for content in CONTENT:
+        condition = " AND ".join(f"{column} = ?" for column in content.key)
+        for key, place in list(odd_rows(db, content)):
+            db.execute(f"DELETE FROM {content.table} WHERE {condition}", key)
+            found.append(f"{place} {' '.join(map(str, key))}")
+    while found and (orphans := db.execute("PRAGMA foreign_key_check").fetchall()):
+        for table, rowid, *_ in orphans:
+            db.execute(f"DELETE FROM {table} WHERE rowid = ?", [rowid])
+    for row in found:
+        _log.warning("left out of the bundle, as other PCs would refuse it: %s", row)
+    return tuple(found)
 
 
 def counts_of(db: sqlite3.Connection) -> dict[str, int]:

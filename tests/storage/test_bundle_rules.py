@@ -1,14 +1,17 @@
 """Single values of bundles: what each rule lets in, and what looking at it costs."""
 
 import tracemalloc
+from collections.abc import Callable
 from datetime import UTC, datetime
+from pathlib import Path
 
 import pytest
 
-from storage import json_check
+from storage import Store, json_check
 from storage.bundle_rules import RULES, time
 from storage.json_check import is_object, parsed
 from storage.text import time_text
+from tests.storage.bundle_makers import exported, merged, problems_in, work
 
 
 @pytest.mark.parametrize("year", [2, 1970, 2026, 9998])
@@ -63,3 +66,22 @@ def test_worlds_and_reports_are_of_their_kind(world: str) -> None:
     assert not RULES["versions"]["world"](world)
     assert RULES["versions"]["world"]('{"pinel_world":1,"name":"a","walls":[]}')
     assert not RULES["runs"]["check_report"]('"x"')
+
+
+def test_a_row_that_would_be_refused_does_not_keep_the_others_from_travelling(
+    store: Store, tmp_path: Path, opened: Callable[..., Store]
+) -> None:
+    group = store.groups.create("Onças")
+    kept, _ = work(store, group, "Bom")
+    odd, _ = work(store, group, "Estranho")
+    store._access.write(
+        lambda db: db.execute("UPDATE versions SET parent_id = 'x' WHERE program_id = ?", [odd.id])
+    )
+    info = exported(store, tmp_path / "a.pinel")
+    assert len(info.left_out) == 2
+    assert all(row.startswith("versions.parent_id ") for row in info.left_out)
+    assert problems_in(info.path) == []
+    other = opened(tmp_path / "other.db")
+    assert merged(other, info.path).added["runs"] == 1
+    assert other.versions.newest(kept.id) == store.versions.newest(kept.id)
+    assert other.versions.newest(odd.id) is None
