@@ -173,8 +173,7 @@ function Result({ merged, onDelete, onKeep }: ResultProps) {
             {say.doomed(
               merged.computer ?? merged.name,
               merged.would_delete.names.join(", "),
-              say.programs(merged.would_delete.programs),
-              say.runs(merged.would_delete.runs),
+              `${say.programs(merged.would_delete.programs)}, ${say.runs(merged.would_delete.runs)}`,
             )}
           </p>
           <div class="exchange__buttons">

@@ -45,8 +45,8 @@ export const en: ExchangeTexts = {
   sharedHint:
     "A folder of the network or of this PC that is shown here like a stick. Leave it empty to use none.",
   keepShared: "Use this folder",
-  doomed: (computer: string, names: string, programs: string, runs: string) =>
-    `On ${computer} this was deleted for good: ${names} (${programs} and ${runs} of it are here still). Delete it here too? This cannot be undone.`,
+  doomed: (computer: string, names: string, work: string) =>
+    `On ${computer} this was deleted for good: ${names} (still here: ${work}). Delete it here too? This cannot be undone.`,
   deleteToo: "Delete it here too",
   keepHere: "Keep it here",
   deletion: {

@@ -45,8 +45,8 @@ export const es: ExchangeTexts = {
   sharedHint:
     "Una carpeta de la red o de este ordenador que aparece aquí como una memoria. Déjala vacía para no usar ninguna.",
   keepShared: "Usar esta carpeta",
-  doomed: (computer: string, names: string, programs: string, runs: string) =>
-    `En ${computer} se borró para siempre: ${names} (aquí todavía hay ${programs} y ${runs}). ¿Borrarlo aquí también? No se puede deshacer.`,
+  doomed: (computer: string, names: string, work: string) =>
+    `En ${computer} se borró para siempre: ${names} (aquí todavía hay ${work}). ¿Borrarlo aquí también? No se puede deshacer.`,
   deleteToo: "Borrarlo aquí también",
   keepHere: "Dejarlo aquí",
   deletion: {

@@ -44,8 +44,8 @@ export const ptBR = {
   sharedHint:
     "Uma pasta da rede ou deste computador que aparece aqui como um pendrive. Deixe vazio para não usar.",
   keepShared: "Usar esta pasta",
-  doomed: (computer: string, names: string, programs: string, runs: string) =>
-    `Em ${computer} foi apagado para sempre: ${names} (${programs}, ${runs} que ainda estão aqui). Apagar aqui também? Não dá para desfazer.`,
+  doomed: (computer: string, names: string, work: string) =>
+    `Em ${computer} foi apagado para sempre: ${names} (aqui ainda há ${work}). Apagar aqui também? Não dá para desfazer.`,
   deleteToo: "Apagar aqui também",
   keepHere: "Manter aqui",
   deletion: {
