@@ -7,6 +7,7 @@ which needs the account of this PC that owns the data: whoever can read that fil
 
 import hashlib
 import hmac
+import math
 import secrets
 import threading
 import time
@@ -81,17 +82,20 @@ class TeacherDoor:
             self._check_wait()
             self._check(pin)
             token = secrets.token_urlsafe(32)
-            self._open[token] = (self._clock(), self._salt())
+            self._open[token] = (self._steady(), self._salt())
         return token
 
     def is_open(self, token: str | None) -> bool:
         """Whether the token still opens; using it keeps it good. Another PIN, by `pinel pin` too, shuts the door."""
         if token is None:
             return False
-        now, salt = self._clock(), self._salt()
+        salt = self._salt()
         with self._lock:
-            used, under = self._open.get(token, (-IDLE_S, ""))
-            if under != salt or not 0.0 <= now - used <= IDLE_S:
+            now = (
+                self._steady()
+            )  # in here: of two who ask at once, neither may come before the other
+            used, under = self._open.get(token, (-math.inf, ""))
+            if under != salt or now - used > IDLE_S:
                 self._open.pop(token, None)
                 return False
             self._open[token] = (now, salt)

@@ -1,6 +1,7 @@
 """The teacher's door, on a clock of the test's own."""
 
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -95,8 +96,15 @@ def test_an_open_door_shuts_when_nobody_uses_it(door: TeacherDoor, clock: Clock)
     assert not door.is_open(token)
 
 
-def test_a_clock_set_back_shuts_the_door(door: TeacherDoor, clock: Clock) -> None:
+def test_a_clock_that_is_set_neither_shuts_the_door_nor_keeps_it_open(
+    door: TeacherDoor, clock: Clock
+) -> None:
     token = door.enter(PIN)
+    clock.now_s -= 3600
+    assert door.is_open(token)
+    clock.now_s += 7200
+    assert door.is_open(token)
+    clock.steady_s += IDLE_S + 1
     clock.now_s -= 3600
     assert not door.is_open(token)
 
@@ -224,3 +232,11 @@ def test_what_is_no_pin_is_not_chosen(door: TeacherDoor, pin: str) -> None:
 def test_a_guess_may_be_anything(door: TeacherDoor) -> None:
     for guess in ("", "\ud800", "x" * 100_000):
         assert refusal(door, guess).code == "pin_wrong"
+
+
+def test_the_door_stays_open_for_many_who_ask_at_once(store: Store) -> None:
+    door = TeacherDoor(store.settings)
+    door.choose(PIN)
+    token = door.enter(PIN)
+    with ThreadPoolExecutor(8) as pool:
+        assert all(pool.map(lambda _: door.is_open(token), range(2000)))
