@@ -102,29 +102,22 @@ def _burst(edits: list[Edit], seen: dict[str, str]) -> Mark:
     began_with = NOTHING if first.number == 1 else None
     since = seen.get(first.program_id) or first.parent_id or began_with
     seen[last.program_id] = last.version_id
-    return Mark(
-        at=first.at,
-        until=last.at,
-        program_id=last.program_id,
-        program_name=last.program_name,
-        version_id=last.version_id,
-        computer_id=last.computer_id,
-        number=last.number,
-        n_edits=len(edits),
-        since=since,
-    )
+    return replace(_mark(last, first.at, last.at), n_edits=len(edits), since=since)
 
 
 def _run(run: Run) -> Mark:
+    return replace(_mark(run, run.at, run.ended_at), run=run)
+
+
+def _mark(of: Edit | Run, at: str, until: str | None) -> Mark:
     return Mark(
-        at=run.at,
-        until=run.ended_at,
-        program_id=run.program_id,
-        program_name=run.program_name,
-        version_id=run.version_id,
-        computer_id=run.computer_id,
-        number=run.number,
-        run=run,
+        at=at,
+        until=until,
+        program_id=of.program_id,
+        program_name=of.program_name,
+        version_id=of.version_id,
+        computer_id=of.computer_id,
+        number=of.number,
     )
 
 

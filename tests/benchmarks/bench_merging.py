@@ -17,7 +17,7 @@ from storage.content import CONTENT, columns
 from storage.merging import MergeReport
 from storage.schema import migrate
 from storage.text import new_id
-from tests.storage.conftest import SQUARE, WORLD
+from tests.storage.sample_documents import SQUARE, WORLD
 from tests.storage.sample_runs import block_started, ended, square
 
 N_COMPUTERS = 40

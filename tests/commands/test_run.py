@@ -5,17 +5,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from click.testing import CliRunner, Result
 
-from pinel_desktop.cli import main
-from pinel_desktop.execution.executor import RunOptions, execute
-from pinel_desktop.links import open_link
-from pinel_desktop.plotting import Curves
-from pinel_desktop.program.reading import read_document
 from storage import open_store
+from tests.commands.typed import PROGRAMS, SQUARE, pinel, run_json
 
-PROGRAMS = Path(__file__).parents[1] / "programs"
-SQUARE = str(PROGRAMS / "square.json")
 KEYS = {
     "state",
     "reason",
@@ -32,25 +25,6 @@ KEYS = {
     "faults",
     "telemetry_sha256",
 }
-
-
-@pytest.fixture(autouse=True)
-def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.setenv("PINEL_HOME", str(tmp_path))
-    monkeypatch.setenv("PINEL_LANG", "en")
-    return tmp_path
-
-
-def pinel(*arguments: str, text: str | None = None) -> Result:
-    result = CliRunner().invoke(main, list(arguments), input=text)
-    if result.exception is not None and not isinstance(result.exception, SystemExit):
-        raise result.exception
-    return result
-
-
-def run_json(*arguments: str, text: str | None = None) -> tuple[int, dict[str, Any]]:
-    result = pinel("run", *arguments, "--json", text=text)
-    return result.exit_code, json.loads(result.stdout)
 
 
 def test_square_prints_the_object_of_the_language_and_ends_with_0() -> None:
@@ -348,55 +322,3 @@ def test_the_start_must_have_room_for_the_robot_that_runs(home: Path) -> None:
     assert [fault["code"] for fault in printed["faults"]] == ["start_in_wall"]
     small, _ = run_json("-", "--world", str(file), "--model", "small_robot", text="[]")
     assert small == 0
-
-
-def test_plot_draws_the_curves_of_the_run(tmp_path: Path) -> None:
-    picture = tmp_path / "plot.png"
-    status, printed = run_json(SQUARE, "--no-store", "--plot", str(picture))
-    assert (status, printed["state"]) == (0, "finished")
-    head = picture.read_bytes()[:24]
-    assert head[:8] == b"\x89PNG\r\n\x1a\n"
-    width, height = (int.from_bytes(head[i : i + 4], "big") for i in (16, 20))
-    assert (width, height) == (1320, 1020)
-
-
-def test_a_plot_that_cannot_be_written_loses_no_run(tmp_path: Path) -> None:
-    result = pinel("run", SQUARE, "--json", "--plot", str(tmp_path / "nowhere" / "plot.png"))
-    assert result.exit_code == 0
-    assert json.loads(result.stdout)["run_id"]
-    assert "plot could not be written" in result.stderr
-
-
-@pytest.mark.parametrize(
-    "name", ["plot.docx", "plot.pgf", "plot.eps", "plot", ".png", "plot.png.gz"]
-)
-def test_a_plot_of_an_unknown_kind_is_refused_before_the_run(name: str, tmp_path: Path) -> None:
-    folder = tmp_path / "plots"
-    folder.mkdir()
-    result = pinel("run", SQUARE, "--json", "--plot", str(folder / name))
-    assert result.exit_code == 2
-    printed = json.loads(result.stdout)
-    assert (printed["reason"], printed["run_id"]) == ("plot_ending", None)
-    assert name in printed["message"]
-    assert list(folder.iterdir()) == []
-
-
-@pytest.mark.parametrize("name", ["a.PNG", "a.svg", "a.Pdf"])
-def test_a_plot_is_written_to_the_file_that_was_named(name: str, tmp_path: Path) -> None:
-    folder = tmp_path / "plots"
-    folder.mkdir()
-    program = '{"pinel_ir": 1, "name": "$x_{", "commands": []}'
-    status, _ = run_json("-", "--no-store", "--plot", str(folder / name), text=program)
-    assert status == 0
-    assert [file.name for file in folder.iterdir()] == [name]
-
-
-def test_plotting_curves_are_those_of_the_telemetry() -> None:
-    curves = Curves()
-    program = read_document((PROGRAMS / "square.json").read_bytes()).program
-    assert program is not None
-    link = open_link("sim", world="empty_room")
-    result = execute(program, link, RunOptions(observer=curves.observe))
-    assert curves["x_m"][1:] == list(result.telemetry.rows[1 :: result.telemetry.COLUMNS])
-    assert curves.time_s[-1] == pytest.approx(result.ended.duration_s)
-    assert max(curves["goal_x_m"]) == pytest.approx(1.0, abs=1e-6)

@@ -11,7 +11,7 @@ from storage.bundles import ALL, BundleInfo, Scope, export_bundle
 from storage.content import content_hash
 from storage.merging import MergeReport, merge
 from storage.removal import remove_keys
-from tests.storage.conftest import SQUARE, WORLD
+from tests.storage.sample_documents import SQUARE, WORLD
 from tests.storage.sample_runs import ended, sample
 
 

@@ -1,22 +1,16 @@
 """Stores on real files; every store is closed, or the test fails with a ResourceWarning."""
 
+import shutil
 import sqlite3
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from storage import GroupRow, ProgramRow, RunStart, Store, VersionRow, open_store, schema
-
-WORLD: dict[str, Any] = {"pinel_world": 1, "name": "empty_room"}
-SQUARE: dict[str, Any] = {
-    "pinel_ir": 1,
-    "name": "square",
-    "functions": [],
-    "commands": [{"action": "repeat", "times": 4, "commands": []}],
-}
+from tests.storage.bundle_makers import a_run, exported, work
+from tests.storage.sample_documents import SQUARE, WORLD
 
 
 @pytest.fixture
@@ -72,3 +66,21 @@ def older(path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         db.execute("INSERT INTO groups VALUES ('g', 'A', 'a', '#000000', 't', 't')")
     db.close()
     return path
+
+
+@pytest.fixture(scope="module")
+def original(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A bundle of a PC with a little of everything."""
+    folder = tmp_path_factory.mktemp("there")
+    with open_store(folder / "there.db") as there:
+        classroom = there.classrooms.create("5º B")
+        there.lessons.open(classroom.id, "Quadrados")
+        work(there, there.groups.create("Onças", classroom_id=classroom.id), "Quadrado")
+        a_run(there, None)
+        return exported(there, folder / "there.pinel").path
+
+
+@pytest.fixture
+def bundle(original: Path, tmp_path: Path) -> Path:
+    """It, to be changed."""
+    return shutil.copyfile(original, tmp_path / original.name)

@@ -9,8 +9,8 @@ import pytest
 from storage import GroupRow, ProgramRow, RunStart, Store, open_store
 from storage.groups import COLORS, PICTURES
 from tests.storage.bundle_makers import exported, hash_of, merged
-from tests.storage.conftest import WORLD
 from tests.storage.refusals import code_of
+from tests.storage.sample_documents import WORLD
 
 
 class SchoolClock:

@@ -3,11 +3,7 @@
 import contextlib
 import os
 import random
-import shutil
 import sqlite3
-import subprocess
-import sys
-import tempfile
 import zlib
 from collections.abc import Callable, Iterator
 from contextlib import closing
@@ -21,27 +17,9 @@ from storage.bundle_rules import RULES
 from storage.content import CONTENT, columns, content_hash
 from storage.limits import MAX_NUMBER, MAX_REVISION
 from storage.telemetry import COLUMNS, pack
-from tests.storage.bundle_makers import a_run, exported, hash_of, merged, work
+from tests.storage.bundle_makers import exported, hash_of, merged, work
 
 Change = Callable[[sqlite3.Connection], object]
-
-
-@pytest.fixture(scope="module")
-def original(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A bundle of a PC with a little of everything."""
-    folder = tmp_path_factory.mktemp("there")
-    with open_store(folder / "there.db") as there:
-        classroom = there.classrooms.create("5º B")
-        there.lessons.open(classroom.id, "Quadrados")
-        work(there, there.groups.create("Onças", classroom_id=classroom.id), "Quadrado")
-        a_run(there, None)
-        return exported(there, folder / "there.pinel").path
-
-
-@pytest.fixture
-def bundle(original: Path, tmp_path: Path) -> Path:
-    """It, to be changed."""
-    return shutil.copyfile(original, tmp_path / original.name)
 
 
 @pytest.fixture(scope="module")
@@ -359,57 +337,6 @@ def test_an_index_that_does_not_fit_its_table(
 
     changed(bundle, change, honest=False)
     assert refused(bundle).code == "bundle_damaged"
-
-
-def test_a_log_beside_it_is_not_believed(bundle: Path, store: Store, tmp_path: Path) -> None:
-    for name in ("-journal", "-wal", "-shm"):
-        bundle.with_name(bundle.name + name).write_bytes(os.urandom(4096))
-    assert merged(store, bundle).added["runs"] == 2
-    assert len(list(tmp_path.glob("there.pinel*"))) == 4
-
-
-def test_a_stick_that_can_only_be_read_is_read(bundle: Path, store: Store) -> None:
-    folder = bundle.parent / "stick"
-    folder.mkdir()
-    there = bundle.rename(folder / bundle.name)
-    there.chmod(0o444)
-    folder.chmod(0o555)
-    try:
-        assert merged(store, there).added["runs"] == 2
-        assert [file.name for file in folder.iterdir()] == [there.name]
-    finally:
-        folder.chmod(0o755)
-
-
-MAY_NOT_READ = """
-import os, sys
-from pathlib import Path
-sys.path[:0] = {import_path!r}
-from storage import StoreError
-from storage.bundle_reading import open_bundle
-if os.geteuid() == 0:  # who may read everything
-    os.setgroups([]); os.setgid(65534); os.setuid(65534)
-try:
-    with open_bundle(Path(sys.argv[1])):
-        print("read")
-except StoreError as error:
-    print(error.code)
-"""
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="permissions of POSIX")
-def test_a_file_that_may_not_be_read_is_told(bundle: Path) -> None:
-    with tempfile.TemporaryDirectory() as folder:
-        Path(folder).chmod(0o755)
-        there = Path(shutil.copy(bundle, folder))
-        there.chmod(0)
-        result = subprocess.run(
-            [sys.executable, "-c", MAY_NOT_READ.format(import_path=sys.path), str(there)],
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-    assert (result.stdout.strip(), result.stderr) == ("bundle_unreadable", "")
 
 
 def test_every_column_of_content_has_a_rule(store: Store) -> None:

@@ -27,8 +27,8 @@ from tests.storage.bundle_makers import (
     removed,
     work,
 )
-from tests.storage.conftest import WORLD
 from tests.storage.random_life import RandomLife
+from tests.storage.sample_documents import WORLD
 from tests.storage.sample_runs import ended
 
 Opened = Callable[[str], Store]

@@ -12,7 +12,7 @@ from storage.content import content_hash
 from storage.opening import connect
 from storage.removal import forget_log, remove_keys
 from tests.storage.bundle_makers import exported, work
-from tests.storage.conftest import SQUARE, WORLD
+from tests.storage.sample_documents import SQUARE, WORLD
 from tests.storage.sample_runs import ended, sample
 
 

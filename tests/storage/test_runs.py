@@ -9,7 +9,7 @@ import pytest
 
 from storage import GroupRow, Recorder, RunRow, RunStart, Store, StoreError, VersionRow
 from storage.removal import remove_keys
-from tests.storage.conftest import SQUARE, WORLD
+from tests.storage.sample_documents import SQUARE, WORLD
 from tests.storage.sample_runs import block_started, ended, sample, square
 
 

@@ -5,6 +5,7 @@ import { CATALOGUES } from ".";
 import { decimal, duration, headingDegrees, when } from "./format";
 import { LANGUAGES, type Language } from "./language";
 import { reasonWords } from "./reasons";
+import { figureWords, REVIEW_TEXTS } from "./review";
 
 type Leaf = string | ((...args: never[]) => string);
 
@@ -16,7 +17,7 @@ function leaves(node: object, path = ""): [string, string][] {
     if (typeof value === "object") return leaves(value, here);
     return [1, 2].map((n) => {
       const text = (value as (...args: unknown[]) => string)(n, n, n);
-      return [`${here}(${n})`, text] as [string, string];
+      return [`${here}(${n})`, String(text)] as [string, string];
     });
   });
 }
@@ -26,6 +27,7 @@ const all = (language: Language) => ({
   ...CATALOGUES[language],
   teacher: TEACHER_TEXTS[language],
   exchange: EXCHANGE_TEXTS[language],
+  review: REVIEW_TEXTS[language],
 });
 
 describe.each(LANGUAGES)("the catalogue %s", (language) => {
@@ -58,6 +60,11 @@ describe.each(LANGUAGES)("the catalogue %s", (language) => {
     expect(words?.message).not.toContain("{");
     expect(reasonWords("no_such_code", {}, language)).toBeNull();
   });
+});
+
+test("the server says what each figure of the review counts", () => {
+  const names = Object.keys(REVIEW_TEXTS["pt-BR"].figures).filter((name) => /_/.test(name));
+  for (const name of names) expect(figureWords(name).remedy, name).not.toBe("");
 });
 
 describe("figures", () => {

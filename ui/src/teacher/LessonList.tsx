@@ -29,9 +29,6 @@ export function LessonList({ lessons, onChanged }: LessonListProps) {
     const target = whole(marked);
     for (const one of marked.filter((other) => other !== target)) {
       await classesApi.changeLesson(one.id, { part_of: target?.id ?? "" });
-      for (const part of lessons.filter((other) => other.part_of === one.id)) {
-        await classesApi.changeLesson(part.id, { part_of: target?.id ?? "" });
-      }
     }
     setPicked([]);
     await onChanged();
