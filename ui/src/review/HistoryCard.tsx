@@ -56,7 +56,7 @@ export function HistoryCard({ run, chosen }: HistoryCardProps) {
             {SHORT[outcome] ? runs.outcomes[SHORT[outcome]] : outcomes[outcome]}
           </span>
           <span class="work-card__line">{name}</span>
-          <span class="work-card__line">{facts.join(" · ")}</span>
+          <span class="work-card__line work-card__line--facts">{facts.join(" · ")}</span>
         </span>
       </a>
       <Choose run={run} chosen={chosen} title={title} />

@@ -42,7 +42,9 @@ export function RunCard({ run }: { run: Run }) {
         <span class="work-card__line work-card__line--strong">
           {run.program_name ?? work.noName}
         </span>
-        <span class="work-card__line">{facts.filter(Boolean).join(" · ")}</span>
+        <span class="work-card__line work-card__line--facts">
+          {facts.filter(Boolean).join(" · ")}
+        </span>
       </span>
     </a>
   );
