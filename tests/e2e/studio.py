@@ -75,7 +75,7 @@ class Studio:
         deadline = time.monotonic() + SAVE_S
         while (value := read()) != wanted and time.monotonic() < deadline:
             self.page.wait_for_timeout(POLL_MS)
-        assert value == wanted
+        assert value == wanted, f"{value!r} instead of {wanted!r}"
 
     def document(self) -> dict[str, Any] | None:
         """The program document on the server's disk."""

@@ -1,5 +1,5 @@
 import { Hand } from "lucide-preact";
-import { useEffect } from "preact/hooks";
+import { useLayoutEffect } from "preact/hooks";
 import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
 import { decimal } from "../i18n/format";
@@ -17,7 +17,7 @@ interface CapturePanelProps {
 /** The program waits for a sign; until a camera sees it, the group says which one it was. */
 export function CapturePanel({ capture, tick, onAnswer }: CapturePanelProps) {
   const words = texts.value.capture;
-  useEffect(() => listenForLetters(onAnswer));
+  useLayoutEffect(() => listenForLetters(onAnswer));
   const left = Math.max(0, capture.timeoutS - (tick - capture.sinceTick) / 30);
   const shown = decimal(Math.ceil(left), 0, language.value);
   return (

@@ -1,5 +1,5 @@
 import { ChevronDown } from "lucide-preact";
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import { TEST } from "../app/testids";
 import { texts } from "../i18n";
 import { GroupPicture } from "./GroupPicture";
@@ -29,7 +29,7 @@ export function PictureButton(props: PictureButtonProps) {
     if (byHand.current) put();
   };
 
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (!open) return;
     const inside = place.current;
     inside?.querySelector<HTMLInputElement>("input:checked")?.focus();

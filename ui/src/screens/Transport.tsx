@@ -19,7 +19,7 @@ import {
   StepBack,
   StepForward,
 } from "lucide-preact";
-import { useEffect } from "preact/hooks";
+import { useLayoutEffect } from "preact/hooks";
 import { TEST } from "../app/testids";
 import { CATEGORY_COLOURS, categoryOf } from "../design/categories";
 import { language, texts } from "../i18n";
@@ -63,7 +63,7 @@ export function Transport({ playback, tracks }: TransportProps) {
     playback.pause();
     playback.seek(stepFrom(inOrder(tracks), playback.tick.value, way, playback.end));
   };
-  useEffect(() => listenToKeys(() => playback.toggle(), step), [playback]);
+  useLayoutEffect(() => listenToKeys(() => playback.toggle(), step), [playback]);
   return (
     <section class="transport" aria-label={replay.title}>
       <PlayButton playback={playback} />

@@ -1,6 +1,6 @@
 import { useComputed, useSignal, useSignalEffect } from "@preact/signals";
 import { ArrowLeft, ChevronDown, ChevronUp } from "lucide-preact";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { hashOf } from "../app/route";
 import { problem } from "../app/session";
 import { TEST } from "../app/testids";
@@ -60,7 +60,7 @@ export function Differences({ compared, programId }: DifferencesProps) {
     const now = chosen.peek();
     chosen.value = now === null ? (by > 0 ? 0 : n - 1) : (now + by + n) % n;
   };
-  useEffect(() => byKeys(step), []);
+  useLayoutEffect(() => byKeys(step), []); // before painting: the first key is heard
 
   // words of blocks are read from the blocks, which are made anew in another language
   const lines = useComputed(() => {

@@ -1,5 +1,5 @@
 import { History } from "lucide-preact";
-import { useEffect, useState } from "preact/hooks";
+import { useEffect, useLayoutEffect, useState } from "preact/hooks";
 import { api } from "../api/client";
 import { keeping } from "../api/keeping";
 import { hashOf } from "../app/route";
@@ -82,7 +82,7 @@ function Empty({ programId }: { programId: string }) {
 
 function Versions({ history }: { history: VersionHistory }) {
   const id = history.chosen.value?.id;
-  useEffect(() => byKeys(history), [history]);
+  useLayoutEffect(() => byKeys(history), [history]); // before painting: the first key is heard
   // whoever comes back from comparing finds the version that was looked at
   useEffect(() => {
     const version = history.isNewest ? null : (id ?? null);

@@ -90,7 +90,7 @@ interface OverlayProps {
 function Overlay({ desk, view, byHand }: OverlayProps) {
   const svg = useRef<SVGSVGElement>(null);
   const words = texts.value.world;
-  useEffect(
+  useLayoutEffect(
     () => (svg.current ? followHand(svg.current, desk, view, byHand) : undefined),
     [desk, view, byHand],
   );

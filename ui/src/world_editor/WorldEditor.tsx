@@ -1,6 +1,6 @@
 import { useSignal } from "@preact/signals";
 import { Check, CircleHelp, Redo2, Square, TriangleAlert, Undo2 } from "lucide-preact";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { worldTitle } from "../api/model";
 import { report } from "../app/session";
 import { TEST } from "../app/testids";
@@ -35,7 +35,7 @@ export function WorldEditor({ desk, replaces, onOwn, onForget, onStop, onDone }:
   const refusal = useSignal<Refusal | null>(null);
   useEffect(() => keepChecked(desk, report), [desk]);
   useEffect(() => section.current?.focus(), []);
-  useEffect(() => followKeys(desk), [desk]);
+  useLayoutEffect(() => followKeys(desk), [desk]);
   const take = (file: File) => {
     refusal.value = null;
     worldIn(file).then((answer) => {
