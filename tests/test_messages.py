@@ -70,6 +70,15 @@ def test_numbers_have_the_decimal_sign_of_their_language_and_long_texts_are_cut(
     assert len(describe("unknown_action", {"value": "x" * 999, "allowed": []}, "en").message) < 200
 
 
+@pytest.mark.parametrize("name", ["path", "folder", "file"])
+def test_the_place_of_a_file_is_told_whole(name: str) -> None:
+    place = "C:\\Users\\Laboratório de Informática\\" + "Turma 9B\\" * 20 + "programa.json"
+    codes = [code for code, words in catalogue().items() if f"{{{name}}}" in words["es"]["message"]]
+    assert codes
+    for code in codes:
+        assert place in describe(code, {name: place}, "es").message
+
+
 @pytest.mark.parametrize(
     ("environment", "language"),
     [

@@ -18,6 +18,10 @@ from importlib import resources
 
 LANGUAGES = ("pt-BR", "en", "es")
 _PLACEHOLDER = re.compile(r"\{(\w+)\}")
+_LONGEST = 80
+# of a file the end is what tells it from others, and a person may have to type it
+_PLACES = frozenset({"file", "folder", "path"})
+_LONGEST_PLACE = 1000
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +58,8 @@ def describe(code: str, params: Mapping[str, object], language: str) -> Words:
     words = entry.get(language) or entry.get(LANGUAGES[0]) or {"message": code, "remedy": ""}
 
     def fill(match: re.Match[str]) -> str:
-        return _show(params[match[1]], language) if match[1] in params else match[0]
+        name = match[1]
+        return _show(params[name], language, name in _PLACES) if name in params else match[0]
 
     return Words(
         message=_PLACEHOLDER.sub(fill, words["message"]),
@@ -62,13 +67,14 @@ def describe(code: str, params: Mapping[str, object], language: str) -> Words:
     )
 
 
-def _show(value: object, language: str) -> str:
+def _show(value: object, language: str, is_place: bool = False) -> str:
     if isinstance(value, bool) or value is None:
         return json.dumps(value)
     if isinstance(value, float | int):
         text = f"{value:.10g}" if abs(value) < 1e300 else str(value)[:20]
         return text if language == "en" else text.replace(".", ",")
     if isinstance(value, list | tuple):
-        return ", ".join(_show(item, language) for item in value)
+        return ", ".join(_show(item, language, is_place) for item in value)
     text = str(value)
-    return text if len(text) <= 80 else text[:79] + "…"
+    longest = _LONGEST_PLACE if is_place else _LONGEST
+    return text if len(text) <= longest else text[: longest - 1] + "…"
