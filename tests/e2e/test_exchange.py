@@ -7,8 +7,8 @@ import pytest
 from playwright.sync_api import Browser, expect
 
 from tests.e2e.app_process import AppProcess
+from tests.e2e.axe import violations
 from tests.e2e.studio import Studio
-from tests.e2e.test_accessibility import violations
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 

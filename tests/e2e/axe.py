@@ -1,0 +1,70 @@
+"""A screen through axe: roles and names, and contrast in light, dark and high contrast."""
+
+from pathlib import Path
+from typing import Any
+
+from playwright.sync_api import Page
+
+from tests.e2e.studio import Studio
+
+AXE = Path(__file__).parents[2] / "ui" / "node_modules" / "axe-core" / "axe.min.js"
+# Blockly's own: its toolbox and its blocks have roles whose children axe does not find where it looks
+BLOCKLYS = {
+    "aria-required-children",
+    "aria-valid-attr-value",
+    "aria-required-parent",
+    "nested-interactive",
+    "scrollable-region-focusable",
+    "svg-img-alt",
+    "aria-allowed-attr",
+    "region",
+}
+THEMES = {"light", "dark", "contrast"}
+FADE_MS = 300  # what fades in has another contrast until it is there
+
+
+def violations(studio: Studio) -> list[str]:
+    """What axe finds, less what is Blockly's own business; the theme is as it was afterwards."""
+    page = studio.page
+    if not page.evaluate("typeof axe === 'object'"):
+        page.evaluate(AXE.read_text("utf-8"))
+    first = _theme(page)
+    found = _found(page, "{}")
+    seen = {first}
+    while _next_theme(page) != first:
+        seen.add(_theme(page))
+        found += _found(page, "{ runOnly: ['color-contrast'] }")  # all that a theme changes
+    assert seen == THEMES
+    return found
+
+
+def _found(page: Page, options: str) -> list[str]:
+    page.wait_for_timeout(FADE_MS)
+    answer: dict[str, Any] = page.evaluate(
+        f"() => axe.run(document, {{ resultTypes: ['violations'], ...{options} }})"
+    )
+    return [
+        f"{_theme(page)}, {one['id']}: {node['html'][:160]} {node['failureSummary'][-160:]}"
+        for one in answer["violations"]
+        for node in one["nodes"]
+        if not (one["id"] in BLOCKLYS and _is_blocklys(page, node["target"][0]))
+    ]
+
+
+def _theme(page: Page) -> str:
+    theme: str = page.evaluate("document.documentElement.dataset.theme")
+    return theme
+
+
+def _next_theme(page: Page) -> str:
+    """Without a pointer, which would put away what is open."""
+    page.get_by_test_id("theme").evaluate("(button) => button.click()")
+    return _theme(page)
+
+
+def _is_blocklys(page: Page, selector: str) -> bool:
+    inside: bool = page.evaluate(
+        "([found, areas]) => !!document.querySelector(found)?.closest(areas)",
+        [selector, ".injectionDiv, .blocklyWidgetDiv, .blocklyDropDownDiv, .blocklyComputeCanvas"],
+    )
+    return inside
