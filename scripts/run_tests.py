@@ -17,6 +17,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 LOGS = ROOT / "build" / "test-logs"
 PYTEST = (sys.executable, "-m", "pytest", "-q")
+# one process for each core, up to where robots that drive in real time would be late
+SIDE_BY_SIDE = ("-n", "logical", "--maxprocesses", "4", "--dist", "worksteal")
 _COLOURS = re.compile(r"\x1b\[[0-9;]*m")
 # pytest: "3 passed, 1 skipped in 0.5s", between = without -q; vitest: "Tests  3 passed (3)"
 _CLOSING = re.compile(
@@ -59,9 +61,9 @@ STEPS = (
     Step("import-rules", "lint", (str(Path(sys.executable).with_name("lint-imports")),)),
     Step("page-lint", "lint", npm("run", "--silent", "check")),
     Step("page-unit", "test", npm("run", "--silent", "test"), counts=True),
-    Step("unit", "test", (*PYTEST, "-m", UNIT), counts=True),
-    Step("fuzz", "test", (*PYTEST, "-m", "fuzz", "--fuzz-s=30"), counts=True),
-    Step("e2e", "test", (*PYTEST, "-m", "e2e and not nightly"), counts=True),
+    Step("unit", "test", (*PYTEST, *SIDE_BY_SIDE, "-m", UNIT), counts=True),
+    Step("fuzz", "test", (*PYTEST, *SIDE_BY_SIDE, "-m", "fuzz", "--fuzz-s=30"), counts=True),
+    Step("e2e", "test", (*PYTEST, *SIDE_BY_SIDE, "-m", "e2e and not nightly"), counts=True),
     Step("package", "package", ("make", "package")),
     Step("packaged", "package", (*PYTEST, "-m", "packaged and not nightly"), counts=True),
     Step("smoke", "package", (sys.executable, "packaging/smoke.py")),
