@@ -184,12 +184,17 @@ def restored_copy(
     return None
 
 
-def remove_from_backups(path: Path, ids: Collection[str], remove: Remove) -> list[Path]:
+def remove_from_backups(
+    path: Path, ids: Collection[str], remove: Remove, stop: Stop = lambda: False
+) -> list[Path]:
     """Takes rows out of every backup, so that what was deleted is nowhere; each is replaced as a whole.
+
+    One that keeps the keys as deleted is left as it is: the same again, after it was cut off, does the rest.
 
     Args:
         ids: keys of what goes, with all that belongs to it.
-        remove: deletes them within a transaction, as from the file itself.
+        remove: deletes them within a transaction, as from the file itself, and keeps the keys.
+        stop: asked before each backup.
 
     Returns:
         Files that may hold them still, for people to be told: backups that could not be written anew, and damaged
@@ -199,7 +204,9 @@ def remove_from_backups(path: Path, ids: Collection[str], remove: Remove) -> lis
         left = [
             backup.path
             for backup in list_backups(path)
-            if not _is_removed(backup.path, path, ids, remove)
+            if not stop()
+            and not _knows(backup.path, ids)
+            and not _is_removed(backup.path, path, ids, remove)
         ]
     return left + sorted(path.parent.glob(f"{path.stem}.damaged-*{path.suffix}"))
 
@@ -262,6 +269,16 @@ def _breather(stop: Stop) -> Callable[[int, int, int], None]:
         time.sleep(_PAUSE_S)
 
     return breathe
+
+
+def _knows(backup: Path, ids: Collection[str]) -> bool:
+    """A backup is replaced as a whole, so one that knows the keys holds nothing of what they were."""
+    try:
+        with closing(_reading(backup)) as connection:
+            known = {key for (key,) in connection.execute("SELECT id FROM tombstones")}
+    except sqlite3.Error:
+        return False
+    return known.issuperset(ids)
 
 
 def _is_removed(backup: Path, path: Path, ids: Collection[str], remove: Remove) -> bool:

@@ -1,5 +1,6 @@
-"""Looks after the file while the app runs: a backup a day, and room on the disk."""
+"""Looks after the file while the app runs: a backup a day, none that holds what was deleted, and room on the disk."""
 
+import contextlib
 import threading
 from collections.abc import Callable
 from datetime import UTC, datetime
@@ -96,11 +97,17 @@ class Caretaker:
             self._backup = None
         self._tell()
 
+    def finish_removals(self) -> None:
+        """Backups lose what was deleted for good, where that was cut off; what cannot be done now is tried again."""
+        with contextlib.suppress(StoreError):
+            self._store.exchange.finish_removals(self._ended.is_set)
+
     def _work(self) -> None:
         pause_s, n_looks = _FIRST_S, 0
         while not self._ended.wait(pause_s):
             self.look_at_disk()
             if n_looks % _LOOKS_PER_BACKUP == 0:
+                self.finish_removals()
                 self.back_up()
             pause_s, n_looks = _EVERY_S, n_looks + 1
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from storage.anonymous import anonymising
-from storage.backups import remove_from_backups
+from storage.backups import Stop, remove_from_backups
 from storage.bundles import ALL, BundleInfo, Scope, export_bundle, note_export
 from storage.connection import Access
 from storage.content import content_hash
@@ -15,7 +15,7 @@ from storage.merging import Heard, MergeReport, heard_from, merge
 from storage.opening import connect
 from storage.parquet import write_parquet
 from storage.program_merging import merge_program
-from storage.removal import Removal, forget_log, remove, remove_keys
+from storage.removal import Removal, forget_log, remove, remove_keys, tombstones
 from storage.text import new_id
 
 
@@ -87,8 +87,7 @@ class Exchange:
         if report.removed:
             with closing(connect(self._access.address)) as db:
                 forget_log(db)
-            left = remove_from_backups(self._access.path, report.buried, remove_keys)
-            report = replace(report, still_in=tuple(left))
+            report = replace(report, still_in=self._clean_backups(report.buried))
         return report
 
     def merge_program(self, path: Path) -> tuple[MergeReport, str]:
@@ -100,8 +99,20 @@ class Exchange:
         return heard_from(self._access)
 
     def remove(self, kind: str, key: str) -> Removal:
-        """Deletes for good a `classroom`, `group`, `program`, `run`, `lesson` or `note`; see `removal.remove`."""
-        return remove(self._access, kind, key)
+        """Deletes for good a `classroom`, `group`, `program`, `run`, `lesson` or `note`, also from the backups; see
+        `removal.remove`."""
+        removal = remove(self._access, kind, key)
+        return replace(removal, still_in=self._clean_backups(removal.ids))
+
+    def finish_removals(self, stop: Stop = lambda: False) -> tuple[Path, ...]:
+        """Takes what was deleted for good out of backups that hold it yet: of a removal that was cut off, or while
+        somebody else held a backup. Those that still hold it are told."""
+        with self._access.reading() as db:
+            ids = tombstones(db)
+        return self._clean_backups(ids, stop) if ids else ()
+
+    def _clean_backups(self, ids: Collection[str], stop: Stop = lambda: False) -> tuple[Path, ...]:
+        return tuple(remove_from_backups(self._access.path, ids, remove_keys, stop))
 
     def content_hash(self) -> str:
         """One number for all that the store holds; equal stores have equal ones."""

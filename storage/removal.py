@@ -5,6 +5,7 @@ import sqlite3
 from collections.abc import Iterable
 from contextlib import closing
 from dataclasses import dataclass
+from pathlib import Path
 
 from storage.connection import Access
 from storage.errors import StoreError
@@ -77,17 +78,19 @@ class Removal:
         counts: rows by table.
         exports: files that were written from this store and may still hold it.
         overwritten: False while another program still reads the log, in which the text is until it has ended.
+        still_in: backups that could not be written anew, and may hold it.
     """
 
     ids: tuple[str, ...]
     counts: dict[str, int]
     exports: tuple[Exported, ...]
     overwritten: bool
+    still_in: tuple[Path, ...] = ()
 
 
 def remove(access: Access, kind: str, key: str) -> Removal:
     """Deletes a `classroom` with its groups, a `group` with its programs, a `program` with its runs, a `run` with
-    its notes, a `lesson` or a `note`; not from backups, which `ids` are for, nor from bundles.
+    its notes, a `lesson` or a `note`; not from backups, which `Exchange.remove` does, nor from bundles.
 
     Raises:
         StoreError: KIND`_not_found`; `run_in_progress` where a run of it has not ended.

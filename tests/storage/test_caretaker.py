@@ -1,5 +1,6 @@
 """A backup a day and room on the disk, looked after while the app runs."""
 
+import shutil
 import threading
 from collections.abc import Iterator
 from datetime import UTC, datetime, timedelta
@@ -120,6 +121,49 @@ def test_whatever_keeps_a_backup_from_being_made_is_told_and_the_store_goes_on(
     keeping.caretaker.back_up()
     assert keeping.code == "backup_failed"
     assert store.groups.create("A").name == "A"
+
+
+def test_a_removal_that_was_cut_off_before_the_backups_is_finished_later(
+    keeping: Keeping, store: Store, path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    group = store.groups.create("Fulano de Tal")
+    for day in (0, 1):
+        make_backup(path, NOON + day * 24 * HOUR)
+    with monkeypatch.context() as cut_off:
+        cut_off.setattr("storage.exchange.remove_from_backups", _power_cut)
+        with pytest.raises(KeyboardInterrupt):
+            store.exchange.remove("group", group.id)
+    assert _backups_with(b"Fulano", path) == 2
+
+    keeping.caretaker.finish_removals()
+    assert _backups_with(b"Fulano", path) == 0
+    files = {backup.path: backup.path.stat().st_ino for backup in list_backups(path)}
+    keeping.caretaker.finish_removals()  # nothing is left to be done: no backup is written anew
+    assert {backup.path: backup.path.stat().st_ino for backup in list_backups(path)} == files
+
+
+def _power_cut(*_: object) -> None:
+    raise KeyboardInterrupt
+
+
+def _backups_with(octets: bytes, path: Path) -> int:
+    return sum(octets in backup.path.read_bytes() for backup in list_backups(path))
+
+
+def test_a_backup_that_somebody_holds_loses_what_was_deleted_when_it_is_free(
+    keeping: Keeping, store: Store, path: Path
+) -> None:
+    group = store.groups.create("Fulano de Tal")
+    backup = make_backup(path, NOON)
+    assert backup
+    folder = backup.path.with_name(f"{backup.path.name}.part")
+    folder.mkdir()  # in the way of writing it anew
+    assert store.exchange.remove("group", group.id).still_in == (backup.path,)
+    keeping.caretaker.finish_removals()
+    assert _backups_with(b"Fulano", path) == 1
+    shutil.rmtree(folder)
+    keeping.caretaker.finish_removals()
+    assert _backups_with(b"Fulano", path) == 0
 
 
 def test_once_started_it_backs_up_by_itself_and_ends_when_told(

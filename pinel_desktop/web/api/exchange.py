@@ -216,6 +216,7 @@ def _merged(path: Path, *, delete: bool) -> Merged:
             added=_counts({}),
             nothing_new=True,
             would_delete=None,
+            backups=[],
             problem=Notice(code=error.code, message=words.message, remedy=words.remedy),
         )
 
@@ -229,6 +230,7 @@ def _report(path: Path, report: "MergeReport") -> Merged:
         added=_counts(report.added),
         nothing_new=report.nothing_new,
         would_delete=_doomed(report),
+        backups=[showable(str(path)) for path in report.still_in],
         problem=None,
     )
 

@@ -31,19 +31,14 @@ def delete_note(path: IdPath) -> Response:
 
 
 def _delete(kind: str, key: str) -> Response:
-    from storage.backups import remove_from_backups  # noqa: PLC0415 - seldom needed
-    from storage.removal import remove_keys  # noqa: PLC0415
-
     require_teacher()
-    store = services().store
-    removal = store.exchange.remove(kind, key)
-    left = remove_from_backups(store.path, removal.ids, remove_keys)
+    removal = services().store.exchange.remove(kind, key)
     return answer(
         Removed(
             n_groups=removal.counts.get("groups", 0),
             n_programs=removal.counts.get("programs", 0),
             n_runs=removal.counts.get("runs", 0),
-            backups=[showable(str(path)) for path in left],
+            backups=[showable(str(path)) for path in removal.still_in],
             files=[
                 WrittenFile(path=showable(one.path), made_at=one.made_at) for one in removal.exports
             ],

@@ -2115,10 +2115,13 @@ export interface components {
          * Merged
          * @description What came of one file: what it brought, or why it was refused.
          *
-         *     `would_delete` is what it says was deleted elsewhere: it stays until the file is merged with `delete`.
+         *     `would_delete` is what it says was deleted elsewhere: it stays until the file is merged with `delete`. `backups`
+         *     could not be written anew then, and may still hold it.
          */
         Merged: {
             added: components["schemas"]["MergedCounts"];
+            /** Backups */
+            backups: string[];
             /** Computer */
             computer: string | null;
             /** Exported At */

@@ -97,16 +97,22 @@ export function Gone({ removed }: { removed: Removed }) {
   return (
     <div class="deletion__done" role="status" data-testid={TEST.deletionDone}>
       <p>{say.deletion.done(say.groups(n_groups), say.programs(n_programs), say.runs(n_runs))}</p>
-      {left.length > 0 && (
-        <>
-          <p>{say.deletion.left}</p>
-          <ul>
-            {left.map((path) => (
-              <li key={path}>{path}</li>
-            ))}
-          </ul>
-        </>
-      )}
+      <StillIn paths={left} />
     </div>
+  );
+}
+
+/** Files that people have to delete by hand. */
+export function StillIn({ paths }: { paths: readonly string[] }) {
+  if (paths.length === 0) return null;
+  return (
+    <>
+      <p>{words.value.deletion.left}</p>
+      <ul>
+        {paths.map((path) => (
+          <li key={path}>{path}</li>
+        ))}
+      </ul>
+    </>
   );
 }

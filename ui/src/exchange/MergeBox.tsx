@@ -6,6 +6,7 @@ import { asTeacher } from "../app/teacher";
 import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
 import { when } from "../i18n/format";
+import { StillIn } from "./Deletion";
 import { size } from "./size";
 import { words } from "./words";
 
@@ -189,6 +190,11 @@ function Result({ merged, onDelete, onKeep }: ResultProps) {
               {say.keepHere}
             </button>
           </div>
+        </div>
+      )}
+      {merged.backups.length > 0 && (
+        <div class="deletion__done">
+          <StillIn paths={merged.backups} />
         </div>
       )}
     </li>
