@@ -26,6 +26,11 @@ _MARK = """
          LEFT JOIN computers ON computers.id = versions.computer_id"""
 _CONTENT = ("workspace", "document", "faults", "world")
 _Content = tuple[str, str | None, str, str | None]
+# ends of the line that another PC than that of the newest made of an older version
+_ELSEWHERE = f"""{_MARK} WHERE program_id = :program
+         AND versions.computer_id IS NOT (SELECT computer_id FROM versions WHERE id = :newest)
+         AND versions.id NOT IN (SELECT parent_id FROM versions WHERE program_id = :program AND parent_id IS NOT NULL)
+    ORDER BY number DESC, versions.id DESC LIMIT 1"""
 # by number, not by time: the clocks of school PCs are often wrong
 _NEWEST = f"{_SELECT} WHERE program_id = ? ORDER BY number DESC, versions.id DESC LIMIT 1"
 
@@ -82,6 +87,14 @@ class Versions:
             self._access.write(lambda db: _insert(db, program_id, content, parent_id, now))
         )
 
+    def elsewhere(self, newest: VersionRow) -> VersionMark | None:
+        """The last of what another PC made of an older version while this newest was made; None where there is none."""
+        with self._access.reading() as db:
+            row = db.execute(
+                _ELSEWHERE, {"program": newest.program_id, "newest": newest.id}
+            ).fetchone()
+        return _mark(row) if row else None
+
     def line_of(
         self, program_id: str, *, before: str | None = None, limit: int = 200
     ) -> list[VersionMark]:
@@ -93,7 +106,7 @@ class Versions:
                     ORDER BY number DESC, versions.id DESC LIMIT ?""",
                 [program_id, before, before, limit],
             ).fetchall()
-        return [VersionMark(**{**dict(row), "can_run": bool(row["can_run"])}) for row in rows]
+        return [_mark(row) for row in rows]
 
     def label(self, version_id: str, text: str) -> VersionRow:
         """Gives a version a name, or with "" takes it away. Raises StoreError `version_not_found`, `name_too_long`."""
@@ -152,6 +165,10 @@ def _require_own(db: sqlite3.Connection, program_id: str, version_id: str) -> No
     query = "SELECT 1 FROM versions WHERE id = ? AND program_id = ?"
     if db.execute(query, [version_id, program_id]).fetchone() is None:
         raise StoreError("version_not_found", id=version_id)
+
+
+def _mark(row: sqlite3.Row) -> VersionMark:
+    return VersionMark(**{**dict(row), "can_run": bool(row["can_run"])})
 
 
 def _record(row: sqlite3.Row) -> VersionRow:

@@ -193,6 +193,13 @@ def test_two_pcs_that_went_on_from_one_version_are_shown_side_by_side(
         )
     app.start()
     later = open_studio()
+    later["group-card"].click()
+    expect(later.page.get_by_text("PC 3 também continuou este programa")).to_be_visible()
+    later["elsewhere"].click()
+    expect(later["difference-count"]).to_have_text("0 diferenças")
+    later.page.go_back()
+    later.wait_until_open()
+    expect(later["elsewhere"]).to_have_count(0)  # it was seen
     later.page.goto(f"{app.origin}#/versions/{program}")
     expect(later["version-fork"]).to_contain_text("2 computadores")
     expect(later["version-branch"]).to_have_count(2)

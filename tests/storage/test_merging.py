@@ -103,6 +103,27 @@ def test_both_sides_keep_what_they_made_of_one_program(pc: Opened, tmp_path: Pat
     assert (found.name, found.n_versions, found.n_runs) == ("Quadrado grande", 4, 3)
 
 
+def test_of_two_ways_to_go_on_the_one_that_is_not_open_is_told(pc: Opened, tmp_path: Path) -> None:
+    here, there = pc("a"), pc("b")
+    program, _ = work(here, here.groups.create("Onças"), "Quadrado")
+    merged(there, exported(here, tmp_path / "a.pinel").path)
+    for store, texts in ((here, ("mine",)), (there, ("theirs", "theirs again"))):
+        for text in texts:
+            last = store.versions.save(program.id, {"text": text}, None)
+            assert store.versions.elsewhere(last) is None
+    merged(here, exported(there, tmp_path / "b.pinel").path)
+    newest = here.versions.newest(program.id)
+    assert newest
+    assert newest.workspace == {"text": "theirs again"}
+    other = here.versions.elsewhere(newest)
+    assert other
+    assert here.versions.get(other.id).workspace == {"text": "mine"}
+    here.versions.save(program.id, {"text": "both"}, None)
+    back = here.versions.newest(program.id)
+    assert back
+    assert here.versions.elsewhere(back) is None  # no end of another PC is left
+
+
 @pytest.mark.parametrize("seed", range(4))
 def test_every_order_comes_to_the_same(seed: int, tmp_path: Path) -> None:
     chance = random.Random(seed)

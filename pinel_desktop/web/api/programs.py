@@ -26,6 +26,7 @@ from pinel_desktop.web.models.work import (
 from pinel_desktop.web.models.worlds import World
 from pinel_desktop.web.services import Services, services
 from storage import FaultRow, ProgramRow, VersionRow
+from storage import VersionMark as MarkRow
 
 api = resource("programs", "Programs, their versions, and checking documents.", __name__)
 
@@ -34,6 +35,10 @@ api = resource("programs", "Programs, their versions, and checking documents.", 
 def list_programs(path: IdPath) -> Response:
     """Programs of a group, newest first."""
     return _programs(services().store.programs.of_group(path.id))
+
+
+def _mark(row: MarkRow) -> VersionMark:
+    return VersionMark.model_validate(row, from_attributes=True)
 
 
 def _programs(rows: list[ProgramRow]) -> Response:
@@ -56,7 +61,14 @@ def get_program(path: IdPath) -> Response:
     row = store.programs.get(path.id)
     newest = store.versions.newest(path.id)
     fields = {name: getattr(row, name) for name in Program.model_fields}
-    return answer(ProgramWithVersion(**fields, version=version_model(newest) if newest else None))
+    elsewhere = store.versions.elsewhere(newest) if newest else None
+    return answer(
+        ProgramWithVersion(
+            **fields,
+            version=version_model(newest) if newest else None,
+            elsewhere=_mark(elsewhere) if elsewhere else None,
+        )
+    )
 
 
 @api.patch("/programs/<id>", responses=answers(Program, 404, 503, 507))
@@ -97,7 +109,7 @@ def list_versions(path: IdPath, query: VersionPage) -> Response:
     rows = store.versions.line_of(
         store.programs.get(path.id).id, before=query.before, limit=query.limit
     )
-    marks = [VersionMark.model_validate(row, from_attributes=True) for row in rows]
+    marks = [_mark(row) for row in rows]
     after = marks[-1].id if len(marks) == query.limit else None
     return answer(VersionLine(versions=marks, next=after))
 

@@ -91,12 +91,6 @@ class Version(Shape):
     world: World | None
 
 
-class ProgramWithVersion(Program):
-    """A program with its newest version."""
-
-    version: Version | None
-
-
 class VersionMark(Shape):
     """A version in the line of its program; `parent_id` is the one that was edited.
 
@@ -113,6 +107,16 @@ class VersionMark(Shape):
     computer: str | None
     n_runs: int
     n_passed: int
+
+
+class ProgramWithVersion(Program):
+    """A program with its newest version.
+
+    `elsewhere` is the last version that another PC made of an older one at the same time, null where there is none.
+    """
+
+    version: Version | None
+    elsewhere: VersionMark | None
 
 
 class VersionLine(Shape):

@@ -2514,6 +2514,8 @@ export interface components {
         /**
          * ProgramWithVersion
          * @description A program with its newest version.
+         *
+         *     `elsewhere` is the last version that another PC made of an older one at the same time, null where there is none.
          */
         ProgramWithVersion: {
             /**
@@ -2526,6 +2528,7 @@ export interface components {
              * @description in the bin since
              */
             deleted_at: string | null;
+            elsewhere: components["schemas"]["VersionMark"] | null;
             /**
              * Group Id
              * @description UUIDv7 text

@@ -108,6 +108,7 @@ export const TEST = {
   stepOut: "step-out",
   speed: "speed",
   pythonFault: "python-fault", // of each; data-line, data-column
+  elsewhere: "elsewhere", // to what another PC made of the program
   swapBack: "swap-back",
   irJson: "ir-json",
   irCopy: "ir-copy",

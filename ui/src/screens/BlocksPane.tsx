@@ -15,6 +15,7 @@ import { theme } from "../app/theme";
 import { breakpoints } from "../debug/debugging";
 import { createEditor, type Editor } from "../editor";
 import { language, texts } from "../i18n";
+import { Elsewhere } from "./Elsewhere";
 import { FaultList } from "./FaultList";
 import { InBin } from "./InBin";
 import type { StudioControl } from "./studio_control";
@@ -27,6 +28,7 @@ export function BlocksPane({ control }: { control: StudioControl }) {
     <section class="blocks" aria-label={studio.blocks}>
       <Tools control={control} />
       <InBin program={control.open.program} />
+      <Elsewhere program={control.open.program} />
       <Swap control={control} />
       <Turns group={control.open.program.group_id} />
       <Workspace control={control} />

@@ -1,4 +1,4 @@
-import { Undo2, X } from "lucide-preact";
+import { type LucideIcon, Undo2, X } from "lucide-preact";
 import type { TEST } from "../app/testids";
 import { texts } from "../i18n";
 
@@ -6,19 +6,20 @@ interface WayBackProps {
   /** What has happened, and what would undo it. */
   words: string;
   action: string;
+  Icon?: LucideIcon;
   testId: (typeof TEST)[keyof typeof TEST];
   onBack(): void;
   onClose(): void;
 }
 
-/** After something whole was replaced or deleted: a line with the way back. */
-export function WayBack({ words, action, testId, onBack, onClose }: WayBackProps) {
+/** After something whole was replaced, deleted or overtaken: a line with the way to it. */
+export function WayBack({ words, action, Icon = Undo2, testId, onBack, onClose }: WayBackProps) {
   const { close } = texts.value.trouble;
   return (
     <div class="line-message way-back" role="status">
       <span>{words}</span>
       <button type="button" class="button" data-testid={testId} onClick={onBack}>
-        <Undo2 class="icon" aria-hidden="true" />
+        <Icon class="icon" aria-hidden="true" />
         {action}
       </button>
       <button

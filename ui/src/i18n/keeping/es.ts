@@ -23,6 +23,8 @@ export const es: typeof ptBR = {
   incomplete: "con bloques por arreglar",
   madeOf: (n: number) => `hecha a partir de la versión ${n}`,
   forkTitle: (n: number) => `${n} computadoras siguieron al mismo tiempo.`,
+  elsewhere: (computer: string) =>
+    `${computer} también siguió con este programa. Las dos continuaciones están guardadas en el historial.`,
   forkKept: "Nada se perdió: todas quedaron guardadas.",
   unknownComputer: "Otra computadora",
   name: "Ponerle nombre",

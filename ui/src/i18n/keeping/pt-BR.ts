@@ -24,6 +24,8 @@ export const ptBR = {
   forkTitle: (n: number) => `${n} computadores continuaram ao mesmo tempo.`,
   forkKept: "Nada se perdeu: todas as continuações ficaram guardadas.",
   unknownComputer: "Outro computador",
+  elsewhere: (computer: string) =>
+    `${computer} também continuou este programa. As duas continuações estão guardadas no histórico.`,
   name: "Dar um nome",
   rename: "Mudar o nome",
   nameLabel: "Nome desta versão",

@@ -1,0 +1,41 @@
+import { useSignal } from "@preact/signals";
+import { Columns2 } from "lucide-preact";
+import type { ProgramWithVersion } from "../api/model";
+import { remember, remembered } from "../app/remembered";
+import { go } from "../app/route";
+import { TEST } from "../app/testids";
+import { texts } from "../i18n";
+import { WayBack } from "./WayBack";
+
+const COOKIE = "pinel_elsewhere";
+const APART = "_";
+/** Enough for all groups of a school, and far from what a cookie holds. */
+const MOST_KEPT = 40;
+
+/** Two PCs went on with one program: a group that misses half of its work is told once where it is. */
+export function Elsewhere({ program }: { program: ProgramWithVersion }) {
+  const { elsewhere, version } = program;
+  const isSeen = useSignal(elsewhere === null || seen().includes(elsewhere.id));
+  if (isSeen.value || !elsewhere || !version) return null;
+  const words = texts.value.keeping;
+  const see = () => {
+    remember(COOKIE, [...seen(), elsewhere.id].slice(-MOST_KEPT).join(APART));
+    isSeen.value = true;
+  };
+  return (
+    <WayBack
+      words={words.elsewhere(elsewhere.computer || words.unknownComputer)}
+      action={words.compareBranches}
+      Icon={Columns2}
+      testId={TEST.elsewhere}
+      onBack={() => {
+        see();
+        const [before, after] = [elsewhere.id, version.id];
+        go({ screen: "differences", program: program.id, before, after });
+      }}
+      onClose={see}
+    />
+  );
+}
+
+const seen = () => remembered(COOKIE)?.split(APART) ?? [];
