@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import { EXCHANGE_TEXTS } from "../exchange/words";
 import { TEACHER_TEXTS } from "../teacher/words";
 import { CATALOGUES } from ".";
-import { decimal, duration, headingDegrees, when } from "./format";
+import { decimal, duration, headingDegrees, moment, when } from "./format";
 import { LANGUAGES, type Language } from "./language";
 import { reasonWords } from "./reasons";
 import { figureWords, REVIEW_TEXTS } from "./review";
@@ -84,7 +84,7 @@ describe("figures", () => {
 
   test("of durations change to minutes", () => {
     expect(duration(17.2, "pt-BR")).toBe("17,2\u00a0s");
-    expect(duration(125, "pt-BR")).toBe("2 min 05 s");
+    expect(duration(125, "pt-BR")).toBe("2\u00a0min\u00a005\u00a0s");
   });
 
   test("of moments are said as on that day", () => {
@@ -96,6 +96,14 @@ describe("figures", () => {
     expect(ago(5)).toBe("há 5 min");
     expect(ago(120)).toMatch(/^hoje, /);
     expect(ago(60 * 20)).toMatch(/^ontem, /);
-    expect(ago(60 * 24 * 9)).toContain("novembro");
+    expect(ago(60 * 24 * 9)).toBe("12\u00a0de\u00a0nov., 15:00");
+    expect(ago(60 * 24 * 365)).toContain("de\u00a02025, 15:00");
+  });
+
+  test("of runs tell the time of day, however short ago they were", () => {
+    const now = new Date(2026, 10, 21, 15, 0, 0);
+    const at = new Date(2026, 10, 21, 14, 58, 0).toISOString();
+    expect(moment(at, now, "pt-BR", CATALOGUES["pt-BR"])).toBe("hoje, 14:58");
+    expect(moment(at, now, "en", CATALOGUES.en)).toMatch(/^today, 02:58\sPM$/);
   });
 });

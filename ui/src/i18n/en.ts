@@ -276,6 +276,7 @@ export const en: Texts = {
       stopped: "Stopped by the group",
       failed: "Did not finish",
     },
+    passed: "Passed the activity",
     noName: "No name",
   },
   replay: {
@@ -303,6 +304,13 @@ export const en: Texts = {
     gone: "We keep trying. If it does not come back, close and open the program. What was saved is kept.",
     failedTitle: "That did not work.",
     back: "Back to the beginning",
+    deleted: {
+      group: "The group was deleted on this PC.",
+      program: "The program was deleted on this PC.",
+      take: "The blocks stay on this screen, but they can no longer be kept. Before you leave, you can take the program along as text.",
+      leave: "What is on this screen can no longer be kept.",
+      takeText: "Take as text",
+    },
     close: "Close the message",
   },
   units: {

@@ -278,6 +278,7 @@ export const es: Texts = {
       stopped: "Parado por el grupo",
       failed: "No terminó",
     },
+    passed: "Cumplió la actividad",
     noName: "Sin nombre",
   },
   replay: {
@@ -305,6 +306,13 @@ export const es: Texts = {
     gone: "Seguimos intentando. Si no vuelve, cierren y abran el programa. Lo que se guardó está a salvo.",
     failedTitle: "Eso no funcionó.",
     back: "Volver al inicio",
+    deleted: {
+      group: "El grupo fue borrado en esta computadora.",
+      program: "El programa fue borrado en esta computadora.",
+      take: "Los bloques siguen en esta pantalla, pero ya no se pueden guardar. Antes de salir, pueden llevarse el programa en texto.",
+      leave: "Lo que está en esta pantalla ya no se puede guardar.",
+      takeText: "Llevar en texto",
+    },
     close: "Cerrar el aviso",
   },
   units: {

@@ -34,25 +34,40 @@ export function headingDegrees(yaw: number): number {
   return Math.abs(wrapped) < 0.05 ? 0 : wrapped;
 }
 
-/** How long something took: "17,2 s", "2 min 05 s". */
+/** How long something took: "17,2 s", "2 min 05 s"; a line never breaks inside it. */
 export function duration(total: number, language: Language): string {
   if (total < 60) return seconds(total, language);
   const minutes = Math.floor(total / 60);
-  return `${minutes} min ${String(Math.floor(total % 60)).padStart(2, "0")} s`;
+  const rest = String(Math.floor(total % 60)).padStart(2, "0");
+  return `${minutes}\u00a0min\u00a0${rest}\u00a0s`;
 }
 
-/** When something was, the way one would say it on that day. */
+/** When something was, the way one would say it on that day: "há 5 min", "hoje, 14:06", "19 de nov., 14:06". */
 export function when(iso: string, now: Date, language: Language, texts: Texts): string {
-  const then = new Date(iso);
-  const minutes = Math.floor((now.getTime() - then.getTime()) / 60_000);
+  const minutes = Math.floor((now.getTime() - new Date(iso).getTime()) / 60_000);
   if (minutes >= 0 && minutes < 1) return texts.units.now;
   if (minutes >= 0 && minutes < 60) return texts.units.minutesAgo(minutes);
-  const time = then.toLocaleTimeString(language, { hour: "2-digit", minute: "2-digit" });
+  return moment(iso, now, language, texts);
+}
+
+/** The same with the time of day always, for what is told apart by it. */
+export function moment(iso: string, now: Date, language: Language, texts: Texts): string {
+  const then = new Date(iso);
+  const time = whole(then.toLocaleTimeString(language, { hour: "2-digit", minute: "2-digit" }));
   const days = dayNumber(now) - dayNumber(then);
   if (days === 0) return texts.units.today(time);
   if (days === 1) return texts.units.yesterday(time);
-  return then.toLocaleDateString(language, { day: "numeric", month: "long", year: "numeric" });
+  const sameYear = then.getFullYear() === now.getFullYear();
+  const day = then.toLocaleDateString(language, {
+    day: "numeric",
+    month: "short",
+    ...(sameYear ? {} : { year: "numeric" }),
+  });
+  return `${whole(day)}, ${time}`;
 }
+
+/** A text that stays on one line. */
+const whole = (text: string) => text.replace(/\s/g, "\u00a0");
 
 function dayNumber(date: Date): number {
   return Math.round(

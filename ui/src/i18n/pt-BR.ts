@@ -272,9 +272,10 @@ export const ptBR = {
     states: {
       running: "Rodando agora",
       finished: "Terminou",
-      stopped: "Parado pelo grupo",
+      stopped: "Parada pelo grupo",
       failed: "Não terminou",
     },
+    passed: "Cumpriu a atividade",
     noName: "Sem nome",
   },
   replay: {
@@ -302,6 +303,13 @@ export const ptBR = {
     gone: "Estamos tentando de novo. Se não voltar, feche e abra o programa. O que já foi salvo está guardado.",
     failedTitle: "Isto não deu certo.",
     back: "Voltar ao início",
+    deleted: {
+      group: "O grupo foi apagado neste computador.",
+      program: "O programa foi apagado neste computador.",
+      take: "Os blocos continuam nesta tela, mas não dá mais para guardar. Antes de sair, vocês podem levar o programa em texto.",
+      leave: "Não dá mais para guardar o que está nesta tela.",
+      takeText: "Levar em texto",
+    },
     close: "Fechar aviso",
   },
   units: {

@@ -2,7 +2,7 @@ import type { Signal } from "@preact/signals";
 import { hashOf } from "../app/route";
 import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
-import { duration, when } from "../i18n/format";
+import { duration, moment } from "../i18n/format";
 import { words } from "../i18n/review";
 import { PathPicture } from "../scene/PathPicture";
 import { GroupPicture } from "../screens/GroupPicture";
@@ -31,7 +31,7 @@ export function HistoryCard({ run, chosen }: HistoryCardProps) {
   const outcome = outcomeOf(run);
   const name = run.program_name ?? work.noName;
   const facts = [
-    when(run.started_at, new Date(), language.value, texts.value),
+    moment(run.started_at, new Date(), language.value, texts.value),
     run.duration_s === null ? null : duration(run.duration_s, language.value),
   ].filter(Boolean);
   const title = `${run.group?.name ?? runs.commandLine}, ${name}, ${outcomes[outcome]}`;

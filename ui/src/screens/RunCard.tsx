@@ -3,7 +3,7 @@ import type { Run } from "../api/model";
 import { hashOf } from "../app/route";
 import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
-import { duration, when } from "../i18n/format";
+import { duration, moment } from "../i18n/format";
 import { PathPicture } from "../scene/PathPicture";
 
 const ICONS = {
@@ -24,8 +24,9 @@ function placeOf(run: Run): string {
 export function RunCard({ run }: { run: Run }) {
   const { work } = texts.value;
   const Icon = ICONS[run.state];
+  const state = run.passed ? work.passed : work.states[run.state];
   const facts = [
-    when(run.started_at, new Date(), language.value, texts.value),
+    moment(run.started_at, new Date(), language.value, texts.value),
     run.duration_s === null ? null : duration(run.duration_s, language.value),
   ];
   return (
@@ -37,7 +38,7 @@ export function RunCard({ run }: { run: Run }) {
       <span class="work-card__words">
         <span class={`work-card__state work-card__state--${run.state}`}>
           <Icon class="icon" aria-hidden="true" />
-          {work.states[run.state]}
+          {state}
         </span>
         <span class="work-card__line work-card__line--strong">
           {run.program_name ?? work.noName}

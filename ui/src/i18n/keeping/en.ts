@@ -23,10 +23,10 @@ export const en: typeof ptBR = {
   incomplete: "with blocks to mend",
   madeOf: (n: number) => `made from version ${n}`,
   forkTitle: (n: number) => `${n} computers went on at the same time.`,
-  elsewhere: (computer: string) =>
-    `${computer} went on with this program too. Both ways are kept in the history.`,
   forkKept: "Nothing was lost: all of them were kept.",
   unknownComputer: "Another computer",
+  elsewhere: (computer: string) =>
+    `${computer} went on with this program too. Both ways are kept in the history.`,
   name: "Give it a name",
   rename: "Change its name",
   nameLabel: "Name of this version",

@@ -23,10 +23,10 @@ export const es: typeof ptBR = {
   incomplete: "con bloques por arreglar",
   madeOf: (n: number) => `hecha a partir de la versión ${n}`,
   forkTitle: (n: number) => `${n} computadoras siguieron al mismo tiempo.`,
-  elsewhere: (computer: string) =>
-    `${computer} también siguió con este programa. Las dos continuaciones están guardadas en el historial.`,
   forkKept: "Nada se perdió: todas quedaron guardadas.",
   unknownComputer: "Otra computadora",
+  elsewhere: (computer: string) =>
+    `${computer} también siguió con este programa. Las dos continuaciones están guardadas en el historial.`,
   name: "Ponerle nombre",
   rename: "Cambiar el nombre",
   nameLabel: "Nombre de esta versión",
@@ -71,7 +71,7 @@ export const es: typeof ptBR = {
   allRuns: "Todos",
   allPrograms: "Todos los programas",
   ofProgram: "Recorridos de qué programa",
-  outcomes: { finished: "Terminaron", stopped: "Detenidos", failed: "No terminaron" },
+  outcomes: { finished: "Terminaron", stopped: "Parados", failed: "No terminaron" },
   noneLike: "Ningún recorrido así.",
   noneLikeYet: "Ningún recorrido así entre los mostrados.",
 };
