@@ -1,10 +1,7 @@
 import "./app/ask_first";
 import "./app/known_language";
 import { render } from "preact";
-import "./design/fonts.css";
-import "./design/tokens.css";
-import "./design/base.css";
-import "./design/controls.css";
+import "./styles";
 import { firstAnswers } from "./app/first_answers";
 import { open } from "./app/session";
 import { App } from "./screens/App";

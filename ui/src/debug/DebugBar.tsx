@@ -13,7 +13,6 @@ import { decimal } from "../i18n/format";
 import type { StepMode } from "../run/live";
 import type { Phase } from "../run/reducer";
 import { LIFELIKE, lifelike, SPEEDS, speed } from "./debugging";
-import "./debug.css";
 
 interface DebugBarProps {
   phase: Phase;

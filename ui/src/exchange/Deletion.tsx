@@ -6,7 +6,6 @@ import { TEST } from "../app/testids";
 import { useAct } from "../teacher/act";
 import { FaultLine } from "../teacher/FaultLine";
 import { words } from "./words";
-import "./exchange.css";
 
 interface Properties {
   classroom: Classroom | undefined;

@@ -10,7 +10,6 @@ import { MergeBox } from "./MergeBox";
 import { SaveBox } from "./SaveBox";
 import { SharedFolder } from "./SharedFolder";
 import { words } from "./words";
-import "./exchange.css";
 
 /** A stick is noticed so soon after it was plugged in. */
 const LOOK_MS = 4000;

@@ -7,7 +7,6 @@ import { report } from "../app/session";
 import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
 import { when } from "../i18n/format";
-import "./notes.css";
 
 /** What the teacher wrote and the group has not read yet, as letters; nothing while there are none. */
 export function Letters({ groupId }: { groupId: string }) {

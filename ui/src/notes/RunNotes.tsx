@@ -5,7 +5,6 @@ import { keeping, type Note } from "../api/keeping";
 import { report } from "../app/session";
 import { TEST } from "../app/testids";
 import { texts } from "../i18n";
-import "./notes.css";
 
 /** What the teacher wrote about the run that is replayed. */
 export function RunNotes({ runId }: { runId: string }) {

@@ -12,8 +12,6 @@ import { csvOf } from "./csv";
 import { FIGURES, type FigureName } from "./figures";
 import { Legend } from "./Legend";
 import { pictureOf } from "./picture";
-import "../run/text/text.css";
-import "./plots.css";
 
 /** The measurements of a run, live or recorded, and the moment that is looked at. */
 export interface PlotSource {

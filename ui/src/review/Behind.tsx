@@ -4,7 +4,6 @@ import { group, program, report } from "../app/session";
 import { door, giveUpWaiting, knowDoor } from "../app/teacher";
 import { DoorForm } from "../teacher/DoorForm";
 import { Preparation } from "../teacher/Preparation";
-import "../teacher/teacher.css";
 
 /** What only the teacher sees: asks for the PIN first, and again when the door has shut, and keeps what is behind it. */
 export function Behind({ children }: { children: ComponentChildren }) {

@@ -22,11 +22,6 @@ import { outcomeOf } from "./model";
 import { Pair, type Side } from "./pair";
 import { SideBlocks } from "./SideBlocks";
 import { Sign } from "./Sign";
-import "../run/run.css";
-import "../screens/studio.css";
-import "../screens/replay.css";
-import "./parts.css";
-import "./compare.css";
 
 type View = "apart" | "together";
 

@@ -19,10 +19,6 @@ import { linesOf, type TimeOf } from "./lines";
 import type { LessonReview } from "./model";
 import { canPrint, forPaper, PAPER_PX, printPage } from "./printing";
 import { TipBubble } from "./TipBubble";
-import "./parts.css";
-import "./line.css";
-import "./lesson.css";
-import "./print.css";
 
 interface Loaded {
   review: LessonReview;

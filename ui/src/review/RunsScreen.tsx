@@ -13,9 +13,6 @@ import { Behind } from "./Behind";
 import { HistoryCard } from "./HistoryCard";
 import type { HistoryRun } from "./model";
 import { NO_FILTER, RunFilters, type School } from "./RunFilters";
-import "../screens/work.css";
-import "./parts.css";
-import "./runs.css";
 
 /** What was chosen last stays for as long as the page is open: a replay is a step away and back. */
 const filter = signal<RunFilter>(NO_FILTER);

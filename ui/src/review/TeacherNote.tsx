@@ -9,7 +9,6 @@ import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
 import { when } from "../i18n/format";
 import { words } from "../i18n/review";
-import "./note.css";
 
 const LONGEST = 5000;
 

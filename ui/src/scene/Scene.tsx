@@ -17,7 +17,6 @@ import type { Measurements } from "./ranges_view";
 import { SceneRenderer } from "./renderer";
 import { Toolbar } from "./Toolbar";
 import { SceneTools } from "./tools";
-import "./scene.css";
 
 /** A robot that a hand may put somewhere else, and whose sensors can be asked. */
 export interface RobotHold {

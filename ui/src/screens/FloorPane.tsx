@@ -11,7 +11,6 @@ import { FootButton } from "./FootButton";
 import { Stage } from "./Stage";
 import type { StudioControl } from "./studio_control";
 import { WayBack } from "./WayBack";
-import "../run/run.css";
 
 export function FloorPane({ control }: { control: StudioControl }) {
   const drawer = useSignal(DRAWER);

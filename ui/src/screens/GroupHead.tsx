@@ -9,7 +9,6 @@ import { texts } from "../i18n";
 import { GroupPicture } from "./GroupPicture";
 import { PictureChoice } from "./PictureChoice";
 import { COLORS } from "./pictures";
-import "./group_head.css";
 
 const LONGEST = 60;
 

@@ -1,6 +1,5 @@
 import { UsersRound } from "lucide-preact";
 import { isPicture, PICTURES } from "./pictures";
-import "./pictures.css";
 
 interface GroupPictureProps {
   name: string;

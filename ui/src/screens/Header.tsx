@@ -6,7 +6,6 @@ import { TEST } from "../app/testids";
 import { nextTheme, setTheme, theme } from "../app/theme";
 import { language, texts } from "../i18n";
 import { isLanguage, LANGUAGES } from "../i18n/language";
-import "./header.css";
 import { GroupPicture } from "./GroupPicture";
 import { LessonChip } from "./LessonChip";
 import { Mark } from "./Mark";

@@ -16,7 +16,6 @@ import { later } from "./later";
 import { ReplayBlocks, ReplayWords } from "./ReplayParts";
 import type { Recording } from "./recording";
 import { Transport } from "./Transport";
-import "../run/run.css";
 
 const TeacherNote = later(async () => (await import("../review/TeacherNote")).TeacherNote);
 const PlotsPanel = later(async () => (await import("../plots/PlotsPanel")).PlotsPanel);

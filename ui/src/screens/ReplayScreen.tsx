@@ -7,8 +7,6 @@ import { texts } from "../i18n";
 import { NotOpened } from "./NotOpened";
 import { Replay } from "./Replay";
 import { loadRecording, type Recording } from "./recording";
-import "./studio.css";
-import "./replay.css";
 
 export function ReplayScreen({ runId }: { runId: string }) {
   const [recording, setRecording] = useState<Recording | null>(null);

@@ -15,7 +15,6 @@ import { GroupCard } from "./GroupCard";
 import { NewGroup } from "./NewGroup";
 import { BringIn } from "./ProgramFile";
 import { StartPicture } from "./StartPicture";
-import "./start.css";
 
 const SHOWN_AT_FIRST = 11;
 

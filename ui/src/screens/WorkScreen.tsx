@@ -16,8 +16,6 @@ import { RunCard } from "./RunCard";
 import { RunFilters } from "./RunFilters";
 import { RunList } from "./run_list";
 import { WayBack } from "./WayBack";
-import "./keeping.css";
-import "./work.css";
 
 /** Everything a group has made: its programs and their runs, as pictures of their paths. */
 export function WorkScreen({ groupId }: { groupId: string }) {

@@ -16,7 +16,6 @@ import { momentOf } from "./moments";
 import { OpenLesson } from "./OpenLesson";
 import type { School } from "./TeacherScreen";
 import { words } from "./words";
-import "./lessons.css";
 
 /** What each class is about now, and has been about. */
 export function LessonsPart({ school: { classes, groups } }: { school: School }) {

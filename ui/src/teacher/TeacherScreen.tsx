@@ -14,7 +14,6 @@ import { DoorForm } from "./DoorForm";
 import { LessonsPart } from "./LessonsPart";
 import { Preparation } from "./Preparation";
 import { words } from "./words";
-import "./teacher.css";
 
 /** Classes and groups of the file; `reload` after something was changed. */
 export interface School {

@@ -9,9 +9,6 @@ import {
 import { group, program, report } from "../app/session";
 import { texts } from "../i18n";
 import { NotOpened } from "../screens/NotOpened";
-import "../screens/studio.css";
-import "./versions.css";
-import "./differences.css";
 import { Differences } from "./Differences";
 
 interface DifferencesScreenProps {

@@ -3,7 +3,11 @@ import { type Difference, SIGNS } from "../editor/difference_sign";
 /** The sign that blocks carry, for lists. */
 export function Sign({ kind }: { kind: Difference }) {
   return (
-    <svg class={`sign pinelSign--${kind} pinelSign`} viewBox="-13 -13 26 26" aria-hidden="true">
+    <svg
+      class={`difference-sign pinelSign--${kind} pinelSign`}
+      viewBox="-13 -13 26 26"
+      aria-hidden="true"
+    >
       <circle r="12" />
       <path d={SIGNS[kind]} />
     </svg>

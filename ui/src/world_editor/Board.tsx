@@ -11,8 +11,6 @@ import { FaultNote } from "./FaultNote";
 import { Handles } from "./Handles";
 import { pressed } from "./keys";
 import { Outlines } from "./Outlines";
-import "./board.css";
-import "../scene/scene.css";
 
 const ZOOM_STEP = 1.4;
 /** A hand that trembles has not moved, pixels. */

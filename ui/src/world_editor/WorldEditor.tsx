@@ -14,7 +14,6 @@ import { thingOf } from "./plan";
 import { StartPanel, ThingPanel } from "./ThingPanel";
 import { Toolbox } from "./Toolbox";
 import { WorldPanel } from "./WorldPanel";
-import "./world_editor.css";
 
 interface WorldEditorProps {
   desk: WorldDesk;

@@ -5,7 +5,6 @@ import type { LitBlock } from "../reducer";
 import { type DrawerState, TABS } from "./drawer";
 import { IrPanel } from "./IrPanel";
 import { PythonPane } from "./PythonPane";
-import "./text.css";
 
 interface TextDrawerProps {
   state: DrawerState;
