@@ -58,3 +58,51 @@ def test_a_disk_that_fills_up_is_said_and_the_line_goes_by_itself_when_there_is_
         expect(studio["notice"]).to_contain_text("resolvido")
         expect(studio["notice"]).to_have_count(0, timeout=15_000)
         studio.page.close()
+
+
+def test_a_group_that_is_deleted_under_its_program_is_told_once_and_can_take_its_text(
+    studio: Studio, watch: Watch
+) -> None:
+    watch.expect("404 (NOT FOUND)")
+    refused: list[str] = []
+    studio.page.on("response", lambda answer: answer.status == 404 and refused.append(answer.url))
+    studio.enter_group("Os Tatus")
+    studio.build_square("0,3")
+    studio.wait_until_saved()
+    [group] = studio.api("/groups")["groups"]
+    studio.tell("PUT", "/teacher/pin", {"pin": "314159"})
+    studio.tell("DELETE", f"/groups/{group['id']}")
+
+    studio.blocks.type_into(studio.blocks.by_words("andar para frente"), "0,5")
+    expect(studio["deleted"]).to_contain_text("O grupo foi apagado")
+    studio["run"].click()
+    studio.page.wait_for_timeout(3000)  # longer than any pause between two tries
+    assert len(refused) == 1
+    expect(studio["problem"]).to_have_count(0)
+    expect(studio["unsaved"]).to_have_count(0)
+    expect(studio["saved-mark"]).to_have_text("Não foi salvo")
+    expect(studio["header-group"]).to_have_count(0)
+    expect(studio["program-name"]).to_have_count(0)
+    expect(studio["open-work"]).to_be_disabled()
+
+    with studio.page.expect_download() as taken:
+        studio["take-text"].click()
+    assert taken.value.suggested_filename == "programa-1.py"
+    assert "0.5" in taken.value.path().read_text(encoding="utf-8")
+    studio["deleted"].get_by_role("link").click()
+    expect(studio["group-name"]).to_be_visible()
+
+
+@pytest.mark.parametrize("place", ["program", "versions", "run", "work"])
+def test_what_is_not_there_leaves_no_other_program_in_the_header(
+    studio: Studio, watch: Watch, place: str
+) -> None:
+    watch.expect("404 (NOT FOUND)")
+    studio.enter_group("Os Tatus")
+    studio.page.goto(f"{studio.origin}/#/{place}/nothing")
+    expect(studio["problem"]).to_be_visible()
+    expect(studio["header-group"]).to_have_count(0)
+    expect(studio["program-name"]).to_have_count(0)
+    expect(studio["saved-mark"]).to_have_count(0)
+    studio.page.get_by_role("link", name="Voltar ao início").click()
+    expect(studio["group-card"]).to_be_visible()

@@ -1,4 +1,5 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
+import { ApiError } from "../api/errors";
 import type { Content, SavedVersion } from "../api/model";
 import { Autosave } from "./autosave";
 
@@ -106,6 +107,26 @@ describe("a failure", () => {
     const autosave = new Autosave(save);
     autosave.edit(content(1));
     await expect(autosave.flush()).rejects.toThrow("no disk");
+  });
+});
+
+describe("a program that was deleted", () => {
+  test("is not tried again, whatever is edited or asked for", async () => {
+    const gone = new ApiError(404, { code: "program_not_found", message: "Gone." });
+    let tried = 0;
+    const autosave = new Autosave(async () => {
+      tried += 1;
+      throw gone;
+    });
+    autosave.edit(content(1));
+    await vi.advanceTimersByTimeAsync(20_000);
+    expect(autosave.state.value).toBe("deleted");
+    autosave.edit(content(2));
+    await expect(autosave.flush()).rejects.toBe(gone);
+    autosave.flushLast();
+    await vi.advanceTimersByTimeAsync(20_000);
+    expect(tried).toBe(1);
+    expect(autosave.state.value).toBe("deleted");
   });
 });
 

@@ -1,7 +1,9 @@
 import { signal } from "@preact/signals";
+import { ApiError } from "../api/errors";
 import type { Content, SavedVersion } from "../api/model";
 
-export type SaveState = "saved" | "saving" | "failed";
+/** `deleted`: there is no program any more, so that nothing can be saved, however often it is tried. */
+export type SaveState = "saved" | "saving" | "failed" | "deleted";
 
 type Save = (content: Content, last: boolean) => Promise<SavedVersion>;
 
@@ -9,6 +11,7 @@ type Save = (content: Content, last: boolean) => Promise<SavedVersion>;
 const QUIET_MS = 300;
 const AT_MOST_MS = 600;
 const RETRY_MS = [1000, 2000, 5000];
+const DELETED = ["program_not_found", "group_not_found"];
 
 /** Keeps one program on the server's disk: the newest content wins, one request at a time. */
 export class Autosave {
@@ -34,6 +37,7 @@ export class Autosave {
     const now = Date.now();
     if (!this.pending) this.pendingSince = now;
     this.pending = content;
+    if (this.isDeleted) return;
     this.failures = 0;
     this.state.value = "saving";
     const left = this.pendingSince + AT_MOST_MS - now;
@@ -43,6 +47,7 @@ export class Autosave {
   /** Saves now. Resolves when everything edited is on disk, rejects when it could not be saved. */
   async flush(): Promise<SavedVersion | null> {
     clearTimeout(this.timer);
+    if (this.isDeleted) throw this.problem.value;
     while (this.running || this.pending) await this.push();
     return this.version.value;
   }
@@ -50,7 +55,7 @@ export class Autosave {
   /** The page is closing: sends what is left without waiting for an answer. */
   flushLast(): void {
     clearTimeout(this.timer);
-    if (!this.pending) return;
+    if (!this.pending || this.isDeleted) return;
     const content = this.pending;
     this.pending = null;
     this.save(content, true).catch(() => {
@@ -61,6 +66,10 @@ export class Autosave {
   dispose(): void {
     this.flushLast();
     clearTimeout(this.timer);
+  }
+
+  private get isDeleted(): boolean {
+    return this.state.peek() === "deleted";
   }
 
   private schedule(delay: number): void {
@@ -93,6 +102,10 @@ export class Autosave {
 
   private failed(error: unknown): void {
     this.problem.value = error;
+    if (error instanceof ApiError && DELETED.includes(error.code)) {
+      this.state.value = "deleted";
+      return;
+    }
     this.state.value = "failed";
     const delay = RETRY_MS[Math.min(this.failures, RETRY_MS.length - 1)] ?? 5000;
     this.failures += 1;

@@ -1,9 +1,12 @@
-import { effect, signal } from "@preact/signals";
+import { computed, effect, signal } from "@preact/signals";
 import { api } from "../api/client";
+import { ServerGone } from "../api/errors";
 import type { Content, Fault, ProgramWithVersion, SavedVersion, World } from "../api/model";
 import { Autosave } from "./autosave";
 import { OwnWorld } from "./own_world";
 import { Parents } from "./parents";
+import { route } from "./route";
+import { group, program, report } from "./session";
 
 /** The program on the desk: what the header, the editor and the run bar share. */
 export class OpenProgram {
@@ -11,6 +14,8 @@ export class OpenProgram {
   readonly content = signal<Content | null>(null);
   readonly faults = signal<Fault[]>([]);
   readonly ownWorld: OwnWorld;
+  /** What was deleted for good in another window; what is on the screen stays there. */
+  readonly deleted = signal<"program" | "group" | null>(null);
   private readonly parents = new Parents();
   private readonly stopEffect: () => void;
 
@@ -26,6 +31,7 @@ export class OpenProgram {
     );
     this.stopEffect = effect(() => {
       this.faults.value = this.autosave.version.value?.faults ?? [];
+      if (this.autosave.state.value === "deleted") void this.takeLeave();
     });
   }
 
@@ -68,6 +74,16 @@ export class OpenProgram {
     this.autosave.dispose();
   }
 
+  /** Learns what was deleted, so that the header no longer offers what cannot be done. */
+  private async takeLeave(): Promise<void> {
+    const groups = await api.groups().catch(() => null);
+    const isGroupHere = groups?.some(({ id }) => id === this.program.group_id) ?? true;
+    this.deleted.value = isGroupHere ? "program" : "group";
+    if (opened.peek() !== this) return;
+    program.value = null;
+    if (!isGroupHere) group.value = null;
+  }
+
   private async keep(content: Content, last: boolean): Promise<SavedVersion> {
     const parent = this.parents.of(content.workspace);
     const kept = await api.saveVersion(
@@ -86,6 +102,21 @@ export class OpenProgram {
 }
 
 export const opened = signal<OpenProgram | null>(null);
+
+/** The program on the desk, while it is the one that is looked at. */
+export const onDesk = computed(() => {
+  const { value: now } = route;
+  return now.screen === "studio" && now.program === opened.value?.id ? opened.value : null;
+});
+
+/** What was asked for is not there: the header names nothing that would be changed in its place. */
+export function couldNotOpen(error: unknown): void {
+  // what could not be saved before the server went is sent when the page closes
+  if (!(error instanceof ServerGone)) opened.value = null;
+  group.value = null;
+  program.value = null;
+  report(error);
+}
 
 window.addEventListener("pagehide", () => opened.value?.autosave.flushLast());
 document.addEventListener("visibilitychange", () => {

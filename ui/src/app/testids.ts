@@ -214,6 +214,8 @@ export const TEST = {
   deleteToo: "delete-too",
   saveBundle: "save-bundle",
   sharedFolder: "shared-folder",
+  deleted: "deleted", // the program on the desk was deleted for good
+  takeText: "take-text", // then: its text as a file
   deletionOpen: "deletion-open",
   deletionWhat: "deletion-what", // a select
   deletionGo: "deletion-go",

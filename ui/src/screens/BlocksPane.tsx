@@ -79,6 +79,7 @@ function HistoryButton({ control: { open } }: { control: StudioControl }) {
       class="button button--plain"
       data-testid={TEST.openHistory}
       title={history}
+      disabled={open.deleted.value !== null}
       onClick={() => void show()}
     >
       <History class="icon" aria-hidden="true" />
@@ -146,7 +147,7 @@ function Workspace({ control }: { control: StudioControl }) {
       theme: theme.value,
       mediaPath: "/media/",
       level: level.value,
-      programName: () => program.value?.name ?? "",
+      programName: () => program.value?.name ?? control.open.program.name,
       onChange: (content) => control.onEdit(content),
       onNothingToUndo: () => control.undoPast(),
       peek: (expression) => control.peek(expression),

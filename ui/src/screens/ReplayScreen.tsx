@@ -1,8 +1,9 @@
 import { useEffect, useState } from "preact/hooks";
 import { api } from "../api/client";
 import type { RunWithVersion } from "../api/model";
+import { couldNotOpen } from "../app/open_program";
 import { go } from "../app/route";
-import { group, program, report } from "../app/session";
+import { group, program } from "../app/session";
 import { texts } from "../i18n";
 import { NotOpened } from "./NotOpened";
 import { Replay } from "./Replay";
@@ -21,8 +22,9 @@ export function ReplayScreen({ runId }: { runId: string }) {
         setRecording(loaded);
       },
       (error) => {
+        if (left) return;
         setFailed(true);
-        report(error);
+        couldNotOpen(error);
       },
     );
     return () => {
@@ -48,11 +50,12 @@ async function load(runId: string): Promise<Recording> {
 }
 
 async function nameInHeader(run: RunWithVersion): Promise<void> {
-  if (run.group_id && group.value?.id !== run.group_id) {
-    group.value = (await api.groups()).find((one) => one.id === run.group_id) ?? null;
+  if (group.value?.id !== run.group_id) {
+    const groups = run.group_id ? await api.groups() : [];
+    group.value = groups.find((one) => one.id === run.group_id) ?? null;
   }
-  if (run.program_id && program.value?.id !== run.program_id) {
-    program.value = await api.program(run.program_id);
+  if (program.value?.id !== run.program_id) {
+    program.value = run.program_id ? await api.program(run.program_id) : null;
   }
 }
 

@@ -1,5 +1,5 @@
 import { Check, LoaderCircle, TriangleAlert } from "lucide-preact";
-import { opened } from "../app/open_program";
+import { onDesk } from "../app/open_program";
 import { TEST } from "../app/testids";
 import { texts } from "../i18n";
 
@@ -8,22 +8,27 @@ const ICONS = {
   saving: LoaderCircle,
   failed: TriangleAlert,
   refused: TriangleAlert,
+  deleted: TriangleAlert,
 } as const;
 
 /** Whether the work is on disk: a fact, never a question. */
 export function SavedMark() {
   const { saved } = texts.value;
-  const open = opened.value;
+  const { value: open } = onDesk;
   if (!open) return null;
   const { value: saving } = open.autosave.state;
   const state = saving === "saved" && open.ownWorld.isRefused.value ? "refused" : saving;
   const Icon = ICONS[state];
   const retry = () => void open.autosave.flush().catch(() => {});
   return (
-    <span class={`saved saved--${state}`} data-testid={TEST.savedMark} data-state={state}>
+    <span
+      class={`saved saved--${state === "deleted" ? "failed" : state}`}
+      data-testid={TEST.savedMark}
+      data-state={state}
+    >
       <Icon class="icon" aria-hidden="true" />
       <span role="status" title={state === "failed" ? saved.failedRemedy : undefined}>
-        {saved[state]}
+        {state === "deleted" ? saved.failed : saved[state]}
       </span>
       {state === "failed" && (
         <button type="button" class="button" onClick={retry} title={saved.failedRemedy}>

@@ -1,13 +1,12 @@
 import { useLayoutEffect, useState } from "preact/hooks";
 import { programAndGroups } from "../app/first_answers";
-import { OpenProgram, opened } from "../app/open_program";
-import { group, program, report } from "../app/session";
+import { couldNotOpen, OpenProgram, opened } from "../app/open_program";
+import { group, program } from "../app/session";
 import { texts } from "../i18n";
 import { clear, live, liveRun } from "../run/live";
 import { isLive } from "../run/reducer";
 import { NotOpened } from "./NotOpened";
 import { Studio } from "./Studio";
-import "./studio.css";
 
 /** Opens a program and puts it on the desk. */
 export function StudioScreen({ programId }: { programId: string }) {
@@ -27,8 +26,9 @@ export function StudioScreen({ programId }: { programId: string }) {
         setOpen(made);
       },
       (error) => {
+        if (left) return;
         setFailed(true);
-        report(error);
+        couldNotOpen(error);
       },
     );
     return () => {

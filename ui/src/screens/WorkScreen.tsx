@@ -3,6 +3,7 @@ import { Plus } from "lucide-preact";
 import { useEffect } from "preact/hooks";
 import { api } from "../api/client";
 import { createProgram } from "../app/entering";
+import { couldNotOpen } from "../app/open_program";
 import { go } from "../app/route";
 import { group, program, report } from "../app/session";
 import { TEST } from "../app/testids";
@@ -10,6 +11,7 @@ import { texts } from "../i18n";
 import { Letters } from "../notes/Letters";
 import { Bin } from "./Bin";
 import { GroupHead } from "./GroupHead";
+import { NotOpened } from "./NotOpened";
 import { ProgramCard } from "./ProgramCard";
 import { ProgramShelf } from "./program_shelf";
 import { RunCard } from "./RunCard";
@@ -21,10 +23,12 @@ import { WayBack } from "./WayBack";
 export function WorkScreen({ groupId }: { groupId: string }) {
   const shelf = useSignal(new ProgramShelf(groupId)).peek();
   const list = useSignal(new RunList(groupId)).peek();
+  const failed = useSignal(false);
   const { value: programs } = shelf.programs;
   const { work, keeping } = texts.value;
 
   useEffect(() => {
+    let left = false;
     const load = async () => {
       if (group.value?.id !== groupId) {
         group.value = (await api.groups()).find((one) => one.id === groupId) ?? null;
@@ -32,7 +36,14 @@ export function WorkScreen({ groupId }: { groupId: string }) {
       await list.load();
       await shelf.load();
     };
-    load().catch(report);
+    load().catch((error) => {
+      if (left) return;
+      failed.value = true;
+      couldNotOpen(error);
+    });
+    return () => {
+      left = true;
+    };
   }, [groupId]);
 
   const pictureOf = (id: string) =>
@@ -44,6 +55,7 @@ export function WorkScreen({ groupId }: { groupId: string }) {
     go({ screen: "studio", program: made.id });
   };
 
+  if (failed.value) return <NotOpened />;
   if (!programs) return <main class="screen" aria-busy="true" />;
   return (
     <main class="screen work">

@@ -112,7 +112,7 @@ export class StudioControl {
   /** Undo goes on with what was there before the program was opened. */
   undoPast(): void {
     const take = (workspace: object | null) => this.editor?.undoTo(workspace) ?? true;
-    this.past.back(take).catch(report);
+    this.past.back(take).catch((error) => this.tell(error));
   }
 
   /** Shows a document as blocks in place of those that are there, and gives the program its name. */
@@ -182,8 +182,13 @@ export class StudioControl {
       await robot.start(version.id, this.worlds.name.value, wanted);
     } catch (error) {
       if (error instanceof ApiError && error.faults.length > 0) open.faults.value = error.faults;
-      else report(error);
+      else this.tell(error);
     }
+  }
+
+  /** Why nothing can be saved stands in a line of its own already. */
+  private tell(error: unknown): void {
+    if (error !== this.open.autosave.problem.peek()) report(error);
   }
 
   showFirst(): void {

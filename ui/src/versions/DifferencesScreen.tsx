@@ -6,7 +6,8 @@ import {
   type VersionDifference,
   type VersionMark,
 } from "../api/keeping";
-import { group, program, report } from "../app/session";
+import { couldNotOpen } from "../app/open_program";
+import { group, program } from "../app/session";
 import { texts } from "../i18n";
 import { NotOpened } from "../screens/NotOpened";
 import { Differences } from "./Differences";
@@ -36,8 +37,9 @@ export function DifferencesScreen({ program: programId, before, after }: Differe
         if (!left) setCompared(loaded);
       },
       (error) => {
+        if (left) return;
         setFailed(true);
-        report(error);
+        couldNotOpen(error);
       },
     );
     return () => {

@@ -2,6 +2,7 @@ import { History } from "lucide-preact";
 import { useEffect, useLayoutEffect, useState } from "preact/hooks";
 import { api } from "../api/client";
 import { keeping } from "../api/keeping";
+import { couldNotOpen } from "../app/open_program";
 import { hashOf } from "../app/route";
 import { group, program, report } from "../app/session";
 import { texts } from "../i18n";
@@ -30,8 +31,9 @@ export function VersionsScreen({ programId, versionId }: VersionsScreenProps) {
         else setHistory(made);
       },
       (error) => {
+        if (left) return;
         setFailed(true);
-        report(error);
+        couldNotOpen(error);
       },
     );
     return () => {
