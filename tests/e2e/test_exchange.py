@@ -48,7 +48,7 @@ def test_the_work_of_one_pc_comes_to_another(studio: Studio, other_pc: Studio, s
     studio.enter_group("Os Tatus")
     at_the_files(studio, stick)
     studio["save-bundle"].click()
-    expect(studio.page.get_by_text("Guardado em")).to_contain_text("1 grupo e 0 rodadas")
+    expect(studio.page.get_by_text("Salvo em")).to_contain_text("1 grupo e 0 rodadas")
     assert len(list(stick.glob("*.pinel"))) == 1
 
     (stick / "estragado.pinel").write_bytes(b"SQLite format 3\0 but not for long")
@@ -72,7 +72,7 @@ def test_a_group_is_deleted_for_good(studio: Studio, stick: Path) -> None:
     studio.enter_group("Os Tatus")
     at_the_files(studio, stick)
     studio["save-bundle"].click()
-    expect(studio.page.get_by_text("Guardado em")).to_be_visible()
+    expect(studio.page.get_by_text("Salvo em")).to_be_visible()
     studio.page.goto(f"{studio.origin}/#/teacher/classes")
     studio["deletion-open"].click()
     studio["deletion-what"].select_option(label="O grupo Os Tatus")
@@ -114,7 +114,7 @@ def test_what_was_deleted_elsewhere_goes_when_the_teacher_says_so(
     studio.enter_group("Os Tatus")
     at_the_files(studio, stick)
     studio["save-bundle"].click()
-    expect(studio.page.get_by_text("Guardado em")).to_be_visible()
+    expect(studio.page.get_by_text("Salvo em")).to_be_visible()
     at_the_files(other_pc, stick)
     other_pc["merge-files"].click()
     expect(other_pc["merge-results"]).to_contain_text("1 grupo")
@@ -124,7 +124,7 @@ def test_what_was_deleted_elsewhere_goes_when_the_teacher_says_so(
     for file in stick.glob("*.pinel"):
         file.unlink()
     studio["save-bundle"].click()
-    expect(studio.page.get_by_text("Guardado em")).to_contain_text("0 grupos")
+    expect(studio.page.get_by_text("Salvo em")).to_contain_text("0 grupos")
 
     other_pc["merge-files"].click()
     expect(other_pc["would-delete"]).to_contain_text("Os Tatus")

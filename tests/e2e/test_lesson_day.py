@@ -104,7 +104,7 @@ def open_lesson(pc: Studio) -> None:
 def save_on(pc: Studio, stick: Path) -> None:
     at_the_stick(pc, stick)
     pc["save-bundle"].click()
-    expect(pc.page.get_by_text("Guardado em")).to_be_visible()
+    expect(pc.page.get_by_text("Salvo em")).to_be_visible()
 
 
 def merge_all(pc: Studio, stick: Path) -> str:

@@ -18,18 +18,19 @@ export function SaveBox({ folders, classes, onSaved }: Properties) {
   const classroom = useSignal("");
   const anonymous = useSignal(false);
   const saving = useSignal<string | null>(null);
-  const saved = useSignal<Bundle | null>(null);
+  const saved = useSignal<{ bundle: Bundle; folder: Folder } | null>(null);
   const say = words.value;
   const writable = folders.filter((folder) => folder.is_writable);
   if (writable.length === 0) return null;
 
-  const save = async (folder: string) => {
-    saving.value = folder;
+  const save = async (folder: Folder) => {
+    saving.value = folder.path;
     saved.value = null;
     try {
-      saved.value = await asTeacher(() =>
-        exchange.write(folder, classroom.value || null, anonymous.value),
+      const bundle = await asTeacher(() =>
+        exchange.write(folder.path, classroom.value || null, anonymous.value),
       );
+      saved.value = bundle && { bundle, folder };
       onSaved();
     } finally {
       saving.value = null;
@@ -79,25 +80,22 @@ export function SaveBox({ folders, classes, onSaved }: Properties) {
             class="button"
             data-testid={TEST.saveBundle}
             disabled={saving.value !== null}
-            onClick={() => void save(folder.path).catch(report)}
+            onClick={() => void save(folder).catch(report)}
           >
             <Save class="icon" aria-hidden="true" />
-            {saving.value === folder.path
-              ? say.saving
-              : folder.is_stick
-                ? say.stick(folder.name)
-                : say.folder(folder.name)}
+            {saving.value === folder.path ? say.saving : say.saveIn(folder.name)}
           </button>
         ))}
       </div>
       <p role="status" class="exchange__saved">
-        {saved.value &&
-          say.saved(
-            saved.value.name,
-            say.groups(saved.value.n_groups),
-            say.runs(saved.value.n_runs),
-          )}
+        {saved.value && savedWords(saved.value.bundle, saved.value.folder)}
       </p>
     </section>
   );
+}
+
+function savedWords({ name, n_groups, n_runs }: Bundle, { is_stick }: Folder): string {
+  const say = words.value;
+  const saved = say.saved(name, say.groups(n_groups), say.runs(n_runs));
+  return is_stick ? `${saved} ${say.takeOut}` : saved;
 }

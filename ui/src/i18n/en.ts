@@ -66,7 +66,7 @@ export const en: Texts = {
     resume: "Go on",
     stop: "Stop",
     starting: "Starting…",
-    world: "Place",
+    world: "World",
     bar: "Robot controls",
     other: "The robot is running another program. Press Stop first.",
     otherEnded: "The other program has ended. Press Run to run this one.",

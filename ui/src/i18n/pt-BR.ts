@@ -40,7 +40,7 @@ export const ptBR = {
     namePlaceholder: "Nome do grupo",
     create: "Entrar",
     creating: "Entrando…",
-    nameMissing: "Escreva um nome para o grupo.",
+    nameMissing: "Escrevam um nome para o grupo.",
     groups: "Grupos",
     programs: (n: number) => (n === 1 ? "1 programa" : `${n} programas`),
     runs: (n: number) => (n === 1 ? "1 rodada" : `${n} rodadas`),
@@ -59,7 +59,7 @@ export const ptBR = {
     faultsTitle: (n: number) => (n === 1 ? "1 coisa para consertar" : `${n} coisas para consertar`),
     goToBlock: "Mostrar o bloco",
     unreadable:
-      "Este programa tem blocos que esta versão do PINEL não conhece. Ele continua guardado; crie outro programa.",
+      "Este programa tem blocos que esta versão do PINEL não conhece. Ele continua guardado; criem outro programa.",
   },
   run: {
     run: "Rodar",
@@ -67,10 +67,10 @@ export const ptBR = {
     resume: "Continuar",
     stop: "Parar",
     starting: "Preparando…",
-    world: "Lugar",
+    world: "Mundo",
     bar: "Comandos do robô",
-    other: "O robô está rodando outro programa. Aperte Parar antes.",
-    otherEnded: "O outro programa parou. Aperte Rodar para rodar este.",
+    other: "O robô está rodando outro programa. Apertem Parar antes.",
+    otherEnded: "O outro programa parou. Apertem Rodar para rodar este.",
   },
   debug: {
     bar: "Passo a passo",
@@ -107,13 +107,13 @@ export const ptBR = {
   },
   status: {
     label: "O que o robô faz agora",
-    empty: "Arraste um bloco para começar.",
-    emptyRun: "Ainda não há nada para rodar: encaixe um bloco embaixo do bloco de início.",
-    ready: "Tudo pronto. Aperte Rodar.",
+    empty: "Arrastem um bloco para começar.",
+    emptyRun: "Ainda não há nada para rodar: encaixem um bloco embaixo do bloco de início.",
+    ready: "Tudo pronto. Apertem Rodar.",
     faults: (n: number) =>
       n === 1
-        ? "Antes de rodar, conserte o bloco marcado."
-        : `Antes de rodar, conserte os ${n} blocos marcados.`,
+        ? "Antes de rodar, consertem o bloco marcado."
+        : `Antes de rodar, consertem os ${n} blocos marcados.`,
     starting: "Preparando o robô…",
     engineStarting: "O robô está ligando…",
     engineLost: "O robô se desligou sozinho. Ele já está ligando de novo.",
@@ -145,8 +145,8 @@ export const ptBR = {
     noGesture: "Nenhum gesto",
     round: (round: number, times: string) => `volta ${round} de ${times}`,
     held: "Em pausa antes deste bloco.",
-    heldHow: "Aperte Passo ou Continuar.",
-    paused: "Em pausa. Aperte Continuar.",
+    heldHow: "Apertem Passo ou Continuar.",
+    paused: "Em pausa. Apertem Continuar.",
     finished: "Programa terminou",
     finishedClosed: "Programa terminou: voltou ao ponto de partida",
     finishedAway: (distance: string) => `Programa terminou: parou a ${distance} da partida`,
@@ -164,10 +164,10 @@ export const ptBR = {
   },
   ir: {
     tab: "O que o robô recebe",
-    explain: "Seus blocos viram este texto. É só isto que o robô lê.",
+    explain: "Os blocos de vocês viram este texto. É só isto que o robô lê.",
     copy: "Copiar",
     copied: "Copiado",
-    empty: "Monte o programa: o texto aparece aqui.",
+    empty: "Montem o programa: o texto aparece aqui.",
   },
   show: {
     talk: "O que o robô diz",
@@ -200,11 +200,11 @@ export const ptBR = {
     smaller: "Diminuir o texto",
     leave: "Voltar sem mudar",
     put: "Pôr nos blocos",
-    empty: "Monte o programa com blocos, ou aperte Escrever: o Python aparece aqui.",
-    broken: "Conserte os blocos marcados: o Python aparece depois.",
+    empty: "Montem o programa com blocos, ou apertem Escrever: o Python aparece aqui.",
+    broken: "Consertem os blocos marcados: o Python aparece depois.",
     checking: "Conferindo…",
     fine: "Tudo certo. Dá para pôr nos blocos.",
-    unchanged: "Mude o texto. Depois dá para pôr nos blocos.",
+    unchanged: "Mudem o texto. Depois dá para pôr nos blocos.",
     faults: (n: number) => (n === 1 ? "1 coisa para consertar" : `${n} coisas para consertar`),
     place: (line: number, column: number) => `Linha ${line}, coluna ${column}`,
     keys: "Tab recua a linha. Esc e depois Tab sai do texto.",
@@ -214,7 +214,7 @@ export const ptBR = {
     placeAgain: "Usar de novo os blocos do Python",
     tooLong: (n: number, most: number) => `O programa tem ${n} comandos; em blocos cabem ${most}.`,
     tooLongRemedy:
-      "Troque comandos iguais em fila por um repetir, ou por uma função. Ele roda como está com pinel run.",
+      "Troquem comandos iguais seguidos por um repetir, ou por uma função. Ele roda como está com pinel run.",
   },
   level: {
     label: "Quantos blocos mostrar",
@@ -289,7 +289,7 @@ export const ptBR = {
     speed: "Velocidade",
     at: (now: string, end: string) => `${now} de ${end}`,
     loading: "Buscando a rodada…",
-    begin: "Aperte Tocar para rever a rodada.",
+    begin: "Apertem Tocar para rever a rodada.",
     openProgram: "Abrir o programa",
     ofVersion: "Os blocos como estavam nesta rodada",
     readOnly: "Só para ver: os blocos como estavam nesta rodada.",
@@ -298,9 +298,9 @@ export const ptBR = {
   trouble: {
     lockedTitle: "Esta página está fechada",
     locked: "Por segurança ela só abre pelo programa.",
-    lockedRemedy: "Feche esta página e abra de novo pelo programa PINEL.",
+    lockedRemedy: "Fechem esta página e abram de novo pelo programa PINEL.",
     goneTitle: "O PINEL não responde.",
-    gone: "Estamos tentando de novo. Se não voltar, feche e abra o programa. O que já foi salvo está guardado.",
+    gone: "Estamos tentando de novo. Se não voltar, fechem e abram o programa. O que já foi salvo não se perde.",
     failedTitle: "Isto não deu certo.",
     back: "Voltar ao início",
     deleted: {

@@ -58,7 +58,7 @@ export const ptBR: BlockTexts = {
   TIME: "tempo (s)",
   TIME_TIP: "Quantos segundos já se passaram desde que o programa começou.",
   FLOOR: "cor do chão",
-  FLOOR_TIP: "A cor do chão embaixo do robô. Compare com uma cor.",
+  FLOOR_TIP: "A cor do chão embaixo do robô. Comparem com uma cor.",
   COLOUR: "%1",
   COLOUR_TIP: "Uma cor para comparar com a cor do chão.",
   COLOUR_BLUE: "azul",
@@ -78,7 +78,7 @@ export const ptBR: BlockTexts = {
   LIDAR_TIP: "A distância que o laser mede nesse ângulo: 0 é à frente, de −90 a 90 graus.",
 
   REPEAT: "%1 repetir %2 vezes",
-  REPEAT_TIP: "Faz tudo o que está dentro, de novo e de novo, tantas vezes quantas você disser.",
+  REPEAT_TIP: "Faz tudo o que está dentro, de novo e de novo, tantas vezes quantas vocês disserem.",
   WAIT: "%1 esperar %2 s",
   WAIT_TIP: "O robô fica parado por esse tempo, de 0 a 600 segundos.",
   FOREVER: "%1 repetir para sempre",
@@ -124,7 +124,7 @@ export const ptBR: BlockTexts = {
   GESTURE_RESULT: "gesto lido",
   GESTURE_RESULT_TIP: "A letra do último gesto. Fica vazio se nenhum gesto foi reconhecido.",
   TEXT_LETTER: "%1",
-  TEXT_LETTER_TIP: "Uma letra para comparar com o gesto. Clique para trocar.",
+  TEXT_LETTER_TIP: "Uma letra para comparar com o gesto. Cliquem para trocar.",
   SET_GESTURE_RESULT: "%1 fazer de conta que o gesto é %2",
   SET_GESTURE_RESULT_TIP: "Guarda essa letra como se fosse um gesto. Bom para testar sem câmera.",
 
@@ -156,10 +156,10 @@ export const ptBR: BlockTexts = {
   ASK_NEW_NAME: "Que nome tem a nova variável?",
   ASK_RENAME: "Que nome passa a ter “%1”?",
   NAME_REFUSED: "Um nome tem letras, números, espaços e _, até 64. Ficou “%1”.",
-  NAME_TAKEN: "Já existe “%1” aqui. Escolha outro nome.",
+  NAME_TAKEN: "Já existe “%1” aqui. Escolham outro nome.",
 
   NUMBER: "%1",
-  NUMBER_TIP: "Um número. Clique para trocar.",
+  NUMBER_TIP: "Um número. Cliquem para trocar.",
   ARITHMETIC: "%1 %2 %3",
   ARITHMETIC_TIP:
     "Faz a conta: somar, subtrair, multiplicar, dividir ou elevar a uma potência (^).",
@@ -181,13 +181,13 @@ export const ptBR: BlockTexts = {
   MATH_MAX: "o maior de",
 
   TEXT: "%1",
-  TEXT_TIP: "Um texto. Clique para escrever.",
+  TEXT_TIP: "Um texto. Cliquem para escrever.",
   JOIN: "juntar",
   JOIN_TIP: "Junta textos e números num texto só, na ordem em que estão.",
   WORD: "palavra",
 
   LIST_OF: "lista",
-  LIST_OF_TIP: "Uma lista de valores, na ordem em que estão. Use + e − para mudar o tamanho.",
+  LIST_OF_TIP: "Uma lista de valores, na ordem em que estão. Usem + e − para mudar o tamanho.",
   LIST_DATA: "lista com %1 valores",
   LIST_DATA_TIP: "Uma lista longa que veio com o programa.",
   APPEND: "%1 pôr %2 no fim de %3",
@@ -199,7 +199,7 @@ export const ptBR: BlockTexts = {
 
   FUNCTION_DEF: "%1 definir %2",
   FUNCTION_DEF_TIP:
-    "Dá um nome ao que está encaixado embaixo, para usar quantas vezes quiser. O + acrescenta um valor.",
+    "Dá um nome ao que está encaixado embaixo, para usar quantas vezes quiserem. O + acrescenta um valor.",
   FUNCTION_NAME: "função",
   PARAMETER_NAME: "valor",
   WITH: "com",
@@ -220,13 +220,13 @@ export const ptBR: BlockTexts = {
   MINUS_PARAMETER: "Tirar este valor",
 
   SEARCH: "Procurar",
-  SEARCH_HINT: "Escreva o que o bloco faz.",
+  SEARCH_HINT: "Escrevam o que o bloco faz.",
   SEARCH_NOTHING: "Nenhum bloco tem essas palavras.",
   SEARCH_FOUND: "%1 blocos encontrados",
-  OVERVIEW: "O programa inteiro. Arraste para ir até uma parte.",
+  OVERVIEW: "O programa inteiro. Arrastem para ir até uma parte.",
   BREAKPOINT_ADD: "Pausar aqui",
   BREAKPOINT_REMOVE: "Não pausar mais aqui",
-  HINT_EMPTY: "Arraste um bloco para cá",
+  HINT_EMPTY: "Arrastem um bloco para cá",
   OUT_OF_RANGE: "Aqui vale um número de %1 a %2. Ficou %3.",
   AT_LEAST: "Aqui vale um número a partir de %1. Ficou %2.",
   NOT_A_NUMBER: "Aqui só vale número. Ficou %1.",

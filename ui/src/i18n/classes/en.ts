@@ -38,7 +38,7 @@ export const en: ClassesTexts = {
   change: "Change name, colour and picture",
   color: "Colour of the group",
   colorNumber: (n: number) => `Colour ${n}`,
-  save: "Keep",
+  save: "Save",
   cancel: "Cancel",
   lesson: (title: string) => `Lesson: ${title}`,
   door: "For the teacher",

@@ -30,7 +30,7 @@ export const ptBR = {
   rename: "Mudar o nome",
   nameLabel: "Nome desta versão",
   namePlaceholder: "anda certinho",
-  keepName: "Guardar",
+  keepName: "Salvar",
   leaveName: "Deixar como está",
   goOn: "Continuar daqui",
   goOnHelp:
@@ -62,7 +62,7 @@ export const ptBR = {
   binHint: "Os programas jogados fora ficam aqui, inteiros. As rodadas deles continuam na lista.",
   inBin: "Este programa está na lixeira.",
   takeBack: "Pegar de volta",
-  noteFrom: "Recado de quem dá a aula",
+  noteFrom: "Recado da professora ou do professor",
   noteAbout: (program: string) => `sobre uma rodada de ${program}`,
   noteSeeRun: "Rever a rodada",
   noteSeen: "Já lemos",

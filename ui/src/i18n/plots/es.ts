@@ -3,7 +3,7 @@ import type { PlotsTexts } from "./pt-BR";
 export const es: PlotsTexts = {
   label: "Gráficos del recorrido",
   open: "Gráficos",
-  empty: "Pulsen Ejecutar y los gráficos aparecen aquí.",
+  empty: "Presionen Ejecutar y los gráficos aparecen aquí.",
   larger: "Agrandar el gráfico",
   smaller: "Achicar el gráfico",
   save: "Guardar gráfico o tabla",

@@ -2,7 +2,7 @@ import type { ptBR } from "./pt-BR";
 
 export const es: typeof ptBR = {
   takeAlong: "Llevar el programa",
-  takeAlongHint: "Guarda el programa en un archivo, para seguir en otro ordenador.",
+  takeAlongHint: "Guarda el programa en un archivo, para seguir en otra computadora.",
   take: "Llevar",
-  bringIn: "Traer un programa de otro ordenador",
+  bringIn: "Traer un programa de otra computadora",
 };

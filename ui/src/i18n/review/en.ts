@@ -156,13 +156,13 @@ export const en: ReviewTexts = {
   compare: {
     title: "Two runs side by side",
     opening: "Fetching both runs…",
-    apart: "Two floors",
-    together: "One floor",
+    apart: "Apart",
+    together: "Together",
     view: "Paths",
     back: "Choose others",
     blocks: "Blocks",
     pathOf: (name) => `Path of ${name}`,
-    otherWorld: "The runs are in different places: the second path lies on the floor of the first.",
+    otherWorld: "The runs are in different worlds: the second path lies on the floor of the first.",
     blocksOf: (name) => `Blocks of ${name}`,
   },
 };

@@ -17,7 +17,7 @@ export const ptBR = {
     ownTime: "de cada grupo",
     ownTimeHelp: "Cada linha começa na primeira mudança do grupo",
     sameTime: "do relógio",
-    sameTimeHelp: "Todas as linhas no horário do relógio, umas sobre as outras",
+    sameTimeHelp: "Todas as linhas pela hora do relógio, umas sobre as outras",
     emptyTitle: "Ninguém trabalhou nesta aula ainda",
     empty:
       "Quando um grupo desta turma mudar um programa ou apertar Rodar, a linha dele aparece aqui.",
@@ -95,7 +95,7 @@ export const ptBR = {
     at: (time: string) => `às ${time}`,
     replay: "Rever",
     compare: (n: number) => `Comparar com a rodada ${n}`,
-    note: "Bilhete",
+    note: "Recado",
   },
   difference: {
     added: (block: string) => `puseram “${block}”`,
@@ -113,16 +113,16 @@ export const ptBR = {
     nothing: "vazio",
   },
   note: {
-    title: "Bilhete para o grupo",
-    help: "O grupo vê este bilhete na próxima vez que entrar.",
+    title: "Recado para o grupo",
+    help: "O grupo vê este recado na próxima vez que entrar.",
     placeholder: "Escreva aqui uma pergunta ou uma dica para o grupo.",
-    save: "Deixar o bilhete",
-    saving: "Guardando…",
-    saved: "Guardado",
+    save: "Deixar o recado",
+    saving: "Salvando…",
+    saved: "Salvo",
     change: "Mudar",
     seen: (when: string) => `O grupo leu: ${when}`,
     unseen: "O grupo ainda não leu.",
-    open: "Bilhete",
+    open: "Recado",
     close: "Fechar",
   },
   runs: {
@@ -158,14 +158,14 @@ export const ptBR = {
   compare: {
     title: "Duas rodadas lado a lado",
     opening: "Buscando as duas rodadas…",
-    apart: "Dois pisos",
-    together: "Um piso só",
+    apart: "Separados",
+    together: "Juntos",
     view: "Caminhos",
     back: "Escolher outras",
     blocks: "Blocos",
     pathOf: (name: string) => `Caminho de ${name}`,
     otherWorld:
-      "As rodadas são em lugares diferentes: o caminho da segunda está sobre o piso da primeira.",
+      "As rodadas são em mundos diferentes: o caminho da segunda está sobre o chão da primeira.",
     blocksOf: (name: string) => `Blocos de ${name}`,
   },
 };

@@ -93,8 +93,8 @@ export const en: TeacherTexts = {
     title: "This PC",
     name: "Name of this PC",
     nameHint: "Work that is made here carries this name.",
-    keep: "Keep",
-    kept: "Kept.",
+    keep: "Save",
+    kept: "Saved.",
     pin: "Change the PIN",
     newPin: "New PIN",
     newPinAgain: "The new PIN once more",
@@ -104,6 +104,6 @@ export const en: TeacherTexts = {
     never: "Do not remind",
     every: (minutes: number) => `Every ${minutes} minutes`,
   },
-  save: "Keep",
+  save: "Save",
   cancel: "Cancel",
 };

@@ -4,14 +4,14 @@ export const ptBR = {
     title: "Área do professor",
     hint: "Digite o PIN para abrir.",
     again:
-      "A área do professor se fechou porque ficou parada. Digite o PIN: o que você escreveu continua aqui.",
+      "A área do professor se fechou porque ninguém a usava. Digite o PIN: o que você escreveu continua aqui.",
     pin: "PIN",
     enter: "Abrir",
     back: "Voltar ao início",
     wait: (seconds: number) =>
       seconds === 1
-        ? "O PIN foi errado muitas vezes. Espere 1 segundo e tente de novo."
-        : `O PIN foi errado muitas vezes. Espere ${seconds} segundos e tente de novo.`,
+        ? "O PIN foi digitado errado muitas vezes. Espere 1 segundo e tente de novo."
+        : `O PIN foi digitado errado muitas vezes. Espere ${seconds} segundos e tente de novo.`,
     empty: "Digite o PIN.",
   },
   prepare: {
@@ -28,7 +28,7 @@ export const ptBR = {
     computerHint: "Ajuda a saber de onde vem cada trabalho. Pode ficar assim.",
     done: "Pronto, abrir a turma",
     forgotten:
-      "Esqueceu o PIN um dia? O comando pinel pin, na conta do computador que usa o PINEL, escolhe outro.",
+      "Se um dia esquecer o PIN: o comando pinel pin, na conta do computador que usa o PINEL, escolhe outro.",
   },
   parts: {
     label: "Área do professor",
@@ -43,7 +43,7 @@ export const ptBR = {
     makeClass: "Criar a primeira turma",
     now: "Aberta agora",
     since: (when: string) => `desde ${when}`,
-    byItself: "Nenhuma aula aberta por você: uma se abriu por si quando um grupo começou.",
+    byItself: "Você não abriu nenhuma aula: uma se abriu sozinha quando um grupo começou.",
     none: "Nenhuma aula aberta.",
     close: "Encerrar a aula",
     open: "Abrir uma aula",
@@ -56,8 +56,8 @@ export const ptBR = {
     same: "Nos outros computadores, abra com o mesmo título: será a mesma aula.",
     nameMissing: "Escreva o título da aula.",
     list: "Aulas desta turma",
-    untitled: "Sem título, aberta por si",
-    edits: (n: number) => (n === 1 ? "1 edição" : `${n} edições`),
+    untitled: "Sem título, aberta sozinha",
+    edits: (n: number) => (n === 1 ? "1 mudança" : `${n} mudanças`),
     runs: (n: number) => (n === 1 ? "1 rodada" : `${n} rodadas`),
     review: "Ver a aula",
     reviewOf: (title: string) => `Ver a aula: ${title}`,
@@ -65,11 +65,11 @@ export const ptBR = {
     picked: (n: number) => `${n} aulas marcadas`,
     join: "São a mesma aula",
     joinHint:
-      "Aulas que se abriram por si, ou em dias trocados pelo relógio de um computador: marque duas ou mais para juntá-las.",
+      "Aulas que se abriram sozinhas, ou em dias trocados pelo relógio de um computador: marque duas ou mais para juntá-las.",
     apart: "Separar",
     apartOf: (title: string) => `Separar: ${title}`,
     rename: "Mudar o título",
-    empty: "Ainda não houve aulas. Quando um grupo desta turma trabalha, uma aula se abre por si.",
+    empty: "Ainda não houve aulas. Quando um grupo desta turma trabalha, uma aula se abre sozinha.",
   },
   classes: {
     title: "Turmas e grupos",
@@ -93,8 +93,8 @@ export const ptBR = {
     title: "Este computador",
     name: "Nome deste computador",
     nameHint: "Os trabalhos feitos aqui levam este nome.",
-    keep: "Guardar",
-    kept: "Guardado.",
+    keep: "Salvar",
+    kept: "Salvo.",
     pin: "Mudar o PIN",
     newPin: "Novo PIN",
     newPinAgain: "O novo PIN, outra vez",
@@ -104,7 +104,7 @@ export const ptBR = {
     never: "Não lembrar",
     every: (minutes: number) => `A cada ${minutes} minutos`,
   },
-  save: "Guardar",
+  save: "Salvar",
   cancel: "Cancelar",
 };
 
