@@ -4,15 +4,21 @@ from pinel_desktop.activities.batch import check_files
 from pinel_desktop.activities.checking import Report, check_program
 from pinel_desktop.activities.faults import ActivityError
 from pinel_desktop.activities.model import Activity
-from pinel_desktop.activities.reading import activity_names, choose_activity, shipped_names
+from pinel_desktop.activities.reading import (
+    activity_names,
+    activity_titles,
+    choose_activity,
+    shipped_texts,
+)
 
 __all__ = [
     "Activity",
     "ActivityError",
     "Report",
     "activity_names",
+    "activity_titles",
     "check_files",
     "check_program",
     "choose_activity",
-    "shipped_names",
+    "shipped_texts",
 ]

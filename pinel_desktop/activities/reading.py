@@ -2,6 +2,7 @@
 
 import json
 import os
+from collections.abc import Iterator, Mapping
 from functools import cache
 from importlib import resources
 from pathlib import Path
@@ -30,9 +31,22 @@ def activity_names() -> list[str]:
     return list(_shipped())
 
 
-def shipped_names() -> list[str]:
-    """Names of worlds and activities that ship: they tell nothing of who used them."""
-    return [*(str(world["name"]) for world in list_worlds()), *activity_names()]
+def activity_titles(language: str) -> dict[str, str]:
+    """What each activity that ships is called in a language, by its name."""
+    return {name: one.title.model_dump(by_alias=True)[language] for name, one in _shipped().items()}
+
+
+def shipped_texts() -> list[str]:
+    """Names of worlds and activities that ship, and all texts of those worlds: they tell nothing of who used them."""
+    return sorted({*_texts_in(list_worlds()), *activity_names()})
+
+
+def _texts_in(value: object) -> Iterator[str]:
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, Mapping | list):
+        for part in value.values() if isinstance(value, Mapping) else value:
+            yield from _texts_in(part)
 
 
 def choose_activity(name_or_file: str) -> Activity:

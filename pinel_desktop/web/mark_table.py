@@ -38,6 +38,10 @@ def mark_table(
         reasons: why runs ended, in words, by run.
     """
 
+    from pinel_desktop.activities import activity_titles  # noqa: PLC0415 - heavy
+
+    titles = activity_titles(language)
+
     def words(code: str) -> str:
         return describe(f"review_{code}", {}, language).message
 
@@ -56,7 +60,7 @@ def mark_table(
             *(None if changes is None else count for count in changed),
             words(f"state_{run.state}") if run else None,
             reasons.get(run.id) if run else None,
-            run.activity if run else None,
+            titles.get(run.activity, run.activity) if run and run.activity else None,
             None if run is None or run.passed is None else words(_YES_NO[run.passed]),
             run.duration_s if run else None,
             begins.get(mark.repairs or ""),

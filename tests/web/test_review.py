@@ -148,6 +148,16 @@ def test_the_table_has_a_row_for_each_mark(
     assert rows[0][6:11] == ["1", "1", "0", "0", "0"]
 
 
+def test_the_table_calls_an_activity_by_its_title(
+    teacher: Browser, pupils: Pupils, lesson: Any
+) -> None:
+    pupils.run(pupils.edit(move()), passed=True)
+    teacher.put("/api/settings", {"language": "pt-BR"})
+    text = teacher.get(f"/api/lessons/{lesson['id']}/review.csv").text
+    assert ";Um quadrado de 1 m;" in text
+    assert ";square;" not in text
+
+
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_figure_says_in_words_what_it_counts(language: str) -> None:
     for name in (*Figures.model_fields, "blocks", "changes", "repairs"):

@@ -88,11 +88,9 @@ def change_lesson(path: IdPath, body: LessonChanges) -> Response:
 @api.get("/activities", responses=answers(ActivityList))
 def list_activities() -> Response:
     """The missions that a lesson may be about."""
-    from pinel_desktop.activities import activity_names, choose_activity  # noqa: PLC0415 - heavy
+    from pinel_desktop.activities import activity_titles  # noqa: PLC0415 - heavy
 
-    language = services().preferences.language
-    found = [choose_activity(name) for name in activity_names()]
-    titles = [(one.name, one.title.model_dump(by_alias=True)[language]) for one in found]
+    titles = activity_titles(services().preferences.language).items()
     return answer(
         ActivityList(activities=[ActivityTitle(name=name, title=title) for name, title in titles])
     )
