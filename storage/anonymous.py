@@ -55,7 +55,7 @@ def anonymising(known: Collection[str]) -> Callable[[sqlite3.Connection], None]:
     """What takes names and texts out of a bundle before it is finished.
 
     Args:
-        known: names of worlds and activities that ship, which tell nothing of a group.
+        known: names and texts of worlds and activities that ship, which tell nothing of a group.
     """
     return lambda db: _Anonymising(db, frozenset(known)).work()
 
@@ -63,7 +63,6 @@ def anonymising(known: Collection[str]) -> Callable[[sqlite3.Connection], None]:
 class _Anonymising:
     def __init__(self, db: sqlite3.Connection, known: frozenset[str]) -> None:
         self._db = db
-        self._shipped = known - {_OWN}
         self._known = known | {_OWN}
         self._keys: dict[str, str] = {}
         self._texts: dict[str, str] = {}
@@ -104,10 +103,9 @@ class _Anonymising:
             """UPDATE versions SET workspace = '{}', faults =
                CASE faults WHEN '[]' THEN '[]' ELSE '[["anonymous","",null,{}]]' END"""
         )
-        self._db.create_function("shipped", 1, self._shipped.__contains__)
         self._db.execute(
             """UPDATE runs SET world = plain(world), activity = plain(activity), block = plain(block),
-               world_document = CASE WHEN shipped(world) THEN world_document ELSE neutral(world_document) END"""
+               world_document = neutral(world_document)"""
         )
 
     def _replace_keys(self) -> None:
@@ -137,7 +135,7 @@ class _Anonymising:
         if isinstance(value, dict):
             names = key in _NAMING
             return {
-                (self._plain(name) if names else name): self._neutral(part, name)
+                (self._plain(name) if names else name): self._neutral(part, "" if names else name)
                 for name, part in value.items()
                 if name != "comment"
             }

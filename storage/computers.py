@@ -9,7 +9,8 @@ import sqlite3
 
 from storage import machine
 from storage.connection import Access
-from storage.text import clean_name, dumped, loaded, new_id
+from storage.errors import StoreError
+from storage.text import MAX_NAME, clean_name, dumped, loaded, new_id
 
 _KEY, _MARK = "computer_id", "machine_mark"
 
@@ -51,11 +52,19 @@ def here(db: sqlite3.Connection, now: str) -> tuple[str, str]:
         if _kept(db, _MARK) is None:  # made by an earlier release
             _keep(db, _MARK, machine.machine_mark())
         return found
-    key, name = new_id(), clean_name(platform.node() or "PC")
+    key, name = new_id(), _name_of_system()
     _keep(db, _KEY, key)
     _keep(db, _MARK, machine.machine_mark())
     db.execute("INSERT INTO computers (id, name, changed_at) VALUES (?, ?, ?)", [key, name, now])
     return key, name
+
+
+def _name_of_system() -> str:
+    """As the network knows the PC: up to 64 letters, of which a name here has fewer."""
+    try:
+        return clean_name(platform.node()[:MAX_NAME])
+    except StoreError:
+        return "PC"
 
 
 def known(db: sqlite3.Connection) -> tuple[str, str] | None:

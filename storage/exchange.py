@@ -38,7 +38,7 @@ class Exchange:
         """Writes a bundle; see `export_bundle`.
 
         Args:
-            anonymous: leaves names and texts out, but for these names of worlds and activities that ship.
+            anonymous: leaves names and texts out, but for these of worlds and activities that ship.
         """
         return export_bundle(
             self._access,

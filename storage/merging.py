@@ -29,10 +29,12 @@ from storage.content import (
     columns,
 )
 from storage.errors import StoreError
-from storage.removal import Doomed, bury_below, doomed, remove_keys, tombstones
+from storage.removal import Doomed, Exported, Gone, bury_below, doomed, remove_keys, tombstones
 from storage.text import dumped, new_id
 
 _FIRST = ("revision", "changed_at")
+# what decides before all else: a run that was cut off, as in a backup that came back, is less than one that has ended
+_RULES = {"runs": ("{side}.reason IS NOT 'interrupted'", "coalesce({side}.duration_s, 0)")}
 _DEAD = "(SELECT id FROM main.tombstones)"
 _BEFORE_VERSIONS = (COMPUTERS, CLASSROOMS, GROUPS, LESSONS, PROGRAMS)
 # what can be deleted by a key of its own
@@ -53,7 +55,8 @@ class MergeReport:
         removed: rows that went, as they were deleted where the bundle is from.
         would_delete: what stays, though it was deleted there, until the bundle is merged with `delete`.
         buried: keys of what was deleted; backups are to lose the same.
-        still_in: backups that could not be written anew, and may hold what was deleted.
+        exports: files that were written from this store and may still hold it.
+        still_in: backups that could not be written anew, and may hold it.
     """
 
     info: BundleInfo
@@ -63,7 +66,13 @@ class MergeReport:
     removed: dict[str, int]
     would_delete: Doomed | None = None
     buried: tuple[str, ...] = ()
+    exports: tuple[Exported, ...] = ()
     still_in: tuple[Path, ...] = ()
+
+    @property
+    def left_in(self) -> list[str]:
+        """Files that people have to delete by hand, as they may hold what was deleted."""
+        return [one.path for one in self.exports] + [str(path) for path in self.still_in]
 
     @property
     def nothing_new(self) -> bool:
@@ -116,7 +125,7 @@ def merge_attached(
     for content in _BEFORE_VERSIONS:
         merging.bury(content)
         merging.rows(content)
-    removed = _removed(db) if delete else {}
+    gone = _removed(db) if delete else Gone({}, ())
     for content in (VERSIONS, LABELS):
         merging.rows(content)
     merging.runs()
@@ -127,19 +136,20 @@ def merge_attached(
         _some(merging.added),
         _some(merging.changed),
         _some(merging.skipped),
-        removed,
+        gone.counts,
         None if delete else merging.would_delete(),
-        tuple(sorted(tombstones(db) - before)) if removed else (),
+        tuple(sorted(tombstones(db) - before)) if gone.counts else (),
+        gone.exports,
     )
 
 
-def _removed(db: sqlite3.Connection) -> dict[str, int]:
+def _removed(db: sqlite3.Connection) -> Gone:
     """Deletes what is dead now. Raises StoreError `run_in_progress`."""
     running = _running(db)
-    removed = remove_keys(db, ())
+    gone = remove_keys(db, ())
     if _running(db) != running:  # it is being recorded, and its group sits before it
         raise StoreError("run_in_progress")
-    return removed
+    return gone
 
 
 def heard_from(access: Access) -> list[Heard]:
@@ -266,7 +276,12 @@ class _Merging:
         order = [name for name in _FIRST if name in names] + rest
         # not coalesce alone: what stands in for NULL must not be greater than any number ("not judged" and "passed")
         theirs, ours = (
-            ", ".join(f"{side}.{name} IS NOT NULL, coalesce({side}.{name}, 0)" for name in order)
+            ", ".join(
+                [
+                    *(rule.format(side=side) for rule in _RULES.get(content.table, ())),
+                    *(f"{side}.{name} IS NOT NULL, coalesce({side}.{name}, 0)" for name in order),
+                ]
+            )
             for side in ("theirs", "ours")
         )
         return f"(({theirs}) {sign} ({ours}))"

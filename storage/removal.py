@@ -4,10 +4,11 @@ them back."""
 import sqlite3
 from collections.abc import Iterable
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from storage.connection import Access
+from storage.content import tuples
 from storage.errors import StoreError
 from storage.opening import connect
 from storage.text import loaded
@@ -45,20 +46,17 @@ _DOOMED_NAMES = f"""SELECT name FROM (
         OR id IN (SELECT run_id FROM main.notes WHERE id IN {_DEAD}))
     WHERE name <> '' GROUP BY name ORDER BY min(place), name LIMIT 20"""
 
-# kind -> what tells which class, group and programs it has to do with
-_RELATED = {
-    "classroom": """SELECT groups.classroom_id, groups.id, programs.id FROM groups
-        LEFT JOIN programs ON programs.group_id = groups.id WHERE groups.classroom_id = ?""",
-    "group": """SELECT groups.classroom_id, groups.id, programs.id FROM groups
-        LEFT JOIN programs ON programs.group_id = groups.id WHERE groups.id = ?""",
-    "program": """SELECT groups.classroom_id, groups.id, programs.id FROM programs
-        JOIN groups ON groups.id = programs.group_id WHERE programs.id = ?""",
-    "run": """SELECT groups.classroom_id, groups.id, runs.program_id FROM runs
-        LEFT JOIN groups ON groups.id = runs.group_id WHERE runs.id = ?""",
-    "lesson": "SELECT classroom_id FROM lessons WHERE id = ?",
-    "note": """SELECT groups.classroom_id, groups.id, runs.program_id FROM notes JOIN runs ON runs.id = notes.run_id
-        LEFT JOIN groups ON groups.id = runs.group_id WHERE notes.id = ?""",
-}
+# whom what is dead and still here has to do with: files of a part are named when it is about one of these
+_RELATED = f"""
+    WITH dead_runs AS (
+             SELECT group_id, program_id FROM runs WHERE id IN {_DEAD_RUNS}
+                 OR id IN (SELECT run_id FROM notes WHERE id IN {_DEAD})),
+         dead_programs AS (SELECT id, group_id FROM programs WHERE id IN {_DEAD}
+                               OR id IN (SELECT program_id FROM dead_runs)),
+         dead_groups AS (SELECT id, classroom_id FROM groups WHERE id IN {_DEAD}
+                             OR id IN (SELECT group_id FROM dead_programs UNION SELECT group_id FROM dead_runs))
+    SELECT id FROM tombstones UNION SELECT id FROM dead_programs UNION SELECT id FROM dead_groups
+    UNION SELECT classroom_id FROM dead_groups UNION SELECT classroom_id FROM lessons WHERE id IN {_DEAD}"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +65,14 @@ class Exported:
 
     path: str
     made_at: str
+
+
+@dataclass(frozen=True, slots=True)
+class Gone:
+    """Rows that went, by table, without those that lost none; and files that may still hold them."""
+
+    counts: dict[str, int]
+    exports: tuple[Exported, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,37 +105,36 @@ def remove(access: Access, kind: str, key: str) -> Removal:
     def job(db: sqlite3.Connection) -> Removal:
         if db.execute(f"SELECT 1 FROM {kind}s WHERE id = ?", [key]).fetchone() is None:
             raise StoreError(f"{kind}_not_found", id=key)
-        exports = _exports_of(db, kind, key)
         known, running = tombstones(db), _running(db)
-        counts = remove_keys(db, [key])
+        gone = remove_keys(db, [key])
         if _running(db) != running:
             raise StoreError("run_in_progress")
-        return Removal(tuple(sorted(tombstones(db) - known)), counts, exports, False)
+        return Removal(tuple(sorted(tombstones(db) - known)), gone.counts, gone.exports, False)
 
     removal = access.write(job)
     with closing(connect(access.address)) as db:
         overwritten = forget_log(db)
-    return Removal(removal.ids, removal.counts, removal.exports, overwritten)
+    return replace(removal, overwritten=overwritten)
 
 
-def remove_keys(db: sqlite3.Connection, ids: Iterable[str]) -> dict[str, int]:
+def remove_keys(db: sqlite3.Connection, ids: Iterable[str]) -> Gone:
     """Deletes rows by their keys with all that belongs to them, within the caller's transaction.
 
     The keys are kept as tombstones, with those of the groups, lessons and programs that went with them; keys that
     are not there are kept too. The same again changes nothing. What is deleted is overwritten in the file; a WAL
-    still holds it until `forget_log`.
-
-    Returns:
-        How many rows went, by table; tables that lost none are left out.
+    still holds it until `forget_log`. Names of files, which people make of those of groups, go too.
     """
     db.execute("PRAGMA secure_delete = ON")
     db.executemany("INSERT OR IGNORE INTO tombstones (id) VALUES (?)", [(key,) for key in ids])
     bury_below(db)
+    exports = _exports_of_dead(db)
     counts = {
         table: db.execute(f"DELETE FROM {table} WHERE {condition}").rowcount
         for table, condition in _DELETIONS
     }
-    return {table: n for table, n in counts.items() if n}
+    if any(counts.values()):
+        _forget_files(db)
+    return Gone({table: n for table, n in counts.items() if n}, exports)
 
 
 @dataclass(frozen=True, slots=True)
@@ -171,16 +176,31 @@ def forget_log(db: sqlite3.Connection) -> bool:
     return not busy
 
 
-def _exports_of(db: sqlite3.Connection, kind: str, key: str) -> tuple[Exported, ...]:
-    """Those of all of the store, and those of a part that has to do with it."""
-    related = {key, *(value for row in db.execute(_RELATED[kind], [key]) for value in row if value)}
+def _exports_of_dead(db: sqlite3.Connection) -> tuple[Exported, ...]:
+    """Those of all of the store, and those of a part that has to do with it; none where nothing is deleted."""
+    if doomed(db) is None:
+        return ()
+    related = {str(key) for (key,) in tuples(db, _RELATED) if key}
     rows = db.execute("SELECT path, made_at, content FROM exports ORDER BY id").fetchall()
-    parts = [{part for part in loaded(row["content"])["of"].values() if part} for row in rows]
     return tuple(
         Exported(row["path"], row["made_at"])
-        for row, part in zip(rows, parts, strict=True)
-        if not part or part & related
+        for row in rows
+        if not (part := _part_of(row["content"])) or part & related
     )
+
+
+def _forget_files(db: sqlite3.Connection) -> None:
+    """Files of what is gone alone are named once, when it goes; where others came from is told by their PC."""
+    dead = tombstones(db)
+    for row in db.execute("SELECT id, content FROM exports").fetchall():
+        if (part := _part_of(row["content"])) and part <= dead:
+            db.execute("DELETE FROM exports WHERE id = ?", [row["id"]])
+    db.execute("UPDATE merges SET file = '' WHERE file <> ''")
+
+
+def _part_of(content: str) -> set[str]:
+    """Keys of the class, group or program that an exported file is of; none for all of the store."""
+    return {part for part in loaded(content)["of"].values() if part}
 
 
 def tombstones(db: sqlite3.Connection) -> set[str]:

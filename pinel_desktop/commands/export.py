@@ -12,7 +12,7 @@ from typing import Any, Protocol
 import click
 
 from pinel_desktop import __version__
-from pinel_desktop.activities.reading import shipped_names
+from pinel_desktop.activities.reading import shipped_texts
 from pinel_desktop.commands.store_file import opened_store
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, language_of_system
@@ -66,7 +66,7 @@ def command(
             app_version=__version__,
             computer=computer,
             scope=scope,
-            anonymous=shipped_names() if anonymous else None,
+            anonymous=shipped_texts() if anonymous else None,
         )
     click.echo(json.dumps(_as_object(info), ensure_ascii=False) if as_json else _in_words(info))
 

@@ -93,8 +93,8 @@ def _in_words(outcome: _Outcome) -> str:
     lines = [describe(code, params, language_of_system()).message]
     if report.would_delete is not None:
         lines += _would_delete(report.would_delete)
-    if report.still_in:
-        kept = {"files": [str(path) for path in report.still_in]}
+    if report.left_in:
+        kept = {"files": report.left_in}
         lines.append(describe("merge_deleted_kept", kept, language_of_system()).message)
     return "\n".join(lines)
 
@@ -133,6 +133,6 @@ def _of_file(outcome: _Outcome) -> dict[str, Any]:
         "exported_at": report.info.exported_at,
         "nothing_new": report.nothing_new,
         "would_delete": report.would_delete and asdict(report.would_delete),
-        "still_in": [str(path) for path in report.still_in],
+        "still_in": report.left_in,
         **counts,
     }

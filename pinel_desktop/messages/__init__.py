@@ -20,7 +20,7 @@ LANGUAGES = ("pt-BR", "en", "es")
 _PLACEHOLDER = re.compile(r"\{(\w+)\}")
 _LONGEST = 80
 # of a file the end is what tells it from others, and a person may have to type it
-_PLACES = frozenset({"file", "folder", "path"})
+_PLACES = frozenset({"file", "files", "folder", "path"})
 _LONGEST_PLACE = 1000
 
 

@@ -1,7 +1,7 @@
 """Stores with some of everything, and bundles of them, for tests."""
 
 import sqlite3
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
@@ -13,6 +13,8 @@ from storage.merging import MergeReport, merge
 from storage.removal import remove_keys
 from tests.storage.sample_documents import SQUARE, WORLD
 from tests.storage.sample_runs import ended, sample
+
+Opened = Callable[[str], Store]
 
 
 class TickingClock:

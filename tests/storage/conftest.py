@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from storage import GroupRow, ProgramRow, RunStart, Store, VersionRow, open_store, schema
-from tests.storage.bundle_makers import a_run, exported, work
+from tests.storage.bundle_makers import Opened, a_run, a_store, exported, work
 from tests.storage.sample_documents import SQUARE, WORLD
 
 
@@ -84,3 +84,10 @@ def original(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def bundle(original: Path, tmp_path: Path) -> Path:
     """It, to be changed."""
     return shutil.copyfile(original, tmp_path / original.name)
+
+
+@pytest.fixture
+def pc(tmp_path: Path) -> Iterator[Opened]:
+    """Stores of PCs by name; each is closed at the end."""
+    with ExitStack() as stack:
+        yield lambda name: stack.enter_context(a_store(tmp_path / f"{name}.db"))

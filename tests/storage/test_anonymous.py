@@ -81,6 +81,43 @@ def test_no_key_of_the_store_is_in_the_file(private: Store, anonymous: Path, pat
         assert [key for key in keys if key.encode() in octets] == []
 
 
+@pytest.mark.parametrize("name", ["code", "state", "mode", "color", "reason"])
+def test_what_a_variable_is_called_does_not_spare_its_text(
+    store: Store, tmp_path: Path, name: str
+) -> None:
+    program = store.programs.create(store.groups.create("G").id, "P")
+    call = {"action": "call", "function": "f", "arguments": {name: "Joao"}}
+    version = store.versions.save(program.id, {}, {**DOCUMENT, "commands": [call]})
+    run = store.runs.begin(RunStart("sim", "own", WORLD, 1, "0.1.0", version_id=version.id))
+    recorder = Recorder(store)
+    seen = {"v": 1, "run": run.id, "tick": 0, "block": None, "type": "watch", "seq": 0}
+    recorder({**seen, "variables": {name: "Joao"}, "stack": [], "gesture": None})
+    recorder(ended(run.id, 1, 0))
+    path = store.exchange.export(
+        tmp_path / "x.pinel", app_version="1", computer=("", ""), anonymous=[]
+    ).path
+    assert b"Joao" not in path.read_bytes()
+
+
+def test_an_own_world_that_is_called_like_one_that_ships_loses_its_texts(
+    store: Store, tmp_path: Path
+) -> None:
+    shipped = {**WORLD, "name": "empty_room", "title": "Sala vazia"}
+    for title in ("Sala vazia", "Casa do Joao"):
+        world = {**shipped, "title": title}
+        run = store.runs.begin(RunStart("sim", "empty_room", world, 1, "0.1.0", document=DOCUMENT))
+        Recorder(store)(ended(run.id, 0, 0))
+    path = store.exchange.export(
+        tmp_path / "x.pinel",
+        app_version="1",
+        computer=("", ""),
+        anonymous=["empty_room", "Sala vazia"],
+    ).path
+    kept = [json.loads(text) for (text,) in rows(path, "SELECT world_document FROM runs")]
+    assert kept[0] == shipped
+    assert kept[1]["title"] not in ("Sala vazia", "Casa do Joao")
+
+
 def test_programs_still_say_what_they_do(anonymous: Path) -> None:
     documents = [json.loads(text) for (text,) in rows(anonymous, "SELECT document FROM versions")]
     found = next(one for one in documents if one["functions"])

@@ -22,6 +22,18 @@ def test_this_pc_has_a_key_that_stays_and_a_name_to_choose(store: Store, path: P
         assert again.computers.here() == (key, "PC 07")
 
 
+@pytest.mark.parametrize(
+    ("node", "name"),
+    [("x" * 64, "x" * 60), ("", "PC"), ("\u2800\u3164", "PC"), (" lab-2 ", "lab-2")],
+)
+def test_whatever_the_network_calls_this_pc_work_is_kept(
+    store: Store, program: ProgramRow, monkeypatch: pytest.MonkeyPatch, node: str, name: str
+) -> None:
+    monkeypatch.setattr("platform.node", lambda: node)
+    edited(store, program, "a")
+    assert store.computers.here()[1] == name
+
+
 def test_a_copied_data_folder_is_another_pc_with_its_first_work(
     store: Store,
     path: Path,

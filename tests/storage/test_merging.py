@@ -2,22 +2,20 @@
 
 import itertools
 import random
-import sqlite3
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
-from contextlib import ExitStack
 from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
 
-from storage import Recorder, RunStart, Store, StoreError, open_for_reading, open_store
+from storage import Recorder, RunStart, StoreError, open_for_reading, open_store
 from storage.backups import list_backups, make_backup
 from storage.bundles import Scope
 from storage.merging import heard_from, merge
 from tests.storage.bundle_makers import (
+    Opened,
     a_run,
     a_store,
     exported,
@@ -30,15 +28,6 @@ from tests.storage.bundle_makers import (
 from tests.storage.random_life import RandomLife
 from tests.storage.sample_documents import WORLD
 from tests.storage.sample_runs import ended
-
-Opened = Callable[[str], Store]
-
-
-@pytest.fixture
-def pc(tmp_path: Path) -> Iterator[Opened]:
-    """Stores of PCs by name; each is closed at the end."""
-    with ExitStack() as stack:
-        yield lambda name: stack.enter_context(a_store(tmp_path / f"{name}.db"))
 
 
 def hash_after(folder: Path, files: list[Path]) -> str:
@@ -224,7 +213,8 @@ class TestDeleted:
         here, there = pc("a"), pc("b")
         group = here.groups.create("Zebras")
         work(here, group, "Quagga")
-        merged(there, exported(here, tmp_path / "1.pinel").path)
+        mine = exported(here, tmp_path / "1.pinel").path
+        merged(there, mine)
         removed(there, group.id)
         path = exported(there, tmp_path / "2.pinel").path
         make_backup(here.path, datetime(2026, 3, 3, tzinfo=UTC))
@@ -232,7 +222,10 @@ class TestDeleted:
         assert b"Quagga" in backup.path.read_bytes()
         here.exchange.merge(path)
         assert len(here.groups.all()) == 1
-        assert here.exchange.merge(path, delete=True).still_in == ()
+        report = here.exchange.merge(path, delete=True)
+        assert report.left_in == [str(mine)]
+        with here._access.reading() as db:
+            assert [row["file"] for row in db.execute("SELECT DISTINCT file FROM merges")] == [""]
         files = [here.path, here.path.with_name(f"{here.path.name}-wal"), backup.path]
         assert [file for file in files if b"Quagga" in file.read_bytes()] == []
 
@@ -280,40 +273,6 @@ def test_a_deletion_waits_until_the_run_has_ended(pc: Opened, tmp_path: Path) ->
     recorder = Recorder(here)
     recorder(ended(run.id, 0, 0))
     assert merged(here, path).removed["runs"] == 2
-
-
-def test_a_run_that_was_cut_off_here_is_replaced_by_its_end(pc: Opened, tmp_path: Path) -> None:
-    """A store came back from a backup that was made while the run went on."""
-    whole, cut = pc("a"), pc("b")
-    run_id = a_run(whole, None)
-    path = exported(whole, tmp_path / "a.pinel").path
-    merged(cut, path)
-
-    def cut_off(db: sqlite3.Connection) -> None:
-        db.execute("UPDATE runs SET state = 'running', ended_at = NULL WHERE id = ?", [run_id])
-        db.execute("DELETE FROM telemetry WHERE run_id = ?", [run_id])
-        db.execute("UPDATE events SET data = '{}' WHERE run_id = ?", [run_id])
-        db.execute("DELETE FROM merges")
-
-    cut._access.write(cut_off)
-    assert merged(cut, path).changed == {"runs": 1}
-    assert hash_of(cut) == hash_of(whole)
-    assert cut.runs.events(run_id) == whole.runs.events(run_id)
-
-
-@pytest.mark.parametrize("order", [("judged", "unjudged"), ("unjudged", "judged")])
-def test_what_was_judged_stays_judged(pc: Opened, tmp_path: Path, order: tuple[str, ...]) -> None:
-    """A bundle was written before the check of the run had come to its end, another one after."""
-    here, there = pc("a"), pc("b")
-    _, run_id = work(there, there.groups.create("Onças"), "Quadrado")
-    exported(there, tmp_path / "unjudged.pinel")
-    there.checks.keep(run_id, True, {"cases": []})
-    exported(there, tmp_path / "judged.pinel")
-    for name in order:
-        for store in (here, there):
-            merged(store, tmp_path / f"{name}.pinel")
-    assert (here.runs.get(run_id).passed, there.runs.get(run_id).passed) == (True, True)
-    assert hash_of(here) == hash_of(there)
 
 
 def test_the_store_knows_whom_it_has_heard_from(pc: Opened, tmp_path: Path) -> None:

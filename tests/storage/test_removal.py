@@ -39,9 +39,9 @@ def busy_group(store: Store, name: str) -> str:
 
 def removed(db: sqlite3.Connection, *ids: str) -> dict[str, int]:
     db.execute("BEGIN IMMEDIATE")
-    counts = remove_keys(db, ids)
+    gone = remove_keys(db, ids)
     db.execute("COMMIT")
-    return counts
+    return gone.counts
 
 
 def test_a_group_goes_with_all_that_it_made(store: Store, db: sqlite3.Connection) -> None:
@@ -109,6 +109,21 @@ class TestRemove:
         assert store.exchange.remove("group", group.id).overwritten
         octets = path.read_bytes()
         assert [word for word in ("Zebras", "Quagga", "Onças") if word.encode() in octets] == []
+
+    def test_names_of_files_go_with_the_group_that_they_name(
+        self, store: Store, path: Path
+    ) -> None:
+        gone, kept = (store.groups.create(name) for name in ("Zebras", "Onças"))
+        folder = path.parent
+        for group in (gone, kept):
+            scope = Scope(group_id=group.id)
+            dest = folder / f"{group.name}.pinel"
+            store.exchange.export(dest, app_version="1", computer=("", ""), scope=scope)
+        (export,) = store.exchange.remove("group", gone.id).exports
+        assert export.path == str(folder / "Zebras.pinel")
+        assert b"Zebras" not in path.read_bytes()
+        (export,) = store.exchange.remove("group", kept.id).exports
+        assert export.path == str(folder / "Onças.pinel")
 
     def test_while_somebody_reads_the_log_it_says_so(
         self, store: Store, db: sqlite3.Connection, monkeypatch: pytest.MonkeyPatch

@@ -70,7 +70,7 @@ def choose_shared_folder(body: SharedFolder) -> Response:
 @api.post("/bundles", responses=answers(Bundle, 403, 404, 503, 507))
 def write_bundle(body: NewBundle) -> Response:
     """Writes all work, or that of a class or group, into a folder. For the teacher."""
-    from pinel_desktop.activities import shipped_names  # noqa: PLC0415 - see above
+    from pinel_desktop.activities import shipped_texts  # noqa: PLC0415 - see above
     from storage.bundles import SUFFIX, Scope  # noqa: PLC0415
 
     require_teacher()
@@ -87,7 +87,7 @@ def write_bundle(body: NewBundle) -> Response:
         app_version=parts.app_version,
         computer=computer,
         scope=scope,
-        anonymous=shipped_names() if body.anonymous else None,
+        anonymous=shipped_texts() if body.anonymous else None,
     )
     return answer(_bundle(info))
 
@@ -216,7 +216,7 @@ def _merged(path: Path, *, delete: bool) -> Merged:
             added=_counts({}),
             nothing_new=True,
             would_delete=None,
-            backups=[],
+            left_in=[],
             problem=Notice(code=error.code, message=words.message, remedy=words.remedy),
         )
 
@@ -230,7 +230,7 @@ def _report(path: Path, report: "MergeReport") -> Merged:
         added=_counts(report.added),
         nothing_new=report.nothing_new,
         would_delete=_doomed(report),
-        backups=[showable(str(path)) for path in report.still_in],
+        left_in=[showable(path) for path in report.left_in],
         problem=None,
     )
 

@@ -90,8 +90,8 @@ class Doomed(Shape):
 class Merged(Shape):
     """What came of one file: what it brought, or why it was refused.
 
-    `would_delete` is what it says was deleted elsewhere: it stays until the file is merged with `delete`. `backups`
-    could not be written anew then, and may still hold it.
+    `would_delete` is what it says was deleted elsewhere: it stays until the file is merged with `delete`. The files
+    `left_in` may still hold it then: they were written on this PC, or are backups that could not be written anew.
     """
 
     path: str
@@ -101,7 +101,7 @@ class Merged(Shape):
     added: MergedCounts
     nothing_new: bool
     would_delete: Doomed | None
-    backups: list[str]
+    left_in: list[str]
     problem: Notice | None
 
 

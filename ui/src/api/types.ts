@@ -2115,17 +2115,17 @@ export interface components {
          * Merged
          * @description What came of one file: what it brought, or why it was refused.
          *
-         *     `would_delete` is what it says was deleted elsewhere: it stays until the file is merged with `delete`. `backups`
-         *     could not be written anew then, and may still hold it.
+         *     `would_delete` is what it says was deleted elsewhere: it stays until the file is merged with `delete`. The files
+         *     `left_in` may still hold it then: they were written on this PC, or are backups that could not be written anew.
          */
         Merged: {
             added: components["schemas"]["MergedCounts"];
-            /** Backups */
-            backups: string[];
             /** Computer */
             computer: string | null;
             /** Exported At */
             exported_at: string | null;
+            /** Left In */
+            left_in: string[];
             /** Name */
             name: string;
             /** Nothing New */

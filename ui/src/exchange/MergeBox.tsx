@@ -192,9 +192,9 @@ function Result({ merged, onDelete, onKeep }: ResultProps) {
           </div>
         </div>
       )}
-      {merged.backups.length > 0 && (
+      {merged.left_in.length > 0 && (
         <div class="deletion__done">
-          <StillIn paths={merged.backups} />
+          <StillIn paths={merged.left_in} />
         </div>
       )}
     </li>
