@@ -363,3 +363,77 @@ def test_screens_of_the_review_have_names_and_contrast(teacher: Teacher) -> None
     teacher["note-open"].click()
     found["note"] = violations(teacher.studio)
     assert {screen: one for screen, one in found.items() if one} == {}
+
+
+def test_a_note_that_was_not_left_is_there_still_and_says_so(teacher: Teacher) -> None:
+    teacher.open_lesson()
+    run = teacher.past.runs[1]
+    teacher.go(f"run/{run}")
+    teacher["note-open"].click()
+    teacher["note-text"].fill("Por que pararam?")
+    expect(teacher["note"]).to_contain_text("Ainda não entregue")
+    teacher["back-to-review"].click()
+    expect(teacher["lesson-page"]).to_be_visible()
+    teacher.go(f"run/{run}")
+    expect(teacher["note-text"]).to_have_value("Por que pararam?")
+    expect(teacher["note"]).to_have_attribute("data-state", "changed")
+    teacher.page.get_by_role("button", name="Fechar", exact=True).click()
+    expect(teacher["note-open"]).to_contain_text("ainda não entregue")
+    teacher["note-open"].click()
+    teacher["note-text"].fill("")
+    teacher.page.reload()
+    expect(teacher["note-open"]).not_to_contain_text("ainda não entregue")
+
+
+def test_from_a_mark_the_teacher_goes_back_to_the_lesson_as_it_was(teacher: Teacher) -> None:
+    teacher.open_lesson()
+    teacher.page.locator("[data-testid=lesson-time][data-value=clock]").click()
+    row = teacher.row(LONG_NAME)
+    row.get_by_test_id("review-open").click()
+    teacher["review-run"].first.scroll_into_view_if_needed()
+    teacher.page.wait_for_timeout(200)
+    left_at = _scrolled(teacher)
+    teacher["review-run"].first.get_by_role("link", name="Rever").click()
+    expect(teacher["replay-slider"]).to_be_visible()
+    teacher["back-to-review"].click()
+    expect(teacher["review-detail"]).to_be_visible()
+    clock = teacher.page.locator("[data-testid=lesson-time][data-value=clock]")
+    expect(clock).to_have_attribute("aria-pressed", "true")
+    teacher.studio.eventually(lambda: _scrolled(teacher), left_at)
+
+    teacher["review-run"].last.get_by_role("link").first.click()
+    expect(teacher["compare-page"]).to_be_visible()
+    teacher.page.get_by_role("link", name="Voltar à aula").click()
+    mark = row.locator("[data-kind=edit]").last
+    mark.focus()
+    mark.press("Enter")
+    expect(teacher["difference-count"]).to_be_visible()
+    teacher.page.get_by_role("link", name="Histórico").click()
+    expect(teacher["version-shown"]).to_be_visible()
+    expect(teacher["version-back"]).to_have_count(0)
+    teacher["back-to-review"].click()
+    expect(teacher["lesson-page"]).to_be_visible()
+
+
+def test_from_a_run_of_the_list_the_teacher_goes_back_to_it_but_no_pupil_does(
+    teacher: Teacher,
+) -> None:
+    teacher.go("runs")
+    teacher.filter("outcome").select_option("failed")
+    expect(teacher["history-run"]).to_have_count(1)
+    teacher["history-run"].get_by_role("link").click()
+    expect(teacher["back-to-review"]).to_contain_text("Voltar às rodadas")
+    teacher["back-to-review"].click()
+    expect(teacher.filter("outcome")).to_have_value("failed")
+    teacher.filter("outcome").select_option("")
+
+    teacher.go("")
+    teacher["group-card"].filter(has_text="Abelhas").click()
+    teacher.studio.wait_until_open()
+    teacher.go(f"run/{teacher.past.runs[0]}")
+    expect(teacher["replay-slider"]).to_be_visible()
+    expect(teacher["back-to-review"]).to_have_count(0)
+
+
+def _scrolled(teacher: Teacher) -> float:
+    return float(teacher["lesson-page"].evaluate("one => one.scrollTop"))

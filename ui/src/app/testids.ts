@@ -208,6 +208,7 @@ export const TEST = {
   replayForward: "replay-forward",
   replaySpeed: "replay-speed",
   replayProgram: "replay-program",
+  backToReview: "back-to-review", // in the header, for the teacher who came from there
   mergeFiles: "merge-files",
   mergeResults: "merge-results",
   wouldDelete: "would-delete", // what a file says was deleted elsewhere

@@ -18,6 +18,8 @@ export const en: Texts = {
     rename: "Rename the program",
     work: "Our work",
     backToProgram: "Back to the program",
+    backToLesson: "Back to the lesson",
+    backToRuns: "Back to the runs",
     language: "Language",
     theme: { light: "Light", dark: "Dark", contrast: "Contrast" },
     changeTheme: (now: string) => `Look: ${now}. Change.`,

@@ -18,6 +18,8 @@ export const es: Texts = {
     rename: "Cambiar el nombre del programa",
     work: "Nuestros trabajos",
     backToProgram: "Volver al programa",
+    backToLesson: "Volver a la lección",
+    backToRuns: "Volver a los recorridos",
     language: "Idioma",
     theme: { light: "Claro", dark: "Oscuro", contrast: "Contraste" },
     changeTheme: (now: string) => `Apariencia: ${now}. Cambiar.`,

@@ -18,6 +18,8 @@ export const ptBR = {
     rename: "Mudar o nome do programa",
     work: "Nossos trabalhos",
     backToProgram: "Voltar ao programa",
+    backToLesson: "Voltar à aula",
+    backToRuns: "Voltar às rodadas",
     language: "Idioma",
     theme: { light: "Claro", dark: "Escuro", contrast: "Contraste" },
     changeTheme: (now: string) => `Aparência: ${now}. Mudar.`,

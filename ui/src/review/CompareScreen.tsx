@@ -3,10 +3,11 @@ import { ArrowLeft } from "lucide-preact";
 import { useEffect, useState } from "preact/hooks";
 import { api } from "../api/client";
 import type { Group } from "../api/model";
+import { reviewPlace } from "../app/review_place";
 import { hashOf } from "../app/route";
 import { report } from "../app/session";
 import { TEST } from "../app/testids";
-import { language } from "../i18n";
+import { language, texts } from "../i18n";
 import { duration } from "../i18n/format";
 import { words } from "../i18n/review";
 import { Readout } from "../run/Readout";
@@ -77,15 +78,12 @@ function Compare({ pair, groups }: Loaded) {
   const view = useSignal<View>("apart");
   const together = view.value === "together";
   const [first, second] = pair.sides;
+  const from = reviewPlace.value ?? { screen: "runs" };
+  const back = from.screen === "runs" ? compare.back : texts.value.header.backToLesson;
   return (
     <main class={`screen replay compare compare--${view.value}`} data-testid={TEST.comparePage}>
       <div class="compare__head">
-        <a
-          class="button button--icon"
-          href={hashOf({ screen: "runs" })}
-          aria-label={compare.back}
-          title={compare.back}
-        >
+        <a class="button button--icon" href={hashOf(from)} aria-label={back} title={back}>
           <ArrowLeft class="icon" aria-hidden="true" />
         </a>
         <h1>{compare.title}</h1>

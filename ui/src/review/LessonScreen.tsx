@@ -15,9 +15,11 @@ import { Behind } from "./Behind";
 import { FIGURES } from "./FigureRow";
 import { GroupRow } from "./GroupRow";
 import { Legend } from "./Legend";
+import { type LessonPlace, placeOf } from "./lesson_place";
 import { linesOf, type TimeOf } from "./lines";
 import type { LessonReview } from "./model";
 import { canPrint, forPaper, PAPER_PX, printPage } from "./printing";
+import { useScrollPlace } from "./scroll_place";
 import { TipBubble } from "./TipBubble";
 
 interface Loaded {
@@ -83,10 +85,12 @@ async function load(id: string): Promise<Loaded> {
 function Lesson(loaded: Loaded) {
   const { lesson } = words.value;
   const { groups } = loaded.review;
-  const timeOf = useSignal<TimeOf>("group");
+  const place = placeOf(loaded.review.lesson.id);
+  const { timeOf } = place;
+  const main = useScrollPlace(place, true);
   const hasRuns = groups.some(({ figures }) => figures.n_runs > 0);
   return (
-    <main class="screen lesson" data-testid={TEST.lessonPage}>
+    <main class="screen lesson" ref={main} data-testid={TEST.lessonPage}>
       <div class="lesson__head">
         <Back />
         <Title {...loaded} />
@@ -105,7 +109,7 @@ function Lesson(loaded: Loaded) {
           <strong>{lesson.noRunsTitle}.</strong> {lesson.noRuns}
         </p>
       )}
-      {groups.length > 0 && <Groups review={loaded.review} timeOf={timeOf} />}
+      {groups.length > 0 && <Groups review={loaded.review} place={place} />}
       {groups.length > 0 && <Explained />}
       <TipBubble />
     </main>
@@ -229,13 +233,12 @@ function TimeChoice({ timeOf }: { timeOf: Signal<TimeOf> }) {
 
 interface GroupsProps {
   review: LessonReview;
-  timeOf: Signal<TimeOf>;
+  place: LessonPlace;
 }
 
-function Groups({ review: { groups }, timeOf }: GroupsProps) {
+function Groups({ review: { groups }, place: { timeOf, open } }: GroupsProps) {
   const list = useRef<HTMLOListElement>(null);
   const width = useSignal(0);
-  const open = useSignal<ReadonlySet<string>>(new Set());
   useLayoutEffect(() => {
     const element = list.current;
     if (!element) return;

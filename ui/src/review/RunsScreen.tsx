@@ -13,10 +13,12 @@ import { Behind } from "./Behind";
 import { HistoryCard } from "./HistoryCard";
 import type { HistoryRun } from "./model";
 import { NO_FILTER, RunFilters, type School } from "./RunFilters";
+import { useScrollPlace } from "./scroll_place";
 
 /** What was chosen last stays for as long as the page is open: a replay is a step away and back. */
 const filter = signal<RunFilter>(NO_FILTER);
 const chosen = signal<readonly HistoryRun[]>([]);
+const place = { top: 0, runs: 0, filter: NO_FILTER };
 
 /** Runs of all groups, newest first, for the teacher. */
 export function RunsScreen() {
@@ -31,13 +33,14 @@ function Runs() {
   const texts = words.value.runs;
   const school = useSignal<School>({ classrooms: [], groups: [], activities: [] });
   const list = useRunList(filter);
+  const main = useScrollPlace(place, list.runs.value !== null);
   useEffect(() => {
     askSchool().then((found) => {
       school.value = found;
     }, report);
   }, []);
   return (
-    <main class="screen runs" data-testid={TEST.historyPage}>
+    <main class="screen runs" ref={main} data-testid={TEST.historyPage}>
       <div class="runs__head">
         <a
           class="button button--icon"
@@ -95,8 +98,10 @@ function useRunList(of: Signal<RunFilter>) {
   const wanted = of.value;
   useEffect(() => {
     let left = false;
-    asTeacher(() => reviewApi.runs(wanted, null)).then((page) => {
+    const least = place.filter === wanted ? place.runs : 0;
+    asTeacher(() => runsOf(wanted, least)).then((page) => {
       if (left) return;
+      Object.assign(place, { filter: wanted, runs: page.runs.length });
       runs.value = page.runs;
       next.value = page.next;
     }, report);
@@ -109,10 +114,22 @@ function useRunList(of: Signal<RunFilter>) {
     void asTeacher(() => reviewApi.runs(wanted, before)).then((page) => {
       if (of.peek() !== wanted || next.value !== before) return;
       runs.value = [...(runs.value ?? []), ...page.runs];
+      place.runs = runs.value.length;
       next.value = page.next;
     }, report);
   };
   return { runs, next, older };
+}
+
+/** The newest runs: a page of them, or as many pages as were shown before. */
+async function runsOf(wanted: RunFilter, least: number) {
+  let { runs, next } = await reviewApi.runs(wanted, null);
+  while (next && runs.length < least) {
+    const page = await reviewApi.runs(wanted, next);
+    runs = [...runs, ...page.runs];
+    next = page.next;
+  }
+  return { runs, next };
 }
 
 /** What is chosen for side by side, at the bottom of the screen. */

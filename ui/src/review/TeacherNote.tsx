@@ -9,6 +9,7 @@ import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
 import { when } from "../i18n/format";
 import { words } from "../i18n/review";
+import { draftOf, keepDraft } from "./note_draft";
 
 const LONGEST = 5000;
 
@@ -22,14 +23,19 @@ export function TeacherNote({ run }: { run: string }) {
 
   useEffect(() => {
     reviewApi.notes(run).then((found) => {
+      const draft = draftOf(run);
       note.value = found.at(-1) ?? null;
-      text.value = note.value?.text ?? "";
-      open.value = note.value !== null;
+      text.value = draft ?? note.value?.text ?? "";
+      open.value = note.value !== null || draft !== null;
     }, report);
   }, [run]);
 
   const kept = note.value?.text ?? "";
   const changed = text.value.trim() !== kept;
+  const write = (written: string) => {
+    text.value = written;
+    keepDraft(run, written.trim() === kept ? null : written);
+  };
   const save = async () => {
     state.value = "saving";
     const wanted = text.value.trim();
@@ -39,6 +45,7 @@ export function TeacherNote({ run }: { run: string }) {
         known ? reviewApi.rewriteNote(known.id, wanted) : reviewApi.writeNote(run, wanted),
       );
       text.value = note.value.text;
+      keepDraft(run, null);
       state.value = "saved";
     } catch (error) {
       state.value = "unchanged";
@@ -58,7 +65,7 @@ export function TeacherNote({ run }: { run: string }) {
           }}
         >
           <StickyNote class="icon" aria-hidden="true" />
-          {texts.title}
+          {changed && text.value.trim() ? texts.unsent : texts.title}
         </button>
       </div>
     );
@@ -98,11 +105,11 @@ export function TeacherNote({ run }: { run: string }) {
         value={text.value}
         data-testid={TEST.noteText}
         onInput={(event) => {
-          text.value = event.currentTarget.value;
+          write(event.currentTarget.value);
         }}
       />
       <p class="note__help" id="teacher-note-help" role="status">
-        {state.value === "saving" ? texts.saving : helpOf(note.value, changed)}
+        {state.value === "saving" ? texts.saving : helpOf(note.value, changed, text.value.trim())}
       </p>
       <button
         type="submit"
@@ -118,8 +125,9 @@ export function TeacherNote({ run }: { run: string }) {
 }
 
 /** Whether it is kept, and whether the group has read it. */
-function helpOf(note: Note | null, changed: boolean): string {
-  const { saved, seen, unseen, help } = words.value.note;
+function helpOf(note: Note | null, changed: boolean, text: string): string {
+  const { saved, seen, unseen, help, draft } = words.value.note;
+  if (changed && text) return draft;
   if (!note || changed) return help;
   const read = note.seen_at
     ? seen(when(note.seen_at, new Date(), language.value, texts.value))

@@ -1,5 +1,6 @@
 import { ArrowLeft, ChevronDown, Contrast, Languages, Moon, Route, Sun } from "lucide-preact";
 import { opened } from "../app/open_program";
+import { reviewPlace } from "../app/review_place";
 import { go, hashOf, route } from "../app/route";
 import { chooseLanguage, group } from "../app/session";
 import { TEST } from "../app/testids";
@@ -63,6 +64,21 @@ function GroupChip() {
 function WorkButton() {
   const { header } = texts.value;
   const now = route.value;
+  if (reviewPlace.value) {
+    const word = reviewPlace.value.screen === "lesson" ? header.backToLesson : header.backToRuns;
+    return (
+      <a
+        class="button"
+        href={hashOf(reviewPlace.value)}
+        aria-label={word}
+        title={word}
+        data-testid={TEST.backToReview}
+      >
+        <ArrowLeft class="icon" aria-hidden="true" />
+        <span class="header__word">{word}</span>
+      </a>
+    );
+  }
   if (now.screen === "work") {
     const program = opened.value?.program;
     if (program?.group_id !== now.group) return null;

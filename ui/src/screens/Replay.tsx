@@ -1,5 +1,5 @@
 import { useSignal } from "@preact/signals";
-import { ArrowLeft, ChartLine, Eye } from "lucide-preact";
+import { Blocks, ChartLine, Eye } from "lucide-preact";
 import { useEffect } from "preact/hooks";
 import { door } from "../app/teacher";
 import { TEST } from "../app/testids";
@@ -42,7 +42,7 @@ export function Replay({ recording, onOpen }: ReplayProps) {
           <p>{run.version ? replay.readOnly : replay.noVersion}</p>
           {run.program_id && (
             <button type="button" class="button" data-testid={TEST.replayProgram} onClick={onOpen}>
-              <ArrowLeft class="icon" aria-hidden="true" />
+              <Blocks class="icon" aria-hidden="true" />
               {replay.openProgram}
             </button>
           )}

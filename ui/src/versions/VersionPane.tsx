@@ -2,6 +2,7 @@ import { useSignal, useSignalEffect } from "@preact/signals";
 import { ArrowLeft, Columns2, Flag, StepForward } from "lucide-preact";
 import { useRef } from "preact/hooks";
 import { keeping, type StoredVersion } from "../api/keeping";
+import { reviewPlace } from "../app/review_place";
 import { go, hashOf } from "../app/route";
 import { problem, program, report } from "../app/session";
 import { TEST } from "../app/testids";
@@ -138,15 +139,17 @@ function ChosenWords({ history }: { history: VersionHistory }) {
       data-testid={TEST.versionShown}
       data-number={history.shown.value?.number}
     >
-      <a
-        class="button button--icon"
-        href={hashOf({ screen: "studio", program: program.value?.id ?? "" })}
-        aria-label={header.backToProgram}
-        title={header.backToProgram}
-        data-testid={TEST.versionBack}
-      >
-        <ArrowLeft class="icon" aria-hidden="true" />
-      </a>
+      {!reviewPlace.value && (
+        <a
+          class="button button--icon"
+          href={hashOf({ screen: "studio", program: program.value?.id ?? "" })}
+          aria-label={header.backToProgram}
+          title={header.backToProgram}
+          data-testid={TEST.versionBack}
+        >
+          <ArrowLeft class="icon" aria-hidden="true" />
+        </a>
+      )}
       <p aria-live="polite">
         <strong title={version.label || undefined}>{version.label || name}</strong>
         <span>{[version.label ? name : "", ...facts].filter(Boolean).join(" · ")}</span>

@@ -113,6 +113,8 @@ export const en: ReviewTexts = {
   note: {
     title: "Note for the group",
     help: "The group sees this note the next time it comes in.",
+    draft: "Not given yet: the text stays here until you leave the note.",
+    unsent: "Note not given yet",
     placeholder: "Write a question or a hint for the group here.",
     save: "Leave the note",
     saving: "Saving…",

@@ -113,6 +113,8 @@ export const es: ReviewTexts = {
   note: {
     title: "Mensaje para el grupo",
     help: "El grupo ve este mensaje la próxima vez que entre.",
+    draft: "Todavía sin entregar: el texto queda aquí hasta que deje el mensaje.",
+    unsent: "Mensaje todavía sin entregar",
     placeholder: "Escriba aquí una pregunta o una pista para el grupo.",
     save: "Dejar el mensaje",
     saving: "Guardando…",

@@ -115,6 +115,8 @@ export const ptBR = {
   note: {
     title: "Recado para o grupo",
     help: "O grupo vê este recado na próxima vez que entrar.",
+    draft: "Ainda não entregue: o texto fica aqui até você deixar o recado.",
+    unsent: "Recado ainda não entregue",
     placeholder: "Escreva aqui uma pergunta ou uma dica para o grupo.",
     save: "Deixar o recado",
     saving: "Salvando…",
