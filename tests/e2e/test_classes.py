@@ -224,6 +224,18 @@ def test_what_was_typed_stays_when_the_door_shuts(studio: Studio, watch: Watch) 
     expect(studio.page.get_by_role("heading", name="9º C")).to_be_visible()
 
 
+def test_what_is_wrong_leaves_the_heading_whole(studio: Studio) -> None:
+    prepare(studio)
+    to_part(studio, "lessons")
+    heading = studio.page.get_by_role("heading", level=2).first
+    before = heading.bounding_box()
+    studio["open-lesson"].click()
+    said = studio.page.get_by_role("alert").bounding_box()
+    assert heading.bounding_box() == before
+    assert said is not None
+    assert 30 < said["height"] < 45
+
+
 def test_it_is_time_to_swap(studio: Studio) -> None:
     prepare(studio)
     to_part(studio, "computer")
