@@ -78,9 +78,14 @@ def test_a_group_is_deleted_for_good(studio: Studio, stick: Path) -> None:
     studio["deletion-what"].select_option(label="O grupo Os Tatus")
     expect(studio.page.get_by_text("Não dá para desfazer")).to_contain_text("1 programa")
     assert violations(studio) == []
+    studio.page.set_viewport_size({"width": 1024, "height": 480})
     studio["deletion-go"].click()
-    expect(studio["deletion-done"]).to_contain_text("Apagado: 1 grupo")
-    expect(studio["deletion-done"]).to_contain_text(".pinel")
+    done = studio["deletion-done"]
+    expect(done).to_contain_text("Apagado: 1 grupo")
+    expect(done.get_by_role("listitem").last).to_contain_text(".pinel")
+    expect(done).to_be_focused()
+    expect(done).to_be_in_viewport(ratio=1)
+    assert violations(studio) == []
     assert studio.api("/groups") == {"groups": []}
 
 

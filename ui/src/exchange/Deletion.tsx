@@ -1,4 +1,5 @@
 import { ChevronDown, Trash2 } from "lucide-preact";
+import type { ComponentChildren, Ref } from "preact";
 import { useState } from "preact/hooks";
 import { exchange, type Removed } from "../api/exchange";
 import type { Classroom, Group } from "../api/model";
@@ -11,10 +12,12 @@ interface Properties {
   classroom: Classroom | undefined;
   groups: readonly Group[];
   onDone(removed: Removed): Promise<void>;
+  /** What was deleted just now. */
+  children?: ComponentChildren;
 }
 
 /** A group, or the whole class, for good: what goes is said before. */
-export function Deletion({ classroom, groups, onDone }: Properties) {
+export function Deletion({ classroom, groups, onDone, children }: Properties) {
   const [chosen, setChosen] = useState("");
   const { busy, fault, act } = useAct();
   const { deletion } = words.value;
@@ -75,6 +78,7 @@ export function Deletion({ classroom, groups, onDone }: Properties) {
         </div>
       )}
       <FaultLine fault={fault} />
+      {children}
     </details>
   );
 }
@@ -88,13 +92,24 @@ function Goes({ name, groups }: { name: string; groups: readonly Group[] }) {
   return <>{say.deletion.goes(name, programs, runs)}</>;
 }
 
+interface GoneProperties {
+  removed: Removed;
+  answer: Ref<HTMLDivElement>;
+}
+
 /** What is gone, and where it may still be. */
-export function Gone({ removed }: { removed: Removed }) {
+export function Gone({ removed, answer }: GoneProperties) {
   const say = words.value;
   const left = [...removed.files.map(({ path }) => path), ...removed.backups];
   const { n_groups, n_programs, n_runs } = removed;
   return (
-    <div class="deletion__done" role="status" data-testid={TEST.deletionDone}>
+    <div
+      ref={answer}
+      class="deletion__done"
+      role="status"
+      tabIndex={-1}
+      data-testid={TEST.deletionDone}
+    >
       <p>{say.deletion.done(say.groups(n_groups), say.programs(n_programs), say.runs(n_runs))}</p>
       <StillIn paths={left} />
     </div>

@@ -1,5 +1,6 @@
 import { ChevronDown } from "lucide-preact";
-import { useState } from "preact/hooks";
+import type { ComponentChildren } from "preact";
+import { useEffect, useRef, useState } from "preact/hooks";
 import { classesApi, NO_CLASS } from "../api/classes";
 import type { Removed } from "../api/exchange";
 import type { Group } from "../api/model";
@@ -22,7 +23,10 @@ export function ClassesPart({ school }: { school: School }) {
   const { classes, groups, reload } = school;
   const shown = shownClass(classroom.value, classes, groups);
   const withNone = groupsIn(NO_CLASS, groups).length > 0;
-  const [removed, setRemoved] = useState<Removed | null>(null);
+  const hasPanel = classes.length > 0 || withNone;
+  const { gone, from, setDeleted } = useDeleted();
+  // the class itself may be what is gone
+  const inPanel = hasPanel && from === shown;
 
   const make = async (name: string) => {
     const made = await classesApi.createClassroom(name);
@@ -42,23 +46,46 @@ export function ClassesPart({ school }: { school: School }) {
           onAdd={make}
         />
       </div>
-      {removed && <Gone removed={removed} />}
+      {!inPanel && gone}
       {classes.length === 0 && <p class="teacher__hint">{say.first}</p>}
       {classes.length > 0 && <ClassChips classes={classes} withNone={withNone} shown={shown} />}
-      {(classes.length > 0 || withNone) && (
-        <ClassPanel key={shown} id={shown} school={school} onRemoved={setRemoved} />
+      {hasPanel && (
+        <ClassPanel key={shown} id={shown} school={school} onRemoved={setDeleted}>
+          {inPanel && gone}
+        </ClassPanel>
       )}
     </>
   );
 }
 
+/** What was deleted last, said where the eyes are: whoever deletes reads where it may still be. */
+function useDeleted() {
+  const [deleted, setDeleted] = useState<Deleted | null>(null);
+  const answer = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    answer.current?.focus();
+    answer.current?.scrollIntoView({ block: "nearest" });
+  }, [deleted]);
+  return {
+    gone: deleted && <Gone removed={deleted.removed} answer={answer} />,
+    from: deleted?.classroom,
+    setDeleted,
+  };
+}
+
+interface Deleted {
+  removed: Removed;
+  classroom: string;
+}
+
 interface ClassPanelProps {
   id: string;
   school: School;
-  onRemoved(removed: Removed): void;
+  onRemoved(deleted: Deleted): void;
+  children: ComponentChildren;
 }
 
-function ClassPanel({ id, school, onRemoved }: ClassPanelProps) {
+function ClassPanel({ id, school, onRemoved, children }: ClassPanelProps) {
   const { classes: say } = words.value;
   const { reload } = school;
   const [moved, setMoved] = useState("");
@@ -70,8 +97,11 @@ function ClassPanel({ id, school, onRemoved }: ClassPanelProps) {
     await reload();
   };
   const forget = async (removed: Removed) => {
-    onRemoved(removed);
-    await reload();
+    try {
+      await reload();
+    } finally {
+      onRemoved({ removed, classroom: id });
+    }
   };
   const add = async (name: string) => {
     await classesApi.createGroup({ name, classroom_id: id });
@@ -109,7 +139,11 @@ function ClassPanel({ id, school, onRemoved }: ClassPanelProps) {
           onAdd={add}
         />
       )}
-      {(now || here.length > 0) && <Deletion classroom={now} groups={here} onDone={forget} />}
+      {(now || here.length > 0) && (
+        <Deletion classroom={now} groups={here} onDone={forget}>
+          {children}
+        </Deletion>
+      )}
     </section>
   );
 }
