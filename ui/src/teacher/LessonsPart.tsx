@@ -113,7 +113,7 @@ function OpenNow({ lesson, onClosed }: OpenNowProps) {
         data-testid={TEST.closeLesson}
         onClick={() => void act(close)}
       >
-        <Square class="icon" aria-hidden="true" />
+        <Square class="icon" fill="currentColor" aria-hidden="true" />
         {say.close}
       </button>
       <FaultLine fault={fault} />
