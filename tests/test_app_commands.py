@@ -1,5 +1,6 @@
 """`pinel serve` and `pinel runs` as a person types them."""
 
+import ctypes
 import json
 import os
 import random
@@ -216,6 +217,18 @@ def test_serve_prints_an_address_and_ends_cleanly(database: Path, number: signal
     assert process.returncode == 0
     assert "Traceback" not in errors
     assert not database.with_name("pinel.instance.json").exists()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="a thread is told as Linux does it")
+def test_serve_ends_when_another_thread_is_handed_the_signal(database: Path) -> None:
+    with serving(database) as process:
+        wait_for_engine(Browser.signed_in(address_of(process)))
+        threads = [int(task.name) for task in Path(f"/proc/{process.pid}/task").iterdir()]
+        other = min(task for task in threads if task != process.pid)  # one that lasts
+        tgkill = ctypes.CDLL(None, use_errno=True).tgkill
+        assert tgkill(process.pid, other, signal.SIGTERM) == 0, os.strerror(ctypes.get_errno())
+        process.communicate(timeout=30)
+    assert process.returncode == 0
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="kill -9")

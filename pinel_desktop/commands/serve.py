@@ -1,8 +1,9 @@
 """`pinel serve`: the page without a window."""
 
 import signal
-import threading
-from types import FrameType
+import socket
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 import click
 
@@ -44,19 +45,28 @@ def command(ctx: click.Context, port: int, db: str | None) -> None:
 
 
 def _serve(app: App) -> None:
-    ended = threading.Event()
-
-    def end(number: int, frame: FrameType | None) -> None:
-        ended.set()
-
-    for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, end)
-    with app:
+    with _signals() as told, app:
         if app.notice is not None:
             _say(app.notice.code, app.notice.params, app.language)
         _say("serving", {}, app.language)
         click.echo(app.address)
-        ended.wait()
+        told.recv(1)
+
+
+@contextmanager
+def _signals() -> Iterator[socket.socket]:
+    """Hears of Ctrl+C and of being told to end, whichever thread the system hands them to: a lock that the main
+    thread waits for would not."""
+    told, telling = socket.socketpair()
+    with told, telling:
+        telling.setblocking(False)
+        signal.set_wakeup_fd(telling.fileno())
+        for number in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(number, lambda number, frame: None)
+        try:
+            yield told
+        finally:
+            signal.set_wakeup_fd(-1)
 
 
 def _say(code: str, params: dict[str, object], language: str) -> None:
