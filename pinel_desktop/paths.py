@@ -17,7 +17,9 @@ def data_folder() -> Path:
 
 
 def database_path(db: str | os.PathLike[str] | None = None) -> Path:
-    """The database file: `db` where one was given, else `pinel.db` in the data folder."""
-    if db:
-        return Path(db).expanduser().absolute()
-    return (data_folder() / DATABASE_NAME).absolute()
+    """The database file: `db` where one was given, else `pinel.db` in the data folder.
+
+    Without links: who comes by one finds the same lock, log and backups.
+    """
+    path = Path(db).expanduser() if db else data_folder() / DATABASE_NAME
+    return Path(os.path.realpath(path))

@@ -15,9 +15,9 @@ from typing import Any
 from storage.content import CONTENT, TELEMETRY, Content, columns, tuples
 from storage.groups import PICTURES
 from storage.json_check import is_object, parsed
-from storage.limits import MAX_COUNT, MAX_NUMBER, MAX_REVISION
+from storage.limits import LAST_YEAR, MAX_COUNT, MAX_NUMBER, MAX_REVISION
 from storage.notes import MAX_NOTE
-from storage.text import MAX_NAME
+from storage.text import LAST_FOREIGN_ID, MAX_NAME
 
 Rule = Callable[[Any], bool]
 
@@ -94,7 +94,7 @@ def time(value: Any) -> bool:
     if not isinstance(value, str) or not _TIME.fullmatch(value):
         return False
     try:
-        return 1 < datetime.fromisoformat(value).year < 9999
+        return 1 < datetime.fromisoformat(value).year <= LAST_YEAR
     except ValueError:
         return False
 
@@ -159,7 +159,14 @@ def unpacks(blob: Any, n_rows: int) -> bool:
     return fits and unpacking.eof and not unpacking.unused_data
 
 
-key = matching(_KEY)
+_is_key = matching(_KEY)
+
+
+def key(value: Any) -> bool:
+    """Of those that count time, none so late that what is made here afterwards could not come after it."""
+    return _is_key(value) and not (value[14] == "7" and value >= LAST_FOREIGN_ID)
+
+
 count = whole(0, MAX_COUNT)
 word = matching(_WORD)
 short = visible(_MAX_SHORT)

@@ -7,6 +7,7 @@ from datetime import datetime, timedelta
 from storage.classrooms import require_classroom
 from storage.connection import Access
 from storage.errors import StoreError
+from storage.limits import LAST_YEAR
 from storage.records import GroupRow
 from storage.text import clean_name, name_key, new_id, time_text
 
@@ -169,11 +170,13 @@ def _change(
 
 
 def _just_after(moment: str) -> str:
-    """Of states of one revision the later one is kept: a PC whose clock is behind must not lose its own change."""
+    """Of states of one revision the later one is kept: a PC whose clock is behind must not lose its own change. The
+    last moment that other PCs take stays."""
     try:
-        return time_text(datetime.fromisoformat(moment) + timedelta(microseconds=1))
+        later = datetime.fromisoformat(moment) + timedelta(microseconds=1)
     except (ValueError, OverflowError):
         return ""
+    return moment if later.year > LAST_YEAR else time_text(later)
 
 
 def _require_free(db: sqlite3.Connection, name: str, classroom_id: str | None, own_id: str) -> None:

@@ -6,6 +6,7 @@ writes nothing that another would refuse.
 
 MAX_NUMBER = 10**9  # of a version within its program
 MAX_REVISION = 10**9
+LAST_YEAR = 9998  # of a time: a day to spare at the end of the calendar for zones of time
 # a run of an hour at the most commands a tick has 1.08e8
 MAX_COUNT = 10**12
 # bytes of one text or blob: of a body of 4 MiB, with each number and letter written at its longest

@@ -40,8 +40,9 @@ class _Ids:
 
 
 _ids = _Ids()
-# no clock is that wrong: an id beyond it was made up
+# no clock is that wrong: an id beyond it was made up. One of another PC leaves room for those that are to come after
 LAST_ID = "07"
+LAST_FOREIGN_ID = "06"
 
 
 def new_id() -> str:

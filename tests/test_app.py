@@ -52,6 +52,8 @@ def test_the_database_is_where_it_was_asked_for(
     monkeypatch.setenv("PINEL_HOME", str(tmp_path / "home"))
     assert database_path() == tmp_path / "home" / "pinel.db"
     assert database_path(tmp_path / "other.db") == tmp_path / "other.db"
+    (tmp_path / "link.db").symlink_to(tmp_path / "other.db")
+    assert database_path(tmp_path / "link.db") == tmp_path / "other.db"
     monkeypatch.delenv("PINEL_HOME")
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "share"))
     monkeypatch.setenv("HOME", str(tmp_path))

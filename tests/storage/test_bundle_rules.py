@@ -39,6 +39,28 @@ def test_times_that_no_clock_shows_are_not(text: str) -> None:
     assert not time(text)
 
 
+@pytest.mark.parametrize(
+    ("text", "allowed"),
+    [
+        ("0199e4a0-0000-7fff-bfff-ffffffffffff", True),
+        ("05ffffff-ffff-7fff-bfff-ffffffffffff", True),
+        ("06000000-0000-7000-8000-000000000000", False),  # what comes after it would be made up
+        ("f6ffffff-ffff-5fff-bfff-ffffffffffff", True),  # made of a name, without a time
+    ],
+)
+def test_keys_leave_room_for_those_that_come_after(text: str, allowed: bool) -> None:
+    assert RULES["groups"]["id"](text) is allowed
+
+
+def test_what_is_changed_after_the_last_moment_still_travels(store: Store, tmp_path: Path) -> None:
+    group = store.groups.create("Onças")
+    last = "9998-12-31T23:59:59.999999Z"
+    store._access.write(lambda db: db.execute("UPDATE groups SET changed_at = ?", [last]))
+    store.groups.change(group.id, {"name": "Araras"})
+    info = exported(store, tmp_path / "a.pinel")
+    assert (info.left_out, info.counts["groups"]) == ((), 1)
+
+
 @pytest.mark.parametrize("number", ["1" * 400, "-" + "9" * 4000, "1" * 5000, "1e400"])
 def test_a_place_that_no_float_can_hold_is_refused(number: str) -> None:
     assert not RULES["runs"]["path"](f"[[{number},0]]")
