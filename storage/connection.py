@@ -2,12 +2,15 @@
 
 import queue
 import sqlite3
+import sys
+import time
+import uuid
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future
 from contextlib import contextmanager
 from datetime import datetime
 from pathlib import Path
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 from storage.errors import StoreError, translated
 from storage.opening import connect
@@ -18,27 +21,60 @@ T = TypeVar("T")
 _KEPT = 8
 
 
+class Moment(NamedTuple):
+    """When something is done.
+
+    Attributes:
+        text: the time by the PC's clock, which may be set to another in between.
+        app: names the running app.
+        uptime_s: s by a clock that nobody sets; of one app only.
+    """
+
+    text: str
+    app: str
+    uptime_s: float
+
+
+def uptime_s() -> float:
+    """Goes on while the PC sleeps."""
+    if sys.platform == "linux":
+        return time.clock_gettime(time.CLOCK_BOOTTIME)
+    return time.monotonic()
+
+
 class Access:
     """Reading and writing one file.
 
     Args:
         address: how SQLite is to open it.
         refusal: raised by every attempt to write, for a file that cannot be written.
+        uptime: a clock in s that nobody sets.
     """
 
     def __init__(
-        self, path: Path, address: str, refusal: StoreError | None, clock: Callable[[], datetime]
+        self,
+        path: Path,
+        address: str,
+        refusal: StoreError | None,
+        clock: Callable[[], datetime],
+        uptime: Callable[[], float] = uptime_s,
     ) -> None:
         self.path = path
         self.address = address
         self._refusal = refusal
         self._clock = clock
+        self._uptime = uptime
+        self._app = uuid.uuid4().hex
         self._idle: queue.LifoQueue[sqlite3.Connection] = queue.LifoQueue(_KEPT)
         self._writer = None if refusal else Writer(connect(address), path)
 
     def now(self) -> str:
         """The time as text."""
         return time_text(self._clock())
+
+    def moment(self) -> Moment:
+        """The time as text, and what tells how much of it has passed when the clock is set."""
+        return Moment(self.now(), self._app, self._uptime())
 
     @contextmanager
     def reading(self) -> Iterator[sqlite3.Connection]:

@@ -7,26 +7,22 @@ the teacher opens has a key made of class and title, so that it is one lesson on
 import sqlite3
 import uuid
 from collections.abc import Mapping
-from datetime import datetime
 
 from storage.classrooms import require_classroom
 from storage.computers import here, known
-from storage.connection import Access
+from storage.connection import Access, Moment
 from storage.errors import StoreError
 from storage.joined import settle, tree_of, whole_of
+from storage.open_lessons import keep_open, open_lesson
 from storage.records import LessonRow
 from storage.text import clean_name, name_key, new_id
 
-# after so long a pause another class sits there
-_PAUSE_S = 45 * 60
-_LONGEST_S = 6 * 3600
 _SELECT = """
     SELECT lessons.id, lessons.classroom_id, title, activity, by_itself, computer_id, computers.name AS computer,
            opened_at, used_at, closed_at, part_of,
            (SELECT count(*) FROM versions WHERE lesson_id = lessons.id) AS n_versions,
            (SELECT count(*) FROM runs WHERE lesson_id = lessons.id) AS n_runs
     FROM lessons LEFT JOIN computers ON computers.id = lessons.computer_id"""
-_OPEN = "closed_at IS NULL AND computer_id = ? AND lessons.classroom_id IS ?"
 
 
 class Lessons:
@@ -56,13 +52,11 @@ class Lessons:
 
     def current(self, classroom_id: str | None) -> LessonRow | None:
         """What work of the class would belong to now on this PC, None when a new lesson would begin."""
-        now = self._access.now()
+        now = self._access.moment()
         with self._access.reading() as db:
             computer = known(db)
-            if computer is None:
-                return None
-            found = _going_on(db, classroom_id, computer[0], now)
-        return None if found is None else self.get(found)
+            found = computer and open_lesson(db, classroom_id, computer[0])
+        return self.get(found.id) if found and found.goes_on(now) else None
 
     def parts(self, lesson_id: str) -> list[str]:
         """Keys of the lesson that it belongs to in the end, and of all that were joined to that one."""
@@ -75,29 +69,42 @@ class Lessons:
         Raises:
             StoreError: `classroom_not_found`, `name_empty`, `name_too_long`.
         """
-        clean, now = clean_name(title), self._access.now()
+        clean, moment = clean_name(title), self._access.moment()
+        now = moment.text
 
         def insert(db: sqlite3.Connection) -> str:
             require_classroom(db, classroom_id)
-            lesson_id = _key_of(db, classroom_id, clean)
+            lesson_id = _titled(db, classroom_id, clean) or _free_key(db, classroom_id, clean)
             computer_id, _ = here(db, now)
-            _close(db, _OPEN + " AND id != ?", [computer_id, classroom_id, lesson_id], now)
+            before = open_lesson(db, classroom_id, computer_id)
+            if before and before.id != lesson_id:
+                _close(db, before.id, now)
             db.execute(
                 """INSERT INTO lessons (id, classroom_id, title, activity, by_itself, computer_id, opened_at, used_at,
                                         changed_at) VALUES (?, ?, ?, ?, 0, ?, ?, ?, ?)
-                   ON CONFLICT (id) DO UPDATE SET closed_at = NULL, activity = excluded.activity, used_at = ?,
-                       computer_id = excluded.computer_id, changed_at = excluded.changed_at,
-                       revision = revision + (activity IS NOT excluded.activity)""",
-                [lesson_id, classroom_id, clean, activity, computer_id, now, now, now, now],
+                   ON CONFLICT (id) DO UPDATE SET closed_at = NULL, activity = excluded.activity, by_itself = 0,
+                       used_at = excluded.used_at, computer_id = excluded.computer_id,
+                       changed_at = excluded.changed_at,
+                       revision = revision + (activity IS NOT excluded.activity OR by_itself)""",
+                [lesson_id, classroom_id, clean, activity, computer_id, now, now, now],
             )
+            keep_open(db, classroom_id, computer_id, lesson_id, moment)
             return lesson_id
 
         return self.get(self._access.write(insert))
 
     def close(self, lesson_id: str) -> LessonRow:
         """Ends a lesson. Raises StoreError `lesson_not_found`."""
-        now = self._access.now()
-        self._access.write(lambda db: _close(db, "closed_at IS NULL AND id = ?", [lesson_id], now))
+        classroom_id, moment = self.get(lesson_id).classroom_id, self._access.moment()
+
+        def close(db: sqlite3.Connection) -> None:
+            computer = known(db)
+            found = computer and open_lesson(db, classroom_id, computer[0])
+            if computer and found and found.id == lesson_id:
+                keep_open(db, classroom_id, computer[0], None, moment)
+            _close(db, lesson_id, moment.text)
+
+        self._access.write(close)
         return self.get(lesson_id)
 
     def change(self, lesson_id: str, changes: Mapping[str, str | None]) -> LessonRow:
@@ -126,52 +133,59 @@ class Lessons:
         return self.get(lesson_id)
 
 
-def lesson_for(db: sqlite3.Connection, group_id: str, now: str) -> tuple[str, str]:
+def lesson_for(db: sqlite3.Connection, group_id: str, now: Moment) -> tuple[str, str]:
     """Keys of the lesson that the group's work belongs to now, and of this PC; within the caller's transaction."""
-    computer_id, _ = here(db, now)
+    computer_id, _ = here(db, now.text)
     group = db.execute("SELECT classroom_id FROM groups WHERE id = ?", [group_id]).fetchone()
     classroom_id = group["classroom_id"]
-    lesson_id = _going_on(db, classroom_id, computer_id, now)
-    if lesson_id is None:
-        _close(db, _OPEN, [computer_id, classroom_id], now)
-        lesson_id = new_id()
-        db.execute(
-            """INSERT INTO lessons (id, classroom_id, title, by_itself, computer_id, opened_at, used_at, changed_at)
-               VALUES (?, ?, '', 1, ?, ?, ?, ?)""",
-            [lesson_id, classroom_id, computer_id, now, now, now],
-        )
+    found = open_lesson(db, classroom_id, computer_id)
+    if found and found.goes_on(now):
+        lesson_id = found.id
+        # on another PC it may have been closed meanwhile
+        query = "UPDATE lessons SET used_at = ?, closed_at = NULL WHERE id = ?"
+        db.execute(query, [now.text, lesson_id])
     else:
-        db.execute("UPDATE lessons SET used_at = ? WHERE id = ?", [now, lesson_id])
+        if found:
+            _close(db, found.id, now.text)
+        lesson_id = _begun(db, classroom_id, computer_id, now.text)
+    keep_open(db, classroom_id, computer_id, lesson_id, now)
     return lesson_id, computer_id
 
 
-def _key_of(db: sqlite3.Connection, classroom_id: str, title: str) -> str:
-    """The same on every PC; another one where the lesson of that title was deleted for good."""
+def _begun(db: sqlite3.Connection, classroom_id: str | None, computer_id: str, now: str) -> str:
+    """A lesson that opens by itself."""
+    lesson_id = new_id()
+    db.execute(
+        """INSERT INTO lessons (id, classroom_id, title, by_itself, computer_id, opened_at, used_at, changed_at)
+           VALUES (?, ?, '', 1, ?, ?, ?, ?)""",
+        [lesson_id, classroom_id, computer_id, now, now, now],
+    )
+    return lesson_id
+
+
+def _titled(db: sqlite3.Connection, classroom_id: str, title: str) -> str | None:
+    """The newest lesson of the class that has this title now."""
+    rows = db.execute(
+        "SELECT id, title FROM lessons WHERE classroom_id = ? ORDER BY opened_at DESC, id DESC",
+        [classroom_id],
+    )
+    wanted = name_key(title)
+    return next((str(row["id"]) for row in rows if name_key(row["title"]) == wanted), None)
+
+
+def _free_key(db: sqlite3.Connection, classroom_id: str, title: str) -> str:
+    """The same on every PC; another one where the lesson that it was made for is deleted, or has another title now."""
     key = uuid.uuid5(uuid.UUID(classroom_id), name_key(title))
-    while db.execute("SELECT 1 FROM tombstones WHERE id = ?", [str(key)]).fetchone():
+    taken = "SELECT id FROM tombstones WHERE id = :key UNION SELECT id FROM lessons WHERE id = :key"
+    while db.execute(taken, {"key": str(key)}).fetchone():
         key = uuid.uuid5(key, "again")
     return str(key)
 
 
-def _going_on(
-    db: sqlite3.Connection, classroom_id: str | None, computer_id: str, now: str
-) -> str | None:
-    """The lesson that is open on this PC and in which somebody has worked not long ago."""
-    rows = db.execute(
-        f"SELECT id, by_itself, used_at FROM lessons WHERE {_OPEN} ORDER BY by_itself, used_at DESC",
-        [computer_id, classroom_id],
-    )
-    for row in rows:
-        # the clock may have been set back in between
-        pause_s = abs((_moment(now) - _moment(row["used_at"])).total_seconds())
-        if pause_s <= (_PAUSE_S if row["by_itself"] else _LONGEST_S):
-            return str(row["id"])
-    return None
-
-
-def _close(db: sqlite3.Connection, which: str, values: list[str | None], now: str) -> None:
+def _close(db: sqlite3.Connection, lesson_id: str, now: str) -> None:
     """No new state, which would beat the title that the teacher gives meanwhile: lessons also close by themselves."""
-    db.execute(f"UPDATE lessons SET closed_at = ? WHERE {which}", [now, *values])
+    query = "UPDATE lessons SET closed_at = ? WHERE id = ? AND closed_at IS NULL"
+    db.execute(query, [now, lesson_id])
 
 
 def _joinable(db: sqlite3.Connection, lesson_id: str, to: str) -> str:
@@ -186,10 +200,6 @@ def _joinable(db: sqlite3.Connection, lesson_id: str, to: str) -> str:
     if whole == lesson_id or lessons[lesson_id] != lessons[to]:
         raise StoreError("lesson_not_joinable", id=lesson_id)
     return whole
-
-
-def _moment(text: str) -> datetime:
-    return datetime.fromisoformat(text)
 
 
 def _record(row: sqlite3.Row, wholes: Mapping[str, str]) -> LessonRow:

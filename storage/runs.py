@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, Any
 
-from storage.connection import Access
+from storage.connection import Access, Moment
 from storage.errors import StoreError
 from storage.groups import touch
 from storage.lessons import lesson_for
@@ -63,7 +63,7 @@ class Runs:
 
     def begin(self, start: RunStart) -> RunRow:
         """Notes that a run begins; on disk when this returns. Raises StoreError `version_not_found`."""
-        now = self._access.now()
+        now = self._access.moment()
         return self.get(self._access.write(lambda db: _insert(db, start, now)))
 
     def discard(self, run_id: str) -> None:
@@ -180,7 +180,7 @@ def _end(
     db.execute(f"UPDATE runs SET {assignments} WHERE id = :id", {**changes, "id": run_id})
 
 
-def _insert(db: sqlite3.Connection, start: RunStart, now: str) -> str:
+def _insert(db: sqlite3.Connection, start: RunStart, now: Moment) -> str:
     origin = _origin(db, start)
     row = {
         "id": new_id(),
@@ -194,7 +194,7 @@ def _insert(db: sqlite3.Connection, start: RunStart, now: str) -> str:
         "parameters": dumped(start.parameters),
         "app_version": start.app_version,
         "state": "running",
-        "started_at": now,
+        "started_at": now.text,
         "activity": start.activity,
     }
     if origin["group_id"]:
@@ -203,7 +203,7 @@ def _insert(db: sqlite3.Connection, start: RunStart, now: str) -> str:
     names = ", ".join(row)
     db.execute(f"INSERT INTO runs ({names}) VALUES ({', '.join(':' + name for name in row)})", row)
     if origin["group_id"]:
-        touch(db, origin["group_id"], now)
+        touch(db, origin["group_id"], now.text)
     return str(row["id"])
 
 

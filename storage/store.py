@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from storage.checks import Checks
 from storage.classrooms import Classrooms
 from storage.computers import Computers
-from storage.connection import Access
+from storage.connection import Access, uptime_s
 from storage.errors import StoreError
 from storage.groups import Groups
 from storage.history import History
@@ -154,7 +154,13 @@ class Store:
         return store
 
 
-def open_store(path: Path, *, close_interrupted: bool = False, clock: Clock = _utc_now) -> Store:
+def open_store(
+    path: Path,
+    *,
+    close_interrupted: bool = False,
+    clock: Clock = _utc_now,
+    uptime: Callable[[], float] = uptime_s,
+) -> Store:
     """Opens the file, making it and its folder where there is none.
 
     A damaged file is set aside and its last good backup takes its place, or a new one is begun; a file that can
@@ -163,6 +169,7 @@ def open_store(path: Path, *, close_interrupted: bool = False, clock: Clock = _u
     Args:
         close_interrupted: ends runs that are still `running`. Only for the one program that holds the lock of
             the data folder: another may be running one.
+        uptime: a clock in s that nobody sets.
 
     Raises:
         StoreError: the file cannot be used at all; it is untouched.
@@ -170,7 +177,9 @@ def open_store(path: Path, *, close_interrupted: bool = False, clock: Clock = _u
     opened = prepare(path, clock())
     refusal = None if opened.writable else StoreError("database_read_only", path=str(path))
     store = Store(
-        Access(path, opened.address, refusal, clock), writable=opened.writable, notice=opened.notice
+        Access(path, opened.address, refusal, clock, uptime),
+        writable=opened.writable,
+        notice=opened.notice,
     )
     if close_interrupted and opened.writable:
         store.close_interrupted()

@@ -4,7 +4,7 @@ import sqlite3
 from collections.abc import Sequence
 from dataclasses import astuple
 
-from storage.connection import Access
+from storage.connection import Access, Moment
 from storage.errors import StoreError
 from storage.groups import touch
 from storage.json_check import is_object, parsed
@@ -82,7 +82,7 @@ class Versions:
             None if world is None else dumped(world),
         )
         _require_readable(content)
-        now = self._access.now()
+        now = self._access.moment()
         return self.get(
             self._access.write(lambda db: _insert(db, program_id, content, parent_id, now))
         )
@@ -127,7 +127,7 @@ class Versions:
 
 
 def _insert(
-    db: sqlite3.Connection, program_id: str, content: _Content, parent_id: str | None, now: str
+    db: sqlite3.Connection, program_id: str, content: _Content, parent_id: str | None, now: Moment
 ) -> str:
     program = db.execute("SELECT group_id FROM programs WHERE id = ?", [program_id]).fetchone()
     if program is None:
@@ -141,15 +141,15 @@ def _insert(
         "id": new_id(),
         "program_id": program_id,
         "number": min(newest["number"] + 1, MAX_NUMBER) if newest else 1,
-        "created_at": now,
+        "created_at": now.text,
         **dict(zip(_CONTENT, content, strict=True)),
         "parent_id": parent_id or (newest["id"] if newest else None),
     }
     version["lesson_id"], version["computer_id"] = lesson_for(db, program["group_id"], now)
     marks = ", ".join(f":{column}" for column in version)
     db.execute(f"INSERT INTO versions ({', '.join(version)}) VALUES ({marks})", version)
-    db.execute("UPDATE programs SET updated_at = ? WHERE id = ?", [now, program_id])
-    touch(db, program["group_id"], now)
+    db.execute("UPDATE programs SET updated_at = ? WHERE id = ?", [now.text, program_id])
+    touch(db, program["group_id"], now.text)
     return str(version["id"])
 
 

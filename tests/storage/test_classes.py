@@ -1,6 +1,5 @@
 """Classes, groups in them, lessons, notes, the bin, and the line of a program's versions."""
 
-from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
@@ -11,19 +10,7 @@ from storage.groups import COLORS, PICTURES
 from tests.storage.bundle_makers import exported, hash_of, merged
 from tests.storage.refusals import code_of
 from tests.storage.sample_documents import WORLD
-
-
-class SchoolClock:
-    """A PC's clock, which may be set back."""
-
-    def __init__(self) -> None:
-        self.time = datetime(2026, 3, 2, 8, 0, tzinfo=UTC)
-
-    def __call__(self) -> datetime:
-        return self.time
-
-    def passes(self, **amount: float) -> None:
-        self.time += timedelta(**amount)
+from tests.storage.school_clock import SchoolClock
 
 
 @pytest.fixture
@@ -33,7 +20,7 @@ def clock() -> SchoolClock:
 
 @pytest.fixture
 def school(path: Path, clock: SchoolClock) -> Any:
-    with open_store(path, clock=clock) as store:
+    with open_store(path, clock=clock, uptime=clock.uptime) as store:
         yield store
 
 
@@ -152,7 +139,7 @@ def test_a_clock_that_is_set_back_a_little_does_not_end_a_lesson(
     school: Store, clock: SchoolClock, ninth: str, square: ProgramRow
 ) -> None:
     edited(school, square, "a")
-    clock.passes(minutes=-30)
+    clock.is_set(minutes=-30)
     edited(school, square, "b")
     assert [lesson.n_versions for lesson in school.lessons.of_classroom(ninth)] == [2]
 
@@ -244,12 +231,13 @@ def test_the_teacher_s_change_beats_what_pupils_did_on_the_older_state(
     note = school.notes.write(run_of(school, edited(school, square, "a")), "Muito bem").id
     school.close_interrupted()
     other = school.classrooms.create("9º B").id
-    with open_store(tmp_path / "teacher.db", clock=clock) as teacher:
+    with open_store(tmp_path / "teacher.db", clock=clock, uptime=clock.uptime) as teacher:
         merged(teacher, exported(school, tmp_path / "b.pinel").path)
         teacher.notes.rewrite(note, "Por quê?")
         teacher.lessons.change(lesson, {"title": "Losango", "part_of": first})
         teacher.groups.change(robots.id, {"classroom_id": other}, by_teacher=True)
-        clock.passes(days=ahead)
+        clock.passes(days=1)
+        clock.is_set(days=ahead - 1)
         school.notes.see(note)
         for color in COLORS[-2:]:
             school.groups.change(robots.id, {"color": color, "name": "Gatos"})
@@ -276,9 +264,10 @@ def test_what_pupils_did_is_kept_where_the_teacher_changed_nothing(
     lesson = school.lessons.open(str(robots.classroom_id), "Aula 1").id
     note = school.notes.write(run_of(school, edited(school, square, "a")), "Muito bem").id
     school.close_interrupted()
-    with open_store(tmp_path / "teacher.db", clock=clock) as teacher:
+    with open_store(tmp_path / "teacher.db", clock=clock, uptime=clock.uptime) as teacher:
         merged(teacher, exported(school, tmp_path / "b.pinel").path)
-        clock.passes(days=ahead)
+        clock.passes(days=1)
+        clock.is_set(days=ahead - 1)
         school.notes.see(note)
         school.groups.change(robots.id, {"color": COLORS[-1], "name": "Gatos"})
         school.lessons.close(lesson)
@@ -303,7 +292,7 @@ def test_no_lesson_is_lost_where_two_pcs_have_joined_lessons(
 ) -> None:
     ids = {title: school.lessons.open(ninth, title).id for title in "ABC"}
     here, there, end = JOINS[kind]
-    with open_store(tmp_path / "other.db", clock=clock) as other:
+    with open_store(tmp_path / "other.db", clock=clock, uptime=clock.uptime) as other:
         merged(other, exported(school, tmp_path / "b.pinel").path)
         for pc, (part, whole) in ((school, here), (other, there)):
             pc.lessons.change(ids[part], {"part_of": ids[whole]})

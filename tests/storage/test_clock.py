@@ -115,5 +115,9 @@ def test_work_of_one_morning_is_one_lesson_while_the_clock_is_set_right(
             lessons.append(version.lesson_id)
         assert len(set(lessons)) == 1
         clock.time = NOW - timedelta(days=3000)
-        later = store.versions.save(program.id, {"n": "2018"}, None)
+        lessons.append(store.versions.save(program.id, {"n": "2018"}, None).lesson_id)
+        assert len(set(lessons)) == 1
+    clock.time = NOW
+    with started() as store:
+        later = store.versions.save(program.id, {"n": "another day"}, None)
         assert later.lesson_id not in lessons

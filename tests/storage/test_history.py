@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
@@ -12,14 +11,7 @@ from storage import RunFilter, RunStart, Store, open_store
 from storage.history import NO_CLASSROOM
 from storage.runs import Batch
 from tests.storage.sample_runs import ended
-
-
-@dataclass
-class Clock:
-    time: datetime = datetime(2026, 3, 2, 8, tzinfo=UTC)
-
-    def __call__(self) -> datetime:
-        return self.time
+from tests.storage.school_clock import SchoolClock
 
 
 @dataclass
@@ -27,7 +19,7 @@ class School:
     """Two classes and a group without one, whose runs end as the test says."""
 
     store: Store
-    clock: Clock
+    clock: SchoolClock
     groups: dict[str, str] = field(default_factory=dict)
     programs: dict[str, str] = field(default_factory=dict)
 
@@ -62,8 +54,8 @@ class School:
 
 @pytest.fixture
 def school(path: Path) -> Iterator[School]:
-    clock = Clock()
-    with open_store(path, clock=clock) as store:
+    clock = SchoolClock()
+    with open_store(path, clock=clock, uptime=clock.uptime) as store:
         found = School(store, clock)
         ninth, tenth = (store.classrooms.create(name).id for name in ("9º A", "10º"))
         found.groups |= {"9º A": ninth, "10º": tenth}
@@ -98,7 +90,7 @@ def test_runs_are_chosen_by_what_became_of_them(school: School) -> None:
 
 def test_runs_are_chosen_by_lesson_and_time(school: School) -> None:
     first = school.run("robots")
-    school.clock.time += timedelta(days=1)
+    school.clock.passes(days=1)
     second = school.run("robots")
     (later, earlier) = school.store.lessons.of_classroom(school.groups["9º A"])
     assert school.page(lesson_ids=(earlier.id,)) == [first]
