@@ -29,12 +29,14 @@ class Folder:
 
     Attributes:
         is_stick: whether it is a drive that was plugged in.
+        is_reachable: False for a folder that was chosen and does not answer now: a network that is down.
         free_bytes: None where nobody can tell.
     """
 
     path: Path
     name: str
     is_stick: bool
+    is_reachable: bool
     is_writable: bool
     free_bytes: int | None
     files: tuple[FileFound, ...]
@@ -48,13 +50,14 @@ def folders(
 ) -> list[Folder]:
     """Sticks, and the folders that were chosen; each with its files of that ending, the newest first.
 
-    A file counts that lies in the folder itself or in its folder `PINEL`. What cannot be read is left out.
+    A file counts that lies in the folder itself or in its folder `PINEL`. Sticks that cannot be read are left out.
     """
     found = [Path(one.mountpoint) for one in (partitions or _partitions)() if _is_stick(one)]
-    places = [(path, True) for path in found] + [
-        (path, False) for path in chosen if path not in found
+    sticks = [_folder(path, True, suffix) for path in found if _is_folder(path)]
+    others = [path for path in chosen if path not in found]
+    return sticks + [
+        _folder(path, False, suffix) if _is_folder(path) else _unreachable(path) for path in others
     ]
-    return [_folder(path, is_stick, suffix) for path, is_stick in places if _is_folder(path)]
 
 
 def _partitions() -> Sequence[Any]:
@@ -80,10 +83,15 @@ def _folder(path: Path, is_stick: bool, suffix: str) -> Folder:
         path,
         path.name or str(path),
         is_stick,
+        True,
         os.access(path, os.W_OK),
         _free_bytes(path),
         tuple(sorted(found, key=lambda file: (-file.modified_s, file.path))),
     )
+
+
+def _unreachable(path: Path) -> Folder:
+    return Folder(path, path.name or str(path), False, False, False, None, ())
 
 
 def _files(place: Path, suffix: str) -> list[FileFound]:

@@ -31,7 +31,13 @@ def test_a_folder_shows_its_files_and_those_of_its_folder_pinel(tmp_path: Path) 
 
 def test_only_what_was_plugged_in_is_a_stick(tmp_path: Path) -> None:
     mounted = [partition("/"), partition("/media/no-such-stick"), partition("/boot")]
-    assert folders(".pinel", [tmp_path / "gone"], partitions=lambda: mounted) == []
+    assert folders(".pinel", partitions=lambda: mounted) == []
+
+
+def test_a_folder_that_was_chosen_and_does_not_answer_is_told_as_such(tmp_path: Path) -> None:
+    (found,) = folders(".pinel", [tmp_path / "gone"], partitions=list)
+    assert (found.path, found.name) == (tmp_path / "gone", "gone")
+    assert (found.is_reachable, found.is_writable, found.files) == (False, False, ())
 
 
 def test_a_stick_is_found_where_desktops_put_it(

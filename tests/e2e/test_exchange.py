@@ -138,3 +138,47 @@ def test_what_was_deleted_elsewhere_goes_when_the_teacher_says_so(
     other_pc["delete-too"].click()
     expect(other_pc["would-delete"]).to_have_count(0)
     assert other_pc.api("/groups") == {"groups": []}
+
+
+def test_answers_about_one_folder_do_not_stand_under_another(
+    studio: Studio, stick: Path, tmp_path: Path
+) -> None:
+    studio.enter_group("Os Tatus")
+    (stick / "estragado.pinel").write_bytes(b"SQLite format 3\0 but not for long")
+    at_the_files(studio, stick)
+    studio["save-bundle"].click()
+    saved = studio.page.get_by_text("Salvo em")
+    expect(saved).to_be_visible()
+    expect(saved).not_to_contain_text("pendrive")
+    studio["merge-files"].click()
+    refused = studio["merge-results"].get_by_role("listitem").filter(has_text="estragado.pinel")
+    expect(refused).not_to_contain_text(str(stick))
+    studio.page.get_by_role("button", name="Procurar de novo").click()
+    expect(studio["merge-results"]).to_have_count(0)
+    expect(saved).to_have_count(0)
+
+    studio["merge-files"].click()
+    expect(studio["merge-results"]).to_be_visible()
+    empty = tmp_path / "vazia"
+    empty.mkdir()
+    studio["shared-folder"].fill(str(empty))
+    studio.page.get_by_role("button", name="Usar esta pasta").click()
+    expect(studio.page.get_by_text("Ainda sem arquivos")).to_be_visible()
+    expect(studio["merge-results"]).to_have_count(0)
+
+
+def test_a_school_folder_that_does_not_answer_stays_in_its_field_and_is_named(
+    studio: Studio, stick: Path
+) -> None:
+    studio.enter_group("Os Tatus")
+    at_the_files(studio, stick)
+    away = stick.rename(stick.with_name("fora"))
+    studio.page.reload()
+    expect(studio["shared-folder"]).to_have_value(str(stick))
+    expect(studio.page.get_by_role("alert")).to_contain_text("não responde agora")
+    places = studio.page.get_by_role("group")
+    expect(places.filter(has_text=stick.name)).to_contain_text("não responde agora")
+    expect(studio["save-bundle"]).to_have_count(0)
+    away.rename(stick)
+    expect(studio["save-bundle"]).to_be_visible()  # looked for again every few seconds
+    expect(studio.page.get_by_text("não responde agora")).to_have_count(0)

@@ -79,6 +79,8 @@ def test_a_file_that_is_refused_does_not_keep_the_others_out(
     for one in merged:
         if one["problem"]:
             assert one["problem"]["message"] != one["problem"]["code"]
+            assert one["name"] in one["problem"]["message"]
+            assert one["path"] not in one["problem"]["message"]
             assert one["problem"]["remedy"]
 
 
@@ -138,6 +140,18 @@ def test_a_folder_that_is_not_there_is_said(teacher: Browser, stick: Path) -> No
     ):
         assert answer.error["code"] == "folder_missing"
         assert gone in answer.error["message"]
+
+
+def test_a_shared_folder_that_does_not_answer_stays_chosen(teacher: Browser, stick: Path) -> None:
+    folder = stick / "rede"
+    folder.mkdir()
+    teacher.put("/api/folders/shared", {"path": str(folder)})
+    folder.rmdir()
+    places = teacher.get("/api/folders").data
+    assert places["shared"] == str(folder)
+    (told,) = places["folders"]
+    assert (told["name"], told["is_reachable"], told["is_writable"]) == ("rede", False, False)
+    assert teacher.put("/api/folders/shared", {"path": ""}).data == {"folders": [], "shared": ""}
 
 
 FILE = {"Content-Type": "application/octet-stream"}

@@ -163,7 +163,9 @@ def _folders() -> Response:
 
     kept = services().store.settings.get(_FOLDER)
     found = folders(SUFFIX, [Path(kept)] if kept else [])
-    return answer(FolderList(folders=[_folder(one) for one in found]))
+    return answer(
+        FolderList(folders=[_folder(one) for one in found], shared=showable(kept or ""))
+    )
 
 
 def _folder(folder: "FolderOnDisk") -> Folder:
@@ -171,6 +173,7 @@ def _folder(folder: "FolderOnDisk") -> Folder:
         path=showable(str(folder.path)),
         name=showable(folder.name),
         is_stick=folder.is_stick,
+        is_reachable=folder.is_reachable,
         is_writable=folder.is_writable,
         free_bytes=folder.free_bytes,
         files=[_file(file) for file in folder.files],
@@ -207,7 +210,10 @@ def _merged(path: Path, *, delete: bool) -> Merged:
     try:
         return _report(path, parts.store.exchange.merge(path, delete=delete))
     except StoreError as error:
-        words = describe(error.code, showable(error.params), parts.preferences.language)
+        params = showable(error.params)
+        if params.get("path") == showable(str(path)):
+            params["path"] = showable(path.name)  # the place is what the person has just chosen
+        words = describe(error.code, params, parts.preferences.language)
         return Merged(
             path=str(path),
             name=path.name,

@@ -20,20 +20,25 @@ class FileFound(Shape):
 
 
 class Folder(Shape):
-    """A stick that is plugged in, or the school's shared folder; `free_bytes` null where nobody can tell."""
+    """A stick that is plugged in, or the school's shared folder; `free_bytes` null where nobody can tell.
+
+    The shared folder is told while it does not answer too, then with `is_reachable` false.
+    """
 
     path: str
     name: str
     is_stick: bool
+    is_reachable: bool
     is_writable: bool
     free_bytes: int | None
     files: list[FileFound]
 
 
 class FolderList(Shape):
-    """Sticks first."""
+    """Sticks first; `shared` is the path of the shared folder, "" for none."""
 
     folders: list[Folder]
+    shared: str
 
 
 class SharedFolder(Body):

@@ -9,14 +9,13 @@ export type Merged = Schemas["Merged"];
 export type Removed = Schemas["Removed"];
 export type HeardComputer = Schemas["HeardComputer"];
 
-type Folders = { folders: Folder[] };
+export type Places = Schemas["FolderList"];
 
 /** Work from PC to PC. */
 export const exchange = {
-  folders: async () => (await json<Folders>("GET", "/api/folders")).folders,
+  folders: () => json<Places>("GET", "/api/folders"),
   /** Remembers the school's shared folder; "" for none. */
-  share: async (path: string) =>
-    (await json<Folders>("PUT", "/api/folders/shared", { path })).folders,
+  share: (path: string) => json<Places>("PUT", "/api/folders/shared", { path }),
   write: (folder: string, classroom: string | null, anonymous: boolean) =>
     json<Bundle>("POST", "/api/bundles", { folder, classroom_id: classroom, anonymous }),
   /** `drop`: what was deleted for good on the other PC goes here too. */

@@ -1656,12 +1656,16 @@ export interface components {
         /**
          * Folder
          * @description A stick that is plugged in, or the school's shared folder; `free_bytes` null where nobody can tell.
+         *
+         *     The shared folder is told while it does not answer too, then with `is_reachable` false.
          */
         Folder: {
             /** Files */
             files: components["schemas"]["FileFound"][];
             /** Free Bytes */
             free_bytes: number | null;
+            /** Is Reachable */
+            is_reachable: boolean;
             /** Is Stick */
             is_stick: boolean;
             /** Is Writable */
@@ -1673,11 +1677,13 @@ export interface components {
         };
         /**
          * FolderList
-         * @description Sticks first.
+         * @description Sticks first; `shared` is the path of the shared folder, "" for none.
          */
         FolderList: {
             /** Folders */
             folders: components["schemas"]["Folder"][];
+            /** Shared */
+            shared: string;
         };
         /**
          * GestureResultEvent

@@ -1,13 +1,13 @@
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { classesApi } from "../api/classes";
-import { exchange, type Folder, type HeardComputer } from "../api/exchange";
+import { exchange, type HeardComputer, type Merged, type Places } from "../api/exchange";
 import type { Classroom } from "../api/model";
 import { report } from "../app/session";
 import { asTeacher } from "../app/teacher";
 import { Heard } from "./Heard";
 import { MergeBox } from "./MergeBox";
-import { SaveBox } from "./SaveBox";
+import { SaveBox, type Saved } from "./SaveBox";
 import { SharedFolder } from "./SharedFolder";
 import { words } from "./words";
 
@@ -16,20 +16,27 @@ const LOOK_MS = 4000;
 
 /** Sticks and the school's folder: bring work in, take work along, and whose work is here. */
 export function ExchangePanel() {
-  const folders = useSignal<Folder[] | null>(null);
+  const places = useSignal<Places | null>(null);
+  const results = useSignal<Merged[]>([]);
+  const saved = useSignal<Saved | null>(null);
   const heard = useSignal<HeardComputer[]>([]);
   const classes = useSignal<Classroom[]>([]);
   const say = words.value;
 
   const look = async () => {
-    folders.value = await exchange.folders();
+    places.value = await exchange.folders();
   };
   const all = async () => {
-    [folders.value, heard.value, classes.value] = await Promise.all([
+    [places.value, heard.value, classes.value] = await Promise.all([
       exchange.folders(),
       exchange.heard(),
       classesApi.classrooms(),
     ]);
+  };
+  /** What was answered about one folder is not left standing under another. */
+  const forget = () => {
+    results.value = [];
+    saved.value = null;
   };
   useEffect(() => {
     asTeacher(all).catch(report);
@@ -39,24 +46,37 @@ export function ExchangePanel() {
     return () => clearInterval(timer);
   }, []);
 
-  if (!folders.value) return <section class="exchange" aria-busy="true" />;
+  if (!places.value) return <section class="exchange" aria-busy="true" />;
+  const { folders, shared } = places.value;
+  const lookAtAll = () => void asTeacher(all).catch(report);
   return (
     <section class="exchange" aria-labelledby="exchange-title">
       <h1 id="exchange-title" class="exchange__title">
         {say.title}
       </h1>
       <p class="exchange__intro">{say.intro}</p>
-      <MergeBox folders={folders.value} onLook={() => void asTeacher(all).catch(report)} />
+      <MergeBox
+        folders={folders}
+        results={results}
+        onMerged={lookAtAll}
+        onLook={() => {
+          forget();
+          lookAtAll();
+        }}
+      />
       <SaveBox
-        folders={folders.value}
+        folders={folders}
         classes={classes.value}
+        saved={saved}
         onSaved={() => void look().catch(report)}
       />
       <Heard computers={heard.value} />
       <SharedFolder
-        path={folders.value.find((one) => !one.is_stick)?.path ?? ""}
+        path={shared}
+        isReachable={!folders.some((one) => one.path === shared && !one.is_reachable)}
+        onChoose={forget}
         onChosen={(found) => {
-          folders.value = found;
+          places.value = found;
         }}
       />
     </section>

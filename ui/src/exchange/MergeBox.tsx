@@ -1,4 +1,4 @@
-import { useSignal } from "@preact/signals";
+import { type Signal, useSignal } from "@preact/signals";
 import { CircleCheck, Combine, HardDrive, RefreshCw, TriangleAlert, Usb } from "lucide-preact";
 import { exchange, type Folder, type Merged } from "../api/exchange";
 import { report } from "../app/session";
@@ -12,14 +12,15 @@ import { words } from "./words";
 
 interface Properties {
   folders: readonly Folder[];
+  results: Signal<Merged[]>;
+  onMerged(): void;
   /** Look for sticks again, and for whose work is here. */
   onLook(): void;
 }
 
 /** Every file on every stick is to be merged, but those that a person has unticked. */
-export function MergeBox({ folders, onLook }: Properties) {
+export function MergeBox({ folders, results, onMerged, onLook }: Properties) {
   const left = useSignal<ReadonlySet<string>>(new Set());
-  const results = useSignal<Merged[]>([]);
   const busy = useSignal<{ n: number; of: number } | null>(null);
   const say = words.value;
   const chosen = folders
@@ -36,7 +37,7 @@ export function MergeBox({ folders, onLook }: Properties) {
       }
     } finally {
       busy.value = null;
-      onLook();
+      onMerged();
     }
   };
   const replace = (merged: Merged) => {
@@ -45,7 +46,7 @@ export function MergeBox({ folders, onLook }: Properties) {
   const deleteToo = async (path: string) => {
     const merged = await asTeacher(() => exchange.merge(path, true));
     if (merged) replace(merged);
-    onLook();
+    onMerged();
   };
   const toggle = (path: string) => {
     const next = new Set(left.value);
@@ -116,7 +117,9 @@ function FolderFiles(properties: {
         {folder.is_stick ? say.stick(folder.name) : say.folder(folder.name)}
         <FolderState folder={folder} />
       </legend>
-      {folder.files.length === 0 && <p class="exchange__none">{say.noFiles}</p>}
+      {folder.is_reachable && folder.files.length === 0 && (
+        <p class="exchange__none">{say.noFiles}</p>
+      )}
       {folder.files.map((file) => (
         <label key={file.path} class="exchange__file">
           <input
@@ -140,6 +143,7 @@ function FolderFiles(properties: {
 
 function FolderState({ folder }: { folder: Folder }) {
   const say = words.value;
+  if (!folder.is_reachable) return <span class="exchange__about">{say.unreachable}</span>;
   if (!folder.is_writable) return <span class="exchange__about">{say.readOnly}</span>;
   if (folder.free_bytes === null) return null;
   return <span class="exchange__about">{say.free(size(folder.free_bytes, language.value))}</span>;
@@ -162,7 +166,7 @@ function Result({ merged, onDelete, onKeep }: ResultProps) {
       <p>
         {problem ? (
           <>
-            <strong>{merged.name}</strong>: {problem.message} {problem.remedy}
+            <strong>{refusal(merged.name, problem.message)}</strong> {problem.remedy}
           </>
         ) : (
           outcome(merged)
@@ -199,6 +203,11 @@ function Result({ merged, onDelete, onKeep }: ResultProps) {
       )}
     </li>
   );
+}
+
+/** Most refusals name the file themselves. */
+function refusal(name: string, message: string): string {
+  return message.includes(name) ? message : `${name}: ${message}`;
 }
 
 function outcome({ computer, name, added, nothing_new }: Merged): string {

@@ -1,4 +1,4 @@
-import { useSignal } from "@preact/signals";
+import { type Signal, useSignal } from "@preact/signals";
 import { ChevronDown, Save } from "lucide-preact";
 import { type Bundle, exchange, type Folder } from "../api/exchange";
 import type { Classroom } from "../api/model";
@@ -7,18 +7,24 @@ import { asTeacher } from "../app/teacher";
 import { TEST } from "../app/testids";
 import { words } from "./words";
 
+/** A file that was written, and where. */
+export interface Saved {
+  bundle: Bundle;
+  folder: Folder;
+}
+
 interface Properties {
   folders: readonly Folder[];
   classes: readonly Classroom[];
+  saved: Signal<Saved | null>;
   onSaved(): void;
 }
 
 /** Takes the work of this PC, or of one class, along. */
-export function SaveBox({ folders, classes, onSaved }: Properties) {
+export function SaveBox({ folders, classes, saved, onSaved }: Properties) {
   const classroom = useSignal("");
   const anonymous = useSignal(false);
   const saving = useSignal<string | null>(null);
-  const saved = useSignal<{ bundle: Bundle; folder: Folder } | null>(null);
   const say = words.value;
   const writable = folders.filter((folder) => folder.is_writable);
   if (writable.length === 0) return null;
@@ -88,14 +94,15 @@ export function SaveBox({ folders, classes, onSaved }: Properties) {
         ))}
       </div>
       <p role="status" class="exchange__saved">
-        {saved.value && savedWords(saved.value.bundle, saved.value.folder)}
+        {saved.value && savedWords(saved.value)}
       </p>
     </section>
   );
 }
 
-function savedWords({ name, n_groups, n_runs }: Bundle, { is_stick }: Folder): string {
+function savedWords({ bundle, folder }: Saved): string {
+  const { name, n_groups, n_runs } = bundle;
   const say = words.value;
   const saved = say.saved(name, say.groups(n_groups), say.runs(n_runs));
-  return is_stick ? `${saved} ${say.takeOut}` : saved;
+  return folder.is_stick ? `${saved} ${say.takeOut}` : saved;
 }

@@ -1,5 +1,5 @@
 import { useSignal } from "@preact/signals";
-import { exchange, type Folder } from "../api/exchange";
+import { exchange, type Places } from "../api/exchange";
 import { type Problem, wordsOf } from "../app/session";
 import { asTeacher } from "../app/teacher";
 import { TEST } from "../app/testids";
@@ -7,17 +7,21 @@ import { words } from "./words";
 
 interface Properties {
   path: string;
-  onChosen(folders: Folder[]): void;
+  /** Whether it answers now. */
+  isReachable: boolean;
+  onChoose(): void;
+  onChosen(places: Places): void;
 }
 
 /** A folder of the network that is treated as a stick. */
-export function SharedFolder({ path, onChosen }: Properties) {
+export function SharedFolder({ path, isReachable, onChoose, onChosen }: Properties) {
   const typed = useSignal(path);
   const problem = useSignal<Problem | null>(null);
   const say = words.value;
 
   const keep = async () => {
     problem.value = null;
+    onChoose();
     try {
       onChosen(await asTeacher(() => exchange.share(typed.value.trim())));
     } catch (error) {
@@ -25,6 +29,8 @@ export function SharedFolder({ path, onChosen }: Properties) {
     }
   };
 
+  const silent = path !== "" && !isReachable && typed.value === path;
+  const fault = problem.value ?? (silent ? say.sharedSilent : null);
   return (
     <form
       class="exchange__box"
@@ -45,11 +51,13 @@ export function SharedFolder({ path, onChosen }: Properties) {
           class="field exchange__path"
           data-testid={TEST.sharedFolder}
           aria-describedby="shared-folder-hint"
-          aria-invalid={problem.value !== null}
+          aria-invalid={fault !== null}
+          placeholder={say.sharedExample}
           autocomplete="off"
           spellcheck={false}
           value={typed.value}
           onInput={(event) => {
+            problem.value = null;
             typed.value = event.currentTarget.value;
           }}
         />
@@ -58,7 +66,7 @@ export function SharedFolder({ path, onChosen }: Properties) {
         </button>
       </div>
       <p role="alert" class="exchange__problem">
-        {problem.value && `${problem.value.message} ${problem.value.remedy}`}
+        {fault && `${fault.message} ${fault.remedy}`}
       </p>
     </form>
   );

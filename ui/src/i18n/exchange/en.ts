@@ -12,6 +12,7 @@ export const en: ExchangeTexts = {
   folder: (name: string) => `Folder ${name}`,
   free: (size: string) => `${size} free`,
   readOnly: "can only be read",
+  unreachable: "does not answer now",
   noFiles: "No files of PINEL yet.",
   file: (size: string, when: string) => `${size} · ${when}`,
   choose: (name: string) => `Merge ${name}`,
@@ -45,6 +46,11 @@ export const en: ExchangeTexts = {
   shared: "School folder",
   sharedHint:
     "A folder of the network or of this PC that is shown here like a stick. Leave it empty to use none.",
+  sharedExample: "For example: \\\\server\\robotics or /network/robotics",
+  sharedSilent: {
+    message: "The school folder does not answer now.",
+    remedy: "It stays chosen. See that the network is up, or that the folder opens on this PC.",
+  },
   keepShared: "Use this folder",
   doomed: (computer: string, names: string, work: string) =>
     `On ${computer} this was deleted for good: ${names} (still here: ${work}). Delete it here too? This cannot be undone.`,

@@ -12,6 +12,7 @@ export const es: ExchangeTexts = {
   folder: (name: string) => `Carpeta ${name}`,
   free: (size: string) => `${size} libres`,
   readOnly: "solo se puede leer",
+  unreachable: "no responde ahora",
   noFiles: "Todavía sin archivos de PINEL.",
   file: (size: string, when: string) => `${size} · ${when}`,
   choose: (name: string) => `Unir ${name}`,
@@ -46,6 +47,12 @@ export const es: ExchangeTexts = {
   shared: "Carpeta de la escuela",
   sharedHint:
     "Una carpeta de la red o de esta computadora que aparece aquí como una memoria USB. Déjela vacía para no usar ninguna.",
+  sharedExample: "Por ejemplo: \\\\servidor\\robotica o /red/robotica",
+  sharedSilent: {
+    message: "La carpeta de la escuela no responde ahora.",
+    remedy:
+      "Sigue elegida. Revise si la red está conectada o si la carpeta se abre en esta computadora.",
+  },
   keepShared: "Usar esta carpeta",
   doomed: (computer: string, names: string, work: string) =>
     `En ${computer} se borró para siempre: ${names} (aquí todavía hay ${work}). ¿Borrarlo aquí también? No se puede deshacer.`,

@@ -12,6 +12,7 @@ export const ptBR = {
   folder: (name: string) => `Pasta ${name}`,
   free: (size: string) => `${size} livres`,
   readOnly: "só pode ser lido",
+  unreachable: "não responde agora",
   noFiles: "Ainda sem arquivos do PINEL.",
   file: (size: string, when: string) => `${size} · ${when}`,
   choose: (name: string) => `Juntar ${name}`,
@@ -45,6 +46,12 @@ export const ptBR = {
   shared: "Pasta da escola",
   sharedHint:
     "Uma pasta da rede ou deste computador que aparece aqui como um pendrive. Deixe vazio para não usar.",
+  sharedExample: "Por exemplo: \\\\servidor\\robotica ou /rede/robotica",
+  sharedSilent: {
+    message: "A pasta da escola não responde agora.",
+    remedy:
+      "Ela continua escolhida. Confira se a rede está ligada ou se a pasta abre neste computador.",
+  },
   keepShared: "Usar esta pasta",
   doomed: (computer: string, names: string, work: string) =>
     `Em ${computer} foi apagado para sempre: ${names} (aqui ainda há ${work}). Apagar aqui também? Não dá para desfazer.`,
