@@ -8,6 +8,7 @@ import { setTurnMinutes, TURN_MINUTES, turnMinutes } from "../app/turns";
 import { useAct } from "./act";
 import { FaultLine } from "./FaultLine";
 import { Field, PinField } from "./Field";
+import { pinFault } from "./pin";
 import { words } from "./words";
 
 /** What holds for this PC: its name, the PIN, taking turns. */
@@ -64,10 +65,8 @@ function NewPin() {
   const keep = async (event: Event) => {
     event.preventDefault();
     setKept(false);
-    if (pin !== again) {
-      refuse(prepare.different);
-      return;
-    }
+    const wrong = pinFault(pin, again, prepare);
+    if (wrong) return refuse(wrong);
     if (!(await act(() => choosePin(pin)))) return;
     setKept(true);
     setPin("");

@@ -9,6 +9,7 @@ import { TEST } from "../app/testids";
 import { useAct } from "./act";
 import { FaultLine } from "./FaultLine";
 import { Field, PinField } from "./Field";
+import { pinFault } from "./pin";
 import { words } from "./words";
 
 /** The first day: a PIN, a class, and what this PC is called. */
@@ -41,7 +42,8 @@ export function Preparation({ onDone }: { onDone(): void }) {
 
   const submit = async (event: Event) => {
     event.preventDefault();
-    if (pin !== again) refuse(prepare.different);
+    const wrong = pinFault(pin, again, prepare);
+    if (wrong) refuse(wrong);
     else if (await act(done)) {
       onDone();
       // a class that was not made here comes by stick

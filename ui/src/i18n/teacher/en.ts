@@ -21,6 +21,7 @@ export const en: TeacherTexts = {
     pin: "Choose a PIN",
     pinHint: "4 to 12 digits. It opens lessons, review and settings; pupils do not need it.",
     pinAgain: "The same PIN once more",
+    pinFormat: "The PIN must have 4 to 12 digits, and digits only.",
     different: "The two PINs are not the same. Type the same PIN in both fields.",
     className: "Name of your class",
     classHint: "9A, for example. Leave it empty if the class comes from another PC, by stick.",

@@ -22,6 +22,7 @@ export const es: TeacherTexts = {
     pinHint:
       "De 4 a 12 cifras. Abre las clases, la revisión y los ajustes; los alumnos no lo necesitan.",
     pinAgain: "El mismo PIN otra vez",
+    pinFormat: "El PIN debe tener de 4 a 12 cifras, y solo cifras.",
     different: "Los dos PIN no son iguales. Escriba el mismo PIN en los dos campos.",
     className: "Nombre del curso",
     classHint:

@@ -21,6 +21,7 @@ export const ptBR = {
     pinHint:
       "De 4 a 12 algarismos. Ele abre as aulas, a revisão e os ajustes; os alunos não precisam dele.",
     pinAgain: "O mesmo PIN, outra vez",
+    pinFormat: "O PIN precisa ter de 4 a 12 algarismos, e só algarismos.",
     different: "Os dois PINs não são iguais. Digite o mesmo PIN nos dois campos.",
     className: "Nome da turma",
     classHint: "Por exemplo, 9º A. Deixe vazio se a turma vem de outro computador, por pendrive.",
