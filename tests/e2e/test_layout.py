@@ -3,11 +3,12 @@
 from typing import Any
 
 import pytest
-from playwright.sync_api import Page
+from playwright.sync_api import Page, expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.studio import Studio
+from tests.e2e.watch import Watch
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
 
@@ -73,3 +74,51 @@ def test_no_words_are_cut(open_studio: OpenStudio, size: tuple[int, int], langua
     studio["open-work"].click()
     studio["program-card"].first.wait_for()
     assert cut(studio.page) == [], "our work"
+
+
+@pytest.mark.parametrize("size", SCREENS[:2], ids=lambda size: f"{size[0]}x{size[1]}")
+@pytest.mark.parametrize("language", ["pt-BR", "es"])
+def test_the_lesson_gives_way_to_the_group_and_its_program(
+    open_studio: OpenStudio, watch: Watch, size: tuple[int, int], language: str
+) -> None:
+    watch.expect("net::ERR_FAILED")
+    studio = open_studio(viewport={"width": size[0], "height": size[1]})
+    studio.enter_new_group("Os Tatus")
+    _begin_lesson(studio, "Quadrados e desvios no pátio da escola")
+    studio.page.reload()
+    studio.wait_until_open()
+    expect(studio["lesson-chip"]).to_be_visible()
+    studio["language"].select_option(language)
+    studio.page.locator(f'html[lang="{language}"]').wait_for(state="attached")
+    assert _cut_names(studio) == []
+    studio["language"].select_option("pt-BR")
+    studio.page.route("**/api/programs/*/versions", lambda route: route.abort())
+    start = studio.blocks.start()
+    studio.blocks.drag_from_toolbox("motion", "andar para frente", studio.blocks.below(start))
+    studio["language"].select_option(language)
+    expect(studio["saved-mark"]).to_have_attribute("data-state", "failed")
+    assert _cut_names(studio) == []
+    assert cut(studio.page) == []
+
+
+def _begin_lesson(studio: Studio, title: str) -> None:
+    """For the group that is in."""
+    door = (
+        ("POST", "/teacher/enter") if studio.api("/teacher")["has_pin"] else ("PUT", "/teacher/pin")
+    )
+    studio.tell(*door, {"pin": "314159"})
+    group = studio.api("/groups")["groups"][0]
+    classroom = studio.tell("POST", "/classrooms", {"name": f"Turma de {group['name']}"})["id"]
+    studio.tell("PATCH", f"/groups/{group['id']}", {"classroom_id": classroom})
+    studio.tell("POST", f"/classrooms/{classroom}/lessons", {"title": title, "activity": "square"})
+    studio.tell("POST", "/teacher/leave", {})
+
+
+def _cut_names(studio: Studio) -> list[str]:
+    """Of group and program, short as they are."""
+    names = studio.page.locator(".header__group-name, .program-name__input").all()
+    return [
+        name.inner_text()
+        for name in names
+        if name.evaluate("element => element.scrollWidth > element.clientWidth")
+    ]
