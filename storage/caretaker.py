@@ -97,6 +97,13 @@ class Caretaker:
             self._backup = None
         self._tell()
 
+    def look_at_file(self) -> None:
+        """Finds damage that the start does not look for; what can be mended without loss is."""
+        if problem := self._store.mend(self._ended.is_set):
+            path = str(self._store.path)
+            self._backup = Notice("backup_found_damage", {"path": path, "problem": problem})
+            self._tell()
+
     def finish_removals(self) -> None:
         """Backups lose what was deleted for good, where that was cut off; what cannot be done now is tried again."""
         with contextlib.suppress(StoreError):
@@ -106,9 +113,11 @@ class Caretaker:
         pause_s, n_looks = _FIRST_S, 0
         while not self._ended.wait(pause_s):
             self.look_at_disk()
+            if n_looks == 0:
+                self.look_at_file()
             if n_looks % _LOOKS_PER_BACKUP == 0:
-                self.finish_removals()
                 self.back_up()
+            self.finish_removals()
             pause_s, n_looks = _EVERY_S, n_looks + 1
 
     def _tell(self) -> None:

@@ -105,11 +105,16 @@ class Exchange:
         return replace(removal, still_in=self._clean_backups(removal.ids))
 
     def finish_removals(self, stop: Stop = lambda: False) -> tuple[Path, ...]:
-        """Takes what was deleted for good out of backups that hold it yet: of a removal that was cut off, or while
-        somebody else held a backup. Those that still hold it are told."""
+        """Takes what was deleted for good out of backups that hold it yet, and out of the log: of a removal that was
+        cut off, while somebody else held a backup, or while one was being made. Those that still hold it are told."""
         with self._access.reading() as db:
             ids = tombstones(db)
-        return self._clean_backups(ids, stop) if ids else ()
+        if not ids:
+            return ()
+        with closing(connect(self._access.address)) as db:
+            db.execute("PRAGMA busy_timeout = 0")  # who writes does not wait: it is tried again
+            forget_log(db)
+        return self._clean_backups(ids, stop)
 
     def _clean_backups(self, ids: Collection[str], stop: Stop = lambda: False) -> tuple[Path, ...]:
         return tuple(remove_from_backups(self._access.path, ids, remove_keys, stop))

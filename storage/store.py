@@ -85,6 +85,12 @@ class Store:
 
         return Exchange(self._access)
 
+    def mend(self, stop: Callable[[], bool] = lambda: False) -> str | None:
+        """Looks at the whole file, which takes long; indexes that do not fit are made anew. What is wrong then."""
+        from storage.mending import mend  # noqa: PLC0415 - after the start
+
+        return mend(self._access, stop)
+
     def listen(self, on_written: Callable[[], None]) -> None:
         """Has it called after each write that is on disk, on the writer's thread; it must not raise or wait."""
         self._access.listen(on_written)

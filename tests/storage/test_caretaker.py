@@ -150,6 +150,30 @@ def _backups_with(octets: bytes, path: Path) -> int:
     return sum(octets in backup.path.read_bytes() for backup in list_backups(path))
 
 
+def test_a_backup_that_was_being_made_loses_what_is_deleted_meanwhile(
+    keeping: Keeping, store: Store, path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """By another process, which knows nothing of the backup."""
+    group = store.groups.create("Fulano de Tal")
+    monkeypatch.setattr("storage.backups._PAGES", 1)
+
+    def stop() -> bool:
+        if store.groups.all():
+            with monkeypatch.context() as elsewhere:
+                elsewhere.setattr("storage.exchange.remove_from_backups", lambda *_: [])
+                assert not store.exchange.remove("group", group.id).overwritten
+        return False
+
+    monkeypatch.setattr("storage.opening._BUSY_S", 0.05)
+    assert make_backup(path, NOON, stop=stop)
+    assert _backups_with(b"Fulano", path) == 1
+    files = (path, path.with_name("pinel.db-wal"))
+    assert b"Fulano" in b"".join(file.read_bytes() for file in files)
+    keeping.caretaker.finish_removals()
+    assert _backups_with(b"Fulano", path) == 0
+    assert b"Fulano" not in b"".join(file.read_bytes() for file in files)
+
+
 def test_a_backup_that_somebody_holds_loses_what_was_deleted_when_it_is_free(
     keeping: Keeping, store: Store, path: Path
 ) -> None:
