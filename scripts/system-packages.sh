@@ -29,7 +29,7 @@ wanted() {
         run) printf '%s\n' "$PYTHON_PACKAGES" "$WINDOW_PACKAGES" ;;
         test)
             printf '%s\n' "$PYTHON_PACKAGES" "$WINDOW_PACKAGES" "$TEST_PACKAGES"
-            command -v chromium >/dev/null || printf '%s\n' "$(browser_package)$BROWSER"
+            command -v chromium-headless-shell >/dev/null || command -v chromium >/dev/null || printf '%s\n' "$(browser_package)$BROWSER"
             ;;
         package)
             # Debian's python3 does not link its own shared library; PyInstaller ships that library.
@@ -38,13 +38,15 @@ wanted() {
     esac
 }
 
-# Debian calls it chromium; Ubuntu's chromium-browser brings the snap.
+# Debian has Chromium without a window, which is all that tests need; Ubuntu's chromium-browser brings the snap.
 browser_package() {
-    if apt-cache show chromium >/dev/null 2>&1 || ! apt-cache show chromium-browser >/dev/null 2>&1; then
-        echo chromium
-    else
-        echo chromium-browser
-    fi
+    for package in chromium-headless-shell chromium chromium-browser; do
+        if apt-cache show "$package" >/dev/null 2>&1; then
+            echo "$package"
+            return
+        fi
+    done
+    echo chromium
 }
 
 # Names of installed packages and of what they provide (Ubuntu renames: libpython3.12t64 provides libpython3.12).

@@ -1,6 +1,7 @@
 """A real app, a real browser, and a watch over both."""
 
 import os
+import shutil
 from collections.abc import Callable, Generator, Iterator
 from pathlib import Path
 from typing import Any
@@ -13,7 +14,12 @@ from tests.e2e.app_process import AppProcess
 from tests.e2e.studio import Studio
 from tests.e2e.watch import Watch
 
-CHROMIUM = os.environ.get("PINEL_CHROMIUM", "/usr/bin/chromium")
+# Debian has it without its own window, which a test never sees and which takes a third of the time
+CHROMIUM = (
+    os.environ.get("PINEL_CHROMIUM")
+    or shutil.which("chromium-headless-shell")
+    or "/usr/bin/chromium"
+)
 SCREEN = {"width": 1366, "height": 768}
 ARTIFACTS = Path(__file__).parents[1] / "artifacts"
 
