@@ -322,6 +322,7 @@ def test_the_report_on_paper_has_no_buttons_and_says_what_it_counts(teacher: Tea
     for gone in ("lesson-print", "lesson-table", "lesson-time", "home"):
         expect(teacher[gone].first).to_be_hidden()
     expect(teacher["lesson-explained"]).to_contain_text("Impresso em")
+    assert _not_whole(teacher.row(LONG_NAME)) == []
     line = teacher.row(LONG_NAME).locator(".line").bounding_box()
     assert line is not None
     assert line["width"] < A4_PX
@@ -437,3 +438,10 @@ def test_from_a_run_of_the_list_the_teacher_goes_back_to_it_but_no_pupil_does(
 
 def _scrolled(teacher: Teacher) -> float:
     return float(teacher["lesson-page"].evaluate("one => one.scrollTop"))
+
+
+def _not_whole(row: Locator) -> list[str]:
+    """What paper would have to be pulled wider or pointed at for."""
+    parts = row.locator(".group-row__who :is(.group-row__name > span, .chips)").all()
+    cut = "e => e.scrollWidth > e.clientWidth + 1 || e.scrollHeight > e.clientHeight + 1"
+    return [part.inner_text() for part in parts if part.evaluate(cut)]

@@ -24,7 +24,7 @@ function owned(path: string): string[] {
   const text = read(path).replace(/\/\*[\s\S]*?\*\//g, "");
   const onScreen = text.replace(/@media print \{[\s\S]*?\n\}/g, "");
   const selectors = [...onScreen.matchAll(/([^{};]+)\{/g)].flatMap(([, all]) =>
-    (all ?? "").split(","),
+    (all ?? "").split(/,(?![^(]*\))/),
   );
   return selectors.flatMap(
     (one) => /^\.([\w-]+)(::?[\w-]+(\([^)]*\))?|\[[^\]]*\])*$/.exec(one.trim())?.[1] ?? [],
