@@ -118,12 +118,16 @@ export function placeOf(mark: ReviewMark): string {
 /** The line itself, its ruler, folded pauses, and arcs from what failed to what made it good. */
 function Ground({ layout, zero }: { layout: LineLayout; zero: number | null }) {
   const { line } = words.value;
-  const { width, ticks, folds, arcs, marks } = layout;
+  const { width, ticks, folds, arcs, marks, lengths } = layout;
   const end = Math.max(...marks.map(({ x, width: wide }) => x + wide / 2), 0);
   const round = marks.find(({ mark }) => mark.kind === "run")?.height ?? barHeight(1);
   return (
     <svg class="line__ground" width={width} height={HEIGHT} aria-hidden="true">
+      <path class="line__rest" d={`M0 ${BASE}H${Math.max(end, layout.end)}`} />
       <path class="line__base" d={`M0 ${BASE}H${end}`} />
+      {lengths.map(({ from, to }) => (
+        <path key={from} class="line__length" d={`M${from} ${BASE}H${to}`} />
+      ))}
       {folds.map(({ x, fold }) => (
         <g key={fold.from} class="line__fold" transform={`translate(${x} ${BASE})`}>
           <title>{line.fold(spell(fold.seconds, language.value))}</title>

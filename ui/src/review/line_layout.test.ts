@@ -189,6 +189,19 @@ describe("a line", () => {
     expect(minutes.every((minute) => minute <= 1 || minute >= 61)).toBe(true);
   });
 
+  test("lasts as long as its last run does, and no number stands beyond its end", () => {
+    const line = lineOf([mark("edit", 0), mark("run", 60, { duration_s: 188 }), mark("run", 300)]);
+    const [edit, long, short] = line.marks.map(({ x }) => x);
+    expect(line.lengths).toHaveLength(1);
+    const [length] = line.lengths;
+    expect(length?.from).toBe(long);
+    expect(length?.to).toBeGreaterThan(((edit ?? 0) + (short ?? 0)) / 2);
+    expect(length?.to).toBeLessThan(short ?? 0);
+    const only = lineOf([mark("edit", 0), mark("run", 60, { duration_s: 188 })]);
+    expect(only.lengths[0]?.to).toBe(only.end);
+    expect(only.ticks.every(({ x }) => x <= only.end)).toBe(true);
+  });
+
   test("shows more edits as a higher bar, within limits", () => {
     expect(barHeight(1)).toBeLessThan(barHeight(4));
     expect(barHeight(4)).toBeLessThan(barHeight(16));

@@ -37,6 +37,10 @@ export interface LineLayout {
   readonly arcs: readonly Arc[];
   readonly ticks: readonly { readonly x: number; readonly time: number }[];
   readonly folds: readonly { readonly x: number; readonly fold: Fold }[];
+  /** Runs that went on beyond the sign of their beginning. */
+  readonly lengths: readonly Arc[];
+  /** Where the time of the line is over. */
+  readonly end: number;
 }
 
 /** Places that were found for all lines together. */
@@ -80,7 +84,8 @@ export function momentsOf(
 }
 
 /** Where everything on a line stands that shares its scale with others. */
-function layOutCommon({ marks, axis, width, scale, zero }: LineInput, common: Common): LineLayout {
+function layOutCommon(line: LineInput, common: Common): LineLayout {
+  const { marks, axis, width, scale } = line;
   let next = 0;
   const take = () => EDGE + (common.places[next++] ?? 0);
   const placed = marks.map((mark, index): PlacedMark => {
@@ -96,14 +101,13 @@ function layOutCommon({ marks, axis, width, scale, zero }: LineInput, common: Co
     width: room + 2 * EDGE,
     marks: placed,
     arcs: arcsOf(placed),
-    ticks: ticksOf(axis, scale, zero, place, room),
-    folds: axis.folds.map((fold) => ({ fold, x: place(fold.from + fold.seconds / 2) })),
+    ...rulerOf(line, placed, place, room),
   };
 }
 
 /** Where everything on a line stands. The ruler goes with the marks where these had to make room for each other. */
 export function layOut(line: LineInput): LineLayout {
-  const { marks, spans, axis, width, scale, zero, common } = line;
+  const { marks, spans, axis, width, scale, common } = line;
   if (common) return layOutCommon(line, common);
   const inner = width - 2 * EDGE;
   const begin = (index: number) => axis.at(spans[index]?.from ?? 0) * scale;
@@ -132,8 +136,7 @@ export function layOut(line: LineInput): LineLayout {
     width: room + 2 * EDGE,
     marks: placed,
     arcs: arcsOf(placed),
-    ticks: ticksOf(axis, scale, zero, place, room),
-    folds: axis.folds.map((fold) => ({ fold, x: place(fold.from + fold.seconds / 2) })),
+    ...rulerOf(line, placed, place, room),
   };
 }
 
@@ -186,6 +189,27 @@ function arcsOf(placed: readonly PlacedMark[]): Arc[] {
     const from = mark.repairs ? places.get(mark.repairs) : undefined;
     return from === undefined ? [] : [{ from, to: x }];
   });
+}
+
+type Ruler = Pick<LineLayout, "ticks" | "folds" | "lengths" | "end">;
+
+/** What lies under the marks: the time itself. */
+function rulerOf(
+  { axis, scale, zero, spans }: LineInput,
+  placed: readonly PlacedMark[],
+  place: At,
+  room: number,
+): Ruler {
+  const within = (time: number) => Math.min(EDGE + room, place(time));
+  return {
+    ticks: ticksOf(axis, scale, zero, place, room),
+    folds: axis.folds.map((fold) => ({ fold, x: place(fold.from + fold.seconds / 2) })),
+    lengths: placed.flatMap(({ mark, index, x, width }) => {
+      const to = within(spans[index]?.to ?? 0);
+      return mark.kind === "run" && to > x + width / 2 ? [{ from: x, to }] : [];
+    }),
+    end: within(axis.to),
+  };
 }
 
 function ticksOf(
