@@ -51,6 +51,9 @@ def call(studio: Studio, method: str, path: str, body: dict[str, Any]) -> Any:
 def test_the_first_day_of_a_teacher(studio: Studio) -> None:
     expect(studio["group-name"]).to_be_visible()
     studio["prepare"].click()
+    studio["pin"].fill("31")
+    studio["prepare-done"].click()
+    expect(studio.page.get_by_role("alert")).to_contain_text("de 4 a 12 algarismos")
     studio["pin"].fill(PIN)
     studio["pin-again"].fill("271828")
     studio["class-name"].fill("9º A")
@@ -157,6 +160,24 @@ def test_pupils_see_the_lesson_that_the_teacher_opened(
     studio.page.reload()
     studio.wait_until_open()
     expect(studio["lesson-chip"]).to_have_count(0)
+
+
+def test_a_lesson_that_is_opened_while_a_group_works_is_shown_before_its_run_is_judged(
+    studio: Studio, open_studio: OpenStudio
+) -> None:
+    prepare(studio)
+    studio["leave-door"].click()
+    studio.enter_group("Os Tatus")
+    studio.build_square()
+    expect(studio["lesson-chip"]).to_have_count(0)
+
+    teacher = open_studio()
+    teacher["door"].click()
+    teacher["pin"].fill(PIN)
+    teacher["enter-door"].click()
+    open_lesson(teacher, "Quadrados", "square")
+    studio["run"].click()
+    expect(studio["lesson-chip"]).to_contain_text("Um quadrado de 1 m")
 
 
 def test_lessons_are_joined_and_taken_apart(studio: Studio) -> None:

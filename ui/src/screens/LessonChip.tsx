@@ -1,9 +1,12 @@
 import { BookOpen } from "lucide-preact";
 import { useEffect } from "preact/hooks";
 import { knowLesson, lesson } from "../app/lesson";
-import { group } from "../app/session";
+import { group, isRunning } from "../app/session";
 import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
+
+/** The teacher may open a lesson in another window while the group is at work. */
+const EVERY_MS = 15_000;
 
 /** What today is about: the open lesson's title and its activity. */
 export function LessonChip() {
@@ -11,10 +14,13 @@ export function LessonChip() {
   useEffect(() => {
     const look = () => document.visibilityState === "visible" && void knowLesson();
     look();
-    // the teacher may open one in another window
+    const timer = setInterval(look, EVERY_MS);
     document.addEventListener("visibilitychange", look);
-    return () => document.removeEventListener("visibilitychange", look);
-  }, [classroom, language.value]);
+    return () => {
+      clearInterval(timer);
+      document.removeEventListener("visibilitychange", look);
+    };
+  }, [classroom, language.value, isRunning.value]); // a run is judged by the activity of the lesson
   const now = lesson.value;
   if (!now) return null;
   const whole = [texts.value.classes.lesson(now.title), now.activity].filter(Boolean).join(" · ");
