@@ -10,7 +10,8 @@ import sqlite3
 from storage import machine
 from storage.connection import Access
 from storage.errors import StoreError
-from storage.text import MAX_NAME, clean_name, dumped, loaded, new_id
+from storage.settings import keep, kept
+from storage.text import MAX_NAME, clean_name, new_id
 
 _KEY, _MARK = "computer_id", "machine_mark"
 
@@ -49,12 +50,12 @@ def here(db: sqlite3.Connection, now: str) -> tuple[str, str]:
     """Key and name of this PC, made where there are none, within the caller's transaction."""
     found = known(db)
     if found is not None:
-        if _kept(db, _MARK) is None:  # made by an earlier release
-            _keep(db, _MARK, machine.machine_mark())
+        if kept(db, _MARK) is None:  # made by an earlier release
+            keep(db, _MARK, machine.machine_mark())
         return found
     key, name = new_id(), _name_of_system()
-    _keep(db, _KEY, key)
-    _keep(db, _MARK, machine.machine_mark())
+    keep(db, _KEY, key)
+    keep(db, _MARK, machine.machine_mark())
     db.execute("INSERT INTO computers (id, name, changed_at) VALUES (?, ?, ?)", [key, name, now])
     return key, name
 
@@ -69,18 +70,8 @@ def _name_of_system() -> str:
 
 def known(db: sqlite3.Connection) -> tuple[str, str] | None:
     """Key and name of this PC, None where it has none in this file yet."""
-    key, mark, here = _kept(db, _KEY), _kept(db, _MARK), machine.machine_mark()
+    key, mark, here = kept(db, _KEY), kept(db, _MARK), machine.machine_mark()
     if key is None or (mark and here and mark != here):
         return None
     named = db.execute("SELECT name FROM computers WHERE id = ?", [key]).fetchone()
     return None if named is None else (key, str(named["name"]))
-
-
-def _kept(db: sqlite3.Connection, name: str) -> str | None:
-    row = db.execute("SELECT value FROM settings WHERE key = ?", [name]).fetchone()
-    return None if row is None else str(loaded(row["value"]))
-
-
-def _keep(db: sqlite3.Connection, name: str, value: str | None) -> None:
-    if value is not None:
-        db.execute("INSERT OR REPLACE INTO settings VALUES (?, ?)", [name, dumped(value)])
