@@ -4,6 +4,7 @@ It is read once, into a private copy: a stick may be read-only or pulled out, a 
 and a bundle of an earlier release is brought up to date there.
 """
 
+import logging
 import re
 import shutil
 import sqlite3
@@ -24,6 +25,7 @@ from storage.limits import MAX_VALUE
 from storage.schema import MIGRATION_SET, MIGRATIONS_TABLE, migrate, steps
 from storage.text import loaded
 
+_log = logging.getLogger(__name__)
 _MAX_BYTES = 4 * 2**30
 _PREFIX = "pinel-bundle-"
 _LEFTOVER_S = 86_400.0
@@ -61,10 +63,14 @@ def open_bundle(path: Path) -> Iterator[Bundle]:
     _remove_leftovers()
     with tempfile.TemporaryDirectory(prefix=_PREFIX, ignore_cleanup_errors=True) as folder:
         copy = Path(folder) / "bundle"
-        _copied(path, copy)
         try:
+            _copied(path, copy)
             info = _examined(copy, path)
+        except StoreError as error:  # people are told what to do; what was found is for the log
+            _log.info("%s: %s %s", path, error.code, error.params.get("problem", ""))
+            raise
         except (sqlite3.DatabaseError, UnicodeDecodeError) as error:
+            _log.info("%s: %s", path, error)
             raise _refusal(error, path) from error
         yield Bundle(info, _address(copy))
 

@@ -13,6 +13,25 @@ PACKAGE = Path(pinel_desktop.__file__).parent
 FILES = sorted((PACKAGE / "messages" / "catalogue").glob("*.json"))
 PLACEHOLDER = re.compile(r"\{(\w+)\}")
 
+# words that docs/terms.md has another one for
+FORBIDDEN = {
+    "pt-BR": re.compile(r"bilhete|execuç|\bpiso|ficheiro|utilizador", re.IGNORECASE),
+    "en": re.compile(r"\bexecution", re.IGNORECASE),
+    "es": re.compile(
+        r"ordenador|rat[oó]n|ejecuci|\bpuls|\bsuelo|\blecci[oó]n|profesor|\bnota\b", re.IGNORECASE
+    ),
+}
+# what pupils read in the editor, and how one would speak to one of them alone
+TO_PUPILS = ("program.json", "run.json", "python.json", "worlds.json")
+TO_ONE = {
+    "pt-BR": re.compile(
+        r"\b(?:Escolh|Us|Troqu|Escrev|Apert|Ponh|Coloqu|Confir|Corrij|Encaix|Procur|Tir)[ae]\b|\bvocê\b"
+    ),
+    "es": re.compile(
+        r"\b(?:Elige|Usa|Cambia|Escribe|Presiona|Pon|Revisa|Corrige|Encaja|Busca|Quita)\b|\bt[uú]s?\b"
+    ),
+}
+
 
 def test_no_code_stands_in_two_areas() -> None:
     codes = [code for file in FILES for code in json.loads(file.read_text("utf-8"))]
@@ -28,6 +47,21 @@ def test_every_code_has_words_in_every_language_with_the_same_values(code: str) 
     assert len({bool(words["remedy"].strip()) for words in entry.values()}) == 1
     used = [set(PLACEHOLDER.findall(w["message"] + w["remedy"])) for w in entry.values()]
     assert used[0] == used[1] == used[2]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_thing_is_called_by_its_one_word(language: str) -> None:
+    said = {code: " ".join(entry[language].values()) for code, entry in catalogue().items()}
+    assert {code: text for code, text in said.items() if FORBIDDEN[language].search(text)} == {}
+
+
+@pytest.mark.parametrize("language", sorted(TO_ONE))
+def test_pupils_are_spoken_to_as_a_group(language: str) -> None:
+    files = [file for file in FILES if file.name in TO_PUPILS]
+    assert len(files) == len(TO_PUPILS)
+    entries = [entry for file in files for entry in json.loads(file.read_text("utf-8")).values()]
+    remedies = [entry[language]["remedy"] for entry in entries]
+    assert [text for text in remedies if TO_ONE[language].search(text)] == []
 
 
 def test_every_code_that_the_program_raises_has_words() -> None:

@@ -120,10 +120,9 @@ def _of_file(outcome: _Outcome) -> dict[str, Any]:
     if report is None:
         assert error is not None
         words = describe(error.code, error.params, language_of_system())
-        return {
-            "file": str(outcome.file),
-            "error": {"code": error.code, "message": words.message, "remedy": words.remedy},
-        }
+        told = {"code": error.code, "message": words.message, "remedy": words.remedy}
+        detail = error.params.get("problem")  # what the library or the check found, untranslated
+        return {"file": str(outcome.file), "error": {**told, "detail": detail}}
     counts = {name: getattr(report, name) for name in ("added", "changed", "skipped", "removed")}
     return {
         "file": str(outcome.file),

@@ -1,4 +1,6 @@
 import { describe, expect, test } from "vitest";
+import { BLOCK_TEXTS } from "../blocks/texts";
+import { OWN_MESSAGES } from "../editor/messages";
 import { EXCHANGE_TEXTS } from "../exchange/words";
 import { TEACHER_TEXTS } from "../teacher/words";
 import { CATALOGUES } from ".";
@@ -30,6 +32,26 @@ const all = (language: Language) => ({
   review: REVIEW_TEXTS[language],
 });
 
+const editor = (language: Language) => ({
+  blocks: BLOCK_TEXTS[language],
+  editor: OWN_MESSAGES[language],
+});
+
+/** Words that docs/terms.md has another one for. */
+const FORBIDDEN: Record<Language, RegExp> = {
+  "pt-BR":
+    /bilhete|execuç|\bpiso|ficheiro|ecrã|\brato\b|utilizador|^Guardar$|Guardando|Guardado em/i,
+  en: /\bexecution|\bcomputer|^Keep$/i,
+  es: /ordenador|rat[oó]n|ejecuci|\bpuls|\bsuelo|\blecci[oó]n|profesor|\bnota\b|\bvosotros/i,
+};
+
+/** How one would speak to a single pupil: pupils are a group. The teacher's texts are not looked at. */
+const TO_ONE: Partial<Record<Language, RegExp>> = {
+  "pt-BR":
+    /\b(Escreva|Escolha|Aperte|Arraste|Use|Clique|Conserte|Monte|Compare|Troque|Mude|Feche|Abra|você)(?!\p{L})/u,
+  es: /\b(Escribe|Elige|Presiona|Arrastra|Usa|Haz|Arma|Arregla|Cierra|Abre|tú|tu|tus)(?!\p{L})/u,
+};
+
 describe.each(LANGUAGES)("the catalogue %s", (language) => {
   const texts = leaves(all(language));
 
@@ -51,6 +73,19 @@ describe.each(LANGUAGES)("the catalogue %s", (language) => {
     );
     for (const [path, text] of texts) {
       if (text.length > 24) expect(others).not.toContain(`${path} ${text}`);
+    }
+  });
+
+  test("calls a thing by its one word", () => {
+    for (const [path, text] of [...texts, ...leaves(editor(language))]) {
+      expect(text, path).not.toMatch(FORBIDDEN[language]);
+    }
+  });
+
+  test("speaks to pupils as a group", () => {
+    const one = TO_ONE[language] ?? /^(?!)/;
+    for (const [path, text] of leaves({ ...CATALOGUES[language], ...editor(language) })) {
+      expect(text, path).not.toMatch(one);
     }
   });
 

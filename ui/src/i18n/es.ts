@@ -18,7 +18,7 @@ export const es: Texts = {
     rename: "Cambiar el nombre del programa",
     work: "Nuestros trabajos",
     backToProgram: "Volver al programa",
-    backToLesson: "Volver a la lección",
+    backToLesson: "Volver a la clase",
     backToRuns: "Volver a los recorridos",
     language: "Idioma",
     theme: { light: "Claro", dark: "Oscuro", contrast: "Contraste" },
@@ -273,7 +273,7 @@ export const es: Texts = {
     older: "Mostrar más antiguos",
     runCount: (n: number) =>
       n === 0 ? "nunca se ejecutó" : n === 1 ? "ejecutado 1 vez" : `ejecutado ${n} veces`,
-    changed: (when: string) => `cambió ${when}`,
+    changed: (when: string) => (/^\d/.test(when) ? `cambió el ${when}` : `cambió ${when}`),
     states: {
       running: "En marcha",
       finished: "Terminó",

@@ -270,7 +270,8 @@ export const ptBR = {
     older: "Mostrar mais antigas",
     runCount: (n: number) =>
       n === 0 ? "nunca rodou" : n === 1 ? "rodou 1 vez" : `rodou ${n} vezes`,
-    changed: (when: string) => `mudou ${when}`,
+    // "em 19 de nov.", and "hoje" or "há 5 min" as they are
+    changed: (when: string) => (/^\d/.test(when) ? `mudou em ${when}` : `mudou ${when}`),
     states: {
       running: "Rodando agora",
       finished: "Terminou",
