@@ -31,8 +31,10 @@ export function ProgramCard({ program, path, onThrowAway }: ProgramCardProps) {
           {path.length < 2 && <span class="work-card__none">{work.emptyProgram}</span>}
         </span>
         <span class="work-card__words">
-          <span class="work-card__name">{program.name}</span>
-          <span class="work-card__line">{work.changed(changed)}</span>
+          <span class="work-card__name" dir="auto">
+            {program.name}
+          </span>
+          <span class="work-card__line work-card__line--facts">{work.changed(changed)}</span>
           <span class="work-card__line">{work.runCount(program.n_runs)}</span>
         </span>
       </a>
