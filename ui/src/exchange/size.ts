@@ -3,9 +3,9 @@ import type { Language } from "../i18n/language";
 
 const UNITS = ["KB", "MB", "GB", "TB"] as const;
 
-/** Bytes as people say them: "340 KB", "1,2 GB". */
+/** Bytes as people say them: "340 KB", "1,2 GB"; nothing is "0 KB", and the least that is something 1 KB. */
 export function size(bytes: number, language: Language): string {
-  let value = Math.max(1, bytes / 1000);
+  let value = bytes > 0 ? Math.max(1, bytes / 1000) : 0;
   let unit = 0;
   while (value >= 999.5 && unit < UNITS.length - 1) {
     value /= 1000;
