@@ -41,7 +41,7 @@ export function GroupRow({ review, layout, zero, open, onToggle }: GroupRowProps
           onClick={onToggle}
         >
           <GroupPicture name={group.picture} class="group-row__picture" />
-          <span>{group.name}</span>
+          <span dir="auto">{group.name}</span>
           <ChevronDown class="icon group-row__chevron" aria-hidden="true" />
         </button>
         <CategoryChips blocks={blocks} />

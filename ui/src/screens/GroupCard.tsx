@@ -26,7 +26,9 @@ export function GroupCard({ group }: { group: Group }) {
         </span>
       </span>
       <span class="group-card__words">
-        <span class="group-card__name">{group.name}</span>{" "}
+        <span class="group-card__name" dir="auto">
+          {group.name}
+        </span>{" "}
         <span class="group-card__counts">{counts}</span>
       </span>
     </button>

@@ -22,7 +22,7 @@ export function GroupHead({ group }: { group: Group }) {
       <span class="badge group-head__badge">
         <GroupPicture name={group.picture} />
       </span>
-      <span class="group-head__name" data-shortened title={group.name}>
+      <span class="group-head__name" dir="auto" data-shortened title={group.name}>
         {group.name}
       </span>
       <button

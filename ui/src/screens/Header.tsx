@@ -56,7 +56,9 @@ function GroupChip() {
       <span class="badge">
         <GroupPicture name={now.picture} />
       </span>
-      <span class="header__group-name">{now.name}</span>
+      <span class="header__group-name" dir="auto">
+        {now.name}
+      </span>
     </a>
   );
 }

@@ -182,7 +182,7 @@ function ClassGroup({ group, school, onMoved }: ClassGroupProps) {
         onRename={rename}
       >
         <span class="class-groups__words">
-          <strong class="class-groups__name" data-shortened title={group.name}>
+          <strong class="class-groups__name" dir="auto" data-shortened title={group.name}>
             {group.name}
           </strong>
           <span class="class-groups__counts">
