@@ -39,6 +39,8 @@ export function LineSlider({ history }: { history: VersionHistory }) {
       <div class="slider versions__slider">
         <div class="slider__track" aria-hidden="true">
           <Stretches history={history} />
+        </div>
+        <div class="versions__marks" aria-hidden="true">
           {line.map((version, index) => (
             <MarkAt key={version.id} version={version} at={last > 0 ? index / last : 0.5} />
           ))}
