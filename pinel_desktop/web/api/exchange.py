@@ -163,9 +163,7 @@ def _folders() -> Response:
 
     kept = services().store.settings.get(_FOLDER)
     found = folders(SUFFIX, [Path(kept)] if kept else [])
-    return answer(
-        FolderList(folders=[_folder(one) for one in found], shared=showable(kept or ""))
-    )
+    return answer(FolderList(folders=[_folder(one) for one in found], shared=showable(kept or "")))
 
 
 def _folder(folder: "FolderOnDisk") -> Folder:

@@ -231,6 +231,8 @@ export class StudioControl {
       return { text: run.other, more: "", tone: "notice" };
     }
     if (isLive(view)) return sentenceOf(view, voice) ?? calm(status.ready);
+    const { value: deleted } = this.open.deleted;
+    if (deleted) return { text: texts.value.trouble.deleted[deleted], more: "", tone: "notice" };
     const faults = this.open.faults.value.length;
     if (faults > 0) return { text: status.faults(faults), more: "", tone: "notice" };
     if (this.worlds.isFaulty.value) {
