@@ -309,8 +309,8 @@ export const ptBR = {
     deleted: {
       group: "O grupo foi apagado neste computador.",
       program: "O programa foi apagado neste computador.",
-      take: "Os blocos continuam nesta tela, mas não dá mais para guardar. Antes de sair, vocês podem levar o programa em texto.",
-      leave: "Não dá mais para guardar o que está nesta tela.",
+      take: "Os blocos continuam nesta tela, mas não dá mais para salvar. Antes de sair, vocês podem levar o programa em texto.",
+      leave: "Não dá mais para salvar o que está nesta tela.",
       takeText: "Levar em texto",
     },
     close: "Fechar aviso",
