@@ -16,6 +16,7 @@ from tests.e2e.axe import violations
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.past_lesson import SQUARE, PastLesson, past_lesson
 from tests.e2e.studio import Studio
+from tests.e2e.watch import Watch
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
@@ -386,6 +387,64 @@ def test_a_note_that_was_not_left_is_there_still_and_says_so(teacher: Teacher) -
     expect(teacher["note-open"]).not_to_contain_text("ainda não entregue")
 
 
+def test_a_note_waits_for_the_pin_when_the_door_has_shut(teacher: Teacher, watch: Watch) -> None:
+    watch.expect("(FORBIDDEN)")
+    teacher.open_lesson()
+    run = teacher.past.runs[1]
+    teacher.go(f"run/{run}")
+    teacher["note-open"].click()
+    teacher["note-text"].fill("O que aconteceu aqui?")
+    teacher.page.evaluate("() => fetch('/api/teacher/leave', {method: 'POST'})")
+    teacher["note-save"].click()
+    expect(teacher["pin"]).to_be_focused()
+    expect(teacher["note-text"]).to_be_hidden()
+    teacher["pin"].fill(PIN)
+    teacher["enter-door"].click()
+    expect(teacher["note-text"]).to_have_value("O que aconteceu aqui?")
+    expect(teacher["note"]).to_have_attribute("data-state", "saved")
+    assert [note["text"] for note in _notes(teacher, run)] == ["O que aconteceu aqui?"]
+
+
+def test_a_note_is_taken_back_by_two_presses(teacher: Teacher) -> None:
+    teacher.open_lesson()
+    run = teacher.past.runs[2]
+    teacher.go(f"run/{run}")
+    teacher["note-open"].click()
+    teacher["note-text"].fill("Muito bem!")
+    teacher["note-save"].click()
+    expect(teacher["note"]).to_have_attribute("data-state", "saved")
+    teacher["note-delete"].click()
+    expect(teacher.page.get_by_role("button", name="Não apagar")).to_be_focused()
+    assert len(_notes(teacher, run)) == 1
+    teacher["note-delete-sure"].click()
+    expect(teacher["note"]).to_contain_text("O recado foi apagado.")
+    expect(teacher["note-text"]).to_have_value("")
+    expect(teacher["note-text"]).to_be_focused()
+    assert _notes(teacher, run) == []
+
+
+def test_a_replay_outlines_the_block_that_failed_and_speaks_of_no_button_that_is_not_there(
+    teacher: Teacher,
+) -> None:
+    crashed, stopped, _ = teacher.past.runs
+    outlined = teacher.page.locator(".pinelFaultRing")
+    teacher.go(f"run/{crashed}")
+    expect(teacher["replay-slider"]).to_be_visible()
+    expect(outlined).to_have_count(0)
+    teacher["replay-slider"].press("End")
+    expect(outlined).to_have_count(1)
+    expect(teacher.page.locator(".status__more").first).to_contain_text("mudem a distância")
+    teacher["replay-slider"].press("Home")
+    expect(outlined).to_have_count(0)
+
+    teacher.go(f"compare/{crashed}/{stopped}")
+    teacher["replay-slider"].press("End")
+    expect(outlined).to_have_count(1)
+    stop = teacher["compare-side"].last
+    expect(stop).to_contain_text("O grupo parou o robô.")
+    expect(stop).not_to_contain_text("Rodar")
+
+
 def test_from_a_mark_the_teacher_goes_back_to_the_lesson_as_it_was(teacher: Teacher) -> None:
     teacher.open_lesson()
     teacher.page.locator("[data-testid=lesson-time][data-value=clock]").click()
@@ -434,6 +493,11 @@ def test_from_a_run_of_the_list_the_teacher_goes_back_to_it_but_no_pupil_does(
     teacher.go(f"run/{teacher.past.runs[0]}")
     expect(teacher["replay-slider"]).to_be_visible()
     expect(teacher["back-to-review"]).to_have_count(0)
+
+
+def _notes(teacher: Teacher, run: str) -> list[dict[str, Any]]:
+    notes: list[dict[str, Any]] = teacher.studio.api(f"/runs/{run}/notes")["notes"]
+    return notes
 
 
 def _scrolled(teacher: Teacher) -> float:

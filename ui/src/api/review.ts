@@ -38,4 +38,5 @@ export const reviewApi = {
     (await json<{ notes: Note[] }>("GET", `/api/runs/${run}/notes`)).notes,
   writeNote: (run: string, text: string) => json<Note>("POST", `/api/runs/${run}/notes`, { text }),
   rewriteNote: (note: string, text: string) => json<Note>("PATCH", `/api/notes/${note}`, { text }),
+  deleteNote: (note: string) => json<unknown>("DELETE", `/api/notes/${note}`),
 };

@@ -1,4 +1,4 @@
-import { signal } from "@preact/signals";
+import { computed, signal } from "@preact/signals";
 import { classesApi } from "../api/classes";
 import { ApiError } from "../api/errors";
 import type { Door } from "../api/model";
@@ -42,12 +42,15 @@ door.subscribe((now) => {
   else if (now) sessionStorage.removeItem(FLAG);
 });
 
-let waiting: (() => void)[] = [];
+const waiting = signal<readonly (() => void)[]>([]);
+
+/** Whether something that was begun waits for the PIN. */
+export const pinAsked = computed(() => waiting.value.length > 0);
 
 door.subscribe((now) => {
   if (!now?.is_open) return;
-  const released = waiting;
-  waiting = [];
+  const released = waiting.peek();
+  waiting.value = [];
   for (const go of released) go();
 });
 
@@ -61,12 +64,14 @@ export async function asTeacher<T>(work: () => Promise<T>): Promise<T> {
   } catch (error) {
     if (!(error instanceof ApiError) || !SHUT.includes(error.code)) throw error;
     door.value = { has_pin: error.code !== "pin_missing", is_open: false };
-    await new Promise<void>((resolve) => waiting.push(resolve));
+    await new Promise<void>((resolve) => {
+      waiting.value = [...waiting.peek(), resolve];
+    });
     return asTeacher(work);
   }
 }
 
 /** Nobody waits for the PIN any more: what was asked for is not done when it is given later. */
 export function giveUpWaiting(): void {
-  waiting = [];
+  waiting.value = [];
 }

@@ -108,6 +108,7 @@ export const TEST = {
   stepOut: "step-out",
   speed: "speed",
   pythonFault: "python-fault", // of each; data-line, data-column
+  otherWindow: "other-window", // to what another window made of the program
   elsewhere: "elsewhere", // to what another PC made of the program
   swapBack: "swap-back",
   irJson: "ir-json",
@@ -210,6 +211,7 @@ export const TEST = {
   replayProgram: "replay-program",
   backToReview: "back-to-review", // in the header, for the teacher who came from there
   mergeFiles: "merge-files",
+  foundFile: "found-file",
   mergeResults: "merge-results",
   wouldDelete: "would-delete", // what a file says was deleted elsewhere
   deleteToo: "delete-too",
@@ -242,6 +244,8 @@ export const TEST = {
   noteOpen: "note-open",
   noteText: "note-text", // a textarea
   noteSave: "note-save",
+  noteDelete: "note-delete", // asks first
+  noteDeleteSure: "note-delete-sure",
   historyPage: "history-page",
   historyFilter: "history-filter", // of each; data-name: classroom | group | activity | day | outcome
   historyRun: "history-run", // of each; data-outcome

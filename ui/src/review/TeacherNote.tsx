@@ -1,75 +1,46 @@
 import { useSignal } from "@preact/signals";
-import { Check, StickyNote, X } from "lucide-preact";
-import { useEffect } from "preact/hooks";
-import type { Note } from "../api/model";
-import { reviewApi } from "../api/review";
-import { report } from "../app/session";
-import { asTeacher } from "../app/teacher";
+import { Check, StickyNote, Trash2, X } from "lucide-preact";
+import { useEffect, useRef } from "preact/hooks";
 import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
 import { when } from "../i18n/format";
 import { words } from "../i18n/review";
-import { draftOf, keepDraft } from "./note_draft";
+import { type NoteKeeping, useNote } from "./note_keeping";
 
-const LONGEST = 5000;
+/** As the store has it. */
+const LONGEST = 1000;
 
-/** A note for the group about a run: written, changed, and read by the group the next time it comes in. */
+/** A note for the group about a run: written, changed, taken back; the group reads it the next time it comes in. */
 export function TeacherNote({ run }: { run: string }) {
+  const keeping = useNote(run);
+  return keeping.open.value ? <NoteForm keeping={keeping} /> : <NoteButton keeping={keeping} />;
+}
+
+function NoteButton({ keeping: { open, text, changed } }: { keeping: NoteKeeping }) {
   const texts = words.value.note;
-  const note = useSignal<Note | null>(null);
-  const text = useSignal("");
-  const open = useSignal(false);
-  const state = useSignal<"unchanged" | "saving" | "saved">("unchanged");
+  return (
+    <div class="note note--shut">
+      <button
+        type="button"
+        class="button"
+        data-testid={TEST.noteOpen}
+        onClick={() => {
+          open.value = true;
+        }}
+      >
+        <StickyNote class="icon" aria-hidden="true" />
+        {changed && text.value.trim() ? texts.unsent : texts.title}
+      </button>
+    </div>
+  );
+}
 
-  useEffect(() => {
-    reviewApi.notes(run).then((found) => {
-      const draft = draftOf(run);
-      note.value = found.at(-1) ?? null;
-      text.value = draft ?? note.value?.text ?? "";
-      open.value = note.value !== null || draft !== null;
-    }, report);
-  }, [run]);
-
-  const kept = note.value?.text ?? "";
-  const changed = text.value.trim() !== kept;
-  const write = (written: string) => {
-    text.value = written;
-    keepDraft(run, written.trim() === kept ? null : written);
-  };
-  const save = async () => {
-    state.value = "saving";
-    const wanted = text.value.trim();
-    const known = note.value;
-    try {
-      note.value = await asTeacher(() =>
-        known ? reviewApi.rewriteNote(known.id, wanted) : reviewApi.writeNote(run, wanted),
-      );
-      text.value = note.value.text;
-      keepDraft(run, null);
-      state.value = "saved";
-    } catch (error) {
-      state.value = "unchanged";
-      report(error);
-    }
-  };
-
-  if (!open.value) {
-    return (
-      <div class="note note--shut">
-        <button
-          type="button"
-          class="button"
-          data-testid={TEST.noteOpen}
-          onClick={() => {
-            open.value = true;
-          }}
-        >
-          <StickyNote class="icon" aria-hidden="true" />
-          {changed && text.value.trim() ? texts.unsent : texts.title}
-        </button>
-      </div>
-    );
-  }
+function NoteForm({ keeping }: { keeping: NoteKeeping }) {
+  const texts = words.value.note;
+  const { note, text, state, open, changed } = keeping;
+  const field = useRef<HTMLTextAreaElement>(null);
+  const sure = useSignal(false);
+  const busy = state.value === "saving";
   return (
     <form
       class="note"
@@ -77,7 +48,7 @@ export function TeacherNote({ run }: { run: string }) {
       data-state={changed ? "changed" : state.value}
       onSubmit={(event) => {
         event.preventDefault();
-        void save();
+        void keeping.save();
       }}
     >
       <label class="note__title" for="teacher-note">
@@ -96,41 +67,104 @@ export function TeacherNote({ run }: { run: string }) {
         <X class="icon" aria-hidden="true" />
       </button>
       <textarea
+        ref={field}
         id="teacher-note"
         class="note__text"
-        rows={2}
+        rows={4}
         maxLength={LONGEST}
         placeholder={texts.placeholder}
         aria-describedby="teacher-note-help"
         value={text.value}
         data-testid={TEST.noteText}
-        onInput={(event) => {
-          write(event.currentTarget.value);
-        }}
+        onInput={(event) => keeping.write(event.currentTarget.value)}
       />
       <p class="note__help" id="teacher-note-help" role="status">
-        {state.value === "saving" ? texts.saving : helpOf(note.value, changed, text.value.trim())}
+        {sure.value ? texts.deleteHelp : helpOf(keeping)}
       </p>
-      <button
-        type="submit"
-        class="button button--run"
-        disabled={!changed || !text.value.trim() || state.value === "saving"}
-        data-testid={TEST.noteSave}
-      >
-        <Check class="icon" aria-hidden="true" />
-        {note.value ? texts.change : texts.save}
-      </button>
+      {sure.value ? (
+        <Sure
+          busy={busy}
+          onYes={async () => {
+            await keeping.takeBack();
+            sure.value = false;
+            field.current?.focus();
+          }}
+          onNo={() => {
+            sure.value = false;
+            field.current?.focus();
+          }}
+        />
+      ) : (
+        <div class="note__buttons">
+          {note.value && (
+            <button
+              type="button"
+              class="button"
+              disabled={busy}
+              data-testid={TEST.noteDelete}
+              onClick={() => {
+                sure.value = true;
+              }}
+            >
+              <Trash2 class="icon" aria-hidden="true" />
+              {texts.delete}
+            </button>
+          )}
+          <button
+            type="submit"
+            class="button button--run"
+            disabled={!changed || !text.value.trim() || busy}
+            data-testid={TEST.noteSave}
+          >
+            <Check class="icon" aria-hidden="true" />
+            {note.value ? texts.change : texts.save}
+          </button>
+        </div>
+      )}
     </form>
   );
 }
 
+interface SureProps {
+  busy: boolean;
+  onYes(): void;
+  onNo(): void;
+}
+
+/** What is taken back does not come again: nobody does it by one press. */
+function Sure({ busy, onYes, onNo }: SureProps) {
+  const texts = words.value.note;
+  const no = useRef<HTMLButtonElement>(null);
+  useEffect(() => no.current?.focus(), []);
+  return (
+    <div class="note__buttons">
+      <button type="button" class="button" ref={no} onClick={onNo}>
+        {texts.keep}
+      </button>
+      <button
+        type="button"
+        class="button button--stop"
+        disabled={busy}
+        data-testid={TEST.noteDeleteSure}
+        onClick={onYes}
+      >
+        <Trash2 class="icon" aria-hidden="true" />
+        {texts.deleteSure}
+      </button>
+    </div>
+  );
+}
+
 /** Whether it is kept, and whether the group has read it. */
-function helpOf(note: Note | null, changed: boolean, text: string): string {
-  const { saved, seen, unseen, help, draft } = words.value.note;
-  if (changed && text) return draft;
-  if (!note || changed) return help;
-  const read = note.seen_at
-    ? seen(when(note.seen_at, new Date(), language.value, texts.value))
-    : unseen;
-  return `${saved}. ${read}`;
+function helpOf({ note, text, state, changed }: NoteKeeping): string {
+  const say = words.value.note;
+  if (state.value === "saving") return say.saving;
+  if (changed && text.value.trim()) return say.draft;
+  if (changed && note.value) return say.emptied;
+  if (state.value === "deleted") return say.deleted;
+  if (!note.value) return say.help;
+  const read = note.value.seen_at
+    ? say.seen(when(note.value.seen_at, new Date(), language.value, texts.value))
+    : say.unseen;
+  return `${say.saved}. ${read}`;
 }

@@ -1,7 +1,7 @@
 import { useSignal } from "@preact/signals";
 import { Blocks, ChartLine, Eye } from "lucide-preact";
 import { useEffect } from "preact/hooks";
-import { door } from "../app/teacher";
+import { door, giveUpWaiting, pinAsked } from "../app/teacher";
 import { TEST } from "../app/testids";
 import { texts } from "../i18n";
 import { RunNotes } from "../notes/RunNotes";
@@ -18,6 +18,7 @@ import type { Recording } from "./recording";
 import { Transport } from "./Transport";
 
 const TeacherNote = later(async () => (await import("../review/TeacherNote")).TeacherNote);
+const DoorForm = later(async () => (await import("../teacher/DoorForm")).DoorForm);
 const PlotsPanel = later(async () => (await import("../plots/PlotsPanel")).PlotsPanel);
 
 interface ReplayProps {
@@ -25,12 +26,26 @@ interface ReplayProps {
   onOpen(): void;
 }
 
+/** A run that was; where a note waits for the PIN, the PIN is asked for first, and what is behind is kept. */
+export function Replay(properties: ReplayProps) {
+  useEffect(() => giveUpWaiting, []);
+  return (
+    <>
+      {pinAsked.value && <DoorForm again />}
+      <div class="behind" hidden={pinAsked.value}>
+        <Replayed {...properties} />
+      </div>
+    </>
+  );
+}
+
 /** Floor, blocks and time of a run that was. */
-export function Replay({ recording, onOpen }: ReplayProps) {
+function Replayed({ recording, onOpen }: ReplayProps) {
   const { run, playback } = recording;
   const { replay, plots } = texts.value;
   const plotting = useSignal(false);
   const tall = useSignal(false);
+  const forTeacher = door.value?.is_open || pinAsked.value;
   const besides = plotting.value ? "floor__view--beside" : "";
   useEffect(() => soundOf(playback), [playback]);
   return (
@@ -47,9 +62,9 @@ export function Replay({ recording, onOpen }: ReplayProps) {
             </button>
           )}
         </div>
-        {!door.value?.is_open && <RunNotes runId={run.id} />}
+        {!forTeacher && <RunNotes runId={run.id} />}
         <ReplayBlocks run={run} view={playback.view} />
-        {door.value?.is_open && run.group_id && <TeacherNote key={run.id} run={run.id} />}
+        {forTeacher && run.group_id && <TeacherNote key={run.id} run={run.id} />}
       </section>
       <section class="floor" aria-label={texts.value.studio.floor}>
         <ReplayWords run={run} view={playback.view} />
