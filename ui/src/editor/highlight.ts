@@ -1,11 +1,14 @@
 import type * as Blockly from "blockly/core";
-import { setRing } from "./renderer";
+import { type Ring, setRing } from "./renderer";
 
-/** Lights the block that is running and keeps it in view. */
+/** Rings one block, such as the running one, and keeps it in view. */
 export class Highlight {
   blockId: string | null = null;
 
-  constructor(private readonly workspace: Blockly.WorkspaceSvg) {}
+  constructor(
+    private readonly workspace: Blockly.WorkspaceSvg,
+    private readonly kind: Ring = "running",
+  ) {}
 
   show(blockId: string | null): void {
     if (blockId === this.blockId) return;
@@ -17,7 +20,7 @@ export class Highlight {
 
   private ring(shown: boolean): void {
     const block = this.block();
-    if (block) setRing(block, "running", shown);
+    if (block) setRing(block, this.kind, shown);
   }
 
   private block(): Blockly.BlockSvg | null {

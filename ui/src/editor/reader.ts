@@ -32,6 +32,7 @@ const LONGEST_WORDS = 90;
 export class BlocksReader {
   private readonly workspace: Blockly.WorkspaceSvg;
   private readonly pointed: Highlight;
+  private readonly failed: Highlight;
   private readonly overview: Overview;
   private readonly zoom: ReturnType<typeof addZoomControls>;
   private readonly sizes: ResizeObserver;
@@ -54,6 +55,7 @@ export class BlocksReader {
     });
     options.container.classList.add("pinelReadOnly");
     this.pointed = new Highlight(this.workspace);
+    this.failed = new Highlight(this.workspace, "fault");
     this.overview = new Overview(this.workspace);
     this.zoom = addZoomControls(this.workspace, () => this.workspace.zoomToFit());
     this.sizes = new ResizeObserver(() => this.resize());
@@ -84,6 +86,11 @@ export class BlocksReader {
   /** Lights a block and brings it into view; null lights none. */
   point(id: string | null): void {
     this.pointed.show(id !== null && this.block(id) ? id : null);
+  }
+
+  /** Outlines the block at which a run broke off; null outlines none. */
+  fail(id: string | null): void {
+    this.failed.show(id !== null && this.block(id) ? id : null);
   }
 
   reveal(id: string): void {
@@ -140,6 +147,7 @@ export class BlocksReader {
 
   private fill(): void {
     this.pointed.show(null);
+    this.failed.show(null);
     quietly(() => {
       this.workspace.clear();
       Blockly.serialization.workspaces.load(this.shown, this.workspace);

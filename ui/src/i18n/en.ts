@@ -293,6 +293,7 @@ export const en: Texts = {
     at: (now: string, end: string) => `${now} of ${end}`,
     loading: "Fetching the run…",
     begin: "Press Play to see the run again.",
+    paused: "The run was paused.",
     openProgram: "Open the program",
     ofVersion: "The blocks as they were in this run",
     readOnly: "To look at only: the blocks as they were in this run.",

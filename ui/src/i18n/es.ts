@@ -295,6 +295,7 @@ export const es: Texts = {
     at: (now: string, end: string) => `${now} de ${end}`,
     loading: "Buscando el recorrido…",
     begin: "Presionen Reproducir para volver a ver el recorrido.",
+    paused: "El recorrido estaba en pausa.",
     openProgram: "Abrir el programa",
     ofVersion: "Los bloques como estaban en este recorrido",
     readOnly: "Solo para ver: los bloques como estaban en este recorrido.",

@@ -293,6 +293,7 @@ export const ptBR = {
     at: (now: string, end: string) => `${now} de ${end}`,
     loading: "Buscando a rodada…",
     begin: "Apertem Tocar para rever a rodada.",
+    paused: "A rodada estava em pausa.",
     openProgram: "Abrir o programa",
     ofVersion: "Os blocos como estavam nesta rodada",
     readOnly: "Só para ver: os blocos como estavam nesta rodada.",

@@ -13,7 +13,7 @@ interface SideBlocksProps {
   label: string;
 }
 
-/** The blocks of one of two runs, the running one lit. */
+/** The blocks of one of two runs, the running one lit, and outlined the one at which it broke off. */
 export function SideBlocks({ side, number, label }: SideBlocksProps) {
   const place = useRef<HTMLDivElement>(null);
   const stop = useRef(() => {});
@@ -33,7 +33,10 @@ export function SideBlocks({ side, number, label }: SideBlocksProps) {
     place.current
       ?.querySelector(".blocklyWorkspace")
       ?.setAttribute("aria-label", `${words.value.compare.blocks} ${number}`);
-    stop.current = side.view.subscribe((view) => reader.point(litBlock(view)));
+    stop.current = side.view.subscribe((view) => {
+      reader.point(litBlock(view));
+      reader.fail(view.phase === "failed" ? (view.ending?.block ?? null) : null);
+    });
   };
   return (
     <div class="compare__reader" ref={place}>

@@ -151,3 +151,21 @@ test("a parameter is read out of the document", () => {
   expect(parameterIn({ commands }, "/commands/9/commands/0", "times")).toBeUndefined();
   expect(parameterIn(null, "/commands/0", "times")).toBeUndefined();
 });
+
+describe("of a run that was", () => {
+  const past = (view: RunView) => sentenceOf(view, { ...voice, past: true });
+
+  test("no button is spoken of that is not there", () => {
+    const stopped = over("stopped", { reason: "stopped_by_person" });
+    expect(sentenceOf(stopped, voice)?.more).toContain("Rodar");
+    expect(past(stopped)).toEqual({ text: "O grupo parou o robô.", more: "", tone: "notice" });
+    const held = { ...moving("wait", 3, 1), phase: "paused", next: "b" } as RunView;
+    expect(past(held)).toEqual({ text: "A rodada estava em pausa.", more: "", tone: "notice" });
+  });
+
+  test("what is to be mended is said still", () => {
+    const failed = over("failed", { reason: "division_by_zero", params: { operator: "/" } });
+    expect(past(failed)).toEqual(sentenceOf(failed, voice));
+    expect(past(failed)?.more).not.toBe("");
+  });
+});

@@ -22,11 +22,16 @@ const HEARD_TICKS = 90;
 
 const LOOPS = new Set(["repeat", "while", "until", "for", "forever"]);
 
+/** Ends after which there is nothing to do but to run again. */
+const RUN_AGAIN = new Set(["stopped_by_person", "engine_lost", "link_lost", "internal_error"]);
+
 export interface Voice {
   texts: Texts;
   language: Language;
   /** A parameter of the command at a pointer of the document, as it is written there. */
   parameterOf(pointer: string, name: string): unknown;
+  /** Of a run that was: there is no button to go on with it, so none is spoken of. */
+  past?: boolean;
 }
 
 export function sentenceOf(view: RunView, voice: Voice): Sentence | null {
@@ -37,6 +42,7 @@ export function sentenceOf(view: RunView, voice: Voice): Sentence | null {
     case "starting":
       return { text: status.starting, more: "", tone: "calm" };
     case "paused":
+      if (voice.past) return { text: voice.texts.replay.paused, more: "", tone: "notice" };
       return view.next === null
         ? { text: status.paused, more: "", tone: "notice" }
         : { text: status.held, more: status.heldHow, tone: "notice" };
@@ -135,14 +141,13 @@ function round(view: RunView, { texts, parameterOf }: Voice): string {
   return texts.status.round(loop.round, String(times));
 }
 
-function ending(view: RunView, { texts, language }: Voice): Sentence {
-  const { status } = texts;
-  const words = reasonWords(view.ending?.reason ?? null, view.ending?.params ?? {}, language);
-  if (view.phase === "failed") {
-    return { text: words?.message ?? status.failed, more: words?.remedy ?? "", tone: "fault" };
-  }
-  if (view.phase === "stopped") {
-    return { text: words?.message ?? status.failed, more: words?.remedy ?? "", tone: "notice" };
+function ending(view: RunView, { texts, language, past }: Voice): Sentence {
+  const { reason = null, params = {} } = view.ending ?? {};
+  const words = reasonWords(reason, params, language);
+  if (view.phase === "failed" || view.phase === "stopped") {
+    const more = past && RUN_AGAIN.has(reason ?? "") ? "" : words?.remedy;
+    const tone = view.phase === "failed" ? "fault" : "notice";
+    return { text: words?.message ?? texts.status.failed, more: more ?? "", tone };
   }
   return { text: finished(view, texts, language), more: "", tone: "done" };
 }

@@ -1,11 +1,12 @@
 import type { ReadonlySignal } from "@preact/signals";
-import { useComputed } from "@preact/signals";
+import { effect, useComputed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { RunWithVersion } from "../api/model";
 import { TEST } from "../app/testids";
 import { theme } from "../app/theme";
 import { createEditor, type Editor } from "../editor";
 import { language, texts } from "../i18n";
+import { failureIn } from "../run/failure";
 import { litBlock, type RunView } from "../run/reducer";
 import { StatusLine } from "../run/StatusLine";
 import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
@@ -26,13 +27,14 @@ export function ReplayWords({ run, view }: Shown) {
       language: language.value,
       parameterOf: (pointer: string, name: string) =>
         parameterIn(run.version?.document, pointer, name),
+      past: true,
     };
     return sentenceOf(view.value, voice) ?? begin;
   });
   return <StatusLine sentence={sentence.value} />;
 }
 
-/** The blocks as they were, the running one lit. */
+/** The blocks as they were, the running one lit, and outlined the one at which the run broke off. */
 export function ReplayBlocks({ run, view }: Shown) {
   const container = useRef<HTMLDivElement>(null);
   const editor = useRef<Editor | null>(null);
@@ -49,7 +51,10 @@ export function ReplayBlocks({ run, view }: Shown) {
     editor.current = made;
     made.load(run.version.workspace);
     made.setReadOnly(true);
-    const stop = view.subscribe((now) => made.highlight(litBlock(now)));
+    const stop = effect(() => {
+      made.highlight(litBlock(view.value));
+      made.showFaults(failureIn(view.value, language.value));
+    });
     return () => {
       stop();
       made.dispose();

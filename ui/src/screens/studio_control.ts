@@ -10,7 +10,7 @@ import { breakpoints, tellRun, wishes } from "../debug/debugging";
 import { watchSensors } from "../debug/senses";
 import type { Editor } from "../editor";
 import { language, texts } from "../i18n";
-import { reasonWords } from "../i18n/reasons";
+import { failureOf } from "../run/failure";
 import { withJudgement } from "../run/judgement";
 import * as robot from "../run/live";
 import { lookAround } from "../run/looking";
@@ -211,10 +211,7 @@ export class StudioControl {
 
   /** A run that failed at a block shows why, there. */
   private runFaults() {
-    const ending = this.failure.value;
-    if (!ending?.block || this.edited.value) return [];
-    const words = reasonWords(ending.reason, ending.params, language.value);
-    return words ? [{ block: ending.block, ...words }] : [];
+    return this.edited.value ? [] : failureOf(this.failure.value, language.value);
   }
 
   private say(): Sentence {
