@@ -36,6 +36,7 @@ _FIRST_WITH_BUNDLES = 4  # steps of the tables; earlier releases wrote none
 _ABOUT = re.compile(
     r"CREATEVIEW\"about\"AS(UNIONALL)?(SELECT'([^']|'')*'ASname,'([^']|'')*'ASmeaning(UNIONALL)?)+"
 )
+_BUNDLES_SEEN = 512
 _Objects = frozenset[tuple[str, str, str, str]]
 
 
@@ -73,6 +74,23 @@ def open_bundle(path: Path) -> Iterator[Bundle]:
             _log.info("%s: %s", path, error)
             raise _refusal(error, path) from error
         yield Bundle(info, _address(copy))
+
+
+@lru_cache(maxsize=_BUNDLES_SEEN)
+def says_anonymous(path: Path, size_bytes: int, modified_s: float) -> bool:
+    """Whether the file says that names were left out of it; False of what cannot be a bundle.
+
+    Only its head is read, and once, as long as size and time of the file stay the same.
+    """
+    try:
+        with closing(_connected(path)) as db:
+            rows = db.execute("SELECT sql FROM sqlite_schema WHERE name = 'bundle'").fetchall()
+            if [_text("bundle", str(row[0])) for row in rows] != [_text("bundle", BUNDLE_TABLE)]:
+                return False
+            found = db.execute("SELECT anonymous FROM bundle LIMIT 1").fetchone()
+            return bool(found and found[0])
+    except (sqlite3.Error, UnicodeDecodeError):
+        return False
 
 
 def _remove_leftovers() -> None:

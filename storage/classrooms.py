@@ -1,5 +1,6 @@
 """Classes of the school."""
 
+import re
 import sqlite3
 
 from storage.connection import Access
@@ -7,8 +8,12 @@ from storage.errors import StoreError
 from storage.records import ClassroomRow
 from storage.text import clean_name, name_key, new_id
 
+_NUMBERS = re.compile(r"([0-9]+)")
 _SELECT = """
-    SELECT id, name, created_at, (SELECT count(*) FROM groups WHERE classroom_id = classrooms.id) AS n_groups
+    SELECT id, name, created_at,
+           (SELECT computers.name FROM lessons JOIN computers ON computers.id = lessons.computer_id
+            WHERE lessons.classroom_id = classrooms.id ORDER BY opened_at, lessons.id LIMIT 1) AS computer,
+           (SELECT count(*) FROM groups WHERE classroom_id = classrooms.id) AS n_groups
     FROM classrooms"""
 
 
@@ -19,12 +24,10 @@ class Classrooms:
         self._access = access
 
     def all(self) -> list[ClassroomRow]:
-        """By name."""
+        """By name, numbers in it by their value: 1º, 2º, 10º."""
         with self._access.reading() as db:
             rows = db.execute(_SELECT).fetchall()
-        return sorted(
-            (ClassroomRow(**dict(row)) for row in rows), key=lambda row: name_key(row.name)
-        )
+        return sorted((ClassroomRow(**dict(row)) for row in rows), key=_place)
 
     def get(self, classroom_id: str) -> ClassroomRow:
         """Raises StoreError `classroom_not_found`."""
@@ -63,6 +66,12 @@ class Classrooms:
 
         self._access.write(change)
         return self.get(classroom_id)
+
+
+def _place(row: ClassroomRow) -> tuple[list[str | int], str]:
+    """Texts and numbers take turns; classes of one name stay in their order."""
+    parts = _NUMBERS.split(name_key(row.name))
+    return [int(part) if n % 2 else part for n, part in enumerate(parts)], row.id
 
 
 def require_classroom(db: sqlite3.Connection, classroom_id: str) -> None:

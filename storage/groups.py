@@ -56,6 +56,7 @@ PICTURES = (
 _SELECT = """
     SELECT id, name, color, picture, classroom_id, created_at,
            (SELECT count(*) FROM programs WHERE group_id = groups.id AND deleted_at IS NULL) AS n_programs,
+           (SELECT count(*) FROM programs WHERE group_id = groups.id AND deleted_at IS NOT NULL) AS n_in_bin,
            (SELECT count(*) FROM runs WHERE group_id = groups.id) AS n_runs
     FROM groups"""
 

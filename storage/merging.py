@@ -37,6 +37,7 @@ _FIRST = ("revision", "changed_at")
 _RULES = {"runs": ("{side}.reason IS NOT 'interrupted'", "coalesce({side}.duration_s, 0)")}
 _DEAD = "(SELECT id FROM main.tombstones)"
 _BEFORE_VERSIONS = (COMPUTERS, CLASSROOMS, GROUPS, LESSONS, PROGRAMS)
+_SKIPPED = (*_BEFORE_VERSIONS, VERSIONS, LABELS, RUNS, NOTES)
 # what can be deleted by a key of its own
 _HERE = " UNION ALL ".join(
     f"SELECT id FROM main.{content.table}"
@@ -118,7 +119,8 @@ def merge_attached(
         would_delete = merging.would_delete()
         if not (would_delete and delete):
             _note(db, info, now, {})
-            return MergeReport(info, {}, {}, {}, {}, would_delete)
+            merging.count_skipped()
+            return MergeReport(info, {}, {}, _some(merging.skipped), {}, would_delete)
     db.execute("PRAGMA defer_foreign_keys = ON")
     before = tombstones(db) if delete else set()
     merging.tombstones()
@@ -255,6 +257,11 @@ class _Merging:
             f" (SELECT {of('theirs', names)} FROM bundle.{content.table} AS theirs WHERE {same_key})"
             f" WHERE ({', '.join(content.key)}) IN ({later})"
         )
+
+    def count_skipped(self) -> None:
+        """What stays out, of a bundle of which nothing comes."""
+        for content in _SKIPPED:
+            self._count_skipped(content)
 
     def _count_skipped(self, content: Content) -> None:
         query = (

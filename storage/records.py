@@ -11,7 +11,7 @@ NO_FAULTS: tuple["FaultRow", ...] = ()
 
 @dataclass(frozen=True, slots=True)
 class GroupRow:
-    """Pupils who work together."""
+    """Pupils who work together; `n_programs` without those in the bin, which are `n_in_bin`."""
 
     id: str
     name: str
@@ -20,16 +20,18 @@ class GroupRow:
     classroom_id: str | None
     created_at: str
     n_programs: int = 0
+    n_in_bin: int = 0
     n_runs: int = 0
 
 
 @dataclass(frozen=True, slots=True)
 class ClassroomRow:
-    """A class of the school."""
+    """A class of the school; `computer` is the PC where its oldest lesson was, None before there was one."""
 
     id: str
     name: str
     created_at: str
+    computer: str | None = None
     n_groups: int = 0
 
 

@@ -13,6 +13,7 @@ import click
 
 from pinel_desktop import __version__
 from pinel_desktop.activities.reading import shipped_texts
+from pinel_desktop.bundle_names import nameless
 from pinel_desktop.commands.store_file import opened_store
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, language_of_system
@@ -58,7 +59,7 @@ def command(
     with opened_store(database_path(db or ctx.obj["db"]), may_be_new=False) as store:
         scope = _scope(store, **wanted)
         computer = _computer(store)
-        name = "pinel" if anonymous else "-".join([computer[1], *named])
+        name = nameless(language_of_system()) if anonymous else "-".join([computer[1], *named])
         exchange = store.exchange
         write = exchange.export_parquet if parquet else exchange.export
         info = write(

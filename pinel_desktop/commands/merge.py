@@ -91,6 +91,8 @@ def _in_words(outcome: _Outcome) -> str:
         params[name] = sum(getattr(report, name).values())
     code = "merged_nothing_new" if report.nothing_new else "merged"
     lines = [describe(code, params, language_of_system()).message]
+    if report.info.anonymous and report.added.get("groups"):
+        lines.append(describe("merged_nameless", params, language_of_system()).message)
     if report.would_delete is not None:
         lines += _would_delete(report.would_delete)
     if report.left_in:

@@ -163,8 +163,10 @@ def test_names_can_be_left_out(lab: Path, stick: Path, teacher: Path) -> None:
     exported = answer("export", stick, "--db", lab, "--anonymous")
     octets = Path(exported["path"]).read_bytes()
     assert [name for name in ("Onças", "Araras", "Lab 7", "5º B") if name.encode() in octets] == []
-    assert Path(exported["path"]).name.startswith("pinel-")
-    assert answer("merge", stick, "--db", teacher)["added"]["groups"] == 2
+    assert Path(exported["path"]).name.startswith("PINEL-no-names-")
+    assert "2 groups" in (told := pinel("merge", stick, "--db", teacher).stdout)
+    assert "without names" in told
+    assert "without names" not in pinel("merge", stick, "--db", teacher).stdout
 
 
 def test_a_name_that_nobody_has_is_told_with_those_that_there_are(lab: Path, stick: Path) -> None:

@@ -51,9 +51,11 @@ def run_of(school: Store, version_id: str) -> str:
 def test_classes_are_by_name_with_the_number_of_their_groups(school: Store, ninth: str) -> None:
     tenth = school.classrooms.create("10º")
     school.groups.create("A", classroom_id=tenth.id)
+    school.classrooms.create("1º")
     assert [(row.name, row.n_groups) for row in school.classrooms.all()] == [
-        ("10º", 1),
+        ("1º", 0),
         ("9º A", 0),
+        ("10º", 1),
     ]
     assert code_of(lambda: school.classrooms.create("9ºa")) == "classroom_exists"
     assert school.classrooms.rename(ninth, "9º B").name == "9º B"
@@ -83,13 +85,24 @@ def test_groups_of_a_class_differ_in_picture_and_colour(school: Store, ninth: st
     assert code_of(lambda: school.groups.change("x", {"name": "Y"})) == "group_not_found"
 
 
+def test_a_class_is_told_from_another_of_its_name_by_the_pc_of_its_first_lesson(
+    school: Store, ninth: str
+) -> None:
+    school.computers.rename("PC 7")
+    assert school.classrooms.get(ninth).computer is None
+    school.lessons.open(ninth, "Quadrados")
+    assert school.classrooms.get(ninth).computer == "PC 7"
+    assert school.classrooms.all()[0].computer == "PC 7"
+
+
 def test_what_is_thrown_away_comes_back_from_the_bin(
     school: Store, robots: GroupRow, square: ProgramRow
 ) -> None:
     kept = edited(school, square, "a")
     assert school.programs.throw_away(square.id).deleted_at is not None
     assert school.programs.of_group(robots.id) == []
-    assert school.groups.get(robots.id).n_programs == 0
+    group = school.groups.get(robots.id)
+    assert (group.n_programs, group.n_in_bin) == (0, 1)
     assert [row.id for row in school.programs.of_group(robots.id, in_bin=True)] == [square.id]
     assert school.programs.take_back(square.id).deleted_at is None
     assert school.programs.of_group(robots.id, in_bin=True) == []

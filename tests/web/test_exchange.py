@@ -1,8 +1,10 @@
 """Work that goes from PC to PC: sticks, the shared folder, a program as a file."""
 
+import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 import pytest
 
@@ -60,11 +62,59 @@ def test_work_can_be_shown_to_others_without_names(
 ) -> None:
     wanted = {"folder": str(stick), "anonymous": True}
     written = teacher.post("/api/bundles", wanted).data
-    assert written["name"].startswith("PINEL-")
+    assert written["name"].startswith("PINEL-no-names-")
     assert "Os Robôs".encode() not in Path(written["path"]).read_bytes()
-    other.post("/api/bundles/merge", {"paths": [written["path"]]})
+    (merged,) = other.post("/api/bundles/merge", {"paths": [written["path"]]}).data["merged"]
+    assert merged["anonymous"]
     (group,) = other.get("/api/groups").data["groups"]
     assert group["name"] != "Os Robôs"
+
+
+def test_a_file_without_names_is_told_from_others_whatever_it_is_called(
+    teacher: Browser, version: dict[str, Any], stick: Path
+) -> None:
+    teacher.post("/api/bundles", {"folder": str(stick)})
+    written = teacher.post("/api/bundles", {"folder": str(stick), "anonymous": True}).data
+    Path(written["path"]).rename(stick / "a.pinel")
+    (stick / "b.pinel").write_bytes((stick / "a.pinel").read_bytes()[:5000])
+    (stick / "c.pinel").write_text("a letter", "utf-8")
+    (stick / "d.pinel").touch()
+    (folder,) = teacher.put("/api/folders/shared", {"path": str(stick)}).data["folders"]
+    assert len(folder["files"]) == 5
+    nameless = {file["name"] for file in folder["files"] if file["anonymous"]}
+    assert "a.pinel" in nameless
+    assert nameless <= {"a.pinel", "b.pinel"}
+
+
+def test_what_was_deleted_for_good_is_told_when_an_old_file_holds_it(
+    teacher: Browser, other: Browser, version: dict[str, Any], stick: Path
+) -> None:
+    old = {"paths": [teacher.post("/api/bundles", {"folder": str(stick)}).data["path"]]}
+    other.post("/api/bundles/merge", old)
+    for browser in (teacher, other):
+        browser.send("DELETE", f"/api/groups/{_group(browser)}")
+        for _ in range(2):
+            (merged,) = browser.post("/api/bundles/merge", old).data["merged"]
+            assert merged["nothing_new"]
+            assert merged["held_back"] == {"groups": 1, "programs": 1, "versions": 1, "runs": 0}
+    assert teacher.get("/api/groups").data == {"groups": []}
+
+
+def test_what_goes_as_it_was_deleted_elsewhere_is_counted(
+    teacher: Browser, other: Browser, version: dict[str, Any], stick: Path
+) -> None:
+    def taken() -> dict[str, Any]:
+        return {"paths": [teacher.post("/api/bundles", {"folder": str(stick)}).data["path"]]}
+
+    (merged,) = other.post("/api/bundles/merge", taken()).data["merged"]
+    assert (merged["held_back"], merged["removed"]) == (None, None)
+    teacher.send("DELETE", f"/api/groups/{_group(teacher)}")
+    later = taken()
+    (merged,) = other.post("/api/bundles/merge", later).data["merged"]
+    assert merged["would_delete"]["groups"] == 1
+    assert (merged["nothing_new"], merged["removed"]) == (True, None)
+    (merged,) = other.post("/api/bundles/merge", {**later, "delete": True}).data["merged"]
+    assert merged["removed"] == {"groups": 1, "programs": 1, "versions": 1, "runs": 0}
 
 
 def test_a_file_that_is_refused_does_not_keep_the_others_out(
@@ -92,6 +142,7 @@ def test_a_group_goes_on_with_its_program_at_another_pc(
     assert brought == {
         "program_id": program["id"],
         "group_id": program["group_id"],
+        "classroom_id": None,
         "nothing_new": False,
     }
     place = f"/api/programs/{program['id']}"
@@ -118,7 +169,9 @@ def test_pupils_bring_in_one_program_only(
     assert (refused.status, refused.error["code"]) == (422, "bundle_not_program")
     rubbish = _bring(browser, b"rubbish")
     assert rubbish.status == 422
+    assert "foto da turma.pinel" in rubbish.error["message"]
     assert rubbish.error["remedy"]
+    assert tempfile.gettempdir() not in _bring(browser, b"", "").error["message"]
 
 
 def test_sticks_and_files_are_the_teacher_s(browser: Browser, stick: Path) -> None:
@@ -157,8 +210,9 @@ def test_a_shared_folder_that_does_not_answer_stays_chosen(teacher: Browser, sti
 FILE = {"Content-Type": "application/octet-stream"}
 
 
-def _bring(browser: Browser, octets: bytes) -> Answer:
-    return browser.send("POST", "/api/programs/file", body=octets, headers=FILE)
+def _bring(browser: Browser, octets: bytes, name: str = "foto da turma.pinel") -> Answer:
+    address = f"/api/programs/file?name={quote(name)}"
+    return browser.send("POST", address, body=octets, headers=FILE)
 
 
 def _group(browser: Browser) -> str:

@@ -31,7 +31,7 @@ def test_a_group_is_made_and_listed_with_its_counts(
     browser.post(f"/api/groups/{group['id']}/programs", {"name": "P"})
     (listed,) = browser.get("/api/groups").data["groups"]
     assert listed == {**group, "n_programs": 1}
-    counted = {"n_programs", "n_runs"}
+    counted = {"n_programs", "n_in_bin", "n_runs"}
     assert set(group) == {"id", "name", "color", "picture", "classroom_id", "created_at"} | counted
 
 
@@ -67,6 +67,35 @@ def test_saving_the_same_again_makes_no_version(
     path = f"/api/programs/{program['id']}/versions"
     again = browser.post(path, {"workspace": {"blocks": {}}, "document": SQUARE}).data
     assert again == version
+
+
+def test_a_save_tells_what_was_the_newest_before_it_and_whether_the_program_is_in_the_bin(
+    browser: Browser, program: dict[str, Any], version: dict[str, Any]
+) -> None:
+    assert (version["before"], version["deleted_at"]) == (None, None)
+    versions = f"/api/programs/{program['id']}/versions"
+    made_of = {"document": None, "parent_id": version["id"]}
+    here = browser.post(versions, {"workspace": {"b": 1}, **made_of}).data
+    there = browser.post(versions, {"workspace": {"b": 2}, **made_of}).data
+    assert (here["before"], there["before"]) == (version["id"], here["id"])
+    browser.send("DELETE", f"/api/programs/{program['id']}")
+    assert browser.post(versions, {"workspace": {"b": 3}, **made_of}).data["deleted_at"]
+
+
+def test_all_windows_hear_of_what_is_saved_thrown_away_and_taken_back(
+    browser: Browser, program: dict[str, Any]
+) -> None:
+    path = f"/api/programs/{program['id']}"
+    with browser.stream() as events:
+        events.next()
+        saved = browser.post(f"{path}/versions", {"workspace": {}, "document": None}).data
+        browser.send("DELETE", path)
+        browser.post(f"{path}/take-back", {})
+        heard = [events.next() for _ in range(3)]
+    assert {one["type"] for one in heard} == {"program"}
+    assert {one["program"] for one in heard} == {program["id"]}
+    assert [one["version"] for one in heard] == [saved["id"], None, None]
+    assert [one["deleted_at"] is None for one in heard] == [True, False, True]
 
 
 def test_blocks_with_faults_are_kept_and_the_faults_told_in_words(

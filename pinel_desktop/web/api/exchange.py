@@ -2,12 +2,15 @@
 
 import re
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from flask import Response, request
 
+from pinel_desktop.bundle_names import nameless
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
 from pinel_desktop.web.answers import answer, showable
@@ -27,6 +30,7 @@ from pinel_desktop.web.models.exchange import (
     Merged,
     MergedCounts,
     MergeList,
+    NameOfFile,
     NewBundle,
     SharedFolder,
 )
@@ -79,7 +83,8 @@ def write_bundle(body: NewBundle) -> Response:
         raise PinelError("folder_missing", path=body.folder)
     parts = services()
     computer = parts.store.computers.here()
-    name = "PINEL" if body.anonymous else _file_name(computer[1])
+    language = parts.preferences.language
+    name = nameless(language) if body.anonymous else _file_name(computer[1])
     dest = folder / f"{name}-{datetime.now().astimezone():%Y-%m-%d}{SUFFIX}"
     scope = Scope(classroom_id=body.classroom_id, group_id=body.group_id)
     info = parts.store.exchange.export(
@@ -132,21 +137,36 @@ def get_program_file(path: IdPath) -> Response:
 
 
 @api.post("/programs/file", responses=answers(BroughtProgram, 404, 413, 503, 507))
-def read_program_file() -> Response:
+def read_program_file(query: NameOfFile) -> Response:
     """Brings in a file that `GET /programs/{id}/file` gave on another PC. The body is the file."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "upload"
         with path.open("wb") as file:
             while chunk := request.stream.read(2**20):
                 file.write(chunk)
-        report, program_id = services().store.exchange.merge_program(path)
+        with _called(path, query.name or path.name):
+            report, program_id = services().store.exchange.merge_program(path)
     # one that was deleted here stays away: program_not_found
     program = services().store.programs.get(program_id)
     return answer(
         BroughtProgram(
-            program_id=program.id, group_id=program.group_id, nothing_new=report.nothing_new
+            program_id=program.id,
+            group_id=program.group_id,
+            classroom_id=services().store.groups.get(program.group_id).classroom_id,
+            nothing_new=report.nothing_new,
         )
     )
+
+
+@contextmanager
+def _called(path: Path, name: str) -> Iterator[None]:
+    """A refusal names the file as the person does who has just chosen it."""
+    try:
+        yield
+    except StoreError as error:
+        if error.params.get("path") == str(path):
+            error.params["path"] = name
+        raise
 
 
 def _is_folder(path: str) -> bool:
@@ -179,10 +199,13 @@ def _folder(folder: "FolderOnDisk") -> Folder:
 
 
 def _file(file: "FileOnDisk") -> FileFound:
+    from storage.bundle_reading import says_anonymous  # noqa: PLC0415 - see above
+
     return FileFound(
         path=showable(str(file.path)),
         name=showable(file.path.name),
         size_bytes=file.size_bytes,
+        anonymous=says_anonymous(file.path, file.size_bytes, file.modified_s),
         modified_at=datetime.fromtimestamp(file.modified_s, UTC).isoformat(),
     )
 
@@ -206,19 +229,20 @@ def _bundle(info: "BundleInfo") -> Bundle:
 def _merged(path: Path, *, delete: bool) -> Merged:
     parts = services()
     try:
-        return _report(path, parts.store.exchange.merge(path, delete=delete))
+        with _called(path, path.name):
+            return _report(path, parts.store.exchange.merge(path, delete=delete))
     except StoreError as error:
-        params = showable(error.params)
-        if params.get("path") == showable(str(path)):
-            params["path"] = showable(path.name)  # the place is what the person has just chosen
-        words = describe(error.code, params, parts.preferences.language)
+        words = describe(error.code, showable(error.params), parts.preferences.language)
         return Merged(
             path=str(path),
             name=path.name,
             computer=None,
             exported_at=None,
             added=_counts({}),
+            anonymous=False,
             nothing_new=True,
+            held_back=None,
+            removed=None,
             would_delete=None,
             left_in=[],
             problem=Notice(code=error.code, message=words.message, remedy=words.remedy),
@@ -232,7 +256,10 @@ def _report(path: Path, report: "MergeReport") -> Merged:
         computer=report.info.computer_name,
         exported_at=report.info.exported_at,
         added=_counts(report.added),
-        nothing_new=report.nothing_new,
+        anonymous=report.info.anonymous,
+        nothing_new=not (report.added or report.changed or report.removed),
+        held_back=_counts(report.skipped) if report.skipped else None,
+        removed=_counts(report.removed) if report.removed else None,
         would_delete=_doomed(report),
         left_in=[showable(path) for path in report.left_in],
         problem=None,
@@ -244,5 +271,5 @@ def _doomed(report: "MergeReport") -> Doomed | None:
     return None if doomed is None else Doomed.model_validate(doomed, from_attributes=True)
 
 
-def _counts(added: dict[str, int]) -> MergedCounts:
-    return MergedCounts(**{name: added.get(name, 0) for name in MergedCounts.model_fields})
+def _counts(rows: dict[str, int]) -> MergedCounts:
+    return MergedCounts(**{name: rows.get(name, 0) for name in MergedCounts.model_fields})

@@ -9,11 +9,12 @@ from pinel_desktop.web.models.work import Name
 
 
 class Classroom(Shape):
-    """A class of the school."""
+    """A class of the school; `computer` is where its first lesson was, which tells classes of one name apart."""
 
     id: Id
     name: str
     created_at: Time
+    computer: str | None
     n_groups: int
 
 

@@ -11,11 +11,15 @@ _Path = Annotated[str, Field(max_length=4000)]
 
 
 class FileFound(Shape):
-    """A bundle that lies in a folder; `modified_at` by the clock of the PC that wrote it."""
+    """A bundle that lies in a folder; `modified_at` by the clock of the PC that wrote it.
+
+    From one that is `anonymous` groups come a second time where they are already, as "Grupo 1" and so on.
+    """
 
     path: str
     name: str
     size_bytes: int
+    anonymous: bool
     modified_at: Time
 
 
@@ -75,7 +79,7 @@ class BundlesToMerge(Body):
 
 
 class MergedCounts(Shape):
-    """How many came."""
+    """How many came, went or were held back."""
 
     groups: int
     programs: int
@@ -95,6 +99,9 @@ class Doomed(Shape):
 class Merged(Shape):
     """What came of one file: what it brought, or why it was refused.
 
+    `held_back` is what stays out as it was deleted for good, `removed` what went now; null where there is none, and all
+    numbers 0 where it is neither group, program, version nor run.
+
     `would_delete` is what it says was deleted elsewhere: it stays until the file is merged with `delete`. The files
     `left_in` may still hold it then: they were written on this PC, or are backups that could not be written anew.
     """
@@ -104,7 +111,10 @@ class Merged(Shape):
     computer: str | None
     exported_at: Time | None
     added: MergedCounts
+    anonymous: bool
     nothing_new: bool
+    held_back: MergedCounts | None
+    removed: MergedCounts | None
     would_delete: Doomed | None
     left_in: list[str]
     problem: Notice | None
@@ -117,11 +127,18 @@ class MergeList(Shape):
     content_hash: str
 
 
+class NameOfFile(Body):
+    """What the file is called where it was chosen, for the words about it."""
+
+    name: Annotated[str, Field(max_length=1000)] = ""
+
+
 class BroughtProgram(Shape):
     """A program that came as a file, and whose it is."""
 
     program_id: Id
     group_id: Id
+    classroom_id: Id | None
     nothing_new: bool
 
 

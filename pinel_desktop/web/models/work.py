@@ -15,7 +15,7 @@ Color = Annotated[str, Field(pattern="^#[0-9a-f]{6}$")]
 
 
 class Group(Shape):
-    """Pupils who work together."""
+    """Pupils who work together; `n_programs` without those in the bin, which are `n_in_bin`."""
 
     id: Id
     name: str
@@ -26,6 +26,7 @@ class Group(Shape):
     classroom_id: Id | None
     created_at: Time
     n_programs: int
+    n_in_bin: int
     n_runs: int
 
 
@@ -151,11 +152,16 @@ class NewVersion(Body):
 
 
 class SavedVersion(Shape):
-    """On disk when this answer arrives."""
+    """On disk when this answer arrives.
+
+    `before` is the version that was the newest until then: where the page does not know it, another window made it.
+    """
 
     id: Id
     created_at: Time
     faults: list[Fault]
+    before: Id | None
+    deleted_at: Annotated[Time | None, Field(description="the program is in the bin since")]
 
 
 class DocumentToCheck(Body):

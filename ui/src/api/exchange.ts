@@ -3,6 +3,7 @@ import type { components } from "./types";
 
 type Schemas = components["schemas"];
 
+export type FoundFile = Schemas["FileFound"];
 export type Folder = Schemas["Folder"];
 export type Bundle = Schemas["Bundle"];
 export type Merged = Schemas["Merged"];
@@ -33,5 +34,10 @@ export const exchange = {
   deleteClassroom: (id: string) => json<Removed>("DELETE", `/api/classrooms/${id}`),
 
   programFile: (program: string) => octets(`/api/programs/${program}/file`),
-  bringProgram: (file: Blob) => sendFile<Schemas["BroughtProgram"]>("/api/programs/file", file),
+  /** A refusal calls the file what it is called where it was chosen. */
+  bringProgram: (file: File) =>
+    sendFile<Schemas["BroughtProgram"]>(
+      `/api/programs/file?name=${encodeURIComponent(file.name)}`,
+      file,
+    ),
 };

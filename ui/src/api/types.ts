@@ -1274,6 +1274,8 @@ export interface components {
          * @description A program that came as a file, and whose it is.
          */
         BroughtProgram: {
+            /** Classroom Id */
+            classroom_id: string | null;
             /**
              * Group Id
              * @description UUIDv7 text
@@ -1403,9 +1405,11 @@ export interface components {
         };
         /**
          * Classroom
-         * @description A class of the school.
+         * @description A class of the school; `computer` is where its first lesson was, which tells classes of one name apart.
          */
         Classroom: {
+            /** Computer */
+            computer: string | null;
             /**
              * Created At
              * @description ISO 8601 in UTC
@@ -1639,8 +1643,12 @@ export interface components {
         /**
          * FileFound
          * @description A bundle that lies in a folder; `modified_at` by the clock of the PC that wrote it.
+         *
+         *     From one that is `anonymous` groups come a second time where they are already, as "Grupo 1" and so on.
          */
         FileFound: {
+            /** Anonymous */
+            anonymous: boolean;
             /**
              * Modified At
              * @description ISO 8601 in UTC
@@ -1719,7 +1727,7 @@ export interface components {
         };
         /**
          * Group
-         * @description Pupils who work together.
+         * @description Pupils who work together; `n_programs` without those in the bin, which are `n_in_bin`.
          */
         Group: {
             /** Classroom Id */
@@ -1736,6 +1744,8 @@ export interface components {
              * @description UUIDv7 text
              */
             id: string;
+            /** N In Bin */
+            n_in_bin: number;
             /** N Programs */
             n_programs: number;
             /** N Runs */
@@ -2121,15 +2131,21 @@ export interface components {
          * Merged
          * @description What came of one file: what it brought, or why it was refused.
          *
+         *     `held_back` is what stays out as it was deleted for good, `removed` what went now; null where there is none, and all
+         *     numbers 0 where it is neither group, program, version nor run.
+         *
          *     `would_delete` is what it says was deleted elsewhere: it stays until the file is merged with `delete`. The files
          *     `left_in` may still hold it then: they were written on this PC, or are backups that could not be written anew.
          */
         Merged: {
             added: components["schemas"]["MergedCounts"];
+            /** Anonymous */
+            anonymous: boolean;
             /** Computer */
             computer: string | null;
             /** Exported At */
             exported_at: string | null;
+            held_back: components["schemas"]["MergedCounts"] | null;
             /** Left In */
             left_in: string[];
             /** Name */
@@ -2139,11 +2155,12 @@ export interface components {
             /** Path */
             path: string;
             problem: components["schemas"]["Notice"] | null;
+            removed: components["schemas"]["MergedCounts"] | null;
             would_delete: components["schemas"]["Doomed"] | null;
         };
         /**
          * MergedCounts
-         * @description How many came.
+         * @description How many came, went or were held back.
          */
         MergedCounts: {
             /** Groups */
@@ -2497,6 +2514,28 @@ export interface components {
              * @description ISO 8601 in UTC
              */
             updated_at: string;
+        };
+        /**
+         * ProgramEvent
+         * @description What became of a program, for all windows that have it open.
+         *
+         *     `version` is the one that was saved, null where the program went into the bin or came out of it.
+         */
+        ProgramEvent: {
+            /** Deleted At */
+            deleted_at: string | null;
+            /**
+             * Program
+             * @description UUIDv7 text
+             */
+            program: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "program";
+            /** Version */
+            version: string | null;
         };
         /**
          * ProgramList
@@ -3048,13 +3087,22 @@ export interface components {
         /**
          * SavedVersion
          * @description On disk when this answer arrives.
+         *
+         *     `before` is the version that was the newest until then: where the page does not know it, another window made it.
          */
         SavedVersion: {
+            /** Before */
+            before: string | null;
             /**
              * Created At
              * @description ISO 8601 in UTC
              */
             created_at: string;
+            /**
+             * Deleted At
+             * @description the program is in the bin since
+             */
+            deleted_at: string | null;
             /** Faults */
             faults: components["schemas"]["Fault"][];
             /**
@@ -3140,7 +3188,7 @@ export interface components {
          * StreamEvent
          * @description What one `data:` line of the stream holds.
          */
-        StreamEvent: components["schemas"]["RunStateEvent"] | components["schemas"]["BlockStartedEvent"] | components["schemas"]["BlockEndedEvent"] | components["schemas"]["CaptureStartedEvent"] | components["schemas"]["GestureResultEvent"] | components["schemas"]["SaidEvent"] | components["schemas"]["MarkedEvent"] | components["schemas"]["BeepedEvent"] | components["schemas"]["PenEvent"] | components["schemas"]["AskedEvent"] | components["schemas"]["AnsweredEvent"] | components["schemas"]["WatchEvent"] | components["schemas"]["TelemetryEvent"] | components["schemas"]["ThingsEvent"] | components["schemas"]["RangesEvent"] | components["schemas"]["RunEndedEvent"] | components["schemas"]["HelloEvent"] | components["schemas"]["NoticeEvent"] | components["schemas"]["JudgedEvent"];
+        StreamEvent: components["schemas"]["RunStateEvent"] | components["schemas"]["BlockStartedEvent"] | components["schemas"]["BlockEndedEvent"] | components["schemas"]["CaptureStartedEvent"] | components["schemas"]["GestureResultEvent"] | components["schemas"]["SaidEvent"] | components["schemas"]["MarkedEvent"] | components["schemas"]["BeepedEvent"] | components["schemas"]["PenEvent"] | components["schemas"]["AskedEvent"] | components["schemas"]["AnsweredEvent"] | components["schemas"]["WatchEvent"] | components["schemas"]["TelemetryEvent"] | components["schemas"]["ThingsEvent"] | components["schemas"]["RangesEvent"] | components["schemas"]["RunEndedEvent"] | components["schemas"]["HelloEvent"] | components["schemas"]["NoticeEvent"] | components["schemas"]["JudgedEvent"] | components["schemas"]["ProgramEvent"];
         /**
          * TelemetryEvent
          * @description Where the robot is and what it was told, in the start frame.
@@ -6644,7 +6692,9 @@ export interface operations {
     };
     readProgramFile: {
         parameters: {
-            query?: never;
+            query?: {
+                name?: string;
+            };
             header?: never;
             path?: never;
             cookie?: never;

@@ -8,8 +8,9 @@ const group = (id: string, classroom_id: string | null) => ({ id, classroom_id }
 
 test("the class last chosen is shown while it is there", () => {
   expect(shownClass("b", classes, [group("1", "a")])).toBe("b");
-  expect(shownClass(NO_CLASS, classes, [group("1", "a")])).toBe(NO_CLASS);
+  expect(shownClass(NO_CLASS, classes, [group("1", "a"), group("2", null)])).toBe(NO_CLASS);
   expect(shownClass("gone", classes, [])).toBe("a");
+  expect(shownClass(NO_CLASS, classes, [group("1", "b")])).toBe("b");
 });
 
 test("without a choice it is the class of the group used last, else the first", () => {

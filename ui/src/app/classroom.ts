@@ -19,7 +19,8 @@ export function shownClass(
   classes: readonly Classroom[],
   groups: readonly Group[],
 ): string {
-  const known = [...classes.map(({ id }) => id), NO_CLASS];
+  const withNone = classes.length === 0 || groups.some((one) => !one.classroom_id);
+  const known = [...classes.map(({ id }) => id), ...(withNone ? [NO_CLASS] : [])];
   if (wanted !== null && known.includes(wanted)) return wanted;
   return groups.find((one) => one.classroom_id)?.classroom_id ?? classes[0]?.id ?? NO_CLASS;
 }

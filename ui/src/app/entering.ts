@@ -1,11 +1,17 @@
+import { NO_CLASS } from "../api/classes";
 import { api } from "../api/client";
 import { keeping } from "../api/keeping";
 import type { Group, Program } from "../api/model";
 import { texts } from "../i18n";
+import { setClassroom } from "./classroom";
 import { go } from "./route";
 
-/** Opens the newest program of a group, or its first one, made now; a letter of the teacher is read before. */
+/**
+ * Opens the newest program of a group, or its first one, made now; a letter of the teacher is read before. The start
+ * screen shows the group's class when it comes back.
+ */
 export async function enterGroup(group: Group): Promise<void> {
+  setClassroom(group.classroom_id ?? NO_CLASS);
   const [[newest], notes] = await Promise.all([api.programs(group.id), unseenNotes(group)]);
   if (notes.length > 0) return go({ screen: "work", group: group.id });
   const program = newest ?? (await createProgram(group.id, []));

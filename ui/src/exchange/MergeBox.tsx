@@ -1,13 +1,11 @@
 import { type Signal, useSignal } from "@preact/signals";
-import { CircleCheck, Combine, HardDrive, RefreshCw, TriangleAlert, Usb } from "lucide-preact";
-import { exchange, type Folder, type Merged } from "../api/exchange";
+import { Combine, RefreshCw } from "lucide-preact";
+import { exchange, type Folder, type FoundFile, type Merged } from "../api/exchange";
 import { report } from "../app/session";
 import { asTeacher } from "../app/teacher";
 import { TEST } from "../app/testids";
-import { language, texts } from "../i18n";
-import { when } from "../i18n/format";
-import { StillIn } from "./Deletion";
-import { size } from "./size";
+import { FolderFiles } from "./FolderFiles";
+import { MergeResult } from "./MergeResult";
 import { words } from "./words";
 
 interface Properties {
@@ -18,14 +16,15 @@ interface Properties {
   onLook(): void;
 }
 
-/** Every file on every stick is to be merged, but those that a person has unticked. */
+/** Every file on every stick is to be merged, but those without names, and those that a person has unticked. */
 export function MergeBox({ folders, results, onMerged, onLook }: Properties) {
-  const left = useSignal<ReadonlySet<string>>(new Set());
+  const ticked = useSignal<ReadonlyMap<string, boolean>>(new Map());
   const busy = useSignal<{ n: number; of: number } | null>(null);
   const say = words.value;
+  const isChosen = (file: FoundFile) => ticked.value.get(file.path) ?? !file.anonymous;
   const chosen = folders
-    .flatMap((folder) => folder.files.map((file) => file.path))
-    .filter((path) => !left.value.has(path));
+    .flatMap((folder) => folder.files.filter(isChosen))
+    .map((file) => file.path);
 
   const mergeAll = async () => {
     results.value = [];
@@ -48,10 +47,8 @@ export function MergeBox({ folders, results, onMerged, onLook }: Properties) {
     if (merged) replace(merged);
     onMerged();
   };
-  const toggle = (path: string) => {
-    const next = new Set(left.value);
-    if (!next.delete(path)) next.add(path);
-    left.value = next;
+  const toggle = (file: FoundFile) => {
+    ticked.value = new Map(ticked.value).set(file.path, !isChosen(file));
   };
 
   return (
@@ -69,7 +66,7 @@ export function MergeBox({ folders, results, onMerged, onLook }: Properties) {
         </p>
       )}
       {folders.map((folder) => (
-        <FolderFiles key={folder.path} folder={folder} left={left.value} onToggle={toggle} />
+        <FolderFiles key={folder.path} folder={folder} isChosen={isChosen} onToggle={toggle} />
       ))}
       {chosen.length > 0 && (
         <button
@@ -87,7 +84,7 @@ export function MergeBox({ folders, results, onMerged, onLook }: Properties) {
         {results.value.length > 0 && (
           <ul class="exchange__results" data-testid={TEST.mergeResults}>
             {results.value.map((one) => (
-              <Result
+              <MergeResult
                 key={one.path}
                 merged={one}
                 onDelete={() => void deleteToo(one.path).catch(report)}
@@ -99,126 +96,4 @@ export function MergeBox({ folders, results, onMerged, onLook }: Properties) {
       </div>
     </section>
   );
-}
-
-function FolderFiles(properties: {
-  folder: Folder;
-  left: ReadonlySet<string>;
-  onToggle(path: string): void;
-}) {
-  const { folder, left, onToggle } = properties;
-  const say = words.value;
-  const Icon = folder.is_stick ? Usb : HardDrive;
-  const now = new Date();
-  return (
-    <fieldset class="exchange__folder">
-      <legend>
-        <Icon class="icon" aria-hidden="true" />
-        {folder.is_stick ? say.stick(folder.name) : say.folder(folder.name)}
-        <FolderState folder={folder} />
-      </legend>
-      {folder.is_reachable && folder.files.length === 0 && (
-        <p class="exchange__none">{say.noFiles}</p>
-      )}
-      {folder.files.map((file) => (
-        <label key={file.path} class="exchange__file">
-          <input
-            type="checkbox"
-            checked={!left.has(file.path)}
-            aria-label={say.choose(file.name)}
-            onChange={() => onToggle(file.path)}
-          />
-          <span class="exchange__name">{file.name}</span>
-          <span class="exchange__about">
-            {say.file(
-              size(file.size_bytes, language.value),
-              when(file.modified_at, now, language.value, texts.value),
-            )}
-          </span>
-        </label>
-      ))}
-    </fieldset>
-  );
-}
-
-function FolderState({ folder }: { folder: Folder }) {
-  const say = words.value;
-  if (!folder.is_reachable) return <span class="exchange__about">{say.unreachable}</span>;
-  if (!folder.is_writable) return <span class="exchange__about">{say.readOnly}</span>;
-  if (folder.free_bytes === null) return null;
-  return <span class="exchange__about">{say.free(size(folder.free_bytes, language.value))}</span>;
-}
-
-interface ResultProps {
-  merged: Merged;
-  onDelete(): void;
-  onKeep(): void;
-}
-
-/** What one file brought, or why it was refused. */
-function Result({ merged, onDelete, onKeep }: ResultProps) {
-  const { problem } = merged;
-  const say = words.value;
-  const Icon = problem ? TriangleAlert : CircleCheck;
-  return (
-    <li class={`exchange__result exchange__result--${problem ? "problem" : "good"}`}>
-      <Icon class="icon" aria-hidden="true" />
-      <p>
-        {problem ? (
-          <>
-            <strong>{refusal(merged.name, problem.message)}</strong> {problem.remedy}
-          </>
-        ) : (
-          outcome(merged)
-        )}
-      </p>
-      {merged.would_delete && (
-        <div class="deletion__sure" data-testid={TEST.wouldDelete}>
-          <p>
-            {say.doomed(
-              merged.computer ?? merged.name,
-              merged.would_delete.names.join(", "),
-              `${say.programs(merged.would_delete.programs)}, ${say.runs(merged.would_delete.runs)}`,
-            )}
-          </p>
-          <div class="exchange__buttons">
-            <button
-              type="button"
-              class="button button--stop"
-              data-testid={TEST.deleteToo}
-              onClick={onDelete}
-            >
-              {say.deleteToo}
-            </button>
-            <button type="button" class="button" onClick={onKeep}>
-              {say.keepHere}
-            </button>
-          </div>
-        </div>
-      )}
-      {merged.left_in.length > 0 && (
-        <div class="deletion__done">
-          <StillIn paths={merged.left_in} />
-        </div>
-      )}
-    </li>
-  );
-}
-
-/** Most refusals name the file themselves. */
-function refusal(name: string, message: string): string {
-  return message.includes(name) ? message : `${name}: ${message}`;
-}
-
-function outcome({ computer, name, added, nothing_new }: Merged): string {
-  const say = words.value;
-  const who = computer ?? name;
-  if (nothing_new) return say.nothingNew(who);
-  const parts = [
-    added.groups > 0 && say.groups(added.groups),
-    added.programs > 0 && say.programs(added.programs),
-    added.versions > 0 && say.versions(added.versions),
-    added.runs > 0 && say.runs(added.runs),
-  ].filter((part) => part !== false);
-  return parts.length > 0 ? say.brought(who, parts.join(", ")) : say.only(who);
 }

@@ -1,6 +1,8 @@
 import { Download, Upload } from "lucide-preact";
+import { NO_CLASS } from "../api/classes";
 import { exchange } from "../api/exchange";
 import type { Program } from "../api/model";
+import { setClassroom } from "../app/classroom";
 import { go } from "../app/route";
 import { fileName, saveFile } from "../app/save_file";
 import { report } from "../app/session";
@@ -37,6 +39,7 @@ export function BringIn() {
   const bring = async (file: File | undefined) => {
     if (!file) return;
     const brought = await exchange.bringProgram(file);
+    setClassroom(brought.classroom_id ?? NO_CLASS);
     go({ screen: "studio", program: brought.program_id });
   };
   return (

@@ -1,0 +1,65 @@
+import type { Merged } from "../api/exchange";
+import type { ExchangeTexts } from "../i18n/exchange/pt-BR";
+
+type Say = Pick<
+  ExchangeTexts,
+  | "groups"
+  | "programs"
+  | "versions"
+  | "runs"
+  | "brought"
+  | "only"
+  | "nothingNew"
+  | "nothingComes"
+  | "cameNameless"
+  | "deleted"
+  | "deletedRest"
+  | "heldBack"
+  | "heldBackRest"
+>;
+type Outcome = Pick<
+  Merged,
+  "computer" | "name" | "added" | "anonymous" | "held_back" | "nothing_new" | "removed"
+>;
+
+/** What one file brought, what of it was deleted long ago, and what is deleted now. */
+export function outcome(merged: Outcome, say: Say): string {
+  const { removed, held_back: heldBack } = merged;
+  const sentences = [
+    removed && told(counted({ ...removed, versions: 0 }, say), say.deleted, say.deletedRest),
+    ...came(merged, say),
+    heldBack && told(counted(heldBack, say), say.heldBack, say.heldBackRest),
+  ];
+  return sentences.filter(Boolean).join(" ");
+}
+
+/** The numbers that are not 0, in words. */
+export function counted(numbers: Partial<Merged["added"]>, say: Say): string {
+  const { groups = 0, programs = 0, versions = 0, runs = 0 } = numbers;
+  return [
+    groups > 0 && say.groups(groups),
+    programs > 0 && say.programs(programs),
+    versions > 0 && say.versions(versions),
+    runs > 0 && say.runs(runs),
+  ]
+    .filter(Boolean)
+    .join(", ");
+}
+
+function came(merged: Outcome, say: Say): string[] {
+  const { computer, name, added, anonymous } = merged;
+  const who = computer ?? name;
+  const parts = counted(added, say);
+  if (parts) {
+    return [say.brought(who, parts), ...(anonymous && added.groups > 0 ? [say.cameNameless] : [])];
+  }
+  if (merged.removed) return [];
+  // what was deleted is not here, so not all of it is
+  if (merged.nothing_new) return [(merged.held_back ? say.nothingComes : say.nothingNew)(who)];
+  return [say.only(who)];
+}
+
+/** With numbers, or without where it was neither group, program, version nor run. */
+function told(parts: string, say: (parts: string) => string, rest: string): string {
+  return parts ? say(parts) : rest;
+}
