@@ -68,6 +68,85 @@ def test_what_was_typed_last_is_kept_by_who_leaves_at_once(studio: Studio) -> No
     )
 
 
+def two_windows(studio: Studio, open_studio: OpenStudio) -> Studio:
+    """The program that is open, in a second window too."""
+    studio.enter_group("Os Tatus")
+    blocks = studio.blocks
+    blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
+    studio.eventually(studio.actions, ["move_forward"])
+    studio.wait_until_saved()
+    other = open_studio()
+    other.page.goto(studio.page.url)
+    other.wait_until_open()
+    return other
+
+
+def set_distance(studio: Studio, distance: str) -> None:
+    studio.page.bring_to_front()
+    studio.blocks.type_into(studio.blocks.by_words("andar para frente"), distance)
+    studio.eventually(lambda: studio.values("distance"), [float(distance)])
+
+
+def test_two_windows_with_one_program_know_of_each_other_and_history_tells_who_changed_what(
+    studio: Studio, open_studio: OpenStudio
+) -> None:
+    other = two_windows(studio, open_studio)
+    set_distance(studio, "2")
+    expect(other["other-window"]).to_have_text("Abrir a mais nova")
+    set_distance(other, "3")
+    expect(studio["other-window"]).to_have_text("Abrir a mais nova")
+    expect(other["other-window"]).to_have_text("Ver a outra versão")
+
+    line = studio.api(f"/programs/{studio.program_id}/versions")["versions"]
+    first = line[-1]["id"]
+    assert [one["parent_id"] for one in line] == [first, first, None]
+
+    studio.page.bring_to_front()
+    studio["other-window"].click()
+    expect(studio.blocks.by_words("andar para frente")).to_contain_text("3")
+    expect(studio["other-window"]).to_have_count(0)
+    set_distance(studio, "4")
+    expect(other["other-window"]).to_have_text("Abrir a mais nova")
+    assert studio.api(f"/programs/{studio.program_id}/versions")["versions"][1:] == line
+
+
+def test_who_goes_on_after_another_window_finds_its_version_in_the_history(
+    studio: Studio, open_studio: OpenStudio
+) -> None:
+    other = two_windows(studio, open_studio)
+    set_distance(studio, "2")
+    set_distance(other, "3")
+    expect(other["other-window"]).to_have_text("Ver a outra versão")
+    other["other-window"].click()
+    expect(other["version-shown"]).to_have_attribute("data-number", "2")
+    expect(other["version-blocks"]).to_contain_text("2")
+
+
+def test_a_program_that_is_thrown_away_in_another_window_says_so_and_can_be_taken_back(
+    studio: Studio, open_studio: OpenStudio
+) -> None:
+    other = two_windows(studio, open_studio)
+    other["open-work"].click()
+    other["throw-away"].click()
+    expect(studio["take-back"]).to_be_visible()
+    studio.page.bring_to_front()
+    studio["take-back"].click()
+    expect(studio["take-back"]).to_have_count(0)
+    assert studio.api(f"/programs/{studio.program_id}")["deleted_at"] is None
+
+
+def test_a_save_tells_that_the_program_is_in_the_bin(studio: Studio, watch: Watch) -> None:
+    watch.expect("Failed to load resource")  # the line over which the window would hear of it
+    studio.enter_group("Os Tatus")
+    studio.page.route("**/api/stream", lambda route: route.abort())
+    studio.page.reload()
+    studio.wait_until_open()
+    studio.tell("DELETE", f"/programs/{studio.program_id}")
+    blocks = studio.blocks
+    blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
+    expect(studio["take-back"]).to_be_visible()
+
+
 def test_looking_around_makes_no_new_version(studio: Studio) -> None:
     studio.enter_group("Os Tatus")
     blocks = studio.blocks

@@ -91,9 +91,23 @@ def save_version(path: IdPath, body: NewVersion) -> Response:
     row = parts.store.versions.save(
         path.id, body.workspace, document, faults, world, parent_id=body.parent_id
     )
+    program = parts.store.programs.get(path.id)
+    before = parts.store.versions.line_of(path.id, before=row.id, limit=1)
+    _tell_windows(program, row.id)
     return answer(
-        SavedVersion(id=row.id, created_at=row.created_at, faults=version_model(row).faults)
+        SavedVersion(
+            id=row.id,
+            created_at=row.created_at,
+            faults=version_model(row).faults,
+            before=before[0].id if before else None,
+            deleted_at=program.deleted_at,
+        )
     )
+
+
+def _tell_windows(program: ProgramRow, version: str | None = None) -> None:
+    told = {"program": program.id, "version": version, "deleted_at": program.deleted_at}
+    services().hub.publish({"type": "program", **told})
 
 
 def _world_to_keep(program_id: str, world: Json, parts: Services) -> Json:
@@ -131,6 +145,7 @@ def list_bin(path: IdPath) -> Response:
 def throw_program_away(path: IdPath) -> Response:
     """Puts a program into the bin; its versions and runs stay."""
     row = services().store.programs.throw_away(path.id)
+    _tell_windows(row)
     return answer(Program.model_validate(row, from_attributes=True))
 
 
@@ -138,6 +153,7 @@ def throw_program_away(path: IdPath) -> Response:
 def take_program_back(path: IdPath) -> Response:
     """Takes a program out of the bin."""
     row = services().store.programs.take_back(path.id)
+    _tell_windows(row)
     return answer(Program.model_validate(row, from_attributes=True))
 
 

@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, RootModel
 
-from pinel_desktop.web.models import Id, Json, Shape
+from pinel_desktop.web.models import Id, Json, Shape, Time
 
 # not a default, which the page's types would take for a promise
 _MAYBE_ABSENT = Field(default_factory=lambda: None)
@@ -218,6 +218,18 @@ class JudgedEvent(Shape):
     missing: str | None
 
 
+class ProgramEvent(Shape):
+    """What became of a program, for all windows that have it open.
+
+    `version` is the one that was saved, null where the program went into the bin or came out of it.
+    """
+
+    type: Literal["program"]
+    program: Id
+    version: Id | None
+    deleted_at: Time | None
+
+
 _OfRun = (
     RunStateEvent
     | BlockStartedEvent
@@ -244,7 +256,10 @@ class Event(RootModel[Annotated[_OfRun, Field(discriminator="type")]]):
 
 class StreamEvent(
     RootModel[
-        Annotated[_OfRun | HelloEvent | NoticeEvent | JudgedEvent, Field(discriminator="type")]
+        Annotated[
+            _OfRun | HelloEvent | NoticeEvent | JudgedEvent | ProgramEvent,
+            Field(discriminator="type"),
+        ]
     ]
 ):
     """What one `data:` line of the stream holds."""

@@ -22,7 +22,10 @@ export type ReadPython = Schemas["ReadPython"];
 export type Run = Schemas["Run"];
 export type RunList = Schemas["RunList"];
 export type RunWithVersion = Schemas["RunWithVersion"];
+export type ProgramEvent = Schemas["ProgramEvent"];
 export type SavedVersion = Schemas["SavedVersion"];
+/** What the page has to know of the version it shows, whether it was opened or saved. */
+export type OnDisk = Pick<SavedVersion, "id" | "faults">;
 export type Status = Schemas["Status"];
 export type World = Schemas["World"];
 export type WrittenPython = Schemas["WrittenPython"];

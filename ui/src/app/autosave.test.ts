@@ -1,10 +1,10 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { ApiError } from "../api/errors";
-import type { Content, SavedVersion } from "../api/model";
+import type { Content, OnDisk } from "../api/model";
 import { Autosave } from "./autosave";
 
 const content = (n: number): Content => ({ workspace: { n }, document: null });
-const version = (n: number): SavedVersion => ({ id: `v${n}`, created_at: "", faults: [] });
+const version = (n: number): OnDisk => ({ id: `v${n}`, faults: [] });
 
 /** A server that can be told to fail, and that remembers what it was sent. */
 function server() {

@@ -1,11 +1,11 @@
 import { signal } from "@preact/signals";
 import { ApiError } from "../api/errors";
-import type { Content, SavedVersion } from "../api/model";
+import type { Content, OnDisk } from "../api/model";
 
 /** `deleted`: there is no program any more, so that nothing can be saved, however often it is tried. */
 export type SaveState = "saved" | "saving" | "failed" | "deleted";
 
-type Save = (content: Content, last: boolean) => Promise<SavedVersion>;
+type Save = (content: Content, last: boolean) => Promise<OnDisk>;
 
 /** A pupil who goes on editing is still saved: an edit is on disk within a second. */
 const QUIET_MS = 300;
@@ -18,7 +18,7 @@ export class Autosave {
   readonly state = signal<SaveState>("saved");
   readonly problem = signal<unknown>(null);
   /** The newest version on disk. */
-  readonly version = signal<SavedVersion | null>(null);
+  readonly version = signal<OnDisk | null>(null);
 
   private pending: Content | null = null;
   private pendingSince = 0;
@@ -28,7 +28,7 @@ export class Autosave {
 
   constructor(
     private readonly save: Save,
-    version: SavedVersion | null = null,
+    version: OnDisk | null = null,
   ) {
     this.version.value = version;
   }
@@ -45,7 +45,7 @@ export class Autosave {
   }
 
   /** Saves now. Resolves when everything edited is on disk, rejects when it could not be saved. */
-  async flush(): Promise<SavedVersion | null> {
+  async flush(): Promise<OnDisk | null> {
     clearTimeout(this.timer);
     if (this.isDeleted) throw this.problem.value;
     while (this.running || this.pending) await this.push();

@@ -1,4 +1,4 @@
-import { computed, effect, signal } from "@preact/signals";
+import { computed, effect, type Signal, signal } from "@preact/signals";
 import { api } from "../api/client";
 import { ServerGone } from "../api/errors";
 import type { Content, Fault, ProgramWithVersion, SavedVersion, World } from "../api/model";
@@ -6,7 +6,8 @@ import { Autosave } from "./autosave";
 import { OwnWorld } from "./own_world";
 import { Parents } from "./parents";
 import { route } from "./route";
-import { group, program, report } from "./session";
+import { changed, group, program, report } from "./session";
+import { Windows } from "./windows";
 
 /** The program on the desk: what the header, the editor and the run bar share. */
 export class OpenProgram {
@@ -16,11 +17,15 @@ export class OpenProgram {
   readonly ownWorld: OwnWorld;
   /** What was deleted for good in another window; what is on the screen stays there. */
   readonly deleted = signal<"program" | "group" | null>(null);
+  readonly inBin: Signal<boolean>;
+  readonly windows: Windows;
   private readonly parents = new Parents();
-  private readonly stopEffect: () => void;
+  private readonly stopEffects: (() => void)[];
 
   constructor(readonly program: ProgramWithVersion) {
     const { id, version } = program;
+    this.inBin = signal(program.deleted_at !== null);
+    this.windows = new Windows(version?.id ?? null);
     this.ownWorld = new OwnWorld(id, version?.world ?? null);
     this.autosave = new Autosave(
       (content, last) =>
@@ -29,10 +34,13 @@ export class OpenProgram {
         ),
       version,
     );
-    this.stopEffect = effect(() => {
-      this.faults.value = this.autosave.version.value?.faults ?? [];
-      if (this.autosave.state.value === "deleted") void this.takeLeave();
-    });
+    this.stopEffects = [
+      effect(() => {
+        this.faults.value = this.autosave.version.value?.faults ?? [];
+        if (this.autosave.state.value === "deleted") void this.takeLeave();
+      }),
+      this.listen(),
+    ];
   }
 
   get id(): string {
@@ -48,7 +56,7 @@ export class OpenProgram {
   /** What is on the screen is that version: who goes on from here goes on from there. */
   remember(version: string): void {
     const { value: content } = this.content;
-    if (content) this.parents.keep(content.workspace, version);
+    if (content) this.parents.keep({ ...content, world: this.ownWorld.now.peek() }, version);
   }
 
   edit(content: Content): void {
@@ -69,7 +77,7 @@ export class OpenProgram {
   }
 
   close(): void {
-    this.stopEffect();
+    for (const stop of this.stopEffects) stop();
     this.ownWorld.close();
     this.autosave.dispose();
   }
@@ -85,14 +93,24 @@ export class OpenProgram {
   }
 
   private async keep(content: Content, last: boolean): Promise<SavedVersion> {
-    const parent = this.parents.of(content.workspace);
-    const kept = await api.saveVersion(
-      this.id,
-      parent ? { ...content, parent_id: parent } : content,
-      last,
+    // a page that closes may send before it knows the version that it sent last: then the newest of all is meant
+    const parent = this.windows.isSending ? undefined : this.parents.of(content);
+    const kept = await this.windows.keep(() =>
+      api.saveVersion(this.id, parent ? { ...content, parent_id: parent } : content, last),
     );
-    this.parents.keep(content.workspace, kept.id);
+    this.parents.keep(content, kept.id);
+    this.inBin.value = kept.deleted_at !== null;
     return kept;
+  }
+
+  /** Hears what becomes of the program in another window from now on. */
+  private listen(): () => void {
+    const last = changed.peek();
+    return changed.subscribe((event) => {
+      if (event === last || event?.program !== this.id) return;
+      this.inBin.value = event.deleted_at !== null;
+      if (event.version) this.windows.hear(event.version);
+    });
   }
 
   private save(): void {
@@ -102,6 +120,15 @@ export class OpenProgram {
 }
 
 export const opened = signal<OpenProgram | null>(null);
+
+/** Counts up when the program on the desk is to be opened anew, as it is on disk. */
+export const openings = signal(0);
+
+/** Shows the newest version in place of what is on the screen, which is on disk before it goes. */
+export async function openNewest(open: OpenProgram): Promise<void> {
+  await open.autosave.flush();
+  if (open.windows.isOvertaken.peek()) openings.value += 1;
+}
 
 /** The program on the desk, while it is the one that is looked at. */
 export const onDesk = computed(() => {

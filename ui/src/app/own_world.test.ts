@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, test } from "vitest";
 import { ApiError } from "../api/errors";
-import type { SavedVersion, World } from "../api/model";
+import type { OnDisk, World } from "../api/model";
 import { OwnWorld } from "./own_world";
 
 const SOUND = { name: "sound" } as World;
@@ -9,10 +9,10 @@ const FAULTY = { name: "faulty" } as World;
 /** A server that takes no world called faulty, and remembers which ones it was sent. */
 function server() {
   const sent: (World | null)[] = [];
-  const save = async (world: World | null): Promise<SavedVersion> => {
+  const save = async (world: World | null): Promise<OnDisk> => {
     sent.push(world);
     if (world?.name === "faulty") throw new ApiError(422, { code: "invalid_world" });
-    return { id: `v${sent.length}`, created_at: "", faults: [] };
+    return { id: `v${sent.length}`, faults: [] };
   };
   return { sent, save };
 }

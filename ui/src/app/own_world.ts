@@ -1,6 +1,6 @@
 import { computed, effect, signal } from "@preact/signals";
 import { ApiError } from "../api/errors";
-import type { SavedVersion, World } from "../api/model";
+import type { OnDisk, World } from "../api/model";
 
 /**
  * The world that a group has made for a program. The server takes none with faults: until they are mended, blocks are
@@ -35,8 +35,8 @@ export class OwnWorld {
   /** Saves something with a world, or with the last that was taken where this one is not. */
   async saveWith(
     world: World | null,
-    save: (world: World | null) => Promise<SavedVersion>,
-  ): Promise<SavedVersion> {
+    save: (world: World | null) => Promise<OnDisk>,
+  ): Promise<OnDisk> {
     if (world && world === this.refused.peek()) return save(this.taken);
     try {
       const version = await save(world);

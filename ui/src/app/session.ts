@@ -1,7 +1,16 @@
 import { computed, effect, signal } from "@preact/signals";
 import { api } from "../api/client";
 import { ApiError, ServerGone } from "../api/errors";
-import type { Group, JudgedEvent, Notice, Program, Status, StreamEvent, World } from "../api/model";
+import type {
+  Group,
+  JudgedEvent,
+  Notice,
+  Program,
+  ProgramEvent,
+  Status,
+  StreamEvent,
+  World,
+} from "../api/model";
 import { language, texts } from "../i18n";
 import { isLanguage, type Language } from "../i18n/language";
 import { live, receive, resync } from "../run/live";
@@ -21,6 +30,8 @@ export const status = signal<Status | null>(null);
 export const notice = signal<Notice | null>(null);
 /** Whether the run that ended last passed the activity of its lesson. */
 export const judged = signal<JudgedEvent | null>(null);
+/** What was saved last, or went into the bin or came out of it, in any window. */
+export const changed = signal<ProgramEvent | null>(null);
 export const problem = signal<Problem | null>(null);
 export const worlds = signal<World[]>([]);
 
@@ -116,6 +127,9 @@ function onStream(event: StreamEvent): void {
       break;
     case "judged":
       judged.value = event;
+      break;
+    case "program":
+      changed.value = event;
       break;
     default:
       receive(event);

@@ -18,6 +18,7 @@ import { language, texts } from "../i18n";
 import { Elsewhere } from "./Elsewhere";
 import { FaultList } from "./FaultList";
 import { InBin } from "./InBin";
+import { OtherWindow } from "./OtherWindow";
 import type { StudioControl } from "./studio_control";
 import { Turns } from "./Turns";
 import { WayBack } from "./WayBack";
@@ -27,8 +28,9 @@ export function BlocksPane({ control }: { control: StudioControl }) {
   return (
     <section class="blocks" aria-label={studio.blocks}>
       <Tools control={control} />
-      <InBin program={control.open.program} />
+      <InBin open={control.open} />
       <Elsewhere program={control.open.program} />
+      <OtherWindow open={control.open} />
       <Swap control={control} />
       <Turns group={control.open.program.group_id} />
       <Workspace control={control} />

@@ -1,19 +1,19 @@
 import { useSignal } from "@preact/signals";
 import { keeping } from "../api/keeping";
-import type { Program } from "../api/model";
+import type { OpenProgram } from "../app/open_program";
 import { report } from "../app/session";
 import { TEST } from "../app/testids";
 import { texts } from "../i18n";
 import { WayBack } from "./WayBack";
 
-/** Whoever opens a program that was thrown away, from one of its runs, is told so, with the way back. */
-export function InBin({ program }: { program: Program }) {
-  const shown = useSignal(program.deleted_at !== null);
-  if (!shown.value) return null;
+/** Whoever has a program on the desk that was thrown away, in whatever window, is told so, with the way back. */
+export function InBin({ open }: { open: OpenProgram }) {
+  const closed = useSignal(false);
+  if (closed.value || !open.inBin.value || open.deleted.value) return null;
   const words = texts.value.keeping;
   const takeBack = async () => {
-    await keeping.takeBack(program.id);
-    shown.value = false;
+    await keeping.takeBack(open.id);
+    open.inBin.value = false;
   };
   return (
     <WayBack
@@ -22,7 +22,7 @@ export function InBin({ program }: { program: Program }) {
       testId={TEST.takeBack}
       onBack={() => void takeBack().catch(report)}
       onClose={() => {
-        shown.value = false;
+        closed.value = true;
       }}
     />
   );

@@ -1,6 +1,6 @@
 import { useLayoutEffect, useState } from "preact/hooks";
 import { programAndGroups } from "../app/first_answers";
-import { couldNotOpen, OpenProgram, opened } from "../app/open_program";
+import { couldNotOpen, OpenProgram, opened, openings } from "../app/open_program";
 import { group, program } from "../app/session";
 import { texts } from "../i18n";
 import { clear, live, liveRun } from "../run/live";
@@ -16,6 +16,7 @@ export function StudioScreen({ programId }: { programId: string }) {
   useLayoutEffect(() => {
     let left = false;
     let made: OpenProgram | null = null;
+    setOpen(null);
     load(programId).then(
       (loaded) => {
         if (left) return;
@@ -35,7 +36,7 @@ export function StudioScreen({ programId }: { programId: string }) {
       left = true;
       made?.close();
     };
-  }, [programId]);
+  }, [programId, openings.value]);
   if (failed) return <NotOpened />;
   if (!open) {
     return (

@@ -27,6 +27,10 @@ export const en: typeof ptBR = {
   unknownComputer: "Another PC",
   elsewhere: (computer: string) =>
     `${computer} went on with this program too. Both ways are kept in the history.`,
+  otherWindow:
+    "This program was also changed in another window. Nothing is lost: all of it is in the history.",
+  openNewest: "Open the newest",
+  seeOther: "See the other version",
   name: "Give it a name",
   rename: "Change its name",
   nameLabel: "Name of this version",

@@ -27,6 +27,10 @@ export const es: typeof ptBR = {
   unknownComputer: "Otra computadora",
   elsewhere: (computer: string) =>
     `${computer} también siguió con este programa. Las dos continuaciones están guardadas en el historial.`,
+  otherWindow:
+    "Este programa también cambió en otra ventana. No se perdió nada: todo está en el historial.",
+  openNewest: "Abrir la más nueva",
+  seeOther: "Ver la otra versión",
   name: "Ponerle nombre",
   rename: "Cambiar el nombre",
   nameLabel: "Nombre de esta versión",

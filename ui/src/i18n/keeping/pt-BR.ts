@@ -26,6 +26,10 @@ export const ptBR = {
   unknownComputer: "Outro computador",
   elsewhere: (computer: string) =>
     `${computer} também continuou este programa. As duas continuações estão guardadas no histórico.`,
+  otherWindow:
+    "Este programa também mudou em outra janela. Nada se perdeu: tudo está no histórico.",
+  openNewest: "Abrir a mais nova",
+  seeOther: "Ver a outra versão",
   name: "Dar um nome",
   rename: "Mudar o nome",
   nameLabel: "Nome desta versão",

@@ -1,0 +1,33 @@
+import { useSignal } from "@preact/signals";
+import { FileClock, History } from "lucide-preact";
+import { type OpenProgram, openNewest } from "../app/open_program";
+import { go } from "../app/route";
+import { report } from "../app/session";
+import { TEST } from "../app/testids";
+import { texts } from "../i18n";
+import { WayBack } from "./WayBack";
+
+/** Two windows have one program open: neither goes on without knowing of the other. */
+export function OtherWindow({ open }: { open: OpenProgram }) {
+  const closed = useSignal(false);
+  const { other, isOvertaken } = open.windows;
+  const { value: version } = other;
+  if (closed.value || version === null || open.deleted.value) return null;
+  const words = texts.value.keeping;
+  const toNewest = isOvertaken.value;
+  return (
+    <WayBack
+      words={words.otherWindow}
+      action={toNewest ? words.openNewest : words.seeOther}
+      Icon={toNewest ? FileClock : History}
+      testId={TEST.otherWindow}
+      onBack={() => {
+        if (toNewest) void openNewest(open).catch(report);
+        else go({ screen: "versions", program: open.id, version });
+      }}
+      onClose={() => {
+        closed.value = true;
+      }}
+    />
+  );
+}
