@@ -1,0 +1,75 @@
+"""Takes a picture of every screen of the page from the real app, at several sizes, themes and languages.
+
+    python -m scripts.screenshots FOLDER            every screen, for looking at
+    python -m scripts.screenshots FOLDER --quick    Portuguese, light, 1366 x 768 only
+    python -m scripts.screenshots docs/images --readme   the pictures of the README
+
+The app runs on throw-away data folders with groups, programs and runs made for the pictures.
+"""
+
+import argparse
+import tempfile
+from pathlib import Path
+
+from playwright.sync_api import Browser, sync_playwright
+
+from scripts.screenshots import lesson, pupils
+from scripts.screenshots.camera import (
+    ALL,
+    ARGUMENTS,
+    CHROMIUM,
+    QUICK,
+    Look,
+    Photographer,
+    application,
+)
+
+
+def pupils_screens(browser: Browser, folder: Path, looks: list[Look]) -> None:
+    """A first day, and a class at work; without looks the pictures of the README."""
+    with tempfile.TemporaryDirectory() as home, application(Path(home)) as address:
+        camera = Photographer(browser, address, folder)
+        camera.of("group-name").wait_for()
+        if looks:
+            camera.round("first-start")
+        seeded = pupils.seed(camera)
+        if not looks:
+            pupils.readme(camera, seeded)
+        for look in looks:
+            camera.wear(look)
+            pupils.photograph(camera, seeded)
+
+
+def lesson_screens(browser: Browser, folder: Path, looks: list[Look]) -> None:
+    """A lesson that is over; without looks the picture of the README."""
+    with tempfile.TemporaryDirectory() as home, tempfile.TemporaryDirectory() as stick:
+        past = lesson.play(Path(home))
+        with application(Path(home)) as address:
+            camera = Photographer(browser, address, folder)
+            camera.of("group-card").first.wait_for()
+            if not looks:
+                lesson.readme(camera, past)
+            for look in looks:
+                camera.wear(look)
+                lesson.photograph(camera, past, Path(stick))
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--quick", action="store_true", help="one size, theme and language")
+    parser.add_argument(
+        "--readme", action="store_true", help="start, studio, replay and lesson only"
+    )
+    arguments = parser.parse_args()
+    arguments.folder.mkdir(parents=True, exist_ok=True)
+    looks = [] if arguments.readme else QUICK if arguments.quick else ALL
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
+        pupils_screens(browser, arguments.folder, looks)
+        lesson_screens(browser, arguments.folder, looks)
+        browser.close()
+
+
+if __name__ == "__main__":
+    main()

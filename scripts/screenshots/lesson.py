@@ -1,0 +1,106 @@
+"""What the teacher sees of a lesson that is over, and where its work goes to and comes from."""
+
+from pathlib import Path
+from typing import NamedTuple
+
+from scripts.screenshots.camera import PIN, Photographer
+from tests.e2e.past_lesson import SQUARE, PastLesson, Step, past_lesson
+
+TRIED: list[Step] = [("move_forward", 1), ("turn", 80)] * 4
+FAR: list[Step] = [("move_forward", 9)]
+
+
+class Past(NamedTuple):
+    """What the pictures are of."""
+
+    lesson: str
+    program: str
+    versions: tuple[str, str]
+    runs: tuple[str, str]
+
+
+def play(home: Path) -> Past:
+    """Five groups, in a file that no app has opened yet."""
+    with past_lesson(home) as lesson:
+        first = _group(lesson, "Capivaras", 2, [FAR, TRIED, SQUARE])
+        _group(lesson, "Tatus", 4, [TRIED, SQUARE])
+        _group(lesson, "Emas", 3, [SQUARE])
+        _group(lesson, "Antas", 6, [FAR, FAR, TRIED])
+        lesson.group("Dourados").edit(*SQUARE[:2])
+        versions, runs = first
+        program = lesson.store.versions.get(versions[0]).program_id
+        return Past(lesson.lesson, program, (versions[0], versions[-1]), (runs[0], runs[-1]))
+
+
+def _group(
+    lesson: PastLesson, name: str, minute: float, tries: list[list[Step]]
+) -> tuple[list[str], list[str]]:
+    """Each try is an edit, and some minutes later a run; only the square fulfils the activity."""
+    group = lesson.group(name)
+    versions, runs = [], []
+    for place, steps in enumerate(tries):
+        lesson.at(minute + 5 * place)
+        versions.append(group.edit(*steps))
+        lesson.at(minute + 5 * place + 2)
+        runs.append(group.run())
+        group.judged(runs[-1], passed=steps is SQUARE)
+    return versions, runs
+
+
+def photograph(camera: Photographer, past: Past, stick: Path) -> None:
+    """Every screen of the review in the look that is on."""
+    _enter(camera)
+    camera.go(f"#/lesson/{past.lesson}")
+    camera.of("review-group").first.wait_for()
+    camera.round("lesson")
+    camera.of("review-open").first.click()
+    camera.of("review-run").first.wait_for()
+    camera.round("lesson-group")
+    camera.go("#/runs")
+    camera.of("compare-choose").first.wait_for()
+    camera.round("runs")
+    camera.go(f"#/compare/{'/'.join(past.runs)}")
+    camera.of("compare-side").nth(1).wait_for()
+    camera.round("two-runs")
+    camera.go(f"#/run/{past.runs[0]}")
+    camera.of("note-open").click()
+    camera.round("note")
+    camera.go(f"#/versions/{past.program}")
+    camera.of("version-shown").wait_for()
+    camera.round("history")
+    camera.go(f"#/differences/{past.program}/{'/'.join(past.versions)}")
+    camera.of("difference").first.wait_for()
+    camera.round("differences")
+    files(camera, stick)
+
+
+def files(camera: Photographer, stick: Path) -> None:
+    """A folder with the work of this PC, brought in again."""
+    camera.call("PUT", "/api/folders/shared", {"path": str(stick)})
+    if not any(stick.iterdir()):
+        camera.call("POST", "/api/bundles", {"folder": str(stick)})
+        (stick / "estragado.pinel").write_bytes(b"SQLite format 3")
+    camera.go("#/teacher/files")
+    camera.of("merge-files").wait_for()
+    camera.round("files")
+    camera.of("merge-files").click()
+    camera.of("merge-results").wait_for()
+    camera.of("merge-results").scroll_into_view_if_needed()
+    camera.round("files-merged")
+
+
+def readme(camera: Photographer, past: Past) -> None:
+    """The lesson, as the README shows it."""
+    _enter(camera)
+    camera.go(f"#/lesson/{past.lesson}")
+    camera.of("review-group").first.wait_for()
+    camera.take("lesson")
+
+
+def _enter(camera: Photographer) -> None:
+    """Chooses the PIN, or gives it."""
+    if camera.call("GET", "/api/teacher")["has_pin"]:
+        camera.call("POST", "/api/teacher/enter", {"pin": PIN})
+    else:
+        camera.call("PUT", "/api/teacher/pin", {"pin": PIN})
+    camera.page.reload()
