@@ -4,6 +4,7 @@ import { useState } from "preact/hooks";
 import { exchange, type Removed } from "../api/exchange";
 import type { Classroom, Group } from "../api/model";
 import { TEST } from "../app/testids";
+import { texts } from "../i18n";
 import { useAct } from "../teacher/act";
 import { FaultLine } from "../teacher/FaultLine";
 import { words } from "./words";
@@ -87,7 +88,9 @@ function Goes({ name, groups }: { name: string; groups: readonly Group[] }) {
   const say = words.value;
   const total = (count: (group: Group) => number) =>
     groups.reduce((sum, group) => sum + count(group), 0);
-  const programs = say.programs(total((group) => group.n_programs));
+  const inBin = total((group) => group.n_in_bin);
+  const all = say.programs(total((group) => group.n_programs) + inBin);
+  const programs = inBin > 0 ? `${all} (${texts.value.start.alsoInBin(inBin)})` : all;
   const runs = say.runs(total((group) => group.n_runs));
   return <>{say.deletion.goes(name, programs, runs)}</>;
 }

@@ -2,9 +2,11 @@ import { type Signal, useSignal } from "@preact/signals";
 import { ChevronDown, Save } from "lucide-preact";
 import { type Bundle, exchange, type Folder } from "../api/exchange";
 import type { Classroom } from "../api/model";
+import { toldApart } from "../app/namesakes";
 import { report } from "../app/session";
 import { asTeacher } from "../app/teacher";
 import { TEST } from "../app/testids";
+import { language } from "../i18n";
 import { words } from "./words";
 
 /** A file that was written, and where. */
@@ -57,7 +59,7 @@ export function SaveBox({ folders, classes, saved, onSaved }: Properties) {
               }}
             >
               <option value="">{say.everything}</option>
-              {classes.map((one) => (
+              {toldApart(classes, language.value).map((one) => (
                 <option key={one.id} value={one.id}>
                   {say.onlyClass(one.name)}
                 </option>

@@ -45,6 +45,8 @@ export const en: Texts = {
     groups: "Groups",
     programs: (n: number) => (n === 1 ? "1 program" : `${n} programs`),
     runs: (n: number) => (n === 1 ? "1 run" : `${n} runs`),
+    inBin: (n: number) => (n === 1 ? "1 program in the bin" : `${n} programs in the bin`),
+    alsoInBin: (n: number) => `${n} in the bin`,
     nothingYet: "No programs yet",
     open: (name: string) => `Go in as ${name}`,
     firstProgram: (n: number) => `Program ${n}`,

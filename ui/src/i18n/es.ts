@@ -45,6 +45,8 @@ export const es: Texts = {
     groups: "Grupos",
     programs: (n: number) => (n === 1 ? "1 programa" : `${n} programas`),
     runs: (n: number) => (n === 1 ? "1 recorrido" : `${n} recorridos`),
+    inBin: (n: number) => (n === 1 ? "1 programa en la papelera" : `${n} programas en la papelera`),
+    alsoInBin: (n: number) => `${n} en la papelera`,
     nothingYet: "Todavía sin programas",
     open: (name: string) => `Entrar como ${name}`,
     firstProgram: (n: number) => `Programa ${n}`,

@@ -46,6 +46,8 @@ export const ptBR = {
     groups: "Grupos",
     programs: (n: number) => (n === 1 ? "1 programa" : `${n} programas`),
     runs: (n: number) => (n === 1 ? "1 rodada" : `${n} rodadas`),
+    inBin: (n: number) => (n === 1 ? "1 programa na lixeira" : `${n} programas na lixeira`),
+    alsoInBin: (n: number) => `${n} na lixeira`,
     nothingYet: "Ainda sem programas",
     open: (name: string) => `Entrar como ${name}`,
     firstProgram: (n: number) => `Programa ${n}`,

@@ -2,6 +2,7 @@ import type { Signal } from "@preact/signals";
 import { ChevronDown, FilterX } from "lucide-preact";
 import type { ActivityTitle, Classroom, Group } from "../api/model";
 import type { RunFilter } from "../api/review";
+import { toldApart } from "../app/namesakes";
 import { TEST } from "../app/testids";
 import { language } from "../i18n";
 import { words } from "../i18n/review";
@@ -48,7 +49,7 @@ export function RunFilters({ filter, school }: RunFiltersProps) {
         all={texts.all}
         value={now.classroom}
         options={[
-          ...school.classrooms.map(({ id, name }): Option => [id, name]),
+          ...toldApart(school.classrooms, language.value).map(({ id, name }): Option => [id, name]),
           ["none", words.value.lesson.noClass],
         ]}
         onChoose={(classroom) => set({ classroom, group: "" })}

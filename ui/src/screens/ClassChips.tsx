@@ -1,8 +1,9 @@
 import { NO_CLASS } from "../api/classes";
 import type { Classroom } from "../api/model";
 import { setClassroom } from "../app/classroom";
+import { toldApart } from "../app/namesakes";
 import { TEST } from "../app/testids";
-import { texts } from "../i18n";
+import { language, texts } from "../i18n";
 
 interface ClassChipsProps {
   classes: readonly Classroom[];
@@ -18,7 +19,7 @@ export function ClassChips({ classes, withNone, shown }: ClassChipsProps) {
   return (
     <fieldset class="class-chips">
       <legend class="visually-hidden">{words.choose}</legend>
-      {[...classes, ...(withNone ? [none] : [])].map(({ id, name }) => (
+      {[...toldApart(classes, language.value), ...(withNone ? [none] : [])].map(({ id, name }) => (
         <button
           key={id}
           type="button"

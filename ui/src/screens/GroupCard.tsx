@@ -4,12 +4,11 @@ import { report } from "../app/session";
 import { TEST } from "../app/testids";
 import { texts } from "../i18n";
 import { GroupPicture } from "./GroupPicture";
+import { groupCounts } from "./group_counts";
 
 /** A group by its drawing, its colour and its name. */
 export function GroupCard({ group }: { group: Group }) {
   const { start } = texts.value;
-  const made = [start.programs(group.n_programs), start.runs(group.n_runs)];
-  const counts = group.n_programs === 0 ? start.nothingYet : made.join(" · ");
   return (
     <button
       type="button"
@@ -29,7 +28,7 @@ export function GroupCard({ group }: { group: Group }) {
         <span class="group-card__name" dir="auto">
           {group.name}
         </span>{" "}
-        <span class="group-card__counts">{counts}</span>
+        <span class="group-card__counts">{groupCounts(group, texts.value)}</span>
       </span>
     </button>
   );

@@ -5,11 +5,13 @@ import { classesApi, NO_CLASS } from "../api/classes";
 import type { Removed } from "../api/exchange";
 import type { Group } from "../api/model";
 import { classroom, groupsIn, setClassroom, shownClass } from "../app/classroom";
+import { toldApart } from "../app/namesakes";
 import { TEST } from "../app/testids";
 import { Deletion, Gone } from "../exchange/Deletion";
-import { texts } from "../i18n";
+import { language, texts } from "../i18n";
 import { ClassChips } from "../screens/ClassChips";
 import { GroupPicture } from "../screens/GroupPicture";
+import { groupCounts } from "../screens/group_counts";
 import { AddForm } from "./AddForm";
 import { useAct } from "./act";
 import { FaultLine } from "./FaultLine";
@@ -91,6 +93,7 @@ function ClassPanel({ id, school, onRemoved, children }: ClassPanelProps) {
   const [moved, setMoved] = useState("");
   const here = groupsIn(id, school.groups);
   const now = school.classes.find((one) => one.id === id);
+  const shown = toldApart(school.classes, language.value).find((one) => one.id === id);
 
   const rename = async (name: string) => {
     await classesApi.renameClassroom(id, name);
@@ -112,7 +115,7 @@ function ClassPanel({ id, school, onRemoved, children }: ClassPanelProps) {
     <section class="panel card">
       {now ? (
         <NameField name={now.name} label={say.rename} testId={TEST.renameClass} onRename={rename}>
-          <h2>{now.name}</h2>
+          <h2>{shown?.name}</h2>
         </NameField>
       ) : (
         <>
@@ -140,7 +143,7 @@ function ClassPanel({ id, school, onRemoved, children }: ClassPanelProps) {
         />
       )}
       {(now || here.length > 0) && (
-        <Deletion classroom={now} groups={here} onDone={forget}>
+        <Deletion classroom={shown} groups={here} onDone={forget}>
           {children}
         </Deletion>
       )}
@@ -156,9 +159,10 @@ interface ClassGroupProps {
 
 function ClassGroup({ group, school, onMoved }: ClassGroupProps) {
   const { classes: say } = words.value;
-  const { start } = texts.value;
   const { fault, act } = useAct();
-  const others = school.classes.filter((one) => one.id !== group.classroom_id);
+  const others = toldApart(school.classes, language.value).filter(
+    (one) => one.id !== group.classroom_id,
+  );
 
   const rename = async (name: string) => {
     await classesApi.changeGroup(group.id, { name });
@@ -185,9 +189,7 @@ function ClassGroup({ group, school, onMoved }: ClassGroupProps) {
           <strong class="class-groups__name" dir="auto" data-shortened title={group.name}>
             {group.name}
           </strong>
-          <span class="class-groups__counts">
-            {start.programs(group.n_programs)} · {start.runs(group.n_runs)}
-          </span>
+          <span class="class-groups__counts">{groupCounts(group, texts.value)}</span>
         </span>
       </NameField>
       {others.length > 0 && (

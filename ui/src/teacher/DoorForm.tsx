@@ -88,6 +88,7 @@ export function DoorForm({ again }: { again: boolean }) {
             {door.back}
           </a>
         </div>
+        <p class="labelled__hint">{door.forgotten}</p>
       </form>
     </main>
   );

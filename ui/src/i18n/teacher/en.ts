@@ -6,6 +6,8 @@ export const en: TeacherTexts = {
     hint: "Type the PIN to open.",
     again:
       "The teacher's part has shut because nobody used it. Type the PIN: what you wrote is still here.",
+    forgotten:
+      "Forgotten the PIN? The command pinel pin, in the PC's account that uses PINEL, chooses another.",
     pin: "PIN",
     enter: "Open",
     back: "Back to the start",

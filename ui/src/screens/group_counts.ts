@@ -1,0 +1,16 @@
+import type { Group } from "../api/model";
+import type { Texts } from "../i18n/pt-BR";
+
+/** What a group has made; what lies in its bin is its work too. */
+export function groupCounts(group: Group, { start }: Texts): string {
+  const { n_programs, n_in_bin, n_runs } = group;
+  if (n_programs + n_in_bin + n_runs === 0) return start.nothingYet;
+  const bin = n_programs > 0 ? start.alsoInBin(n_in_bin) : start.inBin(n_in_bin);
+  return [
+    (n_programs > 0 || n_in_bin === 0) && start.programs(n_programs),
+    n_in_bin > 0 && bin,
+    start.runs(n_runs),
+  ]
+    .filter(Boolean)
+    .join(" · ");
+}
