@@ -110,7 +110,33 @@ def test_a_group_goes_on_with_its_program_at_another_pc(
     bad = tmp_path / "foto.pinel"
     bad.write_bytes(b"no bundle")
     other_pc["bring-program"].set_input_files(bad)
-    expect(other_pc.page.get_by_text("não foi exportado pelo PINEL")).to_be_visible()
+    refused = other_pc.page.get_by_text("O arquivo foto.pinel não foi exportado pelo PINEL")
+    expect(refused).to_be_visible()
+
+
+def test_the_class_of_a_brought_group_is_the_one_at_the_start(
+    studio: Studio, other_pc: Studio, tmp_path: Path
+) -> None:
+    for pc, name in ((studio, "7º B"), (other_pc, "9º A")):
+        pc.tell("PUT", "/teacher/pin", {"pin": PIN})
+        classroom = pc.tell("POST", "/classrooms", {"name": name})["id"]
+        pc.tell("POST", "/groups", {"name": f"Do {name}", "classroom_id": classroom})
+        pc.page.reload()
+    studio["group-card"].click()
+    studio.wait_until_open()
+    studio["open-work"].click()
+    with studio.page.expect_download() as taken:
+        studio["program-file"].click()
+    file = tmp_path / "Programa.pinel"
+    taken.value.save_as(file)
+
+    expect(other_pc["class-chip"]).to_have_text(["9º A"])
+    other_pc["bring-program"].set_input_files(file)
+    other_pc.wait_until_open()
+    other_pc["home"].click()
+    expect(other_pc["group-card"]).to_contain_text("Do 7º B")
+    other_pc["class-chip"].filter(has_text="9º A").click()
+    expect(other_pc["group-card"]).to_contain_text("Do 9º A")
 
 
 def test_what_was_deleted_elsewhere_goes_when_the_teacher_says_so(
@@ -132,12 +158,85 @@ def test_what_was_deleted_elsewhere_goes_when_the_teacher_says_so(
     expect(studio.page.get_by_text("Salvo em")).to_contain_text("0 grupos")
 
     other_pc["merge-files"].click()
-    expect(other_pc["would-delete"]).to_contain_text("Os Tatus")
+    expect(other_pc["would-delete"]).to_contain_text(
+        "Os Tatus, Programa 1 (aqui ainda há 1 grupo, 1 programa)"
+    )
     assert violations(other_pc) == []
     assert len(other_pc.api("/groups")["groups"]) == 1
     other_pc["delete-too"].click()
     expect(other_pc["would-delete"]).to_have_count(0)
+    expect(other_pc["merge-results"]).to_contain_text("Apagado: 1 grupo, 1 programa.")
+    expect(other_pc["merge-results"].locator("p").first).to_be_focused()
     assert other_pc.api("/groups") == {"groups": []}
+
+
+def test_an_old_file_does_not_say_that_what_was_deleted_is_here(
+    studio: Studio, stick: Path
+) -> None:
+    studio.enter_group("Os Tatus")
+    at_the_files(studio, stick)
+    studio["save-bundle"].click()
+    expect(studio.page.get_by_text("Salvo em")).to_be_visible()
+    [group] = studio.api("/groups")["groups"]
+    studio.tell("DELETE", f"/groups/{group['id']}")
+    for _ in range(2):
+        studio["merge-files"].click()
+        expect(studio["merge-results"]).to_contain_text(
+            "nada novo. Não volta, porque foi apagado para sempre: 1 grupo, 1 programa"
+        )
+    assert studio.api("/groups") == {"groups": []}
+
+
+def test_a_file_without_names_is_merged_only_when_it_is_ticked(studio: Studio, stick: Path) -> None:
+    studio.enter_group("Os Tatus")
+    at_the_files(studio, stick)
+    studio.page.get_by_label("Sem nomes nem textos").check()
+    studio["save-bundle"].click()
+    expect(studio.page.get_by_text("Salvo em PINEL-sem-nomes-")).to_be_visible()
+    file = studio["found-file"].filter(has_text="Sem nomes")
+    expect(file.get_by_role("checkbox")).not_to_be_checked()
+    expect(studio["merge-files"]).to_have_count(0)
+    studio.page.get_by_label("Sem nomes nem textos").uncheck()
+    studio["save-bundle"].click()
+    expect(studio["found-file"]).to_have_count(2)
+    studio["merge-files"].click()
+    expect(studio["merge-results"].get_by_role("listitem")).to_have_count(1)
+    assert len(studio.api("/groups")["groups"]) == 1
+
+    file.get_by_role("checkbox").check()
+    expect(studio.page.get_by_text("aparecem duas vezes")).to_be_visible()
+    assert violations(studio) == []
+    studio["merge-files"].click()
+    expect(studio["merge-results"]).to_contain_text("Vieram sem nomes")
+    assert len(studio.api("/groups")["groups"]) == 2
+
+
+def test_what_lies_in_the_bin_is_counted_with_the_group(studio: Studio, stick: Path) -> None:
+    studio.enter_group("Os Tatus")
+    studio.tell("DELETE", f"/programs/{studio.program_id}")
+    studio["home"].click()
+    expect(studio["group-card"]).to_contain_text("1 programa na lixeira · 0 rodadas")
+    at_the_files(studio, stick)
+    studio.page.goto(f"{studio.origin}/#/teacher/classes")
+    expect(studio["class-group"]).to_contain_text("1 programa na lixeira")
+    studio["deletion-open"].click()
+    studio["deletion-what"].select_option(label="O grupo Os Tatus")
+    doomed = studio.page.get_by_text("Não dá para desfazer")
+    expect(doomed).to_contain_text("1 programa (1 na lixeira) e 0 rodadas")
+
+
+def test_classes_of_one_name_are_told_apart(studio: Studio, other_pc: Studio, stick: Path) -> None:
+    for pc, name in ((studio, "PC 1"), (other_pc, "PC 2")):
+        at_the_files(pc, stick)
+        pc.tell("PATCH", "/computer", {"name": name})
+        classroom = pc.tell("POST", "/classrooms", {"name": "7º B"})["id"]
+        pc.tell("POST", f"/classrooms/{classroom}/lessons", {"title": f"Aula no {name}"})
+    studio["save-bundle"].click()
+    other_pc["merge-files"].click()
+    expect(other_pc["merge-results"]).to_be_visible()
+    for place in ("/#/", "/#/teacher/lessons", "/#/teacher/classes"):
+        other_pc.page.goto(other_pc.origin + place)
+        expect(other_pc["class-chip"]).to_have_text(["7º B · PC 1", "7º B · PC 2"])
 
 
 def test_answers_about_one_folder_do_not_stand_under_another(
