@@ -7,16 +7,14 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from datetime import datetime
+from itertools import pairwise
 from unicodedata import combining, normalize
 
 from pinel_desktop.review.blocks import BlocksInUse, Sheet, blocks_of_sheet, read_sheet
+from pinel_desktop.review.clock import AWAY_S, PAUSE_S, seconds_of
 from pinel_desktop.review.marks import NOTHING, Mark, marks_of, with_changes
 from pinel_desktop.review.order import lines_of
 from pinel_desktop.review.records import Edit, Event, GroupWork, Run
-
-# who does nothing for longer is talking, thinking or away: nobody can tell
-PAUSE_S = 300.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,8 +25,9 @@ class Figures:
         n_edits: versions that were saved, one for each change of blocks.
         n_runs: runs that were begun, also those that were stopped.
         n_failed: runs that broke off with an error; stopping by hand and not passing the activity are no errors.
-        time_to_first_run_s: from the first edit to the first run after it, by the clock of the PC; None where there
-            was none, where the lesson began with a run, or where clocks cannot tell.
+        time_to_first_run_s: from the first edit to the first run after it, by the clock of the PC, without hours in
+            which nothing was done; None where there was none, where the lesson began with a run, or where clocks
+            cannot tell.
         attempts_until_passed: runs of the activity that have ended, up to and with the first that passed; None while
             none has passed. The activity is the lesson's, else that of the first run that passed.
         active_s: time with edits and runs; pauses of more than five minutes between them are left out.
@@ -128,9 +127,20 @@ def _time_to_first_run(marks: tuple[Mark, ...]) -> float | None:
     first_run = next((mark for mark in marks if mark.run), None)
     if first_run is None or first_run is marks[0]:
         return None
-    time_s = _seconds(first_run.at) - _seconds(marks[0].at)
+    before = marks[: marks.index(first_run)]
+    time_s = seconds_of(first_run.at) - seconds_of(marks[0].at)
     same_clock = first_run.computer_id == marks[0].computer_id
-    return time_s if same_clock and time_s >= 0.0 else None
+    return time_s - _away(before, first_run) if same_clock and time_s >= 0.0 else None
+
+
+def _away(before: tuple[Mark, ...], first_run: Mark) -> float:
+    """Seconds without anybody there: lessons that were joined are days apart."""
+    pauses = (
+        seconds_of(after.at) - seconds_of(mark.until or mark.at)
+        for mark, after in pairwise((*before, first_run))
+        if mark.computer_id == after.computer_id == first_run.computer_id
+    )
+    return sum(pause for pause in pauses if pause > AWAY_S)
 
 
 def _attempts(runs: list[Run], activity: str | None) -> int | None:
@@ -157,17 +167,9 @@ def _active(line: Iterable[Event]) -> float:
 
 def _span(event: Event) -> tuple[float, float]:
     """Beginning and end in s; a run that was left paused counts as long as the robot took."""
-    begin = _seconds(event.at)
+    begin = seconds_of(event.at)
     if isinstance(event, Edit):
         return begin, begin
     took_s = event.duration_s or 0.0
-    waited_s = _seconds(event.ended_at) - begin if event.ended_at else took_s
+    waited_s = seconds_of(event.ended_at) - begin if event.ended_at else took_s
     return begin, begin + (waited_s if 0.0 <= waited_s <= took_s + PAUSE_S else took_s)
-
-
-def _seconds(time: str) -> float:
-    """Seconds of a clock; a time that is none, in a file of somebody else's, is the beginning of all times."""
-    try:
-        return datetime.fromisoformat(time).timestamp()
-    except (ValueError, OverflowError):
-        return 0.0

@@ -1,9 +1,10 @@
-"""A group's line of marks: bursts of edits, runs, and which run repaired which."""
+"""A group's line of marks: bursts of edits, which end at a run or a long pause, runs, and which run repaired which."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from pinel_desktop.review.blocks import Sheet
+from pinel_desktop.review.clock import PAUSE_S, seconds_of
 from pinel_desktop.review.difference import Counts, difference_of_sheets
 from pinel_desktop.review.order import lines_of
 from pinel_desktop.review.records import Edit, Event, GroupWork, Run
@@ -84,7 +85,7 @@ def is_repair(run: Run, failing: Run) -> bool:
 def _marks_of_line(line: Iterable[Event], seen: dict[str, str]) -> Iterator[Mark]:
     burst: list[Edit] = []
     for event in line:
-        if burst and (isinstance(event, Run) or event.program_id != burst[0].program_id):
+        if burst and _ends(burst, event):
             yield _burst(burst, seen)
             burst = []
         if isinstance(event, Edit):
@@ -95,6 +96,12 @@ def _marks_of_line(line: Iterable[Event], seen: dict[str, str]) -> Iterator[Mark
                 seen.setdefault(event.program_id, event.version_id)
     if burst:
         yield _burst(burst, seen)
+
+
+def _ends(burst: list[Edit], event: Event) -> bool:
+    if isinstance(event, Run) or event.program_id != burst[0].program_id:
+        return True
+    return seconds_of(event.at) - seconds_of(burst[-1].at) > PAUSE_S
 
 
 def _burst(edits: list[Edit], seen: dict[str, str]) -> Mark:

@@ -94,6 +94,15 @@ def test_edits_of_two_programs_are_two_marks() -> None:
     assert found.blocks == BlocksInUse({"move_forward": 2}, {})
 
 
+def test_a_burst_ends_at_a_long_pause() -> None:
+    found = review(edit("a", 1, 0), edit("b", 2, 5), edit("c", 3, 11), a=1, b=1, c=2)
+    assert [(mark.at, mark.until, mark.n_edits) for mark in found.marks] == [
+        (at(0), at(5), 2),
+        (at(11), at(11), 1),
+    ]
+    assert (found.marks[1].since, found.marks[1].changes) == ("b", Counts(changed=1))
+
+
 def test_only_the_workspaces_between_marks_are_asked_for() -> None:
     edits = [edit(f"v{number:03}", number, number / 10, parent_id="old") for number in range(5, 99)]
     group = work(*edits, run("x", "v098", 98, 20))
@@ -167,6 +176,16 @@ def test_time_to_the_first_run_counts_from_the_first_edit() -> None:
     assert review(run("0", "z", 1, 0), first).figures.time_to_first_run_s is None
     elsewhere = run("c", "b", 2, 3, computer_id="other")
     assert review(first, elsewhere).figures.time_to_first_run_s is None
+
+
+def test_hours_in_which_nobody_was_there_do_not_count_before_the_first_run() -> None:
+    lessons_of_two_days = (
+        edit("a", 1, 1),
+        edit("b", 2, 20),
+        Edit("c", "p", "", 3, at="2026-03-04T09:00:00Z", computer_id="pc"),
+        Run("d", "p", "", "c", "2026-03-04T09:01:30Z", "finished", 3, computer_id="pc"),
+    )
+    assert review(*lessons_of_two_days).figures.time_to_first_run_s == 19 * 60 + 90
 
 
 def test_active_time_leaves_long_pauses_out() -> None:

@@ -7,11 +7,10 @@ import { hashOf } from "../app/route";
 import { report } from "../app/session";
 import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
-import { duration } from "../i18n/format";
 import { words } from "../i18n/review";
 import { BlockChips } from "./BlockChips";
 import { differenceOf } from "./differences";
-import { changesInWords, clock, type MarkBook } from "./mark_words";
+import { changesInWords, facts, type MarkBook } from "./mark_words";
 import { type GroupReview, outcomeOf, type ReviewMark } from "./model";
 import { Sign } from "./Sign";
 
@@ -46,8 +45,7 @@ export function GroupDetail({ review, book }: GroupDetailProps) {
 function RunLine({ mark, book }: { mark: ReviewMark; book: MarkBook }) {
   const { line, outcomes, detail } = words.value;
   const outcome = outcomeOf(mark);
-  const took = mark.duration_s == null ? null : duration(mark.duration_s, language.value);
-  const facts = [mark.program_name, detail.at(clock(mark.at, language.value)), took];
+  const speech = { texts: words.value, language: language.value, page: texts.value };
   if (!mark.run_id) return null;
   return (
     <li class="run-line" data-testid={TEST.reviewRun} data-outcome={outcome}>
@@ -57,7 +55,7 @@ function RunLine({ mark, book }: { mark: ReviewMark; book: MarkBook }) {
           <b>
             {line.run(book.numberOf(mark.run_id))}: {outcomes[outcome]}
           </b>{" "}
-          <span class="run-line__facts">{facts.filter(Boolean).join(" · ")}</span>
+          <span class="run-line__facts">{facts(mark, book, speech)}</span>
         </p>
         {mark.message && outcome !== "stopped" && <p>{mark.message}</p>}
         <Repair mark={mark} book={book} />

@@ -14,16 +14,17 @@ import type { GroupReview } from "./model";
 interface GroupRowProps {
   review: GroupReview;
   layout: LineLayout;
-  zero: number | null;
+  /** The lesson went on over several days. */
+  withDays: boolean;
   open: boolean;
   onToggle(): void;
 }
 
 /** One group: who, its line, what was counted; its runs in words when it is opened. */
-export function GroupRow({ review, layout, zero, open, onToggle }: GroupRowProps) {
+export function GroupRow({ review, layout, withDays, open, onToggle }: GroupRowProps) {
   const { group, marks, figures, blocks } = review;
   const { lesson, detail } = words.value;
-  const book = useMemo(() => new MarkBook(marks), [marks]);
+  const book = useMemo(() => new MarkBook(marks, withDays), [marks, withDays]);
   return (
     <li
       class="group-row tinted"
@@ -51,7 +52,7 @@ export function GroupRow({ review, layout, zero, open, onToggle }: GroupRowProps
           <p class="group-row__nothing">{lesson.nothing}</p>
         ) : (
           <div class="group-row__line">
-            <Line group={group.name} book={book} layout={layout} zero={zero} />
+            <Line group={group.name} book={book} layout={layout} />
           </div>
         )}
         <FigureRow group={group.name} figures={figures} />

@@ -3,8 +3,9 @@ import { hashOf } from "../app/route";
 import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
 import { words } from "../i18n/review";
+import { shortDay } from "./days";
 import { differenceOf } from "./differences";
-import { barHeight, type LineLayout, type PlacedMark } from "./line_layout";
+import { barHeight, type LineLayout, type PlacedMark, type Tick } from "./line_layout";
 import { clock, type MarkBook, spell, wordsOf } from "./mark_words";
 import { outcomeOf, type ReviewMark } from "./model";
 import { rove } from "./roving";
@@ -19,16 +20,14 @@ interface LineProps {
   group: string;
   book: MarkBook;
   layout: LineLayout;
-  /** The ruler counts minutes from here; null for the time on the wall. Seconds. */
-  zero: number | null;
 }
 
 /** What a group did over time: bars of edits, round runs, arcs of repairs. */
-export function Line({ group, book, layout, zero }: LineProps) {
+export function Line({ group, book, layout }: LineProps) {
   const { line } = words.value;
   return (
     <div class="line" style={{ width: `${layout.width}px`, "--line-width": layout.width }}>
-      <Ground layout={layout} zero={zero} />
+      <Ground layout={layout} />
       <ol class="line__marks" aria-label={`${line.label(group)}. ${line.keys}`} onKeyDown={rove}>
         {layout.marks.map((placed) => (
           <li
@@ -116,7 +115,7 @@ export function placeOf(mark: ReviewMark): string {
 }
 
 /** The line itself, its ruler, folded pauses, and arcs from what failed to what made it good. */
-function Ground({ layout, zero }: { layout: LineLayout; zero: number | null }) {
+function Ground({ layout }: { layout: LineLayout }) {
   const { line } = words.value;
   const { width, ticks, folds, arcs, marks, lengths } = layout;
   const end = Math.max(...marks.map(({ x, width: wide }) => x + wide / 2), 0);
@@ -128,26 +127,30 @@ function Ground({ layout, zero }: { layout: LineLayout; zero: number | null }) {
       {lengths.map(({ from, to }) => (
         <path key={from} class="line__length" d={`M${from} ${BASE}H${to}`} />
       ))}
-      {folds.map(({ x, fold }) => (
+      {folds.map(({ x, fold, isNight, isSaid }) => (
         <g key={fold.from} class="line__fold" transform={`translate(${x} ${BASE})`}>
           <title>{line.fold(spell(fold.seconds, language.value))}</title>
           <rect x="-7" y="-4" width="14" height="8" />
           <path d="M-7 5l4-10M3 5l4-10" />
-          <text y="16">{line.minutes(Math.round(fold.seconds / 60))}</text>
+          {isSaid && (
+            <text y="16">
+              {isNight
+                ? shortDay(fold.from + fold.seconds, language.value)
+                : line.minutes(Math.round(fold.seconds / 60))}
+            </text>
+          )}
         </g>
       ))}
-      {ticks
-        .filter(({ x }) => folds.every((fold) => Math.abs(fold.x - x) > 44))
-        .map(({ x, time }) => (
-          <g
-            key={time}
-            class={x < 20 ? "line__tick line__tick--first" : "line__tick"}
-            transform={`translate(${x} ${BASE})`}
-          >
-            <path d="M0 0v5" />
-            <text y="16">{tickWords(time, zero)}</text>
-          </g>
-        ))}
+      {ticks.map((tick) => (
+        <g
+          key={`${tick.says}/${tick.time}`}
+          class={tick.x < 20 ? "line__tick line__tick--first" : "line__tick"}
+          transform={`translate(${tick.x} ${BASE})`}
+        >
+          <path d="M0 0v5" />
+          <text y="16">{tickWords(tick)}</text>
+        </g>
+      ))}
       {arcs.map(({ from, to }) => (
         <path key={`${from}/${to}`} class="line__arc" d={arcPath(from, to, BASE - round)} />
       ))}
@@ -155,10 +158,11 @@ function Ground({ layout, zero }: { layout: LineLayout; zero: number | null }) {
   );
 }
 
-function tickWords(time: number, zero: number | null): string {
+function tickWords({ time, says, from }: Tick): string {
   const { line } = words.value;
-  if (zero === null) return clock(new Date(time * 1000).toISOString(), language.value);
-  const minutes = Math.round((time - zero) / 60);
+  if (says === "day") return shortDay(time, language.value);
+  if (says === "clock") return clock(new Date(time * 1000).toISOString(), language.value);
+  const minutes = Math.round((time - from) / 60);
   return minutes === 0 ? line.begin : line.minutes(minutes);
 }
 

@@ -37,11 +37,11 @@ function mark(
   };
 }
 
-function lineOf(marks: ReviewMark[], width = 1000) {
+function lineOf(marks: ReviewMark[], { width = 1000, byClock = false, withDays = false } = {}) {
   const spans = spansOf(marks);
   const axis = new Axis(spans);
   const scale = (width - 8) / Math.max(1, axis.length);
-  return layOut({ marks, spans, axis, width, scale, zero: axis.from });
+  return layOut({ marks, spans, axis, width, scale, byClock, withDays });
 }
 
 describe("time on a line", () => {
@@ -187,6 +187,33 @@ describe("a line", () => {
     expect(folds.map(({ fold }) => fold.seconds)).toEqual([3600]);
     const minutes = ticks.map(({ time }) => (time - NOON) / 60);
     expect(minutes.every((minute) => minute <= 1 || minute >= 61)).toBe(true);
+  });
+
+  test("counts each day from its own beginning, and no minute of a night", () => {
+    const TWO_DAYS = 2 * 86_400;
+    const marks = [0, 300, TWO_DAYS, TWO_DAYS + 300].map((second) => mark("run", second));
+    const own = lineOf(marks, { withDays: true });
+    expect(own.folds.map(({ isNight }) => isNight)).toEqual([true]);
+    expect(own.ticks[0]).toMatchObject({ says: "day", time: NOON });
+    const minutes = own.ticks.slice(1).map(({ time, from }) => (time - from) / 60);
+    expect(minutes.length).toBeGreaterThan(2);
+    expect(Math.max(...minutes)).toBeLessThanOrEqual(5);
+    const clock = lineOf(marks, { withDays: true, byClock: true });
+    const times = clock.ticks.slice(1).map(({ time }) => time - NOON);
+    expect(times.every((time) => time <= 300 || time >= TWO_DAYS)).toBe(true);
+    expect(times.some((time) => time >= TWO_DAYS)).toBe(true);
+    for (const { ticks, folds } of [own, clock]) {
+      for (const { x } of ticks) expect(Math.abs(x - (folds[0]?.x ?? 0))).toBeGreaterThan(80);
+    }
+  });
+
+  test("says days before pauses where there is no room for both", () => {
+    const NIGHT = 86_400;
+    const marks = [0, 360, 900, NIGHT].map((second) => mark("edit", second));
+    const said = (width: number) =>
+      lineOf(marks, { width, withDays: true }).folds.map(({ isSaid }) => isSaid);
+    expect(said(1000)).toEqual([true, true, true]);
+    expect(said(120)).toEqual([false, false, true]);
   });
 
   test("lasts as long as its last run does, and no number stands beyond its end", () => {

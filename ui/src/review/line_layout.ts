@@ -1,4 +1,5 @@
 import { type Axis, type Fold, type Span, stepFor } from "./axis";
+import { dayOf } from "./days";
 import type { ReviewMark } from "./model";
 import { between, GAP, roomFor, spread } from "./places";
 import type { Moment } from "./stretch";
@@ -13,6 +14,9 @@ const LOWEST_BAR = 8;
 const HIGHEST_BAR = 30;
 /** Numbers under the line are so far apart. */
 const RULER_APART = 72;
+/** A day under the line takes so much room, and what is said of a folded pause. */
+const DAY_APART = 84;
+const FOLD_APART = 56;
 /** What is left and right of the line. */
 const EDGE = 4;
 
@@ -30,13 +34,32 @@ export interface Arc {
   readonly to: number;
 }
 
+/** A number under the line. */
+export interface Tick {
+  readonly x: number;
+  readonly time: number;
+  /** What it says: the day, the time on the wall, or the minutes since `from`. */
+  readonly says: "day" | "clock" | "minutes";
+  readonly from: number;
+}
+
+/** A folded pause. */
+export interface PlacedFold {
+  readonly x: number;
+  readonly fold: Fold;
+  /** Another day begins in it. */
+  readonly isNight: boolean;
+  /** There is room to say how long it was, or which day begins. */
+  readonly isSaid: boolean;
+}
+
 export interface LineLayout {
   readonly width: number;
   readonly marks: readonly PlacedMark[];
   /** From each failing run to the one that made it good. */
   readonly arcs: readonly Arc[];
-  readonly ticks: readonly { readonly x: number; readonly time: number }[];
-  readonly folds: readonly { readonly x: number; readonly fold: Fold }[];
+  readonly ticks: readonly Tick[];
+  readonly folds: readonly PlacedFold[];
   /** Runs that went on beyond the sign of their beginning. */
   readonly lengths: readonly Arc[];
   /** Where the time of the line is over. */
@@ -58,8 +81,10 @@ interface LineInput {
   /** The line's room in pixels, and how much a second takes of it. */
   width: number;
   scale: number;
-  /** Where the ruler's numbers count from, seconds. */
-  zero: number;
+  /** The ruler has the time on the wall, where it does not count minutes. */
+  byClock: boolean;
+  /** The ruler begins with the day. */
+  withDays: boolean;
   /** Missing where each line has a scale of its own. */
   common?: Common;
 }
@@ -194,16 +219,13 @@ function arcsOf(placed: readonly PlacedMark[]): Arc[] {
 type Ruler = Pick<LineLayout, "ticks" | "folds" | "lengths" | "end">;
 
 /** What lies under the marks: the time itself. */
-function rulerOf(
-  { axis, scale, zero, spans }: LineInput,
-  placed: readonly PlacedMark[],
-  place: At,
-  room: number,
-): Ruler {
+function rulerOf(line: LineInput, placed: readonly PlacedMark[], place: At, room: number): Ruler {
+  const { axis, spans } = line;
   const within = (time: number) => Math.min(EDGE + room, place(time));
+  const folds = foldsOf(line, place);
   return {
-    ticks: ticksOf(axis, scale, zero, place, room),
-    folds: axis.folds.map((fold) => ({ fold, x: place(fold.from + fold.seconds / 2) })),
+    ticks: apartFrom(folds, ticksOf(line, place, room)),
+    folds,
     lengths: placed.flatMap(({ mark, index, x, width }) => {
       const to = within(spans[index]?.to ?? 0);
       return mark.kind === "run" && to > x + width / 2 ? [{ from: x, to }] : [];
@@ -212,22 +234,56 @@ function rulerOf(
   };
 }
 
-function ticksOf(
-  axis: Axis,
-  scale: number,
-  zero: number,
-  place: (time: number) => number,
-  room: number,
-): { x: number; time: number }[] {
+/** Days are said before pauses are. */
+function foldsOf({ axis, withDays }: LineInput, place: At): PlacedFold[] {
+  const folds = axis.folds.map((fold) => ({ fold, x: place(fold.from + fold.seconds / 2) }));
+  const nights = folds.filter(({ fold }) => isNight(fold)).map(({ x }) => x);
+  let last = withDays ? place(axis.from) + DAY_APART - FOLD_APART : Number.NEGATIVE_INFINITY;
+  return folds.map(({ fold, x }) => {
+    const night = isNight(fold);
+    const isFree = [last, ...nights].every((other) => Math.abs(x - other) >= FOLD_APART);
+    const isSaid = night || isFree;
+    if (isSaid) last = x;
+    return { fold, x, isNight: night, isSaid };
+  });
+}
+
+const isNight = ({ from, seconds }: Fold) => dayOf(from) !== dayOf(from + seconds);
+
+/** What is said under a folded pause stays readable. */
+function apartFrom(folds: readonly PlacedFold[], ticks: readonly Tick[]): Tick[] {
+  return ticks.filter(({ x }) =>
+    folds.every((fold) => Math.abs(fold.x - x) > (fold.isNight ? DAY_APART : 44)),
+  );
+}
+
+/** Numbers for each day apart: nobody counts the minutes of nights. */
+function ticksOf(line: LineInput, place: At, room: number): Tick[] {
+  const { axis, scale, byClock, withDays } = line;
   const step = stepFor(scale, RULER_APART);
-  const ticks: { x: number; time: number }[] = [];
-  const first = Math.ceil((axis.from - zero) / step);
-  for (let count = first; zero + count * step <= axis.to; count++) {
-    const time = zero + count * step;
-    const x = place(time);
-    const before = ticks.at(-1)?.x ?? Number.NEGATIVE_INFINITY;
-    if (axis.isFolded(time) || x - before < RULER_APART * 0.7 || x > room) continue;
-    ticks.push({ x, time });
+  const ticks: Tick[] = [];
+  if (withDays) ticks.push({ x: place(axis.from), time: axis.from, says: "day", from: axis.from });
+  for (const { from, to } of daysOn(axis)) {
+    const zero = byClock ? dayOf(from) : from;
+    for (let count = Math.ceil((from - zero) / step); zero + count * step <= to; count++) {
+      const time = zero + count * step;
+      const x = place(time);
+      const last = ticks.at(-1);
+      const least = last?.says === "day" ? DAY_APART : RULER_APART * 0.7;
+      if (axis.isFolded(time) || x > room || (last && x - last.x < least)) continue;
+      ticks.push({ x, time, says: byClock ? "clock" : "minutes", from: zero });
+    }
   }
   return ticks;
+}
+
+/** The axis without the nights that are folded. */
+function daysOn(axis: Axis): Span[] {
+  const days: Span[] = [];
+  let from = axis.from;
+  for (const fold of axis.folds.filter(isNight)) {
+    days.push({ from, to: fold.from });
+    from = fold.from + fold.seconds;
+  }
+  return [...days, { from, to: axis.to }];
 }

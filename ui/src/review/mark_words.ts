@@ -1,6 +1,7 @@
 import type { Language, Texts } from "../i18n";
 import { duration } from "../i18n/format";
 import type { ReviewTexts } from "../i18n/review/pt-BR";
+import { shortDay } from "./days";
 import { countsInWords, differenceInWords } from "./difference_words";
 import { outcomeOf, type ReviewMark, type VersionDifference } from "./model";
 
@@ -9,7 +10,11 @@ export class MarkBook {
   private readonly numbers = new Map<string, number>();
   private readonly repairedBy = new Map<string, ReviewMark>();
 
-  constructor(readonly marks: readonly ReviewMark[]) {
+  /** `withDays`: a mark's time of day says nothing without its day. */
+  constructor(
+    readonly marks: readonly ReviewMark[],
+    readonly withDays = false,
+  ) {
     for (const mark of marks) {
       if (mark.run_id) this.numbers.set(mark.run_id, this.numbers.size + 1);
       if (mark.repairs) this.repairedBy.set(mark.repairs, mark);
@@ -49,7 +54,7 @@ export function wordsOf(
   const { texts } = speech;
   const changed = book.changeOf(mark);
   const changes = changed ? changesInWords(changed, difference, speech) : [];
-  const lines = mark.kind === "run" ? aboutRun(mark, book, speech) : aboutEdits(mark, speech);
+  const lines = mark.kind === "run" ? aboutRun(mark, book, speech) : aboutEdits(mark, book, speech);
   if (changes.length > 0) {
     const begin = mark.kind === "run" ? `${texts.line.between} ` : "";
     lines.push(`${begin}${capital(changes.join("; "), begin === "")}.`);
@@ -73,21 +78,23 @@ function aboutRun(mark: ReviewMark, book: MarkBook, speech: Speech): string[] {
   const repair = book.repairOf(mark);
   return [
     mark.message,
-    facts(mark, speech),
+    facts(mark, book, speech),
     mark.repairs && line.repairs(book.numberOf(mark.repairs)),
     repair && line.repairedBy(book.numberOf(repair.run_id)),
   ].filter((one): one is string => Boolean(one));
 }
 
-function aboutEdits(mark: ReviewMark, speech: Speech): string[] {
-  return [facts(mark, speech)].filter(Boolean);
+function aboutEdits(mark: ReviewMark, book: MarkBook, speech: Speech): string[] {
+  return [facts(mark, book, speech)].filter(Boolean);
 }
 
-/** Program, time of day and how long the robot took. */
-function facts(mark: ReviewMark, { texts, language }: Speech): string {
+/** Program, when it was and how long the robot took. */
+export function facts(mark: ReviewMark, book: MarkBook, speech: Speech): string {
+  const { texts, language } = speech;
+  const time = texts.detail.at(clock(mark.at, language));
   return [
     mark.program_name,
-    texts.detail.at(clock(mark.at, language)),
+    book.withDays ? `${shortDay(Date.parse(mark.at) / 1000, language)} ${time}` : time,
     mark.duration_s ? duration(mark.duration_s, language) : null,
   ]
     .filter(Boolean)
