@@ -12,6 +12,10 @@ const FLAG = "pinel_teacher";
 
 const SHUT = ["teacher_only", "pin_missing"];
 
+/** Whether the server refused because the door is shut. */
+export const isShut = (error: unknown): error is ApiError =>
+  error instanceof ApiError && SHUT.includes(error.code);
+
 /** Asks how the door is. */
 export async function knowDoor(): Promise<Door> {
   door.value = await doorAtFirst();
@@ -62,7 +66,7 @@ export async function asTeacher<T>(work: () => Promise<T>): Promise<T> {
   try {
     return await work();
   } catch (error) {
-    if (!(error instanceof ApiError) || !SHUT.includes(error.code)) throw error;
+    if (!isShut(error)) throw error;
     door.value = { has_pin: error.code !== "pin_missing", is_open: false };
     await new Promise<void>((resolve) => {
       waiting.value = [...waiting.peek(), resolve];

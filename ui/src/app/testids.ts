@@ -16,6 +16,7 @@ export const TEST = {
   unsaved: "unsaved",
   locked: "locked",
   gone: "gone",
+  fetchAgain: "fetch-again",
 
   // start
   groupName: "group-name",
@@ -240,6 +241,7 @@ export const TEST = {
   reviewDetail: "review-detail",
   reviewRun: "review-run", // of each; data-outcome
   reviewRepair: "review-repair", // of each
+  reviewRefresh: "review-refresh", // data-at: as of when the lesson or the runs are shown
   note: "note", // data-state: unchanged | changed | saving | saved
   noteOpen: "note-open",
   noteText: "note-text", // a textarea

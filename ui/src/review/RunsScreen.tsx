@@ -1,4 +1,4 @@
-import { type Signal, signal, useSignal } from "@preact/signals";
+import { type Signal, signal, useSignal, useSignalEffect } from "@preact/signals";
 import { ArrowLeft, Columns2, X } from "lucide-preact";
 import { useEffect } from "preact/hooks";
 import { classesApi } from "../api/classes";
@@ -12,12 +12,19 @@ import { words } from "../i18n/review";
 import { Behind } from "./Behind";
 import { HistoryCard } from "./HistoryCard";
 import type { HistoryRun } from "./model";
+import { Refresh } from "./Refresh";
 import { NO_FILTER, RunFilters, type School } from "./RunFilters";
 import { useScrollPlace } from "./scroll_place";
+import { useSeen } from "./seen";
 
 /** What was chosen last stays for as long as the page is open: a replay is a step away and back. */
 const filter = signal<RunFilter>(NO_FILTER);
 const chosen = signal<readonly HistoryRun[]>([]);
+interface RunPage {
+  runs: HistoryRun[];
+  next: string | null;
+}
+
 const place = { top: 0, runs: 0, filter: NO_FILTER };
 
 /** Runs of all groups, newest first, for the teacher. */
@@ -33,7 +40,7 @@ function Runs() {
   const texts = words.value.runs;
   const school = useSignal<School>({ classrooms: [], groups: [], activities: [] });
   const list = useRunList(filter);
-  const main = useScrollPlace(place, list.runs.value !== null);
+  const main = useScrollPlace(place, list.shown.value !== null);
   useEffect(() => {
     askSchool().then((found) => {
       school.value = found;
@@ -52,22 +59,25 @@ function Runs() {
         </a>
         <h1>{texts.title}</h1>
         <p>{texts.help}</p>
+        {list.at.value && (
+          <Refresh at={list.at.value} busy={list.busy.value} onRefresh={list.again} />
+        )}
       </div>
       <RunFilters filter={filter} school={school.value} />
-      {list.runs.value?.length === 0 && (
+      {list.shown.value?.runs.length === 0 && (
         <div class="lesson__empty" data-testid={TEST.historyEmpty}>
-          <strong>{texts.emptyTitle}</strong>
-          <p>{texts.empty}</p>
+          <strong>{isFiltered(filter.value) ? texts.emptyTitle : texts.noneTitle}</strong>
+          <p>{isFiltered(filter.value) ? texts.empty : texts.none}</p>
         </div>
       )}
-      <ul class="work__cards runs__cards" aria-busy={list.runs.value === null}>
-        {list.runs.value?.map((run) => (
+      <ul class="work__cards runs__cards" aria-busy={list.busy.value}>
+        {list.shown.value?.runs.map((run) => (
           <li key={run.id}>
             <HistoryCard run={run} chosen={chosen} />
           </li>
         ))}
       </ul>
-      {list.next.value && (
+      {list.shown.value?.next && (
         <button
           type="button"
           class="button work__older"
@@ -82,6 +92,8 @@ function Runs() {
   );
 }
 
+const isFiltered = (wanted: RunFilter) => Object.values(wanted).some(Boolean);
+
 async function askSchool(): Promise<School> {
   const [classrooms, groups, activities] = await Promise.all([
     classesApi.classrooms(),
@@ -93,36 +105,33 @@ async function askSchool(): Promise<School> {
 
 /** The list of the filter that is on, a page at a time. */
 function useRunList(of: Signal<RunFilter>) {
-  const runs = useSignal<HistoryRun[] | null>(null);
-  const next = useSignal<string | null>(null);
   const wanted = of.value;
-  useEffect(() => {
-    let left = false;
-    const least = place.filter === wanted ? place.runs : 0;
-    asTeacher(() => runsOf(wanted, least)).then((page) => {
-      if (left) return;
-      Object.assign(place, { filter: wanted, runs: page.runs.length });
-      runs.value = page.runs;
-      next.value = page.next;
-    }, report);
-    return () => {
-      left = true;
-    };
-  }, [wanted]);
+  const { seen, busy, again } = useSeen(wanted, () =>
+    runsOf(wanted, place.filter === wanted ? place.runs : 0),
+  );
+  const shown = useSignal<RunPage | null>(null);
+  const at = useSignal<Date | null>(null);
+  useSignalEffect(() => {
+    if (!seen.value) return;
+    show(seen.value.what);
+    at.value = seen.value.at;
+  });
+  const show = (page: RunPage) => {
+    shown.value = page;
+    Object.assign(place, { filter: of.peek(), runs: page.runs.length });
+  };
   const older = () => {
-    const before = next.value;
-    void asTeacher(() => reviewApi.runs(wanted, before)).then((page) => {
-      if (of.peek() !== wanted || next.value !== before) return;
-      runs.value = [...(runs.value ?? []), ...page.runs];
-      place.runs = runs.value.length;
-      next.value = page.next;
+    const before = shown.value;
+    if (!before) return;
+    void asTeacher(() => reviewApi.runs(wanted, before.next)).then((page) => {
+      if (shown.value === before) show({ ...page, runs: [...before.runs, ...page.runs] });
     }, report);
   };
-  return { runs, next, older };
+  return { shown, at, busy, again, older };
 }
 
 /** The newest runs: a page of them, or as many pages as were shown before. */
-async function runsOf(wanted: RunFilter, least: number) {
+async function runsOf(wanted: RunFilter, least: number): Promise<RunPage> {
   let { runs, next } = await reviewApi.runs(wanted, null);
   while (next && runs.length < least) {
     const page = await reviewApi.runs(wanted, next);

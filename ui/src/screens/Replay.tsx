@@ -30,12 +30,10 @@ interface ReplayProps {
 export function Replay(properties: ReplayProps) {
   useEffect(() => giveUpWaiting, []);
   return (
-    <>
+    <div class="replay-place" data-waits={pinAsked.value || undefined}>
       {pinAsked.value && <DoorForm again />}
-      <div class="behind" hidden={pinAsked.value}>
-        <Replayed {...properties} />
-      </div>
-    </>
+      <Replayed {...properties} />
+    </div>
   );
 }
 

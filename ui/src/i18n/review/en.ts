@@ -4,7 +4,7 @@ export const en: ReviewTexts = {
   lesson: {
     title: (title) => title || "Lesson without a title",
     opening: "Fetching the lesson…",
-    activity: (name) => `Activity: ${name}`,
+    activities: (n, names) => (n === 1 ? `Activity: ${names}` : `Activities: ${names}`),
     freeWork: "Free work",
     computers: (names) => `PCs: ${names}`,
     noClass: "No class",
@@ -29,6 +29,11 @@ export const en: ReviewTexts = {
     counts: "What each number counts",
     noRanking:
       "Groups are in alphabetical order. The numbers count what happened; they do not say who was better.",
+  },
+  refresh: {
+    again: "Refresh",
+    at: (time) => `as of ${time}`,
+    help: "Gets what the groups have done since",
   },
   legend: {
     title: "What the marks say",
@@ -151,6 +156,8 @@ export const en: ReviewTexts = {
     clear: "Clear filters",
     emptyTitle: "No such run",
     empty: "Take a filter away, or wait until a group presses Run.",
+    noneTitle: "No runs yet",
+    none: "When a group presses Run, its run appears here.",
     older: "Show older ones",
     choose: "Choose to compare",
     chosen: "Chosen",

@@ -4,7 +4,7 @@ export const es: ReviewTexts = {
   lesson: {
     title: (title) => title || "Clase sin título",
     opening: "Buscando la clase…",
-    activity: (name) => `Actividad: ${name}`,
+    activities: (n, names) => (n === 1 ? `Actividad: ${names}` : `Actividades: ${names}`),
     freeWork: "Trabajo libre",
     computers: (names) => `Computadoras: ${names}`,
     noClass: "Sin curso",
@@ -30,6 +30,11 @@ export const es: ReviewTexts = {
     counts: "Qué cuenta cada número",
     noRanking:
       "Los grupos están en orden alfabético. Los números cuentan lo que pasó; no dicen quién fue mejor.",
+  },
+  refresh: {
+    again: "Actualizar",
+    at: (time) => `visto a las ${time}`,
+    help: "Busca lo que los grupos hicieron desde entonces",
   },
   legend: {
     title: "Qué dicen las marcas",
@@ -151,6 +156,8 @@ export const es: ReviewTexts = {
     clear: "Quitar filtros",
     emptyTitle: "Ningún recorrido así",
     empty: "Quite un filtro, o espere a que un grupo presione Ejecutar.",
+    noneTitle: "Todavía no hay recorridos",
+    none: "Cuando un grupo presione Ejecutar, su recorrido aparece aquí.",
     older: "Mostrar más antiguos",
     choose: "Elegir para comparar",
     chosen: "Elegido",

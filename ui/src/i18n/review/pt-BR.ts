@@ -3,7 +3,8 @@ export const ptBR = {
   lesson: {
     title: (title: string) => title || "Aula sem título",
     opening: "Buscando a aula…",
-    activity: (name: string) => `Atividade: ${name}`,
+    activities: (n: number, names: string) =>
+      n === 1 ? `Atividade: ${names}` : `Atividades: ${names}`,
     freeWork: "Trabalho livre",
     computers: (names: string) => `Computadores: ${names}`,
     noClass: "Sem turma",
@@ -29,6 +30,11 @@ export const ptBR = {
     counts: "O que cada número conta",
     noRanking:
       "Os grupos estão em ordem alfabética. Os números contam o que aconteceu; não dizem quem foi melhor.",
+  },
+  refresh: {
+    again: "Atualizar",
+    at: (time: string) => `visto às ${time}`,
+    help: "Busca o que os grupos fizeram desde então",
   },
   legend: {
     title: "O que as marcas dizem",
@@ -153,6 +159,8 @@ export const ptBR = {
     clear: "Limpar filtros",
     emptyTitle: "Nenhuma rodada assim",
     empty: "Tire um filtro, ou espere um grupo apertar Rodar.",
+    noneTitle: "Nenhuma rodada ainda",
+    none: "Quando um grupo apertar Rodar, a rodada dele aparece aqui.",
     older: "Mostrar mais antigas",
     choose: "Escolher para comparar",
     chosen: "Escolhida",

@@ -1,0 +1,141 @@
+"""A lesson's page while the lesson goes on, and of lessons of several days that were joined."""
+
+import json
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.e2e.app_process import AppProcess
+from tests.e2e.conftest import OpenStudio
+from tests.e2e.past_lesson import SQUARE, PastLesson, past_lesson
+from tests.e2e.studio import Studio
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
+
+PIN = "314159"
+DAY = 24 * 60
+
+
+class Past(NamedTuple):
+    """What is in the file."""
+
+    lesson: str
+    group: str
+
+
+def _play(lesson: PastLesson) -> Past:
+    """A group builds on two days, with a pause on the first of them; nobody runs anything."""
+    store = lesson.store
+    lesson.at(1)
+    emas = lesson.group("Emas")
+    emas.edit(("turn", 90))
+    lesson.at(3)
+    emas.edit(("turn", 45))
+    lesson.at(16)
+    emas.edit(("turn", 30))
+    lesson.at(2 * DAY)
+    second = store.lessons.open(lesson.classroom, "Labirinto", "maze").id
+    lesson.at(2 * DAY + 4)
+    emas.edit(*SQUARE)
+    store.lessons.change(second, {"part_of": lesson.lesson})
+    return Past(lesson.lesson, emas.id)
+
+
+@pytest.fixture(scope="module")
+def school(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[AppProcess, Past]]:
+    """The app on a file with two lessons that are one."""
+    home = tmp_path_factory.mktemp("school")
+    with past_lesson(home) as lesson:
+        past = _play(lesson)
+    app = AppProcess(home)
+    app.start()
+    yield app, past
+    app.stop()
+
+
+@pytest.fixture
+def app(school: tuple[AppProcess, Past]) -> AppProcess:
+    return school[0]
+
+
+@pytest.fixture
+def past(school: tuple[AppProcess, Past]) -> Past:
+    return school[1]
+
+
+@pytest.fixture
+def studio(open_studio: OpenStudio) -> Studio:
+    """The page with the teacher's door open."""
+    studio = open_studio()
+    expect(studio["group-card"].first).to_be_visible()
+    first = not studio.api("/teacher")["has_pin"]
+    _send(studio.page, *(("PUT", "teacher/pin") if first else ("POST", "teacher/enter")), pin=PIN)
+    return studio
+
+
+def test_lessons_that_were_joined_name_their_days_and_activities(
+    studio: Studio, past: Past
+) -> None:
+    _go(studio, f"lesson/{past.lesson}")
+    page = studio["lesson-page"]
+    expect(page).to_contain_text("19 de novembro e 21 de novembro de 2026")
+    expect(page).to_contain_text("Atividades: Um quadrado de 1 m e ")
+    edits = studio["review-mark"]
+    expect(edits).to_have_count(3)
+    folds = page.locator(".line__fold text")
+    expect(folds).to_have_text(["13 min", re.compile(r"^21\sde\snov")])
+    expect(page.locator(".line__tick text").first).to_have_text(re.compile(r"^19\sde\snov"))
+    edits.last.focus()
+    expect(studio.page.get_by_role("tooltip")).to_contain_text(re.compile(r"21\sde\snov. às"))
+    widths = [box["width"] for one in edits.all() if (box := one.bounding_box())]
+    assert max(widths) < 300
+    studio.page.locator("[data-testid=lesson-time][data-value=clock]").click()
+    expect(folds).to_have_text(["13 min", re.compile(r"^21\sde\snov")])
+
+
+def test_the_page_is_brought_up_to_date_and_says_as_of_when_it_is(
+    studio: Studio, past: Past
+) -> None:
+    _go(studio, f"lesson/{past.lesson}")
+    group = studio["review-group"]
+    refresh = studio["review-refresh"]
+    expect(refresh).to_contain_text(re.compile(r"Atualizar visto às \d\d:\d\d"))
+    studio["review-open"].click()
+    _send(studio.page, "PATCH", f"groups/{past.group}", name="Emas do 7º B")
+    expect(group).to_have_attribute("data-name", "Emas")
+    seen_at = refresh.get_attribute("data-at") or ""
+    refresh.click()
+    expect(group).to_have_attribute("data-name", "Emas do 7º B")
+    expect(refresh).not_to_have_attribute("data-at", seen_at)
+    expect(studio["review-detail"]).to_be_visible()
+    expect(refresh).to_be_focused()
+    _send(studio.page, "PATCH", f"groups/{past.group}", name="Emas")
+    studio.page.evaluate("dispatchEvent(new Event('focus'))")
+    expect(group).to_have_attribute("data-name", "Emas")
+    expect(studio["review-detail"]).to_be_visible()
+
+
+def test_without_any_run_nobody_is_told_to_take_a_filter_off(studio: Studio) -> None:
+    _go(studio, "runs")
+    expect(studio["history-empty"]).to_contain_text("Nenhuma rodada ainda")
+    expect(studio["history-empty"]).not_to_contain_text("filtro")
+    expect(studio["review-refresh"]).to_be_visible()
+    studio.page.locator("[data-testid=history-filter][data-name=outcome]").select_option("failed")
+    expect(studio["history-empty"]).to_contain_text("Tire um filtro")
+
+
+def _go(studio: Studio, place: str) -> None:
+    studio.page.goto(f"{studio.page.url.split('#')[0]}#/{place}")
+
+
+def _send(page: Page, method: str, place: str, **body: str) -> None:
+    page.evaluate(
+        """async ([method, place, body]) => {
+            const headers = {"Content-Type": "application/json"};
+            await fetch(`/api/${place}`, {method, headers, body});
+        }""",
+        [method, place, json.dumps(body)],
+    )
