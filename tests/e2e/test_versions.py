@@ -233,6 +233,23 @@ def test_a_program_goes_into_the_bin_and_comes_back(studio: Studio) -> None:
     expect(studio["bin"]).to_have_count(0)
 
 
+def test_a_double_click_makes_one_program(studio: Studio) -> None:
+    studio.enter_group("Os Tatus")
+    programs = f"/groups/{studio.api('/groups')['groups'][0]['id']}/programs"
+    studio["open-work"].click()
+    studio["new-program"].dblclick()
+    studio.wait_until_open()
+    names = [one["name"] for one in studio.api(programs)["programs"]]
+    assert names == ["Programa 2", "Programa 1"]
+
+    studio.tell("POST", "/groups", {"name": "As Emas"})
+    studio["home"].click()
+    studio["group-card"].filter(has_text="As Emas").dblclick()
+    studio.wait_until_open()
+    [emas] = [one for one in studio.api("/groups")["groups"] if one["name"] == "As Emas"]
+    assert emas["n_programs"] == 1
+
+
 def test_runs_are_chosen_by_how_they_ended(studio: Studio) -> None:
     studio.enter_group("Os Tatus")
     build(studio)

@@ -2,10 +2,9 @@ import { useSignal } from "@preact/signals";
 import { Plus } from "lucide-preact";
 import { useEffect } from "preact/hooks";
 import { api } from "../api/client";
-import { createProgram } from "../app/entering";
+import { startProgram } from "../app/entering";
 import { couldNotOpen } from "../app/open_program";
-import { go } from "../app/route";
-import { group, program, report } from "../app/session";
+import { group, report } from "../app/session";
 import { TEST } from "../app/testids";
 import { texts } from "../i18n";
 import { Letters } from "../notes/Letters";
@@ -49,11 +48,7 @@ export function WorkScreen({ groupId }: { groupId: string }) {
   const pictureOf = (id: string) =>
     list.runs.value.find((run) => run.program_id === id && run.path.length > 1)?.path ?? [];
 
-  const create = async () => {
-    const made = await createProgram(groupId, [...(programs ?? []), ...shelf.bin.value]);
-    program.value = made;
-    go({ screen: "studio", program: made.id });
-  };
+  const create = () => startProgram(groupId, [...(programs ?? []), ...shelf.bin.value]);
 
   if (failed.value) return <NotOpened />;
   if (!programs) return <main class="screen" aria-busy="true" />;
