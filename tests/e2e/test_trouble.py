@@ -1,5 +1,6 @@
 """What a group sees when the file or the disk is in trouble."""
 
+import re
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -91,6 +92,39 @@ def test_a_group_that_is_deleted_under_its_program_is_told_once_and_can_take_its
     assert "0.5" in taken.value.path().read_text(encoding="utf-8")
     studio["deleted"].get_by_role("link").click()
     expect(studio["group-name"]).to_be_visible()
+
+
+def test_the_blocks_stay_in_sight_while_the_server_is_gone(studio: Studio, watch: Watch) -> None:
+    watch.expect("Failed to load resource")
+    studio.enter_group("Os Tatus")
+    studio.build_square("0,3")
+    studio.wait_until_saved()
+    place = studio.page.url
+    studio.page.route("**/api/**", lambda route: route.abort())
+    studio.blocks.type_into(studio.blocks.by_words("andar para frente"), "0,5")
+    for way_out in ("open-history", "open-work", "home"):
+        studio[way_out].click()
+        expect(studio["gone"]).to_be_visible()
+        expect(studio.blocks.by_words("andar para frente")).to_contain_text("0,5")
+        assert studio.page.url == place
+    expect(studio["problem"]).to_have_count(0)
+
+    studio.page.unroute("**/api/**")
+    expect(studio["gone"]).to_have_count(0, timeout=15_000)
+    studio.wait_until_saved()
+
+
+def test_a_screen_that_could_not_be_fetched_is_no_dead_end(studio: Studio, watch: Watch) -> None:
+    watch.expect("Failed to load resource")
+    studio.enter_group("Os Tatus")
+    screen = re.compile(r"WorkScreen.*\.js")
+    studio.page.route(screen, lambda route: route.abort())
+    studio["open-work"].click()
+    expect(studio["problem"]).to_be_visible()
+    expect(studio["fetch-again"]).to_be_visible()
+    studio.page.unroute(screen)
+    studio["fetch-again"].click()
+    expect(studio["program-card"]).to_be_visible()
 
 
 @pytest.mark.parametrize("place", ["program", "versions", "run", "work"])

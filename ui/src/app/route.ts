@@ -61,8 +61,12 @@ export function hashOf(route: Route): string {
 
 export const route = signal<Route>(parse(location.hash));
 
+/** Nothing else can be shown now: what is on the screen stays, above all what is not saved. */
+export const staying = signal(false);
+
 window.addEventListener("hashchange", () => {
-  route.value = parse(location.hash);
+  if (staying.peek()) history.replaceState(null, "", hashOf(route.peek()));
+  else route.value = parse(location.hash);
 });
 
 export function go(to: Route): void {

@@ -16,6 +16,7 @@ import { isLanguage, type Language } from "../i18n/language";
 import { live, receive, resync } from "../run/live";
 import { openStream } from "../run/stream";
 import { serverStatus } from "./first_answers";
+import { staying } from "./route";
 
 /** How the page stands with the program behind it. */
 export type Connection = "opening" | "open" | "gone" | "locked";
@@ -38,6 +39,11 @@ export const worlds = signal<World[]>([]);
 /** Group and program in the header, whatever the screen. */
 export const group = signal<Group | null>(null);
 export const program = signal<Program | null>(null);
+
+/** Without the server, another screen would be an empty one. */
+effect(() => {
+  staying.value = connection.value === "gone";
+});
 
 export const engine = computed(() => status.value?.engine ?? "starting");
 

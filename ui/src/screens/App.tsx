@@ -2,19 +2,23 @@ import { route } from "../app/route";
 import { connection } from "../app/session";
 import { Header } from "./Header";
 import { Locked } from "./Locked";
-import { later } from "./later";
+import { laterScreen } from "./later";
 import { Messages } from "./Messages";
 import { StartScreen } from "./StartScreen";
 import { StudioScreen } from "./StudioScreen";
 
-const WorkScreen = later(async () => (await import("./WorkScreen")).WorkScreen);
-const ReplayScreen = later(async () => (await import("./ReplayScreen")).ReplayScreen);
-const VersionsScreen = later(async () => (await import("../versions")).VersionsScreen);
-const DifferencesScreen = later(async () => (await import("../versions")).DifferencesScreen);
-const TeacherScreen = later(async () => (await import("../teacher/TeacherScreen")).TeacherScreen);
-const LessonScreen = later(async () => (await import("../review/LessonScreen")).LessonScreen);
-const RunsScreen = later(async () => (await import("../review/RunsScreen")).RunsScreen);
-const CompareScreen = later(async () => (await import("../review/CompareScreen")).CompareScreen);
+const WorkScreen = laterScreen(async () => (await import("./WorkScreen")).WorkScreen);
+const ReplayScreen = laterScreen(async () => (await import("./ReplayScreen")).ReplayScreen);
+const VersionsScreen = laterScreen(async () => (await import("../versions")).VersionsScreen);
+const DifferencesScreen = laterScreen(async () => (await import("../versions")).DifferencesScreen);
+const TeacherScreen = laterScreen(
+  async () => (await import("../teacher/TeacherScreen")).TeacherScreen,
+);
+const LessonScreen = laterScreen(async () => (await import("../review/LessonScreen")).LessonScreen);
+const RunsScreen = laterScreen(async () => (await import("../review/RunsScreen")).RunsScreen);
+const CompareScreen = laterScreen(
+  async () => (await import("../review/CompareScreen")).CompareScreen,
+);
 
 export function App() {
   if (connection.value === "locked") return <Locked />;

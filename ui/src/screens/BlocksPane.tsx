@@ -9,7 +9,7 @@ import {
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { LEVELS, level, setLevel } from "../app/level";
 import { go } from "../app/route";
-import { problem, program } from "../app/session";
+import { problem, program, refreshStatus } from "../app/session";
 import { TEST } from "../app/testids";
 import { theme } from "../app/theme";
 import { breakpoints } from "../debug/debugging";
@@ -73,6 +73,8 @@ function HistoryButton({ control: { open } }: { control: StudioControl }) {
   const show = async () => {
     // what is in the line there is what is on the screen here; what cannot be saved says so itself
     await open.autosave.flush().catch(() => {});
+    // the blocks would be lost from sight for nothing where there is no server any more
+    await refreshStatus();
     go({ screen: "versions", program: open.id, version: null });
   };
   return (

@@ -242,6 +242,7 @@ export class StudioControl {
     }
     const ended = this.mine.value ? sentenceOf(view, voice) : null;
     if (ended) return withJudgement(ended, view.run, judged.value, texts.value);
+    if (connection.value === "gone") return calm(texts.value.trouble.goneTitle);
     if (connection.value === "open" && engine.value !== "ready") {
       return calm(engine.value === "lost" ? status.engineLost : status.engineStarting);
     }
