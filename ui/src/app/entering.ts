@@ -6,15 +6,15 @@ import { texts } from "../i18n";
 import { setClassroom } from "./classroom";
 import { go } from "./route";
 
-/** As long as the second click of a double click may take. */
-const DOUBLE_CLICK_MS = 500;
+/** By then the other screen is there, and takes the second click of a double click. */
+const SHOWN_MS = 100;
 const onTheWay = new Set<string>();
 
 /** Who clicks twice wants one thing. */
 async function once(wish: string, enter: () => Promise<void>): Promise<void> {
   if (onTheWay.has(wish)) return;
   onTheWay.add(wish);
-  const wait = () => setTimeout(() => onTheWay.delete(wish), DOUBLE_CLICK_MS);
+  const wait = () => setTimeout(() => onTheWay.delete(wish), SHOWN_MS);
   await enter().finally(wait);
 }
 
