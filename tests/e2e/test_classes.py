@@ -128,6 +128,7 @@ def test_the_door_says_what_is_wrong_and_how_long_to_wait(studio: Studio, watch:
     prepare(studio)
     studio["leave-door"].click()
     studio["door"].click()
+    expect(studio.page.get_by_text("Esqueceu o PIN?")).to_contain_text("pinel pin")
     for _ in range(5):
         studio["pin"].fill("0000")
         studio["enter-door"].click()
@@ -249,6 +250,7 @@ def test_what_is_wrong_leaves_the_heading_whole(studio: Studio) -> None:
     prepare(studio)
     to_part(studio, "lessons")
     heading = studio.page.get_by_role("heading", level=2).first
+    expect(heading).to_be_visible()
     before = heading.bounding_box()
     studio["open-lesson"].click()
     said = studio.page.get_by_role("alert").bounding_box()

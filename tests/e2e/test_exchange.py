@@ -152,11 +152,10 @@ def test_what_was_deleted_elsewhere_goes_when_the_teacher_says_so(
 
     [group] = studio.api("/groups")["groups"]
     studio.tell("DELETE", f"/groups/{group['id']}")
-    for file in stick.glob("*.pinel"):
-        file.unlink()
     studio["save-bundle"].click()
     expect(studio.page.get_by_text("Salvo em")).to_contain_text("0 grupos")
 
+    expect(other_pc["found-file"]).to_have_count(2)
     other_pc["merge-files"].click()
     expect(other_pc["would-delete"]).to_contain_text(
         "Os Tatus, Programa 1 (aqui ainda há 1 grupo, 1 programa)"
@@ -167,6 +166,7 @@ def test_what_was_deleted_elsewhere_goes_when_the_teacher_says_so(
     expect(other_pc["would-delete"]).to_have_count(0)
     expect(other_pc["merge-results"]).to_contain_text("Apagado: 1 grupo, 1 programa.")
     expect(other_pc["merge-results"].locator("p").first).to_be_focused()
+    expect(other_pc["merge-results"]).to_contain_text("Não volta, porque foi apagado para sempre")
     assert other_pc.api("/groups") == {"groups": []}
 
 

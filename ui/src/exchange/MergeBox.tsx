@@ -42,9 +42,18 @@ export function MergeBox({ folders, results, onMerged, onLook }: Properties) {
   const replace = (merged: Merged) => {
     results.value = results.value.map((one) => (one.path === merged.path ? merged : one));
   };
+  /** Of another file all may have been here a moment ago; what went is told of it too. */
+  const askAgain = async (deletedBy: string) => {
+    for (const { path, nothing_new, problem } of results.value) {
+      if (path === deletedBy || !nothing_new || problem) continue;
+      const merged = await asTeacher(() => exchange.merge(path));
+      if (merged) replace(merged);
+    }
+  };
   const deleteToo = async (path: string) => {
     const merged = await asTeacher(() => exchange.merge(path, true));
     if (merged) replace(merged);
+    await askAgain(path);
     onMerged();
   };
   const toggle = (file: FoundFile) => {

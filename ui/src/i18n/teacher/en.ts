@@ -7,7 +7,7 @@ export const en: TeacherTexts = {
     again:
       "The teacher's part has shut because nobody used it. Type the PIN: what you wrote is still here.",
     forgotten:
-      "Forgotten the PIN? The command pinel pin, in the PC's account that uses PINEL, chooses another.",
+      "Forgotten the PIN? The command “pinel pin”, in the PC's account that uses PINEL, chooses another.",
     pin: "PIN",
     enter: "Open",
     back: "Back to the start",

@@ -7,7 +7,7 @@ export const es: TeacherTexts = {
     again:
       "El área docente se cerró porque nadie la usaba. Escriba el PIN: lo que escribió sigue aquí.",
     forgotten:
-      "¿Olvidó el PIN? El comando pinel pin, en la cuenta de la computadora que usa PINEL, elige otro.",
+      "¿Olvidó el PIN? El comando “pinel pin”, en la cuenta de la computadora que usa PINEL, elige otro.",
     pin: "PIN",
     enter: "Abrir",
     back: "Volver al inicio",

@@ -6,7 +6,7 @@ export const ptBR = {
     again:
       "A área do professor se fechou porque ninguém a usava. Digite o PIN: o que você escreveu continua aqui.",
     forgotten:
-      "Esqueceu o PIN? O comando pinel pin, na conta do computador que usa o PINEL, escolhe outro.",
+      "Esqueceu o PIN? O comando “pinel pin”, na conta do computador que usa o PINEL, escolhe outro.",
     pin: "PIN",
     enter: "Abrir",
     back: "Voltar ao início",
