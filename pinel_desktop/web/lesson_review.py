@@ -20,7 +20,7 @@ from pinel_desktop.web.api.classrooms import lesson_model
 from pinel_desktop.web.mark_table import mark_table
 from pinel_desktop.web.models import review as shapes
 from pinel_desktop.web.services import Services
-from storage import GroupLine, GroupLines, LessonLines, LessonRow
+from storage import GroupLine, GroupLines, LessonLines, LessonRow, Store
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,13 +64,21 @@ def read_lesson(lesson_id: str, parts: Services) -> ReadLesson:
     """
     store, language = parts.store, parts.preferences.language
     lesson = store.lessons.get(lesson_id)
-    lines = store.lesson_records.of(store.lessons.parts(lesson_id))
+    parts_of_it = store.lessons.parts(lesson_id)
+    lines = store.lesson_records.of(parts_of_it)
+    activity = _one_activity(store, parts_of_it)
     groups: list[GroupReview] = []
     for group in lines.groups:
         work = _work(group, lines.work[group.id])
         workspaces = store.lesson_records.workspaces(versions_needed(work))
-        groups.append(review_group(work, workspaces, lesson.activity))
+        groups.append(review_group(work, workspaces, activity))
     return ReadLesson(lesson, lines, review_lesson(groups), _reasons(lines, language), language)
+
+
+def _one_activity(store: Store, lessons: list[str]) -> str | None:
+    """What all the lessons that were joined were about; None where they were about several things."""
+    named = {store.lessons.get(one).activity for one in lessons} - {None, ""}
+    return named.pop() if len(named) == 1 else None
 
 
 def _work(group: GroupLine, lines: GroupLines) -> GroupWork:

@@ -127,6 +127,25 @@ def test_a_joined_lesson_is_part_of_the_review(
     assert teacher.get(review).data["groups"][0]["figures"]["n_edits"] == 2
 
 
+def test_joined_lessons_of_two_activities_count_the_attempts_of_either(
+    teacher: Browser, pupils: Pupils, lesson: Any, ninth: str
+) -> None:
+    teacher.patch(f"/api/lessons/{lesson['id']}", {"activity": "maze"})
+    version = pupils.edit(move(metres=1))
+    pupils.run(version, passed=False)
+    pupils.run(version, passed=True)  # at the square
+
+    def attempts() -> Any:
+        review = teacher.get(f"/api/lessons/{lesson['id']}/review").data
+        return review["groups"][0]["figures"]["attempts_until_passed"]
+
+    assert attempts() is None
+    more = {"title": "Aula 8", "activity": "square"}
+    other = teacher.post(f"/api/classrooms/{ninth}/lessons", more).data
+    teacher.patch(f"/api/lessons/{other['id']}", {"part_of": lesson["id"]})
+    assert attempts() == 2
+
+
 @pytest.mark.parametrize(("language", "comma", "point"), [("pt-BR", ";", ","), ("en", ",", ".")])
 def test_the_table_has_a_row_for_each_mark(
     teacher: Browser, pupils: Pupils, lesson: Any, language: str, comma: str, point: str
