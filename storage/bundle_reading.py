@@ -76,21 +76,25 @@ def open_bundle(path: Path) -> Iterator[Bundle]:
         yield Bundle(info, _address(copy))
 
 
-@lru_cache(maxsize=_BUNDLES_SEEN)
 def says_anonymous(path: Path, size_bytes: int, modified_s: float) -> bool:
     """Whether the file says that names were left out of it; False of what cannot be a bundle.
 
     Only its head is read, and once, as long as size and time of the file stay the same.
     """
     try:
-        with closing(_connected(path)) as db:
-            rows = db.execute("SELECT sql FROM sqlite_schema WHERE name = 'bundle'").fetchall()
-            if [_text("bundle", str(row[0])) for row in rows] != [_text("bundle", BUNDLE_TABLE)]:
-                return False
-            found = db.execute("SELECT anonymous FROM bundle LIMIT 1").fetchone()
-            return bool(found and found[0])
-    except (sqlite3.Error, UnicodeDecodeError):
+        return _said_anonymous(path, size_bytes, modified_s)
+    except (sqlite3.Error, UnicodeDecodeError):  # asked again next time: a stick may be busy
         return False
+
+
+@lru_cache(maxsize=_BUNDLES_SEEN)
+def _said_anonymous(path: Path, size_bytes: int, modified_s: float) -> bool:
+    with closing(_connected(path)) as db:
+        rows = db.execute("SELECT sql FROM sqlite_schema WHERE name = 'bundle'").fetchall()
+        if [_text("bundle", str(row[0])) for row in rows] != [_text("bundle", BUNDLE_TABLE)]:
+            return False
+        found = db.execute("SELECT anonymous FROM bundle LIMIT 1").fetchone()
+        return bool(found and found[0])
 
 
 def _remove_leftovers() -> None:

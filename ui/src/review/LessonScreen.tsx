@@ -3,6 +3,7 @@ import type { ComponentChildren } from "preact";
 import { useEffect, useLayoutEffect, useMemo, useRef } from "preact/hooks";
 import { classesApi } from "../api/classes";
 import { reviewApi } from "../api/review";
+import { toldApart } from "../app/namesakes";
 import { TEST } from "../app/testids";
 import { language } from "../i18n";
 import { figureWords, words } from "../i18n/review";
@@ -64,7 +65,8 @@ async function load(id: string): Promise<Loaded> {
   );
   return {
     review,
-    classroom: classrooms.find((one) => one.id === classroom_id)?.name ?? null,
+    classroom:
+      toldApart(classrooms, language.value).find((one) => one.id === classroom_id)?.name ?? null,
     activities: [...new Set(named)].map(
       (name) => activities.find((one) => one.name === name)?.title ?? name,
     ),
