@@ -12,6 +12,7 @@ from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.past_lesson import SQUARE, PastLesson, past_lesson
 from tests.e2e.studio import Studio
+from tests.e2e.watch import Watch
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
@@ -116,6 +117,29 @@ def test_the_page_is_brought_up_to_date_and_says_as_of_when_it_is(
     studio.page.evaluate("dispatchEvent(new Event('focus'))")
     expect(group).to_have_attribute("data-name", "Emas")
     expect(studio["review-detail"]).to_be_visible()
+
+
+def test_a_page_that_is_looked_at_asks_for_the_pin_only_when_it_is_pressed(
+    studio: Studio, past: Past, watch: Watch
+) -> None:
+    watch.expect("(FORBIDDEN)")
+    studio.page.set_viewport_size({"width": 1366, "height": 420})
+    _go(studio, f"lesson/{past.lesson}")
+    studio["review-open"].click()
+    studio["review-detail"].scroll_into_view_if_needed()
+    scrolled = "one => one.scrollTop"
+    left_at = studio["lesson-page"].evaluate(scrolled)
+    assert left_at > 50
+    _send(studio.page, "POST", "teacher/leave")
+    with studio.page.expect_response("**/review"):
+        studio.page.evaluate("dispatchEvent(new Event('focus'))")
+    expect(studio["review-refresh"]).to_have_attribute("aria-busy", "false")
+    expect(studio["pin"]).to_have_count(0)
+    studio["review-refresh"].evaluate("one => one.click()")
+    studio["pin"].fill(PIN)
+    studio["enter-door"].click()
+    expect(studio["review-detail"]).to_be_visible()
+    studio.eventually(lambda: studio["lesson-page"].evaluate(scrolled), left_at)
 
 
 def test_without_any_run_nobody_is_told_to_take_a_filter_off(studio: Studio) -> None:

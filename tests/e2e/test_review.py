@@ -284,6 +284,10 @@ def test_two_runs_are_seen_side_by_side_on_one_clock(teacher: Teacher) -> None:
     choose.nth(0).check()
     expect(teacher["compare-open"]).to_have_count(0)
     choose.nth(1).check()
+    seen_at = teacher["review-refresh"].get_attribute("data-at") or ""
+    teacher["review-refresh"].click()
+    expect(teacher["review-refresh"]).not_to_have_attribute("data-at", seen_at)
+    expect(choose.nth(1)).to_be_checked()
     teacher["compare-open"].click()
     sides = teacher["compare-side"]
     expect(sides).to_have_count(2)
