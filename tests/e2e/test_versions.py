@@ -135,6 +135,38 @@ def test_a_group_steps_through_its_versions_names_one_and_goes_on_from_it(studio
     studio.eventually(lambda: studio.values("distance"), [1])
 
 
+def test_who_went_on_from_an_old_version_can_go_back_to_the_one_that_was_left(
+    studio: Studio,
+) -> None:
+    studio.enter_group("Os Tatus")
+    build(studio, "0,7", "2")
+    open_history(studio)
+    studio.page.keyboard.press("Home")
+    studio.eventually(lambda: numbers(studio)[0], "1")
+    studio["version-go-on"].click()
+    studio.wait_until_open()
+    expect(studio.page.get_by_text("Estes são os blocos da versão 1.")).to_be_visible()
+    studio["version-return"].click()
+    expect(studio["version-return"]).to_have_count(0)
+    studio.eventually(lambda: studio.values("distance"), [2])
+    line = studio.api(f"/programs/{studio.program_id}/versions")["versions"]
+    assert [one["number"] for one in line] == [5, 4, 3, 2, 1]
+    assert line[0]["parent_id"] == line[2]["id"]
+    studio["redo"].click()
+    studio.eventually(lambda: studio.values("distance"), [1])
+
+
+def test_the_keyboard_stays_where_it_was_after_a_version_got_its_name(studio: Studio) -> None:
+    studio.enter_group("Os Tatus")
+    build(studio)
+    open_history(studio)
+    for leave in ("Enter", "Escape"):
+        studio["version-rename"].press("Enter")
+        studio["version-name"].fill("anda certo")
+        studio.page.keyboard.press(leave)
+        expect(studio["version-rename"]).to_be_focused()
+
+
 def test_two_versions_are_compared_block_by_block(studio: Studio) -> None:
     studio.enter_group("Os Tatus")
     build(studio, "2")

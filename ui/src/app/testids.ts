@@ -195,6 +195,7 @@ export const TEST = {
   versionName: "version-name",
   versionKeepName: "version-keep-name",
   versionGoOn: "version-go-on",
+  versionReturn: "version-return", // to the one that was left by going on from another
   versionCompare: "version-compare",
   versionBlocks: "version-blocks",
   differenceSide: "difference-side", // of each; a select, data-side: before | after

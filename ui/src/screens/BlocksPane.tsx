@@ -15,6 +15,7 @@ import { theme } from "../app/theme";
 import { breakpoints } from "../debug/debugging";
 import { createEditor, type Editor } from "../editor";
 import { language, texts } from "../i18n";
+import { BackFromOld } from "./BackFromOld";
 import { Elsewhere } from "./Elsewhere";
 import { FaultList } from "./FaultList";
 import { InBin } from "./InBin";
@@ -31,6 +32,7 @@ export function BlocksPane({ control }: { control: StudioControl }) {
       <InBin open={control.open} />
       <Elsewhere program={control.open.program} />
       <OtherWindow open={control.open} />
+      <BackFromOld control={control} />
       <Swap control={control} />
       <Turns group={control.open.program.group_id} />
       <Workspace control={control} />

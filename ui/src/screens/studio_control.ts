@@ -1,6 +1,7 @@
 import { computed, effect, signal } from "@preact/signals";
 import { api } from "../api/client";
 import { ApiError } from "../api/errors";
+import { keeping } from "../api/keeping";
 import type { Content, Fault } from "../api/model";
 import type { OpenProgram } from "../app/open_program";
 import { Past } from "../app/past";
@@ -113,6 +114,14 @@ export class StudioControl {
   undoPast(): void {
     const take = (workspace: object | null) => this.editor?.undoTo(workspace) ?? true;
     this.past.back(take).catch((error) => this.tell(error));
+  }
+
+  /** Brings back a stored version, as undo would: redo leaves it again. */
+  async backTo(id: string): Promise<void> {
+    const { workspace, world } = await keeping.version(id);
+    this.editor?.undoTo(workspace);
+    this.open.setWorld(world);
+    this.open.remember(id);
   }
 
   /** Shows a document as blocks in place of those that are there, and gives the program its name. */

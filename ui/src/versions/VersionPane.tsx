@@ -6,6 +6,7 @@ import { reviewPlace } from "../app/review_place";
 import { go, hashOf } from "../app/route";
 import { problem, program, report } from "../app/session";
 import { TEST } from "../app/testids";
+import { wentOn } from "../app/went_on";
 import type { Difference } from "../editor/difference_sign";
 import type { BlocksReader } from "../editor/reader";
 import { language, texts } from "../i18n";
@@ -20,7 +21,14 @@ export function VersionPane({ history }: { history: VersionHistory }) {
   const naming = useSignal(false);
   const reader = useSignal<BlocksReader | null>(null);
   const drawn = useRef<StoredVersion | null>(null);
+  const renaming = useRef<HTMLButtonElement>(null);
   const words = texts.value.keeping;
+
+  const leaveNaming = () => {
+    naming.value = false;
+    // the keyboard goes on where it was
+    requestAnimationFrame(() => renaming.current?.focus());
+  };
 
   useSignalEffect(() => {
     const { value: blocks } = reader;
@@ -42,6 +50,9 @@ export function VersionPane({ history }: { history: VersionHistory }) {
       document: blocks.document(now.name),
       world,
     });
+    const { value: from } = history.chosen;
+    const instead = history.line.value.at(-1);
+    if (from && instead) wentOn.value = { program: now.id, from, instead };
     go({ screen: "studio", program: now.id });
   };
 
@@ -61,6 +72,7 @@ export function VersionPane({ history }: { history: VersionHistory }) {
         {!naming.value && (
           <div class="versions__acts">
             <button
+              ref={renaming}
               type="button"
               class="button"
               data-testid={TEST.versionRename}
@@ -99,12 +111,10 @@ export function VersionPane({ history }: { history: VersionHistory }) {
           <NameForm
             now={history.chosen.value?.label ?? ""}
             onKeep={(text) => {
-              naming.value = false;
+              leaveNaming();
               history.name(text).catch(report);
             }}
-            onLeave={() => {
-              naming.value = false;
-            }}
+            onLeave={leaveNaming}
           />
         )}
       </div>

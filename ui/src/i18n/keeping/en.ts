@@ -39,6 +39,9 @@ export const en: typeof ptBR = {
   leaveName: "Leave it as it is",
   goOn: "Go on from here",
   goOnHelp: "These blocks come back to the program as a new version. All others are still kept.",
+  wentOn: (old: number, left: number) =>
+    `These are the blocks of version ${old}. Version ${left} is still in the history.`,
+  backTo: (left: number) => `Back to version ${left}`,
   compare: "Compare",
   compareBranches: "Compare the two",
   compareTitle: "Compare two versions",

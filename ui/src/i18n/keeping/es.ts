@@ -39,6 +39,9 @@ export const es: typeof ptBR = {
   leaveName: "Dejarla como está",
   goOn: "Seguir desde aquí",
   goOnHelp: "Estos bloques vuelven al programa como versión nueva. Las demás siguen guardadas.",
+  wentOn: (old: number, left: number) =>
+    `Estos son los bloques de la versión ${old}. La versión ${left} sigue en el historial.`,
+  backTo: (left: number) => `Volver a la versión ${left}`,
   compare: "Comparar",
   compareBranches: "Comparar las dos",
   compareTitle: "Comparar dos versiones",

@@ -39,6 +39,9 @@ export const ptBR = {
   goOn: "Continuar daqui",
   goOnHelp:
     "Estes blocos voltam ao programa como versão nova. Todas as outras continuam guardadas.",
+  wentOn: (old: number, left: number) =>
+    `Estes são os blocos da versão ${old}. A versão ${left} continua no histórico.`,
+  backTo: (left: number) => `Voltar à versão ${left}`,
   compare: "Comparar",
   compareBranches: "Comparar as duas",
   compareTitle: "Comparar duas versões",
