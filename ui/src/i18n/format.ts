@@ -53,7 +53,7 @@ export function when(iso: string, now: Date, language: Language, texts: Texts): 
 /** The same with the time of day always, for what is told apart by it. */
 export function moment(iso: string, now: Date, language: Language, texts: Texts): string {
   const then = new Date(iso);
-  const time = whole(then.toLocaleTimeString(language, { hour: "2-digit", minute: "2-digit" }));
+  const time = whole(then.toLocaleTimeString(language, { timeStyle: "short" }));
   const days = dayNumber(now) - dayNumber(then);
   if (days === 0) return texts.units.today(time);
   if (days === 1) return texts.units.yesterday(time);

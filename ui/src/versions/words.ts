@@ -21,7 +21,7 @@ export function stepWords(step: Step, texts: Texts): string {
 
 /** The time of a day: "10:32". */
 export function timeOf(iso: string, language: Language): string {
-  return new Date(iso).toLocaleTimeString(language, { hour: "2-digit", minute: "2-digit" });
+  return new Date(iso).toLocaleTimeString(language, { timeStyle: "short" });
 }
 
 /** From when to when: "10:02–10:05", "10:02". */

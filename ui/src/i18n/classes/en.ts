@@ -45,7 +45,7 @@ export const en: ClassesTexts = {
   prepare: "I am the teacher",
   prepareHint: "Prepare this PC: a PIN and your class, in a minute.",
   open: "The teacher's part is open",
-  leave: "Teacher: leave",
+  leave: "Teacher: sign out",
   turnsTitle: "Time to swap!",
   turns: "Whoever had the mouse guides now.",
   turnsDone: "We swapped",
