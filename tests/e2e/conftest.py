@@ -11,6 +11,8 @@ from playwright.sync_api import Browser, BrowserContext, sync_playwright
 
 from pinel_desktop.web.page import STATIC
 from tests.e2e.app_process import AppProcess
+from tests.e2e.past_lesson import past_lesson
+from tests.e2e.review_school import Past, Teacher, open_door, play
 from tests.e2e.studio import Studio
 from tests.e2e.watch import Watch
 
@@ -85,6 +87,9 @@ def open_studio(
         return Studio(page)
 
     yield open_
+    if contexts and "lasting_app" in request.fixturenames:  # which keeps it for the next test
+        settings = f"{app.origin}api/settings"
+        assert contexts[0].request.put(settings, data={"language": "pt-BR"}).ok
     for number, context in enumerate(contexts):
         _keep_picture(context, f"{request.node.name}-{number}", request)
         context.close()
@@ -94,6 +99,25 @@ def open_studio(
 def studio(open_studio: OpenStudio) -> Studio:
     """The page as a group finds it on the first day: no group, no program."""
     return open_studio()
+
+
+@pytest.fixture(scope="module")
+def school(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[AppProcess, Past]]:
+    """The app on a file with a lesson that is over."""
+    home = tmp_path_factory.mktemp("school")
+    with past_lesson(home) as lesson:
+        past = play(lesson)
+    app = AppProcess(home)
+    app.start()
+    yield app, past
+    app.stop()
+
+
+@pytest.fixture
+def teacher(open_studio: OpenStudio, school: tuple[AppProcess, Past]) -> Teacher:
+    studio = open_studio()
+    open_door(studio)
+    return Teacher(studio, school[1])
 
 
 @pytest.hookimpl(wrapper=True)

@@ -11,12 +11,12 @@ from playwright.sync_api import Page, expect
 from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.past_lesson import SQUARE, PastLesson, past_lesson
+from tests.e2e.review_school import PIN, open_door
 from tests.e2e.studio import Studio
 from tests.e2e.watch import Watch
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
-PIN = "314159"
 DAY = 24 * 60
 
 
@@ -71,9 +71,7 @@ def past(school: tuple[AppProcess, Past]) -> Past:
 def studio(open_studio: OpenStudio) -> Studio:
     """The page with the teacher's door open."""
     studio = open_studio()
-    expect(studio["group-card"].first).to_be_visible()
-    first = not studio.api("/teacher")["has_pin"]
-    _send(studio.page, *(("PUT", "teacher/pin") if first else ("POST", "teacher/enter")), pin=PIN)
+    open_door(studio)
     return studio
 
 

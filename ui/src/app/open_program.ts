@@ -26,11 +26,13 @@ export class OpenProgram {
     const { id, version } = program;
     this.inBin = signal(program.deleted_at !== null);
     this.windows = new Windows(version?.id ?? null);
-    this.ownWorld = new OwnWorld(id, version?.world ?? null);
+    this.ownWorld = new OwnWorld(id, version?.world ?? null, api.checkWorld);
     this.autosave = new Autosave(
       (content, last) =>
-        this.ownWorld.saveWith(content.world ?? null, (world) =>
-          this.keep({ ...content, world }, last),
+        this.ownWorld.saveWith(
+          content.world ?? null,
+          (world) => this.keep({ ...content, world }, last),
+          last,
         ),
       version,
     );

@@ -1,6 +1,9 @@
 import { computed, effect, signal } from "@preact/signals";
 import { ApiError } from "../api/errors";
-import type { OnDisk, World } from "../api/model";
+import type { Fault, OnDisk, World } from "../api/model";
+
+/** Tells all that is wrong with a world. */
+type Check = (world: World) => Promise<readonly Fault[]>;
 
 /**
  * The world that a group has made for a program. The server takes none with faults: until they are mended, blocks are
@@ -19,6 +22,7 @@ export class OwnWorld {
   constructor(
     program: string,
     private taken: World | null,
+    private readonly check: Check,
   ) {
     const key = `pinel_world_${program}`;
     const draft = draftAt(key);
@@ -32,11 +36,13 @@ export class OwnWorld {
     if (world === this.now.peek()) this.refused.value = world;
   }
 
-  /** Saves something with a world, or with the last that was taken where this one is not. */
+  /** Saves something with a world, or with the last that was taken where this one is not; `last` waits for nothing. */
   async saveWith(
     world: World | null,
     save: (world: World | null) => Promise<OnDisk>,
+    last = false,
   ): Promise<OnDisk> {
+    if (world && world !== this.taken && !last) await this.ask(world);
     if (world && world === this.refused.peek()) return save(this.taken);
     try {
       const version = await save(world);
@@ -47,6 +53,13 @@ export class OwnWorld {
       this.refused.value = world;
       return save(this.taken);
     }
+  }
+
+  private async ask(world: World): Promise<void> {
+    if (world === this.refused.peek()) return;
+    // who cannot be asked cannot save either, and saving tells why
+    const faults = await this.check(world).catch(() => []);
+    if (faults.length > 0) this.refused.value = world;
   }
 }
 

@@ -111,12 +111,17 @@ export async function refreshStatus(): Promise<void> {
   }
 }
 
+let languageKept: Promise<unknown> = Promise.resolve();
+
 export async function chooseLanguage(chosen: Language): Promise<void> {
   language.value = chosen;
+  // one after the other: of two answers on their way the server would keep whichever comes last
+  languageKept = languageKept.then(() => api.setLanguage(chosen));
   try {
-    await api.setLanguage(chosen);
+    await languageKept;
     if (notice.value) await refreshStatus();
   } catch (error) {
+    languageKept = Promise.resolve();
     report(error);
   }
 }

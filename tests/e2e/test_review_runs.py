@@ -1,0 +1,201 @@
+"""What the teacher sees of runs: the list, a replay, two side by side, and the notes about them."""
+
+import re
+from typing import Any
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.e2e.app_process import AppProcess
+from tests.e2e.review_school import PIN, Past, Teacher
+from tests.e2e.watch import Watch
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
+
+
+@pytest.fixture
+def app(school: tuple[AppProcess, Past]) -> AppProcess:
+    return school[0]
+
+
+def test_a_note_is_written_at_the_replay_and_reaches_the_group(teacher: Teacher) -> None:
+    teacher.open_lesson()
+    run = teacher.past.runs[0]
+    teacher.go(f"run/{run}")
+    teacher["note-open"].click()
+    teacher["note-text"].fill("Quanto falta até a parede?")
+    expect(teacher["note"]).to_have_attribute("data-state", "changed")
+    teacher["note-save"].click()
+    expect(teacher["note"]).to_have_attribute("data-state", "saved")
+    notes = teacher.studio.api(f"/groups/{teacher.past.group}/notes?unseen=true")["notes"]
+    assert [(note["run_id"], note["text"]) for note in notes] == [
+        (run, "Quanto falta até a parede?")
+    ]
+    teacher["note-text"].fill("Meçam até a parede.")
+    teacher["note-save"].click()
+    expect(teacher["note"]).to_have_attribute("data-state", "saved")
+    notes = teacher.studio.api(f"/groups/{teacher.past.group}/notes")["notes"]
+    assert [note["text"] for note in notes] == ["Meçam até a parede."]
+
+
+def test_pupils_cannot_write_notes(teacher: Teacher) -> None:
+    teacher.page.context.clear_cookies(name=re.compile("_teacher$"))
+    teacher.go(f"run/{teacher.past.runs[0]}")
+    expect(teacher["replay-slider"]).to_be_visible()
+    expect(teacher["note-open"]).to_have_count(0)
+    expect(teacher["note-text"]).to_have_count(0)
+
+
+def test_runs_are_chosen_by_what_they_were(teacher: Teacher) -> None:
+    teacher.go("runs")
+    runs = teacher["history-run"]
+    expect(runs).to_have_count(3)
+    teacher.filter("outcome").select_option("failed")
+    expect(runs).to_have_count(1)
+    expect(runs).to_have_attribute("data-outcome", "failed")
+    teacher.filter("outcome").select_option("")
+    teacher.filter("group").select_option(label="Abelhas")
+    expect(teacher["history-empty"]).to_be_visible()
+    teacher.filter("group").select_option("")
+    teacher.filter("day").fill("2026-11-18")
+    expect(teacher["history-empty"]).to_be_visible()
+    teacher.page.get_by_role("button", name="Limpar filtros").click()
+    expect(runs).to_have_count(3)
+    teacher.filter("activity").select_option("square")
+    expect(runs).to_have_count(3)
+    teacher.filter("activity").select_option("maze")
+    expect(teacher["history-empty"]).to_be_visible()
+    teacher.page.get_by_role("button", name="Limpar filtros").click()
+
+
+def test_two_runs_are_seen_side_by_side_on_one_clock(teacher: Teacher) -> None:
+    teacher.go("runs")
+    choose = teacher["compare-choose"]
+    choose.nth(0).check()
+    expect(teacher["compare-open"]).to_have_count(0)
+    choose.nth(1).check()
+    seen_at = teacher["review-refresh"].get_attribute("data-at") or ""
+    teacher["review-refresh"].click()
+    expect(teacher["review-refresh"]).not_to_have_attribute("data-at", seen_at)
+    expect(choose.nth(1)).to_be_checked()
+    teacher["compare-open"].click()
+    sides = teacher["compare-side"]
+    expect(sides).to_have_count(2)
+    slider = teacher["replay-slider"]
+    passed_ticks = int(slider.get_attribute("max") or 0)
+    assert passed_ticks > 300  # a square takes longer than what was stopped after a second
+    slider.fill("20")
+    expect(sides.nth(0)).to_have_attribute("data-tick", "20")
+    expect(sides.nth(1)).to_have_attribute("data-tick", "20")
+    slider.fill("300")
+    ticks = {int(side.get_attribute("data-tick") or 0) for side in sides.all()}
+    assert ticks == {30, 300}
+    expect(teacher.page.locator("[data-testid=compare-side][data-phase=stopped]")).to_have_count(1)
+    teacher["replay-speed"].select_option("16")
+    teacher["replay-play"].click()
+    expect(teacher.page.locator("[data-phase=finished][data-testid=compare-side]")).to_have_count(1)
+    teacher.page.locator("[data-testid=compare-view][data-value=together]").click()
+    expect(teacher["scene"]).to_have_count(1)
+
+
+def test_a_note_that_was_not_left_is_there_still_and_says_so(teacher: Teacher) -> None:
+    teacher.open_lesson()
+    run = teacher.past.runs[1]
+    teacher.go(f"run/{run}")
+    teacher["note-open"].click()
+    teacher["note-text"].fill("Por que pararam?")
+    expect(teacher["note"]).to_contain_text("Ainda não entregue")
+    teacher["back-to-review"].click()
+    expect(teacher["lesson-page"]).to_be_visible()
+    teacher.go(f"run/{run}")
+    expect(teacher["note-text"]).to_have_value("Por que pararam?")
+    expect(teacher["note"]).to_have_attribute("data-state", "changed")
+    teacher.page.get_by_role("button", name="Fechar", exact=True).click()
+    expect(teacher["note-open"]).to_contain_text("ainda não entregue")
+    teacher["note-open"].click()
+    teacher["note-text"].fill("")
+    teacher.page.reload()
+    expect(teacher["note-open"]).not_to_contain_text("ainda não entregue")
+
+
+def test_a_note_waits_for_the_pin_when_the_door_has_shut(teacher: Teacher, watch: Watch) -> None:
+    watch.expect("(FORBIDDEN)")
+    teacher.open_lesson()
+    run = teacher.past.runs[1]
+    teacher.go(f"run/{run}")
+    teacher["note-open"].click()
+    teacher["note-text"].fill("O que aconteceu aqui?")
+    teacher.page.evaluate("() => fetch('/api/teacher/leave', {method: 'POST'})")
+    teacher["note-save"].click()
+    expect(teacher["pin"]).to_be_focused()
+    expect(teacher["note-text"]).to_be_hidden()
+    teacher["pin"].fill(PIN)
+    teacher["enter-door"].click()
+    expect(teacher["note-text"]).to_have_value("O que aconteceu aqui?")
+    expect(teacher["note"]).to_have_attribute("data-state", "saved")
+    assert [note["text"] for note in _notes(teacher, run)] == ["O que aconteceu aqui?"]
+
+
+def test_a_note_is_taken_back_by_two_presses(teacher: Teacher) -> None:
+    teacher.open_lesson()
+    run = teacher.past.runs[2]
+    teacher.go(f"run/{run}")
+    teacher["note-open"].click()
+    teacher["note-text"].fill("Muito bem!")
+    teacher["note-save"].click()
+    expect(teacher["note"]).to_have_attribute("data-state", "saved")
+    teacher["note-delete"].click()
+    expect(teacher.page.get_by_role("button", name="Não apagar")).to_be_focused()
+    assert len(_notes(teacher, run)) == 1
+    teacher["note-delete-sure"].click()
+    expect(teacher["note"]).to_contain_text("O recado foi apagado.")
+    expect(teacher["note-text"]).to_have_value("")
+    expect(teacher["note-text"]).to_be_focused()
+    assert _notes(teacher, run) == []
+
+
+def test_a_replay_outlines_the_block_that_failed_and_speaks_of_no_button_that_is_not_there(
+    teacher: Teacher,
+) -> None:
+    crashed, stopped, _ = teacher.past.runs
+    outlined = teacher.page.locator(".pinelFaultRing")
+    teacher.go(f"run/{crashed}")
+    expect(teacher["replay-slider"]).to_be_visible()
+    expect(outlined).to_have_count(0)
+    teacher["replay-slider"].press("End")
+    expect(outlined).to_have_count(1)
+    expect(teacher.page.locator(".status__more").first).to_contain_text("mudem a distância")
+    teacher["replay-slider"].press("Home")
+    expect(outlined).to_have_count(0)
+
+    teacher.go(f"compare/{crashed}/{stopped}")
+    teacher["replay-slider"].press("End")
+    expect(outlined).to_have_count(1)
+    stop = teacher["compare-side"].last
+    expect(stop).to_contain_text("O grupo parou o robô.")
+    expect(stop).not_to_contain_text("Rodar")
+
+
+def test_from_a_run_of_the_list_the_teacher_goes_back_to_it_but_no_pupil_does(
+    teacher: Teacher,
+) -> None:
+    teacher.go("runs")
+    teacher.filter("outcome").select_option("failed")
+    expect(teacher["history-run"]).to_have_count(1)
+    teacher["history-run"].get_by_role("link").click()
+    expect(teacher["back-to-review"]).to_contain_text("Voltar às rodadas")
+    teacher["back-to-review"].click()
+    expect(teacher.filter("outcome")).to_have_value("failed")
+    teacher.filter("outcome").select_option("")
+
+    teacher.go("")
+    teacher["group-card"].filter(has_text="Abelhas").click()
+    teacher.studio.wait_until_open()
+    teacher.go(f"run/{teacher.past.runs[0]}")
+    expect(teacher["replay-slider"]).to_be_visible()
+    expect(teacher["back-to-review"]).to_have_count(0)
+
+
+def _notes(teacher: Teacher, run: str) -> list[dict[str, Any]]:
+    notes: list[dict[str, Any]] = teacher.studio.api(f"/runs/{run}/notes")["notes"]
+    return notes
