@@ -120,5 +120,9 @@ def _as_object(info: BundleInfo) -> dict[str, Any]:
 
 
 def _in_words(info: BundleInfo) -> str:
-    params = {"path": str(info.path), **info.counts}
-    return describe("exported", params, language_of_system()).message
+    language = language_of_system()
+    words = describe("exported", {"path": str(info.path), **info.counts}, language).message
+    if not info.left_out:
+        return words
+    missing = describe("export_left_out", {"count": len(info.left_out)}, language)
+    return f"{words}\n{missing.message} {missing.remedy}"

@@ -66,6 +66,19 @@ def test_a_folder_gets_a_file_named_after_the_pc(lab: Path, stick: Path) -> None
     assert "2 groups, 2 programs, 2 runs" in done.stdout
 
 
+def test_what_other_pcs_would_refuse_is_counted_and_not_lost(lab: Path, stick: Path) -> None:
+    with closing(sqlite3.connect(lab)) as db, db:
+        db.execute("UPDATE groups SET changed_at = '9999-12-31T00:00:00Z' WHERE name = 'Onças'")
+    done = pinel("export", stick, "--db", lab)
+    assert "1 groups" in done.stdout
+    assert "Records left out of the file" in done.stdout
+    assert "pinel export --json" in done.stdout
+    left_out = answer("export", stick, "--db", lab)["left_out"]
+    assert any(row.startswith("groups.changed_at ") for row in left_out)
+    with open_store(lab) as store:
+        assert len(store.groups.all()) == 2
+
+
 def test_what_was_exported_comes_in_once(lab: Path, stick: Path, teacher: Path) -> None:
     exported = answer("export", stick, "--db", lab)
     first = answer("merge", exported["path"], "--db", teacher)

@@ -44,6 +44,7 @@ def test_all_work_goes_to_another_pc_by_stick(
     written = teacher.post("/api/bundles", {"folder": str(stick)}).data
     assert written["name"].startswith("PC 07-")
     assert (written["n_groups"], written["n_programs"], written["n_runs"]) == (1, 1, 0)
+    assert written["left_out"] is None
     other.put("/api/folders/shared", {"path": str(stick)})
     (folder,) = other.get("/api/folders").data["folders"]
     assert [file["name"] for file in folder["files"]] == [written["name"]]
@@ -55,6 +56,17 @@ def test_all_work_goes_to_another_pc_by_stick(
     (heard,) = other.get("/api/bundles/heard").data["computers"]
     assert heard["name"] == "PC 07"
     assert [group["name"] for group in other.get("/api/groups").data["groups"]] == ["Os Robôs"]
+
+
+def test_what_other_pcs_would_refuse_is_said(
+    app: App, teacher: Browser, version: dict[str, Any], stick: Path
+) -> None:
+    late = "UPDATE groups SET changed_at = '9999-12-31T00:00:00Z'"
+    app._store._access.write(lambda db: db.execute(late))
+    written = teacher.post("/api/bundles", {"folder": str(stick)}).data
+    assert written["n_groups"] == 0
+    assert written["left_out"]["code"] == "export_left_out"
+    assert "left out of the file" in written["left_out"]["message"]
 
 
 def test_work_can_be_shown_to_others_without_names(

@@ -223,7 +223,15 @@ def _bundle(info: "BundleInfo") -> Bundle:
         n_groups=info.counts.get("groups", 0),
         n_programs=info.counts.get("programs", 0),
         n_runs=info.counts.get("runs", 0),
+        left_out=_left_out(len(info.left_out)),
     )
+
+
+def _left_out(count: int) -> Notice | None:
+    if count == 0:
+        return None
+    words = describe("export_left_out", {"count": count}, services().preferences.language)
+    return Notice(code="export_left_out", message=words.message, remedy=words.remedy)
 
 
 def _merged(path: Path, *, delete: bool) -> Merged:

@@ -61,7 +61,7 @@ class NewBundle(Body):
 
 
 class Bundle(Shape):
-    """A bundle that was written."""
+    """A bundle that was written; `left_out` says how much of this PC's work other PCs would refuse."""
 
     path: str
     name: str
@@ -69,6 +69,7 @@ class Bundle(Shape):
     n_groups: int
     n_programs: int
     n_runs: int
+    left_out: Notice | None
 
 
 class BundlesToMerge(Body):

@@ -1291,7 +1291,7 @@ export interface components {
         };
         /**
          * Bundle
-         * @description A bundle that was written.
+         * @description A bundle that was written; `left_out` says how much of this PC's work other PCs would refuse.
          */
         Bundle: {
             /**
@@ -1299,6 +1299,7 @@ export interface components {
              * @description ISO 8601 in UTC
              */
             exported_at: string;
+            left_out: components["schemas"]["Notice"] | null;
             /** N Groups */
             n_groups: number;
             /** N Programs */

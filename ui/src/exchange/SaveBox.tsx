@@ -103,8 +103,9 @@ export function SaveBox({ folders, classes, saved, onSaved }: Properties) {
 }
 
 function savedWords({ bundle, folder }: Saved): string {
-  const { name, n_groups, n_runs } = bundle;
+  const { name, n_groups, n_runs, left_out } = bundle;
   const say = words.value;
   const saved = say.saved(name, say.groups(n_groups), say.runs(n_runs));
-  return folder.is_stick ? `${saved} ${say.takeOut}` : saved;
+  const missing = left_out && `${left_out.message} ${left_out.remedy}`;
+  return [saved, missing, folder.is_stick && say.takeOut].filter(Boolean).join(" ");
 }
