@@ -91,3 +91,21 @@ def pc(tmp_path: Path) -> Iterator[Opened]:
     """Stores of PCs by name; each is closed at the end."""
     with ExitStack() as stack:
         yield lambda name: stack.enter_context(a_store(tmp_path / f"{name}.db"))
+
+
+# a class, its group and its program, in the `school` of a test's own file
+
+
+@pytest.fixture
+def ninth(school: Store) -> str:
+    return school.classrooms.create("9º A").id
+
+
+@pytest.fixture
+def robots(school: Store, ninth: str) -> GroupRow:
+    return school.groups.create("Os Robôs", classroom_id=ninth)
+
+
+@pytest.fixture
+def square(school: Store, robots: GroupRow) -> ProgramRow:
+    return school.programs.create(robots.id, "Quadrado")

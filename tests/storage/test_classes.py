@@ -24,21 +24,6 @@ def school(path: Path, clock: SchoolClock) -> Any:
         yield store
 
 
-@pytest.fixture
-def ninth(school: Store) -> str:
-    return school.classrooms.create("9º A").id
-
-
-@pytest.fixture
-def robots(school: Store, ninth: str) -> GroupRow:
-    return school.groups.create("Os Robôs", classroom_id=ninth)
-
-
-@pytest.fixture
-def square(school: Store, robots: GroupRow) -> ProgramRow:
-    return school.programs.create(robots.id, "Quadrado")
-
-
 def edited(school: Store, program: ProgramRow, text: str) -> str:
     return school.versions.save(program.id, {"text": text}, {"commands": []}).id
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from storage import GroupRow, LessonRow, ProgramRow, RunStart, Store
+from storage import LessonRow, ProgramRow, RunStart, Store
 from tests.storage.bundle_makers import exported, hash_of, merged, removed
 from tests.storage.sample_documents import WORLD
 from tests.storage.school_clock import SchoolClock
@@ -30,21 +30,6 @@ def started(opened: Start, clock: SchoolClock) -> Start:
 @pytest.fixture
 def school(started: Start) -> Store:
     return started()
-
-
-@pytest.fixture
-def ninth(school: Store) -> str:
-    return school.classrooms.create("9º A").id
-
-
-@pytest.fixture
-def robots(school: Store, ninth: str) -> GroupRow:
-    return school.groups.create("Os Robôs", classroom_id=ninth)
-
-
-@pytest.fixture
-def square(school: Store, robots: GroupRow) -> ProgramRow:
-    return school.programs.create(robots.id, "Quadrado")
 
 
 @pytest.fixture

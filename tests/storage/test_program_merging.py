@@ -2,8 +2,8 @@
 
 import json
 import sqlite3
-from collections.abc import Callable, Iterator
-from contextlib import ExitStack, closing
+from collections.abc import Callable
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -13,7 +13,6 @@ from storage.bundles import Scope, counts_of
 from storage.content import content_hash
 from tests.storage.bundle_makers import (
     a_run,
-    a_store,
     exported,
     hash_of,
     merged,
@@ -34,12 +33,6 @@ POISON = (
     'UPDATE events SET data = \'{"text":"zzz"}\'',
     "UPDATE notes SET text = 'X', revision = 999",
 )
-
-
-@pytest.fixture
-def pc(tmp_path: Path) -> Iterator[Callable[[str], Store]]:
-    with ExitStack() as stack:
-        yield lambda name: stack.enter_context(a_store(tmp_path / f"{name}.db"))
 
 
 def changed(path: Path, *statements: str) -> Path:
