@@ -16,6 +16,8 @@ pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
 # What is on each screen when it stands.
 _STANDS = {
+    "start": "group-card",
+    "studio": "run",
     "lesson": "review-mark",
     "compare": "replay-slider",
     "differences": "difference",
@@ -48,6 +50,8 @@ def school(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[AppProces
         second = group.edit(*SQUARE)
         runs.append(group.run())
         places = {
+            "start": "",
+            "studio": f"program/{group.program}",
             "lesson": f"lesson/{lesson.lesson}",
             "compare": f"compare/{runs[0]}/{runs[1]}",
             "differences": f"differences/{group.program}/{first}/{second}",
@@ -72,6 +76,7 @@ def test_screens_look_the_same_whatever_was_opened_before(
 ) -> None:
     places = school[1]
     page = _teacher(open_studio()).page
+    page.reload()  # the page learns that the teacher is in
     there = _seen_in_turn(page, places, places)
     page.reload()
     back = _seen_in_turn(page, places, reversed(places))

@@ -2,7 +2,8 @@ import { readdirSync, readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { describe, expect, test } from "vitest";
 
-const SHEETS = "src/styles.ts";
+const FIRST = "src/styles.ts";
+const LATER = "src/styles_later.ts";
 /** The editor is also shown apart from the page, and brings its own sheet there. */
 const APART = ["src/editor/index.ts", "src/editor/reader.ts"];
 
@@ -15,9 +16,13 @@ function imported(path: string, word: RegExp): string[] {
   return [...read(path).matchAll(word)].map(([, name]) => join(dirname(path), name ?? ""));
 }
 
-const listed = imported(SHEETS, /^import "(.+\.css)";/gm);
-/** A sheet with those it is made of. */
-const wholes = listed.map((path) => [path, ...imported(path, /^@import "(\.\/.+)";/gm)]);
+/** Each sheet of a list with those it is made of. */
+const sheets = (list: string) =>
+  imported(list, /^import "(.+\.css)";/gm).map((path) => [
+    path,
+    ...imported(path, /^@import "(\.\/.+)";/gm),
+  ]);
+const wholes = [...sheets(FIRST), ...sheets(LATER)];
 
 /** Classes that a sheet styles wherever they stand, on any screen and not only on paper. */
 function owned(path: string): string[] {
@@ -31,15 +36,48 @@ function owned(path: string): string[] {
   );
 }
 
+/** All modules that the page needs before anything is fetched later. */
+function reached(from: string, found = new Set<string>()): Set<string> {
+  if (found.has(from)) return found;
+  found.add(from);
+  for (const path of imported(from, /^(?:import|export) (?!type )[^;]*?"(\..+?)";/gm)) {
+    const file = [".ts", ".tsx", "/index.ts"]
+      .map((end) => path + end)
+      .find((one) => files.includes(one));
+    if (file) reached(file, found);
+  }
+  return found;
+}
+
+const classesIn = (path: string) =>
+  [...read(path).matchAll(/\bclass(?:Name)?=(?:\{`([^`]*)`\}|"([^"]*)")/g)].flatMap(
+    ([, made, plain]) => (made ?? plain ?? "").split(/[^\w-]+/),
+  );
+
 describe("style sheets", () => {
-  test("all stand in the one list, whose order is the page's", () => {
+  test("what the start shows needs none that is fetched later", () => {
+    const owners = new Map(
+      sheets(LATER).flatMap((whole) => whole.flatMap(owned).map((name) => [name, whole[0]])),
+    );
+    const start = [...reached("src/main.tsx")];
+    expect(start).toContain(join("src", "screens", "BlocksPane.tsx"));
+    expect(start).not.toContain(join("src", "screens", "WorkScreen.tsx"));
+    const missing = start.flatMap((path) =>
+      classesIn(path)
+        .filter((name) => owners.has(name))
+        .map((name) => [path, name, owners.get(name)]),
+    );
+    expect(missing).toEqual([]);
+  });
+
+  test("all stand in one of the two lists, whose order is the page's", () => {
     const all = files.filter((path) => path.endsWith(".css"));
     expect(wholes.flat().sort()).toEqual(all.sort());
   });
 
   test("no part brings its own along", () => {
     const modules = files.filter(
-      (path) => /\.tsx?$/.test(path) && ![SHEETS, ...APART].includes(path),
+      (path) => /\.tsx?$/.test(path) && ![FIRST, LATER, ...APART].includes(path),
     );
     expect(modules.filter((path) => /^import .*\.css"/m.test(read(path)))).toEqual([]);
   });

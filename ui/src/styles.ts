@@ -1,7 +1,8 @@
 /*
- * Every style sheet of the page, in the one order that the built page has too. Were each part to bring its own along, what is
- * fetched later would come after what was fetched before, and one screen would look different after another.
- * What a later sheet says about an element wins over an earlier one: what others build on stands first, paper last.
+ * The style sheets of what the start shows, in the one order that the built page has too; those of all other parts stand
+ * in styles_later.ts. Were each part to bring its own along, what is fetched later would come after what was fetched
+ * before, and one screen would look different after another.
+ * What a later sheet says about an element wins over an earlier one: what others build on stands first.
  */
 import "./design/fonts.css";
 import "./design/tokens.css";
@@ -18,22 +19,3 @@ import "./run/run.css";
 import "./run/text/text.css";
 import "./plots/plots.css";
 import "./screens/studio.css";
-import "./world_editor/board.css";
-import "./world_editor/world_editor.css";
-import "./notes/notes.css";
-import "./screens/group_head.css";
-import "./screens/work.css";
-import "./screens/keeping.css";
-import "./screens/replay.css";
-import "./versions/versions.css";
-import "./versions/differences.css";
-import "./teacher/teacher.css";
-import "./teacher/lessons.css";
-import "./exchange/exchange.css";
-import "./review/parts.css";
-import "./review/runs.css";
-import "./review/line.css";
-import "./review/lesson.css";
-import "./review/compare.css";
-import "./review/note.css";
-import "./review/print.css";

@@ -16,10 +16,14 @@ Time = Annotated[str, Field(description="ISO 8601 in UTC")]
 Json = Annotated[dict[str, Any], Field(description="any JSON object")]
 
 
+# Whoever starts the app waits for this module, and needs few of its models: each is built when it is first used.
+_LATER = ConfigDict(defer_build=True)
+
+
 class Shape(BaseModel):
     """Base of all answers."""
 
-    model_config = ConfigDict(extra="forbid")
+    model_config = _LATER | ConfigDict(extra="forbid")
 
 
 class Body(BaseModel):
@@ -28,11 +32,13 @@ class Body(BaseModel):
     Unknown keys are refused, so that a typing mistake does not pass unseen.
     """
 
-    model_config = ConfigDict(extra="forbid")
+    model_config = _LATER | ConfigDict(extra="forbid")
 
 
 class IdPath(BaseModel):
     """The `{id}` of an address."""
+
+    model_config = _LATER
 
     id: Id
 

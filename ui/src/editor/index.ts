@@ -98,10 +98,14 @@ class BlockEditor implements Editor {
   private readonly letFocusGo: () => void;
   private known = "";
   private level: Level;
+  private language: Language;
+  private theme: ThemeName;
   private disposed = false;
 
   constructor(private readonly options: EditorOptions) {
     this.level = options.level ?? EVERYTHING;
+    this.language = options.language;
+    this.theme = options.theme;
     this.workspace = injectWorkspace({ ...options, level: this.level });
     this.faults = new Faults(this.workspace);
     this.running = new Highlight(this.workspace);
@@ -156,6 +160,8 @@ class BlockEditor implements Editor {
   }
 
   setLanguage(language: Language): void {
+    if (language === this.language) return;
+    this.language = language;
     applyLanguage(language);
     this.updateToolbox();
     this.zoomControls.relabel();
@@ -164,6 +170,8 @@ class BlockEditor implements Editor {
   }
 
   setTheme(theme: ThemeName): void {
+    if (theme === this.theme) return;
+    this.theme = theme;
     this.workspace.setTheme(blocklyTheme(theme));
   }
 

@@ -38,8 +38,12 @@ export class BlocksReader {
   private readonly sizes: ResizeObserver;
   private marked: [string, readonly Difference[]][] = [];
   private shown: object = {};
+  private language: Language;
+  private theme: ThemeName;
 
   constructor(options: ReaderOptions) {
+    this.language = options.language;
+    this.theme = options.theme;
     applyLanguage(options.language);
     registerBlocks();
     registerRenderer();
@@ -119,6 +123,8 @@ export class BlocksReader {
   }
 
   setTheme(theme: ThemeName): void {
+    if (theme === this.theme) return;
+    this.theme = theme;
     this.workspace.setTheme(blocklyTheme(theme));
   }
 
@@ -130,6 +136,8 @@ export class BlocksReader {
 
   /** Blocks take their words when they are made: they are made again. */
   setLanguage(language: Language): void {
+    if (language === this.language) return;
+    this.language = language;
     applyLanguage(language);
     this.zoom.relabel();
     const marked = this.marked;

@@ -17,8 +17,8 @@ export function later<P extends object>(
     const [failed, setFailed] = useState(false);
     useEffect(() => {
       if (loaded) return;
-      load().then(
-        (part) => {
+      Promise.all([load(), import("../styles_later")]).then(
+        ([part]) => {
           loaded = part;
           drawAgain(true);
         },
