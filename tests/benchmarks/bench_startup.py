@@ -20,7 +20,9 @@ from pinel_desktop.desktop.self_check import Client, make_program
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 BARE_PAGE = ROOT / "build" / "bare-page" / "index.html"
-PAIRS = 15
+PAIRS = 20
+# A window that has closed leaves processes of WebKit that are still going: the next start would pay for them.
+REST_S = 1.0
 LARGEST_RATIO = 1.3
 
 
@@ -38,6 +40,7 @@ def make_database(path: Path) -> str:
 
 def seconds(display: str, *arguments: str) -> float:
     """From the start of the process to the line that it prints when the workspace is there."""
+    time.sleep(REST_S)
     environment = os.environ | {"DISPLAY": display, "PYTHONDONTWRITEBYTECODE": ""}
     started = time.monotonic()
     done = subprocess.run(
@@ -58,9 +61,13 @@ def test_the_start_takes_at_most_1_3_times_that_of_a_bare_window(tmp_path: Path)
     program = make_database(database)
     bare, ours = [], []
     with virtual_screen() as display:
-        for _ in range(PAIRS + 1):
-            bare.append(seconds(display, str(HERE / "window_bare.py"), str(BARE_PAGE)))
-            ours.append(seconds(display, str(HERE / "window_app.py"), str(database), program))
+        for pair in range(PAIRS + 1):
+            both = [
+                (bare, (str(HERE / "window_bare.py"), str(BARE_PAGE))),
+                (ours, (str(HERE / "window_app.py"), str(database), program)),
+            ]
+            for times, window in both if pair % 2 else reversed(both):
+                times.append(seconds(display, *window))
     del bare[0], ours[0]  # the first pair reads everything from the disk
     ratio = statistics.median(ours) / statistics.median(bare)
     print(
