@@ -20,7 +20,7 @@ def _give_children_the_system_s_libraries() -> None:
 if sys.platform == "linux":
     _give_children_the_system_s_libraries()
 
-from pinel_desktop.cli import main  # noqa: E402 - after the environment is in order
+from pinel_desktop.__main__ import main  # noqa: E402 - after the environment is in order
 
 # a process that checks programs beside others starts here too, and goes its own way
 multiprocessing.freeze_support()

@@ -10,8 +10,6 @@ import signal
 import threading
 from types import FrameType
 
-import click
-
 from pinel_desktop.desktop.backstage import Backstage
 from pinel_desktop.desktop.ending import end_process
 from pinel_desktop.desktop.presenter import Presenter
@@ -56,11 +54,11 @@ def _open(backstage: Backstage, db: str | None, presenters: list[Presenter]) -> 
     except AlreadyRunningError as first:
         first.running.show()
         _say(first.code, first.params, language_of_system())
-        click.echo(first.running.fresh_link())
+        _print(first.running.fresh_link())
         return 0
     try:
         backstage.start()
-        presenter = Presenter(backstage.address, backstage.language, say=_say_line, give=click.echo)
+        presenter = Presenter(backstage.address, backstage.language, say=_say_line, give=_print)
         presenters.append(presenter)
         _end_at_signal(presenter)
         presenter.run()
@@ -77,7 +75,7 @@ def self_check(db: str | None) -> int:
     from pinel_desktop.desktop.self_check import check  # noqa: PLC0415 - only the package's test needs it
 
     result = check(database_path(db) if db else None)
-    click.echo(json.dumps(result, ensure_ascii=False, indent=2))
+    _print(json.dumps(result, ensure_ascii=False, indent=2))
     status = 0 if result["ok"] else 1
     end_process(status)
     return status
@@ -100,4 +98,10 @@ def _say(code: str, params: dict[str, object], language: str) -> None:
 
 
 def _say_line(line: str) -> None:
-    click.echo(line, err=True)
+    _print(line, err=True)
+
+
+def _print(text: str, *, err: bool = False) -> None:
+    import click  # noqa: PLC0415 - a window that opens has nothing to say
+
+    click.echo(text, err=err)

@@ -1,6 +1,6 @@
 """The program as `pinel` starts it, opened at a program; prints when its workspace is drawn.
 
-python window_app.py DATABASE PROGRAM_ID
+python window_app.py PROGRAM_ID, with the folder of the database as PINEL_HOME.
 """
 
 import sys
@@ -9,10 +9,10 @@ from collections.abc import Callable
 from typing import Any
 from unittest import mock
 
-from pinel_desktop.cli import main
+from pinel_desktop.__main__ import main
 from pinel_desktop.desktop.presenter import USABLE, Presenter
 
-DATABASE, PROGRAM = sys.argv[1:]
+PROGRAM = sys.argv.pop()  # what is left is how the icon starts it
 
 
 class WatchedPresenter(Presenter):
@@ -37,4 +37,4 @@ class WatchedPresenter(Presenter):
 
 
 with mock.patch("pinel_desktop.commands.window.Presenter", WatchedPresenter):
-    main(["--db", DATABASE])
+    main()

@@ -1,0 +1,49 @@
+"""How `pinel` begins: the window at once, commands through the command line."""
+
+import subprocess
+import sys
+
+import pytest
+
+from pinel_desktop import __main__, __version__
+from pinel_desktop.commands import window
+
+
+@pytest.mark.parametrize("database", [None, "7b.db"])
+def test_without_a_command_the_window_opens(
+    database: str | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[str | None] = []
+
+    def open_app(db: str | None) -> int:
+        asked.append(db)
+        return 7
+
+    monkeypatch.setattr(window, "open_app", open_app)
+    monkeypatch.setattr(sys, "argv", ["pinel", *(["--db", database] if database else [])])
+    with pytest.raises(SystemExit) as end:
+        __main__.main()
+    assert (asked, end.value.code) == ([database], 7)
+
+
+def test_a_command_is_run(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(sys, "argv", ["pinel", "--version"])
+    with pytest.raises(SystemExit) as end:
+        __main__.main()
+    assert end.value.code == 0
+    assert __version__ in capsys.readouterr().out
+
+
+def test_who_waits_for_the_window_waits_for_nothing_else() -> None:
+    """What the window's process imports before the app's process is on its way."""
+    heavy = "{'click', 'flask', 'pydantic', 'webview', 'gi', 'sqlite3', 'filelock', 'numpy'}"
+    code = (
+        "import sys, pinel_desktop.__main__, pinel_desktop.commands.window;"
+        f"print(sorted({heavy} & {{*sys.modules}}))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True
+    )
+    assert done.stdout.strip() == "[]"
