@@ -7,9 +7,9 @@ import sys
 import time
 from collections.abc import Callable
 from typing import Any
-from unittest import mock
 
 from pinel_desktop.__main__ import main
+from pinel_desktop.commands import window as command
 from pinel_desktop.desktop.presenter import USABLE, Presenter
 
 PROGRAM = sys.argv.pop()  # what is left is how the icon starts it
@@ -36,5 +36,6 @@ class WatchedPresenter(Presenter):
         self.close()
 
 
-with mock.patch("pinel_desktop.commands.window.Presenter", WatchedPresenter):
-    main()
+# by hand: importing a mock would take a tenth of the start
+command.Presenter = WatchedPresenter  # type: ignore[misc]
+main()
