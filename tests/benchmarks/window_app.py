@@ -37,5 +37,5 @@ class WatchedPresenter(Presenter):
 
 
 # by hand: importing a mock would take a tenth of the start
-command.Presenter = WatchedPresenter  # type: ignore[misc]
+command.Presenter = WatchedPresenter  # type: ignore[attr-defined]
 main()
