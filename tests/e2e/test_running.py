@@ -117,6 +117,21 @@ def test_a_block_with_a_fault_says_so_until_it_is_mended(studio: Studio) -> None
     studio.eventually(lambda: studio.values("condition"), [condition])
 
 
+def test_the_words_of_a_fault_stand_once_however_quickly_they_are_asked_for(studio: Studio) -> None:
+    studio.enter_new_group()
+    blocks = studio.blocks
+    blocks.drag_from_toolbox("logic", "se", blocks.below(blocks.start()))
+    blocks.drag(blocks.by_words("="), blocks.beside(blocks.by_words("então")))
+    expect(blocks.fault_words()).to_be_visible()
+    blocks.faulty().locator(".blocklyWarningIcon").click()
+    expect(blocks.fault_words()).to_have_count(0)
+
+    studio["fault"].evaluate("button => { button.click(); button.click(); }")
+    expect(blocks.fault_words()).to_be_visible()
+    studio.page.wait_for_timeout(500)  # a second one would come a moment later
+    expect(blocks.fault_words()).to_have_count(1)
+
+
 def test_a_failed_run_says_why_and_leaves_the_workspace_alone(studio: Studio) -> None:
     studio.enter_new_group()
     add_move(studio, "9")

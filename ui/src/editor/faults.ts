@@ -18,6 +18,7 @@ export class Faults {
   /** What was asked for last, less what was mended since. */
   shown: readonly Fault[] = [];
   private readonly marked = new Map<string, string>();
+  private readonly opening = new Map<Blockly.IIcon, Promise<void>>();
 
   constructor(private readonly workspace: Blockly.WorkspaceSvg) {}
 
@@ -48,7 +49,13 @@ export class Faults {
     const block = this.workspace.getBlockById(id);
     const icon = block?.getIcons().find(hasBubble);
     if (!block || !icon) return;
-    void icon.setBubbleVisible(true).then(() => placeBeside(block, icon.getBubble()));
+    // asked again before it has drawn the first, Blockly draws a second one that never goes away
+    const opening = this.opening.get(icon) ?? icon.setBubbleVisible(true);
+    this.opening.set(icon, opening);
+    void opening.then(() => {
+      this.opening.delete(icon);
+      placeBeside(block, icon.getBubble());
+    });
   }
 
   private mark(id: string, words: string): boolean {
