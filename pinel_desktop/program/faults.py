@@ -44,6 +44,8 @@ def _shown(value: object) -> object:
     if isinstance(value, int) and abs(value) > _LARGEST_SHOWN:
         digits = str(value)
         return f"{digits[:12]}… ({len(digits)})"
+    if isinstance(value, list | tuple):  # of names to choose from
+        return [_shown(one) for one in value]
     if isinstance(value, Mapping):
         return type(value).__name__
     return value

@@ -273,7 +273,9 @@ def test_faults_can_always_be_written_whatever_the_file_holds() -> None:
         {
             "pinel_ir": 1,
             "name": "\ud800",
+            "functions": [{"name": "\ud800", "parameters": [], "commands": []}],
             "commands": [
+                {"action": "call", "function": "dance"},
                 {"action": "repeat", "times": huge, "commands": [], "block": "\ud800"},
                 {"action": "move_forward", "distance": huge},
                 {"action": "\ud800" * 5000},
@@ -281,7 +283,12 @@ def test_faults_can_always_be_written_whatever_the_file_holds() -> None:
         }
     )
     codes = [fault.code for fault in reading.faults]
-    assert {"text_not_unicode", "times_out_of_range", "unknown_action"} <= set(codes)
+    assert {
+        "text_not_unicode",
+        "times_out_of_range",
+        "unknown_action",
+        "unknown_function",
+    } <= set(codes)
     for fault in reading.faults:
         written = json.dumps([fault.pointer, fault.block, fault.params], ensure_ascii=False)
         assert len(written.encode("utf-8")) < 1000
