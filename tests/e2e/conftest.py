@@ -11,7 +11,7 @@ from playwright.sync_api import Browser, BrowserContext, sync_playwright
 
 from pinel_desktop.web.page import STATIC
 from tests.e2e.app_process import AppProcess
-from tests.e2e.past_lesson import past_lesson
+from tests.e2e.past_lesson import school_after
 from tests.e2e.review_school import Past, Teacher, open_door, play
 from tests.e2e.studio import Studio
 from tests.e2e.watch import Watch
@@ -104,13 +104,8 @@ def studio(open_studio: OpenStudio) -> Studio:
 @pytest.fixture(scope="module")
 def school(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[AppProcess, Past]]:
     """The app on a file with a lesson that is over."""
-    home = tmp_path_factory.mktemp("school")
-    with past_lesson(home) as lesson:
-        past = play(lesson)
-    app = AppProcess(home)
-    app.start()
-    yield app, past
-    app.stop()
+    with school_after(tmp_path_factory.mktemp("school"), play) as school:
+        yield school
 
 
 @pytest.fixture

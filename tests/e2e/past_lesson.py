@@ -1,11 +1,11 @@
 """A lesson that is over, in the file before the app starts: edits at their times, and runs that were really driven."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from pinel_desktop.commands.world_file import choose_world
 from pinel_desktop.events.model import Event, EventStamp, RunEnded
@@ -14,8 +14,10 @@ from pinel_desktop.links import open_link
 from pinel_desktop.program.reading import read_document
 from pinel_desktop.robot import Setting
 from storage import Recorder, RunStart, Store, open_store
+from tests.e2e.app_process import AppProcess
 
 Step = tuple[str, float]
+Past = TypeVar("Past")
 TICK_S = 1 / 30
 
 SQUARE: list[Step] = [("move_forward", 1), ("turn", 90)] * 4
@@ -51,6 +53,19 @@ def past_lesson(home: Path) -> Iterator[PastLesson]:
     with open_store(home / "pinel.db", clock=clock) as store:
         lesson = PastLesson(store, BEGAN)
         yield lesson
+
+
+@contextmanager
+def school_after(
+    home: Path, play: Callable[[PastLesson], Past]
+) -> Iterator[tuple[AppProcess, Past]]:
+    """The app on a file in which a lesson was played, and what `play` tells of it."""
+    with past_lesson(home) as lesson:
+        past = play(lesson)
+    app = AppProcess(home)
+    app.start()
+    yield app, past
+    app.stop()
 
 
 class PastGroup:

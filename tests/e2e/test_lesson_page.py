@@ -10,7 +10,7 @@ from playwright.sync_api import Page, expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import OpenStudio
-from tests.e2e.past_lesson import SQUARE, PastLesson, past_lesson
+from tests.e2e.past_lesson import SQUARE, PastLesson, school_after
 from tests.e2e.review_school import PIN, open_door
 from tests.e2e.studio import Studio
 from tests.e2e.watch import Watch
@@ -48,13 +48,8 @@ def _play(lesson: PastLesson) -> Past:
 @pytest.fixture(scope="module")
 def school(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[AppProcess, Past]]:
     """The app on a file with two lessons that are one."""
-    home = tmp_path_factory.mktemp("school")
-    with past_lesson(home) as lesson:
-        past = _play(lesson)
-    app = AppProcess(home)
-    app.start()
-    yield app, past
-    app.stop()
+    with school_after(tmp_path_factory.mktemp("school"), _play) as school:
+        yield school
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from playwright.sync_api import Page, expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import OpenStudio
-from tests.e2e.past_lesson import SQUARE, past_lesson
+from tests.e2e.past_lesson import SQUARE, PastLesson, school_after
 from tests.e2e.studio import Studio
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
@@ -37,33 +37,33 @@ _BOXES = """() => [...document.querySelectorAll('#app .page [class]')]
   })"""
 
 
+def _play(lesson: PastLesson) -> dict[str, str]:
+    """The place of each screen that looks at the lesson."""
+    lesson.at(2)
+    group = lesson.group("Abelhas")
+    first = group.edit(("move_forward", 1))
+    runs = [group.run()]
+    lesson.at(4)
+    second = group.edit(*SQUARE)
+    runs.append(group.run())
+    return {
+        "start": "",
+        "studio": f"program/{group.program}",
+        "lesson": f"lesson/{lesson.lesson}",
+        "compare": f"compare/{runs[0]}/{runs[1]}",
+        "differences": f"differences/{group.program}/{first}/{second}",
+        "run": f"run/{runs[1]}",
+        "versions": f"versions/{group.program}/{second}",
+        "runs": "runs",
+        "work": f"work/{group.id}",
+    }
+
+
 @pytest.fixture(scope="module")
 def school(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[AppProcess, dict[str, str]]]:
     """The app on a file with a lesson, and the place of each screen that looks at it."""
-    home = tmp_path_factory.mktemp("school")
-    with past_lesson(home) as lesson:
-        lesson.at(2)
-        group = lesson.group("Abelhas")
-        first = group.edit(("move_forward", 1))
-        runs = [group.run()]
-        lesson.at(4)
-        second = group.edit(*SQUARE)
-        runs.append(group.run())
-        places = {
-            "start": "",
-            "studio": f"program/{group.program}",
-            "lesson": f"lesson/{lesson.lesson}",
-            "compare": f"compare/{runs[0]}/{runs[1]}",
-            "differences": f"differences/{group.program}/{first}/{second}",
-            "run": f"run/{runs[1]}",
-            "versions": f"versions/{group.program}/{second}",
-            "runs": "runs",
-            "work": f"work/{group.id}",
-        }
-    app = AppProcess(home)
-    app.start()
-    yield app, places
-    app.stop()
+    with school_after(tmp_path_factory.mktemp("school"), _play) as school:
+        yield school
 
 
 @pytest.fixture

@@ -19,11 +19,7 @@ def app(school: tuple[AppProcess, Past]) -> AppProcess:
 
 
 def test_a_note_is_written_at_the_replay_and_reaches_the_group(teacher: Teacher) -> None:
-    teacher.open_lesson()
-    run = teacher.past.runs[0]
-    teacher.go(f"run/{run}")
-    teacher["note-open"].click()
-    teacher["note-text"].fill("Quanto falta até a parede?")
+    run = _begin_note(teacher, 0, "Quanto falta até a parede?")
     expect(teacher["note"]).to_have_attribute("data-state", "changed")
     teacher["note-save"].click()
     expect(teacher["note"]).to_have_attribute("data-state", "saved")
@@ -99,11 +95,7 @@ def test_two_runs_are_seen_side_by_side_on_one_clock(teacher: Teacher) -> None:
 
 
 def test_a_note_that_was_not_left_is_there_still_and_says_so(teacher: Teacher) -> None:
-    teacher.open_lesson()
-    run = teacher.past.runs[1]
-    teacher.go(f"run/{run}")
-    teacher["note-open"].click()
-    teacher["note-text"].fill("Por que pararam?")
+    run = _begin_note(teacher, 1, "Por que pararam?")
     expect(teacher["note"]).to_contain_text("Ainda não entregue")
     teacher["back-to-review"].click()
     expect(teacher["lesson-page"]).to_be_visible()
@@ -120,11 +112,7 @@ def test_a_note_that_was_not_left_is_there_still_and_says_so(teacher: Teacher) -
 
 def test_a_note_waits_for_the_pin_when_the_door_has_shut(teacher: Teacher, watch: Watch) -> None:
     watch.expect("(FORBIDDEN)")
-    teacher.open_lesson()
-    run = teacher.past.runs[1]
-    teacher.go(f"run/{run}")
-    teacher["note-open"].click()
-    teacher["note-text"].fill("O que aconteceu aqui?")
+    run = _begin_note(teacher, 1, "O que aconteceu aqui?")
     teacher.page.evaluate("() => fetch('/api/teacher/leave', {method: 'POST'})")
     teacher["note-save"].click()
     expect(teacher["pin"]).to_be_focused()
@@ -137,11 +125,7 @@ def test_a_note_waits_for_the_pin_when_the_door_has_shut(teacher: Teacher, watch
 
 
 def test_a_note_is_taken_back_by_two_presses(teacher: Teacher) -> None:
-    teacher.open_lesson()
-    run = teacher.past.runs[2]
-    teacher.go(f"run/{run}")
-    teacher["note-open"].click()
-    teacher["note-text"].fill("Muito bem!")
+    run = _begin_note(teacher, 2, "Muito bem!")
     teacher["note-save"].click()
     expect(teacher["note"]).to_have_attribute("data-state", "saved")
     teacher["note-delete"].click()
@@ -199,3 +183,13 @@ def test_from_a_run_of_the_list_the_teacher_goes_back_to_it_but_no_pupil_does(
 def _notes(teacher: Teacher, run: str) -> list[dict[str, Any]]:
     notes: list[dict[str, Any]] = teacher.studio.api(f"/runs/{run}/notes")["notes"]
     return notes
+
+
+def _begin_note(teacher: Teacher, n: int, words: str) -> str:
+    """Types a note at the replay of the lesson's run of that number, from 0; returns the run."""
+    teacher.open_lesson()
+    run = teacher.past.runs[n]
+    teacher.go(f"run/{run}")
+    teacher["note-open"].click()
+    teacher["note-text"].fill(words)
+    return run

@@ -52,10 +52,9 @@ export class Faults {
     // asked again before it has drawn the first, Blockly draws a second one that never goes away
     const opening = this.opening.get(icon) ?? icon.setBubbleVisible(true);
     this.opening.set(icon, opening);
-    void opening.then(() => {
-      this.opening.delete(icon);
-      placeBeside(block, icon.getBubble());
-    });
+    void opening
+      .finally(() => this.opening.delete(icon))
+      .then(() => placeBeside(block, icon.getBubble()));
   }
 
   private mark(id: string, words: string): boolean {

@@ -19,7 +19,7 @@ import { quietly } from "./quietly";
 import { ensureStartBlock, markLooseBlocks } from "./start_block";
 import { StartHint } from "./start_hint";
 import { tellNothingToUndo, undoInto } from "./steps_back";
-import { blocklyTheme, pageFont, type ThemeName } from "./themes";
+import { pageFont, showTheme, type ThemeName } from "./themes";
 import { addZoomControls } from "./zoom_controls";
 
 export interface EditorOptions {
@@ -99,13 +99,11 @@ class BlockEditor implements Editor {
   private known = "";
   private level: Level;
   private language: Language;
-  private theme: ThemeName;
   private disposed = false;
 
   constructor(private readonly options: EditorOptions) {
     this.level = options.level ?? EVERYTHING;
     this.language = options.language;
-    this.theme = options.theme;
     this.workspace = injectWorkspace({ ...options, level: this.level });
     this.faults = new Faults(this.workspace);
     this.running = new Highlight(this.workspace);
@@ -170,9 +168,7 @@ class BlockEditor implements Editor {
   }
 
   setTheme(theme: ThemeName): void {
-    if (theme === this.theme) return;
-    this.theme = theme;
-    this.workspace.setTheme(blocklyTheme(theme));
+    showTheme(this.workspace, theme);
   }
 
   setLevel(level: Level): void {

@@ -12,7 +12,7 @@ import { Overview } from "./overview";
 import { askOnlyDrawnFields, quietly } from "./quietly";
 import { RENDERER, registerRenderer, setRing } from "./renderer";
 import { ensureStartBlock, markLooseBlocks } from "./start_block";
-import { blocklyTheme, type ThemeName } from "./themes";
+import { blocklyTheme, showTheme, type ThemeName } from "./themes";
 import { addZoomControls } from "./zoom_controls";
 
 export interface ReaderOptions {
@@ -39,11 +39,9 @@ export class BlocksReader {
   private marked: [string, readonly Difference[]][] = [];
   private shown: object = {};
   private language: Language;
-  private theme: ThemeName;
 
   constructor(options: ReaderOptions) {
     this.language = options.language;
-    this.theme = options.theme;
     applyLanguage(options.language);
     registerBlocks();
     registerRenderer();
@@ -123,9 +121,7 @@ export class BlocksReader {
   }
 
   setTheme(theme: ThemeName): void {
-    if (theme === this.theme) return;
-    this.theme = theme;
-    this.workspace.setTheme(blocklyTheme(theme));
+    showTheme(this.workspace, theme);
   }
 
   /** What a screen reader calls this place, so that two of them can be told apart. */

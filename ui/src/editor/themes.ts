@@ -42,8 +42,8 @@ const BEGIN_STACKS = ["start", "functions"];
 export function blocklyTheme(name: ThemeName): Blockly.Theme {
   const { face, edge } = LOOKS[name];
   const faces = Object.entries(HUES).map(([category, hue]) => [category, face(hue)] as const);
-  return Blockly.Theme.defineTheme(`pinel-${name}`, {
-    name: `pinel-${name}`,
+  return Blockly.Theme.defineTheme(nameOf(name), {
+    name: nameOf(name),
     base: Blockly.Themes.Zelos,
     blockStyles: Object.fromEntries(
       faces.map(([category, colour]) => [
@@ -60,6 +60,13 @@ export function blocklyTheme(name: ThemeName): Blockly.Theme {
     componentStyles: COMPONENTS,
     fontStyle: { family: pageFont(), weight: "600", size: 13.5 },
   });
+}
+
+const nameOf = (name: ThemeName) => `pinel-${name}`;
+
+/** Gives a workspace another look; it is drawn anew only where it has not got that one. */
+export function showTheme(workspace: Blockly.WorkspaceSvg, name: ThemeName): void {
+  if (workspace.getTheme().name !== nameOf(name)) workspace.setTheme(blocklyTheme(name));
 }
 
 /** Blockly measures texts outside of the page's tree, so it needs the name and not the token. */
