@@ -13,10 +13,11 @@ VENV_DEV := .venv/.ready-dev
 NODE_MODULES := ui/node_modules/.package-lock.json
 PEERS := build/peers/.ready
 PAGE := pinel_desktop/web/static/index.html
+PAGE_TYPES := ui/src/api/types.ts
 PACKAGE := dist/pinel-desktop/pinel
 
 # The folders of ui/src are named too, so that a deleted file is noticed.
-PAGE_SOURCES := $(shell find ui/src ui/public pinel_desktop/messages/catalogue 2>/dev/null) \
+PAGE_SOURCES := $(shell find ui/src ui/public pinel_desktop/messages/catalogue -not -path ui/src/api/types.ts 2>/dev/null) \
 	$(shell find ui -maxdepth 1 -type f) $(NODE_MODULES)
 PROGRAM_SOURCES := $(shell find pinel_desktop sim storage packaging LICENSE -name __pycache__ -prune -o -path pinel_desktop/web/static \
 	-prune -o -type f -print) pyproject.toml
@@ -28,7 +29,7 @@ ifneq ($(shell $(PYTHON) -c 'import pip' 2>/dev/null && cat $(VENV_RUN) 2>/dev/n
 $(shell rm -f $(VENV_RUN) $(VENV_DEV))
 endif
 
-.PHONY: help setup run test nightly lint format bench package smoke wheel lock clean system-run system-test
+.PHONY: help setup run test nightly lint format figures bench package smoke wheel lock clean system-run system-test
 
 help:  ## this list
 	@sed -n 's/^\([a-z]*\):.*## /\1|/p' $(MAKEFILE_LIST) | awk -F'|' '{ printf "  make %-9s %s\n", $$1, $$2 }'
@@ -36,7 +37,7 @@ help:  ## this list
 run: system-run $(VENV_RUN) $(PAGE)  ## open PINEL (on a PC without a screen: serve its page and print the address)
 	@$(PYTHON) -m pinel_desktop
 
-setup: system-test $(VENV_DEV) $(NODE_MODULES) $(PAGE)  ## everything that developing and testing need
+setup: system-test $(VENV_DEV) $(NODE_MODULES) $(PAGE) $(PAGE_TYPES)  ## everything that developing and testing need
 
 test: setup  ## lint, types, unit and end-to-end tests, wheel, package and smoke test
 	@$(PYTHON) scripts/run_tests.py
@@ -44,12 +45,15 @@ test: setup  ## lint, types, unit and end-to-end tests, wheel, package and smoke
 nightly: setup  ## the long tests and the benchmarks too
 	@$(PYTHON) scripts/run_tests.py --nightly
 
-lint: $(VENV_DEV) $(NODE_MODULES)  ## style, types and import rules
+lint: $(VENV_DEV) $(NODE_MODULES)  ## style, types, import rules, sizes of folders
 	@$(PYTHON) scripts/run_tests.py --only lint
 
 format: $(VENV_DEV) $(NODE_MODULES)  ## bring the code into its form
 	@$(PYTHON) -m ruff check --fix --quiet . && $(PYTHON) -m ruff format .
 	@$(NPM) run --silent format
+
+figures: $(VENV_DEV) $(NODE_MODULES)  ## what the structure of the code is judged by, counted
+	@$(PYTHON) scripts/figures.py
 
 bench: setup $(PEERS)  ## benchmarks: absolute figures printed, ratios asserted
 	@$(PYTHON) -m pytest -o python_files='bench_*.py' --timeout=900 -s -q tests/benchmarks
@@ -106,6 +110,10 @@ $(PAGE): $(PAGE_SOURCES)
 		"Construyendo la página (unos segundos)…"
 	@$(NPM) run --silent build -- --logLevel warn
 	@touch $@
+
+# The page's types of the HTTP interface: neither its build nor its tests need them, `npm run check` makes them anew.
+$(PAGE_TYPES): $(VENV_DEV) $(NODE_MODULES)
+	@$(NPM) run --silent types
 
 $(PACKAGE): $(PROGRAM_SOURCES) $(PAGE) $(VENV_DEV)
 	@sh scripts/system-packages.sh package

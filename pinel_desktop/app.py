@@ -11,17 +11,19 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from pinel_desktop import __version__
 from pinel_desktop.engine.client import EngineClient
+from pinel_desktop.events.app_events import Notice
 from pinel_desktop.events.hub import Hub
+from pinel_desktop.events.types import KEPT, URGENT
 from pinel_desktop.instance import Instance
-from pinel_desktop.judging import Judge
-from pinel_desktop.messages import LANGUAGES, describe, language_of_system
-from pinel_desktop.teacher import TeacherDoor
+from pinel_desktop.messages import LANGUAGES, Problem, describe, language_of_system
+from pinel_desktop.school.grading import Grader
+from pinel_desktop.school.teacher import TeacherDoor
 from pinel_desktop.web.application import create_app
-from pinel_desktop.web.front import Front
-from pinel_desktop.web.services import DatabaseState, Engine, Problem, ReadDocument, Services
+from pinel_desktop.web.early_server import EarlyServer
+from pinel_desktop.web.services import DatabaseState, Engine, ReadDocument, Services
 from sim.world import list_worlds
 from storage import Recorder, Store, StoreError, open_store, warm_up
-from storage.caretaker import Caretaker
+from storage.maintenance import Maintenance
 
 if TYPE_CHECKING:
     from pinel_desktop.program.faults import Fault
@@ -55,7 +57,7 @@ class App:
         database: the file; made where there is none. When it cannot be used the app starts all the same, and
             the page says why nothing can be kept.
         port: 0 for any that is free.
-        front: a server that gives out the page already; the app closes it.
+        early_server: gives out the page already; the app closes it.
         instance: a lock on the database that was taken before; the app gives it back.
         engine_after_s: lets the page draw first on a PC of two cores, which the engine's start, and loading what
             the first edit and the first run need, would keep busy.
@@ -67,7 +69,7 @@ class App:
         database: Path,
         *,
         port: int = 0,
-        front: Front | None = None,
+        early_server: EarlyServer | None = None,
         instance: Instance | None = None,
         engine_after_s: float = 0.0,
         on_show: Callable[[], None] = lambda: None,
@@ -77,7 +79,7 @@ class App:
     ) -> None:
         self._database = database
         self._port = port
-        self._given_front = front
+        self._early_server = early_server
         self._instance = instance
         self._engine_after_s = engine_after_s
         self._on_show = on_show
@@ -134,24 +136,24 @@ class App:
         undo.callback(self._store.close)
         self._preferences = Preferences(self._store)
         self._hub = Hub()
-        self._recorder = Recorder(self._store, self._tell_recording)
+        self._recorder = Recorder(self._store, self._tell_recording, kept=KEPT, urgent=URGENT)
         undo.callback(self._end_recording)
-        self._judge = Judge(
+        self._grader = Grader(
             self._store, self._keep_up, self._hub.publish, lambda: self._preferences.language
         )
-        undo.callback(self._judge.close)
-        self._caretaker = Caretaker(self._store, self._tell_keeping)
-        undo.callback(self._caretaker.close)
+        undo.callback(self._grader.close)
+        self._maintenance = Maintenance(self._store, self._tell_keeping)
+        undo.callback(self._maintenance.close)
         if self._store.unfinished:
             self._recorder.flush()  # goes on trying until the disk has room
-        front = self._given_front or Front(self._port)
-        undo.callback(front.close)
+        server = self._early_server or EarlyServer(self._port)
+        undo.callback(server.close)
         undo.callback(self._hub.close)
-        self._guard = front.guard
+        self._guard = server.guard
         self._engine = self._make_engine(self._take)
         undo.callback(self._engine.close)
-        front.open(create_app(self._services()))
-        self._caretaker.start()
+        server.open(create_app(self._services()))
+        self._maintenance.start()
         self._start_engine(undo)
 
     def _start_engine(self, undo: contextlib.ExitStack) -> None:
@@ -162,7 +164,7 @@ class App:
         def start() -> None:
             self._engine.start()
             _warm_up()
-            self._judge.catch_up()
+            self._grader.catch_up()
 
         timer = threading.Timer(self._engine_after_s, start)
         timer.start()
@@ -191,7 +193,7 @@ class App:
         self._recorder(event)
         self._hub.publish(event)
         if event["type"] == "run_ended":
-            self._judge.look_at(event["run"])
+            self._grader.grade(event["run"])
 
     def _keep_up(self) -> None:
         with contextlib.suppress(StoreError, TimeoutError):
@@ -207,7 +209,7 @@ class App:
     def _database_state(self) -> DatabaseState:
         notice = self._recorder.problem or self._store.notice
         writable = self._store.writable and (notice is None or notice.code in _WRITABLE_NOTICES)
-        notice = notice or self._caretaker.notice
+        notice = notice or self._maintenance.notice
         return DatabaseState(path=str(self._store.path), writable=writable, notice=notice)
 
     def _tell_recording(self, problem: StoreError | None) -> None:
@@ -221,9 +223,7 @@ class App:
     def _tell(self, problem: Problem | None, well_again: str) -> None:
         code, params = (problem.code, problem.params) if problem else (well_again, {})
         words = describe(code, params, self._preferences.language)
-        self._hub.publish(
-            {"type": "notice", "code": code, "message": words.message, "remedy": words.remedy}
-        )
+        self._hub.publish(Notice(code=code, message=words.message, remedy=words.remedy).flat())
 
 
 class Preferences:

@@ -5,6 +5,7 @@ import importlib
 import click
 
 from pinel_desktop import __version__
+from pinel_desktop.commands.options import chosen_file, database_option
 
 _COMMANDS = {
     "run": "Run a program and print its result.",
@@ -40,19 +41,17 @@ class _LazyGroup(click.Group):
 
 @click.group(cls=_LazyGroup, invoke_without_command=True)
 @click.version_option(__version__, prog_name="pinel")
-@click.option(
-    "--db", type=click.Path(dir_okay=False), help="Database file instead of the user's own."
-)
+@database_option
 @click.option(
     "--self-check", is_flag=True, help="Try window, simulator and store once; print JSON."
 )
 @click.pass_context
-def main(ctx: click.Context, db: str | None, self_check: bool) -> None:
+def main(ctx: click.Context, self_check: bool) -> None:
     """PINEL Desktop. Without a command it opens the window.
 
     Data lives in the user's data folder; the variable PINEL_HOME or --db chooses another place.
     """
-    ctx.obj = {"db": db}
+    db = chosen_file(ctx)
     if ctx.invoked_subcommand is None:
         from pinel_desktop.commands import window  # noqa: PLC0415 - the window's libraries are slow to import
 

@@ -9,11 +9,12 @@ import os
 import time
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
-
-from filelock import FileLock, Timeout
+from typing import TYPE_CHECKING, Any
 
 from pinel_desktop.errors import PinelError
+
+if TYPE_CHECKING:
+    from filelock import FileLock
 
 _SECRET_HEADER = (
     "X-Pinel-Secret"  # as in web/guard.py, which this must not load: a second start is to be quick
@@ -73,8 +74,8 @@ class Instance:
 
     def __init__(self, database: Path) -> None:
         self._file = database.with_name(f"{database.stem}.instance.json")
-        # the thread that takes the lock need not be the one that announces the address
-        self._lock = FileLock(str(database.with_name(f"{database.stem}.lock")), thread_local=False)
+        self._lock_file = database.with_name(f"{database.stem}.lock")
+        self._lock: FileLock | None = None
         self._lock_is_parents = False
 
     @classmethod
@@ -117,12 +118,18 @@ class Instance:
                 self._told().get("pid") == os.getpid()
             ):  # not that of a successor, when the parent died first
                 self._file.unlink(missing_ok=True)
-            self._lock.release()
+            if self._lock is not None:
+                self._lock.release()
 
     def _is_ours(self) -> bool:
-        return self._lock.is_locked or self._lock_is_parents
+        return self._lock_is_parents or (self._lock is not None and self._lock.is_locked)
 
     def _taken(self) -> bool:
+        # the app behind a window, whose start the page waits for, takes no lock
+        from filelock import FileLock, Timeout  # noqa: PLC0415
+
+        # the thread that takes the lock need not be the one that announces the address
+        self._lock = self._lock or FileLock(str(self._lock_file), thread_local=False)
         try:
             self._file.parent.mkdir(parents=True, exist_ok=True)
             self._lock.acquire(timeout=0)

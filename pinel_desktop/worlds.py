@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import Any
 
+from pinel_desktop.program.duplicates import duplicate_key_faults
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.robot import ROBOTS, Setting
 from sim.document import MAX_BYTES
@@ -27,4 +28,6 @@ def read_own_world(
     radius_m = Setting(robot).robot.radius_m if robot else _LARGEST_M
     reading = read_world(source, robot_radius_m=radius_m)
     faults = [Fault(fault.code, fault.pointer, None, fault.params) for fault in reading.faults]
-    return reading.document, faults
+    if isinstance(source, str | bytes) and len(source) <= MAX_BYTES:
+        faults = [*duplicate_key_faults(source), *faults]
+    return (None if faults else reading.document), faults

@@ -59,6 +59,7 @@ STEPS = (
     Step("format", "lint", (sys.executable, "-m", "ruff", "format", "--check", ".")),
     Step("mypy", "lint", (sys.executable, "-m", "mypy")),
     Step("import-rules", "lint", (str(Path(sys.executable).with_name("lint-imports")),)),
+    Step("folders", "lint", (sys.executable, "scripts/figures.py", "--check")),
     Step("page-lint", "lint", npm("run", "--silent", "check")),
     Step("page-unit", "test", npm("run", "--silent", "test"), counts=True),
     Step("unit", "test", (*PYTEST, *SIDE_BY_SIDE, "-m", UNIT), counts=True),

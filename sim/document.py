@@ -3,10 +3,19 @@
 Metres, degrees and kilograms. pydantic takes longer to load than all worlds: import this only to read a document.
 """
 
+import re
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, Tag
-from pydantic_core import PydanticCustomError
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Discriminator,
+    Field,
+    Tag,
+)
+from pydantic_core import PydanticCustomError, PydanticKnownError
 
 from sim.floor import MAX_NAME, Color
 from sim.world import (
@@ -33,13 +42,30 @@ _Point = Annotated[list[_Metres], _Pair]
 _Text = Annotated[str, Field(max_length=MAX_TITLE, pattern=_SEEN)]
 
 
+_TAG = re.compile(r"^[a-z]{2,3}(-[A-Za-z0-9]{2,8})*$")
+
+
+def _known_tag(tag: str) -> str:
+    if _TAG.match(tag) is None:
+        raise PydanticKnownError("extra_forbidden")
+    return tag
+
+
+LanguageTag = Annotated[str, AfterValidator(_known_tag)]
+
+
 class _Part(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False)
 
 
 class Languages(_Part):
-    """One text in the three languages."""
+    """One text in Portuguese, English and Spanish, and in any further language by its tag."""
 
+    model_config = ConfigDict(
+        extra="allow", json_schema_extra={"propertyNames": {"pattern": _TAG.pattern}}
+    )
+
+    __pydantic_extra__: dict[LanguageTag, _Text] = Field(init=False)
     pt_br: Annotated[_Text, Field(alias="pt-BR")]
     en: _Text
     es: _Text

@@ -52,18 +52,18 @@ def overlaps(ones: Array, others: Array, slack_m: float) -> Pairs:
 
     Two convex shapes are apart when the normal of one of their edges tells them apart.
     """
-    near = np.argwhere(_may_touch(ones, others))
+    near = np.argwhere(_may_touch(ones, others, max(0.0, -slack_m)))
     one, other = ones[near[:, 0]], others[near[:, 1]]
     together = _shared(_axes(one), one, other, slack_m) & _shared(_axes(other), one, other, slack_m)
     found: Pairs = near[together]
     return found
 
 
-def _may_touch(ones: Array, others: Array) -> NDArray[np.bool_]:
+def _may_touch(ones: Array, others: Array, gap_m: float) -> NDArray[np.bool_]:
     centers, reach = ones.mean(axis=1), _reach(ones)
     other_centers, other_reach = others.mean(axis=1), _reach(others)
     apart = np.hypot(*np.moveaxis(centers[:, None] - other_centers[None], 2, 0))
-    near: NDArray[np.bool_] = apart < reach[:, None] + other_reach[None]
+    near: NDArray[np.bool_] = apart < reach[:, None] + other_reach[None] + gap_m
     return near
 
 

@@ -6,7 +6,8 @@ stalls at a wall. Setting the circle's own velocity instead would drive it strai
 
 A movable box is a dynamic body held to the floor in the same way, by what friction can hold: it slides when it is
 pushed harder, and stands as soon as nobody pushes. Where there are such boxes steps are half as long, so that what a
-box that is whipped about sinks into a wall is halved, too; `sim.holding` sees to it that none ever comes through one.
+box that is whipped about sinks into a wall is halved, too; `sim.tunnelling_guard` keeps
+every box from passing through a wall.
 """
 
 import math
@@ -15,9 +16,9 @@ from typing import Protocol
 
 import pymunk
 
-from sim.chipmunk import BodyAccess, Fan, Rays, Stepper
 from sim.floor import color_at, zone_at
-from sim.holding import FIXED, MOVABLE, Hold
+from sim.pymunk_fastpath import BodyAccess, Fan, Rays, Stepper
+from sim.tunnelling_guard import FIXED, MOVABLE, TunnellingGuard
 from sim.world import WALL_RADIUS_M, Box, World
 
 TICK_S = 1.0 / 30.0
@@ -77,7 +78,7 @@ class Simulator:
         self._rays = Rays(self.space, _ALL_BUT_ROBOT)
         if self._movable:
             self.space.iterations = ITERATIONS_WITH_MOVABLE
-            hold = Hold(self.space, list(self._movable.values()), self._body)
+            hold = TunnellingGuard(self.space, list(self._movable.values()), self._body)
             self._pass = hold.around(self._steps_from_halfway)
 
     def _add_obstacles(self, world: World) -> None:

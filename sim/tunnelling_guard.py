@@ -10,14 +10,14 @@ from collections.abc import Callable, Sequence
 
 import pymunk
 
-from sim.chipmunk import BodyAccess, Rays
+from sim.pymunk_fastpath import BodyAccess, Rays
 
 FIXED, MOVABLE = 0b0100, 0b1000  # categories of what never moves, and of boxes
 _FIXED_ONLY = pymunk.ShapeFilter(mask=FIXED)
 _STANDSTILL = (0.0, 0.0)
 
 
-class Hold:
+class TunnellingGuard:
     """Watches over the movable boxes of a space, and over the robot that pushes them."""
 
     def __init__(

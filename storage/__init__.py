@@ -5,9 +5,7 @@ A leaf: imports nothing of the application. `open_store` opens the file,
 """
 
 from storage.errors import StoreError
-from storage.history import HistoryLine, RunFilter
-from storage.lessons_read import EditLine, GroupLine, GroupLines, LessonLines, LessonRun
-from storage.opening import Notice
+from storage.file.opening import Notice
 from storage.recording import Recorder, warm_up
 from storage.records import (
     ClassroomRow,
@@ -22,7 +20,9 @@ from storage.records import (
     VersionMark,
     VersionRow,
 )
+from storage.runs.history import HistoryLine, RunFilter
 from storage.store import Store, open_for_reading, open_store
+from storage.work.lesson_records import EditLine, GroupLine, GroupLines, LessonLines, LessonRun
 
 __all__ = [
     "ClassroomRow",

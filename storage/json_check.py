@@ -1,4 +1,4 @@
-"""Whether a text is JSON that every part of the program can read, without reading it the way that could fail.
+"""Whether a text is JSON that every part of the program can read, checked without a parser that could fail.
 
 Blockly nests each block in the one above it, two levels of JSON a block: a workspace may be thousands deep, which
 the web server makes room for and Python's own parser elsewhere does not.
@@ -23,8 +23,8 @@ _OPENING = {"{": "}", "[": "]"}
 
 
 def parsed(text: str) -> Any:
-    """The value of a JSON text of ordinary depth with finite numbers; None for every other."""
-    # short texts come again and again; what a large one needs is let go at once
+    """The value of a JSON text of ordinary depth, with finite numbers and each key once; None for every other."""
+    # short texts recur; large ones are not cached, to free their memory
     return _remembered(text) if len(text) <= _SHORT else _read(text)
 
 
@@ -39,7 +39,9 @@ def _read(text: str) -> Any:
     if _is_deeper_than(text, _PLAIN_DEPTH):
         return None
     try:
-        return json.loads(text, parse_constant=_refused, parse_float=_finite)
+        return json.loads(
+            text, parse_constant=_refused, parse_float=_finite, object_pairs_hook=_object
+        )
     except (ValueError, RecursionError):
         return None
 
@@ -49,6 +51,11 @@ _remembered = lru_cache(maxsize=512)(_read)
 
 def _refused(name: str) -> Any:
     raise ValueError(name)
+
+
+def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    made = dict(pairs)
+    return made if len(made) == len(pairs) else _refused("a key twice")
 
 
 def _finite(text: str) -> float:

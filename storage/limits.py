@@ -1,7 +1,7 @@
-"""How large what a store writes may become: what is more is no work of PINEL, and is not let in from a bundle.
+"""Limits of what a store writes. A bundle that exceeds one is refused, as no store wrote it.
 
-Numbers that grow by one with each change stop at their limit, so that a store into which the largest was brought
-writes nothing that another would refuse.
+Numbers that grow by one with each change stop at their limit, so that a store with the largest number never writes what
+another store would refuse.
 """
 
 MAX_NUMBER = 10**9  # of a version within its program
@@ -11,3 +11,6 @@ LAST_YEAR = 9998  # of a time: a day to spare at the end of the calendar for zon
 MAX_COUNT = 10**12
 # bytes of one text or blob: of a body of 4 MiB, with each number and letter written at its longest
 MAX_VALUE = 16 * 2**20
+MAX_NAME = 60  # letters
+MAX_NOTE = 1000  # letters
+MAX_SAMPLES = 200_000  # in a chunk of telemetry, and in all of a run: an hour has 108,000

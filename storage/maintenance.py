@@ -1,31 +1,28 @@
-"""Looks after the file while the app runs: a backup a day, none that holds what was deleted, and room on the disk."""
+"""Maintenance while the app runs: a daily backup, deletion from backups, integrity check, free space on the disk."""
 
 import contextlib
 import threading
 from collections.abc import Callable
-from datetime import UTC, datetime
+from datetime import datetime
 
 from storage.errors import StoreError
-from storage.opening import Notice
-from storage.places import Free, free_bytes
+from storage.file.filesystems import Free, free_bytes
+from storage.file.opening import Notice
 from storage.store import Store
+from storage.text import utc_now
 
 NEARLY_FULL = 500 * 10**6
 _ROOM_AGAIN = 550 * 10**6
-_FIRST_S = 15.0  # the start is over, and a group's first edits are not in its way
+_FIRST_S = 15.0  # after the start, and after a group's first edits
 _EVERY_S = 300.0
-_LOOKS_PER_BACKUP = 12  # an hour
+_CHECKS_PER_BACKUP = 12  # an hour
 
 
-def _utc_now() -> datetime:
-    return datetime.now(UTC)
-
-
-class Caretaker:
+class Maintenance:
     """Makes backups and watches the disk, on a thread of its own between `start` and `close`.
 
     Args:
-        on_change: told when there is something else to know, or with None that all is well again; on the thread.
+        on_change: called on the thread with another notice, or with None when all is well again.
         free: bytes that are free where a folder lies.
 
     Attributes:
@@ -37,7 +34,7 @@ class Caretaker:
         store: Store,
         on_change: Callable[[Notice | None], None] = lambda notice: None,
         *,
-        clock: Callable[[], datetime] = _utc_now,
+        clock: Callable[[], datetime] = utc_now,
         free: Free = free_bytes,
     ) -> None:
         self.notice: Notice | None = None
@@ -51,10 +48,12 @@ class Caretaker:
         self._thread: threading.Thread | None = None
 
     def start(self) -> None:
-        """Looks at the disk at once, at everything else later; does nothing for a file that cannot be written."""
+        """Checks the free space at once, everything else later; does nothing for a file that cannot be written."""
         if self._store.can_write:
-            self.look_at_disk()
-            self._thread = threading.Thread(target=self._work, name="store-caretaker", daemon=True)
+            self.check_space()
+            self._thread = threading.Thread(
+                target=self._work, name="store-maintenance", daemon=True
+            )
             self._thread.start()
 
     def close(self) -> None:
@@ -63,11 +62,11 @@ class Caretaker:
         if self._thread is not None:
             self._thread.join()
 
-    def look_at_disk(self) -> None:
+    def check_space(self) -> None:
         """Finds out whether the disk is nearly full."""
         try:
             free = self._free(self._store.path.parent)
-        except OSError:  # it says so itself when something is written
+        except OSError:  # writing will report it
             return
         if free < (_ROOM_AGAIN if self._space else NEARLY_FULL):
             folder = str(self._store.path.parent)
@@ -78,7 +77,7 @@ class Caretaker:
 
     def back_up(self) -> None:
         """Makes a backup if it is time for one."""
-        from storage.backups import folder_of, is_due, make_backup  # noqa: PLC0415 - after the start
+        from storage.file.backups import folder_of, is_due, make_backup  # noqa: PLC0415 - after the start
 
         path, now = self._store.path, self._clock()
         if not is_due(path, now):
@@ -87,9 +86,7 @@ class Caretaker:
             make_backup(path, now, free=self._free, stop=self._ended.is_set)
         except StoreError as error:
             self._backup = Notice(error.code, error.params)
-        except (
-            Exception
-        ) as error:  # whatever it is, people are told, and the next is tried in an hour
+        except Exception as error:  # any failure is shown, and the next attempt is in an hour
             self._backup = Notice(
                 "backup_failed", {"folder": str(folder_of(path)), "problem": str(error)}
             )
@@ -97,31 +94,31 @@ class Caretaker:
             self._backup = None
         self._tell()
 
-    def look_at_file(self) -> None:
-        """Finds damage that the start does not look for; what can be mended without loss is."""
-        if problem := self._store.mend(self._ended.is_set):
+    def check_integrity(self) -> None:
+        """Finds damage that the start does not look for; indexes that do not fit are made anew."""
+        if problem := self._store.check_and_reindex(self._ended.is_set):
             path = str(self._store.path)
             self._backup = Notice("backup_found_damage", {"path": path, "problem": problem})
             self._tell()
 
     def finish_removals(self) -> None:
-        """Backups lose what was deleted for good, where that was cut off; what cannot be done now is tried again."""
+        """Deletes from backups what was deleted for good, where that was cut off; a failure is tried again later."""
         with contextlib.suppress(StoreError):
             self._store.exchange.finish_removals(self._ended.is_set)
 
     def _work(self) -> None:
-        pause_s, n_looks = _FIRST_S, 0
+        pause_s, n_checks = _FIRST_S, 0
         while not self._ended.wait(pause_s):
-            self.look_at_disk()
-            if n_looks == 0:
-                self.look_at_file()
-            if n_looks % _LOOKS_PER_BACKUP == 0:
+            self.check_space()
+            if n_checks == 0:
+                self.check_integrity()
+            if n_checks % _CHECKS_PER_BACKUP == 0:
                 self.back_up()
             self.finish_removals()
-            pause_s, n_looks = _EVERY_S, n_looks + 1
+            pause_s, n_checks = _EVERY_S, n_checks + 1
 
     def _tell(self) -> None:
-        """A figure that changed is shown when somebody asks; only another notice is worth a word."""
+        """Reports another notice; not another figure within the same notice, which is read when it is shown."""
         before, self.notice = self.notice, self._space or self._backup
         if (before and before.code) != (self.notice and self.notice.code):
             self._on_change(self.notice)

@@ -6,25 +6,19 @@ numpy takes longer to load than the rest of the store: it is imported when first
 import threading
 import time
 from array import array
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from concurrent.futures import Future
 from concurrent.futures import TimeoutError as FutureTimeout
 from math import hypot
 from typing import Any
 
 from storage.errors import StoreError
-from storage.runs import Batch
+from storage.runs.runs import Batch
 from storage.store import Store
 
 Event = Mapping[str, Any]
 
 _EVERY_S = 1.0
-_AT_ONCE = (
-    "run_state",
-    "capture_started",
-    "asked",
-    "run_ended",
-)  # after these nothing may come for long
 _PATIENCE_S = 2.0
 _TRAIL_STEP_M = 0.01
 _RETRY_S = 1.5
@@ -47,7 +41,9 @@ class Recorder:
     run has ended. So a run never waits for the disk and loses nothing when room is made in time.
 
     Args:
-        on_change: told when writing fails, and with None when it works again.
+        on_change: called with the error when writing fails, and with None when it works again.
+        kept: types of event that are recorded, None for all.
+        urgent: types of event that are written at once, since nothing may follow them for long.
         later: calls after a delay in s unless it is cancelled; used only while something is unsaved.
 
     Attributes:
@@ -58,12 +54,16 @@ class Recorder:
         self,
         store: Store,
         on_change: Callable[[StoreError | None], None] = lambda problem: None,
+        *,
+        kept: Collection[str] | None = None,
+        urgent: Collection[str] = ("run_ended",),
         clock: Callable[[], float] = time.monotonic,
         later: Callable[[float, Callable[[], None]], Cancel] = _by_timer,
     ) -> None:
         self.problem: StoreError | None = None
         self._store = store
         self._on_change = on_change
+        self._kept, self._urgent = kept, urgent
         self._clock = clock
         self._flushed_at = clock()
         self._run = _Recording("")
@@ -79,11 +79,13 @@ class Recorder:
 
     def __call__(self, event: Event) -> None:
         """Records one event. Returns after `run_ended` only when the run is on disk, or cannot be."""
+        if self._kept is not None and event["type"] not in self._kept:
+            return
         with self._taking:
             if event["run"] != self._run.run_id:
                 self._run = _Recording(event["run"])
             self._run.add(event)
-        if event["type"] in _AT_ONCE or self._clock() - self._flushed_at >= _EVERY_S:
+        if event["type"] in self._urgent or self._clock() - self._flushed_at >= _EVERY_S:
             written = self.flush()
             if event["type"] == "run_ended":
                 _wait(written)
@@ -105,14 +107,14 @@ class Recorder:
 
     def _submit(self) -> "Future[list[Batch]]":
         written = self._store.record(self._waiting)
-        written.add_done_callback(self._settle)
+        written.add_done_callback(self._after_attempt)
         return written
 
     def _waiting(self) -> list[Batch]:
         with self._lock:
             return list(self._unsaved)
 
-    def _settle(self, written: "Future[list[Batch]]") -> None:
+    def _after_attempt(self, written: "Future[list[Batch]]") -> None:
         error = written.exception()
         problem = error if isinstance(error, StoreError) else None
         if error is None:
@@ -150,7 +152,7 @@ class Recorder:
 
 def warm_up() -> None:
     """Loads what the first run would have to wait for."""
-    from storage import outline, telemetry  # noqa: F401, PLC0415 - see above
+    from storage.runs import simplify_path, telemetry  # noqa: F401, PLC0415 - see above
 
 
 class _Recording:
@@ -164,8 +166,6 @@ class _Recording:
         self._trail = array("d")
 
     def add(self, event: Event) -> None:
-        if event["type"] == "ranges":  # only for those who look at it now
-            return
         if event["type"] != "telemetry":
             self._events.append(event)
             return
@@ -176,8 +176,8 @@ class _Recording:
         """All that is pending as a batch; None when there is nothing."""
         if not self._events and not self._samples:
             return None
-        from storage.outline import outline_of_trail  # noqa: PLC0415 - see above
-        from storage.telemetry import pack, rows_of  # noqa: PLC0415
+        from storage.runs.simplify_path import outline_of_trail  # noqa: PLC0415 - see above
+        from storage.runs.telemetry import pack, rows_of  # noqa: PLC0415
 
         batch = Batch(self.run_id, now, events=self._events)
         if self._samples:
@@ -199,7 +199,7 @@ class _Recording:
 
 
 def _wait(written: "Future[list[Batch]]") -> None:
-    """Gives the disk a moment; the page should find the run ended when it hears of the end."""
+    """Waits for the disk, but not for long: the page should read an ended run when it gets the event."""
     try:
         written.result(_PATIENCE_S)
     except (StoreError, FutureTimeout):

@@ -6,7 +6,6 @@ from typing import Any, NamedTuple
 from storage.text import readable_object, readable_points
 
 Json = dict[str, Any]
-NO_FAULTS: tuple["FaultRow", ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +25,7 @@ class GroupRow:
 
 @dataclass(frozen=True, slots=True)
 class ClassroomRow:
-    """A class of the school; `computer` is the PC where its oldest lesson was, None before there was one."""
+    """A class of the school; `computer` is the PC of its first lesson, None before that."""
 
     id: str
     name: str

@@ -1,40 +1,36 @@
-"""The store as a whole."""
+"""The store: all repositories of one open file."""
 
 import contextlib
 import sqlite3
 from collections.abc import Callable
 from concurrent.futures import Future
-from datetime import UTC, datetime
+from datetime import datetime
 from pathlib import Path
-from types import TracebackType
 from typing import TYPE_CHECKING
 
-from storage.checks import Checks
-from storage.classrooms import Classrooms
-from storage.computers import Computers
-from storage.connection import Access, uptime_s
 from storage.errors import StoreError
-from storage.groups import Groups
-from storage.history import History
-from storage.lessons import Lessons
-from storage.lessons_read import LessonRecords
-from storage.notes import Notes
-from storage.opening import Notice, connect, prepare, prepare_reading
-from storage.programs import Programs
-from storage.runs import Batch, Runs, close_runs, is_there, write_batch
-from storage.schema import migrate
-from storage.settings import Settings
-from storage.text import new_id
-from storage.versions import Versions
+from storage.file.connection import Database, uptime_s
+from storage.file.opening import Notice, connect, prepare, prepare_reading
+from storage.runs.grading import Checks
+from storage.runs.history import History
+from storage.runs.runs import Batch, Runs, close_runs, write_batch
+from storage.sql import Stop, exists
+from storage.tables.migrations import migrate
+from storage.text import new_id, utc_now
+from storage.work.classrooms import Classrooms
+from storage.work.computers import Computers
+from storage.work.groups import Groups
+from storage.work.lesson_records import LessonRecords
+from storage.work.lessons import Lessons
+from storage.work.notes import Notes
+from storage.work.programs import Programs
+from storage.work.settings import Settings
+from storage.work.versions import Versions
 
 if TYPE_CHECKING:
-    from storage.exchange import Exchange
+    from storage.exchange.exchange import Exchange
 
 Clock = Callable[[], datetime]
-
-
-def _utc_now() -> datetime:
-    return datetime.now(UTC)
 
 
 class Store:
@@ -44,34 +40,34 @@ class Store:
         notice: what a person should know about the file since it was opened, None when all is well.
     """
 
-    def __init__(self, access: Access, *, writable: bool, notice: Notice | None = None) -> None:
-        self._access = access
-        self.path = access.path
+    def __init__(self, database: Database, *, writable: bool, notice: Notice | None = None) -> None:
+        self._database = database
+        self.path = database.path
         self.writable = writable
         self.notice = notice
-        self.computers = Computers(access)
-        self.classrooms = Classrooms(access)
-        self.groups = Groups(access)
-        self.lessons = Lessons(access)
-        self.programs = Programs(access)
-        self.versions = Versions(access)
-        self.runs = Runs(access)
-        self.checks = Checks(access)
-        self.notes = Notes(access)
-        self.history = History(access)
-        self.lesson_records = LessonRecords(access)
-        self.settings = Settings(access)
+        self.computers = Computers(database)
+        self.classrooms = Classrooms(database)
+        self.groups = Groups(database)
+        self.lessons = Lessons(database)
+        self.programs = Programs(database)
+        self.versions = Versions(database)
+        self.runs = Runs(database)
+        self.checks = Checks(database)
+        self.notes = Notes(database)
+        self.history = History(database)
+        self.lesson_records = LessonRecords(database)
+        self.settings = Settings(database)
         self._interrupted: list[str] = []
         self._keep_alive: sqlite3.Connection | None = None
 
     def now(self) -> str:
         """The time as text."""
-        return self._access.now()
+        return self._database.now()
 
     @property
     def can_write(self) -> bool:
         """False for a file that cannot be written, and after closing."""
-        return self._access.can_write
+        return self._database.can_write
 
     @property
     def unfinished(self) -> bool:
@@ -80,37 +76,37 @@ class Store:
 
     @property
     def exchange(self) -> "Exchange":
-        """What goes from this file to others and comes from them."""
-        from storage.exchange import Exchange  # noqa: PLC0415 - most starts need none of it
+        """Exporting, merging and deleting for good."""
+        from storage.exchange.exchange import Exchange  # noqa: PLC0415 - most starts need none of it
 
-        return Exchange(self._access)
+        return Exchange(self._database)
 
-    def mend(self, stop: Callable[[], bool] = lambda: False) -> str | None:
-        """Looks at the whole file, which takes long; indexes that do not fit are made anew. What is wrong then."""
-        from storage.mending import mend  # noqa: PLC0415 - after the start
+    def check_and_reindex(self, stop: Stop = lambda: False) -> str | None:
+        """Checks the whole file, which takes long, and makes indexes anew that do not fit; see `integrity`."""
+        from storage.file.integrity import check_and_reindex  # noqa: PLC0415 - after the start
 
-        return mend(self._access, stop)
+        return check_and_reindex(self._database, stop)
 
     def listen(self, on_written: Callable[[], None]) -> None:
-        """Has it called after each write that is on disk, on the writer's thread; it must not raise or wait."""
-        self._access.listen(on_written)
+        """Calls it after each write that is on disk, on the writer's thread; it must not raise or wait."""
+        self._database.listen(on_written)
 
     def record(self, waiting: Callable[[], list[Batch]]) -> "Future[list[Batch]]":
-        """Writes what is waiting when its turn comes, in one transaction; the future gives what is on disk.
+        """Writes what `waiting` gives when the writer is free, in one transaction; the future gives what is on disk.
 
-        Batches of a run that is no longer there are done with too: they must not keep the others waiting.
+        Batches of a run that was deleted count as written: they must not hold up the others.
         """
-        now, interrupted = self._access.now(), self._interrupted
+        now, interrupted = self._database.now(), self._interrupted
 
         def write(db: sqlite3.Connection) -> list[Batch]:
             close_runs(db, interrupted, now)
             batches = waiting()
             for batch in batches:
-                if is_there(db, batch.run_id):
+                if exists(db, "runs", batch.run_id):
                     write_batch(db, batch)
             return batches
 
-        written = self._access.submit(write)
+        written = self._database.submit(write)
         if interrupted:
             written.add_done_callback(self._forget_interrupted)
         return written
@@ -119,7 +115,7 @@ class Store:
         """Ends the runs that the program before left `running`; later, with `record`, where the disk is full."""
         try:
             self.runs.close_interrupted()
-        except StoreError as error:  # must not keep what is there from being read
+        except StoreError as error:  # the file can still be read
             self.notice = self.notice or Notice(error.code, error.params)
             with contextlib.suppress(StoreError):
                 self._interrupted = self.runs.running()
@@ -130,29 +126,24 @@ class Store:
 
     def close(self) -> None:
         """Finishes what is queued and closes the file."""
-        self._access.close()
+        self._database.close()
         if self._keep_alive is not None:
             self._keep_alive.close()
 
     def __enter__(self) -> "Store":
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_error: object) -> None:
         self.close()
 
     @classmethod
     def without_file(cls, path: Path, refusal: StoreError) -> "Store":
-        """Stands in for a file that cannot be opened: empty to read, and every write says why."""
+        """A store in place of a file that cannot be opened: empty, and every write raises the refusal."""
         address = f"file:{new_id()}?mode=memory&cache=shared"
         keep_alive = connect(address)
         migrate(keep_alive)
         store = cls(
-            Access(path, address, refusal, _utc_now),
+            Database(path, address, refusal, utc_now),
             writable=False,
             notice=Notice(refusal.code, refusal.params),
         )
@@ -164,18 +155,18 @@ def open_store(
     path: Path,
     *,
     close_interrupted: bool = False,
-    clock: Clock = _utc_now,
+    clock: Clock = utc_now,
     uptime: Callable[[], float] = uptime_s,
 ) -> Store:
     """Opens the file, making it and its folder where there is none.
 
     A damaged file is set aside and its last good backup takes its place, or a new one is begun; a file that can
-    only be read is opened for reading. Both are told by `notice`.
+    only be read is opened for reading. `notice` says so in both cases.
 
     Args:
         close_interrupted: ends runs that are still `running`. Only for the one program that holds the lock of
             the data folder: another may be running one.
-        uptime: a clock in s that nobody sets.
+        uptime: a monotonic clock in s.
 
     Raises:
         StoreError: the file cannot be used at all; it is untouched.
@@ -183,7 +174,7 @@ def open_store(
     opened = prepare(path, clock())
     refusal = None if opened.writable else StoreError("database_read_only", path=str(path))
     store = Store(
-        Access(path, opened.address, refusal, clock, uptime),
+        Database(path, opened.address, refusal, clock, uptime),
         writable=opened.writable,
         notice=opened.notice,
     )
@@ -200,4 +191,4 @@ def open_for_reading(path: Path) -> Store:
     """
     opened = prepare_reading(path)
     refusal = StoreError("database_read_only", path=str(path))
-    return Store(Access(path, opened.address, refusal, _utc_now), writable=False)
+    return Store(Database(path, opened.address, refusal, utc_now), writable=False)

@@ -11,8 +11,8 @@ from datetime import UTC, datetime
 from typing import Any
 
 from storage.errors import StoreError
+from storage.limits import MAX_NAME
 
-MAX_NAME = 60
 _UNSEEN = ("Cf", "Cs")
 # within emoji and within words of several scripts
 _JOINERS = "\u200c\u200d"
@@ -21,7 +21,7 @@ _BLANKS = "\u115f\u1160\u3164\uffa0\u2800"
 
 
 class _Ids:
-    """UUIDv7 as RFC 9562 has them: a time of ms, then chance; the time goes on where the clock goes back."""
+    """UUIDv7 of RFC 9562: a time in ms, then random bits. The time increases even where the clock is set back."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -34,7 +34,7 @@ class _Ids:
         high, low = chance >> 62, chance & (2**62 - 1)
         return str(uuid.UUID(int=ms << 80 | 7 << 76 | high << 64 | 2 << 62 | low))
 
-    def go_on_after(self, newest: str) -> None:
+    def continue_after(self, newest: str) -> None:
         with self._lock, contextlib.suppress(ValueError):
             self._last_ms = max(self._last_ms, uuid.UUID(newest).int >> 80)
 
@@ -46,15 +46,20 @@ LAST_FOREIGN_ID = "06"
 
 
 def new_id() -> str:
-    """UUIDv7 text; each is greater than the one before, even when the clock goes back."""
+    """UUIDv7 text, greater than every one before, even when the clock is set back."""
     return _ids.next()
 
 
-def go_on_after(newest: str) -> None:
-    """Has all further ids be greater than this one, which the file had already: the PC may have started with an
-    earlier time than it had before. What is no id changes nothing."""
+def continue_after(newest: str) -> None:
+    """Makes all further ids greater than this one, which the file has already: the PC may have started with an
+    earlier time than before. A text that is no id changes nothing."""
     if newest < LAST_ID:
-        _ids.go_on_after(newest)
+        _ids.continue_after(newest)
+
+
+def utc_now() -> datetime:
+    """The PC's clock."""
+    return datetime.now(UTC)
 
 
 def time_text(moment: datetime) -> str:

@@ -9,6 +9,8 @@ from typing import Any
 
 from hypothesis import strategies as st
 
+from pinel_desktop.program.sensors import SENSORS, Sensor
+
 Document = dict[str, Any]
 Strategy = st.SearchStrategy[Any]
 
@@ -37,6 +39,26 @@ def _node(key: str, value: Strategy, **more: Strategy) -> Strategy:
     return st.fixed_dictionaries({key: value, **more})
 
 
+def readings(gives: str, computed: Strategy | None = None) -> Strategy:
+    """What sensors of a type measure; numbers that they are asked are written out, or computed where that is given."""
+    return st.one_of([_reading(one, computed) for one in SENSORS.values() if one.gives == gives])
+
+
+def _reading(sensor: Sensor, computed: Strategy | None) -> Strategy:
+    argument = sensor.argument
+    if argument is None:
+        return st.just({"sensor": sensor.name})
+    if argument.choices:
+        asked: Strategy = st.sampled_from(argument.choices)
+    elif argument.whole:
+        asked = st.integers(int(argument.low), int(argument.high))
+    else:
+        asked = st.floats(argument.low, argument.high)
+    if computed is not None and not argument.choices:
+        asked = st.one_of(asked, computed)
+    return _node("sensor", st.just(sensor.name), **{argument.name: asked})
+
+
 class _Language:
     """Strategies for one place in a program: `functions` (name -> parameters) may be called there."""
 
@@ -46,7 +68,9 @@ class _Language:
         self.names = st.one_of(NUMBER_NAMES, *own)
         calls = [self._call(name, "call") for name in functions]
         self.numbers = st.recursive(
-            st.one_of(NUMBERS, self.names.map(lambda name: {"var": name}), _sensors(), *calls),
+            st.one_of(
+                NUMBERS, self.names.map(lambda name: {"var": name}), readings("number"), *calls
+            ),
             self._calculations,
             max_leaves=4,
         )
@@ -71,16 +95,7 @@ class _Language:
             st.builds(_op, st.just("random_int"), st.integers(-5, 5), st.integers(-5, 5)),
             st.builds(_op, st.just("length"), st.one_of(self.texts(), self.lists())),
             st.builds(_op, st.just("item"), self.lists(), st.integers(0, 3)),
-            _node(
-                "sensor",
-                st.just("sonar"),
-                index=st.one_of(st.integers(0, 15), inner.map(_computed)),
-            ),
-            _node(
-                "sensor",
-                st.just("lidar"),
-                angle=st.one_of(st.floats(-90, 90), inner.map(_computed)),
-            ),
+            readings("number", inner.map(_computed)),
         )
 
     def texts(self) -> Strategy:
@@ -89,7 +104,7 @@ class _Language:
             TEXTS,
             joined.map(lambda args: _op("join", *args)),
             st.just({"gesture": "result"}),
-            st.sampled_from(["floor", "cell"]).map(lambda sensor: {"sensor": sensor}),
+            readings("text"),
             st.just({"var": "t"}),
         )
 
@@ -99,7 +114,7 @@ class _Language:
     def conditions(self) -> Strategy:
         simple = st.one_of(
             st.booleans(),
-            st.just({"sensor": "bumper"}),
+            readings("boolean"),
             st.just({"var": "yes"}),
             st.builds(_op, st.sampled_from(["<", "<=", ">", ">="]), self.numbers, self.numbers),
             st.builds(_op, st.sampled_from(["==", "!="]), self.texts(), self.texts()),
@@ -191,14 +206,6 @@ def _command(action: str, **parameters: Strategy) -> Strategy:
 def _for(number: Strategy, names: Strategy, body: Strategy) -> Strategy:
     loop = _command("for", variable=names, to=number, by=number, commands=body)
     return st.builds(lambda command, start: {**command, "from": start}, loop, number)
-
-
-def _sensors() -> Strategy:
-    directions = st.sampled_from(["front", "left", "right", "back"])
-    return st.one_of(
-        st.sampled_from(["x", "y", "heading", "time"]).map(lambda sensor: {"sensor": sensor}),
-        _node("sensor", st.just("distance"), direction=directions),
-    )
 
 
 def _motions(number: Strategy) -> list[Strategy]:

@@ -19,7 +19,7 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.instance import AlreadyRunningError, Instance
 from pinel_desktop.paths import data_folder, database_path
 from storage import RunStart, open_store
-from storage.backups import make_backup
+from storage.file.backups import make_backup
 from tests.storage.sample_runs import ended, sample
 from tests.web.browser import Browser
 from tests.web.fake_engine import FakeEngine
@@ -215,7 +215,7 @@ def test_a_disk_that_is_nearly_full_is_said_while_everything_is_still_being_save
     with browser.stream() as events:
         events.next()
         room[0] = 10**12
-        app._caretaker.look_at_disk()
+        app._maintenance.check_space()
         assert events.next()["code"] == "keeping_well_again"
     assert status_of(app)["database"]["notice"] is None
 
@@ -238,7 +238,9 @@ def test_a_file_that_another_program_holds_too_long_is_said_in_words_and_free_ag
 ) -> None:
     app = start_app()
     browser = Browser.signed_in(app.address)
-    app._store._access.submit(lambda db: db.execute("PRAGMA busy_timeout = 50").fetchone()).result()
+    app._store._database.submit(
+        lambda db: db.execute("PRAGMA busy_timeout = 50").fetchone()
+    ).result()
     with closing(sqlite3.connect(database, isolation_level=None)) as other:
         other.execute("BEGIN EXCLUSIVE")
         answer = browser.post("/api/groups", {"name": "A"})

@@ -13,7 +13,7 @@ import pytest
 from pinel_desktop.app import App
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.web.models.events import StreamEvent
-from tests.web.browser import Browser, Stream
+from tests.web.browser import Answer, Browser, Stream
 
 SQUARE = json.loads((Path(__file__).parent / "programs" / "square.json").read_text("utf-8"))
 READY_S = 30.0
@@ -50,6 +50,10 @@ def begun(browser: Browser, version_id: str, world: str = "empty_room") -> str:
     assert answer.status == 200, answer.body
     run: str = answer.data["id"]
     return run
+
+
+def command(browser: Browser, run: str, do: str, **more: Any) -> Answer:
+    return browser.post(f"/api/runs/{run}/commands", {"do": do, **more})
 
 
 def events_of(
@@ -136,7 +140,7 @@ def test_a_stopped_run_is_kept_as_stopped(browser: Browser) -> None:
         stream.next()
         run = begun(browser, version_id)
         stream.until("telemetry")
-        assert browser.post(f"/api/runs/{run}/stop").status == 200
+        assert command(browser, run, "stop").status == 200
         end = stream.until("run_ended")[-1]
     assert end["state"] == "stopped"
     assert browser.get(f"/api/runs/{run}").data["state"] == "stopped"
@@ -148,13 +152,13 @@ def test_a_paused_run_waits_and_goes_on(browser: Browser) -> None:
         stream.next()
         run = begun(browser, version_id)
         stream.until("telemetry")
-        browser.post(f"/api/runs/{run}/pause")
+        command(browser, run, "pause")
         while stream.until("run_state")[-1]["state"] != "paused":
             pass
-        browser.post(f"/api/runs/{run}/resume")
+        command(browser, run, "resume")
         while stream.until("run_state")[-1]["state"] != "running":
             pass
-        browser.post(f"/api/runs/{run}/stop")
+        command(browser, run, "stop")
         stream.until("run_ended")
 
 
@@ -169,7 +173,7 @@ def test_a_capture_is_answered_by_hand(browser: Browser) -> None:
         stream.next()
         run = begun(browser, version_id)
         stream.until("capture_started")
-        assert browser.post(f"/api/runs/{run}/capture", {"result": "B"}).status == 200
+        assert command(browser, run, "answer_capture", result="B").status == 200
         events = stream.until("run_ended")
     (result,) = [event for event in events if event["type"] == "gesture_result"]
     assert (result["result"], result["source"]) == ("B", "capture")

@@ -5,13 +5,16 @@ from pathlib import Path
 import pytest
 
 import pinel_desktop
-from pinel_desktop.messages import LANGUAGES, catalogue, describe, language_of_system
-from pinel_desktop.program.plans import TAKES
-from pinel_desktop.program.translation import WRONG_TYPE, range_code
+from pinel_desktop.messages import FIRST, LANGUAGES, catalogue, describe, language_of_system
+from pinel_desktop.program.signatures import TAKES, range_code
+from pinel_desktop.program.translation import WRONG_TYPE
 
 PACKAGE = Path(pinel_desktop.__file__).parent
-FILES = sorted((PACKAGE / "messages" / "catalogue").glob("*.json"))
+FOLDER = PACKAGE / "messages" / "catalogue"
+AREAS = sorted(file.name for file in (FOLDER / FIRST).iterdir())
 PLACEHOLDER = re.compile(r"\{(\w+)\}")
+
+NOTHING = re.compile(r"(?!)")
 
 # words that docs/terms.md has another one for
 FORBIDDEN = {
@@ -33,34 +36,50 @@ TO_ONE = {
 }
 
 
+def area(language: str, name: str) -> dict[str, dict[str, str]]:
+    entries: dict[str, dict[str, str]] = json.loads((FOLDER / language / name).read_text("utf-8"))
+    return entries
+
+
+@pytest.mark.parametrize("name", AREAS)
+def test_every_language_has_the_same_areas_with_the_same_codes_in_the_same_order(name: str) -> None:
+    for language in LANGUAGES:
+        assert sorted(file.name for file in (FOLDER / language).iterdir()) == AREAS
+        assert list(area(language, name)) == list(area(FIRST, name))
+
+
 def test_no_code_stands_in_two_areas() -> None:
-    codes = [code for file in FILES for code in json.loads(file.read_text("utf-8"))]
+    codes = [code for name in AREAS for code in area(FIRST, name)]
     assert sorted(codes) == sorted(set(codes))
 
 
-@pytest.mark.parametrize("code", sorted(catalogue()))
+def test_a_code_stands_on_one_line() -> None:
+    for file in FOLDER.glob("*/*.json"):
+        lines = file.read_text("utf-8").splitlines()
+        assert len(lines) == len(json.loads("\n".join(lines))) + 2, file
+
+
+@pytest.mark.parametrize("code", sorted(catalogue(FIRST)))
 def test_every_code_has_words_in_every_language_with_the_same_values(code: str) -> None:
-    entry = catalogue()[code]
-    assert set(entry) == set(LANGUAGES)
+    entry = {language: catalogue(language)[code] for language in LANGUAGES}
     assert all(words["message"].strip() for words in entry.values())
     # good news and labels need no remedy, but then in no language
     assert len({bool(words["remedy"].strip()) for words in entry.values()}) == 1
     used = [set(PLACEHOLDER.findall(w["message"] + w["remedy"])) for w in entry.values()]
-    assert used[0] == used[1] == used[2]
+    assert all(values == used[0] for values in used)
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_thing_is_called_by_its_one_word(language: str) -> None:
-    said = {code: " ".join(entry[language].values()) for code, entry in catalogue().items()}
-    assert {code: text for code, text in said.items() if FORBIDDEN[language].search(text)} == {}
+    said = {code: " ".join(words.values()) for code, words in catalogue(language).items()}
+    forbidden = FORBIDDEN.get(language, NOTHING)
+    assert {code: text for code, text in said.items() if forbidden.search(text)} == {}
 
 
 @pytest.mark.parametrize("language", sorted(TO_ONE))
 def test_pupils_are_spoken_to_as_a_group(language: str) -> None:
-    files = [file for file in FILES if file.name in TO_PUPILS]
-    assert len(files) == len(TO_PUPILS)
-    entries = [entry for file in files for entry in json.loads(file.read_text("utf-8")).values()]
-    remedies = [entry[language]["remedy"] for entry in entries]
+    entries = [entry for name in TO_PUPILS for entry in area(language, name).values()]
+    remedies = [entry["remedy"] for entry in entries]
     assert [text for text in remedies if TO_ONE[language].search(text)] == []
 
 
@@ -79,14 +98,14 @@ def test_every_code_that_the_program_raises_has_words() -> None:
     assert (
         "distance_out_of_range" not in codes
     )  # made from the parameter's name, so it is checked below
-    assert codes - set(catalogue()) == set()
-    assert [code for code in codes if not catalogue()[code]["pt-BR"]["remedy"]] == []
+    assert codes - set(catalogue(FIRST)) == set()
+    assert [code for code in codes if not catalogue(FIRST)[code]["remedy"]] == []
 
 
 def test_every_range_in_the_language_has_words() -> None:
     codes = {range_code(name, takes) for (_, name), takes in TAKES.items() if takes.is_bounded}
     codes |= {f"wrong_type_{kind}" for kind in WRONG_TYPE.values()}
-    assert codes <= set(catalogue())
+    assert codes <= set(catalogue(FIRST))
 
 
 def test_values_are_put_in_literally_whatever_they_hold() -> None:
@@ -107,7 +126,7 @@ def test_numbers_have_the_decimal_sign_of_their_language_and_long_texts_are_cut(
 @pytest.mark.parametrize("name", ["path", "folder", "file"])
 def test_the_place_of_a_file_is_told_whole(name: str) -> None:
     place = "C:\\Users\\Laboratório de Informática\\" + "Turma 9B\\" * 20 + "programa.json"
-    codes = [code for code, words in catalogue().items() if f"{{{name}}}" in words["es"]["message"]]
+    codes = [code for code, words in catalogue("es").items() if f"{{{name}}}" in words["message"]]
     assert codes
     for code in codes:
         assert place in describe(code, {name: place}, "es").message

@@ -4,7 +4,7 @@ A value is given exactly, or as {"equals", "within"}, {"min"} and {"max"}; `head
 those of the final pose, `said` is what the program said. `world` and `gestures` are what the program is run with.
 
 Each program is there three times: as a document, as Python (python/NAME.py) and as blocks with what the generator of
-the page makes of them (blocks/NAME.json, held by ui/src/loader/programs.test.ts).
+the page makes of them (blocks/NAME.json, held by ui/src/blocks/loader/programs.test.ts).
 """
 
 import json
@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 from pinel_desktop.execution.executor import RunOptions, RunResult, execute
-from pinel_desktop.execution.gestures import ScriptedGestures
+from pinel_desktop.execution.inputs import ScriptedInputs
 from pinel_desktop.links import open_link
 from pinel_desktop.program.python_text import read_python, write_python
 from pinel_desktop.program.reading import Reading, read_document
@@ -37,7 +37,7 @@ def run(reading: Reading, values: dict[str, Any]) -> RunResult:
     program = reading.program
     assert program is not None
     link = open_link("sim", world=values.get("world", "empty_room"))
-    return execute(program, link, RunOptions(gestures=ScriptedGestures(values.get("gestures", []))))
+    return execute(program, link, RunOptions(inputs=ScriptedInputs(values.get("gestures", []))))
 
 
 def measured(result: RunResult) -> dict[str, Any]:

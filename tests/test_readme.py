@@ -61,6 +61,32 @@ def test_every_folder_named_exists(page: str) -> None:
         assert (ROOT / folder).is_dir(), folder
 
 
+def paths_named_in_a_row(row: str) -> list[str]:
+    """Paths of one row of ARCHITECTURE.md. A name without a folder lies in the folder of the path before it."""
+    paths: list[str] = []
+    folder = ""
+    for path in re.findall(r"`([\w./-]+(?:/|\.(?:py|ts|tsx|css|json)))`", row):
+        whole = path if "/" in path or not folder else f"{folder}/{path}"
+        folder = whole.rstrip("/").rpartition("/")[0] if not whole.endswith("/") else whole[:-1]
+        paths.append(whole)
+    return paths
+
+
+def test_every_path_that_the_architecture_names_exists() -> None:
+    """Words in capitals stand for any name: `commands/NAME.py`."""
+    rows = re.findall(r"^\| .*\|$", text_of("ARCHITECTURE.md"), re.M)
+    named = [path for row in rows for cell in row.split("|") for path in paths_named_in_a_row(cell)]
+    assert len(named) > 100
+    for path in named:
+        pattern = re.sub(r"\b[A-Z]{2,}\b", "*", path).rstrip("/")
+        roots = (ROOT, ROOT / "pinel_desktop", ROOT / "ui" / "src")
+        assert any(any(root.glob(pattern)) for root in roots), path
+
+
+def test_the_architecture_is_short() -> None:
+    assert len(text_of("ARCHITECTURE.md").splitlines()) <= 150
+
+
 def test_both_readmes_have_the_same_two_commands_first() -> None:
     first = [re.findall(r"^make \w+", text_of(page), re.M)[:2] for page in PAGES[:2]]
     assert first == [["make run", "make test"]] * 2
@@ -77,11 +103,12 @@ def test_ci_does_what_make_test_does() -> None:
     assert (ROOT / ".ci" / "run").stat().st_mode & 0o111
 
 
-def worked_example() -> list[tuple[str, str]]:
-    """The pieces of CONTRIBUTING's example: a file, and what stands in it."""
-    return re.findall(
-        r"^ +`([\w/.-]+)`\n +```\w+\n(.*?)^ +```$", text_of("CONTRIBUTING.md"), re.M | re.S
-    )
+def worked_example(of: str = "") -> list[tuple[str, str]]:
+    """The pieces of CONTRIBUTING's examples, all or those of one: a file, and what stands in it."""
+    text = text_of("CONTRIBUTING.md")
+    if of:
+        text = re.split(r"^\*\*", text.split(f"\n**{of}**")[1], flags=re.M)[0]
+    return re.findall(r"^ +`([\w/.-]+)`\n +```\w+\n(.*?)^ +```$", text, re.M | re.S)
 
 
 def unindented(text: str) -> str:
@@ -89,10 +116,34 @@ def unindented(text: str) -> str:
     return "\n".join(line.strip() for line in text.strip().splitlines())
 
 
-def test_the_example_of_a_block_goes_through_all_layers() -> None:
-    folders = {file.split("/")[0] + "/" + file.split("/")[1] for file, _ in worked_example()}
-    assert len(worked_example()) == 7
-    assert {"pinel_desktop/program", "pinel_desktop/execution", "ui/src"} <= folders
+@pytest.mark.parametrize(
+    ("change", "folders"),
+    [
+        ("A block", ["program", "execution", "blocks", "i18n", "blocks"]),
+        ("A sensor", ["program", "links", "i18n"]),
+        ("A robot link", ["links", "links", "tests"]),
+        ("An event", ["events", "execution"]),
+        ("A request of the page", ["models", "api", "api"]),
+        ("A route and a screen", ["shell", "teacher", "i18n"]),
+        ("A language", ["i18n", "catalogue", "worlds"]),
+    ],
+)
+def test_the_example_of_a_change_names_each_place_in_its_order(
+    change: str, folders: list[str]
+) -> None:
+    files = [file for file, _ in worked_example(change)]
+    assert len(files) == len(folders)
+    for file, folder in zip(files, folders, strict=True):
+        assert folder in file.split("/")
+
+
+def test_the_example_of_a_column_has_three_places() -> None:
+    files = [file for file, _ in worked_example("A column that travels between PCs")]
+    assert files == [
+        "storage/tables/ddl.py",
+        "storage/tables/replicated.py",
+        "storage/records.py",
+    ]
 
 
 @pytest.mark.parametrize(("file", "piece"), worked_example())

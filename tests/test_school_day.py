@@ -10,7 +10,7 @@ import psutil
 import pytest
 
 from pinel_desktop.app import App
-from storage.backups import list_backups
+from storage.file.backups import list_backups
 from tests.storage.sample_runs import block_started, ended, sample
 from tests.web.browser import Browser
 from tests.web.conftest import SQUARE
@@ -32,7 +32,7 @@ class Day:
         self._browser = Browser.signed_in(app.address)
         app._recorder._clock = lambda: self._now_s
         start = datetime.now(UTC)
-        app._caretaker._clock = lambda: start + timedelta(seconds=self._now_s)
+        app._maintenance._clock = lambda: start + timedelta(seconds=self._now_s)
         self.n_edits = self.n_runs = 0
 
     def lesson(self, name: str) -> None:
@@ -44,8 +44,8 @@ class Day:
                 self._run(version)
         for page in (f"/api/groups/{group}/runs", f"/api/programs/{program}", "/api/status"):
             assert self._browser.get(page).status == 200
-        self._app._caretaker.look_at_disk()
-        self._app._caretaker.back_up()
+        self._app._maintenance.check_space()
+        self._app._maintenance.back_up()
 
     def _burst(self, program: str) -> str:
         for _ in range(EDITS_A_BURST):

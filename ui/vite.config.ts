@@ -39,9 +39,35 @@ function fontsEarly(): Plugin {
   };
 }
 
+/**
+ * The texts of the chosen language must be there before the first drawing, without another journey to the server: for
+ * each language a page that fetches them beside the code. `pinel_desktop/web/page.py` chooses among them.
+ */
+function pagePerLanguage(): Plugin {
+  return {
+    name: "pinel-page-per-language",
+    apply: "build",
+    enforce: "post",
+    generateBundle(_options, bundle) {
+      const html = bundle["index.html"];
+      if (html?.type !== "asset") throw new Error("there is no index.html");
+      for (const chunk of Object.values(bundle)) {
+        if (chunk.type !== "chunk") continue;
+        const [, tag] = /i18n\/([\w-]+)\/start\.ts$/.exec(chunk.facadeModuleId ?? "") ?? [];
+        if (!tag) continue;
+        const texts = `<script type="module" crossorigin src="/${chunk.fileName}"></script>\n    `;
+        const source = String(html.source)
+          .replace(/<html lang="[\w-]+">/, `<html lang="${tag}">`)
+          .replace('<script type="module"', `${texts}<script type="module"`);
+        this.emitFile({ type: "asset", fileName: `index.${tag}.html`, source });
+      }
+    },
+  };
+}
+
 export default defineConfig({
   base: "/",
-  plugins: [blocklyMedia(), fontsEarly()],
+  plugins: [blocklyMedia(), fontsEarly(), pagePerLanguage()],
   build: {
     outDir: here("../pinel_desktop/web/static"),
     emptyOutDir: true,
@@ -56,6 +82,7 @@ export default defineConfig({
   server: { fs: { allow: [here("..")] } },
   test: {
     environment: "jsdom",
+    setupFiles: ["src/i18n/all_languages.ts"],
     include: ["src/**/*.test.ts", "src/**/*.test.tsx", "test/**/*.test.ts"],
   },
 });

@@ -7,15 +7,14 @@ from pinel_desktop.activities.checks import Evidence, Witness, holds
 from pinel_desktop.activities.faults import world_of
 from pinel_desktop.activities.model import Activity, Case
 from pinel_desktop.events.model import Event
-from pinel_desktop.execution.answers import ScriptedAnswers
 from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.execution.control import RunControl
-from pinel_desktop.execution.executor import RunOptions, execute
-from pinel_desktop.execution.gestures import ScriptedGestures
-from pinel_desktop.links import open_link
+from pinel_desktop.execution.inputs import ScriptedInputs
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.reading import Reading
 from pinel_desktop.robot import Setting
+from pinel_desktop.runs.spec import RunSpec
+from pinel_desktop.runs.start import start
 from sim.world import world_from_document
 
 
@@ -68,9 +67,15 @@ def check_program(activity: Activity, reading: Reading, program: str = "") -> Re
 def _case(activity: Activity, case: Case, reading: Reading) -> CaseReport:
     assert reading.program is not None
     assert reading.document is not None
-    setting = Setting(activity.model, activity.preset, activity.feedback)
     document = world_of(activity)
-    link = open_link("sim", world=document, setting=setting, seed=case.seed)
+    spec = RunSpec(
+        document=reading.document,
+        world=document,
+        setting=Setting(activity.model, activity.preset, activity.feedback),
+        seed=case.seed,
+        inputs=ScriptedInputs(case.gestures, case.answers),
+        program=reading.program,
+    )
     witness = Witness(world_from_document(document))
     control, last_tick = RunControl(), round(activity.limit_s * TICK_HZ)
 
@@ -79,15 +84,7 @@ def _case(activity: Activity, case: Case, reading: Reading) -> CaseReport:
         if tick >= last_tick:
             control.stop()
 
-    options = RunOptions(
-        observer=observe,
-        control=control,
-        gestures=ScriptedGestures(case.gestures),
-        answers=ScriptedAnswers(case.answers),
-        seed=case.seed,
-        robot=setting.robot,
-    )
-    result = execute(reading.program, link, options)
+    result = start(spec, observe, control)
     ended = result.ended
     evidence = Evidence(reading.document, result, witness)
     checks = [

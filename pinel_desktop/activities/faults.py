@@ -11,7 +11,7 @@ from pinel_desktop.activities.model import Activity
 from pinel_desktop.errors import PinelError
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.model import action_names
-from pinel_desktop.program.places import pointer
+from pinel_desktop.program.pointers import pointer
 from pinel_desktop.program.translation import WRONG_TYPE, path_of_error
 from pinel_desktop.robot import ROBOTS
 from pinel_desktop.worlds import read_own_world

@@ -1,7 +1,7 @@
 """What an activity may hold: a world, what is given to the program, and what has to be so in the end.
 
 Every kind of check is a model here with its tag, a function in `checks.py`, words in
-`messages/catalogue/activities.json` and a row in docs/activities.md.
+`messages/catalogue/LANGUAGE/activities.json` and a row in docs/activities.md.
 """
 
 from typing import Annotated, Any, Literal
@@ -10,6 +10,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 from pydantic_core import PydanticCustomError
 
 from pinel_desktop.robot import PIONEER_3DX, Feedback, Preset
+from sim.document import LanguageTag
 
 _Name = Annotated[str, Field(min_length=1, max_length=64)]
 _Metres = Annotated[float, Field(ge=-100, le=100)]
@@ -131,10 +132,11 @@ class Case(_Model):
 
 
 class Title(_Model):
-    """One text in the three languages."""
+    """One text in each language."""
 
-    model_config = ConfigDict(populate_by_name=True)
+    model_config = ConfigDict(extra="allow", populate_by_name=True)
 
+    __pydantic_extra__: dict[LanguageTag, Annotated[str, Field(max_length=200)]] = Field(init=False)
     pt_br: Annotated[str, Field(alias="pt-BR", max_length=200)]
     en: Annotated[str, Field(max_length=200)]
     es: Annotated[str, Field(max_length=200)]

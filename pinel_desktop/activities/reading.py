@@ -12,6 +12,8 @@ from pydantic import ValidationError
 from pinel_desktop.activities.faults import ActivityError, faults_of_form, unfulfillable
 from pinel_desktop.activities.model import Activity
 from pinel_desktop.errors import PinelError
+from pinel_desktop.messages import FIRST
+from pinel_desktop.program.duplicates import duplicate_key_faults
 from pinel_desktop.program.faults import Fault
 from sim.world import list_worlds
 
@@ -33,7 +35,8 @@ def activity_names() -> list[str]:
 
 def activity_titles(language: str) -> dict[str, str]:
     """What each activity that ships is called in a language, by its name."""
-    return {name: one.title.model_dump(by_alias=True)[language] for name, one in _shipped().items()}
+    titles = {name: one.title.model_dump(by_alias=True) for name, one in _shipped().items()}
+    return {name: title.get(language, title[FIRST]) for name, title in titles.items()}
 
 
 def shipped_texts() -> list[str]:
@@ -80,11 +83,12 @@ def read_activity(text: str | bytes) -> tuple[Activity | None, tuple[Fault, ...]
         return None, (Fault("activity_syntax", params=params),)
     except (ValueError, RecursionError):  # not UTF-8, a number of thousands of digits, or a nest
         return None, (Fault("activity_syntax", params={"line": 1, "column": 1}),)
+    doubled = duplicate_key_faults(text)
     try:
         activity = Activity.model_validate(document)
     except ValidationError as error:
-        return None, faults_of_form(document, error)
-    return activity, unfulfillable(activity)
+        return None, (*doubled, *faults_of_form(document, error))
+    return activity, (*doubled, *unfulfillable(activity))
 
 
 def is_file(name_or_file: str) -> bool:

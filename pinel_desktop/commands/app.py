@@ -19,11 +19,11 @@ from typing import TYPE_CHECKING, Any, TextIO
 
 import click
 
+from pinel_desktop.commands.printing import print_problem
 from pinel_desktop.errors import PinelError
 from pinel_desktop.instance import Instance
-from pinel_desktop.messages import describe
 from pinel_desktop.paths import database_path
-from pinel_desktop.web.front import Front
+from pinel_desktop.web.early_server import EarlyServer
 
 if TYPE_CHECKING:
     from pinel_desktop.app import App
@@ -53,9 +53,9 @@ def _serve(db: str, messages: Iterator[Message], send: Callable[..., None]) -> N
         return
     # the page first: the window loads it while the rest is being imported
     with _loading():
-        front = Front()
-        send(type="address", address=front.guard.fresh_link())
-        app = _started(database_path(db), front, send)
+        server = EarlyServer()
+        send(type="address", address=server.guard.fresh_link())
+        app = _started(database_path(db), server, send)
     if app is not None:
         _answer(app, messages, send)
 
@@ -77,12 +77,12 @@ def _loading() -> Iterator[None]:
         sys.setswitchinterval(usual_s)
 
 
-def _started(database: Path, front: Front, send: Callable[..., None]) -> "App | None":
+def _started(database: Path, server: EarlyServer, send: Callable[..., None]) -> "App | None":
     from pinel_desktop.app import App  # noqa: PLC0415 - see above
 
     app = App(
         database,
-        front=front,
+        early_server=server,
         instance=Instance.of_parent(database),
         engine_after_s=_ENGINE_AFTER_S,
         on_show=lambda: send(type="show"),
@@ -90,7 +90,7 @@ def _started(database: Path, front: Front, send: Callable[..., None]) -> "App | 
     try:
         app.start()
     except PinelError as error:
-        front.close()
+        server.close()
         send(type="failed", code=error.code, params=error.params)
         return None
     return app
@@ -107,8 +107,7 @@ def _answer(app: "App", messages: Iterator[Message], send: Callable[..., None]) 
 
 def _tell_notice(app: "App") -> None:
     if app.notice is not None:
-        words = describe(app.notice.code, app.notice.params, app.language)
-        click.echo(f"{words.message} {words.remedy}".strip(), err=True)
+        print_problem(app.notice, app.language)
 
 
 def _messages(lines: TextIO) -> Iterator[Message]:

@@ -14,9 +14,10 @@ from pinel_desktop.activities import (
     check_files,
     choose_activity,
 )
+from pinel_desktop.commands.printing import print_problem
 from pinel_desktop.commands.program_file import place_of, say_faults
 from pinel_desktop.errors import PinelError
-from pinel_desktop.messages import describe, language_of_system
+from pinel_desktop.messages import describe, explain, language_of_system
 
 _MOST_FAULTS = 5
 _MOST_FAULTS_OF_ACTIVITY = 50
@@ -57,15 +58,14 @@ def command(
     if not as_json:
         click.echo(f"{n_passed}/{len(reports)}")
     if not is_whole:
-        words = describe("check_interrupted", {"done": len(reports), "of": len(files)}, language)
-        click.echo(f"{words.message} {words.remedy}", err=True)
+        interrupted = PinelError("check_interrupted", done=len(reports), of=len(files))
+        print_problem(interrupted, language)
         ctx.exit(_INTERRUPTED)
     ctx.exit(_PASSED if n_passed == len(reports) else _NOT_PASSED)
 
 
 def _say(error: PinelError, language: str) -> None:
-    words = describe(error.code, error.params, language)
-    click.echo(f"{words.message} {words.remedy}", err=True)
+    print_problem(error, language)
     if isinstance(error, ActivityError):
         say_faults(error.faults[:_MOST_FAULTS_OF_ACTIVITY], language)
 
@@ -101,18 +101,17 @@ def _lines(report: Report, language: str) -> list[str]:
     """What came of one program, for people: only what does not hold is told."""
     lines = [f"{'+' if report.passed else '-'} {report.program}"]
     for fault in report.faults[:_MOST_FAULTS]:
-        words = describe(fault.code, fault.params, language)
         place = place_of(fault.pointer, fault.params, language)
-        lines.append(f"    {place}: {words.message} {words.remedy}")
+        lines.append(f"    {place}: {explain(fault, language).line}")
     if len(report.faults) > _MOST_FAULTS:
         lines.append(f"    … (+{len(report.faults) - _MOST_FAULTS})")
     for i, case in enumerate(report.cases):
         where = f"{i + 1}. " if len(report.cases) > 1 else ""
         if case.reason is not None:
             words = describe(case.reason, case.params, language)
-            lines.append(f"    {where}{words.message} {words.remedy}")
+            lines.append(f"    {where}{words.line}")
         for check in case.checks:
             if not check.holds:
                 words = describe(f"check_{check.kind}", check.params, language)
-                lines.append(f"    {where}{words.message} {words.remedy}")
+                lines.append(f"    {where}{words.line}")
     return lines

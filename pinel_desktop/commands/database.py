@@ -1,32 +1,56 @@
-"""The database as commands use it that write to it, also while the app has it open."""
+"""The database as commands use it, also while the app has it open; what goes wrong with it is told in words."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from pinel_desktop.commands.failure import Failure
+from pinel_desktop.commands.printing import Failure
 from pinel_desktop.errors import PinelError
 from storage import Store, StoreError, open_for_reading, open_store
 
 
 @contextmanager
+def opened_for_reading(path: Path) -> Iterator[Store]:
+    """The store of a file that is there, to be read only."""
+    with _failures():
+        _require(path)
+        with open_for_reading(path) as store:
+            yield store
+
+
+@contextmanager
 def opened_store(path: Path, *, may_be_new: bool) -> Iterator[Store]:
-    """The store of a file that is as it should be; what goes wrong with it is told in words.
+    """The store of a file that is as it should be.
 
     A damaged file is not touched: the app, when it opens it, sets it aside and says so.
     """
-    try:
-        if path.is_file() and path.stat().st_size:
-            _look_at(path)
+    with _failures():
+        if _has_content(path):
+            _require_sound(path)
         elif not may_be_new:
-            raise PinelError("database_missing", path=str(path))
+            _require(path)
         with open_store(path) as store:
             yield store
+
+
+@contextmanager
+def _failures() -> Iterator[None]:
+    try:
+        yield
     except (PinelError, StoreError) as error:
         raise Failure(error) from error
 
 
-def _look_at(path: Path) -> None:
+def _has_content(path: Path) -> bool:
+    return path.is_file() and path.stat().st_size > 0
+
+
+def _require(path: Path) -> None:
+    if not _has_content(path):
+        raise PinelError("database_missing", path=str(path))
+
+
+def _require_sound(path: Path) -> None:
     try:
         open_for_reading(path).close()
     except StoreError as error:

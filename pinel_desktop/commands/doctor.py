@@ -6,20 +6,18 @@ from typing import Any
 import click
 
 from pinel_desktop import __version__
-from pinel_desktop.doctor import Finding, Level, examine
-from pinel_desktop.messages import describe, language_of_system
-from pinel_desktop.paths import database_path
+from pinel_desktop.commands.options import chosen_database, database_option
+from pinel_desktop.doctor.examination import Finding, Level, examine
+from pinel_desktop.messages import describe, explain, language_of_system
 
 _COLOURS: dict[Level, str] = {"ok": "green", "warn": "yellow", "fail": "red"}
 
 
 @click.command()
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
-@click.option(
-    "--db", type=click.Path(dir_okay=False), help="Database file instead of the user's own."
-)
+@database_option
 @click.pass_context
-def command(ctx: click.Context, as_json: bool, db: str | None) -> None:
+def command(ctx: click.Context, as_json: bool) -> None:
     """Say what this PC has and lacks.
 
     Exit status: 0 when PINEL can work here, 1 when something that it needs is missing.
@@ -28,7 +26,7 @@ def command(ctx: click.Context, as_json: bool, db: str | None) -> None:
     if not as_json:
         click.echo(describe("doctor_title", {"version": __version__}, language).message)
     findings = []
-    for finding in examine(database_path(db or (ctx.obj or {}).get("db"))):
+    for finding in examine(chosen_database(ctx)):
         findings.append(finding)
         if not as_json:
             _print(finding, language)
@@ -53,7 +51,7 @@ def _verdict(findings: list[Finding]) -> str:
 
 
 def _print(finding: Finding, language: str) -> None:
-    words = describe(finding.code, finding.params, language)
+    words = explain(finding, language)
     mark = describe(f"doctor_{finding.level}", {}, language).message
     click.echo(click.style(f"[{mark}]", fg=_COLOURS[finding.level]) + f" {words.message}")
     if words.remedy:
@@ -61,7 +59,7 @@ def _print(finding: Finding, language: str) -> None:
 
 
 def _as_object(finding: Finding, language: str) -> dict[str, Any]:
-    words = describe(finding.code, finding.params, language)
+    words = explain(finding, language)
     return {
         "about": finding.about,
         "level": finding.level,

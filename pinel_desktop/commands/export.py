@@ -13,21 +13,19 @@ import click
 
 from pinel_desktop import __version__
 from pinel_desktop.activities.reading import shipped_texts
-from pinel_desktop.bundle_names import nameless
-from pinel_desktop.commands.store_file import opened_store
+from pinel_desktop.commands.database import opened_store
+from pinel_desktop.commands.options import chosen_database, database_option
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, language_of_system
-from pinel_desktop.paths import database_path
 from storage import Store, StoreError
-from storage.bundles import SUFFIX, BundleInfo, Scope
+from storage.exchange.bundle_writing import SUFFIX, BundleInfo
+from storage.exchange.scope import Scope
 from storage.text import name_key, new_id
 
 
 @click.command()
 @click.argument("dest", type=click.Path(path_type=Path))
-@click.option(
-    "--db", type=click.Path(dir_okay=False), help="Database file instead of the user's own."
-)
+@database_option
 @click.option("--class", "classroom", help="Only this class (name or key).")
 @click.option("--group", help="Only this group (name or key).")
 @click.option("--program", help="Only this program (name or key).")
@@ -43,7 +41,6 @@ def command(
     ctx: click.Context,
     /,
     dest: Path,
-    db: str | None,
     anonymous: bool,
     parquet: bool,
     as_json: bool,
@@ -56,10 +53,11 @@ def command(
     named = [name for name in wanted.values() if name is not None]
     if len(named) > 1:
         raise click.UsageError("--class, --group and --program cannot be combined")
-    with opened_store(database_path(db or ctx.obj["db"]), may_be_new=False) as store:
+    with opened_store(chosen_database(ctx), may_be_new=False) as store:
         scope = _scope(store, **wanted)
         computer = _computer(store)
-        name = nameless(language_of_system()) if anonymous else "-".join([computer[1], *named])
+        nameless = describe("file_without_names", {}, language_of_system()).message
+        name = nameless if anonymous else "-".join([computer[1], *named])
         exchange = store.exchange
         write = exchange.export_parquet if parquet else exchange.export
         info = write(
@@ -103,7 +101,7 @@ def _found(wanted: str, rows: Sequence[_Named]) -> str:
 def _computer(store: Store) -> tuple[str, str]:
     """Key and name of this PC, or of none where they cannot be kept."""
     try:
-        return store.computers.here()
+        return store.computers.this()
     except StoreError:
         return new_id(), platform.node() or "PC"
 
@@ -125,4 +123,4 @@ def _in_words(info: BundleInfo) -> str:
     if not info.left_out:
         return words
     missing = describe("export_left_out", {"count": len(info.left_out)}, language)
-    return f"{words}\n{missing.message} {missing.remedy}"
+    return f"{words}\n{missing.line}"

@@ -9,13 +9,13 @@ from typing import Any
 
 import click
 
-from pinel_desktop.commands.store_file import opened_store
-from pinel_desktop.messages import describe, language_of_system
-from pinel_desktop.paths import database_path
+from pinel_desktop.commands.database import opened_store
+from pinel_desktop.commands.options import chosen_database, database_option
+from pinel_desktop.messages import describe, explain, language_of_system
 from storage import Store, StoreError
-from storage.bundles import SUFFIX
-from storage.merging import MergeReport
-from storage.removal import Doomed
+from storage.exchange.bundle_writing import SUFFIX
+from storage.exchange.deletion import PendingDeletion
+from storage.exchange.merging import MergeReport
 
 _REFUSED = 2
 
@@ -29,9 +29,7 @@ class _Outcome:
 
 @click.command()
 @click.argument("files", nargs=-1, required=True, type=click.Path(path_type=Path))
-@click.option(
-    "--db", type=click.Path(dir_okay=False), help="Database file instead of the user's own."
-)
+@database_option
 @click.option(
     "--delete",
     is_flag=True,
@@ -39,15 +37,13 @@ class _Outcome:
 )
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @click.pass_context
-def command(
-    ctx: click.Context, files: tuple[Path, ...], db: str | None, delete: bool, as_json: bool
-) -> None:
+def command(ctx: click.Context, files: tuple[Path, ...], delete: bool, as_json: bool) -> None:
     """Bring in the work of other PCs; FILES were written by `pinel export`, or are folders of such files.
 
     The order does not matter, and what was merged before changes nothing. Ends with 2 when a file was refused; the
     others are merged all the same.
     """
-    with opened_store(database_path(db or ctx.obj["db"]), may_be_new=True) as store:
+    with opened_store(chosen_database(ctx), may_be_new=True) as store:
         outcomes = []
         for file in _all(files):
             outcomes.append(_merged(store, file, delete=delete))
@@ -81,7 +77,7 @@ def _merged(store: Store, file: Path, *, delete: bool) -> _Outcome:
 def _in_words(outcome: _Outcome) -> str:
     report, error = outcome.report, outcome.error
     if error is not None:
-        words = describe(error.code, error.params, language_of_system())
+        words = explain(error)
         return f"{words.message}\n{words.remedy}"
     assert report is not None
     params: dict[str, Any] = {"file": outcome.file.name, "computer": report.info.computer_name}
@@ -101,8 +97,8 @@ def _in_words(outcome: _Outcome) -> str:
     return "\n".join(lines)
 
 
-def _would_delete(doomed: Doomed) -> tuple[str, str]:
-    words = describe("merge_would_delete", asdict(doomed), language_of_system())
+def _would_delete(pending_deletion: PendingDeletion) -> tuple[str, str]:
+    words = describe("merge_would_delete", asdict(pending_deletion), language_of_system())
     return words.message, words.remedy
 
 
@@ -121,7 +117,7 @@ def _of_file(outcome: _Outcome) -> dict[str, Any]:
     report, error = outcome.report, outcome.error
     if report is None:
         assert error is not None
-        words = describe(error.code, error.params, language_of_system())
+        words = explain(error)
         told = {"code": error.code, "message": words.message, "remedy": words.remedy}
         detail = error.params.get("problem")  # what the library or the check found, untranslated
         return {"file": str(outcome.file), "error": {**told, "detail": detail}}

@@ -4,26 +4,23 @@ from collections.abc import Sequence
 
 import click
 
-from pinel_desktop.commands.store_file import opened_store
+from pinel_desktop.commands.database import opened_store
+from pinel_desktop.commands.options import chosen_database, database_option
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, language_of_system
-from pinel_desktop.paths import database_path
-from pinel_desktop.teacher import TeacherDoor, check_format
+from pinel_desktop.school.teacher import TeacherDoor, check_format
 
 
 @click.command()
 @click.option("--forget", is_flag=True, help="Take the PIN away; the page asks for another.")
-@click.option(
-    "--db", type=click.Path(dir_okay=False), help="Database file instead of the user's own."
-)
+@database_option
 @click.pass_context
-def command(ctx: click.Context, forget: bool, db: str | None) -> None:
+def command(ctx: click.Context, forget: bool) -> None:
     """Choose another PIN for the teacher; the old one is not asked for.
 
     It works while PINEL is open. Whoever may write the database file may choose the PIN (docs/teacher.md).
     """
-    path = database_path(db or (ctx.obj or {}).get("db"))
-    with opened_store(path, may_be_new=True) as store:
+    with opened_store(chosen_database(ctx), may_be_new=True) as store:
         door = TeacherDoor(store.settings)
         if forget:
             door.forget()

@@ -3,8 +3,7 @@
 import sys
 from collections.abc import Mapping
 
-import click
-
+from pinel_desktop.commands.printing import print_problem
 from pinel_desktop.messages import describe
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.limits import MAX_BYTES
@@ -33,6 +32,4 @@ def place_of(pointer: str, params: Mapping[str, object], language: str) -> str:
 def say_faults(faults: tuple[Fault, ...], language: str) -> None:
     """Says on standard error what is wrong, one line for each fault."""
     for fault in faults:
-        words = describe(fault.code, fault.params, language)
-        place = place_of(fault.pointer, fault.params, language)
-        click.echo(f"{place}: {words.message} {words.remedy}", err=True)
+        print_problem(fault, language, place=place_of(fault.pointer, fault.params, language))

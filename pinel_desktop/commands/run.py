@@ -3,32 +3,41 @@
 import csv
 import json
 import math
+from pathlib import Path
 from typing import Any
 
 import click
 
 from pinel_desktop import __version__
+from pinel_desktop.commands.options import chosen_database, database_option
+from pinel_desktop.commands.printing import print_problem
 from pinel_desktop.commands.program_file import place_of, read_file
 from pinel_desktop.commands.world_file import ChosenWorld, WorldFileError, choose_world
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, EventStamp
-from pinel_desktop.execution.answers import ScriptedAnswers
-from pinel_desktop.execution.clock import LiveClock, MaxClock
-from pinel_desktop.execution.executor import Observer, RunOptions, execute
-from pinel_desktop.execution.gestures import ScriptedGestures
+from pinel_desktop.events.types import KEPT, URGENT
+from pinel_desktop.execution.inputs import ScriptedInputs
 from pinel_desktop.execution.summary import faulty_object, run_object, unbegun_object
-from pinel_desktop.links import LINK_NAMES, open_link
-from pinel_desktop.messages import describe, language_of_system
-from pinel_desktop.paths import database_path
-from pinel_desktop.plotting import Curves, draw, plot_format
+from pinel_desktop.links import LINK_NAMES
+from pinel_desktop.messages import describe, explain, language_of_system
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.reading import Reading
 from pinel_desktop.robot import FEEDBACKS, PIONEER_3DX, PRESETS, ROBOTS, Setting
-from storage import Notice, Recorder, RunStart, Store, StoreError, open_store
+from pinel_desktop.runs.plotting import Curves, draw, plot_format
+from pinel_desktop.runs.record import record_of
+from pinel_desktop.runs.spec import RunSpec
+from pinel_desktop.runs.start import all_of, start
+from storage import Recorder, RunStart, Store, StoreError, open_store
 
 _LONGEST_VALUE = 200  # of a variable, for people; --json gives it whole
 _FINISHED, _NOT_FINISHED, _INVALID = 0, 1, 2
-_INVALID_REASONS = ("invalid_program", "invalid_world", "unknown_world", "plot_ending")
+_INVALID_REASONS = (
+    "invalid_program",
+    "invalid_world",
+    "unknown_world",
+    "plot_ending",
+    "plot_missing",
+)
 
 
 @click.command()
@@ -96,17 +105,15 @@ _INVALID_REASONS = ("invalid_program", "invalid_world", "unknown_world", "plot_e
     help="Draw path, position, heading and control signals into a picture (.png, .svg, .pdf).",
 )
 @click.option("--no-store", is_flag=True, help="Do not keep the run.")
-@click.option(
-    "--db", type=click.Path(dir_okay=False), help="Database file instead of the user's own."
-)
+@database_option
 @click.pass_context
 def command(
-    ctx: click.Context, /, file: str, as_json: bool, no_store: bool, db: str | None, **options: Any
+    ctx: click.Context, /, file: str, as_json: bool, no_store: bool, **options: Any
 ) -> None:
     """Run a program and print its result.
 
     FILE is a program document or a bare list of commands, as JSON, or Python text; - is standard input. Exit status:
-    0 finished, 1 failed or stopped, 2 the program or the world has faults or cannot be read, or no plot is called so.
+    0 finished, 1 failed or stopped, 2 the program or the world has faults or cannot be read, or no plot can be drawn.
     """
     language = language_of_system()
     wrong = _wrong_plot(options["plot"])
@@ -117,9 +124,9 @@ def command(
         summary = _unbegun(wrong, language)
     else:
         for warning in reading.warnings:
-            _warn(warning, language, warning.pointer)
-        keeper = None if no_store else _open_keeper(db or (ctx.obj or {}).get("db"), language)
-        summary = _run(reading, keeper, language, **options)
+            print_problem(warning, language, place=warning.pointer)
+        recording = None if no_store else _open_recording(chosen_database(ctx), language)
+        summary = _run(reading, recording, language, **options)
     click.echo(
         json.dumps(summary, ensure_ascii=False) if as_json else "\n".join(_lines(summary, language))
     )
@@ -127,7 +134,7 @@ def command(
 
 
 def _wrong_plot(file: str | None) -> PinelError | None:
-    """Why no picture can be called that, before anything is run for it."""
+    """Why no picture can be drawn, before anything is run for it."""
     if file is not None:
         try:
             plot_format(file)
@@ -150,7 +157,7 @@ def _faulty(reading: Reading, language: str) -> dict[str, Any]:
 
 
 def _fault_object(fault: Fault, language: str) -> dict[str, Any]:
-    words = describe(fault.code, fault.params, language)
+    words = explain(fault, language)
     return {
         "code": fault.code,
         "pointer": fault.pointer,
@@ -162,71 +169,64 @@ def _fault_object(fault: Fault, language: str) -> dict[str, Any]:
 
 
 def _run(
-    reading: Reading, keeper: "_Keeper | None", language: str, **options: Any
+    reading: Reading, recording: "_Recording | None", language: str, **options: Any
 ) -> dict[str, Any]:
-    program, document = reading.program, reading.document
-    assert program is not None
-    assert document is not None
+    curves = Curves() if options["plot"] else None
     try:
         world = choose_world(options["world"], robot=options["model"])
-        link = open_link(
-            options["robot"],
-            world=world.document,
-            setting=_setting(options),
-            seed=options["seed"],
+        spec = _spec(reading, world, options)
+        if recording is not None:
+            recording.will_keep(_record(spec, world, options))
+        result = start(
+            spec, all_of(*(part.observe for part in (recording, curves) if part is not None))
         )
     except PinelError as error:
         return _unbegun(error, language)
-    if keeper is not None:
-        keeper.begin(document, world, options)
-    curves = Curves() if options["plot"] else None
-    setup = RunOptions(
-        observer=_all_of(*(seer.observe for seer in (keeper, curves) if seer is not None)),
-        clock=LiveClock() if options["pace"] == "live" else MaxClock(),
-        gestures=ScriptedGestures(_results(options["gestures"])),
-        answers=ScriptedAnswers(_answers(options["answers"])),
-        seed=options["seed"],
-        robot=_setting(options).robot,
-    )
-    result = execute(program, link, setup)
     ended = result.ended
     if curves is not None:
-        _draw(curves, options["plot"], program.name, language)
+        _draw(curves, options["plot"], reading.program.name if reading.program else "", language)
     message = describe(ended.reason, ended.params, language).message if ended.reason else None
-    run_id = keeper.close() if keeper else None
+    run_id = recording.close() if recording else None
     return run_object(result, run_id, message)
 
 
-def _all_of(*observers: Observer) -> Observer | None:
-    """One observer for all; None where there is none, which is faster."""
-    if len(observers) < 2:
-        return observers[0] if observers else None
+def _spec(reading: Reading, world: ChosenWorld, options: dict[str, Any]) -> RunSpec:
+    assert reading.document is not None
+    return RunSpec(
+        document=reading.document,
+        world=world.document,
+        link=options["robot"],
+        setting=Setting(options["model"], options["preset"], options["feedback"]),
+        seed=options["seed"],
+        inputs=ScriptedInputs(_results(options["gestures"]), _answers(options["answers"])),
+        pace=options["pace"],
+        program=reading.program,
+    )
 
-    def observe(tick: int, event: Event) -> None:
-        for observer in observers:
-            observer(tick, event)
 
-    return observe
+def _record(spec: RunSpec, world: ChosenWorld, options: dict[str, Any]) -> RunStart:
+    inputs = {
+        "gestures": _results(options["gestures"]),
+        "answers": _answers(options["answers"]),
+    }
+    more = {"pace": spec.pace, **inputs}
+    return record_of(spec, world_name=world.name, app_version=__version__, more=more)
 
 
 def _draw(curves: Curves, file: str, title: str, language: str) -> None:
     try:
         draw(curves, file, title=title, language=language)
     except PinelError as error:
-        _warn(error, language)
+        print_problem(error, language, place="pinel")
 
 
 def _unbegun(error: PinelError, language: str) -> dict[str, Any]:
     faults = error.faults if isinstance(error, WorldFileError) else ()
     return unbegun_object(
         error.code,
-        describe(error.code, error.params, language).message,
+        explain(error, language).line,
         [_fault_object(fault, language) for fault in faults],
     )
-
-
-def _setting(options: dict[str, Any]) -> Setting:
-    return Setting(options["model"], options["preset"], options["feedback"])
 
 
 def _results(text: str) -> list[str]:
@@ -244,65 +244,52 @@ def _answers(texts: tuple[str, ...]) -> list[str]:
     return found
 
 
-class _Keeper:
+class _Recording:
     """Records a run in the database. What goes wrong with it is said and does not end the run."""
 
     def __init__(self, store: Store, language: str) -> None:
         self._store, self._language = store, language
         self._recorder: Recorder | None = None
         self._stamp = EventStamp("")
+        self._start: RunStart | None = None
 
-    def begin(self, document: dict[str, Any], world: ChosenWorld, options: dict[str, Any]) -> None:
-        start = RunStart(
-            link=options["robot"],
-            world=world.name,
-            world_document=world.document,
-            seed=options["seed"],
-            app_version=__version__,
-            document=document,
-            parameters={
-                **_setting(options).as_parameters(),
-                "pace": options["pace"],
-                "gestures": _results(options["gestures"]),
-                "answers": _answers(options["answers"]),
-            },
-        )
+    def will_keep(self, start: RunStart) -> None:
+        """Keeps the run from its first event on: one that cannot begin leaves nothing behind."""
+        self._start = start
+
+    def observe(self, tick: int, event: Event) -> None:
+        if self._start is not None:
+            self._begin(self._start)
+            self._start = None
+        if self._recorder is not None:
+            self._recorder(self._stamp.wire(tick, event))
+
+    def _begin(self, start: RunStart) -> None:
         try:
             self._stamp = EventStamp(self._store.runs.begin(start).id)
         except StoreError as error:
-            _warn(error, self._language)
+            print_problem(error, self._language, place="pinel")
             return
-        self._recorder = Recorder(self._store)
-
-    def observe(self, tick: int, event: Event) -> None:
-        if self._recorder is not None:
-            self._recorder(self._stamp.wire(tick, event))
+        self._recorder = Recorder(self._store, kept=KEPT, urgent=URGENT)
 
     def close(self) -> str | None:
         """Finishes writing; the run's id, None when it could not be kept."""
         problem = self._recorder.problem if self._recorder else None
         self._store.close()
         if problem is not None:
-            _warn(problem, self._language)
+            print_problem(problem, self._language, place="pinel")
         return self._stamp.run if self._recorder and problem is None else None
 
 
-def _open_keeper(db: str | None, language: str) -> _Keeper | None:
+def _open_recording(database: Path, language: str) -> _Recording | None:
     try:
-        store = open_store(database_path(db))
+        store = open_store(database)
     except StoreError as error:
-        _warn(error, language)
+        print_problem(error, language, place="pinel")
         return None
     if store.notice is not None:
-        _warn(store.notice, language)
-    return _Keeper(store, language)
-
-
-def _warn(
-    problem: StoreError | PinelError | Notice | Fault, language: str, place: str = "pinel"
-) -> None:
-    words = describe(problem.code, problem.params, language)
-    click.echo(f"{place}: {words.message} {words.remedy}", err=True)
+        print_problem(store.notice, language, place="pinel")
+    return _Recording(store, language)
 
 
 def _lines(summary: dict[str, Any], language: str) -> list[str]:

@@ -2,21 +2,19 @@
 
 import json
 import re
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from pinel_desktop.commands.failure import Failure
+from pinel_desktop.commands.database import opened_for_reading
+from pinel_desktop.commands.options import chosen_database, database_option
 from pinel_desktop.errors import PinelError
-from pinel_desktop.messages import describe, language_of_system
-from pinel_desktop.paths import database_path
-from storage import RunRow, Store, StoreError, open_for_reading
+from pinel_desktop.messages import describe, explain, language_of_system
+from storage import RunRow, Store, StoreError
 
 if TYPE_CHECKING:
-    from pinel_desktop.verification import Verdict
+    from pinel_desktop.runs.verification import Verdict
 
 _ID = re.compile(r"[0-9a-f-]+")
 _FIGURES = (
@@ -35,13 +33,9 @@ _FIGURES = (
 
 
 @click.group()
-@click.option(
-    "--db", type=click.Path(dir_okay=False), help="Database file instead of the user's own."
-)
-@click.pass_context
-def command(ctx: click.Context, db: str | None) -> None:
+@database_option
+def command() -> None:
     """List, show and verify recorded runs."""
-    ctx.obj = {"db": db or (ctx.obj or {}).get("db")}
 
 
 @command.command("list")
@@ -52,7 +46,7 @@ def command(ctx: click.Context, db: str | None) -> None:
 @click.pass_context
 def list_runs(ctx: click.Context, limit: int, as_json: bool) -> None:
     """List runs, newest first."""
-    with _opened(ctx) as store:
+    with opened_for_reading(chosen_database(ctx)) as store:
         rows = store.runs.newest(limit)
     for row in rows:
         click.echo(json.dumps(_as_object(row), ensure_ascii=False) if as_json else _line(row))
@@ -64,7 +58,7 @@ def list_runs(ctx: click.Context, limit: int, as_json: bool) -> None:
 @click.pass_context
 def show_run(ctx: click.Context, run: str, as_json: bool) -> None:
     """Show one run. RUN is its id, or a beginning of it that no other run shares."""
-    with _opened(ctx) as store:
+    with opened_for_reading(chosen_database(ctx)) as store:
         row = _found(store, run)
         n_events = len(store.runs.events(row.id))
     if as_json:
@@ -85,9 +79,9 @@ def verify(ctx: click.Context, run: str, as_json: bool) -> None:
     RUN is as for `show`. All that is kept of it is compared. Exit status: 0 the same, 1 not the same, changed, or not
     to be repeated.
     """
-    from pinel_desktop.verification import verify_run  # noqa: PLC0415 - the simulator, for this one only
+    from pinel_desktop.runs.verification import verify_run  # noqa: PLC0415 - the simulator, for this one only
 
-    with _opened(ctx) as store:
+    with opened_for_reading(chosen_database(ctx)) as store:
         row = _found(store, run)
         verdict = verify_run(store, row)
     if as_json:
@@ -98,7 +92,7 @@ def verify(ctx: click.Context, run: str, as_json: bool) -> None:
         words = describe(code, params, language)
         click.echo(f"{row.id}  {verdict.outcome}\n{words.message}")
         for part in verdict.parts:
-            click.echo(f"- {describe(part.code, part.params, language).message}")
+            click.echo(f"- {explain(part, language).message}")
         click.echo(words.remedy)
     ctx.exit(1 if verdict.outcome in ("different", "altered") else 0)
 
@@ -117,19 +111,6 @@ def _in_words(verdict: "Verdict", row: RunRow) -> tuple[str, dict[str, Any]]:
         "repeated": round(first.repeated, 5),
         "version": row.app_version,
     }
-
-
-@contextmanager
-def _opened(ctx: click.Context) -> Iterator[Store]:
-    """The store, to look at only; what goes wrong with it is told in words."""
-    path = database_path(ctx.obj["db"])
-    try:
-        if not path.is_file() or path.stat().st_size == 0:
-            raise PinelError("database_missing", path=str(path))
-        with open_for_reading(path) as store:
-            yield store
-    except (PinelError, StoreError) as error:
-        raise Failure(error) from error
 
 
 def _found(store: Store, run: str) -> RunRow:
@@ -163,5 +144,5 @@ def _details(row: RunRow) -> list[str]:
     ]
     if row.reason:
         words = describe(row.reason, row.params, language_of_system())
-        lines.append(f"  {row.reason}: {words.message} {words.remedy}")
+        lines.append(f"  {row.reason}: {words.line}")
     return lines

@@ -8,10 +8,11 @@ from contextlib import contextmanager
 import click
 
 from pinel_desktop.app import App
+from pinel_desktop.commands.options import chosen_database, database_option
+from pinel_desktop.commands.printing import Failure, print_problem
 from pinel_desktop.errors import PinelError
 from pinel_desktop.instance import AlreadyRunningError
-from pinel_desktop.messages import describe, language_of_system
-from pinel_desktop.paths import database_path
+from pinel_desktop.messages import describe
 
 
 @click.command()
@@ -22,33 +23,29 @@ from pinel_desktop.paths import database_path
     show_default=True,
     help="Port; 0 takes a free one.",
 )
-@click.option(
-    "--db", type=click.Path(dir_okay=False), help="Database file instead of the user's own."
-)
+@database_option
 @click.pass_context
-def command(ctx: click.Context, port: int, db: str | None) -> None:
+def command(ctx: click.Context, port: int) -> None:
     """Serve the page without a window and print its address.
 
     The address works once and on this PC only; start the command again for a fresh one. Ends with Ctrl+C.
     Exit status: 0, or 1 when the page cannot be served.
     """
-    app = App(database_path(db or (ctx.obj or {}).get("db")), port=port)
+    app = App(chosen_database(ctx), port=port)
     try:
         _serve(app)
     except AlreadyRunningError as first:
-        _say("already_running", first.params, language_of_system())
+        print_problem(first)
         click.echo(first.running.fresh_link())
     except PinelError as error:
-        words = describe(error.code, error.params, language_of_system())
-        click.echo(f"{words.message}\n{words.remedy}", err=True)
-        ctx.exit(1)
+        raise Failure(error) from error
 
 
 def _serve(app: App) -> None:
     with _signals() as told, app:
         if app.notice is not None:
-            _say(app.notice.code, app.notice.params, app.language)
-        _say("serving", {}, app.language)
+            print_problem(app.notice, app.language)
+        click.echo(describe("serving", {}, app.language).line, err=True)
         click.echo(app.address)
         told.recv(1)
 
@@ -67,8 +64,3 @@ def _signals() -> Iterator[socket.socket]:
             yield told
         finally:
             signal.set_wakeup_fd(-1)
-
-
-def _say(code: str, params: dict[str, object], language: str) -> None:
-    words = describe(code, params, language)
-    click.echo(f"{words.message} {words.remedy}".strip(), err=True)

@@ -1,7 +1,7 @@
 """`pinel` without a subcommand: the app in its window; and `pinel --self-check`.
 
-This process shows the window and owns the lock; the app runs in another (desktop/backstage.py) and loads while
-the window is drawn. Nothing heavy may be imported at the top of this file.
+This process shows the window and owns the lock; the app runs in another (desktop/app_process.py) and loads while
+the window is drawn. What is imported at the top of this file holds up the start of that process.
 """
 
 import gc
@@ -9,13 +9,14 @@ import json
 import signal
 import threading
 from types import FrameType
+from typing import TYPE_CHECKING
 
-from pinel_desktop.desktop.backstage import Backstage
-from pinel_desktop.desktop.ending import end_process
-from pinel_desktop.desktop.presenter import Presenter
+from pinel_desktop.desktop.app_process import AppProcess
 from pinel_desktop.errors import PinelError
-from pinel_desktop.messages import describe, language_of_system
 from pinel_desktop.paths import database_path
+
+if TYPE_CHECKING:
+    from pinel_desktop.desktop.presenter import Presenter
 
 # The toolkit and its libraries stay: looking for garbage among them all the while takes a tenth of their import.
 _OBJECTS_BETWEEN_COLLECTIONS = 50_000
@@ -28,24 +29,28 @@ def open_app(db: str | None) -> int:
     """
     gc.set_threshold(_OBJECTS_BETWEEN_COLLECTIONS)
     presenters: list[Presenter] = []
-    backstage = Backstage(
+    app = AppProcess(
         database_path(db),
         on_show=lambda: presenters[0].show() if presenters else None,
         on_lost=lambda: presenters[0].close() if presenters else None,
     )
+    # while the other process is loading
+    from pinel_desktop.desktop.ending import end_process  # noqa: PLC0415
+
     try:
-        status = _open(backstage, db, presenters)
+        status = _open(app, db, presenters)
     except PinelError as error:
-        _say(error.code, error.params, language_of_system())
+        _print_words(error)
         status = 1
     finally:
-        backstage.close()
+        app.close()
     end_process(status)
     return status
 
 
-def _open(backstage: Backstage, db: str | None, presenters: list[Presenter]) -> int:
+def _open(app: AppProcess, db: str | None, presenters: "list[Presenter]") -> int:
     # while the other process is loading
+    from pinel_desktop.desktop.presenter import Presenter  # noqa: PLC0415
     from pinel_desktop.instance import AlreadyRunningError, Instance  # noqa: PLC0415
 
     instance = Instance(database_path(db))
@@ -53,25 +58,26 @@ def _open(backstage: Backstage, db: str | None, presenters: list[Presenter]) -> 
         instance.acquire()
     except AlreadyRunningError as first:
         first.running.show()
-        _say(first.code, first.params, language_of_system())
+        _print_words(first)
         _print(first.running.fresh_link())
         return 0
     try:
-        backstage.start()
-        presenter = Presenter(backstage.address, backstage.language, say=_say_line, give=_print)
+        app.start()
+        presenter = Presenter(app.address, app.language, say=_print_error, give=_print)
         presenters.append(presenter)
         _end_at_signal(presenter)
         presenter.run()
-        if backstage.failure is not None:
-            raise backstage.failure
+        if app.failure is not None:
+            raise app.failure
     finally:
-        backstage.close()
+        app.close()
         instance.release()
     return 0
 
 
 def self_check(db: str | None) -> int:
     """Tries window, simulator and store once and prints one JSON object; the exit status is 0 when all is well."""
+    from pinel_desktop.desktop.ending import end_process  # noqa: PLC0415
     from pinel_desktop.desktop.self_check import check  # noqa: PLC0415 - only the package's test needs it
 
     result = check(database_path(db) if db else None)
@@ -81,7 +87,7 @@ def self_check(db: str | None) -> int:
     return status
 
 
-def _end_at_signal(presenter: Presenter) -> None:
+def _end_at_signal(presenter: "Presenter") -> None:
     """For the ways without a toolkit of their own; a native window hears the signals itself."""
 
     def end(number: int, frame: FrameType | None) -> None:
@@ -92,12 +98,13 @@ def _end_at_signal(presenter: Presenter) -> None:
             signal.signal(number, end)
 
 
-def _say(code: str, params: dict[str, object], language: str) -> None:
-    words = describe(code, params, language)
-    _say_line(f"{words.message} {words.remedy}".strip())
+def _print_words(error: PinelError) -> None:
+    from pinel_desktop.messages import explain  # noqa: PLC0415 - see _print
+
+    _print_error(explain(error).line)
 
 
-def _say_line(line: str) -> None:
+def _print_error(line: str) -> None:
     _print(line, err=True)
 
 

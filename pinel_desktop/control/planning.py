@@ -21,7 +21,7 @@ CELL_M = 0.05
 TIGHT_M, COMFORTABLE_M = 0.02, 0.15
 _MARGIN_M = 1.5  # around everything known, to go around the outside of it
 _MAX_CELLS = 250_000
-_BREATH = 500  # cells looked at between two breaths: some milliseconds
+_SLICE = 500  # cells looked at between two yields: some milliseconds
 _LEAVING_M = 0.3  # so near its start a robot may be closer than tight: it stands there already
 _SAMPLE_M = 0.03
 _STEPS = tuple(
@@ -140,7 +140,7 @@ class _Grid:
                 continue
             done.add(here)
             n_seen += 1
-            if n_seen % _BREATH == 0:
+            if n_seen % _SLICE == 0:
                 yield
             for offset, half in steps:
                 there = here + offset

@@ -21,7 +21,7 @@ _START_S = 60.0
 _CLOSE_S = 8.0
 
 
-class Backstage:
+class AppProcess:
     """Owns the app's process; thread-safe.
 
     The process begins to load when this is made, so that it is made early; it touches nothing before `start`.

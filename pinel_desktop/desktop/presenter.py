@@ -134,4 +134,4 @@ class Presenter:
 
     def _say_words(self, code: str, params: Mapping[str, object]) -> None:
         words = describe(code, params, self._language())
-        self._say(f"{words.message} {words.remedy}".strip())
+        self._say(words.line)

@@ -17,8 +17,8 @@ from pathlib import Path
 from typing import Any
 
 from pinel_desktop import __version__
+from pinel_desktop.desktop.app_process import AppProcess
 from pinel_desktop.desktop.backends import Pc, Toolkit, backends
-from pinel_desktop.desktop.backstage import Backstage
 from pinel_desktop.desktop.presenter import TITLE, USABLE
 from pinel_desktop.desktop.screen import any_screen
 from pinel_desktop.errors import PinelError
@@ -84,11 +84,11 @@ def _is_well(result: Json) -> bool:
 
 
 @contextlib.contextmanager
-def _app(database: Path) -> Iterator[Backstage]:
+def _app(database: Path) -> Iterator[AppProcess]:
     """The app as the window has it, in its own process."""
     instance = Instance(database)
     instance.acquire()
-    app = Backstage(database, on_show=lambda: None, on_lost=lambda: None)
+    app = AppProcess(database, on_show=lambda: None, on_lost=lambda: None)
     try:
         app.start()
         yield app
@@ -97,7 +97,7 @@ def _app(database: Path) -> Iterator[Backstage]:
         instance.release()
 
 
-def _in_window(app: Backstage, result: Json) -> None:
+def _in_window(app: AppProcess, result: Json) -> None:
     """Opens the window on this thread and does the work beside it, on the window's thread."""
     # no import before there is a screen: GTK looks for one when it is loaded
     from pinel_desktop.desktop.window import NativeWindow  # noqa: PLC0415

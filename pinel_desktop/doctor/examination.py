@@ -20,7 +20,7 @@ from typing import Literal
 from pinel_desktop import __version__
 from pinel_desktop.desktop.backends import Pc, backends, find_browser
 from pinel_desktop.engine.client import EngineClient
-from storage.backups import damage_of, folder_of, list_backups
+from storage.file.backups import damage_of, folder_of, list_backups
 
 Level = Literal["ok", "warn", "fail"]
 

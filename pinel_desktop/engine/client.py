@@ -5,15 +5,16 @@ import logging
 import subprocess
 import threading
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from typing import Any, BinaryIO, Literal, cast
 
+from pinel_desktop.engine.commands import Command, Evaluate
 from pinel_desktop.engine.protocol import Message, read_messages, write_message
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import SCHEMA_VERSION
-from pinel_desktop.execution.control import StepMode
 from pinel_desktop.processes import own_command
+from pinel_desktop.runs.spec import RunSpec
 
 EngineState = Literal["starting", "ready", "lost"]
 EventSink = Callable[[dict[str, Any]], None]
@@ -93,101 +94,46 @@ class EngineClient:
         self._ready.wait(timeout_s)
         return self._state == "ready"
 
-    def run(
-        self,
-        run_id: str,
-        document: dict[str, Any],
-        *,
-        world: str | dict[str, Any],
-        seed: int = 0,
-        link: str = "sim",
-        setting: Mapping[str, Any] | None = None,
-        debugging: Mapping[str, Any] | None = None,
-    ) -> None:
-        """Begins a live run. Raises PinelError `run_in_progress` or `engine_not_ready`.
+    def run(self, run_id: str, spec: RunSpec, commands: Sequence[Command] = ()) -> None:
+        """Begins a live run, whose inputs are a person's. Raises PinelError `run_in_progress` or `engine_not_ready`.
 
         Args:
-            world: the name of one that ships, or a world document.
-            setting: fields of `robot.Setting`; what is left out is as usual.
-            debugging: `breakpoints` (ids of blocks), `speed` (a factor) and `paused` (holds at the first block);
-                what is left out is not there.
+            commands: applied before the first block begins, such as breakpoints, a speed, or a step to hold there.
         """
         with self._lock:
             if self._live is not None:
                 raise PinelError("run_in_progress")
-            if (
-                self._state == "lost"
-            ):  # somebody wants it: one more try, which the next press of Run will find
+            if self._state == "lost":  # one more try, which the next press of Run will find
                 self.start()
             if self._state != "ready":
                 raise PinelError("engine_not_ready")
             self._live, self._next_seq, self._tick = run_id, 0, 0
-            self._send(
-                {
-                    "do": "run",
-                    "run": run_id,
-                    "document": document,
-                    "world": world,
-                    "seed": seed,
-                    "link": link,
-                    "setting": dict(setting or {}),
-                    **(debugging or {}),
-                }
-            )
+            first = [dict(command) for command in commands]
+            self._send({"run": run_id, "spec": spec.as_message(), "commands": first})
 
-    def pause(self, run_id: str) -> None:
-        """Raises PinelError `run_not_live` when that run is not the live one; so do the four below."""
-        self._tell(run_id, {"do": "pause"})
+    def command(self, run_id: str, command: Command) -> Any:
+        """Sends a command to the live run; gives the value of `Evaluate` as plain data, None for all others.
 
-    def resume(self, run_id: str) -> None:
-        """Goes on after a pause."""
-        self._tell(run_id, {"do": "resume"})
-
-    def stop(self, run_id: str) -> None:
-        """Ends the run; the robot stands still."""
-        self._tell(run_id, {"do": "stop"})
-
-    def step(self, run_id: str, mode: StepMode) -> None:
-        """Goes on to the next block and pauses there."""
-        self._tell(run_id, {"do": "step", "mode": mode})
-
-    def set_breakpoints(self, run_id: str, blocks: Sequence[str]) -> None:
-        """The run pauses before these blocks, and no others."""
-        self._tell(run_id, {"do": "breakpoints", "blocks": list(blocks)})
-
-    def set_speed(self, run_id: str, factor: float) -> None:
-        """Slow motion or fast forward, in the simulator."""
-        self._tell(run_id, {"do": "speed", "factor": factor})
-
-    def look(self, run_id: str, sensors: Sequence[str]) -> None:
-        """From now on the stream tells what these rings of sensors measure: "sonar", "lidar"."""
-        self._tell(run_id, {"do": "look", "sensors": list(sensors)})
-
-    def evaluate(self, run_id: str, expression: Any) -> Any:
-        """The value that an expression has at this moment of a paused run, as plain data.
-
-        Raises PinelError `run_not_live`, `run_not_paused`, `peek_not_possible`, `peek_invalid` and what evaluating
-        it raises.
+        Raises PinelError `run_not_live` when that run is not the live one; for `Evaluate` also `run_not_paused`,
+        `peek_not_possible`, `peek_invalid` and what evaluating the expression raises.
         """
+        if isinstance(command, Evaluate):
+            return self._evaluate(run_id, command)
+        self._tell(run_id, command)
+        return None
+
+    def _evaluate(self, run_id: str, command: Evaluate) -> Any:
         answer: Future[Any] = Future()
         with self._lock:
             question = self._n_questions = self._n_questions + 1
             self._questions[question] = answer
         try:
-            self._tell(run_id, {"do": "evaluate", "question": question, "expression": expression})
+            self._tell(run_id, command, question=question)
             return answer.result(_ANSWER_TIMEOUT_S)
-        except TimeoutError as error:  # it went on before its turn came
+        except TimeoutError as error:  # the run went on before the question's turn came
             raise PinelError("run_not_paused") from error
         finally:
             self._questions.pop(question, None)
-
-    def answer_capture(self, run_id: str, result: str) -> None:
-        """Answers the running capture by hand; without one it does nothing."""
-        self._tell(run_id, {"do": "answer_capture", "result": result})
-
-    def answer_question(self, run_id: str, value: str) -> None:
-        """Answers the question that the program asks; without one it does nothing."""
-        self._tell(run_id, {"do": "answer", "value": value})
 
     def close(self) -> None:
         """Ends the pipe (the engine sends zeros and exits) and waits for the process."""
@@ -200,7 +146,7 @@ class EngineClient:
             self._state == "starting"
         ):  # it drives nothing yet, and its imports would keep us waiting
             process.kill()
-        with contextlib.suppress(OSError):  # it may have gone already
+        with contextlib.suppress(OSError):  # the process may have ended already
             _pipe(process.stdin).close()
         try:
             process.wait(_CLOSE_TIMEOUT_S)
@@ -210,17 +156,17 @@ class EngineClient:
         if reader is not threading.current_thread():
             reader.join()
 
-    def _tell(self, run_id: str, message: Message) -> None:
+    def _tell(self, run_id: str, command: Command, **more: Any) -> None:
         with self._lock:
             if self._live != run_id:
                 raise PinelError("run_not_live")
-            self._send({**message, "run": run_id})
+            self._send({"run": run_id, "command": dict(command), **more})
 
     def _send(self, message: Message) -> None:
         try:
             write_message(_pipe(self._process.stdin if self._process else None), message)
         except OSError:
-            _log.warning("the engine is gone; its reader will say so")
+            _log.warning("the engine has ended; its reader reports it")
 
     def _read(self, process: subprocess.Popen[bytes]) -> None:
         born = time.monotonic()

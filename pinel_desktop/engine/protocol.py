@@ -8,7 +8,7 @@ Message = dict[str, Any]
 
 
 def write_message(pipe: BinaryIO, message: Message) -> None:
-    """Writes one message as one line. Raises OSError when nobody reads any more."""
+    """Writes one message as one line. Raises OSError when the pipe is closed."""
     pipe.write(json.dumps(message, separators=(",", ":")).encode("ascii") + b"\n")
     pipe.flush()
 

@@ -1,13 +1,15 @@
-"""Hands events to every open page; a slow page loses telemetry and what sensors measure, never anything else."""
+"""Hands events to every open page. A page that reads too slowly loses events that are `lossy`, never others."""
 
 import threading
 from collections import deque
 from types import TracebackType
 from typing import Any
 
+from pinel_desktop.events.types import LOSSY
+
 Event = dict[str, Any]
 
-CAPACITY = 600  # telemetry waiting for one reader: 20 s
+CAPACITY = 600  # lossy events waiting for one reader: telemetry of 20 s
 _LIMIT = 20_000  # events of other kinds; a reader that far behind is gone and is cut off
 
 
@@ -18,7 +20,7 @@ class Subscription:
         self._hub = hub
         self._capacity = capacity
         self._waiting: deque[Event] = deque()
-        self._n_telemetry = 0
+        self._n_lossy = 0
         self._changed = threading.Condition()
         self._closed = False
 
@@ -29,7 +31,7 @@ class Subscription:
             return self._closed and not self._waiting
 
     def put(self, event: Event) -> None:
-        """Adds an event; where the queue is full of telemetry, the oldest telemetry makes room."""
+        """Adds an event; where too many lossy events wait, the oldest of them is dropped."""
         with self._changed:
             if not self._closed:
                 self._make_room(event)
@@ -44,7 +46,7 @@ class Subscription:
             if not self._waiting:
                 return None
             event = self._waiting.popleft()
-            self._n_telemetry -= _is_telemetry(event)
+            self._n_lossy -= _is_lossy(event)
             return event
 
     def close(self) -> None:
@@ -66,10 +68,10 @@ class Subscription:
         self.close()
 
     def _make_room(self, event: Event) -> None:
-        self._n_telemetry += _is_telemetry(event)
-        if self._n_telemetry > self._capacity:
-            self._waiting.remove(next(filter(_is_telemetry, self._waiting)))
-            self._n_telemetry -= 1
+        self._n_lossy += _is_lossy(event)
+        if self._n_lossy > self._capacity:
+            self._waiting.remove(next(filter(_is_lossy, self._waiting)))
+            self._n_lossy -= 1
         if len(self._waiting) >= _LIMIT:
             self._closed = True
             self._waiting.clear()
@@ -113,5 +115,5 @@ class Hub:
             reader.close()
 
 
-def _is_telemetry(event: Event) -> bool:
-    return event.get("type") in ("telemetry", "ranges")
+def _is_lossy(event: Event) -> bool:
+    return event.get("type") in LOSSY

@@ -1,30 +1,85 @@
-"""What a run reports. The fields are those of the table in ARCHITECTURE.md; a test holds them together."""
+"""What a run reports: one frozen dataclass for each event, declared here and nowhere else.
+
+The wire models, the OpenAPI schema, the page's types and docs/events.md are made from these declarations, and whoever
+keeps or drops events asks them (`types.py`). Runs are recorded with these names: a `type` or a field is never renamed.
+A field with a default is absent from runs that earlier releases recorded.
+"""
 
 from dataclasses import asdict, dataclass, field
-from typing import Any, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Final, Literal, TypedDict
 
 SCHEMA_VERSION = 1
 
 
 @dataclass(frozen=True, slots=True)
-class Event:
-    """Base of all events. `type` is the event's name on the wire."""
+class StreamEvent:
+    """Base of all that the stream tells. `type` is the event's name on the wire.
+
+    The class attributes say what is done with every event of the type:
+
+    - `kept`: it is stored, merged between PCs, and compared when a run is verified;
+    - `lossy`: it may be dropped for a page that reads too slowly;
+    - `urgent`: it is written to the disk at once, since nothing may follow it for long.
+    """
 
     type: ClassVar[str]
+    kept: ClassVar[bool] = False
+    lossy: ClassVar[bool] = False
+    urgent: ClassVar[bool] = False
+
+    def flat(self) -> dict[str, Any]:
+        """The event as a flat JSON object."""
+        return {"type": self.type, **asdict(self)}
+
+
+@dataclass(frozen=True, slots=True)
+class Event(StreamEvent):
+    """Base of what a run reports; poses are in the start frame, metres and radians, unless the field says otherwise."""
+
+    kept: ClassVar[bool] = True
+
+
+class UnknownWhenCutOff:
+    """Marks a field that is null on the wire when nobody saw the end of the run: power cut, engine lost."""
 
 
 PauseCause = Literal["person", "breakpoint", "step"]
+_CutOff: Final = UnknownWhenCutOff()
+
+
+class StackEntry(TypedDict):
+    """A function call that is running.
+
+    Attributes:
+        function: name of the function.
+        block: id of the block that calls it.
+    """
+
+    function: str | None
+    block: str | None
+
+
+class Pose(TypedDict):
+    """A pose in the start frame."""
+
+    x_m: float
+    y_m: float
+    yaw_rad: float
 
 
 @dataclass(frozen=True, slots=True)
 class RunState(Event):
     """The run has begun, was paused or goes on.
 
-    `cause` is why it pauses; `block` is the one that begins next, or in whose middle the run stands; `n_begun` is how
-    many commands had begun, loops and conditionals too, so that the run can be held there again.
+    Attributes:
+        state: what it does from now on.
+        cause: why it pauses; null when it runs.
+        block: the block that begins next, or in whose middle the run stands.
+        n_begun: how many commands had begun, loops and conditionals included, so that a repetition can pause there.
     """
 
     type: ClassVar[str] = "run_state"
+    urgent: ClassVar[bool] = True
     state: Literal["running", "paused"]
     cause: PauseCause | None = None
     block: str | None = None
@@ -33,18 +88,30 @@ class RunState(Event):
 
 @dataclass(frozen=True, slots=True)
 class BlockStarted(Event):
-    """A command begins. `amount` is the goal of a motion or wait in m, degrees or s."""
+    """A command begins.
+
+    Attributes:
+        block: id of its block.
+        pointer: JSON pointer of the command in the program document.
+        action: name of the command.
+        amount: goal of a motion or a wait in m, degrees or s; null for other commands.
+    """
 
     type: ClassVar[str] = "block_started"
     block: str | None
     pointer: str
     action: str
-    amount: float | None = None
+    amount: float | None
 
 
 @dataclass(frozen=True, slots=True)
 class BlockEnded(Event):
-    """A command, with everything inside it, is over."""
+    """A command, with everything inside it, is over.
+
+    Attributes:
+        block: id of its block.
+        pointer: JSON pointer of the command in the program document.
+    """
 
     type: ClassVar[str] = "block_ended"
     block: str | None
@@ -53,16 +120,27 @@ class BlockEnded(Event):
 
 @dataclass(frozen=True, slots=True)
 class CaptureStarted(Event):
-    """The program waits for a gesture, for at most `timeout_s` seconds."""
+    """The program waits for a sign.
+
+    Attributes:
+        block: id of the block that waits.
+        timeout_s: how long at most, in s.
+    """
 
     type: ClassVar[str] = "capture_started"
+    urgent: ClassVar[bool] = True
     block: str | None
     timeout_s: float
 
 
 @dataclass(frozen=True, slots=True)
 class GestureResult(Event):
-    """The gesture result has a new value; "" when nothing was recognised."""
+    """The gesture result has a new value.
+
+    Attributes:
+        result: name of the sign; "" when none was recognised.
+        source: whether a capture recognised it or a block set it.
+    """
 
     type: ClassVar[str] = "gesture_result"
     result: str
@@ -71,7 +149,12 @@ class GestureResult(Event):
 
 @dataclass(frozen=True, slots=True)
 class Said(Event):
-    """The program says something to the group."""
+    """The program says something to the group.
+
+    Attributes:
+        block: id of the block that says it.
+        text: what it says.
+    """
 
     type: ClassVar[str] = "said"
     block: str | None
@@ -80,18 +163,29 @@ class Said(Event):
 
 @dataclass(frozen=True, slots=True)
 class Marked(Event):
-    """A mark on the floor, "X" or "O", where the robot stands; start frame."""
+    """A mark is put on the floor where the robot stands.
+
+    Attributes:
+        block: id of the block that marks.
+        symbol: shape of the mark.
+        x_m: its position, in m.
+        y_m: its position, in m.
+    """
 
     type: ClassVar[str] = "marked"
     block: str | None
-    symbol: str
+    symbol: Literal["X", "O"]
     x_m: float
     y_m: float
 
 
 @dataclass(frozen=True, slots=True)
 class Beeped(Event):
-    """The robot beeps."""
+    """The robot beeps.
+
+    Attributes:
+        block: id of the block that beeps.
+    """
 
     type: ClassVar[str] = "beeped"
     block: str | None
@@ -99,7 +193,13 @@ class Beeped(Event):
 
 @dataclass(frozen=True, slots=True)
 class Pen(Event):
-    """From now on the robot draws its way on the floor, or does not. It is up at the start."""
+    """From now on the robot draws its path on the floor, or does not. The pen is up at the start.
+
+    Attributes:
+        block: id of the block that moves the pen.
+        down: whether it draws.
+        color: name of the colour.
+    """
 
     type: ClassVar[str] = "pen"
     block: str | None
@@ -109,9 +209,16 @@ class Pen(Event):
 
 @dataclass(frozen=True, slots=True)
 class Asked(Event):
-    """The program waits for an answer of the group, which `variable` gets."""
+    """The program waits for an answer of the group.
+
+    Attributes:
+        block: id of the block that asks.
+        question: the question.
+        variable: name of the variable that gets the answer.
+    """
 
     type: ClassVar[str] = "asked"
+    urgent: ClassVar[bool] = True
     block: str | None
     question: str
     variable: str
@@ -119,7 +226,12 @@ class Asked(Event):
 
 @dataclass(frozen=True, slots=True)
 class Answered(Event):
-    """A question was answered; what reads as a number is one."""
+    """A question was answered.
+
+    Attributes:
+        variable: name of the variable that gets the answer.
+        value: the answer; a number where it reads as one.
+    """
 
     type: ClassVar[str] = "answered"
     variable: str
@@ -128,27 +240,47 @@ class Answered(Event):
 
 @dataclass(frozen=True, slots=True)
 class Watch(Event):
-    """The inside of the program has changed: at most five times a second, when it pauses and when it ends.
+    """Variables or calls have changed: at most five times a second, when the run pauses and when it ends.
 
-    `variables` are those that can be seen, long texts and lists cut; `stack` holds a `{"function", "block"}` for each
-    call that runs, the outermost first, `block` being the one that calls.
+    Attributes:
+        variables: value of each visible variable by its name; long texts and lists are cut.
+        stack: the calls that are running, the outermost first.
+        gesture: the gesture result; "" for none.
     """
 
     type: ClassVar[str] = "watch"
     variables: dict[str, Any]
-    stack: list[dict[str, str | None]]
+    stack: list[StackEntry]
     gesture: str
 
 
 @dataclass(frozen=True, slots=True)
 class Telemetry(Event):
-    """One tick. Poses in the start frame, metres and radians; `goal_*` is the moving set-point.
+    """One tick of the robot: pose, velocity, command and setpoint.
 
-    `done` is how much of the running motion's `amount` is done, in its unit; 0 when nothing moves. The pose is the one
-    that the robot believes; `true_*` is where it is, where somebody knows.
+    The pose is the one that the robot estimates; `true_*` is the true one, null where nobody knows it. The store keeps
+    telemetry as columns of numbers, apart from the other events.
+
+    Attributes:
+        x_m: estimated position, in m.
+        y_m: estimated position, in m.
+        yaw_rad: estimated heading, in rad.
+        v_mps: measured linear velocity in m/s.
+        omega_radps: measured angular velocity in rad/s.
+        command_v_mps: commanded linear velocity in m/s.
+        command_omega_radps: commanded angular velocity in rad/s.
+        goal_x_m: the moving setpoint, in m.
+        goal_y_m: the moving setpoint, in m.
+        goal_yaw_rad: the moving setpoint, in rad.
+        done: how much of the running motion's `amount` is done, in its unit; 0 when nothing moves.
+        bumper: whether the robot touches something.
+        true_x_m: true position, in m.
+        true_y_m: true position, in m.
+        true_yaw_rad: true heading, in rad.
     """
 
     type: ClassVar[str] = "telemetry"
+    lossy: ClassVar[bool] = True
     x_m: float
     y_m: float
     yaw_rad: float
@@ -161,73 +293,85 @@ class Telemetry(Event):
     goal_yaw_rad: float
     done: float
     bumper: bool
-    true_x_m: float | None
-    true_y_m: float | None
-    true_yaw_rad: float | None
+    true_x_m: float | None = None
+    true_y_m: float | None = None
+    true_yaw_rad: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Things(Event):
-    """Movable boxes that have moved since the last such event, at most ten times a second and once at the end.
+    """Movable boxes have moved: at most ten times a second, and once at the end.
 
-    `boxes` holds x and y (m) and yaw (rad) in the world's frame, by the box's place in the world's list.
+    Attributes:
+        boxes: x (m), y (m) and yaw (rad) in the world's frame, by the box's place in the world's list; only boxes
+            that have moved since the last such event.
     """
 
     type: ClassVar[str] = "things"
-    boxes: dict[str, list[float]]
+    boxes: dict[str, tuple[float, float, float]]
+
+
+@dataclass(frozen=True, slots=True)
+class Countdown(Event):
+    """The capture that a person or a camera is to answer goes on; at most five times a second, not while it is paused.
+
+    Attributes:
+        left_s: seconds of real time until the capture's timeout.
+    """
+
+    type: ClassVar[str] = "countdown"
+    kept: ClassVar[bool] = False
+    lossy: ClassVar[bool] = True
+    left_s: float
 
 
 @dataclass(frozen=True, slots=True)
 class Ranges(Event):
-    """What the sensors measure, in m, at most ten times a second while somebody has asked for it; not kept.
+    """What the range sensors measure, at most ten times a second while a page has subscribed to them.
 
-    `sonar` by index; `lidar` from -90 to 90 degrees, a beam for each degree; null what was not asked for or is not
-    there.
+    Attributes:
+        sonar: distance in m by index; null when nobody subscribed or the robot has none.
+        lidar: distance in m from -90 to 90 degrees, one beam per degree; null likewise.
     """
 
     type: ClassVar[str] = "ranges"
+    kept: ClassVar[bool] = False
+    lossy: ClassVar[bool] = True
     sonar: list[float] | None
     lidar: list[float] | None
 
 
 @dataclass(frozen=True, slots=True)
 class RunEnded(Event):
-    """The last event of every run. Lengths in m, `duration_s` in robot time."""
+    """The last event of every run. Exactly one closes each run.
+
+    Figures are null when the run was cut off by a lost engine or a power cut.
+
+    Attributes:
+        state: how it ended.
+        reason: code of the reason; null where it finished.
+        params: parameters of the reason's message.
+        block: the block that was running.
+        n_executed: how many commands were executed.
+        duration_s: robot time, in s.
+        path_length_m: length of the path, in m.
+        closing_error_m: distance between start and end, in m.
+        pose: the estimated pose.
+        telemetry_sha256: hash of the telemetry, which a repetition must give again.
+    """
 
     type: ClassVar[str] = "run_ended"
+    urgent: ClassVar[bool] = True
     state: Literal["finished", "stopped", "failed"]
     reason: str | None
     params: dict[str, Any]
     block: str | None
-    n_executed: int
-    duration_s: float
-    path_length_m: float
-    closing_error_m: float
-    pose: dict[str, float] | None
-    telemetry_sha256: str
-
-
-EVENT_TYPES: dict[str, type[Event]] = {
-    cls.type: cls
-    for cls in (
-        RunState,
-        BlockStarted,
-        BlockEnded,
-        CaptureStarted,
-        GestureResult,
-        Said,
-        Marked,
-        Beeped,
-        Pen,
-        Asked,
-        Answered,
-        Watch,
-        Telemetry,
-        Things,
-        Ranges,
-        RunEnded,
-    )
-}
+    n_executed: Annotated[int, _CutOff]
+    duration_s: Annotated[float, _CutOff]
+    path_length_m: Annotated[float, _CutOff]
+    closing_error_m: Annotated[float, _CutOff]
+    pose: Pose | None
+    telemetry_sha256: Annotated[str, _CutOff]
 
 
 @dataclass(slots=True)
@@ -238,7 +382,7 @@ class EventStamp:
     _next: int = field(default=0)
 
     def wire(self, tick: int, event: Event) -> dict[str, Any]:
-        """The event as the flat JSON object of ARCHITECTURE.md."""
+        """The event as the flat JSON object of docs/events.md."""
         head = {
             "v": SCHEMA_VERSION,
             "type": event.type,

@@ -16,10 +16,10 @@ from pinel_desktop.control.planning import (
 from pinel_desktop.errors import PinelError
 from pinel_desktop.execution.context import RunContext, RunFailureError
 from pinel_desktop.execution.motion import drive_to, stand_first
-from pinel_desktop.execution.requests import Breath, Routine
+from pinel_desktop.execution.requests import Preempt, Routine
 from pinel_desktop.robot import Pose2D
 
-_SCAN_TICKS = 3  # ten looks a second
+_SCAN_TICKS = 3  # ten scans a second
 _BEAMS_RAD = tuple(math.radians(angle) for angle in range(-90, 91, 3))
 _KNOWN_M = 0.12  # what is so near to something on the map is that
 _NEAR = 0.98  # of a sensor's range: at the rest of it nothing is there
@@ -27,7 +27,7 @@ _MAX_PLANS = 60
 
 
 class Obstacles:
-    """What is known to stand in the way, in the start frame: the map, and what was seen since."""
+    """What is known to stand in the way, in the start frame: the map, and what was scanned since."""
 
     def __init__(self, context: RunContext) -> None:
         self._context, self._robot = context, context.robot
@@ -42,15 +42,15 @@ class Obstacles:
         points = as_array([(*point, *point) for point in self._seen.values()])
         return points if not len(self._map) else as_array([*self._map, *points])
 
-    def bar(self, path: list[Point]) -> bool:
-        """Looks around, and says whether something new is so near to the path that the robot would touch it."""
-        new = self.look()
+    def blocks(self, path: list[Point]) -> bool:
+        """Scans, and says whether something new is so near to the path that the robot would touch it."""
+        new = self.scan()
         if not len(new):
             return False
         return path_clearance(path, new) < self._robot.radius_m + TIGHT_M / 2.0
 
-    def look(self) -> Array:
-        """Looks around; gives what is seen now and was not known."""
+    def scan(self) -> Array:
+        """Scans the surroundings; gives the points that were not known before."""
         hits = self._hits()
         if not hits:
             return as_array([])
@@ -93,7 +93,7 @@ def drive_around(context: RunContext, x_m: float, y_m: float) -> Routine:
     Raises RunFailureError `no_way` when nothing is known that leads there.
     """
     known, goal = Obstacles(context), (x_m, y_m)
-    known.look()
+    known.scan()
     for _ in range(_MAX_PLANS):
         yield from stand_first(context)
         here = context.pose if context.reference_lost else context.reference
@@ -108,7 +108,7 @@ def drive_around(context: RunContext, x_m: float, y_m: float) -> Routine:
 
 def _planned(
     known: Obstacles, here: Pose2D, goal: Point, radius_m: float
-) -> Generator[Breath, None, list[Point] | None]:
+) -> Generator[Preempt, None, list[Point] | None]:
     search = plan_path(known.obstacles(), (here.x_m, here.y_m), goal, radius_m)
     while True:
         try:
@@ -116,7 +116,7 @@ def _planned(
         except StopIteration as end:
             path: list[Point] | None = end.value
             return path
-        yield Breath.TAKEN
+        yield Preempt.TAKEN
 
 
 def _follow(context: RunContext, known: Obstacles, path: list[Point]) -> Routine:
@@ -126,7 +126,7 @@ def _follow(context: RunContext, known: Obstacles, path: list[Point]) -> Routine
         def interrupted(rest: list[Point] = path[i:]) -> bool:
             if context.tick % _SCAN_TICKS:
                 return False
-            return known.bar([(context.pose.x_m, context.pose.y_m), *rest])
+            return known.blocks([(context.pose.x_m, context.pose.y_m), *rest])
 
         yield from drive_to(context, x, y, interrupted)
         if context.reference_lost:

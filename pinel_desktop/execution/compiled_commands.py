@@ -7,17 +7,17 @@ from dataclasses import dataclass
 from typing import Any
 
 from pinel_desktop.execution.context import RunContext
-from pinel_desktop.execution.parameters import bounds_of, checked
+from pinel_desktop.execution.expressions.parameters import bounds_of, checked
+from pinel_desktop.execution.expressions.values import Value
 from pinel_desktop.execution.primitives import TABLE, Primitive
-from pinel_desktop.execution.requests import Breath, Invoke, Routine
-from pinel_desktop.execution.values import Value
+from pinel_desktop.execution.requests import Invoke, Preempt, Routine
 from pinel_desktop.program.base import Model
 
 Values = tuple[Value | None, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class CommandPlan:
+class CompiledCommand:
     """How to perform one command, made when it is first met.
 
     Attributes:
@@ -52,22 +52,22 @@ class _Parameter:
             return None
         return checked(self._bounds, self._compiled.simple())
 
-    def in_steps(self) -> Generator[Invoke | Breath, Value | None, Value | None]:
+    def in_steps(self) -> Generator[Invoke | Preempt, Value | None, Value | None]:
         if self._compiled is None:
             return None
         return checked(self._bounds, (yield from self._evaluator.evaluated(self._compiled)))
 
 
-def plan_of(command: Any, context: RunContext) -> CommandPlan:
-    """The plan for a command of the program."""
+def compile_command(command: Any, context: RunContext) -> CompiledCommand:
+    """The compiled form of a command of the program."""
     primitive = TABLE[command.action]
     parameters = [_Parameter(command, name, context) for name in primitive.parameters]
     if all(parameter.is_constant for parameter in parameters):
         constant = tuple([parameter.value() for parameter in parameters])
-        return CommandPlan(primitive, lambda: constant)
+        return CompiledCommand(primitive, lambda: constant)
     if all(parameter.is_simple for parameter in parameters):
-        return CommandPlan(primitive, _at_once(parameters, context))
-    return CommandPlan(primitive, None, _in_steps(primitive, command, parameters, context))
+        return CompiledCommand(primitive, _at_once(parameters, context))
+    return CompiledCommand(primitive, None, _in_steps(primitive, command, parameters, context))
 
 
 def _at_once(parameters: list[_Parameter], context: RunContext) -> Callable[[], Values]:

@@ -8,12 +8,11 @@ from random import Random
 
 from pinel_desktop.control import DEFAULT_GAINS, Gains, Trim
 from pinel_desktop.events.model import Event
-from pinel_desktop.execution.answers import AnswerSource
-from pinel_desktop.execution.evaluation import Evaluator
+from pinel_desktop.execution.expressions.evaluation import Evaluator
+from pinel_desktop.execution.expressions.variables import Variables
 from pinel_desktop.execution.failure import RunFailureError
-from pinel_desktop.execution.gestures import GestureSource
+from pinel_desktop.execution.inputs import InputSource
 from pinel_desktop.execution.output import Output
-from pinel_desktop.execution.variables import Variables
 from pinel_desktop.robot import STANDSTILL, Pose2D, RobotModel, Sensors, Twist2D
 
 __all__ = ["START", "RunContext", "RunFailureError", "Sources"]
@@ -32,8 +31,8 @@ class Sources:
         random: the run's own random numbers, made from its seed.
     """
 
-    gestures: GestureSource
-    answers: AnswerSource
+    gestures: InputSource
+    answers: InputSource
     sensors: Sensors
     random: Random
 
@@ -67,6 +66,7 @@ class RunContext:
         unreported: which of "result" and "pen" a block has set since they were last reported: a loop without motion
             may set them a thousand times a tick, and they are reported once.
         n_evaluated: how many parts of expressions were evaluated, which counts as work.
+        waited_s: how much real time has passed while the program waited for a person or a camera.
         n_resumed: how often the run went on after a pause: a motion plans the rest of its way anew.
         evaluator: computes expressions.
     """
@@ -95,6 +95,7 @@ class RunContext:
     gesture_result: str = ""
     unreported: set[str] = field(default_factory=set)
     n_evaluated: int = 0
+    waited_s: float = 0.0
     n_resumed: int = 0
     evaluator: Evaluator = field(init=False)
 
@@ -108,3 +109,8 @@ class RunContext:
     def sensors(self) -> Sensors:
         """What the robot can sense."""
         return self.sources.sensors
+
+    @property
+    def random(self) -> Random:
+        """The run's own random numbers."""
+        return self.sources.random

@@ -10,17 +10,16 @@ from pinel_desktop.control import DEFAULT_GAINS, SLIPPING_GAINS, Gains
 from pinel_desktop.control.goal import at_rest
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, GestureResult, Marked, RunEnded, RunState, Telemetry
-from pinel_desktop.execution.answers import AnswerSource, ScriptedAnswers
-from pinel_desktop.execution.clock import TICK_HZ, TICK_S, Clock, MaxClock
+from pinel_desktop.execution.clock import TICK_HZ, TICK_S, WALL_TIME, Clock, MaxClock, WallTime
 from pinel_desktop.execution.context import RunContext, RunFailureError, Sources
 from pinel_desktop.execution.control import RunControl
-from pinel_desktop.execution.debugging import Debugger
-from pinel_desktop.execution.gestures import GestureSource, ScriptedGestures
-from pinel_desktop.execution.peeking import Questions
+from pinel_desktop.execution.debug.debugger import Debugger
+from pinel_desktop.execution.debug.inspection import answer_evaluations
+from pinel_desktop.execution.debug.sensor_stream import SensorStream
+from pinel_desktop.execution.debug.variable_watch import VariableWatch
+from pinel_desktop.execution.inputs import Inputs, ScriptedInputs
 from pinel_desktop.execution.recorder import Recorder
 from pinel_desktop.execution.stack import ProgramStack
-from pinel_desktop.execution.surroundings import Surroundings
-from pinel_desktop.execution.watching import Watcher
 from pinel_desktop.program.limits import MAX_RUN_S, MAX_STEPS_PER_TICK
 from pinel_desktop.program.model import Program
 from pinel_desktop.robot import PIONEER_3DX, STANDSTILL, Pose2D, RobotLink, RobotModel, RobotState
@@ -35,7 +34,7 @@ _MOVED_BY_HAND_M = 0.02
 _NOWHERE = (None, None, None)
 
 
-class _Stopped(Exception):  # noqa: N818 - not an error: somebody pressed Stop
+class _Stopped(Exception):  # noqa: N818 - not an error: Stop was pressed
     """Stop was asked for."""
 
 
@@ -53,15 +52,14 @@ class RunResult:
 
 @dataclass(frozen=True, slots=True)
 class RunOptions:
-    """How a run is to be executed; the defaults are those of a headless run nobody watches.
+    """How a run is to be executed; the defaults are those of a headless run without observer.
 
     Attributes:
         observer: is called with every event. Without one no events are made, which is faster.
         clock: decides when ticks follow.
         control: lets another thread pause and stop the run.
-        questions: what another thread wants to know while the run is paused.
-        gestures: answers captures.
-        answers: answers questions.
+        wall: the time in which people answer.
+        inputs: results of captures, answers to questions.
         seed: what the run's random numbers are made from.
         robot: measures and limits of the robot.
         gains: of the controller; None for those that suit the link.
@@ -70,9 +68,8 @@ class RunOptions:
     observer: Observer | None = None
     clock: Clock = field(default_factory=MaxClock)
     control: RunControl = field(default_factory=RunControl)
-    questions: Questions = field(default_factory=Questions)
-    gestures: GestureSource = field(default_factory=ScriptedGestures)
-    answers: AnswerSource = field(default_factory=ScriptedAnswers)
+    wall: WallTime = WALL_TIME
+    inputs: Inputs = field(default_factory=ScriptedInputs)
     seed: int = 0
     robot: RobotModel = PIONEER_3DX
     gains: Gains | None = None
@@ -90,23 +87,24 @@ def execute(program: Program, link: RobotLink, options: RunOptions | None = None
 class _Run:
     def __init__(self, program: Program, link: RobotLink, options: RunOptions) -> None:
         self._link, self._observer = link, options.observer
-        self._clock, self._control = options.clock, options.control
-        self._questions = options.questions
+        self._clock, self._wall, self._control = options.clock, options.wall, options.control
         self._recorder = Recorder()
         self._origin: Pose2D | None = None
         self._tick = 0
         self._context = RunContext(
             options.robot,
             link.command_delay_s,
-            Sources(options.gestures, options.answers, link.sensors, Random(options.seed)),
+            Sources(
+                options.inputs.gestures, options.inputs.answers, link.sensors, Random(options.seed)
+            ),
             self._emit,
             observed=options.observer is not None,
             gains=options.gains or (SLIPPING_GAINS if link.slips else DEFAULT_GAINS),
         )
         self._stack = ProgramStack(program, self._context)
         observed = options.observer is not None
-        self._watcher = Watcher(self._context, self._stack) if observed else None
-        self._surroundings: Surroundings | None = None
+        self._watcher = VariableWatch(self._context, self._stack) if observed else None
+        self._sensor_stream: SensorStream | None = None
         self._debugger = Debugger(options.control, lambda: len(self._stack.calls))
         if observed:
             self._stack.holds = self._debugger.holds
@@ -122,8 +120,8 @@ class _Run:
         block = self._stack.block if state != "finished" else None
         self._stack.close()
         reason, params = self._stand_still(reason, params)
-        if self._surroundings is not None:
-            self._surroundings.report_things()
+        if self._sensor_stream is not None:
+            self._sensor_stream.report_things()
         self._link.close()
         if reason is not None and state == "finished":
             state = "failed"
@@ -159,7 +157,7 @@ class _Run:
         self._take(start)
         self._emit(RunState("running"))
         if self._observer is not None:
-            self._surroundings = Surroundings(self._context, self._link, self._control)
+            self._sensor_stream = SensorStream(self._context, self._link, self._control)
 
     def _take(self, state: RobotState) -> None:
         pose = state.pose
@@ -176,12 +174,14 @@ class _Run:
             if context.unreported:
                 self._report()
             if watcher is not None:
-                watcher.look()
+                watcher.report()
             if control.stop_requested:
                 raise _Stopped
             if stack.is_held:
                 continue  # the debugger has asked for a pause
-            if time_needed:
+            if stack.awaits_person:
+                self._await_person()
+            elif time_needed:
                 clock.wait_for_tick()
                 self._pass_tick()
             elif stack.finished:
@@ -201,7 +201,7 @@ class _Run:
 
     def _watch(self) -> None:
         if self._watcher is not None:
-            self._watcher.look(now=True)
+            self._watcher.report(now=True)
 
     def _pass_tick(self) -> None:
         context = self._context
@@ -235,11 +235,26 @@ class _Run:
                 *(true_pose or _NOWHERE),
             )
         )
-        if self._surroundings is not None:
-            self._surroundings.look()
+        if self._sensor_stream is not None:
+            self._sensor_stream.report()
+
+    def _await_person(self) -> None:
+        """Lets a moment of real time pass. In a simulator robot time stands still; a real robot's ticks go on."""
+        self._watch()
+        if self._control.pause_requested:
+            return
+        began_s = self._wall.now()
+        if self._link.simulated:
+            self._wall.sleep(TICK_S)
+            if self._sensor_stream is not None:
+                self._sensor_stream.report_new_subscriptions()
+        else:
+            self._clock.wait_for_tick()
+            self._pass_tick()
+        self._context.waited_s += self._wall.now() - began_s
 
     def _pause(self) -> None:
-        """Stands still until somebody resumes or stops. Robot time stands still too once the robot does."""
+        """Holds the robot until resume or stop. In a simulator robot time stands still once the robot is at rest."""
         context = self._context
         self._watch()
         self._debugger.paused()
@@ -250,9 +265,9 @@ class _Run:
         before = context.pose
         while self._control.pause_requested and not self._control.stop_requested:
             self._clock.wait_for_tick()
-            self._questions.answer_all(context)
-            if self._surroundings is not None:
-                self._surroundings.look_while_paused()
+            answer_evaluations(self._control, context)
+            if self._sensor_stream is not None:
+                self._sensor_stream.report_new_subscriptions()
             self._link.command(STANDSTILL)
             if not self._link.simulated:
                 self._link.advance(TICK_S)
@@ -304,6 +319,6 @@ class _Run:
             duration_s=self._tick / TICK_HZ,
             path_length_m=self._recorder.path_length_m(),
             closing_error_m=math.hypot(pose.x_m, pose.y_m),
-            pose=pose._asdict(),
+            pose={"x_m": pose.x_m, "y_m": pose.y_m, "yaw_rad": pose.yaw_rad},
             telemetry_sha256=self._recorder.sha256(),
         )

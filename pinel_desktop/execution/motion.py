@@ -223,11 +223,11 @@ def _profile(
 ) -> tuple[float, ...]:
     """The S-curve over what is left of a motion, or over as much of it as a run has time for.
 
-    A plan is made at once, and somebody may press Stop meanwhile: 100 m at a snail's pace must not take seconds.
+    A profile is computed in one go, and Stop must not wait for it: 100 m at a snail's pace must not take seconds.
     """
     speed = max(speed, _SLOWEST)
     longest = speed * _LONGEST_S
-    # long plans are not kept: they are large, and nobody drives them twice
+    # long plans are not kept: they are large and rarely driven twice
     curve = s_curve if abs(rest) < speed * _KEPT_S else s_curve.__wrapped__
     return curve(min(max(rest, -longest), longest), speed, acceleration, smoothing_s, TICK_S)
 

@@ -1,6 +1,7 @@
 """What a program gives out besides motion: said, marked, beeped, drawn, asked; each at most so often a run."""
 
 from collections.abc import Callable
+from typing import Literal
 
 from pinel_desktop.events.model import Beeped, Event, Marked, Pen, Said
 from pinel_desktop.execution.failure import RunFailureError
@@ -33,7 +34,7 @@ class Output:
         self.said.append(text)
         self._emit(Said(block, text))
 
-    def mark(self, block: str | None, symbol: str, x_m: float, y_m: float) -> None:
+    def mark(self, block: str | None, symbol: Literal["X", "O"], x_m: float, y_m: float) -> None:
         """A mark on the floor, in the start frame. Raises RunFailureError `too_many_marks`."""
         if len(self.marks) >= MAX_MARKS:
             raise RunFailureError("too_many_marks", max=MAX_MARKS)

@@ -1,10 +1,17 @@
-"""What a running command may ask of the stack, by yielding it; yielding None lets a tick pass."""
+"""What a running command may ask of the stack, by yielding it.
+
+None lets a tick pass; `Pending.PERSON` waits for a person or a camera, in real time.
+"""
 
 from collections.abc import Generator
 from enum import Enum
 from typing import Any, NamedTuple
 
-from pinel_desktop.execution.values import Value
+from pinel_desktop.execution.expressions.requests import Invoke, Preempt
+from pinel_desktop.execution.expressions.values import Value
+from pinel_desktop.execution.inputs import Pending
+
+__all__ = ["Body", "Invoke", "Jump", "Leave", "Preempt", "Returned", "Routine"]
 
 
 class Body(NamedTuple):
@@ -12,19 +19,6 @@ class Body(NamedTuple):
 
     commands: list[Any]
     path: str
-
-
-class Invoke(NamedTuple):
-    """A function that is to run; the yield gives its value, None where it returned none."""
-
-    function: str
-    arguments: dict[str, Value]
-
-
-class Breath(Enum):
-    """A long calculation lets others have a look, such as for Stop: the step ends, the tick goes on."""
-
-    TAKEN = 0
 
 
 class Leave(Enum):
@@ -41,5 +35,4 @@ class Returned(NamedTuple):
 
 
 Jump = Leave | Returned
-Asked = Generator[Invoke | Breath, Value | None, Value]
-Routine = Generator[Body | Invoke | Breath | None, Value | None, Jump | None]
+Routine = Generator[Body | Invoke | Pending | Preempt | None, Value | None, Jump | None]

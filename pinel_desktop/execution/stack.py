@@ -8,13 +8,14 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
-from pinel_desktop.events.model import BlockEnded, BlockStarted
+from pinel_desktop.events.model import BlockEnded, BlockStarted, StackEntry
 from pinel_desktop.execution.clock import TICK_HZ
+from pinel_desktop.execution.compiled_commands import CompiledCommand, compile_command
 from pinel_desktop.execution.context import RunContext, RunFailureError
-from pinel_desktop.execution.plans import CommandPlan, plan_of
+from pinel_desktop.execution.expressions.values import Value
+from pinel_desktop.execution.expressions.variables import Names
+from pinel_desktop.execution.inputs import Pending
 from pinel_desktop.execution.requests import Body, Invoke, Jump, Leave, Returned, Routine
-from pinel_desktop.execution.values import Value
-from pinel_desktop.execution.variables import Names
 from pinel_desktop.program.limits import MAX_RECURSION
 from pinel_desktop.program.model import Program
 
@@ -90,11 +91,12 @@ class ProgramStack:
         # asked before each command; says whether the run is to be held there
         self.holds: Callable[[Any], bool] | None = None
         self.is_held = False
+        self.awaits_person = False
         self._reported: set[str] = set()
         self._forget_at = _REPORT_TICKS
         # by identity: the program is there as long as the run, and is frozen
-        self._plans: dict[int, CommandPlan] = {}
-        self.calls: list[dict[str, str | None]] = []
+        self._compiled: dict[int, CompiledCommand] = {}
+        self.calls: list[StackEntry] = []
         self.n_calls = 0
         self.n_executed = 0
 
@@ -121,13 +123,14 @@ class ProgramStack:
     def run_until_time(self, max_steps: int, stop: Callable[[], bool]) -> bool:
         """Runs commands until a tick has to pass, or `max_steps` are done; False when the program is over before.
 
-        Where a command is held (`is_held`), it returns True as well, and no tick has to pass. Long expressions count
-        as more than one step; `stop` is asked between steps, and ends them too.
+        It returns True as well where a command is held (`is_held`), when no tick has to pass, and where one waits for
+        a person or a camera (`awaits_person`). Long expressions count as more than one step; `stop` is asked between
+        steps, and ends them too.
         """
         if self._reported and self._context.tick >= self._forget_at:
             self._reported.clear()
             self._forget_at = self._context.tick + _REPORT_TICKS
-        self.is_held = False
+        self.is_held = self.awaits_person = False
         timed = self._timed
         if timed is not None:  # what let the last tick pass mostly needs the next one too
             self._timed = None
@@ -170,7 +173,7 @@ class ProgramStack:
         return self._go_on(frame, frame.routine)
 
     def _go_on(self, frame: _Frame, routine: Routine) -> bool:
-        """Lets the command of a frame do its next part; True when it needs a tick to pass."""
+        """Lets the command of a frame do its next part; True when it needs time to pass."""
         value, frame.value = frame.value, None
         try:
             wanted = routine.send(value)
@@ -179,8 +182,9 @@ class ProgramStack:
             if end.value is not None:
                 self._jump(end.value)
             return False
-        if wanted is None:
+        if wanted is None or wanted is Pending.PERSON:
             self._timed = routine
+            self.awaits_person = wanted is not None
             if frame.entry is not None and not frame.entry.reported:
                 self._report_late()
             return True
@@ -201,38 +205,38 @@ class ProgramStack:
 
     def _begin(self, command: Any, pointer: str) -> None:
         self._beginning = command
-        plan = self._plans.get(id(command))
-        if plan is None:
-            plan = self._plans[id(command)] = plan_of(command, self._context)
-        primitive = plan.primitive
+        compiled = self._compiled.get(id(command))
+        if compiled is None:
+            compiled = self._compiled[id(command)] = compile_command(command, self._context)
+        primitive = compiled.primitive
         if not primitive.is_flow:
             self.n_executed += 1
-        if plan.in_steps is not None:
+        if compiled.in_steps is not None:
             entry = self._report(command, pointer, None)
-            self._push(entry, plan.in_steps(), plan)
-        elif plan.values is not None:
+            self._push(entry, compiled.in_steps(), compiled)
+        elif compiled.values is not None:
             try:
-                values = plan.values()
+                values = compiled.values()
             except RunFailureError:
                 self._report(command, pointer, None)
                 raise
             amount = primitive.amount(*values) if primitive.amount else None
             entry = self._report(command, pointer, amount)
-            self._perform(entry, plan, values)
+            self._perform(entry, compiled, values)
         self._beginning = None
 
-    def _perform(self, entry: _Entry, plan: CommandPlan, values: Sequence[Any]) -> None:
-        primitive = plan.primitive
+    def _perform(self, entry: _Entry, compiled: CompiledCommand, values: Sequence[Any]) -> None:
+        primitive = compiled.primitive
         if primitive.instant is not None:
             jump = primitive.instant(self._context, entry.command, *values)
             self._end(entry)
             if jump is not None:
                 self._jump(jump)
         elif primitive.routine is not None:
-            self._push(entry, primitive.routine(self._context, entry.command, *values), plan)
+            self._push(entry, primitive.routine(self._context, entry.command, *values), compiled)
 
-    def _push(self, entry: _Entry, routine: Routine, plan: CommandPlan) -> None:
-        is_loop = plan.primitive.is_loop
+    def _push(self, entry: _Entry, routine: Routine, compiled: CompiledCommand) -> None:
+        is_loop = compiled.primitive.is_loop
         self._frames.append(_Frame((), "", entry=entry, routine=routine, is_loop=is_loop))
 
     def _jump(self, jump: Jump) -> None:

@@ -12,9 +12,18 @@ _AS_IT_COMES = Setting()
 
 
 def open_link(
-    name: str, *, world: str | dict[str, Any], setting: Setting = _AS_IT_COMES, seed: int = 0
+    name: str,
+    *,
+    world: str | dict[str, Any],
+    setting: Setting = _AS_IT_COMES,
+    seed: int = 0,
+    address: str | None = None,
 ) -> RobotLink:
-    """A link of the backend `name`, not yet connected; `world` is the name of one that ships, or a document.
+    """A link of the backend `name`, not yet connected.
+
+    Args:
+        world: the name of one that ships, or a document.
+        address: where the robot is to be found, for backends that need one.
 
     Raises PinelError `unknown_link`, `unknown_robot`, and what the backend itself has to say (`unknown_world`).
     """
@@ -22,4 +31,4 @@ def open_link(
         raise PinelError("unknown_link", value=name, allowed=list(LINK_NAMES))
     module, class_name = _BACKENDS[name]
     backend = getattr(importlib.import_module(module), class_name)
-    return cast(RobotLink, backend(world=world, setting=setting, seed=seed))
+    return cast(RobotLink, backend(world=world, setting=setting, seed=seed, address=address))

@@ -129,7 +129,14 @@ class SimLink:
 
     simulated = True
 
-    def __init__(self, *, world: str | dict[str, Any], setting: Setting, seed: int) -> None:
+    def __init__(
+        self,
+        *,
+        world: str | dict[str, Any],
+        setting: Setting,
+        seed: int,
+        address: str | None = None,
+    ) -> None:
         try:
             read = load_world if isinstance(world, str) else world_from_document
             self._world = read(world)  # type: ignore[arg-type] # as its type says

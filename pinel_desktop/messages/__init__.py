@@ -1,11 +1,11 @@
-"""Every message a person can meet, by code, in Portuguese, English and Spanish.
+"""Every message a person can meet, by code, in every language.
 
-`catalogue/AREA.json` maps a code to its words, the three languages side by side:
+`catalogue/LANGUAGE/AREA.json` maps a code to its words in one language, a code on each line:
 
-    {"distance_out_of_range": {"pt-BR": {"message": "...{value}...", "remedy": "..."}, "en": {...}, "es": {...}}}
+    "distance_out_of_range": {"message": "...{value}...", "remedy": "..."},
 
-The page reads the same files. Placeholders such as `{value}` are replaced one by one, never through a
-format string, because their values come out of pupils' programs.
+The folders are the languages there are. The page reads the same files. Placeholders such as `{value}` are replaced
+one by one, never through a format string, because their values come out of pupils' programs.
 """
 
 import json
@@ -15,8 +15,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib import resources
+from typing import Protocol
 
-LANGUAGES = ("pt-BR", "en", "es")
+_CATALOGUE = resources.files(__name__) / "catalogue"
+# the one that every other is translated from, and that a missing word is taken from
+FIRST = "pt-BR"
+LANGUAGES = (FIRST, *sorted({folder.name for folder in _CATALOGUE.iterdir()} - {FIRST}))
 _PLACEHOLDER = re.compile(r"\{(\w+)\}")
 _LONGEST = 80
 # of a file the end is what tells it from others, and a person may have to type it
@@ -31,15 +35,28 @@ class Words:
     message: str
     remedy: str
 
+    @property
+    def line(self) -> str:
+        """Both on one line."""
+        return f"{self.message} {self.remedy}".strip()
+
+
+class Problem(Protocol):
+    """A code and what fills its words: a PinelError, a StoreError, a fault or a notice of the store."""
+
+    @property
+    def code(self) -> str: ...
+
+    @property
+    def params(self) -> Mapping[str, object]: ...
+
 
 @cache
-def catalogue() -> dict[str, dict[str, dict[str, str]]]:
-    """All codes of all areas: code -> language -> {"message", "remedy"}."""
-    merged: dict[str, dict[str, dict[str, str]]] = {}
-    folder = resources.files(__name__) / "catalogue"
-    for file in sorted(folder.iterdir(), key=lambda entry: entry.name):
-        if file.name.endswith(".json"):
-            merged.update(json.loads(file.read_text("utf-8")))
+def catalogue(language: str) -> dict[str, dict[str, str]]:
+    """All codes of all areas in one language: code -> {"message", "remedy"}."""
+    merged: dict[str, dict[str, str]] = {}
+    for file in sorted((_CATALOGUE / language).iterdir(), key=lambda entry: entry.name):
+        merged.update(json.loads(file.read_text("utf-8")))
     return merged
 
 
@@ -49,13 +66,18 @@ def language_of_system() -> str:
         for language in LANGUAGES:
             if os.environ.get(variable, "").lower().startswith(language[:2]):
                 return language
-    return LANGUAGES[0]
+    return FIRST
+
+
+def decimal_sign(language: str) -> str:
+    """What stands before the decimals of a number."""
+    return catalogue(language)["decimal_sign"]["message"]
 
 
 def describe(code: str, params: Mapping[str, object], language: str) -> Words:
     """The words for `code` with its placeholders filled; an unknown code is shown as it is."""
-    entry = catalogue().get(code, {})
-    words = entry.get(language) or entry.get(LANGUAGES[0]) or {"message": code, "remedy": ""}
+    unknown = {"message": code, "remedy": ""}
+    words = catalogue(language).get(code) or catalogue(FIRST).get(code) or unknown
 
     def fill(match: re.Match[str]) -> str:
         name = match[1]
@@ -67,12 +89,17 @@ def describe(code: str, params: Mapping[str, object], language: str) -> Words:
     )
 
 
+def explain(problem: Problem, language: str | None = None) -> Words:
+    """The words for a problem, in that language or the system's."""
+    return describe(problem.code, problem.params, language or language_of_system())
+
+
 def _show(value: object, language: str, is_place: bool = False) -> str:
     if isinstance(value, bool) or value is None:
         return json.dumps(value)
     if isinstance(value, float | int):
         text = f"{value:.10g}" if abs(value) < 1e300 else str(value)[:20]
-        return text if language == "en" else text.replace(".", ",")
+        return text.replace(".", decimal_sign(language))
     if isinstance(value, list | tuple):
         return ", ".join(_show(item, language, is_place) for item in value)
     text = str(value)

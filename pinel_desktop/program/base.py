@@ -5,7 +5,7 @@ each command. Pydantic looks at them when the first document is read, and not be
 """
 
 from collections.abc import Iterator
-from dataclasses import Field, FrozenInstanceError, dataclass, field
+from dataclasses import MISSING, Field, FrozenInstanceError, dataclass, field
 from typing import Any, ClassVar, dataclass_transform
 
 from pydantic import ConfigDict, GetCoreSchemaHandler
@@ -69,6 +69,17 @@ class Model(metaclass=_Dataclass):
 def values(model: Model) -> Iterator[Any]:
     """What a model holds, in the order of its fields."""
     return (getattr(model, name) for name in model.__dataclass_fields__)
+
+
+def defaults(model: type[Model]) -> dict[str, Any]:
+    """What is taken where a key is left out, by the keys that may be."""
+    found: dict[str, Any] = {}
+    for made in model.__dataclass_fields__.values():
+        if made.default_factory is not MISSING:
+            found[_key(made)] = made.default_factory()
+        elif made.default is not MISSING:
+            found[_key(made)] = made.default
+    return found
 
 
 def annotations(model: type[Model]) -> dict[str, Any]:

@@ -10,8 +10,8 @@ from typing import Any
 from pinel_desktop.program.expression_checks import Expressions
 from pinel_desktop.program.functions import parameters_of, signatures
 from pinel_desktop.program.limits import MAX_COMMANDS, MAX_NESTING, MAX_VARIABLES
-from pinel_desktop.program.places import LONGEST_PATH, Finding, Path
-from pinel_desktop.program.plans import PLANS, Plan
+from pinel_desktop.program.pointers import LONGEST_PATH, Finding, Path
+from pinel_desktop.program.signatures import COMMAND_SIGNATURES, CommandSignature
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,17 +29,19 @@ class Meaning:
     Attributes:
         findings: what is wrong, in no order.
         is_large: whether there may be too many commands or levels; `shape.check_shape` knows for sure.
+        n_keys: number of keys in all objects; fewer where something is malformed, never more.
     """
 
     findings: list[Finding] = field(default_factory=list)
     is_large: bool = False
+    n_keys: int = 0
 
 
 def check_meaning(document: dict[str, Any]) -> Meaning:
     """Looks through a `pinel_ir` document, no deeper than one may be."""
     checker = _Checker(document)
     checker.run()
-    return Meaning(checker.found, checker.is_large)
+    return Meaning(checker.found, checker.is_large, checker.n_keys)
 
 
 class _Checker:
@@ -47,6 +49,7 @@ class _Checker:
         self._document = document
         self._variables: set[str] = set()
         self._n_commands = 0
+        self._n_keys = len(document)
         self._deepest = 0
         functions = document.get("functions")
         self._functions = functions if isinstance(functions, list) else []
@@ -58,11 +61,16 @@ class _Checker:
         deepest = max(self._deepest, self._expressions.deepest)
         return self._n_commands > MAX_COMMANDS or deepest >= MAX_NESTING
 
+    @property
+    def n_keys(self) -> int:
+        return self._n_keys + self._expressions.n_keys
+
     def run(self) -> None:
         """Fills `found`."""
         functions = self._functions
         for i, function in enumerate(functions):
             if isinstance(function, dict):
+                self._n_keys += len(function)
                 body, path = function.get("commands"), ("functions", i, "commands")
                 self._expressions.parameters = parameters_of(function)
                 self._commands(body, path, _Around(in_function=True))
@@ -82,45 +90,51 @@ class _Checker:
             expressions.check,
             expressions.is_plainly_right,
         )
+        n_keys = 0
         near = len(path) < MAX_NESTING // 2  # what is deeper may be too deep, which `check` notes
         for i, command in enumerate(commands):
             if command.__class__ is not dict:
                 continue
             action = command.get("action")
-            plan = PLANS.get(action) if action.__class__ is str else None
-            if plan is None:
+            signature = COMMAND_SIGNATURES.get(action) if action.__class__ is str else None
+            if signature is None:
                 continue
-            if not plan.is_simple:
-                self._command(command, plan, (*path, i), around)
+            n_keys += len(command)
+            if not signature.is_simple:
+                self._command(command, signature, (*path, i), around)
                 continue
-            for key in plan.variables:
+            for key in signature.variables:
                 note(command.get(key))
-            for key, wanted in plan.expressions:  # most are literals, which the models check
+            for key, wanted in signature.expressions:  # most are literals, which the models check
                 value = command.get(key)
                 if value.__class__ is dict and not (near and is_plainly_right(value, wanted)):
                     check(value, (*path, i, key), wanted)
+        self._n_keys += n_keys
 
-    def _command(self, command: dict[str, Any], plan: Plan, path: Path, around: _Around) -> None:
+    def _command(
+        self, command: dict[str, Any], signature: CommandSignature, path: Path, around: _Around
+    ) -> None:
         self._deepest = max(self._deepest, len(path))
         if len(path) > LONGEST_PATH:
             return
-        for key, wanted in plan.expressions:
+        for key, wanted in signature.expressions:
             value = command.get(key)
             if value.__class__ is dict or key == "condition":
                 self._expressions.check(value, (*path, key), wanted)
-        for key in plan.variables:
+        for key in signature.variables:
             self._expressions.name(command.get(key))
-        if plan.role is not None:
-            self._role(command, plan.role, path, around)
-        if plan.bodies:
-            inside = replace(around, in_loop=True) if plan.role == "loop" else around
-            for key in plan.bodies:
+        if signature.role is not None:
+            self._role(command, signature.role, path, around)
+        if signature.bodies:
+            inside = replace(around, in_loop=True) if signature.role == "loop" else around
+            for key in signature.bodies:
                 self._commands(command.get(key), (*path, key), inside)
             self._branches(command.get("elif"), (*path, "elif"), inside)
 
     def _branches(self, branches: Any, path: Path, around: _Around) -> None:
         for i, branch in enumerate(branches if isinstance(branches, list) else ()):
             if isinstance(branch, dict):
+                self._n_keys += len(branch)
                 condition = branch.get("condition")
                 self._expressions.check(condition, (*path, i, "condition"), "boolean")
                 self._commands(branch.get("commands"), (*path, i, "commands"), around)

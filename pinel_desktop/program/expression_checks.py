@@ -4,8 +4,9 @@ from typing import Any
 
 from pinel_desktop.program.conditions import ConditionError, parse_condition
 from pinel_desktop.program.functions import Signature
-from pinel_desktop.program.operators import OPERATORS, ORDER, SENSORS, Operator, ValueType
-from pinel_desktop.program.places import LONGEST_PATH, Finding, Path
+from pinel_desktop.program.operators import OPERATORS, ORDER, Operator, ValueType
+from pinel_desktop.program.pointers import LONGEST_PATH, Finding, Path
+from pinel_desktop.program.sensors import SENSORS
 
 Type = ValueType | None  # None: only the run will know
 
@@ -24,6 +25,7 @@ class Expressions:
 
     Attributes:
         deepest: length of the longest path to an expression.
+        n_keys: number of keys in the objects looked at.
         parameters: names of the function around, which are no variables.
     """
 
@@ -31,7 +33,7 @@ class Expressions:
         self, signatures: dict[str, Signature], variables: set[str], found: list[Finding]
     ) -> None:
         self._signatures, self._variables, self._found = signatures, variables, found
-        self.deepest = 0
+        self.deepest = self.n_keys = 0
         self.parameters: tuple[str, ...] = ()
 
     def check(self, value: Any, path: Path, wanted: Type) -> None:
@@ -57,8 +59,10 @@ class Expressions:
         count, takes = len(args), operator.all_take
         if count < operator.n_min or (operator.n_max is not None and count > operator.n_max):
             return False
+        n_keys = len(value)
         for argument in args:
             if argument.__class__ is dict:
+                n_keys += len(argument)
                 variable = argument.get("var")
                 if variable.__class__ is not str or "op" in argument:
                     return False
@@ -66,6 +70,7 @@ class Expressions:
                     self._variables.add(variable)
             elif _LITERALS.get(argument.__class__) != takes:
                 return False
+        self.n_keys += n_keys
         return True
 
     def name(self, value: Any) -> None:
@@ -76,6 +81,7 @@ class Expressions:
     def call(self, function: Any, arguments: Any, path: Path, key: str) -> Signature | None:
         """Checks a call with its arguments; returns what it calls."""
         given = arguments if isinstance(arguments, dict) else {}
+        self.n_keys += len(given)
         for name, argument in given.items():
             self._type(argument, (*path, "arguments", name))
         if not isinstance(function, str):
@@ -117,6 +123,7 @@ class Expressions:
         self.deepest = max(self.deepest, len(path))
         if len(path) > LONGEST_PATH:
             return None
+        self.n_keys += len(value)
         if "op" in value:
             return self._operation(value, path)
         if "var" in value:
@@ -132,11 +139,14 @@ class Expressions:
         return self._sensor(value, path)
 
     def _sensor(self, value: dict[str, Any], path: Path) -> Type:
-        for key in ("index", "angle"):
-            if isinstance(value.get(key), dict):
-                self.check(value[key], (*path, key), "number")
-        sensor = value.get("sensor")
-        return SENSORS.get(sensor) if isinstance(sensor, str) else None
+        name = value.get("sensor")
+        sensor = SENSORS.get(name) if isinstance(name, str) else None
+        if sensor is None:
+            return None
+        if sensor.argument is not None and isinstance(value.get(sensor.argument.name), dict):
+            key = sensor.argument.name
+            self.check(value[key], (*path, key), "number")
+        return sensor.gives
 
     def _operation(self, value: dict[str, Any], path: Path) -> Type:
         name, args = value["op"], value.get("args")

@@ -1,17 +1,20 @@
 """Expressions as data: literals, operators, variables, sensors, the gesture result, calls. Nothing here evaluates.
 
-A new kind of expression is a model here with its tag in `_KINDS`, its checks in `checks.py` and a case in
-`execution/evaluation.py`; a new operator is a row in `operators.py`.
+A new kind of expression is a model here with its tag in `_MODELS`, its checks in `expression_checks.py` and a case in
+`execution/expressions/evaluation.py`; a new operator is a row in `operators.py`, a new sensor one in `sensors.py`.
 """
 
 from dataclasses import dataclass, field
+from functools import reduce
+from operator import or_
 from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, GetCoreSchemaHandler, Tag
 from pydantic_core import CoreSchema, core_schema
 
 from pinel_desktop.program.base import Model
-from pinel_desktop.program.limits import MAX_LIDAR_DEG, MAX_LIST, MAX_NAME, MAX_SONAR, MAX_TEXT
+from pinel_desktop.program.limits import MAX_LIST, MAX_NAME, MAX_TEXT
+from pinel_desktop.program.sensors import SENSORS, Argument
 
 Text = Annotated[str, Field(max_length=MAX_TEXT)]
 # letters of any script with their marks, digits, underscores; spaces between
@@ -21,7 +24,7 @@ Name = Annotated[str, Field(max_length=MAX_NAME, pattern=NAME_PATTERN)]
 
 @dataclass(frozen=True, slots=True)
 class Takes:
-    """Marks a parameter that takes a literal of one type within bounds, or an expression.
+    """Marks a parameter that takes a literal of one type within bounds, or an expression; `unit` is for the docs.
 
     Literals are tried first, in pydantic's own code: nearly all parameters of nearly all programs are literals.
     """
@@ -31,6 +34,7 @@ class Takes:
     gt: float | None = None
     le: float | None = None
     whole: bool = False
+    unit: str = ""
 
     @property
     def is_bounded(self) -> bool:
@@ -79,31 +83,39 @@ class Operation(Model):
     args: list["Expression"]
 
 
-class Sonar(Model):
-    """What one of the 16 sonars measures, in m; 5.0 when nothing is near."""
+class Reading(Model):
+    """What a sensor measures; the models below are made from the rows of `sensors.SENSORS`."""
 
-    sensor: Literal["sonar"]
-    index: Annotated["float | AnyNode", Takes("number", ge=0, le=MAX_SONAR, whole=True)]
-
-
-class Distance(Model):
-    """How much room there is in a direction, in m."""
-
-    sensor: Literal["distance"]
-    direction: Literal["front", "left", "right", "back"]
+    sensor: str
 
 
-class Lidar(Model):
-    """What the laser scanner measures at an angle in degrees, in m."""
+def _reading(name: str, doc: str, **annotations: Any) -> type[Reading]:
+    namespace = {"__module__": __name__, "__doc__": doc, "__annotations__": annotations}
+    metaclass: Any = type(Reading)
+    made: type[Reading] = metaclass(name, (Reading,), namespace)
+    return made
 
-    sensor: Literal["lidar"]
-    angle: Annotated["float | AnyNode", Takes("number", ge=-MAX_LIDAR_DEG, le=MAX_LIDAR_DEG)]
+
+def _argument(argument: Argument) -> Any:
+    if argument.choices:
+        return Literal[argument.choices]
+    low, high = argument.low, argument.high
+    return Annotated[Any, Takes("number", ge=low, le=high, whole=argument.whole)]
 
 
-class Measure(Model):
-    """x, y in m, heading in degrees, bumper, time in s, colour of the floor, name of the cell."""
+def _readings() -> dict[str, type[Reading]]:
+    """A model for each sensor with an argument, and one for all others."""
+    plain = tuple(name for name, sensor in SENSORS.items() if sensor.argument is None)
+    measure = _reading("Measure", "A sensor that is asked nothing.", sensor=Literal[plain])
+    made = dict.fromkeys(plain, measure)
+    for name, sensor in SENSORS.items():
+        if sensor.argument is not None:
+            asked = {sensor.argument.name: _argument(sensor.argument)}
+            made[name] = _reading(name.title(), sensor.says, sensor=Literal[name], **asked)
+    return made
 
-    sensor: Literal["x", "y", "heading", "bumper", "time", "floor", "cell"]
+
+READINGS = _readings()
 
 
 class FunctionCall(Model):
@@ -113,21 +125,16 @@ class FunctionCall(Model):
     arguments: dict[Name, "Expression"] = field(default_factory=dict)
 
 
-AnyNode = Operation | Variable | GestureResult | Sonar | Distance | Lidar | Measure | FunctionCall
+AnyNode = Operation | Variable | GestureResult | Reading | FunctionCall
 
 # Tags stand in pydantic's error locations; with a space they are never taken for a key of the document.
-_SENSOR_KINDS = {"sonar": "a sonar", "distance": "a distance", "lidar": "a lidar"}
-
-
-_MODELS: dict[type, str] = {
+_SENSOR_KINDS = {name: f"a {model.__name__.lower()}" for name, model in READINGS.items()}
+_MODELS: dict[type[Model], str] = {
     Operation: "an operation",
     Variable: "a variable",
     GestureResult: "a gesture",
-    Sonar: "a sonar",
-    Distance: "a distance",
-    Lidar: "a lidar",
-    Measure: "a measure",
     FunctionCall: "a call",
+    **{READINGS[name]: kind for name, kind in _SENSOR_KINDS.items()},
 }
 
 
@@ -161,18 +168,23 @@ def _unknown(kind: Any) -> Discriminator:
 _FIRST_THAT_FITS = Field(union_mode="left_to_right")
 Item = Annotated[Text | float | bool, _FIRST_THAT_FITS]
 
-_Nodes = (
-    Annotated[Operation, Tag("an operation")]
-    | Annotated[Variable, Tag("a variable")]
-    | Annotated[GestureResult, Tag("a gesture")]
-    | Annotated[Sonar, Tag("a sonar")]
-    | Annotated[Distance, Tag("a distance")]
-    | Annotated[Lidar, Tag("a lidar")]
-    | Annotated[Measure, Tag("a measure")]
-    | Annotated[FunctionCall, Tag("a call")]
-)
-Node = Annotated[_Nodes, _unknown(_node_kind)]
-_ListOrNode = Annotated[
-    Annotated[list[Item], Field(max_length=MAX_LIST), Tag("a list")] | _Nodes, _unknown(_kind)
-]
+
+class _OneOf:
+    """Reads a node as the model of its kind; with `lists` also a list of literals."""
+
+    def __init__(self, *, lists: bool) -> None:
+        self._lists = lists
+
+    def __get_pydantic_core_schema__(
+        self, _source: Any, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        members: list[Any] = [Annotated[model, Tag(kind)] for model, kind in _MODELS.items()]
+        if self._lists:
+            members.insert(0, Annotated[list[Item], Field(max_length=MAX_LIST), Tag("a list")])
+        kind = _unknown(_kind if self._lists else _node_kind)
+        return handler.generate_schema(Annotated[reduce(or_, members), kind])
+
+
+Node = Annotated[AnyNode, _OneOf(lists=False)]
+_ListOrNode = Annotated[list[Item] | AnyNode, _OneOf(lists=True)]
 Expression = Annotated[Text | float | bool | _ListOrNode, _FIRST_THAT_FITS]

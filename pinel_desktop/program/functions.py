@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from pinel_desktop.program.limits import MAX_NESTING
-from pinel_desktop.program.places import Finding
-from pinel_desktop.program.plans import PLANS
+from pinel_desktop.program.pointers import Finding
+from pinel_desktop.program.signatures import COMMAND_SIGNATURES
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,8 +67,8 @@ def _within(commands: Any, depth: int = 0) -> Iterator[dict[str, Any]]:
             continue
         yield command
         action = command.get("action")
-        plan = PLANS.get(action) if isinstance(action, str) else None
-        for key in plan.bodies if plan else ():
+        signature = COMMAND_SIGNATURES.get(action) if isinstance(action, str) else None
+        for key in signature.bodies if signature else ():
             yield from _within(command.get(key), depth + 1)
         branches = command.get("elif")
         for branch in branches if isinstance(branches, list) else ():

@@ -1,7 +1,8 @@
 """The program document as data models (docs/program-document.md, version 1).
 
-Each command is a model in COMMANDS, a row on that page, a primitive in `execution/primitives/` and a block. What one
-model cannot know (types of expressions, functions, loops around a `break`) is checked in `checks.py`.
+Each command is a model in COMMANDS, a primitive in `execution/primitives/` and a row of the block table. Its rows in
+the docs and its Python form are derived from the model. What one model cannot know (types of expressions, functions,
+loops around a `break`) is checked in `checks.py`.
 """
 
 from dataclasses import field
@@ -25,13 +26,16 @@ from pinel_desktop.program.limits import (
 
 Number = float | AnyNode
 Words = str | AnyNode
-_Distance = Annotated[Number, Takes("number", ge=0, le=MAX_DISTANCE_M)]
-_Place = Annotated[Number, Takes("number", ge=-MAX_DISTANCE_M, le=MAX_DISTANCE_M)]
-_Angle = Annotated[Number, Takes("number", ge=-MAX_ANGLE_DEG, le=MAX_ANGLE_DEG)]
+_Distance = Annotated[Number, Takes("number", ge=0, le=MAX_DISTANCE_M, unit="m")]
+_Place = Annotated[Number, Takes("number", ge=-MAX_DISTANCE_M, le=MAX_DISTANCE_M, unit="m")]
+_Angle = Annotated[Number, Takes("number", ge=-MAX_ANGLE_DEG, le=MAX_ANGLE_DEG, unit="degrees")]
 _AnyNumber = Annotated[Number, Takes("number")]
-_Above0 = Annotated[Number, Takes("number", gt=0)]
-_Seconds = Annotated[Number, Takes("number", ge=0, le=MAX_WAIT_S)]
-_Timeout = Annotated[Number, Takes("number", gt=0, le=MAX_WAIT_S)]
+_MetresPerSecond = Annotated[Number, Takes("number", unit="m/s")]
+_DegreesPerSecond = Annotated[Number, Takes("number", unit="degrees/s")]
+_Speed = Annotated[Number, Takes("number", gt=0, unit="m/s")]
+_TurningSpeed = Annotated[Number, Takes("number", gt=0, unit="degrees/s")]
+_Seconds = Annotated[Number, Takes("number", ge=0, le=MAX_WAIT_S, unit="s")]
+_Timeout = Annotated[Number, Takes("number", gt=0, le=MAX_WAIT_S, unit="s")]
 _Words = Annotated[Words, Takes("text")]
 
 Color = Literal["black", "red", "orange", "yellow", "green", "blue", "purple", "white"]
@@ -58,99 +62,154 @@ def _parsed(condition: Any) -> Any:
 _Condition = Annotated[Expression, BeforeValidator(_parsed)]
 
 
-class _Command(Model):
-    """What every command may carry besides its parameters."""
+class AnyCommand(Model):
+    """What every command may carry besides its parameters.
 
+    The docstring of a command says what the robot does, for docs/program-document.md and docs/python-text.md.
+
+    Attributes:
+        python: an example of the command in Python text. A command `robot.NAME(...)` is read and written by its fields.
+    """
+
+    python = ""
     block: Text | None = None
     comment: Text | None = None
 
 
-class MoveForward(_Command):
+class MoveForward(AnyCommand):
+    """Drives straight ahead, measuring as it goes."""
+
+    python = "robot.move_forward(1.0)"
     action: Literal["move_forward"]
     distance: _Distance
 
 
-class MoveBackward(_Command):
+class MoveBackward(AnyCommand):
+    """The same, backwards."""
+
+    python = "robot.move_backward(1.0)"
     action: Literal["move_backward"]
     distance: _Distance
 
 
-class Turn(_Command):
+class Turn(AnyCommand):
+    """Turns on the spot by the whole angle, in the direction of its sign; left is positive."""
+
+    python = "robot.turn(90)"
     action: Literal["turn"]
     angle: _Angle
 
 
-class Stop(_Command):
+class Stop(AnyCommand):
+    """Stands still, and goes on when it does."""
+
+    python = "robot.stop()"
     action: Literal["stop"]
 
 
-class Drive(_Command):
+class Drive(AnyCommand):
+    """Keeps that velocity until the next motion command or the end, and goes on at once."""
+
+    python = "robot.drive(0.2, 30)"
     action: Literal["drive"]
-    linear: _AnyNumber
-    angular: _AnyNumber
+    linear: _MetresPerSecond
+    angular: _DegreesPerSecond
 
 
-class Arc(_Command):
+class Arc(AnyCommand):
+    """Drives along a circle, turning by the angle: to the left for a positive one; backwards for a negative radius."""
+
+    python = "robot.arc(1.0, 90)"
     action: Literal["arc"]
     radius: _Place
     angle: _Angle
 
 
-class SetSpeed(_Command):
+class SetSpeed(AnyCommand):
+    """Limits the motions that follow (at the start 0.6 m/s and 90 degrees/s); one of the two is enough."""
+
+    python = "robot.set_speed(linear=0.3, angular=45)"
     action: Literal["set_speed"]
-    linear: _Above0 | None = None
-    angular: _Above0 | None = None
+    linear: _Speed | None = None
+    angular: _TurningSpeed | None = None
 
     def __post_init__(self) -> None:
         if self.linear is None and self.angular is None:
             raise PydanticCustomError("missing_speed", "speed", {})
 
 
-class GoTo(_Command):
+class GoTo(AnyCommand):
+    """Turns towards the point and drives there; with `avoid` around what is in the way."""
+
+    python = "robot.go_to(2.0, 1.0, avoid=True)"
     action: Literal["go_to"]
     x: _Place
     y: _Place
     avoid: bool = False
 
 
-class Wait(_Command):
+class Wait(AnyCommand):
+    """Waits."""
+
+    python = "robot.wait(2)"
     action: Literal["wait"]
     seconds: _Seconds
 
 
-class WaitUntil(_Command):
+class WaitUntil(AnyCommand):
+    """Waits until the condition is true, looking 30 times a second, or until the time is over."""
+
+    python = "robot.wait_until(robot.bumper, timeout=5)"
     action: Literal["wait_until"]
     condition: _Condition
     timeout: _Timeout | None = None
 
 
-class Pen(_Command):
+class Pen(AnyCommand):
+    """Begins or ends a trail on the floor, blue without a colour; the pen is up at the start."""
+
+    python = 'robot.pen(down=True, color="red")'
     action: Literal["pen"]
     down: bool
     color: Color | None = None
 
 
-class Ask(_Command):
+class Ask(AnyCommand):
+    """Waits for a person's answer and keeps it in the variable; what reads as a number is one."""
+
+    python = 'name = robot.ask("What is your name?")'
     action: Literal["ask"]
     question: _Words
     variable: Name
 
 
-class Mark(_Command):
+class Mark(AnyCommand):
+    """Marks the place under the robot."""
+
+    python = 'robot.mark("X")'
     action: Literal["mark"]
     symbol: Literal["X", "O"]
 
 
-class Say(_Command):
+class Say(AnyCommand):
+    """Shows any value to the group and keeps it in the run."""
+
+    python = 'robot.say("Hello")'
     action: Literal["say"]
     text: Expression
 
 
-class Beep(_Command):
+class Beep(AnyCommand):
+    """Makes a sound."""
+
+    python = "robot.beep()"
     action: Literal["beep"]
 
 
-class ClassifyGestures(_Command):
+class ClassifyGestures(AnyCommand):
+    """Waits for a sign, in real time; afterwards the gesture result is its letter, or "" when the time is over."""
+
+    python = "robot.classify_gestures(timeout=10)"
     action: Literal["classify_gestures", "classificar_gestos"]
     timeout: _Timeout = 10.0
 
@@ -160,48 +219,72 @@ class ClassifyGestures(_Command):
         return "classify_gestures"
 
 
-class SetGestureResult(_Command):
+class SetGestureResult(AnyCommand):
+    """Sets the gesture result by hand."""
+
+    python = 'robot.set_gesture_result("B")'
     action: Literal["set_gesture_result"]
     result: Annotated[_Words, Field(validation_alias=AliasChoices("result", "resultado"))]
 
 
-class SetVariable(_Command):
+class SetVariable(AnyCommand):
+    """Gives a variable a value."""
+
+    python = "x = 1"
     action: Literal["set_variable"]
     name: Name
     value: Expression
 
 
-class ChangeVariable(_Command):
+class ChangeVariable(AnyCommand):
+    """Adds to a variable that holds a number; in Python `x -= 1` adds -1."""
+
+    python = "x += 1"
     action: Literal["change_variable"]
     name: Name
     by: _AnyNumber
 
 
-class Append(_Command):
+class Append(AnyCommand):
+    """Adds an item at the end of the list of that name."""
+
+    python = "numbers.append(7)"
     action: Literal["append"]
     list_: Annotated[Name, Field(alias="list")]
     value: Expression
 
 
-class Repeat(_Command):
+class Repeat(AnyCommand):
+    """Runs the commands that many times."""
+
+    python = "for _ in range(4):"
     action: Literal["repeat"]
     times: Annotated[Number, Takes("number", ge=0, le=MAX_REPEATS, whole=True)]
     commands: list["Command"]
 
 
-class While(_Command):
+class While(AnyCommand):
+    """Runs the commands as long as the condition is true; tests first."""
+
+    python = "while x < 3:"
     action: Literal["while"]
     condition: _Condition
     commands: list["Command"]
 
 
-class Until(_Command):
+class Until(AnyCommand):
+    """Runs the commands as long as the condition is false; tests first."""
+
+    python = "while not robot.bumper:"
     action: Literal["until"]
     condition: _Condition
     commands: list["Command"]
 
 
-class For(_Command):
+class For(AnyCommand):
+    """Counts from the first number to the last, both included; down for a negative step."""
+
+    python = "for i in steps(1, 10, 2):"
     action: Literal["for"]
     variable: Name
     from_: Annotated[_AnyNumber, Field(alias="from")]
@@ -210,16 +293,25 @@ class For(_Command):
     commands: list["Command"]
 
 
-class Forever(_Command):
+class Forever(AnyCommand):
+    """Runs the commands again and again."""
+
+    python = "while True:"
     action: Literal["forever"]
     commands: list["Command"]
 
 
-class Break(_Command):
+class Break(AnyCommand):
+    """Leaves the innermost loop."""
+
+    python = "break"
     action: Literal["break"]
 
 
-class Continue(_Command):
+class Continue(AnyCommand):
+    """Goes on with the next round of the innermost loop."""
+
+    python = "continue"
     action: Literal["continue"]
 
 
@@ -230,7 +322,10 @@ class Branch(Model):
     commands: list["Command"]
 
 
-class ConditionalExecution(_Command):
+class ConditionalExecution(AnyCommand):
+    """Runs the first list whose condition is true; in Python `elif x == 2:` and `else:` may follow."""
+
+    python = "if x == 1:"
     action: Literal["conditional_execution"]
     condition: _Condition
     commands: list["Command"]
@@ -238,13 +333,19 @@ class ConditionalExecution(_Command):
     else_: Annotated[list["Command"], Field(alias="else")] = field(default_factory=list)
 
 
-class Call(_Command):
+class Call(AnyCommand):
+    """Runs a function."""
+
+    python = "area(2, 3)"
     action: Literal["call"]
     function: Name
     arguments: dict[Name, Expression] = field(default_factory=dict)
 
 
-class Return(_Command):
+class Return(AnyCommand):
+    """Leaves the function, giving the value, if there is one, to who called it."""
+
+    python = "return a * b"
     action: Literal["return"]
     value: Expression | None = None
 
@@ -282,7 +383,7 @@ Command = Annotated[
     | Return,
     Field(discriminator="action"),
 ]
-COMMANDS: tuple[type[_Command], ...] = Command.__origin__.__args__  # type: ignore[attr-defined]
+COMMANDS: tuple[type[AnyCommand], ...] = Command.__origin__.__args__  # type: ignore[attr-defined]
 
 
 class Function(Model):
@@ -310,7 +411,13 @@ def documents() -> TypeAdapter[Program]:
     return TypeAdapter(Program)
 
 
-def action_of(model: type[_Command]) -> str:
+def parameters_of(model: type[AnyCommand]) -> dict[str, Any]:
+    """The parameters of a command, with what may stand in each."""
+    of_all = {"action", *annotations(AnyCommand)}
+    return {key: kind for key, kind in annotations(model).items() if key not in of_all}
+
+
+def action_of(model: type[AnyCommand]) -> str:
     """The action that a model of COMMANDS stands for."""
     return str(annotations(model)["action"].__args__[0])
 

@@ -64,8 +64,3 @@ OPERATORS: dict[str, Operator] = {
     "length": Operator(1, 1, (None,), "number"),  # of a text or a list
     "item": Operator(2, 2, ("list", "number"), None),
 }
-SENSORS: dict[str, ValueType] = {
-    **dict.fromkeys(("sonar", "distance", "lidar", "x", "y", "heading", "time"), "number"),
-    "bumper": "boolean",
-    **dict.fromkeys(("floor", "cell"), "text"),
-}

@@ -24,6 +24,15 @@ def value_at(document: Any, path: Path) -> Any:
     return document
 
 
+def has_path(document: Any, path: Path) -> bool:
+    """Whether something stands at a path."""
+    try:
+        value_at(document, path)
+    except (LookupError, TypeError):
+        return False
+    return True
+
+
 def block_at(document: Any, path: Path) -> str | None:
     """Id of the innermost block around a place."""
     block: str | None = None

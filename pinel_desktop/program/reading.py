@@ -11,10 +11,11 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from pinel_desktop.program.checks import Meaning, check_meaning
+from pinel_desktop.program.duplicates import decoded, duplicate_keys, most_keys
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.limits import MAX_BYTES, MAX_NESTING
 from pinel_desktop.program.model import Program, documents
-from pinel_desktop.program.places import Finding, Path, in_document_order, pointer
+from pinel_desktop.program.pointers import Finding, Path, has_path, in_document_order, pointer
 from pinel_desktop.program.shape import check_shape
 from pinel_desktop.program.translation import fault_from_error, placed_fault, relevant_errors
 
@@ -71,12 +72,15 @@ def _read(source: str | bytes | dict[str, Any] | list[Any]) -> Reading:
     parsed = _parse(source)
     if isinstance(parsed, Fault):
         return Reading(None, (parsed,))
-    if isinstance(parsed, dict):
+    text, document = parsed
+    if isinstance(document, dict):
         # most documents are good, and then nothing needs to be known of their shape
-        meaning, program, _ = _looked_at(parsed)
-        if program is not None and not meaning.findings and not meaning.is_large:
+        meaning, program, _ = _looked_at(document)
+        is_good = program is not None and not meaning.findings and not meaning.is_large
+        if is_good and (meaning.n_keys == most_keys(text) or not duplicate_keys(text)):
             return Reading(program)
-    return _read_shaped(parsed)
+    faults = check_shape(document)
+    return Reading(None, tuple(faults)) if faults else _read_shaped(document, duplicate_keys(text))
 
 
 def _read_parsed(parsed: dict[str, Any] | list[Any]) -> Reading:
@@ -86,16 +90,14 @@ def _read_parsed(parsed: dict[str, Any] | list[Any]) -> Reading:
     size = _size(parsed)
     if size > MAX_BYTES:
         return Reading(None, (_too_large(size),))
-    return _read_shaped(parsed)
+    return _read_shaped(parsed, [])
 
 
-def _read_shaped(parsed: Any) -> Reading:
-    faults = check_shape(parsed)
-    if faults:
-        return Reading(None, tuple(faults))
+def _read_shaped(parsed: Any, doubled: list[Finding]) -> Reading:
+    """Reads parsed data of a size and depth that can be looked through; `doubled` are the keys that are there twice."""
     if isinstance(parsed, list):
-        return _read_bare_list(parsed)
-    return _validate(parsed, bare=False)
+        return _read_bare_list(parsed, doubled)
+    return _validate(parsed, doubled, bare=False)
 
 
 def _size(document: Any) -> int:
@@ -108,11 +110,12 @@ def _too_large(size: int) -> Fault:
     return Fault("document_too_large", params={"value": size, "max": MAX_BYTES})
 
 
-def _parse(text: str | bytes) -> Any:
-    if len(text) > MAX_BYTES:
-        return _too_large(len(text))
+def _parse(source: str | bytes) -> tuple[str, Any] | Fault:
+    if len(source) > MAX_BYTES:
+        return _too_large(len(source))
     try:
-        return json.loads(text)
+        text = decoded(source)
+        return text, json.loads(text)
     except RecursionError:
         return Fault("nesting_too_deep", params={"max": MAX_NESTING})
     except json.JSONDecodeError as error:
@@ -121,16 +124,17 @@ def _parse(text: str | bytes) -> Any:
         return Fault("json_syntax", params={"line": 1, "column": 1})
 
 
-def _read_bare_list(commands: list[Any]) -> Reading:
+def _read_bare_list(commands: list[Any], doubled: list[Finding]) -> Reading:
     """The original's format: unknown keys, such as its `status`, are passed over with a warning."""
     document = {"pinel_ir": 1, "name": "", "commands": commands}
-    reading = _validate(document, bare=True)
+    doubled = [(code, ("commands", *path), params) for code, path, params in doubled]
+    reading = _validate(document, doubled, bare=True)
     unknown = [fault for fault in reading.faults if fault.code == "unknown_key"]
     if not unknown:
         return reading
     keys = {fault.pointer for fault in unknown}
-    cleaned = _without_keys(commands, keys, "")
-    reading = _validate({**document, "commands": cleaned}, bare=True)
+    cleaned = {**document, "commands": _without_keys(commands, keys, "")}
+    reading = _validate(cleaned, [one for one in doubled if has_path(cleaned, one[1])], bare=True)
     return Reading(reading.program, reading.faults, tuple(unknown))
 
 
@@ -152,11 +156,12 @@ def _looked_at(document: dict[str, Any]) -> tuple[Meaning, Program | None, list[
         return meaning, None, error.errors(include_url=False)
 
 
-def _validate(document: dict[str, Any], *, bare: bool) -> Reading:
+def _validate(document: dict[str, Any], doubled: list[Finding], *, bare: bool) -> Reading:
     meaning, program, errors = _looked_at(document)
-    if program is not None and not meaning.findings:
+    findings = [*doubled, *meaning.findings]
+    if program is not None and not findings:
         return Reading(program)
-    return Reading(None, tuple(_faults(document, errors, meaning.findings, bare=bare)))
+    return Reading(None, tuple(_faults(document, errors, findings, bare=bare)))
 
 
 def _faults(

@@ -4,7 +4,7 @@ from typing import Any
 
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.limits import MAX_COMMANDS, MAX_NESTING
-from pinel_desktop.program.places import Path, pointer
+from pinel_desktop.program.pointers import Path, pointer
 
 
 class _TooDeepError(Exception):

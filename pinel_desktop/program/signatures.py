@@ -1,10 +1,10 @@
 """What is to be checked of each command beyond its own model, taken from the models."""
 
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Any, Literal, get_args, get_origin
 
 from pinel_desktop.program.base import Model, annotations
-from pinel_desktop.program.expressions import Lidar, Sonar, Takes
+from pinel_desktop.program.expressions import READINGS, Takes
 from pinel_desktop.program.model import COMMANDS, action_of
 from pinel_desktop.program.operators import ValueType
 
@@ -14,7 +14,7 @@ _NAMES_OF_VARIABLES = ("name", "variable", "list")
 
 
 @dataclass(slots=True)
-class Plan:
+class CommandSignature:
     """Parameters with an expression, keys that name variables, keys of bodies.
 
     Attributes:
@@ -37,41 +37,49 @@ def takes_of(annotation: Any) -> Takes | None:
     return None
 
 
-def _plan(model: type[Model]) -> Plan:
-    plan = Plan()
+def choices_of(annotation: Any) -> tuple[str, ...]:
+    """The texts that may be written out for a parameter; none where it takes others or no text."""
+    for part in (annotation, *get_args(annotation)):
+        if get_origin(part) is Literal:
+            return get_args(part)
+    return ()
+
+
+def _signature(model: type[Model]) -> CommandSignature:
+    signature = CommandSignature()
     for key, annotation in annotations(model).items():
         takes = takes_of(annotation)
         if takes is not None:
-            plan.expressions.append((key, takes.type))
+            signature.expressions.append((key, takes.type))
         elif key in ("condition", "value", "text"):
-            plan.expressions.append((key, "boolean" if key == "condition" else None))
+            signature.expressions.append((key, "boolean" if key == "condition" else None))
         elif key in _NAMES_OF_VARIABLES:
-            plan.variables.append(key)
+            signature.variables.append(key)
         elif key in ("commands", "else"):
-            plan.bodies.append(key)
-    return plan
+            signature.bodies.append(key)
+    return signature
 
 
-def _plans() -> dict[str, Plan]:
-    plans = {action_of(model): _plan(model) for model in COMMANDS}
+def _signatures() -> dict[str, CommandSignature]:
+    signatures = {action_of(model): _signature(model) for model in COMMANDS}
     # the original's spellings
-    plans["classificar_gestos"] = plans["classify_gestures"]
-    plans["set_gesture_result"].expressions += [("resultado", "text")]
+    signatures["classificar_gestos"] = signatures["classify_gestures"]
+    signatures["set_gesture_result"].expressions += [("resultado", "text")]
     for action in ("repeat", "while", "until", "for", "forever"):
-        plans[action].role = "loop"
+        signatures[action].role = "loop"
     for action in ("break", "continue"):
-        plans[action].role = "jump"
-    plans["call"].role = "call"
-    plans["return"].role = "return"
-    for plan in plans.values():
-        conditions = any(key == "condition" for key, _ in plan.expressions)
-        plan.is_simple = not (plan.bodies or plan.role or conditions)
-    return plans
+        signatures[action].role = "jump"
+    signatures["call"].role = "call"
+    signatures["return"].role = "return"
+    for signature in signatures.values():
+        conditions = any(key == "condition" for key, _ in signature.expressions)
+        signature.is_simple = not (signature.bodies or signature.role or conditions)
+    return signatures
 
 
 def _takes() -> dict[tuple[str, str], Takes]:
     models: list[tuple[str, type[Model]]] = [(action_of(model), model) for model in COMMANDS]
-    models += [("sonar", Sonar), ("lidar", Lidar)]
+    models += READINGS.items()
     found = (
         (kind, key, takes_of(annotation))
         for kind, model in models
@@ -80,5 +88,12 @@ def _takes() -> dict[tuple[str, str], Takes]:
     return {(kind, key): takes for kind, key, takes in found if takes is not None}
 
 
-PLANS = _plans()
+COMMAND_SIGNATURES = _signatures()
 TAKES = _takes()  # (action or sensor, parameter) -> its bounds
+
+
+def range_code(name: str, takes: Takes) -> str:
+    """The code of a value of that parameter outside its bounds, on reading and in a run."""
+    if takes.le is None:
+        return f"{name}_not_positive"
+    return "sonar_out_of_range" if name == "index" else f"{name}_out_of_range"

@@ -6,11 +6,10 @@ from typing import Any
 from pydantic_core import ErrorDetails
 
 from pinel_desktop.program import model
-from pinel_desktop.program.expressions import Takes
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.limits import MAX_LIST, MAX_NAME, MAX_TEXT
-from pinel_desktop.program.places import Path, block_at, pointer, value_at
-from pinel_desktop.program.plans import TAKES
+from pinel_desktop.program.pointers import Path, block_at, pointer, value_at
+from pinel_desktop.program.signatures import TAKES, range_code
 
 _RANGE_ERRORS = ("greater_than", "greater_than_equal", "less_than", "less_than_equal")
 WRONG_TYPE = {
@@ -158,13 +157,6 @@ def _out_of_range(error: ErrorDetails, path: Path, document: Any) -> tuple[str, 
     low = takes.ge if takes.gt is None else takes.gt
     params = {"value": error["input"], "min": low, "max": takes.le}
     return range_code(name, takes), params
-
-
-def range_code(name: str, takes: Takes) -> str:
-    """The code of a value of that parameter outside its bounds; execution uses the same."""
-    if takes.le is None:
-        return f"{name}_not_positive"
-    return "sonar_out_of_range" if name == "index" else f"{name}_out_of_range"
 
 
 def _last_key(path: Path) -> str:

@@ -1,4 +1,4 @@
-"""What of a run's record is not what its repetition gives, part by part."""
+"""Compares a run's record with its replay, part by part."""
 
 import json
 import math
@@ -12,11 +12,11 @@ from typing import Any
 import numpy as np
 
 from pinel_desktop import __version__
-from pinel_desktop.events.model import Event, EventStamp, Ranges, RunEnded
+from pinel_desktop.events.model import Event, EventStamp, RunEnded
 from pinel_desktop.events.model import Telemetry as Sample
 from pinel_desktop.execution.clock import TICK_HZ
 from storage import RunRow
-from storage.telemetry import COLUMNS, STEPS, Rows, pack, unpack
+from storage.runs.telemetry import COLUMNS, STEPS, Rows, pack, unpack
 
 EQUAL_M = 1e-4  # between platforms, whose mathematical functions differ in the last digit
 _EQUAL_OVER_ALL_M = 1e-2  # the length of a long path adds up many of those
@@ -40,7 +40,7 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Difference:
-    """The first tick at which a repetition is not what was recorded, beyond what the record rounds to."""
+    """The first tick at which a replay is not what was recorded, beyond what the record rounds to."""
 
     tick: int
     column: str
@@ -55,7 +55,7 @@ class Difference:
 
 @dataclass(frozen=True, slots=True)
 class Record:
-    """What the store holds of a run; `rows` as in `storage.telemetry.COLUMNS`."""
+    """What the store holds of a run; `rows` as in `storage.runs.telemetry.COLUMNS`."""
 
     row: RunRow
     rows: Rows
@@ -68,8 +68,8 @@ class Record:
         return last if last.get("type") == RunEnded.type else _NOTHING
 
 
-class Seen:
-    """All that a repetition shows, as the store would keep it."""
+class ReplayLog:
+    """The events and telemetry of a replay, as the store would keep them."""
 
     def __init__(self) -> None:
         self.events: list[Wire] = []
@@ -80,7 +80,7 @@ class Seen:
         """To be called with every event."""
         if type(event) is Sample:
             self._samples.append((tick, *_sample(event)))
-        elif type(event) is not Ranges:
+        elif event.kept:
             self.events.append(json.loads(json.dumps(self._stamp.wire(tick, event))))
 
     def rows(self) -> Rows:
@@ -97,7 +97,7 @@ def gaps(record: Record) -> list[Part]:
 
 
 def inconsistencies(record: Record) -> list[Part]:
-    """Where the record of a run that came to its end contradicts itself, whatever a repetition says."""
+    """Where the record of a run that came to its end contradicts itself, whatever a replay says."""
     row, ended, n_rows = record.row, record.ended, len(record.rows)
     parts = gaps(record)
     if not parts and ended and n_rows != ended["tick"]:
@@ -112,18 +112,18 @@ def inconsistencies(record: Record) -> list[Part]:
     return parts
 
 
-def altered(record: Record, seen: Seen, *, exactly: bool) -> list[Part]:
-    """What of a record is not what was seen when it was repeated; `exactly` where the same numbers came out."""
+def altered(record: Record, replay: ReplayLog, *, exactly: bool) -> list[Part]:
+    """What of a record is not what its replay gave; `exactly` where the same numbers came out."""
     parts: list[Part] = []
-    rows, everything = seen.rows(), record.row.app_version == __version__
+    rows, everything = replay.rows(), record.row.app_version == __version__
     if len(record.rows) != len(rows):
         parts.append(Part("part_rows", {"recorded": len(record.rows), "expected": len(rows)}))
     elif found := first_difference(record.rows, rows, exactly=exactly, everything=everything):
         parts.append(Part("part_sample", {**asdict(found), "time": round(found.time_s, 2)}))
     limit = 0.0 if exactly else _EQUAL_OVER_ALL_M
-    parts += _wrong_figures(record.row, seen.events[-1], limit, hashed=exactly)
+    parts += _wrong_figures(record.row, replay.events[-1], limit, hashed=exactly)
     limit = 0.0 if exactly else EQUAL_M
-    return parts + _wrong_events(record.events, seen.events, limit, everything=everything)
+    return parts + _wrong_events(record.events, replay.events, limit, everything=everything)
 
 
 def first_difference(
@@ -204,7 +204,7 @@ def _wrong_events(
 
 def _is_same_event(was: Wire, now: Wire, limit: float, *, everything: bool) -> bool:
     if limit and was["type"] == now["type"] == RunEnded.type:
-        return True  # its figures are looked at by themselves
+        return True  # its figures are compared by themselves
     if not everything:  # events of another release may have told less
         now = {name: value for name, value in now.items() if name in was}
     return _same(was, now, limit)

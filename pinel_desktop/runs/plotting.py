@@ -1,5 +1,9 @@
-"""A run as the dissertation shows its experiments: path, position, heading, control signals; desired and obtained."""
+"""A run as the dissertation shows its experiments: path, position, heading, control signals; desired and obtained.
 
+matplotlib is large and only here: it is the extra `plot`, and the package does without it.
+"""
+
+import importlib.util
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -9,58 +13,28 @@ from typing import TYPE_CHECKING, Any
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, Telemetry
 from pinel_desktop.execution.clock import TICK_HZ
+from pinel_desktop.messages import describe
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _ENDINGS = (".png", ".svg", ".pdf")
-_WORDS = {
-    "pt-BR": {
-        "path": "Caminho no chão",
-        "position": "Posição",
-        "heading": "Orientação",
-        "signals": "Sinais de controle",
-        "desired": "desejado",
-        "obtained": "obtido",
-        "true": "de verdade",
-        "start": "início",
-        "time": "tempo (s)",
-        "v": "v (m/s)",
-        "omega": "ω (rad/s)",
-        "metres": "(m)",
-        "degrees": "(graus)",
-    },
-    "en": {
-        "path": "Path on the floor",
-        "position": "Position",
-        "heading": "Heading",
-        "signals": "Control signals",
-        "desired": "desired",
-        "obtained": "obtained",
-        "true": "in truth",
-        "start": "start",
-        "time": "time (s)",
-        "v": "v (m/s)",
-        "omega": "ω (rad/s)",
-        "metres": "(m)",
-        "degrees": "(degrees)",
-    },
-    "es": {
-        "path": "Camino en el piso",
-        "position": "Posición",
-        "heading": "Orientación",
-        "signals": "Señales de control",
-        "desired": "deseado",
-        "obtained": "obtenido",
-        "true": "de verdad",
-        "start": "inicio",
-        "time": "tiempo (s)",
-        "v": "v (m/s)",
-        "omega": "ω (rad/s)",
-        "metres": "(m)",
-        "degrees": "(grados)",
-    },
-}
+# each is `plot_NAME` of the messages
+_WORDS = (
+    "path",
+    "position",
+    "heading",
+    "signals",
+    "desired",
+    "obtained",
+    "true",
+    "start",
+    "time",
+    "v",
+    "omega",
+    "metres",
+    "degrees",
+)
 _COLUMNS = (
     "x_m",
     "y_m",
@@ -103,24 +77,28 @@ class Curves:
 
 
 def plot_format(file: str) -> str:
-    """The kind of picture that the file's name ends in. Raises PinelError `plot_ending` for any other."""
+    """The kind of picture that the file's name ends in.
+
+    Raises PinelError `plot_ending` for any other, `plot_missing` without matplotlib.
+    """
     ending = Path(file).suffix.lower()
     if ending not in _ENDINGS:
         raise PinelError("plot_ending", path=file, allowed=list(_ENDINGS))
+    if importlib.util.find_spec("matplotlib") is None:
+        raise PinelError("plot_missing")
     return ending[1:]
 
 
 def draw(curves: Curves, file: str, *, title: str, language: str) -> None:
     """Writes a picture (PNG, SVG or PDF, by the ending of its name).
 
-    Raises PinelError `plot_ending`, or `plot_unwritable` with the reason.
+    Raises PinelError as `plot_format` does, or `plot_unwritable` with the reason.
     """
     kind = plot_format(file)
-    # numpy and fonts: for those who want a picture only
     from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
     from matplotlib.figure import Figure  # noqa: PLC0415
 
-    words = _WORDS[language]
+    words = {name: describe(f"plot_{name}", {}, language).message for name in _WORDS}
     figure = Figure(figsize=_INCHES, dpi=_DPI, layout="constrained")
     FigureCanvasAgg(figure)
     figure.suptitle(title, parse_math=False)

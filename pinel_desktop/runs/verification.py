@@ -3,24 +3,22 @@
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from pinel_desktop.comparison import (
+from pinel_desktop.errors import PinelError
+from pinel_desktop.execution.executor import RunResult
+from pinel_desktop.runs.comparison import (
     Difference,
     Part,
     Record,
-    Seen,
+    ReplayLog,
     altered,
     first_difference,
     gaps,
     inconsistencies,
     same_beginning,
 )
-from pinel_desktop.errors import PinelError
-from pinel_desktop.events.model import Event
-from pinel_desktop.execution.executor import RunOptions, RunResult, execute
-from pinel_desktop.execution.repeating import Repeater
-from pinel_desktop.links import open_link
-from pinel_desktop.program.reading import read_document
-from pinel_desktop.robot import setting_from
+from pinel_desktop.runs.record import spec_of
+from pinel_desktop.runs.recorded_inputs import RecordedInputs
+from pinel_desktop.runs.start import start
 from storage import RunRow, Store
 
 Outcome = Literal["identical", "equal", "different", "altered"]
@@ -30,11 +28,11 @@ _CUT_OFF = ("interrupted", "engine_lost", "internal_error")
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """What a repetition showed.
+    """The result of a verification.
 
     Attributes:
         outcome: `identical` to the bit; `equal` within 0.1 mm and 0.1 mrad; `different`; or `altered`: the record does
-            not agree with itself, or with a repetition that gave the recorded `telemetry_sha256`.
+            not agree with itself, or with a replay that gave the recorded `telemetry_sha256`.
         n_ticks: how many ticks were compared.
         whole: whether that is the whole run; a run that was cut off is compared as far as its record goes.
         recorded_sha256, repeated_sha256: `telemetry_sha256` of both; that of a run that was cut off is None.
@@ -64,10 +62,11 @@ def verify_run(store: Store, row: RunRow) -> Verdict:
         raise PinelError("run_not_ended", id=row.id)
     record = Record(row, store.runs.telemetry(row.id).rows, store.runs.events(row.id))
     until = len(record.rows) if row.reason in _CUT_OFF else None
-    repeater, seen = Repeater(record.events, until), Seen()
-    result = _repeated(row, _document(store, row), repeater, seen)
-    difference = first_difference(record.rows, seen.rows())
-    parts = _parts(record, seen, result, difference)
+    replay = ReplayLog()
+    spec = spec_of(row, _document(store, row), RecordedInputs(record.events, until))
+    result = start(spec, replay.observe)
+    difference = first_difference(record.rows, replay.rows())
+    parts = _parts(record, replay, result, difference)
     is_same = until is None and result.ended.telemetry_sha256 == row.telemetry_sha256
     outcome: Outcome = "identical" if is_same else "equal"
     if parts:
@@ -86,21 +85,21 @@ def verify_run(store: Store, row: RunRow) -> Verdict:
 
 
 def _parts(
-    record: Record, seen: Seen, result: RunResult, difference: Difference | None
+    record: Record, replay: ReplayLog, result: RunResult, difference: Difference | None
 ) -> list[Part]:
-    """What was changed of the record; nothing where it is sound and the repetition merely differs."""
+    """What was changed of the record; nothing where it is sound and the replay merely differs."""
     row = record.row
     if row.reason in _CUT_OFF:
-        beginning = same_beginning(record.events, seen.events, len(record.rows))
+        beginning = same_beginning(record.events, replay.events, len(record.rows))
         return gaps(record) or ([] if difference else beginning)
     is_same = result.ended.telemetry_sha256 == row.telemetry_sha256
-    if is_same and (parts := altered(record, seen, exactly=True)):
+    if is_same and (parts := altered(record, replay, exactly=True)):
         return parts
     if parts := inconsistencies(record):
         return parts
     if is_same or difference is not None:
         return []
-    return altered(record, seen, exactly=False)
+    return altered(record, replay, exactly=False)
 
 
 def _document(store: Store, row: RunRow) -> dict[str, Any]:
@@ -109,25 +108,3 @@ def _document(store: Store, row: RunRow) -> dict[str, Any]:
     if document is None:
         raise PinelError("run_not_repeatable")
     return document
-
-
-def _repeated(row: RunRow, document: dict[str, Any], repeater: Repeater, seen: Seen) -> RunResult:
-    reading = read_document(document)
-    if reading.program is None:
-        raise PinelError("invalid_program", count=len(reading.faults))
-    setting = setting_from(row.parameters)
-
-    def observe(tick: int, event: Event) -> None:
-        seen.observe(tick, event)
-        repeater.observe(tick, event)
-
-    options = RunOptions(
-        observer=observe,
-        control=repeater.control,
-        gestures=repeater.gestures,
-        answers=repeater.answers,
-        seed=row.seed,
-        robot=setting.robot,
-    )
-    link = open_link(row.link, world=row.world_document, setting=setting, seed=row.seed)
-    return execute(reading.program, link, options)

@@ -12,6 +12,7 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.events.app_events import Judged
 from pinel_desktop.messages import describe
 from storage import Store, StoreError
 
@@ -21,8 +22,8 @@ if TYPE_CHECKING:
 _log = logging.getLogger(__name__)
 
 
-class Judge:
-    """Looks at runs that have ended, one after the other; close it at the end.
+class Grader:
+    """Grades runs that have ended, one after the other; to be closed at the end.
 
     Args:
         settle: returns when all that is known of a run can be read from the store.
@@ -38,24 +39,24 @@ class Judge:
     ) -> None:
         self._store, self._settle, self._publish = store, settle, publish
         self._language = language
-        self._worker = ThreadPoolExecutor(1, thread_name_prefix="judge")
+        self._worker = ThreadPoolExecutor(1, thread_name_prefix="grader")
 
-    def look_at(self, run_id: str) -> None:
-        """Judges a run that has just ended, if there is anything to judge it by."""
+    def grade(self, run_id: str) -> None:
+        """Grades a run that has just ended, if its lesson has an activity."""
         with contextlib.suppress(RuntimeError):  # the app is closing: the next start does it
-            self._worker.submit(self._judge, run_id)
+            self._worker.submit(self._grade, run_id)
 
     def catch_up(self) -> None:
-        """Judges those that the app before left behind."""
+        """Grades the runs that were still waiting when the app was closed."""
         with contextlib.suppress(StoreError):
-            for run_id in self._store.checks.waiting():
-                self.look_at(run_id)
+            for run_id in self._store.checks.pending():
+                self.grade(run_id)
 
     def close(self) -> None:
         """Leaves for the next start what has not begun yet."""
         self._worker.shutdown(cancel_futures=True)
 
-    def _judge(self, run_id: str) -> None:
+    def _grade(self, run_id: str) -> None:
         try:
             self._settle()
             run = self._store.runs.get(run_id)
@@ -64,11 +65,11 @@ class Judge:
             report = self._report(run.activity, run.version_id)
             passed = run.state == "finished" and report.passed
             kept = {"cases": [asdict(case) for case in report.cases]}
-            self._store.checks.keep(run_id, passed, kept)
+            self._store.checks.record(run_id, passed, kept)
             missing = None if passed else self._missing(report)
-            self._publish({"type": "judged", "run": run_id, "passed": passed, "missing": missing})
+            self._publish(Judged(run_id, passed, missing).flat())
         except (PinelError, StoreError) as error:  # an activity of a newer release; a full disk
-            _log.warning("run %s was not judged: %s", run_id, error)
+            _log.warning("run %s was not graded: %s", run_id, error)
 
     def _missing(self, report: "Report") -> str | None:
         """In words the first thing that does not hold, None where all of it does."""

@@ -8,11 +8,11 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from flask import Flask, Response
+from flask import Flask, Response, request
 from werkzeug.wrappers import Request
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.messages import language_of_system
+from pinel_desktop.messages import LANGUAGES, language_of_system
 from pinel_desktop.web.guard import Guard
 from pinel_desktop.web.page import PagePath, message_page, page
 from pinel_desktop.web.protection import add_headers, check_guard
@@ -21,7 +21,7 @@ from pinel_desktop.web.server import Server, Wsgi
 _PATIENCE_S = 60.0
 
 
-class Front:
+class EarlyServer:
     """Server and guard of one app; answers for the page at once, for the API after `open`.
 
     Raises:
@@ -59,22 +59,26 @@ class Front:
         answer = self._app or Response(status=503)
         return answer(environ, start_response)
 
-    def _is_for_page(self, request: Request) -> bool:
+    def _is_for_page(self, asked: Request) -> bool:
         """Whether it is a file of the page, asked for by who may; all else is for the app, refusals too."""
-        if request.method != "GET" or request.path.partition("/api")[0] == "":
+        if asked.method != "GET" or asked.path.partition("/api")[0] == "":
             return False
         try:
-            self.guard.check_origin(request.headers)
-            if request.path != "/" or "key" not in request.args:
-                self.guard.check_cookie(request.cookies)
+            self.guard.check_origin(asked.headers)
+            if asked.path != "/" or "key" not in asked.args:
+                self.guard.check_cookie(asked.cookies)
         except PinelError:
             return False
         return True
 
 
-@dataclass(frozen=True, slots=True)
-class _Language:
-    language: str
+class _EarlyPreferences:
+    """The language before the store is open: the page keeps it in a cookie too."""
+
+    @property
+    def language(self) -> str:
+        kept = request.cookies.get("pinel_language")
+        return kept if kept in LANGUAGES else language_of_system()
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,12 +86,12 @@ class _PageServices:
     """What the page's files need of `Services`."""
 
     guard: Guard
-    preferences: _Language
+    preferences: _EarlyPreferences
 
 
 def _page_alone(guard: Guard) -> Flask:
     app = Flask(__name__, static_folder=None)
-    app.extensions["pinel"] = _PageServices(guard, _Language(language_of_system()))
+    app.extensions["pinel"] = _PageServices(guard, _EarlyPreferences())
     app.url_map.converters["page_path"] = PagePath
     app.register_blueprint(page)
     app.before_request(check_guard)

@@ -9,10 +9,10 @@ from pydantic import ValidationError
 from werkzeug.exceptions import HTTPException, MethodNotAllowed, RequestEntityTooLarge
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.web.answers import error_answer, showable
 from pinel_desktop.web.invalid import first_problem
 from pinel_desktop.web.models.errors import Fault
 from pinel_desktop.web.page import message_page
+from pinel_desktop.web.responses import error_answer, showable
 from pinel_desktop.web.services import services
 from storage import StoreError
 

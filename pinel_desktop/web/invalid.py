@@ -3,9 +3,10 @@
 from collections.abc import Iterable
 from typing import get_args
 
-from pydantic import ValidationError
+from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 
+from pinel_desktop.engine.commands import COMMANDS, LiveCommand
 from pinel_desktop.web.models import Body
 
 _KINDS = {
@@ -29,22 +30,27 @@ _KINDS = {
 
 def first_problem(error: ValidationError) -> tuple[str, dict[str, object]]:
     """The code of the words for the first thing that is wrong, and what fills them."""
-    first = error.errors(include_url=False, include_context=False, include_input=False)[0]
-    if not first["loc"]:
+    first = error.errors(include_url=False, include_input=False)[0]
+    loc = first["loc"]
+    if first["type"].startswith("union_tag"):
+        return "invalid_request_choice", {"where": "do", "allowed": list(COMMANDS)}
+    if not loc:
         return "invalid_request_body", {"where": ""}
-    where = str(first["loc"][0])
+    model = _models().get(error.title)
+    if error.title == LiveCommand.__name__:  # the place begins with the command's name
+        model, loc = COMMANDS[str(loc[0])], loc[1:]
+    where = str(loc[0])
     params: dict[str, object] = {"where": where, "problem": first["type"]}
     # a place within the value is a member of a union: the one field that takes an object or a list
-    kind = "document" if len(first["loc"]) > 1 else _KINDS.get(first["type"])
-    field = _field(error.title, where)
+    kind = "document" if len(loc) > 1 else _KINDS.get(first["type"])
+    field = model.model_fields.get(where) if model else None
     if field is not None:
         params |= _limits(field)
     return (f"invalid_request_{kind}" if kind else "invalid_request"), params
 
 
-def _field(title: str, name: str) -> FieldInfo | None:
-    models = {model.__name__: model for model in Body.__subclasses__()}
-    return models[title].model_fields.get(name) if title in models else None
+def _models() -> dict[str, type[BaseModel]]:
+    return {model.__name__: model for model in Body.__subclasses__()}
 
 
 def _limits(field: FieldInfo) -> dict[str, object]:

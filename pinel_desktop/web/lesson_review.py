@@ -1,10 +1,10 @@
 """The review of a lesson, read from the store and put into the shapes of the answers."""
 
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any
 
 from pinel_desktop.messages import describe
-from pinel_desktop.review import (
+from pinel_desktop.school.review import (
     BlocksInUse,
     Edit,
     GroupReview,
@@ -16,9 +16,9 @@ from pinel_desktop.review import (
     review_lesson,
     versions_needed,
 )
-from pinel_desktop.web.api.classrooms import lesson_model
 from pinel_desktop.web.mark_table import mark_table
 from pinel_desktop.web.models import review as shapes
+from pinel_desktop.web.models.classes import Lesson
 from pinel_desktop.web.services import Services
 from storage import GroupLine, GroupLines, LessonLines, LessonRow, Store
 
@@ -39,17 +39,18 @@ class ReadLesson:
 
     def model(self) -> shapes.LessonReview:
         """As the page gets it."""
-        heads = {group.id: shapes.GroupHead(**group._asdict()) for group in self.lines.groups}
+        heads = {group.id: shapes.GroupHead.of(group) for group in self.lines.groups}
         groups = [
             shapes.GroupReview(
                 group=heads[group.id],
                 marks=[_mark(mark, self.lines, self.reasons) for mark in group.marks],
-                figures=shapes.Figures(**asdict(group.figures)),
+                figures=shapes.Figures.of(group.figures),
                 blocks=_blocks(group.blocks),
             )
             for group in self.review.groups
         ]
-        return shapes.LessonReview(lesson=lesson_model(self.lesson), groups=groups)
+        lesson = Lesson.of(self.lesson)
+        return shapes.LessonReview(lesson=lesson, groups=groups)
 
     def table(self) -> str:
         """As a spreadsheet opens it."""
@@ -108,7 +109,7 @@ def _mark(mark: Mark, lines: LessonLines, words: dict[str, str]) -> shapes.Revie
         number=mark.number,
         n_edits=None if run else mark.n_edits,
         since=mark.since,
-        changes=None if changes is None else shapes.ChangeCounts(**asdict(changes)),
+        changes=None if changes is None else shapes.ChangeCounts.of(changes),
         **_of_run(run, words),
         repairs=mark.repairs,
     )

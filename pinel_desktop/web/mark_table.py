@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from datetime import datetime
 
 from pinel_desktop.messages import describe
-from pinel_desktop.review import Counts, LessonReview, Mark, spreadsheet
-from pinel_desktop.review.spreadsheet import Cell
+from pinel_desktop.school.review import Counts, LessonReview, Mark, spreadsheet
+from pinel_desktop.school.review.spreadsheet import Cell
 
 _COLUMNS = (
     "group",

@@ -1,7 +1,4 @@
-"""Prints the OpenAPI description; the page's TypeScript types are made from it.
-
-python -m pinel_desktop.web.openapi > ui/src/api/openapi.json
-"""
+"""Prints the OpenAPI description; `npm run types` in ui/ makes the page's TypeScript types from it."""
 
 from pinel_desktop.web.routes import description_text
 

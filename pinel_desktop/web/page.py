@@ -38,12 +38,15 @@ def message_page(code: str, params: dict[str, object], language: str, status: in
 
 @page.get("/")
 def index() -> BaseResponse:
-    """The page; with a one-time key first the cookie and a redirect, so that the key leaves the address."""
+    """The page with the texts of the chosen language, built by `ui/vite.config.ts`.
+
+    With a one-time key first the cookie and a redirect, so that the key leaves the address.
+    """
     if "key" in request.args:
         return _signed_in(redirect("/"))
     if not (STATIC / "index.html").is_file():
         return message_page("page_not_built", {}, services().preferences.language, 503)
-    return _file("index.html")
+    return _file(f"index.{services().preferences.language}.html")
 
 
 class PagePath(PathConverter):

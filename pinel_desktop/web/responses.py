@@ -11,7 +11,7 @@ from flask import Response
 from pydantic import BaseModel
 
 from pinel_desktop.messages import describe
-from pinel_desktop.web.models.errors import ErrorAnswer, ErrorBody, Fault
+from pinel_desktop.web.models.errors import ErrorAnswer, ErrorBody, Fault, Notice
 
 STATUS = {
     "invalid_json": 400,
@@ -55,6 +55,11 @@ _OTHERWISE = (
 )
 
 
+def status_of(code: str) -> int:
+    """The HTTP status of an error."""
+    return STATUS.get(code, _OTHERWISE)
+
+
 MAX_FAULTS = 100
 _LONE_SURROGATE = re.compile("[\ud800-\udfff]")
 _LARGEST = 10**300
@@ -66,8 +71,8 @@ def plain(value: object) -> object:
     Not pydantic's dump: that refuses what nests deeper than 255, and Blockly nests each block in the one before.
     """
     if isinstance(value, BaseModel):
-        fields = type(value).model_fields
-        return {fields[name].alias or name: plain(item) for name, item in value}
+        aliases = {name: field.alias or name for name, field in type(value).model_fields.items()}
+        return {aliases.get(name, name): plain(item) for name, item in value}
     if isinstance(value, list | tuple):
         return [plain(item) for item in value]
     return value
@@ -98,6 +103,12 @@ def showable(value: object) -> Any:
         case list() | tuple():
             return [showable(item) for item in value]
     return value if value is None or isinstance(value, bool | int | float) else str(value)
+
+
+def notice(code: str, params: Mapping[str, object], language: str) -> Notice:
+    """Something that a person should know, in words of the language."""
+    words = describe(code, showable(params), language)
+    return Notice(code=code, message=words.message, remedy=words.remedy)
 
 
 def faults_in_words(problems: Iterable[Any], language: str) -> list[Fault]:
@@ -141,4 +152,4 @@ def error_answer(
         params=shown,
         faults=list(faults),
     )
-    return answer(ErrorAnswer(error=body), status or STATUS.get(code, _OTHERWISE))
+    return answer(ErrorAnswer(error=body), status or status_of(code))

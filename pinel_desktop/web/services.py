@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, Protocol, cast
 
 from flask import current_app
 
+from pinel_desktop.messages import Problem
 from pinel_desktop.web.guard import Guard
 
 if TYPE_CHECKING:  # heavy, and the page is served without them
+    from pinel_desktop.engine.commands import Command
     from pinel_desktop.events.hub import Hub
-    from pinel_desktop.execution.control import StepMode
     from pinel_desktop.program.faults import Fault
     from pinel_desktop.program.reading import Reading
-    from pinel_desktop.teacher import TeacherDoor
+    from pinel_desktop.runs.spec import RunSpec
+    from pinel_desktop.school.teacher import TeacherDoor
     from storage import Store
 
 ReadDocument = Callable[[dict[str, object] | list[object]], "Reading"]
@@ -43,47 +45,9 @@ class Engine(Protocol):
     @property
     def live_run(self) -> str | None: ...
 
-    def run(
-        self,
-        run_id: str,
-        document: dict[str, Any],
-        *,
-        world: str | dict[str, Any],
-        seed: int = 0,
-        link: str = "sim",
-        setting: Mapping[str, Any] | None = None,
-        debugging: Mapping[str, Any] | None = None,
-    ) -> None: ...
+    def run(self, run_id: str, spec: RunSpec, commands: Sequence[Command] = ()) -> None: ...
 
-    def pause(self, run_id: str) -> None: ...
-
-    def resume(self, run_id: str) -> None: ...
-
-    def stop(self, run_id: str) -> None: ...
-
-    def step(self, run_id: str, mode: StepMode) -> None: ...
-
-    def set_breakpoints(self, run_id: str, blocks: Sequence[str]) -> None: ...
-
-    def set_speed(self, run_id: str, factor: float) -> None: ...
-
-    def look(self, run_id: str, sensors: Sequence[str]) -> None: ...
-
-    def evaluate(self, run_id: str, expression: Any) -> Any: ...
-
-    def answer_capture(self, run_id: str, result: str) -> None: ...
-
-    def answer_question(self, run_id: str, value: str) -> None: ...
-
-
-class Problem(Protocol):
-    """A code and what fills its words: a PinelError, a StoreError or a notice of the store."""
-
-    @property
-    def code(self) -> str: ...
-
-    @property
-    def params(self) -> dict[str, object]: ...
+    def command(self, run_id: str, command: Command) -> Any: ...
 
 
 class Preferences(Protocol):

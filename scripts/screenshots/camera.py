@@ -13,6 +13,8 @@ from typing import Any, NamedTuple
 
 from playwright.sync_api import Browser, Page
 
+from pinel_desktop.messages import LANGUAGES
+
 CHROMIUM = shutil.which("chromium-headless-shell") or "/usr/bin/chromium"
 ARGUMENTS = [
     "--no-sandbox",
@@ -23,7 +25,6 @@ ARGUMENTS = [
 ]
 SIZES = {"1366x768": (1366, 768), "1024x768": (1024, 768), "1920x1080": (1920, 1080)}
 THEMES = ("light", "dark", "contrast")
-LANGUAGES = ("pt-BR", "en", "es")
 PIN = "314159"
 
 

@@ -1,7 +1,7 @@
-"""Opening a bundle, which may come from anybody: all of it is looked at before anything of it is used.
+"""Opening a bundle, which may have been made by anybody: all of it is checked before anything of it is used.
 
-It is read once, into a private copy: a stick may be read-only or pulled out, a share may change under our hands,
-and a bundle of an earlier release is brought up to date there.
+The file is read once, into a private copy: a stick may be read-only or pulled out, a file on a share may change
+meanwhile, and a bundle of an earlier release is migrated on the copy.
 """
 
 import logging
@@ -9,7 +9,7 @@ import re
 import shutil
 import sqlite3
 import tempfile
-import time as clock
+import time
 from collections.abc import Iterator
 from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass
@@ -17,12 +17,15 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from storage.bundle_rules import json_of, key, name, problem_in_rows, short, time
-from storage.bundles import BUNDLE_TABLE, FORMAT, BundleInfo, counts_of
-from storage.content import content_hash
 from storage.errors import StoreError
+from storage.exchange.bundle_rules import problem_in_rows
+from storage.exchange.bundle_writing import BUNDLE_TABLE, FORMAT, BundleInfo, counts_of
+from storage.exchange.content_hash import content_hash
 from storage.limits import MAX_VALUE
-from storage.schema import MIGRATION_SET, MIGRATIONS_TABLE, migrate, steps
+from storage.sql import address, column_names, damage, opened
+from storage.tables import rules
+from storage.tables.ddl import MIGRATIONS
+from storage.tables.migrations import MIGRATION_SET, MIGRATIONS_TABLE, migrate
 from storage.text import loaded
 
 _log = logging.getLogger(__name__)
@@ -42,10 +45,10 @@ _Objects = frozenset[tuple[str, str, str, str]]
 
 @dataclass(frozen=True, slots=True)
 class Bundle:
-    """A bundle that was looked at.
+    """A bundle that was checked.
 
     Attributes:
-        address: of the private copy, with tables as this release has them; there while it is open.
+        address: of the private copy, with the tables of this release; the copy is deleted afterwards.
     """
 
     info: BundleInfo
@@ -54,7 +57,7 @@ class Bundle:
 
 @contextmanager
 def open_bundle(path: Path) -> Iterator[Bundle]:
-    """The bundle, when every part of it is as PINEL writes it; the file is only read.
+    """The bundle, where every part of it is as PINEL writes it; the file is only read.
 
     Raises:
         StoreError: `bundle_missing`, `bundle_unreadable`; `bundle_foreign` of another program, `bundle_is_store`
@@ -67,13 +70,13 @@ def open_bundle(path: Path) -> Iterator[Bundle]:
         try:
             _copied(path, copy)
             info = _examined(copy, path)
-        except StoreError as error:  # people are told what to do; what was found is for the log
+        except StoreError as error:  # the code says what to do; the problem is for the log
             _log.info("%s: %s %s", path, error.code, error.params.get("problem", ""))
             raise
         except (sqlite3.DatabaseError, UnicodeDecodeError) as error:
             _log.info("%s: %s", path, error)
             raise _refusal(error, path) from error
-        yield Bundle(info, _address(copy))
+        yield Bundle(info, address(copy, "immutable"))
 
 
 def says_anonymous(path: Path, size_bytes: int, modified_s: float) -> bool:
@@ -98,8 +101,8 @@ def _said_anonymous(path: Path, size_bytes: int, modified_s: float) -> bool:
 
 
 def _remove_leftovers() -> None:
-    """Private copies that stayed when the program was ended, or the power cut, in the middle of a merge."""
-    oldest = clock.time() - _LEFTOVER_S
+    """Deletes private copies of merges that were cut off, when the program was killed or the power failed."""
+    oldest = time.time() - _LEFTOVER_S
     for folder in Path(tempfile.gettempdir()).glob(f"{_PREFIX}*"):
         with suppress(OSError):
             if folder.lstat().st_mtime < oldest and folder.is_dir() and not folder.is_symlink():
@@ -139,24 +142,22 @@ def _size_by(head: bytes) -> int:
 def _examined(copy: Path, path: Path) -> BundleInfo:
     with closing(_connected(copy)) as db:
         n_steps = _release(db, path)
-        finding = str(db.execute("PRAGMA integrity_check(1)").fetchone()[0])
-        if finding != "ok":
-            raise StoreError("bundle_damaged", path=str(path), problem=finding)
+        if problem := damage(db):
+            raise StoreError("bundle_damaged", path=str(path), problem=problem)
         info = _described(db, path)
         if content_hash(db) != info.content_hash:
             raise StoreError("bundle_damaged", path=str(path), problem="checksum")
-        problem = problem_in_rows(db)
-        if problem:
+        if problem := problem_in_rows(db):
             raise StoreError("bundle_hostile", path=str(path), problem=problem)
-    if n_steps < len(steps()):
+    if n_steps < len(MIGRATIONS):
         with closing(sqlite3.connect(copy, isolation_level=None)) as db:
             migrate(db)
     return info
 
 
 def _release(db: sqlite3.Connection, path: Path) -> int:
-    """How many steps the tables have taken. Every object must be one that those steps make: names and texts are
-    compared before anything is asked of a table, as what a view or a trigger does, it does when asked."""
+    """How many migrations the file has. Every object must be one that those migrations make. Definitions are compared
+    before any table is queried, since a query would run a view or a trigger of the file."""
     objects = _objects(db)
     tables = {name for kind, name, _, _ in objects if kind == "table"}
     if MIGRATIONS_TABLE not in tables or not _steps_table() <= objects:
@@ -167,11 +168,11 @@ def _release(db: sqlite3.Connection, path: Path) -> int:
             f"SELECT name FROM {MIGRATIONS_TABLE} WHERE migration_set = ?", [MIGRATION_SET]
         )
     }
-    if taken - set(steps()):
+    if taken - MIGRATIONS.keys():
         raise StoreError("bundle_newer", path=str(path))
     if "bundle" not in tables:
         raise StoreError("bundle_is_store", path=str(path))
-    if taken != set(steps()[: len(taken)]) or len(taken) < _FIRST_WITH_BUNDLES:
+    if taken != set(list(MIGRATIONS)[: len(taken)]) or len(taken) < _FIRST_WITH_BUNDLES:
         raise StoreError("bundle_hostile", path=str(path), problem=MIGRATIONS_TABLE)
     if _format(db, objects) > FORMAT:
         raise StoreError("bundle_newer", path=str(path))
@@ -182,7 +183,7 @@ def _release(db: sqlite3.Connection, path: Path) -> int:
 
 
 def _format(db: sqlite3.Connection, objects: _Objects) -> int:
-    """The bundle's format, whatever else a later one tells."""
+    """The bundle's format; a later format may have other columns too."""
     texts = [text for kind, name, _, text in objects if (kind, name) == ("table", "bundle")]
     if not texts[0].startswith("CREATETABLEbundle(formatINTEGERNOTNULL,"):
         return FORMAT
@@ -194,9 +195,7 @@ def _described(db: sqlite3.Connection, path: Path) -> BundleInfo:
     rows = db.execute("SELECT * FROM bundle LIMIT 2").fetchall()
     if len(rows) != 1:
         raise StoreError("bundle_damaged", path=str(path), problem="bundle")
-    values = dict(
-        zip([column[1] for column in db.execute("PRAGMA table_info(bundle)")], rows[0], strict=True)
-    )
+    values = dict(zip(column_names(db, "bundle"), rows[0], strict=True))
     for column, rule in _RULES.items():
         if not rule(values[column]):
             raise StoreError("bundle_hostile", path=str(path), problem=f"bundle.{column}")
@@ -212,12 +211,12 @@ def _are_counts(value: dict[str, Any]) -> bool:
 
 
 _RULES = {
-    "app_version": short,
-    "exported_at": time,
-    "computer_id": key,
-    "computer_name": name,
-    "content_hash": short,
-    "counts": json_of(dict, _are_counts),
+    "app_version": rules.short,
+    "exported_at": rules.time,
+    "computer_id": rules.key,
+    "computer_name": rules.name,
+    "content_hash": rules.short,
+    "counts": rules.json_of(dict, _are_counts),
 }
 
 
@@ -248,15 +247,11 @@ def _steps_table() -> _Objects:
 
 
 def _connected(copy: Path) -> sqlite3.Connection:
-    db = sqlite3.connect(_address(copy), uri=True, isolation_level=None)
+    db = opened(copy, "immutable")
     db.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, MAX_VALUE)
     db.execute("PRAGMA trusted_schema = OFF")
     db.execute("PRAGMA cell_size_check = ON")
     return db
-
-
-def _address(copy: Path) -> str:
-    return f"{copy.absolute().as_uri()}?mode=ro&immutable=1"
 
 
 def _refusal(error: Exception, path: Path) -> StoreError:

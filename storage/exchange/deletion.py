@@ -1,43 +1,45 @@
-"""Deleting for good: rows gone from every table, their text from the file, and a key left so that no merge brings
-them back."""
+"""Deleting for good: rows are deleted from every table and overwritten in the file. A tombstone for each key keeps
+merges from bringing them back."""
 
 import sqlite3
 from collections.abc import Iterable
 from contextlib import closing
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from storage.connection import Access
-from storage.content import tuples
 from storage.errors import StoreError
-from storage.opening import connect
+from storage.file.connection import Database
+from storage.file.opening import connect
+from storage.sql import require, row_count, tuples
+from storage.tables.columns import ReplicatedTable
+from storage.tables.replicated import REPLICATED, RUNS
 from storage.text import loaded
 
-# What has a key of its own and is deleted by it -> what of it is deleted too, by which column. A run, version or
-# label is only ever found below these.
-_BELOW = (
-    ("groups", "classroom_id"),
-    ("lessons", "classroom_id"),
-    ("programs", "group_id"),
-)
-_DEAD = "(SELECT id FROM tombstones)"
-_DEAD_VERSIONS = f"(SELECT id FROM versions WHERE id IN {_DEAD} OR program_id IN {_DEAD})"
-_DEAD_RUNS = f"""(SELECT id FROM runs WHERE id IN {_DEAD} OR group_id IN {_DEAD} OR program_id IN {_DEAD}
-    OR version_id IN {_DEAD_VERSIONS})"""
-# what refers to a row goes before the row
-_DELETIONS = (
-    ("events", f"run_id IN {_DEAD_RUNS}"),
-    ("telemetry", f"run_id IN {_DEAD_RUNS}"),
-    ("notes", f"id IN {_DEAD} OR run_id IN {_DEAD_RUNS}"),
-    ("runs", f"id IN {_DEAD_RUNS}"),
-    ("version_labels", f"id IN {_DEAD} OR id IN {_DEAD_VERSIONS}"),
-    ("versions", f"id IN {_DEAD_VERSIONS}"),
-    ("programs", f"id IN {_DEAD}"),
-    ("groups", f"id IN {_DEAD}"),
-    ("lessons", f"id IN {_DEAD}"),
-    ("classrooms", f"id IN {_DEAD}"),
-)
-_DOOMED_NAMES = f"""SELECT name FROM (
+_BY_NAME = {table.name: table for table in REPLICATED}
+_DEAD = "(SELECT id FROM main.tombstones)"
+
+
+def _deleted(table: ReplicatedTable) -> str:
+    """Condition: the row's key or that of a row that it belongs to has a tombstone."""
+    own = [f"id IN {_DEAD}"] if "id" in table.key else []
+    return " OR ".join([*own, *(_parent_deleted(*parent) for parent in _followed(table))])
+
+
+def _followed(table: ReplicatedTable) -> tuple[tuple[str, str], ...]:
+    """Parents by which a row is found; not those of rows with tombstones of their own."""
+    return () if table.own_tombstone else table.parents
+
+
+def _parent_deleted(column: str, name: str) -> str:
+    parent = _BY_NAME[name]
+    keys = f"(SELECT id FROM {name} WHERE {_deleted(parent)})" if _followed(parent) else _DEAD
+    return f"{column} IN {keys}"
+
+
+# rows that refer to a row are deleted before it
+_DELETIONS = {table.name: _deleted(table) for table in reversed(REPLICATED) if table.deletable}
+_DEAD_RUNS = f"(SELECT id FROM runs WHERE {_deleted(RUNS)})"
+_PENDING_NAMES = f"""SELECT name FROM (
     SELECT 1 AS place, name FROM main.classrooms WHERE id IN {_DEAD}
     UNION SELECT 2, name FROM main.groups WHERE id IN {_DEAD}
     UNION SELECT 3, title FROM main.lessons WHERE id IN {_DEAD}
@@ -45,9 +47,8 @@ _DOOMED_NAMES = f"""SELECT name FROM (
     UNION SELECT 5, coalesce(program_name, world) FROM main.runs WHERE id IN {_DEAD}
         OR id IN (SELECT run_id FROM main.notes WHERE id IN {_DEAD}))
     WHERE name <> '' GROUP BY name ORDER BY min(place), name LIMIT 20"""
-
-# whom what is dead and still here has to do with: files of a part are named when it is about one of these
-_RELATED = f"""
+# keys of the classes, groups and programs that deleted rows belong to: exports of one of these may hold the rows
+_CONCERNED = f"""
     WITH dead_runs AS (
              SELECT group_id, program_id FROM runs WHERE id IN {_DEAD_RUNS}
                  OR id IN (SELECT run_id FROM notes WHERE id IN {_DEAD})),
@@ -68,77 +69,26 @@ class Exported:
 
 
 @dataclass(frozen=True, slots=True)
-class Gone:
-    """Rows that went, by table, without those that lost none; and files that may still hold them."""
-
-    counts: dict[str, int]
-    exports: tuple[Exported, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Removal:
+class Deletion:
     """What was deleted for good.
 
     Attributes:
-        ids: the keys that no merge brings back; backups are to lose the same.
-        counts: rows by table.
+        ids: tombstones that were added; backups are to lose the same.
+        counts: rows by table, without those that lost none.
         exports: files that were written from this store and may still hold it.
-        overwritten: False while another program still reads the log, in which the text is until it has ended.
+        overwritten: False while another program still reads the write-ahead log, which holds the text until then.
         still_in: backups that could not be written anew, and may hold it.
     """
 
-    ids: tuple[str, ...]
-    counts: dict[str, int]
-    exports: tuple[Exported, ...]
-    overwritten: bool
+    ids: tuple[str, ...] = ()
+    counts: dict[str, int] = field(default_factory=dict)
+    exports: tuple[Exported, ...] = ()
+    overwritten: bool = False
     still_in: tuple[Path, ...] = ()
 
 
-def remove(access: Access, kind: str, key: str) -> Removal:
-    """Deletes a `classroom` with its groups, a `group` with its programs, a `program` with its runs, a `run` with
-    its notes, a `lesson` or a `note`; not from backups, which `Exchange.remove` does, nor from bundles.
-
-    Raises:
-        StoreError: KIND`_not_found`; `run_in_progress` where a run of it has not ended.
-    """
-
-    def job(db: sqlite3.Connection) -> Removal:
-        if db.execute(f"SELECT 1 FROM {kind}s WHERE id = ?", [key]).fetchone() is None:
-            raise StoreError(f"{kind}_not_found", id=key)
-        known, running = tombstones(db), _running(db)
-        gone = remove_keys(db, [key])
-        if _running(db) != running:
-            raise StoreError("run_in_progress")
-        return Removal(tuple(sorted(tombstones(db) - known)), gone.counts, gone.exports, False)
-
-    removal = access.write(job)
-    with closing(connect(access.address)) as db:
-        overwritten = forget_log(db)
-    return replace(removal, overwritten=overwritten)
-
-
-def remove_keys(db: sqlite3.Connection, ids: Iterable[str]) -> Gone:
-    """Deletes rows by their keys with all that belongs to them, within the caller's transaction.
-
-    The keys are kept as tombstones, with those of the groups, lessons and programs that went with them; keys that
-    are not there are kept too. The same again changes nothing. What is deleted is overwritten in the file; a WAL
-    still holds it until `forget_log`. Names of files, which people make of those of groups, go too.
-    """
-    db.execute("PRAGMA secure_delete = ON")
-    db.executemany("INSERT OR IGNORE INTO tombstones (id) VALUES (?)", [(key,) for key in ids])
-    bury_below(db)
-    exports = _exports_of_dead(db)
-    counts = {
-        table: db.execute(f"DELETE FROM {table} WHERE {condition}").rowcount
-        for table, condition in _DELETIONS
-    }
-    if any(counts.values()):
-        _forget_files(db)
-    return Gone({table: n for table, n in counts.items() if n}, exports)
-
-
 @dataclass(frozen=True, slots=True)
-class Doomed:
+class PendingDeletion:
     """What a merge would delete, by number; `names` are those of classes, groups, lessons and programs, not all where
     there are many."""
 
@@ -148,59 +98,80 @@ class Doomed:
     names: tuple[str, ...]
 
 
-def doomed(db: sqlite3.Connection) -> Doomed | None:
-    """What `remove_keys` would delete now, when its keys and `bury_below` are done; None for nothing."""
+def remove(database: Database, kind: str, key: str) -> Deletion:
+    """Deletes a `classroom` with its groups, a `group` with its programs, a `program` with its runs, a `run` with
+    its notes, a `lesson` or a `note`; not from backups, which `Exchange.remove` does, nor from bundles.
+
+    Raises:
+        StoreError: KIND`_not_found`; `run_in_progress` where a run of it has not ended.
+    """
+
+    def job(db: sqlite3.Connection) -> Deletion:
+        require(db, f"{kind}s", key)
+        return remove_keys(db, [key], spare_running=True)
+
+    deletion = database.write(job)
+    with closing(connect(database.address)) as db:
+        return replace(deletion, overwritten=checkpoint(db))
+
+
+def remove_keys(
+    db: sqlite3.Connection, ids: Iterable[str], *, spare_running: bool = False
+) -> Deletion:
+    """Deletes rows by their keys with all that belongs to them, within the caller's transaction.
+
+    The keys get tombstones, as do the groups, lessons and programs that are deleted with them; so do keys without a
+    row. The same again changes nothing. What is deleted is overwritten in the file; a write-ahead log still holds it
+    until `checkpoint`. Names of files, which people make of those of groups, are deleted too.
+
+    Args:
+        spare_running: raises StoreError `run_in_progress` where a run that has not ended would be deleted.
+    """
+    db.execute("PRAGMA secure_delete = ON")
+    before = tombstones(db)
+    db.executemany("INSERT OR IGNORE INTO tombstones (id) VALUES (?)", [(key,) for key in ids])
+    add_tombstones_below(db)
+    exports = _exports_of_dead(db)
+    running = _running(db)
+    counts = {
+        table: db.execute(f"DELETE FROM {table} WHERE {condition}").rowcount
+        for table, condition in _DELETIONS.items()
+    }
+    if spare_running and _running(db) != running:
+        raise StoreError("run_in_progress")
+    if any(counts.values()):
+        _delete_file_names(db)
+    added = tuple(sorted(tombstones(db) - before))
+    return Deletion(added, {table: n for table, n in counts.items() if n}, exports)
+
+
+def pending_deletion(db: sqlite3.Connection) -> PendingDeletion | None:
+    """What `remove_keys` would delete now, where the tombstones are in the table already; None for nothing."""
     rows = {
-        table: int(db.execute(f"SELECT count(*) FROM main.{table} WHERE {condition}").fetchone()[0])
-        for table, condition in _DELETIONS
+        table: row_count(db, f"main.{table}", condition) for table, condition in _DELETIONS.items()
     }
     if not any(rows.values()):
         return None
-    names = db.execute(_DOOMED_NAMES).fetchall()
-    return Doomed(
+    names = db.execute(_PENDING_NAMES).fetchall()
+    return PendingDeletion(
         rows["groups"], rows["programs"], rows["runs"], tuple(str(row["name"]) for row in names)
     )
 
 
-def bury_below(db: sqlite3.Connection) -> None:
-    """What belongs to a deleted class or group is deleted by a key of its own."""
-    for table, parent in _BELOW:
-        db.execute(
-            f"INSERT OR IGNORE INTO tombstones SELECT id FROM {table} WHERE {parent} IN {_DEAD}"
-        )
+def add_tombstones_below(db: sqlite3.Connection) -> None:
+    """Rows that are deleted with their parent get tombstones of their own, the parents first."""
+    for table in REPLICATED:
+        if table.own_tombstone:
+            for column, _ in table.parents:
+                db.execute(
+                    f"INSERT OR IGNORE INTO tombstones SELECT id FROM {table.name} WHERE {column} IN {_DEAD}"
+                )
 
 
-def forget_log(db: sqlite3.Connection) -> bool:
-    """Empties the WAL, outside of a transaction; False where another program still reads from it."""
+def checkpoint(db: sqlite3.Connection) -> bool:
+    """Empties the write-ahead log, outside of a transaction; False where another program still reads from it."""
     busy, _, _ = db.execute("PRAGMA wal_checkpoint(TRUNCATE)").fetchone()
     return not busy
-
-
-def _exports_of_dead(db: sqlite3.Connection) -> tuple[Exported, ...]:
-    """Those of all of the store, and those of a part that has to do with it; none where nothing is deleted."""
-    if doomed(db) is None:
-        return ()
-    related = {str(key) for (key,) in tuples(db, _RELATED) if key}
-    rows = db.execute("SELECT path, made_at, content FROM exports ORDER BY id").fetchall()
-    return tuple(
-        Exported(row["path"], row["made_at"])
-        for row in rows
-        if not (part := _part_of(row["content"])) or part & related
-    )
-
-
-def _forget_files(db: sqlite3.Connection) -> None:
-    """Files of what is gone alone are named once, when it goes; where others came from is told by their PC."""
-    dead = tombstones(db)
-    for row in db.execute("SELECT id, content FROM exports").fetchall():
-        if (part := _part_of(row["content"])) and part <= dead:
-            db.execute("DELETE FROM exports WHERE id = ?", [row["id"]])
-    db.execute("UPDATE merges SET file = '' WHERE file <> ''")
-
-
-def _part_of(content: str) -> set[str]:
-    """Keys of the class, group or program that an exported file is of; none for all of the store."""
-    return {part for part in loaded(content)["of"].values() if part}
 
 
 def tombstones(db: sqlite3.Connection) -> set[str]:
@@ -208,5 +179,32 @@ def tombstones(db: sqlite3.Connection) -> set[str]:
     return {str(row["id"]) for row in db.execute("SELECT id FROM tombstones")}
 
 
+def _exports_of_dead(db: sqlite3.Connection) -> tuple[Exported, ...]:
+    """Those of all of the store, and those of a part that has to do with it; none where nothing is deleted."""
+    if pending_deletion(db) is None:
+        return ()
+    concerned = {str(key) for (key,) in tuples(db, _CONCERNED) if key}
+    rows = db.execute("SELECT path, made_at, content FROM exports ORDER BY id").fetchall()
+    return tuple(
+        Exported(row["path"], row["made_at"])
+        for row in rows
+        if not (scope := _scope_of(row["content"])) or scope & concerned
+    )
+
+
+def _delete_file_names(db: sqlite3.Connection) -> None:
+    """Exports of deleted rows alone are named once, when the rows go. Of merged files the name alone is deleted."""
+    dead = tombstones(db)
+    for row in db.execute("SELECT id, content FROM exports").fetchall():
+        if (scope := _scope_of(row["content"])) and scope <= dead:
+            db.execute("DELETE FROM exports WHERE id = ?", [row["id"]])
+    db.execute("UPDATE merges SET file = '' WHERE file <> ''")
+
+
+def _scope_of(content: str) -> set[str]:
+    """Keys of the class, group or program that an exported file is of; none for all of the store."""
+    return {key for key in loaded(content)["of"].values() if key}
+
+
 def _running(db: sqlite3.Connection) -> int:
-    return int(db.execute("SELECT count(*) FROM runs WHERE state = 'running'").fetchone()[0])
+    return row_count(db, "runs", "state = 'running'")

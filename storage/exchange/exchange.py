@@ -1,4 +1,4 @@
-"""What goes between stores: exported, merged, compared, heard of; and what is to go from all of them."""
+"""Exporting and merging bundles, and deleting for good: the store's side of the exchange between PCs."""
 
 import tempfile
 from collections.abc import Collection
@@ -6,24 +6,26 @@ from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 
-from storage.anonymous import anonymising
-from storage.backups import Stop, remove_from_backups
-from storage.bundles import ALL, BundleInfo, Scope, export_bundle, note_export
-from storage.connection import Access
-from storage.content import content_hash
-from storage.merging import Heard, MergeReport, heard_from, merge
-from storage.opening import connect
-from storage.parquet import write_parquet
-from storage.program_merging import merge_program
-from storage.removal import Removal, forget_log, remove, remove_keys, tombstones
+from storage.exchange.anonymising import anonymising
+from storage.exchange.bundle_writing import BundleInfo, export_bundle, note_export
+from storage.exchange.content_hash import content_hash
+from storage.exchange.deletion import Deletion, checkpoint, remove, remove_keys, tombstones
+from storage.exchange.merging import KnownComputer, MergeReport, known_computers, merge
+from storage.exchange.parquet import write_parquet
+from storage.exchange.program_merging import merge_program
+from storage.exchange.scope import ALL, Scope
+from storage.file.backups import remove_from_backups
+from storage.file.connection import Database
+from storage.file.opening import connect
+from storage.sql import Stop
 from storage.text import new_id
 
 
 class Exchange:
-    """The store's side of exporting and merging."""
+    """What goes from this file to others, and comes from them."""
 
-    def __init__(self, access: Access) -> None:
-        self._access = access
+    def __init__(self, database: Database) -> None:
+        self._database = database
 
     def export(
         self,
@@ -41,7 +43,7 @@ class Exchange:
             anonymous: leaves names and texts out, but for these of worlds and activities that ship.
         """
         return export_bundle(
-            self._access,
+            self._database,
             dest,
             app_version=app_version,
             computer=computer if anonymous is None else (new_id(), "PC"),
@@ -70,56 +72,56 @@ class Exchange:
                 anonymous=anonymous,
             )
             info = replace(info, path=write_parquet(info.path, dest))
-        note_export(self._access, info, scope)
+        note_export(self._database, info, scope)
         return info
 
     def merge(self, path: Path, *, delete: bool = False) -> MergeReport:
-        """Brings a bundle in; on disk when this returns.
+        """Merges a bundle into the store; on disk when this returns.
 
         Args:
-            delete: also deletes here, and from the log and the backups, what was deleted for good where the bundle
-                is from; without it the report only tells what that is.
+            delete: also deletes what was deleted for good where the bundle is from, from the store, the write-ahead
+                log and the backups; without it the report only tells what that would be.
 
         Raises:
             StoreError: see `merging.merge`.
         """
-        report = merge(self._access, path, delete=delete)
+        report = merge(self._database, path, delete=delete)
         if report.removed:
-            with closing(connect(self._access.address)) as db:
-                forget_log(db)
-            report = replace(report, still_in=self._clean_backups(report.buried))
+            with closing(connect(self._database.address)) as db:
+                checkpoint(db)
+            report = replace(report, still_in=self._clean_backups(report.tombstones))
         return report
 
     def merge_program(self, path: Path) -> tuple[MergeReport, str]:
-        """Brings in what is new of one program, whose key it tells too; see `program_merging.merge_program`."""
-        return merge_program(self._access, path)
+        """Adds what is new of one program; see `program_merging.merge_program`."""
+        return merge_program(self._database, path)
 
-    def heard_from(self) -> list[Heard]:
-        """PCs whose bundles were merged, the one heard of last first."""
-        return heard_from(self._access)
+    def known_computers(self) -> list[KnownComputer]:
+        """PCs whose bundles were merged, the latest first."""
+        return known_computers(self._database)
 
-    def remove(self, kind: str, key: str) -> Removal:
+    def remove(self, kind: str, key: str) -> Deletion:
         """Deletes for good a `classroom`, `group`, `program`, `run`, `lesson` or `note`, also from the backups; see
-        `removal.remove`."""
-        removal = remove(self._access, kind, key)
-        return replace(removal, still_in=self._clean_backups(removal.ids))
+        `deletion.remove`."""
+        deletion = remove(self._database, kind, key)
+        return replace(deletion, still_in=self._clean_backups(deletion.ids))
 
     def finish_removals(self, stop: Stop = lambda: False) -> tuple[Path, ...]:
-        """Takes what was deleted for good out of backups that hold it yet, and out of the log: of a removal that was
-        cut off, while somebody else held a backup, or while one was being made. Those that still hold it are told."""
-        with self._access.reading() as db:
+        """Deletes what was deleted for good from backups and write-ahead log that still hold it: after a deletion that
+        was cut off, or while a backup was locked or being made. Returns the backups that still hold it."""
+        with self._database.reading() as db:
             ids = tombstones(db)
         if not ids:
             return ()
-        with closing(connect(self._access.address)) as db:
-            db.execute("PRAGMA busy_timeout = 0")  # who writes does not wait: it is tried again
-            forget_log(db)
+        with closing(connect(self._database.address)) as db:
+            db.execute("PRAGMA busy_timeout = 0")  # writers must not wait; this is tried again
+            checkpoint(db)
         return self._clean_backups(ids, stop)
 
     def _clean_backups(self, ids: Collection[str], stop: Stop = lambda: False) -> tuple[Path, ...]:
-        return tuple(remove_from_backups(self._access.path, ids, remove_keys, stop))
+        return tuple(remove_from_backups(self._database.path, ids, remove_keys, stop))
 
     def content_hash(self) -> str:
         """One number for all that the store holds; equal stores have equal ones."""
-        with self._access.reading() as db:
+        with self._database.reading() as db:
             return content_hash(db)

@@ -1,18 +1,21 @@
-"""Bringing in the one program that a group takes along: only what is not here yet, as anybody may do it.
+"""Merging the one program that a group takes along. It needs no PIN, so it only adds rows.
 
-Such a file may say anything. Whatever it says, no row that is here changes, and nothing comes but the program and what
-it belongs to: its group, class, lessons and PCs, its versions with their labels, its runs. Notes are the teacher's.
+The file may have been changed by anybody. No row of the store changes, and no row is added but the program and what it
+belongs to: its group, class, lessons and PCs, its versions with their labels, its runs. Notes are the teacher's.
 """
 
 import sqlite3
-from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
 
-from storage.bundle_reading import open_bundle
-from storage.bundles import BundleInfo
-from storage.connection import Access
-from storage.content import (
+from storage.errors import StoreError
+from storage.exchange.bundle_reading import open_bundle
+from storage.exchange.bundle_writing import BundleInfo
+from storage.exchange.merging import MergeReport, insert_new, is_new, may_merge, some
+from storage.file.connection import Database
+from storage.file.opening import connect
+from storage.tables.columns import ReplicatedTable
+from storage.tables.replicated import (
     CLASSROOMS,
     COMPUTERS,
     EVENTS,
@@ -23,15 +26,10 @@ from storage.content import (
     RUNS,
     TELEMETRY,
     VERSIONS,
-    Content,
-    columns,
 )
-from storage.errors import StoreError
-from storage.merging import MergeReport, is_new, may_come, of
-from storage.opening import connect
 
 _PROGRAM = "(SELECT id FROM bundle.programs)"
-# where the program is here already its group is the one that it has here
+# a program that the store has already stays in the group that it has there
 _GROUP = f"""coalesce((SELECT group_id FROM main.programs WHERE id IN {_PROGRAM}),
     (SELECT group_id FROM bundle.programs))"""
 _VERSIONS = f"(SELECT id FROM main.versions WHERE program_id IN {_PROGRAM})"
@@ -39,9 +37,8 @@ _WORK = f"""SELECT {{column}} FROM bundle.versions WHERE program_id IN {_PROGRAM
     UNION SELECT {{column}} FROM bundle.runs WHERE program_id IN {_PROGRAM}"""
 _WORKED_IN = _WORK.format(column="lesson_id")
 _LESSONS = f"({_WORKED_IN} UNION SELECT part_of FROM bundle.lessons WHERE id IN ({_WORKED_IN}))"
-_COMING = "theirs.run_id IN temp.coming"
-# what of a bundle is of the program; what refers to a row comes after it
-_OF_PROGRAM: tuple[tuple[Content, str], ...] = (
+# rows of the bundle that are of the program; rows stand before those that refer to them
+_OF_PROGRAM: tuple[tuple[ReplicatedTable, str], ...] = (
     (
         COMPUTERS,
         f"theirs.id IN ({_WORK.format(column='computer_id')}"
@@ -62,8 +59,8 @@ _RUNS = f"""theirs.program_id IN {_PROGRAM} AND theirs.group_id = {_GROUP}
     AND (theirs.version_id IS NULL OR theirs.version_id IN {_VERSIONS})"""
 
 
-def merge_program(access: Access, path: Path) -> tuple[MergeReport, str]:
-    """Brings in what is new of a bundle of one program; tells the program's key too.
+def merge_program(database: Database, path: Path) -> tuple[MergeReport, str]:
+    """Adds the new rows of a bundle of one program; returns the program's key too.
 
     Raises:
         StoreError: `bundle_not_program` where it holds more or less, or deletions; else as `merging.merge`.
@@ -74,32 +71,21 @@ def merge_program(access: Access, path: Path) -> tuple[MergeReport, str]:
             deletes = db.execute("SELECT 1 FROM tombstones LIMIT 1").fetchone()
         if len(programs) != 1 or deletes:
             raise StoreError("bundle_not_program", path=str(path))
-        report = access.write(lambda db: _merge(db, bundle.info), attached=bundle.address)
+        report = database.write(lambda db: _merge(db, bundle.info), attached=bundle.address)
     return report, programs[0]
 
 
 def _merge(db: sqlite3.Connection, info: BundleInfo) -> MergeReport:
-    """Not noted in `merges`: a teacher's merge of the same file brings more."""
-    added = {content.table: n for content, n in _added(db)}
-    return MergeReport(info, {table: n for table, n in added.items() if n}, {}, {}, {})
-
-
-def _added(db: sqlite3.Connection) -> Iterator[tuple[Content, int]]:
+    """Not noted in `merges`, as a teacher's merge of the same file adds more."""
     db.execute("PRAGMA defer_foreign_keys = ON")
-    for content, condition in _OF_PROGRAM:
-        yield content, _insert(db, content, f"{condition} AND {may_come(content)}")
-    coming = f"{_RUNS} AND {may_come(RUNS)} AND {is_new(RUNS)}"
+    added = {
+        table.name: insert_new(db, table, f"({condition}) AND {may_merge(table)}")
+        for table, condition in _OF_PROGRAM
+    }
+    coming = f"{_RUNS} AND {may_merge(RUNS)} AND {is_new(RUNS)}"
     db.execute(f"CREATE TEMP TABLE coming AS SELECT id FROM bundle.runs AS theirs WHERE {coming}")
-    yield RUNS, _insert(db, RUNS, "theirs.id IN temp.coming")
-    for content in (EVENTS, TELEMETRY):
-        yield content, _insert(db, content, _COMING)
+    added[RUNS.name] = insert_new(db, RUNS, "theirs.id IN temp.coming")
+    for table in (EVENTS, TELEMETRY):
+        added[table.name] = insert_new(db, table, "theirs.run_id IN temp.coming")
     db.execute("DROP TABLE temp.coming")
-
-
-def _insert(db: sqlite3.Connection, content: Content, condition: str) -> int:
-    names = columns(db, content.table)
-    return db.execute(
-        f"INSERT INTO main.{content.table} ({', '.join(names)})"
-        f" SELECT {of('theirs', names)} FROM bundle.{content.table} AS theirs"
-        f" WHERE ({condition}) AND {is_new(content)} ORDER BY {of('theirs', content.key)}"
-    ).rowcount
+    return MergeReport(info, some(added), {}, {}, {})

@@ -1,28 +1,28 @@
-"""Copies of the file in the folder `backups` beside it: made while the app goes on, kept for a while by size.
+"""Backups: copies of the file in the folder `backups` beside it, made while the app works.
 
-A number in the name orders them, the time is for people: clocks of school PCs are often wrong, and a copy made in
+A number in the name orders them. The time in it is for people: clocks of school PCs are often wrong, and a copy made in
 what the PC took for 2099 must not be the newest for ever.
 """
 
 import contextlib
 import errno
-import os
 import re
 import shutil
 import sqlite3
 import threading
 import time
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 from storage.errors import StoreError, translated
-from storage.places import Free, free_bytes
-from storage.schema import migrate
+from storage.file.filesystems import Free, free_bytes
+from storage.file.whole_files import whole_file
+from storage.sql import Stop, damage, opened
+from storage.tables.migrations import migrate
 
-Stop = Callable[[], bool]
 Remove = Callable[[sqlite3.Connection, Collection[str]], object]
 
 EVERY = timedelta(hours=24)
@@ -30,13 +30,12 @@ _LATEST = 3  # a PC whose battery is empty has the same day every day
 _DAYS = 14
 _WEEKS = 8
 _MOST_BYTES = 10**9
-_LEFT_FREE = 50 * 10**6  # a backup must not take from the store the room it needs to go on
+_LEFT_FREE = 50 * 10**6  # the store needs room to grow beside a backup
 _PAGES = 256
 _PAUSE_S = 0.002
 _RESTARTS = 20
-_STEPS_BETWEEN_STOPS = 10_000
 _TIME = "%Y%m%dT%H%M%SZ"
-# what is deleted for good must not come back by a copy that was begun before and is whole after
+# a copy that began before a deletion and ended after it would hold what was deleted
 _at_work = threading.Lock()
 
 
@@ -60,7 +59,7 @@ def folder_of(path: Path) -> Path:
 
 
 def list_backups(path: Path) -> list[Backup]:
-    """Backups of a database, the newest first; what else lies in the folder is not looked at."""
+    """Backups of a database, the newest first; other files of the folder are ignored."""
     name = re.compile(rf"{re.escape(path.stem)}-(\d+)-(\d{{8}}T\d{{6}}Z){re.escape(path.suffix)}")
     found = []
     with contextlib.suppress(OSError):
@@ -81,9 +80,9 @@ def is_due(path: Path, now: datetime) -> bool:
 def make_backup(
     path: Path, now: datetime, *, free: Free = free_bytes, stop: Stop = lambda: False
 ) -> Backup | None:
-    """Copies the file as it is at this moment; nobody who reads or writes it waits. None when stopped.
+    """Copies the file as it is at this moment; readers and writers do not wait. None when stopped.
 
-    What is no longer to be kept goes afterwards. A backup that cannot be finished leaves nothing.
+    Backups that are no longer worth keeping are deleted afterwards. A backup that cannot be finished leaves nothing.
 
     Args:
         free: bytes that are free where a folder lies.
@@ -96,7 +95,7 @@ def make_backup(
     try:
         with _at_work:
             _require_room(path, free)
-            with _part_of(_next_place(path, now)) as part:
+            with whole_file(_next_path(path, now)) as part:
                 _copy(path, part, stop)
                 _require_sound(part, path, stop)
                 shutil.copymode(path, part)
@@ -104,14 +103,14 @@ def make_backup(
     except _StoppedError:
         return None
     except sqlite3.Error as error:
-        raise _given_up(path, translated(error, path).code, str(error)) from error
+        raise _failure(path, translated(error, path).code, str(error)) from error
     except OSError as error:
         code = "disk_full" if _is_full(error) else ""
-        raise _given_up(path, code, str(error.strerror)) from error
+        raise _failure(path, code, str(error.strerror)) from error
     return list_backups(path)[0]
 
 
-def _next_place(path: Path, now: datetime) -> Path:
+def _next_path(path: Path, now: datetime) -> Path:
     folder = folder_of(path)
     folder.mkdir(exist_ok=True)
     for left in folder.glob("*.part"):  # by a power cut
@@ -121,21 +120,20 @@ def _next_place(path: Path, now: datetime) -> Path:
 
 
 def remove_surplus(path: Path, *, free: Free = free_bytes) -> None:
-    """Deletes what is no longer to be kept: see `kept`."""
+    """Deletes the backups that are not `worth_keeping`."""
     backups = list_backups(path)
     total = sum(backup.size_bytes for backup in backups)
     with contextlib.suppress(OSError):  # tried again with the next one
         limit = min(_MOST_BYTES, (free(folder_of(path)) + total) // 10)
-        for backup in set(backups).difference(kept(backups, limit)):
+        for backup in set(backups).difference(worth_keeping(backups, limit)):
             backup.path.unlink()
 
 
-def kept(backups: Sequence[Backup], limit_bytes: int) -> list[Backup]:
-    """Of backups, the newest first, those worth their room: the last three, then the last of each day.
+def worth_keeping(backups: Sequence[Backup], limit_bytes: int) -> list[Backup]:
+    """Of backups, the newest first, the last three, then the last of each day, then the last of each week.
 
-    Days and weeks are those on which there were backups, 14 days and before them 8 weeks: so neither holidays
-    nor a wrong clock make all of them old at once. The oldest go when together they are too large, the newest
-    never does.
+    Counted are the 14 days, and before them the 8 weeks, in which there were backups: so neither holidays nor a wrong
+    clock make all of them old at once. The oldest are left out when together they are too large, the newest never is.
     """
     days: set[object] = set()
     weeks: set[object] = set()
@@ -172,7 +170,7 @@ def restored_copy(
         if not _is_good(backup.path, is_ours):
             continue
         try:
-            with _part_of(target) as part:
+            with whole_file(target) as part:
                 shutil.copyfile(backup.path, part)
         except OSError as error:
             if _is_full(error):
@@ -187,13 +185,13 @@ def restored_copy(
 def remove_from_backups(
     path: Path, ids: Collection[str], remove: Remove, stop: Stop = lambda: False
 ) -> list[Path]:
-    """Takes rows out of every backup, so that what was deleted is nowhere; each is replaced as a whole.
+    """Deletes rows from every backup, so that what was deleted is nowhere; each backup is replaced as a whole.
 
-    One that keeps the keys as deleted is left as it is: the same again, after it was cut off, does the rest.
+    A backup that has tombstones of the keys is left as it is: the same again, after it was cut off, does the rest.
 
     Args:
-        ids: keys of what goes, with all that belongs to it.
-        remove: deletes them within a transaction, as from the file itself, and keeps the keys.
+        ids: keys of the rows, which are deleted with all that belongs to them.
+        remove: deletes them within a transaction, as from the file itself, and adds tombstones.
         stop: asked before each backup.
 
     Returns:
@@ -205,7 +203,7 @@ def remove_from_backups(
             backup.path
             for backup in list_backups(path)
             if not stop()
-            and not _knows(backup.path, ids)
+            and not _has_tombstones(backup.path, ids)
             and not _is_removed(backup.path, path, ids, remove)
         ]
     return left + sorted(path.parent.glob(f"{path.stem}.damaged-*{path.suffix}"))
@@ -214,51 +212,30 @@ def remove_from_backups(
 def damage_of(file: Path, stop: Stop = lambda: False) -> str | None:
     """What SQLite finds wrong with a file that nobody writes; None when all is well."""
     try:
-        with closing(_reading(file)) as connection:
-            connection.set_progress_handler(stop, _STEPS_BETWEEN_STOPS)
-            finding = str(connection.execute("PRAGMA integrity_check(1)").fetchone()[0])
+        with closing(opened(file, "immutable")) as db:
+            return damage(db, stop=stop)
     except sqlite3.Error as error:
         if stop():
             raise _StoppedError from error
         return str(error)
-    return None if finding == "ok" else finding
-
-
-@contextlib.contextmanager
-def _part_of(final: Path) -> Iterator[Path]:
-    """A file to be filled, which takes its place only when it is whole and on disk; gone if it is not."""
-    part = final.with_name(f"{final.name}.part")
-    try:
-        yield part
-        _sync(part)
-        part.replace(final)
-        if os.name == "posix":
-            _sync(final.parent)
-    finally:
-        for suffix in ("", "-journal"):
-            part.with_name(part.name + suffix).unlink(missing_ok=True)
 
 
 def _copy(path: Path, part: Path, stop: Stop) -> None:
-    address = f"{path.absolute().as_uri()}?mode=rw"
-    with (
-        closing(sqlite3.connect(address, uri=True, isolation_level=None)) as source,
-        closing(sqlite3.connect(part, isolation_level=None)) as target,
-    ):
+    with closing(opened(path, "rw")) as source, closing(opened(part, "rwc")) as target:
         if source.execute("PRAGMA journal_mode").fetchone()[0] == "wal":
             # one moment of the file, while others write on; without it, each write would begin the copy anew.
             # A file without WAL cannot be held like this: its writers would wait.
             source.execute("BEGIN")
             source.execute("SELECT count(*) FROM sqlite_master").fetchone()
-        target.execute("PRAGMA synchronous = OFF")  # `_part_of` sees to it, once
-        source.backup(target, pages=_PAGES, progress=_breather(stop))
+        target.execute("PRAGMA synchronous = OFF")  # `whole_file` syncs once, at the end
+        source.backup(target, pages=_PAGES, progress=_pauses(stop))
 
 
-def _breather(stop: Stop) -> Callable[[int, int, int], None]:
-    """Between two steps of a copy: lets others have the disk, and gives up where it would never end."""
+def _pauses(stop: Stop) -> Callable[[int, int, int], None]:
+    """What is done between two steps of a copy: others get the disk, and a copy that begins anew too often ends."""
     before, restarts = 2**62, 0
 
-    def breathe(_status: int, remaining: int, _total: int) -> None:
+    def pause(_status: int, remaining: int, _total: int) -> None:
         nonlocal before, restarts
         restarts += remaining > before
         before = remaining
@@ -268,22 +245,21 @@ def _breather(stop: Stop) -> Callable[[int, int, int], None]:
             raise _StoppedError
         time.sleep(_PAUSE_S)
 
-    return breathe
+    return pause
 
 
-def _knows(backup: Path, ids: Collection[str]) -> bool:
-    """A backup is replaced as a whole, so one that knows the keys holds nothing of what they were."""
+def _has_tombstones(backup: Path, ids: Collection[str]) -> bool:
+    """A backup is replaced as a whole, so one with tombstones of the keys holds nothing of their rows."""
     try:
-        with closing(_reading(backup)) as connection:
-            known = {key for (key,) in connection.execute("SELECT id FROM tombstones")}
+        with closing(opened(backup, "immutable")) as db:
+            return {key for (key,) in db.execute("SELECT id FROM tombstones")}.issuperset(ids)
     except sqlite3.Error:
         return False
-    return known.issuperset(ids)
 
 
 def _is_removed(backup: Path, path: Path, ids: Collection[str], remove: Remove) -> bool:
     try:
-        with _part_of(backup) as part:
+        with whole_file(backup) as part:
             shutil.copy2(backup, part)
             _remove(part, ids, remove)
             _require_sound(part, path, lambda: False)
@@ -293,30 +269,26 @@ def _is_removed(backup: Path, path: Path, ids: Collection[str], remove: Remove) 
 
 
 def _remove(file: Path, ids: Collection[str], remove: Remove) -> None:
-    with closing(sqlite3.connect(file, isolation_level=None)) as connection:
-        connection.row_factory = sqlite3.Row
-        connection.execute("PRAGMA journal_mode = DELETE")
-        connection.execute("PRAGMA foreign_keys = ON")
-        migrate(connection)
-        connection.execute("BEGIN IMMEDIATE")
-        remove(connection, ids)
-        connection.execute("COMMIT")
-        connection.execute("VACUUM")  # what was deleted is still there to be read before
+    with closing(opened(file, "rw")) as db:
+        db.row_factory = sqlite3.Row
+        db.execute("PRAGMA journal_mode = DELETE")
+        db.execute("PRAGMA foreign_keys = ON")
+        migrate(db)
+        db.execute("BEGIN IMMEDIATE")
+        remove(db, ids)
+        db.execute("COMMIT")
+        db.execute("VACUUM")  # the text of deleted rows is still in free pages before
 
 
 def _is_good(file: Path, is_ours: Callable[[sqlite3.Connection], None]) -> bool:
     if damage_of(file) is not None:
         return False
     try:
-        with closing(_reading(file)) as connection:
-            is_ours(connection)
+        with closing(opened(file, "immutable")) as db:
+            is_ours(db)
     except StoreError:
         return False
     return True
-
-
-def _reading(file: Path) -> sqlite3.Connection:
-    return sqlite3.connect(f"{file.absolute().as_uri()}?mode=ro&immutable=1", uri=True)
 
 
 def _require_sound(part: Path, path: Path, stop: Stop) -> None:
@@ -331,7 +303,7 @@ def _require_room(path: Path, free: Free) -> None:
         raise StoreError("backup_no_room", folder=str(folder_of(path)))
 
 
-def _given_up(path: Path, code: str, problem: str) -> StoreError:
+def _failure(path: Path, code: str, problem: str) -> StoreError:
     folder = str(folder_of(path))
     if code == "disk_full":
         return StoreError("backup_no_room", folder=folder)
@@ -342,11 +314,3 @@ def _given_up(path: Path, code: str, problem: str) -> StoreError:
 
 def _is_full(error: OSError) -> bool:
     return error.errno in (errno.ENOSPC, errno.EDQUOT)
-
-
-def _sync(path: Path) -> None:
-    handle = os.open(path, os.O_RDONLY if path.is_dir() else os.O_RDWR)
-    try:
-        os.fsync(handle)
-    finally:
-        os.close(handle)

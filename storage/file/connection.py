@@ -1,4 +1,4 @@
-"""How the repositories reach the file: one writer, and reading connections that are lent out."""
+"""How the repositories reach the file: one writer thread, and a pool of reading connections."""
 
 import queue
 import sqlite3
@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import NamedTuple, TypeVar
 
 from storage.errors import StoreError, translated
-from storage.opening import connect
+from storage.file.opening import connect
+from storage.file.writer import Writer
 from storage.text import time_text
-from storage.writer import Writer
 
 T = TypeVar("T")
 _KEPT = 8
@@ -25,9 +25,9 @@ class Moment(NamedTuple):
     """When something is done.
 
     Attributes:
-        text: the time by the PC's clock, which may be set to another in between.
+        text: the time by the PC's clock, which may be set.
         app: names the running app.
-        uptime_s: s by a clock that nobody sets; of one app only.
+        uptime_s: s by a monotonic clock; comparable within one app only.
     """
 
     text: str
@@ -36,19 +36,19 @@ class Moment(NamedTuple):
 
 
 def uptime_s() -> float:
-    """Goes on while the PC sleeps."""
+    """A monotonic clock in s that also counts while the PC sleeps."""
     if sys.platform == "linux":
         return time.clock_gettime(time.CLOCK_BOOTTIME)
     return time.monotonic()
 
 
-class Access:
+class Database:
     """Reading and writing one file.
 
     Args:
         address: how SQLite is to open it.
         refusal: raised by every attempt to write, for a file that cannot be written.
-        uptime: a clock in s that nobody sets.
+        uptime: a monotonic clock in s.
     """
 
     def __init__(
@@ -73,7 +73,7 @@ class Access:
         return time_text(self._clock())
 
     def moment(self) -> Moment:
-        """The time as text, and what tells how much of it has passed when the clock is set."""
+        """The time as text, with the monotonic time that measures pauses although the clock is set."""
         return Moment(self.now(), self._app, self._uptime())
 
     @contextmanager
@@ -108,7 +108,7 @@ class Access:
         return future
 
     def listen(self, on_written: Callable[[], None]) -> None:
-        """Has it called after each write that is on disk, on the writer's thread; it must not raise or wait."""
+        """Calls it after each write that is on disk, on the writer's thread; it must not raise or wait."""
         if self._writer is not None:
             self._writer.on_written = on_written
 

@@ -1,4 +1,4 @@
-"""Opening the file, whatever state it is in: damaged, read-only, newer than we are, or not ours."""
+"""Opening the file in any state: damaged, read-only, of a newer release, or of another program."""
 
 import contextlib
 import sqlite3
@@ -8,13 +8,16 @@ from datetime import datetime
 from pathlib import Path
 
 from storage.errors import StoreError, translated
-from storage.places import is_on_share
-from storage.schema import KNOWN_MIGRATIONS, MIGRATION_SET, MIGRATIONS_TABLE, migrate
-from storage.text import LAST_ID, go_on_after
+from storage.file.filesystems import is_on_share
+from storage.file.whole_files import free_path
+from storage.sql import address, damage
+from storage.tables.ddl import MIGRATIONS
+from storage.tables.migrations import MIGRATION_SET, MIGRATIONS_TABLE, migrate
+from storage.text import LAST_ID, continue_after
 
 _BUSY_S = 5.0
 _ORDERED_BY_ID = ("runs", "versions", "programs", "groups")
-# in the order in which they are set aside: a WAL that stayed would be read as part of what takes the file's place
+# in the order in which they are set aside: a WAL left behind would be read as part of the file's successor
 _SIBLINGS = ("-shm", "-wal", "")
 
 
@@ -47,16 +50,16 @@ def connect(address: str) -> sqlite3.Connection:
 
 
 def prepare(path: Path, now: datetime) -> Opened:
-    """Makes the file ready: puts its last backup in the place of a damaged one, makes or brings up to date the tables.
+    """Makes the file ready: replaces a damaged file by its last sound backup and runs the migrations it lacks.
 
     Raises:
         StoreError: `database_newer`, `database_foreign` or `database_is_bundle` with the file untouched;
             `database_read_only` where not even reading is possible; `disk_full`, `database_locked`, `database_failed`.
     """
     try:
-        damage = _examined(path, now)
+        replaced = _examined(path, now)
         trouble = _migrate(path, now)
-        return Opened(_address(path, "rwc"), writable=True, notice=damage or trouble)
+        return Opened(address(path, "rwc"), writable=True, notice=replaced or trouble)
     except _ReadOnlyError as stop:
         return Opened(
             stop.address, writable=False, notice=Notice("database_read_only", {"path": str(path)})
@@ -75,13 +78,13 @@ def prepare_reading(path: Path) -> Opened:
             `database_is_bundle`, `database_unreadable`; `database_locked`, `database_failed`.
     """
     try:
-        address = _untouching_address(path)
-        with closing(_tried(address)) as connection:
-            if _damage(connection) is not None:
+        unchanged = _untouching_address(path)
+        with closing(_tried(unchanged)) as connection:
+            if damage(connection, "quick_check") is not None:
                 raise StoreError("database_damaged", path=str(path))
             _check_ownership(connection, path)
-            if _tables(connection) and _applied(connection) == KNOWN_MIGRATIONS:
-                return Opened(address, writable=False, notice=None)
+            if _tables(connection) and _applied(connection) == MIGRATIONS.keys():
+                return Opened(unchanged, writable=False, notice=None)
     except sqlite3.Error as error:
         problem = translated(error, path)
         if problem.code != "database_read_only":
@@ -104,7 +107,7 @@ def _examined(path: Path, now: datetime) -> Notice | None:
         return None
     try:
         with closing(_connect_reading(path)) as connection:
-            problem = _damage(connection)
+            problem = damage(connection, "quick_check")
             if problem is None:
                 _check_ownership(connection, path)
                 return None
@@ -117,12 +120,12 @@ def _examined(path: Path, now: datetime) -> Notice | None:
 
 def _connect_reading(path: Path) -> sqlite3.Connection:
     try:
-        return _tried(_address(path, "ro"))
+        return _tried(address(path, "ro"))
     except sqlite3.OperationalError as error:
         if translated(error, path).code != "database_read_only":
             raise
-        # a file in WAL mode in a folder that is read-only can be read only as one that nobody changes
-        return _tried(_address(path, "ro") + "&immutable=1")
+        # a file in WAL mode in a read-only folder can only be read as immutable
+        return _tried(address(path, "immutable"))
 
 
 def _tried(address: str) -> sqlite3.Connection:
@@ -133,11 +136,6 @@ def _tried(address: str) -> sqlite3.Connection:
         connection.close()
         raise
     return connection
-
-
-def _damage(connection: sqlite3.Connection) -> str | None:
-    finding = str(connection.execute("PRAGMA quick_check(1)").fetchone()[0])
-    return None if finding == "ok" else finding
 
 
 def _check_ownership(connection: sqlite3.Connection, path: Path) -> None:
@@ -151,9 +149,9 @@ def _check_ownership(connection: sqlite3.Connection, path: Path) -> None:
         return  # the power was cut while the file was being made
     if not applied:
         raise StoreError("database_foreign", path=str(path))
-    if applied - KNOWN_MIGRATIONS:
+    if applied - MIGRATIONS.keys():
         raise StoreError("database_newer", path=str(path))
-    if "bundle" in tables:  # with other work in it, no PC would take it as the bundle it was
+    if "bundle" in tables:  # with other work in it, other PCs would refuse it as a bundle
         raise StoreError("database_is_bundle", path=str(path))
 
 
@@ -178,7 +176,7 @@ def _applied(connection: sqlite3.Connection) -> set[str]:
 
 def _replaced(path: Path, problem: str, now: datetime) -> Notice:
     """Sets the file aside and puts the last good backup in its place, where there is one."""
-    from storage.backups import restored_copy  # noqa: PLC0415 - few starts need it
+    from storage.file.backups import restored_copy  # noqa: PLC0415 - few starts need it
 
     copy = _restoring(path)
     backup = restored_copy(path, copy, lambda connection: _require_ours(connection, path))
@@ -212,11 +210,7 @@ def _restoring(path: Path) -> Path:
 
 
 def _set_aside(path: Path, now: datetime) -> Path:
-    aside = path.with_name(f"{path.stem}.damaged-{now:%Y%m%d-%H%M%S}{path.suffix}")
-    n = 1
-    while aside.exists():
-        n += 1
-        aside = aside.with_name(f"{path.stem}.damaged-{now:%Y%m%d-%H%M%S}-{n}{path.suffix}")
+    aside = free_path(path.with_name(f"{path.stem}.damaged-{now:%Y%m%d-%H%M%S}{path.suffix}"))
     for sibling in _SIBLINGS:
         part = path.with_name(path.name + sibling)
         if part.exists():
@@ -233,11 +227,11 @@ def _migrate(path: Path, now: datetime) -> Notice | None:
             connection.execute("ROLLBACK")
             begun = MIGRATIONS_TABLE in _tables(connection)
             applied = _applied(connection) if begun else set()
-            if applied and applied != KNOWN_MIGRATIONS:
+            if applied and applied != MIGRATIONS.keys():
                 notice = _back_up(path, now) or notice
-            if applied != KNOWN_MIGRATIONS:
+            if applied != MIGRATIONS.keys():
                 migrate(connection)
-            _go_on_after_newest(connection)
+            _continue_ids(connection)
             return notice
     except sqlite3.OperationalError as error:
         if translated(error, path).code != "database_read_only" or not path.exists():
@@ -245,16 +239,16 @@ def _migrate(path: Path, now: datetime) -> Notice | None:
         raise _ReadOnlyError(_readable_address(path)) from error
 
 
-def _go_on_after_newest(connection: sqlite3.Connection) -> None:
-    """Lists are in the order of ids, and a PC whose battery is empty starts in 2010 every day."""
+def _continue_ids(connection: sqlite3.Connection) -> None:
+    """Makes new ids greater than those in the file: lists go by them, and an empty battery sets the clock to 2010."""
     for table in _ORDERED_BY_ID:
         query = f"SELECT max(id) FROM {table} WHERE id < ?"
         newest = connection.execute(query, [LAST_ID]).fetchone()[0]
-        go_on_after(newest or "")
+        continue_after(newest or "")
 
 
 def _back_up(path: Path, now: datetime) -> Notice | None:
-    from storage.backups import make_backup  # noqa: PLC0415 - see above
+    from storage.file.backups import make_backup  # noqa: PLC0415 - see above
 
     try:
         make_backup(path, now)
@@ -274,22 +268,22 @@ def _choose_journal(connection: sqlite3.Connection, path: Path) -> Notice | None
 
 
 def _connect_writing(path: Path) -> sqlite3.Connection:
-    """Also for a file that was in WAL mode when it was copied to where there can be none."""
-    address = _address(path, "rwc")
+    """Also connects to a file that was copied in WAL mode to a file system without shared memory."""
+    writable = address(path, "rwc")
     try:
-        return _tried(address)
+        return _tried(writable)
     except sqlite3.OperationalError as error:
         if translated(error, path).code != "database_read_only" or not path.exists():
             raise
-        if not _left_wal(address):
+        if not _left_wal(path):
             raise
-        return _tried(address)
+        return _tried(writable)
 
 
-def _left_wal(address: str) -> bool:
+def _left_wal(path: Path) -> bool:
     with (
         contextlib.suppress(sqlite3.Error),
-        closing(sqlite3.connect(address, uri=True, isolation_level=None)) as alone,
+        closing(sqlite3.connect(address(path, "rwc"), uri=True, isolation_level=None)) as alone,
     ):
         alone.execute("PRAGMA locking_mode = EXCLUSIVE").fetchone()
         alone.execute("PRAGMA journal_mode = DELETE").fetchone()
@@ -299,12 +293,12 @@ def _left_wal(address: str) -> bool:
 
 def _readable_address(path: Path) -> str:
     """The address that reads a file which cannot be written; its tables must be up to date."""
-    plain = _address(path, "ro")
-    for address in (plain, plain + "&immutable=1"):
+    for mode in ("ro", "immutable"):
+        readable = address(path, mode)
         try:
-            with closing(_tried(address)) as connection:
-                if _applied(connection) == KNOWN_MIGRATIONS:
-                    return address
+            with closing(_tried(readable)) as connection:
+                if _applied(connection) == MIGRATIONS.keys():
+                    return readable
         except sqlite3.OperationalError:
             continue
     raise StoreError("database_read_only", path=str(path))
@@ -315,9 +309,5 @@ def _untouching_address(path: Path) -> str:
 
     A reader of a file in WAL mode makes the WAL where there is none; but then nobody has the file open.
     """
-    address = _address(path, "ro")
-    return address if path.with_name(path.name + "-wal").exists() else address + "&immutable=1"
-
-
-def _address(path: Path, mode: str) -> str:
-    return f"{path.absolute().as_uri()}?mode={mode}"
+    has_wal = path.with_name(path.name + "-wal").exists()
+    return address(path, "ro" if has_wal else "immutable")

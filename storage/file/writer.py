@@ -1,4 +1,4 @@
-"""One thread writes; each job is one transaction, and its caller may wait until it is on disk."""
+"""The writer thread: each job is one transaction, and its caller may wait until it is on disk."""
 
 import contextlib
 import queue
@@ -17,14 +17,14 @@ ATTACHED = "bundle"
 
 
 class Writer:
-    """Owns the writing connection. `do` returns after the commit; `submit` returns at once.
+    """Owns the writing connection.
 
     Attributes:
         on_written: called after each job that is on disk, on the writer's thread; must not raise or wait.
     """
 
     def __init__(self, connection: sqlite3.Connection, path: Path) -> None:
-        # what is changed or deleted is overwritten: a renamed group's old name must not outlive it
+        # deleted content is overwritten: a renamed group's old name must not stay in the file
         connection.execute("PRAGMA secure_delete = ON")
         self._connection = connection
         self._path = path
@@ -35,21 +35,13 @@ class Writer:
         self._thread = threading.Thread(target=self._work, name="store-writer", daemon=True)
         self._thread.start()
 
-    def do(self, job: Callable[[sqlite3.Connection], T]) -> T:
-        """Runs the job in a transaction and returns its result when it is on disk.
-
-        Raises:
-            StoreError: nothing of the job was kept.
-        """
-        return self.submit(job).result()
-
     def submit(
         self, job: Callable[[sqlite3.Connection], T], attached: str | None = None
     ) -> "Future[T]":
-        """Queues the job; the future tells what became of it.
+        """Queues the job. The future has its result once it is on disk, or a StoreError where nothing was written.
 
         Args:
-            attached: address of a file that the job sees as the schema `bundle`, and nobody after it.
+            attached: address of a file that is the schema `bundle` during the job.
         """
         future: Future[T] = Future()
         with self._lock:
@@ -80,10 +72,7 @@ class Writer:
         self._connection.close()
 
     def _fulfil(
-        self,
-        future: "Future[T]",
-        job: Callable[[sqlite3.Connection], T],
-        attached: str | None,
+        self, future: "Future[T]", job: Callable[[sqlite3.Connection], T], attached: str | None
     ) -> None:
         try:
             with self._attaching(attached):

@@ -9,9 +9,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple
 
-from storage.connection import Access
-from storage.lessons_read import GroupLine
+from storage.file.repository import Repository
 from storage.records import RunLine
+from storage.work.lesson_records import GroupLine
 
 Outcome = Literal["finished", "stopped", "failed", "passed", "not_passed"]
 # in place of a class: the groups that belong to none
@@ -52,11 +52,8 @@ class HistoryLine(NamedTuple):
     group: GroupLine | None
 
 
-class History:
+class History(Repository):
     """The runs of the file, newest first."""
-
-    def __init__(self, access: Access) -> None:
-        self._access = access
 
     def page(
         self, which: RunFilter, *, before: str | None = None, limit: int = 50
@@ -65,8 +62,7 @@ class History:
         clauses = list(_clauses(which))
         conditions = " AND ".join(["id < ?", *(clause for clause, _ in clauses)])
         values = [before or "~", *(value for _, value in clauses), limit]
-        with self._access.reading() as db:
-            rows = db.execute(_SELECT.format(which=conditions), values).fetchall()
+        rows = self._rows(_SELECT.format(which=conditions), *values)
         return [_line(tuple(row)) for row in rows]
 
 

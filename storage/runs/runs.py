@@ -5,35 +5,28 @@ Telemetry needs numpy, which takes longer to load than the rest of the store: it
 
 import sqlite3
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from storage.connection import Access, Moment
 from storage.errors import StoreError
-from storage.groups import touch
-from storage.lessons import lesson_for
+from storage.file.connection import Moment
+from storage.file.repository import Repository
 from storage.records import Json, RunLine, RunRow, RunStart
+from storage.sql import insert, not_found, require, selected
 from storage.text import dumped, new_id, readable_object, readable_points
+from storage.work.groups import mark_used
+from storage.work.lessons import lesson_for
 
 if TYPE_CHECKING:
-    from storage.telemetry import Telemetry
+    from storage.runs.telemetry import Telemetry
 
-_COLUMNS = ", ".join(column.name for column in fields(RunRow))
-_SELECT = f"SELECT {_COLUMNS} FROM runs"
-_LINE = ", ".join(name.removesuffix("_json").removesuffix("_bit") for name in RunLine._fields)
+_SELECT = selected(RunRow, "runs")
+_LINE = selected(RunLine, "runs", params_json="params", passed_bit="passed", path_json="path")
 _OBJECTS = ("document", "world_document", "parameters", "params", "summary", "check_report")
 _NEEDED = ("world_document", "parameters")
 _IN_COLUMNS = ("v", "type", "run", "seq", "tick")
-_FIGURES = (
-    "state",
-    "reason",
-    "block",
-    "duration_s",
-    "n_executed",
-    "path_length_m",
-    "closing_error_m",
-    "telemetry_sha256",
-)
+_FIGURES = ("n_executed", "path_length_m", "closing_error_m", "telemetry_sha256")
+_AT_END = ("state", "reason", "block", "duration_s", *_FIGURES)
 
 
 @dataclass(slots=True, eq=False)
@@ -42,7 +35,7 @@ class Batch:
 
     Attributes:
         chunks: (chunk, first tick, rows, blob) of telemetry.
-        ended: the `run_ended` event, None while the run goes on.
+        ended: the `run_ended` event, None before the end.
         path: points for the picture, used with `ended`.
         at: when it happened, which may be long before it can be written.
     """
@@ -55,61 +48,45 @@ class Batch:
     path: list[list[float]] = field(default_factory=list)
 
 
-class Runs:
+class Runs(Repository):
     """The runs of the file."""
-
-    def __init__(self, access: Access) -> None:
-        self._access = access
 
     def begin(self, start: RunStart) -> RunRow:
         """Notes that a run begins; on disk when this returns. Raises StoreError `version_not_found`."""
-        now = self._access.moment()
-        return self.get(self._access.write(lambda db: _insert(db, start, now)))
+        now = self._database.moment()
+        return self.get(self._database.write(lambda db: _insert(db, start, now)))
 
     def discard(self, run_id: str) -> None:
         """Takes back a run that could not begin after all."""
-        self._access.write(
+        self._database.write(
             lambda db: db.execute("DELETE FROM runs WHERE id = ?", [run_id]).rowcount
         )
 
     def get(self, run_id: str) -> RunRow:
         """Raises StoreError `run_not_found`, `run_damaged`."""
-        with self._access.reading() as db:
-            row = db.execute(f"{_SELECT} WHERE id = ?", [run_id]).fetchone()
-        if row is None:
-            raise StoreError("run_not_found", id=run_id)
-        return _record(row)
+        return _record(self._row("runs", f"{_SELECT} WHERE id = ?", run_id))
 
     def of_group(
         self, group_id: str, *, before: str | None = None, limit: int = 50
     ) -> list[RunLine]:
         """Newest first; `before` is the id of the last run of the page before. What is damaged of one is empty."""
-        with self._access.reading() as db:
-            rows = db.execute(
-                f"SELECT {_LINE} FROM runs WHERE group_id = ? AND id < ? ORDER BY id DESC LIMIT ?",
-                [group_id, before or "~", limit],
-            ).fetchall()
-        return [RunLine._make(row) for row in rows]
+        query = f"{_LINE} WHERE group_id = ? AND id < ? ORDER BY id DESC LIMIT ?"
+        return [RunLine._make(row) for row in self._rows(query, group_id, before or "~", limit)]
 
     def newest(self, limit: int) -> list[RunRow]:
         """Of all groups and of none, newest first; what is damaged of one is empty."""
-        with self._access.reading() as db:
-            rows = db.execute(f"{_SELECT} ORDER BY id DESC LIMIT ?", [limit]).fetchall()
-        return [_record(row, patient=True) for row in rows]
+        rows = self._rows(f"{_SELECT} ORDER BY id DESC LIMIT ?", limit)
+        return [_record(row, lenient=True) for row in rows]
 
     def ids_beginning_with(self, prefix: str) -> list[str]:
         """Ids that a person may mean who typed the beginning only; at most 10."""
-        with self._access.reading() as db:
-            rows = db.execute(
-                "SELECT id FROM runs WHERE substr(id, 1, ?) = ? ORDER BY id DESC LIMIT 10",
-                [len(prefix), prefix],
-            ).fetchall()
-        return [str(row["id"]) for row in rows]
+        query = "SELECT id FROM runs WHERE substr(id, 1, ?) = ? ORDER BY id DESC LIMIT 10"
+        return [str(row["id"]) for row in self._rows(query, len(prefix), prefix)]
 
     def events(self, run_id: str) -> list[Json]:
         """All events but telemetry, as they were on the wire. Raises StoreError `run_not_found`, `run_damaged`."""
-        with self._access.reading() as db:
-            _require(db, run_id)
+        with self._database.reading() as db:
+            require(db, "runs", run_id)
             rows = db.execute(
                 "SELECT seq, tick, type, data FROM events WHERE run_id = ? ORDER BY seq", [run_id]
             ).fetchall()
@@ -117,25 +94,25 @@ class Runs:
 
     def telemetry(self, run_id: str) -> "Telemetry":
         """All samples of a run. Raises StoreError `run_not_found`, `run_damaged`."""
-        with self._access.reading() as db:
-            _require(db, run_id)
+        with self._database.reading() as db:
+            require(db, "runs", run_id)
             return _telemetry(db, run_id)
 
     def running(self) -> list[str]:
         """Ids of the runs that have not ended."""
-        with self._access.reading() as db:
+        with self._database.reading() as db:
             return _running(db)
 
     def close_interrupted(self) -> int:
-        """Ends every run that is still `running`: the program that ran it is gone. Returns how many."""
-        now = self._access.now()
+        """Ends every run that is still `running`, after its program was killed. Returns how many."""
+        now = self._database.now()
 
         def close_all(db: sqlite3.Connection) -> int:
             run_ids = _running(db)
             close_runs(db, run_ids, now)
             return len(run_ids)
 
-        return self._access.write(close_all)
+        return self._database.write(close_all)
 
 
 def close_runs(db: sqlite3.Connection, run_ids: Sequence[str], now: str) -> None:
@@ -161,11 +138,6 @@ def write_batch(db: sqlite3.Connection, batch: Batch) -> None:
         _end(db, batch.run_id, batch.ended, batch.path, batch.at)
 
 
-def is_there(db: sqlite3.Connection, run_id: str) -> bool:
-    """Whether there is such a run."""
-    return db.execute("SELECT 1 FROM runs WHERE id = ?", [run_id]).fetchone() is not None
-
-
 def _end(
     db: sqlite3.Connection,
     run_id: str,
@@ -173,7 +145,7 @@ def _end(
     path: Sequence[Sequence[float]],
     at: str,
 ) -> None:
-    changes = {name: ended.get(name) for name in _FIGURES}
+    changes = {name: ended.get(name) for name in _AT_END}
     changes |= {"params": dumped(ended.get("params") or {}), "summary": dumped(_rest(ended))}
     changes |= {"path": dumped(path), "ended_at": at}
     assignments = ", ".join(f"{name} = :{name}" for name in changes)
@@ -200,10 +172,9 @@ def _insert(db: sqlite3.Connection, start: RunStart, now: Moment) -> str:
     if origin["group_id"]:
         row["lesson_id"], row["computer_id"] = lesson_for(db, origin["group_id"], now)
         row["activity"] = row["activity"] or _activity_of(db, str(row["lesson_id"]))
-    names = ", ".join(row)
-    db.execute(f"INSERT INTO runs ({names}) VALUES ({', '.join(':' + name for name in row)})", row)
+    insert(db, "runs", row)
     if origin["group_id"]:
-        touch(db, origin["group_id"], now.text)
+        mark_used(db, origin["group_id"], now.text)
     return str(row["id"])
 
 
@@ -219,7 +190,7 @@ def _origin(db: sqlite3.Connection, start: RunStart) -> dict[str, str | None]:
         [version_id],
     ).fetchone()
     if row is None:
-        raise StoreError("version_not_found", id=version_id)
+        raise not_found("versions", version_id)
     return dict(row)
 
 
@@ -234,8 +205,8 @@ def _running(db: sqlite3.Connection) -> list[str]:
 
 def _interrupted(db: sqlite3.Connection, run_id: str, now: str) -> Batch:
     """The end that an interrupted run never had, from what was recorded of it."""
-    from storage.outline import outline  # noqa: PLC0415 - see above
-    from storage.telemetry import RATE_HZ  # noqa: PLC0415
+    from storage.runs.simplify_path import outline  # noqa: PLC0415 - see above
+    from storage.runs.telemetry import RATE_HZ  # noqa: PLC0415
 
     rows = _telemetry(db, run_id)
     ticks, points = rows.column("tick"), rows.rows[:, 1:3]
@@ -245,9 +216,7 @@ def _interrupted(db: sqlite3.Connection, run_id: str, now: str) -> Batch:
     ).fetchone()
     tick = max(int(last["tick"]), int(ticks[-1]) if len(ticks) else 0)
     ended = {
-        **dict.fromkeys(
-            ("block", "n_executed", "path_length_m", "closing_error_m", "pose", "telemetry_sha256")
-        ),
+        **dict.fromkeys(("block", "pose", *_FIGURES)),
         "type": "run_ended",
         "seq": last["seq"] + 1 + len(ticks),
         "tick": tick,
@@ -260,7 +229,7 @@ def _interrupted(db: sqlite3.Connection, run_id: str, now: str) -> Batch:
 
 
 def _telemetry(db: sqlite3.Connection, run_id: str) -> "Telemetry":
-    from storage.telemetry import joined  # noqa: PLC0415 - see above
+    from storage.runs.telemetry import joined  # noqa: PLC0415 - see above
 
     rows = db.execute(
         "SELECT data, n_rows FROM telemetry WHERE run_id = ? ORDER BY chunk", [run_id]
@@ -269,11 +238,6 @@ def _telemetry(db: sqlite3.Connection, run_id: str) -> "Telemetry":
         return joined([(row["data"], row["n_rows"]) for row in rows])
     except (ValueError, TypeError) as error:
         raise StoreError("run_damaged", id=run_id, part="telemetry") from error
-
-
-def _require(db: sqlite3.Connection, run_id: str) -> None:
-    if db.execute("SELECT 1 FROM runs WHERE id = ?", [run_id]).fetchone() is None:
-        raise StoreError("run_not_found", id=run_id)
 
 
 def _rest(event: Mapping[str, Any]) -> Json:
@@ -287,14 +251,14 @@ def _event(run_id: str, row: sqlite3.Row) -> Json:
     return {**head, **(_object(row["data"], run_id, "events") or {})}
 
 
-def _record(row: sqlite3.Row, *, patient: bool = False) -> RunRow:
-    """The row; a list of runs is `patient` and shows what can be read of each."""
+def _record(row: sqlite3.Row, *, lenient: bool = False) -> RunRow:
+    """The row; `lenient`, as for lists, leaves empty what is damaged."""
     values = dict(row)
     for name in _OBJECTS:
         text = values[name]
-        values[name] = readable_object(text) if patient else _object(text, row["id"], name)
+        values[name] = readable_object(text) if lenient else _object(text, row["id"], name)
     missing = next((name for name in _NEEDED if values[name] is None), None)
-    if missing and not patient:
+    if missing and not lenient:
         raise StoreError("run_damaged", id=row["id"], part=missing)
     values |= {name: values[name] or {} for name in (*_NEEDED, "params", "summary")}
     values |= {

@@ -3,81 +3,64 @@
 import re
 import sqlite3
 
-from storage.connection import Access
 from storage.errors import StoreError
+from storage.file.repository import Repository
 from storage.records import ClassroomRow
+from storage.sql import change, insert, require, selected
 from storage.text import clean_name, name_key, new_id
 
 _NUMBERS = re.compile(r"([0-9]+)")
-_SELECT = """
-    SELECT id, name, created_at,
-           (SELECT computers.name FROM lessons JOIN computers ON computers.id = lessons.computer_id
-            WHERE lessons.classroom_id = classrooms.id ORDER BY opened_at, lessons.id LIMIT 1) AS computer,
-           (SELECT count(*) FROM groups WHERE classroom_id = classrooms.id) AS n_groups
-    FROM classrooms"""
+_SELECT = selected(
+    ClassroomRow,
+    "classrooms",
+    computer="""SELECT computers.name FROM lessons JOIN computers ON computers.id = lessons.computer_id
+        WHERE lessons.classroom_id = classrooms.id ORDER BY opened_at, lessons.id LIMIT 1""",
+    n_groups="SELECT count(*) FROM groups WHERE classroom_id = classrooms.id",
+)
 
 
-class Classrooms:
+class Classrooms(Repository):
     """The classes of the file."""
-
-    def __init__(self, access: Access) -> None:
-        self._access = access
 
     def all(self) -> list[ClassroomRow]:
         """By name, numbers in it by their value: 1º, 2º, 10º."""
-        with self._access.reading() as db:
-            rows = db.execute(_SELECT).fetchall()
-        return sorted((ClassroomRow(**dict(row)) for row in rows), key=_place)
+        return sorted((ClassroomRow(**dict(row)) for row in self._rows(_SELECT)), key=_order)
 
     def get(self, classroom_id: str) -> ClassroomRow:
         """Raises StoreError `classroom_not_found`."""
-        with self._access.reading() as db:
-            row = db.execute(f"{_SELECT} WHERE id = ?", [classroom_id]).fetchone()
-        if row is None:
-            raise StoreError("classroom_not_found", id=classroom_id)
-        return ClassroomRow(**dict(row))
+        return ClassroomRow(
+            **dict(self._row("classrooms", f"{_SELECT} WHERE id = ?", classroom_id))
+        )
 
     def create(self, name: str) -> ClassroomRow:
         """Raises StoreError `classroom_exists`, `name_empty` or `name_too_long`."""
-        clean, now = clean_name(name), self._access.now()
+        clean, now = clean_name(name), self._database.now()
+        row = {"id": new_id(), "name": clean, "created_at": now, "changed_at": now}
 
-        def insert(db: sqlite3.Connection) -> str:
+        def write(db: sqlite3.Connection) -> None:
             _require_free(db, clean, "")
-            classroom_id = new_id()
-            db.execute(
-                "INSERT INTO classrooms (id, name, created_at, changed_at) VALUES (?, ?, ?, ?)",
-                [classroom_id, clean, now, now],
-            )
-            return classroom_id
+            insert(db, "classrooms", row)
 
-        return self.get(self._access.write(insert))
+        self._database.write(write)
+        return self.get(row["id"])
 
     def rename(self, classroom_id: str, name: str) -> ClassroomRow:
         """Raises StoreError `classroom_not_found`, `classroom_exists`, `name_empty` or `name_too_long`."""
-        clean, now = clean_name(name), self._access.now()
+        clean, now = clean_name(name), self._database.now()
 
-        def change(db: sqlite3.Connection) -> None:
-            require_classroom(db, classroom_id)
+        def write(db: sqlite3.Connection) -> None:
+            require(db, "classrooms", classroom_id)
             _require_free(db, clean, classroom_id)
-            db.execute(
-                "UPDATE classrooms SET name = ?, revision = revision + 1, changed_at = ? WHERE id = ?",
-                [clean, now, classroom_id],
-            )
+            change(db, "classrooms", classroom_id, {"name": clean}, now)
 
-        self._access.write(change)
+        self._database.write(write)
         return self.get(classroom_id)
 
 
-def _place(row: ClassroomRow) -> tuple[list[str | int], str]:
+def _order(row: ClassroomRow) -> tuple[list[str | int], str]:
     """Texts and numbers take turns; classes of one name stay in their order."""
     parts = _NUMBERS.split(name_key(row.name))
     return [int(part) if n % 2 else part for n, part in enumerate(parts)], row.id
-
-
-def require_classroom(db: sqlite3.Connection, classroom_id: str) -> None:
-    """Raises StoreError `classroom_not_found`."""
-    if db.execute("SELECT 1 FROM classrooms WHERE id = ?", [classroom_id]).fetchone() is None:
-        raise StoreError("classroom_not_found", id=classroom_id)
 
 
 def _require_free(db: sqlite3.Connection, name: str, own_id: str) -> None:

@@ -1,63 +1,69 @@
-"""This PC, by a key and a name: what is made here can be told from what was made elsewhere.
+"""This PC's key and name, by which work of this PC differs from work of others.
 
-Beside the key stands a mark of the machine. Where it is that of another one, the folder was copied here: the copy gets
-a key of its own, and the old key stays with what was made before.
+A mark of the machine is kept with the key. Where it is the mark of another machine, the data folder was copied to this
+one: this PC then gets a key of its own, and earlier work keeps the old key.
 """
 
 import platform
 import sqlite3
 
-from storage import machine
-from storage.connection import Access
 from storage.errors import StoreError
-from storage.settings import keep, kept
-from storage.text import MAX_NAME, clean_name, new_id
+from storage.file.repository import Repository
+from storage.limits import MAX_NAME
+from storage.sql import change, insert
+from storage.text import clean_name, new_id
+from storage.work import machine
+from storage.work.settings import read_setting, write_setting
 
 _KEY, _MARK = "computer_id", "machine_mark"
 
 
-class Computers:
+class Computers(Repository):
     """This PC's key and name."""
 
-    def __init__(self, access: Access) -> None:
-        self._access = access
-
-    def here(self) -> tuple[str, str]:
+    def this(self) -> tuple[str, str]:
         """Key and name of this PC; made when first asked for. Raises StoreError where they cannot be kept."""
-        with self._access.reading() as db:
-            found = known(db)
+        with self._database.reading() as db:
+            found = find_computer(db)
         if found is not None:
             return found
-        now = self._access.now()
-        return self._access.write(lambda db: here(db, now))
+        now = self._database.now()
+        return self._database.write(lambda db: this_computer(db, now))
 
     def rename(self, name: str) -> str:
         """Gives this PC a name that people know it by. Raises StoreError `name_empty` or `name_too_long`."""
-        clean, now = clean_name(name), self._access.now()
+        clean, now = clean_name(name), self._database.now()
 
-        def change(db: sqlite3.Connection) -> None:
-            key, _ = here(db, now)
-            db.execute(
-                "UPDATE computers SET name = ?, revision = revision + 1, changed_at = ? WHERE id = ? AND name != ?",
-                [clean, now, key, clean],
-            )
+        def write(db: sqlite3.Connection) -> None:
+            key, before = this_computer(db, now)
+            if clean != before:
+                change(db, "computers", key, {"name": clean}, now)
 
-        self._access.write(change)
+        self._database.write(write)
         return clean
 
 
-def here(db: sqlite3.Connection, now: str) -> tuple[str, str]:
+def this_computer(db: sqlite3.Connection, now: str) -> tuple[str, str]:
     """Key and name of this PC, made where there are none, within the caller's transaction."""
-    found = known(db)
+    found = find_computer(db)
     if found is not None:
-        if kept(db, _MARK) is None:  # made by an earlier release
-            keep(db, _MARK, machine.machine_mark())
+        if read_setting(db, _MARK) is None:  # made by an earlier release
+            write_setting(db, _MARK, machine.machine_mark())
         return found
     key, name = new_id(), _name_of_system()
-    keep(db, _KEY, key)
-    keep(db, _MARK, machine.machine_mark())
-    db.execute("INSERT INTO computers (id, name, changed_at) VALUES (?, ?, ?)", [key, name, now])
+    write_setting(db, _KEY, key)
+    write_setting(db, _MARK, machine.machine_mark())
+    insert(db, "computers", {"id": key, "name": name, "changed_at": now})
     return key, name
+
+
+def find_computer(db: sqlite3.Connection) -> tuple[str, str] | None:
+    """Key and name of this PC, None where it has none in this file yet."""
+    key, mark, this = read_setting(db, _KEY), read_setting(db, _MARK), machine.machine_mark()
+    if key is None or (mark and this and mark != this):
+        return None
+    named = db.execute("SELECT name FROM computers WHERE id = ?", [key]).fetchone()
+    return None if named is None else (key, str(named["name"]))
 
 
 def _name_of_system() -> str:
@@ -66,12 +72,3 @@ def _name_of_system() -> str:
         return clean_name(platform.node()[:MAX_NAME])
     except StoreError:
         return "PC"
-
-
-def known(db: sqlite3.Connection) -> tuple[str, str] | None:
-    """Key and name of this PC, None where it has none in this file yet."""
-    key, mark, here = kept(db, _KEY), kept(db, _MARK), machine.machine_mark()
-    if key is None or (mark and here and mark != here):
-        return None
-    named = db.execute("SELECT name FROM computers WHERE id = ?", [key]).fetchone()
-    return None if named is None else (key, str(named["name"]))

@@ -4,82 +4,34 @@ import sqlite3
 from collections.abc import Mapping
 from datetime import datetime, timedelta
 
-from storage.classrooms import require_classroom
-from storage.connection import Access
+from storage.choices import COLORS, PICTURES
 from storage.errors import StoreError
+from storage.file.repository import Repository
 from storage.limits import LAST_YEAR
 from storage.records import GroupRow
+from storage.sql import change, insert, not_found, require, selected
 from storage.text import clean_name, name_key, new_id, time_text
 
-# told apart on a projector and by colour-blind pupils; each dark enough for white text
-COLORS = (
-    "#1f6f8b",
-    "#b3541e",
-    "#5b4b9a",
-    "#2e7d4f",
-    "#a03561",
-    "#8a6a00",
-    "#34568b",
-    "#7a3e3e",
-    "#00796b",
-    "#6d5d4b",
-    "#9c3d97",
-    "#4a6b1c",
+_SELECT = selected(
+    GroupRow,
+    "groups",
+    n_programs="SELECT count(*) FROM programs WHERE group_id = groups.id AND deleted_at IS NULL",
+    n_in_bin="SELECT count(*) FROM programs WHERE group_id = groups.id AND deleted_at IS NOT NULL",
+    n_runs="SELECT count(*) FROM runs WHERE group_id = groups.id",
 )
-# what pupils of any school know and tell apart at a glance; the page has a drawing of each
-PICTURES = (
-    "rocket",
-    "cat",
-    "tree",
-    "fish",
-    "star",
-    "bird",
-    "bike",
-    "sun",
-    "turtle",
-    "guitar",
-    "flower",
-    "snail",
-    "ship",
-    "rabbit",
-    "mountain",
-    "dog",
-    "umbrella",
-    "cherry",
-    "plane",
-    "crown",
-    "squirrel",
-    "anchor",
-    "apple",
-    "moon",
-)
-_SELECT = """
-    SELECT id, name, color, picture, classroom_id, created_at,
-           (SELECT count(*) FROM programs WHERE group_id = groups.id AND deleted_at IS NULL) AS n_programs,
-           (SELECT count(*) FROM programs WHERE group_id = groups.id AND deleted_at IS NOT NULL) AS n_in_bin,
-           (SELECT count(*) FROM runs WHERE group_id = groups.id) AS n_runs
-    FROM groups"""
 
 
-class Groups:
+class Groups(Repository):
     """The groups of the file."""
-
-    def __init__(self, access: Access) -> None:
-        self._access = access
 
     def all(self) -> list[GroupRow]:
         """Newest use first."""
-        with self._access.reading() as db:
-            rows = db.execute(f"{_SELECT} ORDER BY used_at DESC, id DESC").fetchall()
+        rows = self._rows(f"{_SELECT} ORDER BY used_at DESC, id DESC")
         return [GroupRow(**dict(row)) for row in rows]
 
     def get(self, group_id: str) -> GroupRow:
         """Raises StoreError `group_not_found`."""
-        with self._access.reading() as db:
-            row = db.execute(f"{_SELECT} WHERE id = ?", [group_id]).fetchone()
-        if row is None:
-            raise StoreError("group_not_found", id=group_id)
-        return GroupRow(**dict(row))
+        return GroupRow(**dict(self._row("groups", f"{_SELECT} WHERE id = ?", group_id)))
 
     def create(self, name: str, *, classroom_id: str | None = None, picture: str = "") -> GroupRow:
         """A group with a colour that few have, and a picture that few have where none was chosen.
@@ -88,12 +40,12 @@ class Groups:
             StoreError: `group_exists` in that class, `classroom_not_found`, `picture_unknown`, `name_empty`,
                 `name_too_long`.
         """
-        clean, now = clean_name(name), self._access.now()
+        clean, now = clean_name(name), self._database.now()
         _require_picture(picture)
 
-        def insert(db: sqlite3.Connection) -> str:
+        def write(db: sqlite3.Connection) -> str:
             if classroom_id is not None:
-                require_classroom(db, classroom_id)
+                require(db, "classrooms", classroom_id)
             _require_free(db, clean, classroom_id, "")
             group = {
                 "id": new_id(),
@@ -106,11 +58,10 @@ class Groups:
                 "used_at": now,
                 "changed_at": now,
             }
-            marks = ", ".join(f":{column}" for column in group)
-            db.execute(f"INSERT INTO groups ({', '.join(group)}) VALUES ({marks})", group)
+            insert(db, "groups", group)
             return str(group["id"])
 
-        return self.get(self._access.write(insert))
+        return self.get(self._database.write(write))
 
     def change(
         self, group_id: str, changes: Mapping[str, str | None], *, by_teacher: bool = False
@@ -130,12 +81,12 @@ class Groups:
         if "color" in wanted and wanted["color"] not in COLORS:
             raise StoreError("color_unknown", value=wanted["color"], allowed=list(COLORS))
         _require_picture(str(wanted.get("picture", "")))
-        now = self._access.now()
-        self._access.write(lambda db: _change(db, group_id, wanted, now, by_teacher))
+        now = self._database.now()
+        self._database.write(lambda db: _change(db, group_id, wanted, now, by_teacher))
         return self.get(group_id)
 
 
-def touch(db: sqlite3.Connection, group_id: str, now: str) -> None:
+def mark_used(db: sqlite3.Connection, group_id: str, now: str) -> None:
     """Notes that the group was used, within the transaction of what it did."""
     db.execute("UPDATE groups SET used_at = ? WHERE id = ?", [now, group_id])
 
@@ -149,25 +100,17 @@ def _change(
 ) -> None:
     group = db.execute("SELECT * FROM groups WHERE id = ?", [group_id]).fetchone()
     if group is None:
-        raise StoreError("group_not_found", id=group_id)
+        raise not_found("groups", group_id)
     changes = {name: value for name, value in wanted.items() if value != group[name]}
     if not changes:
         return
     classroom_id = changes.get("classroom_id", group["classroom_id"])
     if classroom_id is not None:
-        require_classroom(db, classroom_id)
+        require(db, "classrooms", classroom_id)
     if changes.keys() & {"name", "classroom_id"}:
         _require_free(db, changes.get("name") or group["name"], classroom_id, group_id)
-    assignments = ", ".join(f"{name} = :{name}" for name in changes)
-    db.execute(
-        f"UPDATE groups SET {assignments}, revision = revision + :more, changed_at = :at WHERE id = :id",
-        {
-            **changes,
-            "more": int(by_teacher),
-            "at": max(now, _just_after(group["changed_at"])),
-            "id": group_id,
-        },
-    )
+    at = max(now, _just_after(group["changed_at"]))
+    change(db, "groups", group_id, changes, at, n_revisions=int(by_teacher))
 
 
 def _just_after(moment: str) -> str:

@@ -1,22 +1,23 @@
-"""All that a lesson left behind, read for its review: without worlds, paths and programs, and workspaces apart."""
+"""All that was done in a lesson, read for its review: without worlds, paths and programs; workspaces by themselves."""
 
 import json
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from storage.connection import Access
+from storage.file.repository import Repository
 from storage.text import loaded
 
 _IN = "IN (SELECT value FROM json_each(?))"
 _EDITS = f"""
-    SELECT programs.group_id, versions.id, program_id, programs.name, number, versions.created_at, computer_id,
-           parent_id
+    SELECT programs.group_id, versions.id, versions.program_id, programs.name, versions.number, versions.created_at,
+           versions.computer_id, versions.parent_id
     FROM versions JOIN programs ON programs.id = versions.program_id
-    WHERE lesson_id {_IN} ORDER BY versions.id"""
+    WHERE versions.lesson_id {_IN} ORDER BY versions.id"""
 _RUNS = f"""
-    SELECT runs.group_id, runs.id, runs.program_id, program_name, version_id, number, started_at, ended_at, state,
-           reason, params, activity, passed, duration_s, runs.computer_id
+    SELECT runs.group_id, runs.id, runs.program_id, runs.program_name, runs.version_id, versions.number,
+           runs.started_at, runs.ended_at, runs.state, runs.reason, runs.params, runs.activity, runs.passed,
+           runs.duration_s, runs.computer_id
     FROM runs LEFT JOIN versions ON versions.id = runs.version_id
     WHERE runs.lesson_id {_IN} AND runs.group_id IS NOT NULL ORDER BY runs.id"""
 
@@ -94,17 +95,14 @@ class LessonLines:
     computers: dict[str, str]
 
 
-class LessonRecords:
-    """What lessons left behind."""
-
-    def __init__(self, access: Access) -> None:
-        self._access = access
+class LessonRecords(Repository):
+    """What was done in lessons."""
 
     def of(self, lesson_ids: Collection[str]) -> LessonLines:
-        """Edits and runs of all the lessons together; none where there was no work."""
+        """Edits and runs of all the lessons together."""
         lessons = json.dumps(list(lesson_ids))
         work: dict[str, GroupLines] = {}
-        with self._access.reading() as db:
+        with self._database.reading() as db:
             for group_id, *edit in db.execute(_EDITS, [lessons]):
                 work.setdefault(group_id, GroupLines()).edits.append(EditLine(*edit))
             for group_id, *run in db.execute(_RUNS, [lessons]):
@@ -118,9 +116,6 @@ class LessonRecords:
 
     def workspaces(self, version_ids: Iterable[str]) -> dict[str, Any]:
         """Workspaces by version; those that are not in the file are left out."""
-        with self._access.reading() as db:
-            rows = db.execute(
-                f"SELECT id, workspace FROM versions WHERE id {_IN}",
-                [json.dumps(list(version_ids))],
-            ).fetchall()
+        query = f"SELECT id, workspace FROM versions WHERE id {_IN}"
+        rows = self._rows(query, json.dumps(list(version_ids)))
         return {row["id"]: loaded(row["workspace"]) for row in rows}

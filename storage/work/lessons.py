@@ -8,59 +8,50 @@ import sqlite3
 import uuid
 from collections.abc import Mapping
 
-from storage.classrooms import require_classroom
-from storage.computers import here, known
-from storage.connection import Access, Moment
 from storage.errors import StoreError
-from storage.joined import settle, tree_of, whole_of
-from storage.open_lessons import keep_open, open_lesson
+from storage.file.connection import Moment
+from storage.file.repository import Repository
 from storage.records import LessonRow
+from storage.sql import change, insert, not_found, require, selected
 from storage.text import clean_name, name_key, new_id
+from storage.work.computers import find_computer, this_computer
+from storage.work.lesson_joins import flatten, roots, tree_of
+from storage.work.open_lessons import open_lesson, set_open_lesson
 
-_SELECT = """
-    SELECT lessons.id, lessons.classroom_id, title, activity, by_itself, computer_id, computers.name AS computer,
-           opened_at, used_at, closed_at, part_of,
-           (SELECT count(*) FROM versions WHERE lesson_id = lessons.id) AS n_versions,
-           (SELECT count(*) FROM runs WHERE lesson_id = lessons.id) AS n_runs
-    FROM lessons LEFT JOIN computers ON computers.id = lessons.computer_id"""
+_SELECT = selected(
+    LessonRow,
+    "lessons",
+    computer="SELECT name FROM computers WHERE computers.id = lessons.computer_id",
+    n_versions="SELECT count(*) FROM versions WHERE lesson_id = lessons.id",
+    n_runs="SELECT count(*) FROM runs WHERE lesson_id = lessons.id",
+)
 
 
-class Lessons:
+class Lessons(Repository):
     """The lessons of the file."""
-
-    def __init__(self, access: Access) -> None:
-        self._access = access
 
     def of_classroom(self, classroom_id: str | None) -> list[LessonRow]:
         """Newest first; of groups without a class with None."""
-        with self._access.reading() as db:
-            rows = db.execute(
-                f"{_SELECT} WHERE lessons.classroom_id IS ? ORDER BY opened_at DESC, lessons.id DESC",
-                [classroom_id],
-            ).fetchall()
-            wholes = whole_of(db)
-        return [_record(row, wholes) for row in rows]
+        return self._found("classroom_id IS ? ORDER BY opened_at DESC, id DESC", classroom_id)
 
     def get(self, lesson_id: str) -> LessonRow:
         """Raises StoreError `lesson_not_found`."""
-        with self._access.reading() as db:
-            row = db.execute(f"{_SELECT} WHERE lessons.id = ?", [lesson_id]).fetchone()
-            wholes = whole_of(db)
-        if row is None:
-            raise StoreError("lesson_not_found", id=lesson_id)
-        return _record(row, wholes)
+        found = self._found("id = ?", lesson_id)
+        if not found:
+            raise not_found("lessons", lesson_id)
+        return found[0]
 
     def current(self, classroom_id: str | None) -> LessonRow | None:
         """What work of the class would belong to now on this PC, None when a new lesson would begin."""
-        now = self._access.moment()
-        with self._access.reading() as db:
-            computer = known(db)
+        now = self._database.moment()
+        with self._database.reading() as db:
+            computer = find_computer(db)
             found = computer and open_lesson(db, classroom_id, computer[0])
         return self.get(found.id) if found and found.goes_on(now) else None
 
     def parts(self, lesson_id: str) -> list[str]:
-        """Keys of the lesson that it belongs to in the end, and of all that were joined to that one."""
-        with self._access.reading() as db:
+        """Keys of all lessons that were joined with it, and its own: the root first."""
+        with self._database.reading() as db:
             return tree_of(db, lesson_id)
 
     def open(self, classroom_id: str, title: str, activity: str | None = None) -> LessonRow:
@@ -69,13 +60,13 @@ class Lessons:
         Raises:
             StoreError: `classroom_not_found`, `name_empty`, `name_too_long`.
         """
-        clean, moment = clean_name(title), self._access.moment()
+        clean, moment = clean_name(title), self._database.moment()
         now = moment.text
 
-        def insert(db: sqlite3.Connection) -> str:
-            require_classroom(db, classroom_id)
+        def write(db: sqlite3.Connection) -> str:
+            require(db, "classrooms", classroom_id)
             lesson_id = _titled(db, classroom_id, clean) or _free_key(db, classroom_id, clean)
-            computer_id, _ = here(db, now)
+            computer_id, _ = this_computer(db, now)
             before = open_lesson(db, classroom_id, computer_id)
             if before and before.id != lesson_id:
                 _close(db, before.id, now)
@@ -88,23 +79,23 @@ class Lessons:
                        revision = revision + (activity IS NOT excluded.activity OR by_itself)""",
                 [lesson_id, classroom_id, clean, activity, computer_id, now, now, now],
             )
-            keep_open(db, classroom_id, computer_id, lesson_id, moment)
+            set_open_lesson(db, classroom_id, computer_id, lesson_id, moment)
             return lesson_id
 
-        return self.get(self._access.write(insert))
+        return self.get(self._database.write(write))
 
     def close(self, lesson_id: str) -> LessonRow:
         """Ends a lesson. Raises StoreError `lesson_not_found`."""
-        classroom_id, moment = self.get(lesson_id).classroom_id, self._access.moment()
+        classroom_id, moment = self.get(lesson_id).classroom_id, self._database.moment()
 
         def close(db: sqlite3.Connection) -> None:
-            computer = known(db)
+            computer = find_computer(db)
             found = computer and open_lesson(db, classroom_id, computer[0])
             if computer and found and found.id == lesson_id:
-                keep_open(db, classroom_id, computer[0], None, moment)
+                set_open_lesson(db, classroom_id, computer[0], None, moment)
             _close(db, lesson_id, moment.text)
 
-        self._access.write(close)
+        self._database.write(close)
         return self.get(lesson_id)
 
     def change(self, lesson_id: str, changes: Mapping[str, str | None]) -> LessonRow:
@@ -113,29 +104,31 @@ class Lessons:
         Raises:
             StoreError: `lesson_not_found`; `lesson_not_joinable` to itself, to a part of it, or to another class's.
         """
-        wanted, now = dict(changes), self._access.now()
+        wanted, now = dict(changes), self._database.now()
         if "title" in wanted:  # "" as of a lesson that opened by itself
             wanted["title"] = clean_name(wanted["title"]) if wanted["title"] else ""
 
-        def change(db: sqlite3.Connection) -> None:
+        def write(db: sqlite3.Connection) -> None:
             if "part_of" in wanted:
                 if wanted["part_of"] is not None:
                     wanted["part_of"] = _joinable(db, lesson_id, wanted["part_of"])
-                settle(db, lesson_id, now)
-            assignments = ", ".join(f"{name} = :{name}" for name in wanted)
-            db.execute(
-                f"UPDATE lessons SET {assignments}, revision = revision + 1, changed_at = :now WHERE id = :id",
-                {**wanted, "now": now, "id": lesson_id},
-            )
+                flatten(db, lesson_id, now)
+            change(db, "lessons", lesson_id, wanted, now)
 
         if wanted:
-            self._access.write(change)
+            self._database.write(write)
         return self.get(lesson_id)
+
+    def _found(self, which: str, value: str | None) -> list[LessonRow]:
+        with self._database.reading() as db:
+            rows = db.execute(f"{_SELECT} WHERE {which}", [value]).fetchall()
+            by_part = roots(db)
+        return [_record(row, by_part) for row in rows]
 
 
 def lesson_for(db: sqlite3.Connection, group_id: str, now: Moment) -> tuple[str, str]:
     """Keys of the lesson that the group's work belongs to now, and of this PC; within the caller's transaction."""
-    computer_id, _ = here(db, now.text)
+    computer_id, _ = this_computer(db, now.text)
     group = db.execute("SELECT classroom_id FROM groups WHERE id = ?", [group_id]).fetchone()
     classroom_id = group["classroom_id"]
     found = open_lesson(db, classroom_id, computer_id)
@@ -148,19 +141,16 @@ def lesson_for(db: sqlite3.Connection, group_id: str, now: Moment) -> tuple[str,
         if found:
             _close(db, found.id, now.text)
         lesson_id = _begun(db, classroom_id, computer_id, now.text)
-    keep_open(db, classroom_id, computer_id, lesson_id, now)
+    set_open_lesson(db, classroom_id, computer_id, lesson_id, now)
     return lesson_id, computer_id
 
 
 def _begun(db: sqlite3.Connection, classroom_id: str | None, computer_id: str, now: str) -> str:
     """A lesson that opens by itself."""
-    lesson_id = new_id()
-    db.execute(
-        """INSERT INTO lessons (id, classroom_id, title, by_itself, computer_id, opened_at, used_at, changed_at)
-           VALUES (?, ?, '', 1, ?, ?, ?, ?)""",
-        [lesson_id, classroom_id, computer_id, now, now, now],
-    )
-    return lesson_id
+    row = {"id": new_id(), "classroom_id": classroom_id, "title": "", "by_itself": 1}
+    row |= {"computer_id": computer_id, "opened_at": now, "used_at": now, "changed_at": now}
+    insert(db, "lessons", row)
+    return str(row["id"])
 
 
 def _titled(db: sqlite3.Connection, classroom_id: str, title: str) -> str | None:
@@ -189,19 +179,19 @@ def _close(db: sqlite3.Connection, lesson_id: str, now: str) -> None:
 
 
 def _joinable(db: sqlite3.Connection, lesson_id: str, to: str) -> str:
-    """The whole that the lesson can be joined to."""
+    """The root of the tree that the lesson can be joined to."""
     rows = db.execute("SELECT id, classroom_id FROM lessons WHERE id IN (?, ?)", [lesson_id, to])
     lessons = {row["id"]: row["classroom_id"] for row in rows}
     if len(lessons) < 2:
         missing = to if lesson_id in lessons and to != lesson_id else lesson_id
         code = "lesson_not_joinable" if to == lesson_id else "lesson_not_found"
         raise StoreError(code, id=missing)
-    whole = tree_of(db, to)[0]
-    if whole == lesson_id or lessons[lesson_id] != lessons[to]:
+    root = tree_of(db, to)[0]
+    if root == lesson_id or lessons[lesson_id] != lessons[to]:
         raise StoreError("lesson_not_joinable", id=lesson_id)
-    return whole
+    return root
 
 
-def _record(row: sqlite3.Row, wholes: Mapping[str, str]) -> LessonRow:
-    shown = {"by_itself": bool(row["by_itself"]), "part_of": wholes.get(row["id"])}
+def _record(row: sqlite3.Row, by_part: Mapping[str, str]) -> LessonRow:
+    shown = {"by_itself": bool(row["by_itself"]), "part_of": by_part.get(row["id"])}
     return LessonRow(**{**dict(row), **shown})

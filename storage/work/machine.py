@@ -1,4 +1,4 @@
-"""What tells one machine from another, so that a copied data folder is not taken for the PC that it was copied from."""
+"""A mark that identifies the machine, so that a copied data folder is noticed."""
 
 import hashlib
 import sys
@@ -37,7 +37,7 @@ def _windows_id() -> str:
         with winreg.OpenKey(
             winreg.HKEY_LOCAL_MACHINE,
             r"SOFTWARE\Microsoft\Cryptography",
-            access=winreg.KEY_READ | winreg.KEY_WOW64_64KEY,
+            database=winreg.KEY_READ | winreg.KEY_WOW64_64KEY,
         ) as key:
             return str(winreg.QueryValueEx(key, "MachineGuid")[0])
     except OSError:

@@ -1,23 +1,21 @@
 """What the teacher writes about a run, for the group to read next time."""
 
 import sqlite3
+from collections.abc import Callable
 
-from storage.connection import Access
 from storage.errors import StoreError
+from storage.file.repository import Repository
+from storage.limits import MAX_NOTE
 from storage.records import NoteRow
+from storage.sql import change, insert, not_found, require, selected
 from storage.text import clean_text, new_id
 
-MAX_NOTE = 1000
-_SELECT = """
-    SELECT notes.id, notes.run_id, notes.text, notes.written_at, notes.seen_at, runs.program_id, runs.program_name
-    FROM notes JOIN runs ON runs.id = notes.run_id"""
+_RUN = {name: f"runs.{name}" for name in ("program_id", "program_name")}
+_SELECT = f"{selected(NoteRow, 'notes', **_RUN)} JOIN runs ON runs.id = notes.run_id"
 
 
-class Notes:
+class Notes(Repository):
     """The notes of the file."""
-
-    def __init__(self, access: Access) -> None:
-        self._access = access
 
     def of_run(self, run_id: str) -> list[NoteRow]:
         """The oldest first."""
@@ -32,56 +30,41 @@ class Notes:
         """Raises StoreError `note_not_found`."""
         found = self._found("notes.id = ?", note_id)
         if not found:
-            raise StoreError("note_not_found", id=note_id)
+            raise not_found("notes", note_id)
         return found[0]
 
     def write(self, run_id: str, text: str) -> NoteRow:
         """Raises StoreError `run_not_found`, `note_empty` or `note_too_long`."""
-        clean, now = _clean(text), self._access.now()
+        now = self._database.now()
+        row = {"id": new_id(), "run_id": run_id, "text": _clean(text)}
+        row |= {"written_at": now, "changed_at": now}
 
-        def insert(db: sqlite3.Connection) -> str:
-            if db.execute("SELECT 1 FROM runs WHERE id = ?", [run_id]).fetchone() is None:
-                raise StoreError("run_not_found", id=run_id)
-            note_id = new_id()
-            db.execute(
-                "INSERT INTO notes (id, run_id, text, written_at, changed_at) VALUES (?, ?, ?, ?, ?)",
-                [note_id, run_id, clean, now, now],
-            )
-            return note_id
+        def write(db: sqlite3.Connection) -> None:
+            require(db, "runs", run_id)
+            insert(db, "notes", row)
 
-        return self.get(self._access.write(insert))
+        return self._after(row["id"], write)
 
     def rewrite(self, note_id: str, text: str) -> NoteRow:
         """Another text, which the group has not read yet. Raises StoreError as `write`, and `note_not_found`."""
-        clean, now = _clean(text), self._access.now()
-        return self._change(
-            note_id,
-            "text = ?, seen_at = NULL, changed_at = ?, revision = revision + 1",
-            [clean, now],
-        )
+        values, now = {"text": _clean(text), "seen_at": None}, self._database.now()
+        return self._after(note_id, lambda db: change(db, "notes", note_id, values, now))
 
-    def see(self, note_id: str) -> NoteRow:
-        """Notes that the group has read it: no new state, which would beat what the teacher writes meanwhile.
+    def mark_seen(self, note_id: str) -> NoteRow:
+        """The group has read it. This is no later state, which would beat what the teacher writes meanwhile.
 
         Raises:
             StoreError: `note_not_found`.
         """
-        return self._change(note_id, "seen_at = ?", [self._access.now()])
+        query, values = "UPDATE notes SET seen_at = ? WHERE id = ?", [self._database.now(), note_id]
+        return self._after(note_id, lambda db: db.execute(query, values).rowcount)
 
-    def _change(self, note_id: str, assignments: str, values: list[str]) -> NoteRow:
-        self._access.write(
-            lambda db: (
-                db.execute(
-                    f"UPDATE notes SET {assignments} WHERE id = ?", [*values, note_id]
-                ).rowcount
-            )
-        )
+    def _after(self, note_id: str, write: Callable[[sqlite3.Connection], object]) -> NoteRow:
+        self._database.write(write)
         return self.get(note_id)
 
     def _found(self, which: str, value: str) -> list[NoteRow]:
-        with self._access.reading() as db:
-            rows = db.execute(f"{_SELECT} WHERE {which}", [value]).fetchall()
-        return [NoteRow(**dict(row)) for row in rows]
+        return [NoteRow(**dict(row)) for row in self._rows(f"{_SELECT} WHERE {which}", value)]
 
 
 def _clean(text: str) -> str:

@@ -1,67 +1,67 @@
 """Which lesson is open on this PC, for each class.
 
 A lesson's row is shared by all PCs that it was opened on, so it cannot tell: after a merge it says what another PC did
-last. What is open here is kept apart, among the settings, where no merge takes it away or gives it.
+last. What is open on this PC is kept among the settings, which no merge changes.
 """
 
 import sqlite3
 from datetime import datetime
 from typing import NamedTuple
 
-from storage.connection import Moment
-from storage.settings import keep, kept
+from storage.file.connection import Moment
+from storage.work.settings import read_setting, write_setting
 
-# after so long a pause another class sits there
+# after so long a pause another class is at the PC
 _PAUSE_S = 45 * 60
 _LONGEST_S = 6 * 3600
-# for files of releases that kept nothing apart
-_OF_ITS_ROW = """
+# for files of releases that did not note it in the settings
+_BY_ROW = """
     SELECT id, used_at FROM lessons WHERE closed_at IS NULL AND computer_id = ? AND classroom_id IS ?
     ORDER BY by_itself, used_at DESC LIMIT 1"""
 
 
 class OpenLesson(NamedTuple):
-    """What was opened here last for a class and not closed, and when it was last used here."""
+    """What was opened last on this PC for a class and not closed, and when it was last used on it."""
 
     id: str
     by_itself: bool
     used: Moment
 
     def goes_on(self, now: Moment) -> bool:
-        """Whether somebody has worked in it not long ago."""
+        """Whether a group worked in it recently enough."""
         return _pause_s(self.used, now) <= (_PAUSE_S if self.by_itself else _LONGEST_S)
 
 
 def open_lesson(
     db: sqlite3.Connection, classroom_id: str | None, computer_id: str
 ) -> OpenLesson | None:
-    """None where none was opened, where it was closed here, and where it was deleted."""
+    """None where none was opened on this PC, where it was closed, and where it was deleted."""
     lesson_id, used = _marked(db, classroom_id, computer_id)
     query = "SELECT by_itself FROM lessons WHERE id = ? AND classroom_id IS ?"
     found = db.execute(query, [lesson_id, classroom_id]).fetchone()
     return OpenLesson(lesson_id, bool(found["by_itself"]), used) if found else None
 
 
-def keep_open(
+def set_open_lesson(
     db: sqlite3.Connection,
     classroom_id: str | None,
     computer_id: str,
     lesson_id: str | None,
     now: Moment,
 ) -> None:
-    """The lesson is open here for the class, and used now; none is with None."""
+    """Notes which lesson of the class is open on this PC and used now, None for none."""
     mark = {"computer": computer_id, "lesson": lesson_id, "used": now}
-    keep(db, _name(classroom_id), mark)
+    write_setting(db, _name(classroom_id), mark)
 
 
 def _marked(
     db: sqlite3.Connection, classroom_id: str | None, computer_id: str
 ) -> tuple[str, Moment]:
     """Key of the lesson, "" for none, and when it was used."""
-    mark = kept(db, _name(classroom_id))
+    mark = read_setting(db, _name(classroom_id))
     if mark is not None and mark["computer"] == computer_id:  # else the folder was copied
         return mark["lesson"] or "", Moment(*mark["used"])
-    row = db.execute(_OF_ITS_ROW, [computer_id, classroom_id]).fetchone()
+    row = db.execute(_BY_ROW, [computer_id, classroom_id]).fetchone()
     return (row["id"], Moment(row["used_at"], "", 0.0)) if row else ("", Moment("", "", 0.0))
 
 

@@ -1,34 +1,31 @@
-"""What a person chose, and what is known on this PC alone: neither goes to others."""
+"""Settings and other values of this PC; they are not replicated."""
 
 import sqlite3
 from typing import Any
 
-from storage.connection import Access
+from storage.file.repository import Repository
 from storage.text import dumped, loaded
 
 
-class Settings:
+class Settings(Repository):
     """Values by name, as JSON."""
-
-    def __init__(self, access: Access) -> None:
-        self._access = access
 
     def get(self, key: str) -> Any:
         """None where nothing was chosen."""
-        with self._access.reading() as db:
-            return kept(db, key)
+        with self._database.reading() as db:
+            return read_setting(db, key)
 
     def set(self, key: str, value: object) -> None:
         """On disk when this returns."""
-        self._access.write(lambda db: keep(db, key, value))
+        self._database.write(lambda db: write_setting(db, key, value))
 
 
-def kept(db: sqlite3.Connection, key: str) -> Any:
+def read_setting(db: sqlite3.Connection, key: str) -> Any:
     """The value of that name, None where there is none."""
     row = db.execute("SELECT value FROM settings WHERE key = ?", [key]).fetchone()
     return loaded(row["value"]) if row else None
 
 
-def keep(db: sqlite3.Connection, key: str, value: object) -> None:
+def write_setting(db: sqlite3.Connection, key: str, value: object) -> None:
     """Gives the name a value, within the caller's transaction."""
     db.execute("INSERT OR REPLACE INTO settings VALUES (?, ?)", [key, dumped(value)])

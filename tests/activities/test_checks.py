@@ -18,7 +18,7 @@ from pinel_desktop.activities import (
 from pinel_desktop.activities.model import Check
 from pinel_desktop.activities.reading import read_activity
 from pinel_desktop.errors import PinelError
-from pinel_desktop.messages import LANGUAGES, catalogue, describe
+from pinel_desktop.messages import FIRST, LANGUAGES, catalogue, describe
 from pinel_desktop.program.reading import read_document
 from sim.world import world_document
 
@@ -139,13 +139,14 @@ def test_without_any_check_nothing_is_passed() -> None:
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_kind_has_words_and_a_row_in_the_docs(kind: str) -> None:
-    assert f"check_{kind}" in catalogue()
+    assert f"check_{kind}" in catalogue(FIRST)
     assert f"| `{kind}` |" in DOCS.read_text("utf-8")
 
 
 @pytest.mark.parametrize("name", activity_names())
 def test_activities_that_ship_have_words_for_all_they_ask(name: str) -> None:
     wanted = choose_activity(name)
+    assert set(wanted.title.model_dump(by_alias=True)) == set(LANGUAGES)
     for check in [*wanted.checks, *(one for case in wanted.cases for one in case.checks)]:
         for language in LANGUAGES:
             params = check.model_dump(exclude={"check"})
@@ -163,7 +164,7 @@ def faults_of(tmp_path: Path, **change: Any) -> list[tuple[str, str]]:
     for fault in faults:
         for language in LANGUAGES:
             words = describe(fault.code, fault.params, language)
-            assert fault.code in catalogue()
+            assert fault.code in catalogue(FIRST)
             assert "{" not in words.message + words.remedy
     return [(fault.code, fault.pointer) for fault in faults]
 

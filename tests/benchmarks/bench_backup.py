@@ -8,7 +8,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from storage import Store, open_store
-from storage.backups import make_backup
+from storage.file.backups import make_backup
 
 N_LARGE, LARGE_BYTES = 300, 500_000
 N_ALONE = 100

@@ -126,7 +126,7 @@ def runs(folder: Path) -> dict[str, str]:
                 ),
             )
 
-        store._access.write(copy)
+        store._database.write(copy)
     return found
 
 

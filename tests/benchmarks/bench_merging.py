@@ -12,10 +12,11 @@ from pathlib import Path
 import pytest
 
 from storage import Recorder, RunStart, Store, open_store
-from storage.bundles import export_bundle
-from storage.content import CONTENT, columns
-from storage.merging import MergeReport
-from storage.schema import migrate
+from storage.exchange.bundle_writing import export_bundle
+from storage.exchange.merging import MergeReport
+from storage.sql import column_names
+from storage.tables.migrations import migrate
+from storage.tables.replicated import REPLICATED
 from storage.text import new_id
 from tests.storage.sample_documents import SQUARE, WORLD
 from tests.storage.sample_runs import block_started, ended, square
@@ -57,7 +58,7 @@ def multiply(db: sqlite3.Connection, run_id: str, times: int) -> None:
     for _ in range(times):
         key = new_id()
         for table, name in (("runs", "id"), ("events", "run_id"), ("telemetry", "run_id")):
-            names = columns(db, table)
+            names = column_names(db, table)
             values = ", ".join("?" if column == name else column for column in names)
             db.execute(
                 f"INSERT INTO {table} SELECT {values} FROM {table} WHERE {name} = ?", [key, run_id]
@@ -75,10 +76,10 @@ def bundle_of(folder: Path, n: int) -> Path:
                 version = store.versions.save(program.id, blocks, SQUARE)
             run_id = record(store, version.id)
             copies = N_RUNS // N_GROUPS - 1
-            store._access.write(partial(multiply, run_id=run_id, times=copies))
-        computer = store.computers.here()
+            store._database.write(partial(multiply, run_id=run_id, times=copies))
+        computer = store.computers.this()
         info = export_bundle(
-            store._access, folder / f"{n}.pinel", app_version="0.1.0", computer=computer
+            store._database, folder / f"{n}.pinel", app_version="0.1.0", computer=computer
         )
     return info.path
 
@@ -97,8 +98,8 @@ def copy_bare(target: Path, files: list[Path]) -> None:
         for file in files:
             db.execute("ATTACH DATABASE ? AS bundle", [str(file)])
             db.execute("BEGIN")
-            for content in CONTENT:
-                db.execute(f"INSERT INTO main.{content.table} SELECT * FROM bundle.{content.table}")
+            for table in REPLICATED:
+                db.execute(f"INSERT INTO main.{table.name} SELECT * FROM bundle.{table.name}")
             db.execute("COMMIT")
             db.execute("DETACH DATABASE bundle")
 

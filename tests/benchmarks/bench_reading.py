@@ -14,6 +14,8 @@ from pinel_desktop.program.reading import read_document
 N_COMMANDS = 20_000
 PAIRS = 15
 LARGEST_RATIO = 5.0
+# a text with " :" in it: only a second look at each object tells that no key is there twice
+LARGEST_RATIO_IN_DOUBT = 8.0
 
 MOVES: list[dict[str, Any]] = [
     {"action": "move_forward", "distance": 1.5},
@@ -27,9 +29,9 @@ MIXED: list[dict[str, Any]] = [
 ]
 
 
-def document(commands: list[dict[str, Any]]) -> bytes:
+def document(commands: list[dict[str, Any]], name: str = "long") -> bytes:
     some = [commands[i % len(commands)] | {"block": f"{i:x}"} for i in range(N_COMMANDS)]
-    text = json.dumps({"pinel_ir": 1, "name": "long", "commands": some}, separators=(",", ":"))
+    text = json.dumps({"pinel_ir": 1, "name": name, "commands": some}, separators=(",", ":"))
     assert len(text) <= MAX_BYTES
     return text.encode()
 
@@ -41,10 +43,13 @@ def seconds(work: Callable[[], object]) -> float:
 
 
 @pytest.mark.parametrize(("name", "commands"), [("moves", MOVES), ("mixed", MIXED)])
+@pytest.mark.parametrize(
+    ("called", "largest"), [("long", LARGEST_RATIO), ("a : b", LARGEST_RATIO_IN_DOUBT)]
+)
 def test_reading_costs_at_most_five_times_parsing(
-    name: str, commands: list[dict[str, Any]]
+    name: str, commands: list[dict[str, Any]], called: str, largest: float
 ) -> None:
-    text = document(commands)
+    text = document(commands, called)
     assert read_document(text).program is not None
     pairs = [
         (seconds(lambda: json.loads(text)), seconds(lambda: read_document(text)))
@@ -53,7 +58,7 @@ def test_reading_costs_at_most_five_times_parsing(
     bare, ours = (statistics.median(side) for side in zip(*pairs, strict=True))
     ratio = ours / bare
     print(
-        f"\n{N_COMMANDS} commands ({name}, {len(text) / 1e6:.2f} MB): json.loads {bare * 1e3:.1f} ms, "
-        f"reading {ours * 1e3:.1f} ms, ratio {ratio:.1f}, at most {LARGEST_RATIO}"
+        f"\n{N_COMMANDS} commands ({name}, {called!r}, {len(text) / 1e6:.2f} MB): json.loads {bare * 1e3:.1f} ms, "
+        f"reading {ours * 1e3:.1f} ms, ratio {ratio:.1f}, at most {largest}"
     )
-    assert ratio <= LARGEST_RATIO
+    assert ratio <= largest

@@ -8,7 +8,7 @@ from typing import Any
 
 from pinel_desktop.app import App
 from storage import RunStart, Store
-from tests.review.sketches import Body, Sketch, move, start, workspace_of
+from tests.school.review.sketches import Body, Sketch, move, start, workspace_of
 from tests.web.browser import Browser
 from tests.web.fake_engine import FakeEngine
 
@@ -45,7 +45,7 @@ def work(store: Store, classroom: str, group_name: str) -> None:
             world = {"name": "w", "walls": [[x, x] for x in range(300)]}
             run = store.runs.begin(RunStart("sim", "w", world, 0, "1", version_id=version.id))
             state = chance.choice(["failed", "finished"])
-            store._access.write(_ending(run.id, state))
+            store._database.write(_ending(run.id, state))
 
 
 def _ending(run_id: str, state: str) -> Callable[[Any], int]:

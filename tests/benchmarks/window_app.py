@@ -5,37 +5,42 @@ python window_app.py PROGRAM_ID, with the folder of the database as PINEL_HOME.
 
 import sys
 import time
-from collections.abc import Callable
 from typing import Any
 
 from pinel_desktop.__main__ import main
 from pinel_desktop.commands import window as command
-from pinel_desktop.desktop.presenter import USABLE, Presenter
+from pinel_desktop.desktop.app_process import AppProcess
 
 PROGRAM = sys.argv.pop()  # what is left is how the icon starts it
 
 
-class WatchedPresenter(Presenter):
-    """Goes to the program instead of the first screen, and looks at the page."""
+def started(*args: Any, **options: Any) -> AppProcess:
+    """The app's process; what the measurement needs is imported after its start, as by the program itself."""
+    process = AppProcess(*args, **options)
+    from pinel_desktop.desktop import presenter  # noqa: PLC0415
 
-    def __init__(
-        self, fresh_address: Callable[[], str], language: Callable[[], str], **options: Any
-    ) -> None:
-        super().__init__(
-            lambda: f"{fresh_address()}#/program/{PROGRAM}",
-            language,
-            on_open=self._watch,
-            **options,
-        )
+    class WatchedPresenter(presenter.Presenter):
+        """Goes to the program instead of the first screen, and looks at the page."""
 
-    def _watch(self) -> None:
-        window: Any = self._window
-        while window.run_script(USABLE) is not True:
-            time.sleep(0.01)
-        print(time.monotonic(), flush=True)
-        self.close()
+        def __init__(self, fresh_address: Any, language: Any, **options: Any) -> None:
+            super().__init__(
+                lambda: f"{fresh_address()}#/program/{PROGRAM}",
+                language,
+                on_open=self._watch,
+                **options,
+            )
+
+        def _watch(self) -> None:
+            window: Any = self._window
+            while window.run_script(presenter.USABLE) is not True:
+                time.sleep(0.01)
+            print(time.monotonic(), flush=True)
+            self.close()
+
+    # by hand: importing a mock would take a tenth of the start
+    presenter.Presenter = WatchedPresenter  # type: ignore[misc]
+    return process
 
 
-# by hand: importing a mock would take a tenth of the start
-command.Presenter = WatchedPresenter  # type: ignore[attr-defined]
+command.AppProcess = started  # type: ignore[assignment, attr-defined]
 main()

@@ -230,7 +230,7 @@ def test_another_program_that_writes_all_the_time_is_told(
     lab: Path, stick: Path, teacher: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     answer("export", stick, "--db", lab)
-    monkeypatch.setattr("storage.opening._BUSY_S", 0.05)
+    monkeypatch.setattr("storage.file.opening._BUSY_S", 0.05)
     pinel("merge", stick / "none", "--db", teacher)
     with closing(sqlite3.connect(teacher)) as other:
         other.execute("BEGIN IMMEDIATE")

@@ -7,7 +7,7 @@ from click.testing import CliRunner, Result
 
 from pinel_desktop.cli import main
 from pinel_desktop.errors import PinelError
-from pinel_desktop.teacher import TeacherDoor
+from pinel_desktop.school.teacher import TeacherDoor
 from storage import open_store
 
 

@@ -1,14 +1,15 @@
 """`pinel run --plot`: a run as a picture."""
 
 import json
+import sys
 from pathlib import Path
 
 import pytest
 
 from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.links import open_link
-from pinel_desktop.plotting import Curves
 from pinel_desktop.program.reading import read_document
+from pinel_desktop.runs.plotting import Curves
 from tests.commands.typed import PROGRAMS, SQUARE, pinel, run_json
 
 
@@ -41,6 +42,16 @@ def test_a_plot_of_an_unknown_kind_is_refused_before_the_run(name: str, tmp_path
     assert (printed["reason"], printed["run_id"]) == ("plot_ending", None)
     assert name in printed["message"]
     assert list(folder.iterdir()) == []
+
+
+def test_without_the_library_it_says_what_to_install_and_runs_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)  # as where it is not installed
+    result = pinel("run", SQUARE, "--plot", str(tmp_path / "plot.png"))
+    assert result.exit_code == 2
+    assert "pinel-desktop[plot]" in result.stdout
+    assert list(tmp_path.glob("*.png")) == []
 
 
 @pytest.mark.parametrize("name", ["a.PNG", "a.svg", "a.Pdf"])

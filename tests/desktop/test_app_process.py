@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from pinel_desktop.desktop.backstage import Backstage
+from pinel_desktop.desktop.app_process import AppProcess
 from pinel_desktop.errors import PinelError
 from pinel_desktop.instance import AlreadyRunningError, Instance
 
@@ -22,7 +22,7 @@ class Behind:
         self.shown, self.lost = threading.Event(), threading.Event()
         self.lock = Instance(database)
         self.lock.acquire()
-        self.app = Backstage(database, on_show=self.shown.set, on_lost=self.lost.set)
+        self.app = AppProcess(database, on_show=self.shown.set, on_lost=self.lost.set)
 
     def close(self) -> None:
         self.app.close()
@@ -97,7 +97,7 @@ def test_why_it_cannot_start_reaches_the_window(
 ) -> None:
     monkeypatch.setenv("PINEL_HOME", str(tmp_path))
     monkeypatch.setattr(
-        "pinel_desktop.desktop.backstage.own_command", lambda *_: ["/bin/sh", "-c", _FAILING]
+        "pinel_desktop.desktop.app_process.own_command", lambda *_: ["/bin/sh", "-c", _FAILING]
     )
     behind = Behind(database)
     behind.app.start()

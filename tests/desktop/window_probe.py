@@ -110,7 +110,7 @@ class Probe:
         self.window.close()
 
     def _save_file(self) -> str:
-        """Has the page hand out a file as ui/src/app/save_file.ts does; the dialog is answered at once."""
+        """Has the page hand out a file as ui/src/shell/save_file.ts does; the dialog is answered at once."""
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "kept.json"
             saving.ask_where = lambda *_: str(file)

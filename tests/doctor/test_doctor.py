@@ -11,13 +11,13 @@ from typing import Any
 import pytest
 from click.testing import CliRunner, Result
 
-from pinel_desktop import doctor
 from pinel_desktop.cli import main
 from pinel_desktop.desktop.backends import Pc
-from pinel_desktop.doctor import Finding
+from pinel_desktop.doctor import examination
+from pinel_desktop.doctor.examination import Finding
 from pinel_desktop.messages import LANGUAGES, describe
 from storage import open_store
-from storage.backups import list_backups, make_backup
+from storage.file.backups import list_backups, make_backup
 
 
 def pc(*, screen: bool = True, gtk: str | None = None, browser: str | None = None) -> Pc:
@@ -32,7 +32,7 @@ def pc(*, screen: bool = True, gtk: str | None = None, browser: str | None = Non
 
 
 def window(this: Pc) -> list[tuple[str, str]]:
-    return [(finding.level, finding.code) for finding in doctor._window(this)]
+    return [(finding.level, finding.code) for finding in examination._window(this)]
 
 
 def test_a_native_window_is_all_that_is_said() -> None:
@@ -62,7 +62,7 @@ def test_without_a_screen_the_page_can_still_be_served() -> None:
 
 
 def database(path: Path) -> tuple[str, str]:
-    finding = doctor._database(path)
+    finding = examination._database(path)
     return finding.level, finding.code
 
 
@@ -104,7 +104,7 @@ def test_rows_that_point_to_nothing_are_a_warning_with_their_number(tmp_path: Pa
         connection.execute(
             "INSERT INTO programs (id, group_id, name, created_at, updated_at) VALUES ('p', 'x', '', '', '')"
         )
-    finding = doctor._database(path)
+    finding = examination._database(path)
     assert (finding.level, finding.code) == ("warn", "doctor_database_inconsistent")
     assert finding.params["n_rows"] == 1
 
@@ -134,12 +134,12 @@ def backed_up(tmp_path: Path) -> Path:
 
 
 def backups(path: Path) -> tuple[str, str]:
-    finding = doctor._backups(path)
+    finding = examination._backups(path)
     return finding.level, finding.code
 
 
 def test_backups_are_counted_and_the_last_has_its_time(backed_up: Path) -> None:
-    finding = doctor._backups(backed_up)
+    finding = examination._backups(backed_up)
     assert (finding.level, finding.code) == ("ok", "doctor_backups_ok")
     assert finding.params["n_backups"] == 2
     assert str(datetime.now().year) in str(finding.params["time"])
@@ -155,7 +155,7 @@ def test_a_damaged_backup_is_named(backed_up: Path) -> None:
     newest = list_backups(backed_up)[0].path
     newest.write_bytes(b"rubbish" * 1000)
     assert backups(backed_up) == ("warn", "doctor_backups_bad")
-    assert doctor._backups(backed_up).params["name"] == newest.name
+    assert examination._backups(backed_up).params["name"] == newest.name
 
 
 def test_backups_that_do_not_keep_up_with_the_work_are_a_warning_and_holidays_are_not(
@@ -183,22 +183,27 @@ def test_free_space_is_judged_where_the_data_will_be(
         return type("Usage", (), {"free": free})
 
     monkeypatch.setattr("shutil.disk_usage", usage)
-    (finding,) = doctor._disk(tmp_path / "not" / "there" / "yet")
+    (finding,) = examination._disk(tmp_path / "not" / "there" / "yet")
     assert (finding.level, asked) == (level, [tmp_path])
 
 
 def test_sizes_are_whole_numbers_that_fit_every_language() -> None:
     sizes = (900, 25_000, 1_500_000_000, 83_400_000_000)
-    assert [doctor.size_words(size) for size in sizes] == ["900 B", "25 kB", "1500 MB", "83 GB"]
+    assert [examination.size_words(size) for size in sizes] == [
+        "900 B",
+        "25 kB",
+        "1500 MB",
+        "83 GB",
+    ]
 
 
 def test_a_pc_without_a_camera_is_warned_about_signs_only(tmp_path: Path) -> None:
-    assert doctor._camera(tmp_path).code == "doctor_camera_none"
+    assert examination._camera(tmp_path).code == "doctor_camera_none"
 
 
 def test_cameras_are_named(tmp_path: Path) -> None:
     (tmp_path / "video0").touch()
-    finding = doctor._camera(tmp_path)
+    finding = examination._camera(tmp_path)
     assert (finding.level, dict(finding.params)) == ("ok", {"devices": str(tmp_path / "video0")})
 
 
@@ -207,11 +212,11 @@ def test_a_camera_of_others_is_told_apart_from_none(
 ) -> None:
     (tmp_path / "video0").touch()
     monkeypatch.setattr(os, "access", lambda place, mode: False)
-    assert doctor._camera(tmp_path).code == "doctor_camera_closed"
+    assert examination._camera(tmp_path).code == "doctor_camera_closed"
 
 
 def ros(folder: Path, *modules: str, **environ: str) -> Finding:
-    return doctor._ros(environ, folder, lambda name: object() if name in modules else None)
+    return examination._ros(environ, folder, lambda name: object() if name in modules else None)
 
 
 def test_no_ros_is_no_fault(tmp_path: Path) -> None:
@@ -293,7 +298,7 @@ def test_every_word_of_the_doctor_exists_in_every_language(language: str) -> Non
         ],
         "x",
     ) | dict.fromkeys(["problem", "found", "seconds", "n_rows", "n_backups", "time", "name"], "x")
-    source = Path(doctor.__file__).read_text("utf-8")
+    source = Path(examination.__file__).read_text("utf-8")
     codes = {
         word.strip("\"',)(")
         for word in source.replace("(", " ").split()

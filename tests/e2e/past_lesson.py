@@ -108,7 +108,7 @@ class PastGroup:
         return begun.id
 
     def judged(self, run_id: str, *, passed: bool) -> None:
-        self._store.checks.keep(run_id, passed, {"passed": passed})
+        self._store.checks.record(run_id, passed, {"passed": passed})
 
 
 class _Keeping:

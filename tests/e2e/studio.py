@@ -1,4 +1,4 @@
-"""The page as a person sees it; its handles are listed in ui/src/app/testids.ts."""
+"""The page as a person sees it; its handles are listed in ui/src/shell/testids.ts."""
 
 import itertools
 import re

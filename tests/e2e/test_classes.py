@@ -5,6 +5,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import expect
 
+from pinel_desktop.messages import LANGUAGES
 from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
 from tests.e2e.conftest import OpenStudio
@@ -305,7 +306,7 @@ def test_every_part_has_names_and_contrast(studio: Studio) -> None:
 
 
 @pytest.mark.parametrize("width", [1366, 1024])
-@pytest.mark.parametrize("language", ["pt-BR", "en", "es"])
+@pytest.mark.parametrize("language", LANGUAGES)
 def test_twelve_groups_with_long_names_are_not_cut(
     open_studio: OpenStudio, app: AppProcess, width: int, language: str
 ) -> None:

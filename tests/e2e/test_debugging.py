@@ -32,6 +32,20 @@ def dots(studio: Studio) -> Locator:
     return studio.page.locator(".blocklyBlockCanvas .pinelBreakpoint")
 
 
+def test_a_run_is_steered_by_keys(studio: Studio) -> None:
+    studio.enter_new_group()
+    add_two_moves(studio)
+    press = studio.page.keyboard.press
+    press("F7")
+    studio.wait_for_phase("paused")
+    press("F10")
+    studio.wait_for_phase("paused")
+    press("F8")
+    studio.wait_for_phase("running")
+    press("Shift+F8")
+    studio.wait_for_phase("stopped")
+
+
 def test_a_program_is_run_block_by_block(studio: Studio) -> None:
     studio.enter_new_group()
     add_two_moves(studio)
@@ -106,7 +120,7 @@ def test_sensors_calls_and_variables_are_watched_while_the_run_stands(studio: St
     expect(studio.page.locator('[data-name="side"]')).to_have_text("2")
     expect(studio.page.locator('[data-name="n"]')).to_have_text("2")
     expect(studio.page.locator('[data-name="dentro de"]')).to_contain_text("look")
-    expect(studio.page.locator('[data-name="sonar 3"]')).to_have_text(
+    expect(studio.page.locator('[data-name="sonar 3 (m)"]')).to_have_text(
         "3,8291"
     )  # (4 - 0.229) / cos 10°
     studio["step-out"].click()

@@ -61,6 +61,7 @@ def page(browser: Browser, built: Path) -> Iterator[Page]:
     page = browser.new_page(viewport={"width": 1366, "height": 768})
     page.route("**", give)
     page.goto(ADDRESS)
+    page.wait_for_function("'createEditor' in window")  # it waits for the texts of its language
     yield page
     page.close()
 

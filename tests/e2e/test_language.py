@@ -12,7 +12,7 @@ from tests.e2e.studio import Studio
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
 
-SAVED_BY_0_1 = Path(__file__).parents[2] / "ui/src/blocks/saved_by_0_1.json"
+SAVED_BY_0_1 = Path(__file__).parents[2] / "ui/src/blocks/upgrade/saved_by_0_1.json"
 
 
 @pytest.fixture

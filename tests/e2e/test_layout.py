@@ -5,6 +5,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect
 
+from pinel_desktop.messages import LANGUAGES
 from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.studio import Studio
@@ -55,7 +56,7 @@ def cut(page: Page) -> list[Any]:
 
 
 @pytest.mark.parametrize("size", SCREENS, ids=lambda size: f"{size[0]}x{size[1]}")
-@pytest.mark.parametrize("language", ["pt-BR", "en", "es"])
+@pytest.mark.parametrize("language", LANGUAGES)
 def test_no_words_are_cut(open_studio: OpenStudio, size: tuple[int, int], language: str) -> None:
     studio: Studio = open_studio(viewport={"width": size[0], "height": size[1]})
     studio["language"].select_option(language)

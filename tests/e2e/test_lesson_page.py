@@ -96,7 +96,7 @@ def test_the_page_is_brought_up_to_date_and_says_as_of_when_it_is(
     _go(studio, f"lesson/{past.lesson}")
     group = studio["review-group"]
     refresh = studio["review-refresh"]
-    expect(refresh).to_contain_text(re.compile(r"Atualizar visto às \d\d:\d\d"))
+    expect(refresh).to_contain_text(re.compile(r"Atualizar visto às \d\d?:\d\d"))
     studio["review-open"].click()
     _send(studio.page, "PATCH", f"groups/{past.group}", name="Emas do 7º B")
     expect(group).to_have_attribute("data-name", "Emas")

@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Locator, expect
+from playwright.sync_api import Locator, Request, expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.studio import Studio
@@ -158,16 +158,19 @@ def test_following_ends_when_the_floor_is_moved(studio: Studio) -> None:
 
 
 def test_sonar_is_asked_for_and_seen(studio: Studio) -> None:
+    def is_subscription(request: Request) -> bool:
+        return request.url.endswith("/commands") and "subscribe" in (request.post_data or "")
+
     studio.enter_new_group()
     add_move(studio, "3")
     studio["scene-tools"].click()
     named(studio, "ring", "sonar").click()
-    with studio.page.expect_request(lambda request: request.url.endswith("/look")) as asked:
+    with studio.page.expect_request(is_subscription) as asked:
         studio.run()
-    assert asked.value.post_data_json == {"sensors": ["sonar"]}
-    with studio.page.expect_request(lambda request: request.url.endswith("/look")) as ended:
+    assert asked.value.post_data_json == {"do": "subscribe", "sensors": ["sonar"]}
+    with studio.page.expect_request(is_subscription) as ended:
         named(studio, "ring", "sonar").click()
-    assert ended.value.post_data_json == {"sensors": []}
+    assert ended.value.post_data_json == {"do": "subscribe", "sensors": []}
     studio["stop"].click()
     studio.wait_for_phase("stopped")
 

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import expect
 
 from pinel_desktop.app import App
-from storage.backups import make_backup
+from storage.file.backups import make_backup
 from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.studio import Studio
@@ -52,10 +52,10 @@ def test_a_disk_that_fills_up_is_said_and_the_line_goes_by_itself_when_there_is_
         expect(studio.page.get_by_role("main")).to_be_visible()
         expect(studio["notice"]).to_have_count(0)
         room[0] = 300 * 10**6
-        app._caretaker.look_at_disk()
+        app._maintenance.check_space()
         expect(studio["notice"]).to_contain_text("quase cheio: restam 300 MB")
         room[0] = 10**12
-        app._caretaker.look_at_disk()
+        app._maintenance.check_space()
         expect(studio["notice"]).to_contain_text("resolvido")
         expect(studio["notice"]).to_have_count(0, timeout=15_000)
         studio.page.close()
@@ -106,7 +106,7 @@ def test_the_blocks_stay_in_sight_while_the_server_is_gone(studio: Studio, watch
         studio[way_out].click()
         expect(studio["gone"]).to_be_visible()
         expect(studio.blocks.by_words("andar para frente")).to_contain_text("0,5")
-        assert studio.page.url == place
+        expect(studio.page).to_have_url(place)
     expect(studio["problem"]).to_have_count(0)
 
     studio.page.unroute("**/api/**")
@@ -125,6 +125,38 @@ def test_a_screen_that_could_not_be_fetched_is_no_dead_end(studio: Studio, watch
     studio.page.unroute(screen)
     studio["fetch-again"].click()
     expect(studio["program-card"]).to_be_visible()
+
+
+@pytest.mark.parametrize(
+    ("place", "question", "sign"),
+    [
+        ("", "**/api/status", "group-card"),
+        ("", "**/api/groups", "group-card"),
+        ("work/{group}", "**/api/groups/*/runs**", "program-card"),
+        ("program/{program}", "**/api/programs/*", "run"),
+    ],
+)
+def test_a_screen_whose_first_question_is_answered_with_an_error_says_so_and_can_be_tried_again(
+    studio: Studio, watch: Watch, place: str, question: str, sign: str
+) -> None:
+    watch.expect("500 (Internal Server Error)")
+    studio.enter_group("Os Tatus")
+    [group] = studio.api("/groups")["groups"]
+    where = place.format(group=group["id"], program=studio.program_id)
+    studio.page.route(question, lambda route: route.fulfill(status=500, body="{}"))
+    studio.page.goto(f"{studio.origin}/#/{where}")
+    studio.page.reload()
+    expect(studio["not-loaded"]).to_be_visible()
+    expect(studio["problem"]).to_be_visible()
+    expect(studio.page.get_by_role("main")).not_to_have_attribute("aria-busy", "true")
+
+    with studio.page.expect_response(question):
+        studio["try-again"].click()  # and it goes on failing
+    expect(studio["try-again"]).not_to_have_attribute("aria-busy", "true")
+    studio.page.unroute(question)
+    studio["try-again"].click()
+    expect(studio[sign].first).to_be_visible()
+    expect(studio["not-loaded"]).to_have_count(0)
 
 
 @pytest.mark.parametrize("place", ["program", "versions", "run", "work"])

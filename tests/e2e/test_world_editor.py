@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
+from pinel_desktop.messages import LANGUAGES
 from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
 from tests.e2e.conftest import OpenStudio
@@ -254,7 +255,7 @@ def test_it_has_names_and_contrast(studio: Studio, board: WorldBoard) -> None:
     assert violations(studio) == [], "a colour"
 
 
-@pytest.mark.parametrize("language", ["pt-BR", "en", "es"])
+@pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize("width", [1366, 1024])
 def test_no_words_are_cut(open_studio: OpenStudio, width: int, language: str) -> None:
     studio = open_studio(viewport={"width": width, "height": 768})

@@ -14,8 +14,22 @@ import psutil
 import pytest
 
 from pinel_desktop.engine.client import EngineClient
+from pinel_desktop.engine.commands import (
+    Answer,
+    AnswerCapture,
+    Command,
+    Evaluate,
+    Pause,
+    Resume,
+    SetBreakpoints,
+    SetSpeed,
+    Step,
+    Stop,
+    Subscribe,
+)
 from pinel_desktop.errors import PinelError
-from pinel_desktop.events.model import EVENT_TYPES
+from pinel_desktop.events.types import RUN_EVENTS
+from pinel_desktop.runs.spec import RunSpec
 
 WAIT_S = 20.0
 SHORT = {"pinel_ir": 1, "commands": [{"action": "move_forward", "distance": 0.1, "block": "m"}]}
@@ -49,11 +63,11 @@ def engine() -> Iterator[Harness]:
 
 
 def test_live_run_reports_every_event_in_order_without_gaps(engine: Harness) -> None:
-    engine.client.run("r", SHORT, world="empty_room")
+    engine.client.run("r", RunSpec(SHORT, "empty_room", pace="live"))
     events = engine.until("run_ended")
     assert [event["seq"] for event in events] == list(range(len(events)))
     assert {event["run"] for event in events} == {"r"}
-    assert {event["type"] for event in events} <= set(EVENT_TYPES)
+    assert {event["type"] for event in events} <= set(RUN_EVENTS)
     assert events[-1]["state"] == "finished"
     assert events[-1]["pose"]["x_m"] == pytest.approx(0.1, abs=1e-4)
     assert engine.client.live_run is None
@@ -62,7 +76,7 @@ def test_live_run_reports_every_event_in_order_without_gaps(engine: Harness) -> 
 def test_live_run_gives_the_same_telemetry_as_one_in_this_process(
     engine: Harness, execute_here: Any
 ) -> None:
-    engine.client.run("r", SHORT, world="empty_room")
+    engine.client.run("r", RunSpec(SHORT, "empty_room", pace="live"))
     assert engine.until("run_ended")[-1]["telemetry_sha256"] == execute_here(SHORT)
 
 
@@ -81,18 +95,18 @@ def execute_here() -> Any:
 
 
 def test_pause_resume_and_stop_reach_the_run(engine: Harness) -> None:
-    engine.client.run("r", LONG, world="empty_room")
+    engine.client.run("r", RunSpec(LONG, "empty_room", pace="live"))
     engine.until("telemetry")
-    engine.client.pause("r")
+    engine.client.command("r", Pause())
     engine.until("run_state", state="paused")
-    engine.client.resume("r")
+    engine.client.command("r", Resume())
     engine.until("run_state", state="running")
-    engine.client.stop("r")
+    engine.client.command("r", Stop())
     assert engine.until("run_ended")[-1]["state"] == "stopped"
 
 
 def test_run_begins_held_is_stepped_looked_into_and_hastened(engine: Harness) -> None:
-    begin = {"paused": True, "speed": 10.0, "breakpoints": ["m"]}
+    first: list[Command] = [Step(mode="into"), SetSpeed(factor=10.0), SetBreakpoints(blocks=["m"])]
     document = {
         "pinel_ir": 1,
         "commands": [
@@ -100,39 +114,41 @@ def test_run_begins_held_is_stepped_looked_into_and_hastened(engine: Harness) ->
             {"action": "move_forward", "distance": 3, "block": "m"},
         ],
     }
-    engine.client.run("r", document, world="empty_room", debugging=begin)
+    engine.client.run("r", RunSpec(document, "empty_room", pace="live"), first)
     held = engine.until("run_state", state="paused")[-1]
     assert (held["cause"], held["block"]) == ("step", "s")
     with pytest.raises(PinelError, match="unset_variable"):
-        engine.client.evaluate("r", {"var": "n"})
-    engine.client.step("r", "over")
+        engine.client.command("r", Evaluate(expression={"var": "n"}))
+    engine.client.command("r", Step(mode="over"))
     held = engine.until("run_state", state="paused")[-1]
     assert (held["cause"], held["block"]) == ("breakpoint", "m")
-    assert engine.client.evaluate("r", {"op": "+", "args": [{"var": "n"}, 1]}) == 8
-    engine.client.resume("r")
+    assert (
+        engine.client.command("r", Evaluate(expression={"op": "+", "args": [{"var": "n"}, 1]})) == 8
+    )
+    engine.client.command("r", Resume())
     began = time.monotonic()
     engine.until("run_ended", state="finished")
     assert time.monotonic() - began < 4.0  # six seconds of robot time
     with pytest.raises(PinelError, match="run_not_live"):
-        engine.client.evaluate("r", 1)
+        engine.client.command("r", Evaluate(expression=1))
 
 
 def test_who_looks_is_told_what_the_sensors_measure_until_nobody_looks(engine: Harness) -> None:
-    engine.client.run("r", LONG, world="empty_room")
-    engine.client.look("r", ["sonar"])
+    engine.client.run("r", RunSpec(LONG, "empty_room", pace="live"))
+    engine.client.command("r", Subscribe(sensors=["sonar"]))
     ranges = engine.until("ranges")[-1]
     assert ranges["lidar"] is None
     assert len(ranges["sonar"]) == 16
-    engine.client.look("r", [])
-    engine.client.stop("r")
+    engine.client.command("r", Subscribe(sensors=[]))
+    engine.client.command("r", Stop())
     engine.until("run_ended", state="stopped")
 
 
 def test_capture_is_answered_by_hand(engine: Harness) -> None:
     document = {"pinel_ir": 1, "commands": [{"action": "classify_gestures"}]}
-    engine.client.run("r", document, world="empty_room")
+    engine.client.run("r", RunSpec(document, "empty_room", pace="live"))
     engine.until("capture_started")
-    engine.client.answer_capture("r", "B")
+    engine.client.command("r", AnswerCapture(result="B"))
     assert engine.until("gesture_result")[-1]["result"] == "B"
     engine.until("run_ended", state="finished")
 
@@ -148,9 +164,9 @@ def test_question_is_answered_by_hand_and_the_seed_reaches_the_run(engine: Harne
     }
     said = []
     for run, seed in (("r", 1), ("s", 1), ("t", 2)):
-        engine.client.run(run, document, world="empty_room", seed=seed)
+        engine.client.run(run, RunSpec(document, "empty_room", seed=seed, pace="live"))
         assert engine.until("asked")[-1]["question"] == "Name?"
-        engine.client.answer_question(run, "Ana")
+        engine.client.command(run, Answer(value="Ana"))
         said.append(engine.until("said", run=run)[-1]["text"])
         engine.until("run_ended", run=run, state="finished")
     assert said[0].startswith("Ana ")
@@ -159,24 +175,24 @@ def test_question_is_answered_by_hand_and_the_seed_reaches_the_run(engine: Harne
 
 def test_loop_without_motion_leaves_stop_its_100_ms(engine: Harness) -> None:
     loop = {"action": "forever", "commands": [{"action": "set_variable", "name": "a", "value": 1}]}
-    engine.client.run("r", {"pinel_ir": 1, "commands": [loop]}, world="empty_room")
+    engine.client.run("r", RunSpec({"pinel_ir": 1, "commands": [loop]}, "empty_room", pace="live"))
     engine.until("telemetry", tick=30)
     pressed = time.monotonic()
-    engine.client.stop("r")
+    engine.client.command("r", Stop())
     engine.until("run_ended", state="stopped")
     # the robot has to be measured at rest too: a few ticks more
     assert time.monotonic() - pressed < 0.5
 
 
 def test_second_run_is_refused_while_one_is_live(engine: Harness) -> None:
-    engine.client.run("r", LONG, world="empty_room")
+    engine.client.run("r", RunSpec(LONG, "empty_room", pace="live"))
     with pytest.raises(PinelError, match="run_in_progress"):
-        engine.client.run("s", SHORT, world="empty_room")
+        engine.client.run("s", RunSpec(SHORT, "empty_room", pace="live"))
     with pytest.raises(PinelError, match="run_not_live"):
-        engine.client.stop("s")
-    engine.client.stop("r")
+        engine.client.command("s", Stop())
+    engine.client.command("r", Stop())
     engine.until("run_ended")
-    engine.client.run("s", SHORT, world="empty_room")
+    engine.client.run("s", RunSpec(SHORT, "empty_room", pace="live"))
     assert engine.until("run_ended")[-1]["run"] == "s"
 
 
@@ -190,13 +206,13 @@ def test_second_run_is_refused_while_one_is_live(engine: Harness) -> None:
 def test_run_that_cannot_begin_ends_with_its_reason(
     engine: Harness, document: Any, world: str, reason: str
 ) -> None:
-    engine.client.run("r", document, world=world)
+    engine.client.run("r", RunSpec(document, world, pace="live"))
     (ended,) = engine.until("run_ended")
     assert (ended["state"], ended["reason"]) == ("failed", reason)
 
 
 def test_killed_engine_fails_the_run_and_a_new_engine_takes_its_place(engine: Harness) -> None:
-    engine.client.run("r", LONG, world="empty_room")
+    engine.client.run("r", RunSpec(LONG, "empty_room", pace="live"))
     # it has to have lived for a while, or it counts as one that cannot start
     engine.until("telemetry", tick=100)
     before = engine.client.pid
@@ -206,14 +222,14 @@ def test_killed_engine_fails_the_run_and_a_new_engine_takes_its_place(engine: Ha
     assert (ended["state"], ended["reason"]) == ("failed", "engine_lost")
     assert engine.client.wait_until_ready(WAIT_S)
     assert engine.client.pid != before
-    engine.client.run("s", SHORT, world="empty_room")
+    engine.client.run("s", RunSpec(SHORT, "empty_room", pace="live"))
     assert engine.until("run_ended", run="s")[-1]["state"] == "finished"
 
 
 def test_engine_stops_its_robot_and_goes_when_the_app_is_gone() -> None:
     harness = Harness()
     assert harness.client.wait_until_ready(WAIT_S)
-    harness.client.run("r", LONG, world="empty_room")
+    harness.client.run("r", RunSpec(LONG, "empty_room", pace="live"))
     harness.until("telemetry")
     assert harness.client.pid is not None
     process = psutil.Process(harness.client.pid)
@@ -231,7 +247,7 @@ def test_engine_that_cannot_start_is_lost_and_runs_are_refused() -> None:
         assert not harness.client.wait_until_ready(WAIT_S)
         assert harness.client.state == "lost"
         with pytest.raises(PinelError, match="engine_not_ready"):
-            harness.client.run("r", SHORT, world="empty_room")
+            harness.client.run("r", RunSpec(SHORT, "empty_room", pace="live"))
         harness.client.close()
 
 
@@ -261,9 +277,9 @@ def test_engine_that_dies_soon_is_started_again_and_a_lost_one_when_somebody_wan
             _until(partial(_gone_or_lost, harness.client, process.pid))
         assert harness.client.state == "lost"
         with pytest.raises(PinelError, match="engine_not_ready"):
-            harness.client.run("r", SHORT, world="empty_room")
+            harness.client.run("r", RunSpec(SHORT, "empty_room", pace="live"))
         assert harness.client.wait_until_ready(WAIT_S)
-        harness.client.run("r", SHORT, world="empty_room")
+        harness.client.run("r", RunSpec(SHORT, "empty_room", pace="live"))
         assert harness.until("run_ended")[-1]["state"] == "finished"
     finally:
         harness.client.close()

@@ -1,33 +1,40 @@
-import re
 from dataclasses import fields
-from pathlib import Path
-from typing import get_args
 
-from pinel_desktop.events.model import EVENT_TYPES, EventStamp, RunState
-from pinel_desktop.web.models.events import RunEvent
+import pytest
 
-ARCHITECTURE = Path(__file__).parents[2] / "ARCHITECTURE.md"
+from pinel_desktop.events.model import EventStamp, RunState
+from pinel_desktop.events.model import StreamEvent as Declared
+from pinel_desktop.events.types import APP_EVENTS, KEPT, LOSSY, RUN_EVENTS, URGENT
+from pinel_desktop.web.models.events import RunEvent, StreamEvent, described
+
+DECLARED = RUN_EVENTS | APP_EVENTS
 
 
-def test_events_and_their_fields_are_those_of_the_architecture_page() -> None:
-    text = ARCHITECTURE.read_text("utf-8")
-    section = text[text.index("## Events") : text.index("## HTTP")]
-    rows = dict(re.findall(r"^\| `(\w+)` \| (.+) \|$", section, re.MULTILINE))
-    assert set(rows) == set(EVENT_TYPES)
-    for name, cls in EVENT_TYPES.items():
-        mentioned = set(re.findall(r"\w+", " ".join(re.findall(r"`([^`]+)`", rows[name]))))
-        assert {field.name for field in fields(cls)} <= mentioned, name
+@pytest.mark.parametrize("declared", DECLARED.values(), ids=DECLARED)
+def test_every_event_says_what_happened_and_what_each_field_means(declared: type[Declared]) -> None:
+    about, meanings = described(declared)
+    assert about.partition("\n")[0].endswith(".")
+    assert list(meanings) == [field.name for field in fields(declared)]
 
 
 def test_the_described_interface_has_the_same_events_with_the_same_fields() -> None:
-    described = {
-        get_args(model.model_fields["type"].annotation)[0]: model
-        for model in RunEvent.__subclasses__()
-    }
-    assert set(described) == set(EVENT_TYPES)
-    for name, cls in EVENT_TYPES.items():
-        own = set(described[name].model_fields) - set(RunEvent.model_fields) - {"type"}
+    schema = StreamEvent.model_json_schema(mode="serialization")
+    models = schema["discriminator"]["mapping"]
+    assert set(models) == set(DECLARED)
+    for name, cls in DECLARED.items():
+        head = {"type", *(RunEvent.model_fields if name in RUN_EVENTS else ())}
+        own = set(schema["$defs"][models[name].rpartition("/")[2]]["properties"]) - head
         assert own == {field.name for field in fields(cls)}, name
+
+
+def test_a_record_holds_all_that_a_run_reports_but_measurements_and_countdowns() -> None:
+    assert set(RUN_EVENTS) - KEPT == {"ranges", "countdown"}
+    assert set(RUN_EVENTS) >= KEPT
+
+
+def test_only_samples_may_be_dropped_and_none_of_them_is_waited_for() -> None:
+    assert {"telemetry", "ranges", "countdown"} == LOSSY
+    assert not LOSSY & URGENT
 
 
 def test_wire_objects_are_flat_and_numbered() -> None:

@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from pinel_desktop.execution.gestures import ScriptedGestures
+from pinel_desktop.execution.inputs import ScriptedInputs
 
 
 def op(name: str, *args: Any) -> dict[str, Any]:
@@ -68,7 +68,7 @@ def test_robot_marks_the_cells_that_were_signed(execute_commands: Any) -> None:
             {"action": "call", "function": "ir para", "arguments": {"casa": {"gesture": "result"}}},
         ),
         functions=[GO_TO_CELL],
-        gestures=ScriptedGestures(list("ALGI")),
+        inputs=ScriptedInputs(list("ALGI")),
         world="tic_tac_toe",
     )
     assert result.ended.state == "finished"

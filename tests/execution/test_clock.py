@@ -1,7 +1,7 @@
 import pytest
 
 from pinel_desktop.events.model import Event, Telemetry
-from pinel_desktop.execution.clock import TICK_S, LiveClock
+from pinel_desktop.execution.clock import TICK_S, LiveClock, WallTime
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.links import open_link
@@ -21,7 +21,7 @@ class FakeTime:
 
 def test_lateness_of_one_tick_does_not_add_up() -> None:
     time = FakeTime()
-    clock = LiveClock(lambda: time.now, time.sleep)
+    clock = LiveClock(WallTime(lambda: time.now, time.sleep))
     for late in (0.0, 0.010, 0.0, 0.005, 0.0):
         clock.wait_for_tick()
         time.now += late
@@ -31,7 +31,7 @@ def test_lateness_of_one_tick_does_not_add_up() -> None:
 
 def test_after_a_freeze_it_goes_on_from_now() -> None:
     time = FakeTime()
-    clock = LiveClock(lambda: time.now, time.sleep)
+    clock = LiveClock(WallTime(lambda: time.now, time.sleep))
     clock.wait_for_tick()
     time.now += 10.0
     clock.wait_for_tick()
@@ -43,7 +43,7 @@ def test_after_a_freeze_it_goes_on_from_now() -> None:
 def test_ticks_come_as_much_faster_as_somebody_wants() -> None:
     time = FakeTime()
     speed = [2.0]
-    clock = LiveClock(lambda: time.now, time.sleep, speed=lambda: speed[0])
+    clock = LiveClock(WallTime(lambda: time.now, time.sleep), speed=lambda: speed[0])
     for _ in range(3):
         clock.wait_for_tick()
     assert time.now == pytest.approx(100.0 + 2 * TICK_S / 2)
@@ -59,7 +59,7 @@ def test_another_speed_holds_at_once_also_within_a_slow_tick() -> None:
         time.sleep(seconds)
         speed[0] = 1.0
 
-    clock = LiveClock(lambda: time.now, hurry, speed=lambda: speed[0])
+    clock = LiveClock(WallTime(lambda: time.now, hurry), speed=lambda: speed[0])
     clock.wait_for_tick()
     clock.wait_for_tick()
     assert time.now == pytest.approx(100.0 + TICK_S)
@@ -96,7 +96,7 @@ def test_stop_takes_no_longer_in_slow_motion(speed: float, preset: Preset, pause
     program = read_document(commands_of_run).program
     assert program is not None
     link = open_link("sim", world="empty_room", setting=Setting(preset=preset))
-    clock = LiveClock(lambda: time.now, time.sleep, speed=lambda: control.pace)
+    clock = LiveClock(WallTime(lambda: time.now, time.sleep), speed=lambda: control.pace)
     options = RunOptions(observer=observe, clock=clock, control=control)
     ended = execute(program, link, options).ended
     assert ended.state == "stopped"

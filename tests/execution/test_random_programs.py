@@ -14,12 +14,11 @@ from pinel_desktop.events.model import (
     RunState,
     Telemetry,
 )
-from pinel_desktop.execution.answers import ScriptedAnswers
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.executor import RunOptions, RunResult, execute
-from pinel_desktop.execution.gestures import ScriptedGestures
+from pinel_desktop.execution.inputs import ScriptedInputs
 from pinel_desktop.links import open_link
-from pinel_desktop.messages import catalogue
+from pinel_desktop.messages import FIRST, catalogue
 from pinel_desktop.program.reading import read_document
 from tests.strategies import LETTERS, programs
 
@@ -38,8 +37,7 @@ def run(document: Any, world: str, gestures: list[str], seed: int = 0) -> tuple[
     log: Log = []
     options = RunOptions(
         observer=lambda tick, event: log.append((tick, event)),
-        gestures=ScriptedGestures(gestures),
-        answers=ScriptedAnswers(["3", "0.5", "Ana"]),
+        inputs=ScriptedInputs(gestures, ["3", "0.5", "Ana"]),
         seed=seed,
     )
     return execute(reading.program, open_link("sim", world=world), options), log
@@ -55,7 +53,7 @@ def test_run_ends_once_at_rest_with_a_reason_in_words_and_the_same_again_to_the_
     assert ended.state in ("finished", "failed")
     assert ended.reason != "internal_error", ended.params
     assert (ended.reason is None) == (ended.state == "finished")
-    assert ended.reason is None or ended.reason in catalogue()
+    assert ended.reason is None or ended.reason in catalogue(FIRST)
     assert [event for _, event in log if isinstance(event, RunEnded)] == [log[-1][1]]
     assert isinstance(log[0][1], RunState)
     telemetry = [event for _, event in log if isinstance(event, Telemetry)]

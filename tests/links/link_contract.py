@@ -2,24 +2,43 @@
 
 import math
 from collections.abc import Callable
+from functools import partial
+from typing import Any, ClassVar
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.execution.clock import TICK_S
+from pinel_desktop.links import open_link
+from pinel_desktop.program.sensors import DEGREES, SENSORS, Sensor
 from pinel_desktop.robot import STANDSTILL, Pose2D, RobotLink, Twist2D
 
 
-def _answers_or_is_missing(name: str, is_fine: Callable[[], bool]) -> bool:
+def _arguments(sensor: Sensor) -> list[tuple[Any, ...]]:
+    """What a link may be asked at the bounds of the language, as a link takes it."""
+    argument = sensor.argument
+    if argument is None:
+        return [()]
+    to_si = math.radians if argument.unit == DEGREES else int if argument.whole else float
+    return [(to_si(bound),) for bound in (argument.low, argument.high)]
+
+
+def _answers_or_is_missing(sensor: Sensor, answer: Callable[[], Any]) -> bool:
     try:
-        return is_fine()
+        value = answer()
     except PinelError as error:
-        return (error.code, error.params) == ("sensor_missing", {"sensor": name})
+        return (error.code, error.params) == ("sensor_missing", {"sensor": sensor.name})
+    return sensor.is_possible(math.degrees(value) if sensor.unit == DEGREES else value)
 
 
 class LinkContract:
-    """Subclasses open their link, connected, and say how long a second takes in ticks of `advance`."""
+    """A subclass for each backend names it, and opens it otherwise where it needs more than its name."""
+
+    link: ClassVar[str]
 
     def open(self) -> RobotLink:
-        raise NotImplementedError
+        """The link, connected."""
+        link = open_link(self.link, world="obstacles")
+        link.connect()
+        return link
 
     def drive(self, link: RobotLink, twist: Twist2D, seconds: float) -> None:
         for _ in range(round(seconds / TICK_S)):
@@ -70,15 +89,9 @@ class LinkContract:
 
     def test_every_sensor_answers_in_its_range_or_says_that_it_is_missing(self) -> None:
         link = self.open()
-        sensors = link.sensors
-        readings: dict[str, Callable[[], bool]] = {
-            "sonar": lambda: all(0.0 <= sensors.sonar(index) <= 5.0 for index in range(16)),
-            "lidar": lambda: 0.0 <= sensors.lidar(math.radians(-90)) <= 8.0,
-            "bumper": lambda: sensors.bumper() in (True, False),
-            "floor": lambda: isinstance(sensors.floor(), str),
-            "cell": lambda: isinstance(sensors.cell(), str),
-        }
-        for name, is_fine in readings.items():
-            assert _answers_or_is_missing(name, is_fine), name
+        for sensor in SENSORS.values():
+            for asked in _arguments(sensor):
+                answer = partial(link.sensors.reader(sensor.name), *asked)
+                assert _answers_or_is_missing(sensor, answer), (sensor.name, asked)
         assert link.bumper() in (True, False)
         link.close()

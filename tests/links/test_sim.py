@@ -1,30 +1,22 @@
-import importlib.util
 import math
-import sys
 from pathlib import Path
 
 import pytest
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.links import open_link
-from pinel_desktop.robot import PIONEER_3DX, RobotLink
-
-# tests are no package (they would shadow the packages they test): the contract is loaded by its file
-_spec = importlib.util.spec_from_file_location(
-    "link_contract", Path(__file__).with_name("link_contract.py")
-)
-assert _spec is not None
-assert _spec.loader is not None
-_module = importlib.util.module_from_spec(_spec)
-sys.modules["link_contract"] = _module
-_spec.loader.exec_module(_module)
+from pinel_desktop.links import LINK_NAMES, open_link
+from pinel_desktop.robot import PIONEER_3DX
+from tests.links.link_contract import LinkContract
 
 
-class TestSimLink(_module.LinkContract):  # type: ignore[misc, name-defined]
-    def open(self) -> RobotLink:
-        link = open_link("sim", world="obstacles")
-        link.connect()
-        return link
+class TestSimLink(LinkContract):
+    link = "sim"
+
+
+@pytest.mark.parametrize("name", LINK_NAMES)
+def test_every_backend_is_held_to_the_contract(name: str) -> None:
+    tests = Path(__file__).with_name(f"test_{name}.py").read_text("utf-8")
+    assert f'(LinkContract):\n    link = "{name}"\n' in tests
 
 
 def test_unknown_world_and_unknown_link_are_errors_that_list_what_there_is() -> None:
@@ -40,7 +32,8 @@ def test_simulator_has_every_sensor() -> None:
     sensors = open_link("sim", world="tic_tac_toe").sensors
     assert sensors.sonar(0) == sensors.sonar(15) == pytest.approx(1.99 - PIONEER_3DX.radius_m)
     assert sensors.lidar(0.0) == pytest.approx(5.49)
-    assert (sensors.bumper(), sensors.floor(), sensors.cell()) == (False, "green", "")
+    plain = [sensors.reader(name)() for name in ("bumper", "floor", "cell")]
+    assert plain == [False, "green", ""]
 
 
 def test_robot_record_knows_sixteen_sonars_in_four_directions() -> None:

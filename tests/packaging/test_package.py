@@ -36,7 +36,7 @@ def test_the_page_the_worlds_and_the_words_are_inside() -> None:
     inside = FOLDER / "_internal"
     assert (inside / "pinel_desktop/web/static/index.html").is_file()
     assert (inside / "sim/worlds/empty_room.json").is_file()
-    assert (inside / "pinel_desktop/messages/catalogue/app.json").is_file()
+    assert (inside / "pinel_desktop/messages/catalogue/pt-BR/app.json").is_file()
 
 
 def test_the_notices_name_what_ships() -> None:
@@ -65,6 +65,15 @@ def test_a_program_runs_from_the_command_line(tmp_path: Path) -> None:
     done = run(tmp_path, "run", str(ROOT / "tests/programs/square.json"), "--json")
     assert done.returncode == 0, done.stderr
     assert json.loads(done.stdout)["state"] == "finished"
+
+
+def test_a_plot_is_refused_with_what_to_install(tmp_path: Path) -> None:
+    """Its library would be a third of the package, for one option of the command line."""
+    square = str(ROOT / "tests/programs/square.json")
+    done = run(tmp_path, "run", square, "--plot", str(tmp_path / "plot.png"))
+    assert done.returncode == 2, done.stderr
+    assert "pinel-desktop[plot]" in done.stdout
+    assert not (FOLDER / "_internal" / "matplotlib").exists()
 
 
 def test_what_went_wrong_is_said_in_words(tmp_path: Path) -> None:

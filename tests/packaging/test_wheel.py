@@ -74,7 +74,7 @@ def test_the_wheel_holds_page_worlds_words_and_licence(wheel: Path) -> None:
     names = set(zipfile.ZipFile(wheel).namelist())
     for name in (
         "pinel_desktop/web/static/index.html",
-        "pinel_desktop/messages/catalogue/app.json",
+        "pinel_desktop/messages/catalogue/pt-BR/app.json",
         "pinel_desktop/py.typed",
         "sim/worlds/empty_room.json",
     ):

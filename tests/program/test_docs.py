@@ -5,8 +5,9 @@ from pathlib import Path
 from pinel_desktop.execution.primitives import TABLE
 from pinel_desktop.program.base import Model, annotations
 from pinel_desktop.program.model import COMMANDS, action_names
-from pinel_desktop.program.operators import OPERATORS, SENSORS
+from pinel_desktop.program.operators import OPERATORS
 from pinel_desktop.program.reading import read_document
+from pinel_desktop.program.sensors import SENSORS
 
 PAGE = (Path(__file__).parents[2] / "docs" / "program-document.md").read_text("utf-8")
 SECTIONS = dict(re.findall(r"^## (.*?)\n(.*?)(?=^## |\Z)", PAGE, re.MULTILINE | re.DOTALL))

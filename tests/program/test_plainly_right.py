@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from pinel_desktop.program.expression_checks import Expressions
 from pinel_desktop.program.operators import OPERATORS
-from pinel_desktop.program.places import Finding
+from pinel_desktop.program.pointers import Finding
 
 LITERALS = st.one_of(st.integers(-9, 9), st.floats(-9, 9), st.booleans(), st.text(max_size=3))
 LEAVES = st.one_of(

@@ -1,19 +1,10 @@
-from pathlib import Path
 from typing import Any
 
 import jsonschema_rs
 import pytest
 
-from pinel_desktop.program.schema import schema, schema_text
+from pinel_desktop.program.reference.schema import schema
 from tests.program.test_language import COMMANDS, document
-
-FILE = Path(__file__).parents[2] / "pinel_desktop" / "program" / "schema.json"
-
-
-def test_the_published_schema_is_that_of_the_models() -> None:
-    assert FILE.read_text("utf-8") == schema_text(), (
-        "run python -m pinel_desktop.program.schema > pinel_desktop/program/schema.json"
-    )
 
 
 @pytest.fixture(scope="module")

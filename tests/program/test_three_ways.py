@@ -17,9 +17,7 @@ from tests.strategies import programs
 
 ROOT = Path(__file__).parents[2]
 N_PROGRAMS = 60
-_NPX = (
-    'PATH="$(sh scripts/node.sh):$PATH" && cd ui && exec npx vitest run src/loader/exchange.test.ts'
-)
+_NPX = 'PATH="$(sh scripts/node.sh):$PATH" && cd ui && exec npx vitest run src/blocks/loader/exchange.test.ts'
 
 pytestmark = pytest.mark.timeout(300)
 

@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 from pinel_desktop.program.python_text.forms import RESERVED
 from pinel_desktop.program.reading import read_document
+from tests.strategies import readings
 
 Document = dict[str, Any]
 
@@ -57,13 +58,8 @@ class Language:
         return st.one_of(
             NUMBERS,
             self.variables,
-            st.sampled_from(["x", "y", "heading", "time"]).map(lambda s: {"sensor": s}),
-            st.builds(lambda i: {"sensor": "sonar", "index": i}, st.integers(0, 15)),
-            st.builds(lambda v: {"sensor": "sonar", "index": v}, self.variables),
-            st.builds(lambda a: {"sensor": "lidar", "angle": a}, st.floats(-90, 90)),
-            st.sampled_from(["front", "left", "right", "back"]).map(
-                lambda d: {"sensor": "distance", "direction": d}
-            ),
+            readings("number"),
+            readings("number", self.variables),
             st.builds(_op, two, inner, inner),
             st.builds(_op, two, inner, inner),
             st.builds(_op, one, inner),
@@ -77,7 +73,7 @@ class Language:
         return st.one_of(
             st.booleans(),
             self.variables,
-            st.just({"sensor": "bumper"}),
+            readings("boolean"),
             st.builds(_op, st.sampled_from(["==", "!="]), self.values, self.values),
             st.builds(_op, st.sampled_from(["<", "<=", ">", ">="]), self.numbers, self.numbers),
             st.builds(lambda c: _op("not", c), inner),
@@ -95,7 +91,7 @@ class Language:
             TEXTS,
             self.lists,
             st.just({"gesture": "result"}),
-            st.sampled_from(["floor", "cell"]).map(lambda s: {"sensor": s}),
+            readings("text"),
             st.lists(self.values, min_size=1, max_size=3).map(lambda parts: _op("join", *parts)),
             self._calls,
         )

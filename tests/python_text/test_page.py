@@ -7,10 +7,11 @@ from typing import Any
 import pytest
 
 from pinel_desktop.program.model import action_names
-from pinel_desktop.program.operators import OPERATORS, SENSORS
+from pinel_desktop.program.operators import OPERATORS
 from pinel_desktop.program.python_text import read_python, write_python
 from pinel_desktop.program.python_text.forms import ASK, COMMANDS, SENSOR_CALLS
 from pinel_desktop.program.python_text.names import program_name, python_name
+from pinel_desktop.program.sensors import SENSORS
 
 PAGE = (Path(__file__).parents[2] / "docs" / "python-text.md").read_text("utf-8")
 
@@ -21,8 +22,8 @@ def section(title: str) -> str:
 
 def rows(title: str) -> list[tuple[str, str]]:
     """The first two columns of a table, without backticks."""
-    found = re.findall(r"^\| (.+?) \| (.+?) \|", section(title), re.MULTILINE)
-    return [(first.strip("`"), second.strip("`")) for first, second in found[1:]]
+    found = re.findall(r"^\| (`.+?) \| (.+?) \|", section(title), re.MULTILINE)
+    return [(first.strip("`"), second.strip("`")) for first, second in found]
 
 
 AREA = "def area(a, b):\n    return a * b\n\n\n"

@@ -1,6 +1,7 @@
 """A recorded run, run again: pauses, steps, stops, captures and answers come at the same moments."""
 
 import random
+from itertools import pairwise
 from typing import Any
 
 import pytest
@@ -9,14 +10,13 @@ from hypothesis import strategies as st
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, EventStamp, RunState, Telemetry
-from pinel_desktop.execution.answers import LiveAnswers
+from pinel_desktop.execution.clock import WallTime
 from pinel_desktop.execution.control import RunControl, StepMode
-from pinel_desktop.execution.executor import RunOptions, RunResult, execute
-from pinel_desktop.execution.gestures import AnsweredGestures
-from pinel_desktop.execution.repeating import Repeater
-from pinel_desktop.links import open_link
-from pinel_desktop.program.model import Program
-from pinel_desktop.program.reading import read_document
+from pinel_desktop.execution.executor import RunResult
+from pinel_desktop.execution.inputs import LiveInputs, Pending, PersonInput
+from pinel_desktop.runs.recorded_inputs import RecordedInputs
+from pinel_desktop.runs.spec import RunSpec
+from pinel_desktop.runs.start import start
 
 Wire = dict[str, Any]
 PROGRAM = {
@@ -63,24 +63,39 @@ PROGRAM = {
 }
 
 
-def program() -> Program:
-    read = read_document(PROGRAM).program
-    assert read is not None
-    return read
+class TickingInput(PersonInput):
+    """As people were waited for before robot time stood still meanwhile: a tick for each look."""
+
+    def poll(self) -> str | Pending:
+        given = super().poll()
+        return Pending.TICK if given is Pending.PERSON else given
+
+
+class TickingInputs(LiveInputs):
+    def __init__(self) -> None:
+        self.gestures, self.answers = TickingInput(), TickingInput()
 
 
 class Classroom:
     """People who press buttons at random, but always the same ones for one seed."""
 
-    def __init__(self, seed: int) -> None:
+    def __init__(self, seed: int, inputs: LiveInputs) -> None:
         self.control = RunControl()
-        self.gestures, self.answers = AnsweredGestures(), LiveAnswers()
+        self.gestures, self.answers = inputs.gestures, inputs.answers
         self.wire: list[Wire] = []
         self._stamp = EventStamp("r")
         self._random = random.Random(seed)
         self._is_paused = False
+        self._now_s = 0.0
+        self.wall = WallTime(lambda: self._now_s, self._wait)
         if self._random.random() < 0.3:
             self.control.step = "into"
+
+    def _wait(self, seconds: float) -> None:
+        self._now_s += seconds
+        if self._random.random() < 0.02:
+            self.control.stop()
+        self._act()
 
     def observe(self, tick: int, event: Event) -> None:
         if type(event) is RunState:
@@ -88,7 +103,7 @@ class Classroom:
         if type(event) is Telemetry:
             if not self._is_paused:
                 self._act()
-        else:
+        elif event.kept:
             self.wire.append(self._stamp.wire(tick, event))
         if type(event) is RunState and event.state == "paused":
             self._while_paused()
@@ -118,46 +133,43 @@ class Classroom:
             self.control.resume()
 
 
-def live(seed: int) -> tuple[RunResult, list[Wire]]:
-    people = Classroom(seed)
-    options = RunOptions(
-        observer=people.observe,
-        control=people.control,
-        gestures=people.gestures,
-        answers=people.answers,
-    )
-    return execute(program(), open_link("sim", world="empty_room"), options), people.wire
+def live(seed: int, inputs: type[LiveInputs] = LiveInputs) -> tuple[RunResult, list[Wire]]:
+    given = inputs()
+    people, spec = Classroom(seed, given), RunSpec(PROGRAM, "empty_room", inputs=given)
+    return start(spec, people.observe, people.control, wall=people.wall), people.wire
 
 
 def again(
     wire: list[Wire], until_tick: int | None = None, seen: list[Wire] | None = None
 ) -> RunResult:
-    repeater, stamp = Repeater(wire, until_tick), EventStamp("r")
+    stamp = EventStamp("r")
 
     def observe(tick: int, event: Event) -> None:
-        if seen is not None and type(event) is not Telemetry:
+        if seen is not None and event.kept and type(event) is not Telemetry:
             seen.append(stamp.wire(tick, event))
-        repeater.observe(tick, event)
 
-    options = RunOptions(
-        observer=observe,
-        control=repeater.control,
-        gestures=repeater.gestures,
-        answers=repeater.answers,
-    )
-    return execute(program(), open_link("sim", world="empty_room"), options)
+    return start(RunSpec(PROGRAM, "empty_room", inputs=RecordedInputs(wire, until_tick)), observe)
 
 
-@given(st.integers(0, 10**9))
-@settings(max_examples=60, deadline=None)
-def test_whatever_people_did_it_comes_out_the_same(seed: int) -> None:
-    result, wire = live(seed)
+def check_that_it_comes_out_the_same(result: RunResult, wire: list[Wire]) -> None:
     seen: list[Wire] = []
     repeated = again(wire, seen=seen)
     assert seen == wire
     assert repeated.ended.telemetry_sha256 == result.ended.telemetry_sha256
     assert repeated.ended.state == result.ended.state
     assert repeated.variables == result.variables or result.ended.state == "stopped"
+
+
+@given(st.integers(0, 10**9))
+@settings(max_examples=60, deadline=None)
+def test_whatever_people_did_it_comes_out_the_same(seed: int) -> None:
+    check_that_it_comes_out_the_same(*live(seed))
+
+
+@given(st.integers(0, 10**9))
+@settings(max_examples=60, deadline=None)
+def test_so_does_what_was_recorded_while_ticks_passed_for_people(seed: int) -> None:
+    check_that_it_comes_out_the_same(*live(seed, TickingInputs))
 
 
 def test_the_classroom_does_everything() -> None:
@@ -173,9 +185,14 @@ def test_the_classroom_does_everything() -> None:
             "watch",
         )
         seen |= {"stopped_in_pause"} if stopped_in_pause else set()
+        kinds = [event["type"] for event in wire if event["type"] != "watch"]
+        seen |= set(pairwise(kinds))
     wanted = {"person", "breakpoint", "step", "answered", "gesture_result", "finished", "stopped"}
     assert wanted <= seen
     assert "stopped_in_pause" in seen
+    for waiting in ("asked", "capture_started"):
+        assert (waiting, "run_state") in seen  # paused while the program waits
+        assert (waiting, "run_ended") in seen  # and stopped
 
 
 def test_a_record_that_breaks_off_is_repeated_as_far_as_it_goes() -> None:
@@ -197,4 +214,4 @@ def test_a_record_that_breaks_off_is_repeated_as_far_as_it_goes() -> None:
 )
 def test_records_of_earlier_releases_may_not_tell_enough(event: Wire) -> None:
     with pytest.raises(PinelError, match="run_not_repeatable"):
-        Repeater([event])
+        RecordedInputs([event])

@@ -15,9 +15,9 @@ import pytest
 from click.testing import CliRunner
 
 from pinel_desktop.cli import main
-from pinel_desktop.verification import verify_run
+from pinel_desktop.runs.verification import verify_run
 from storage import open_for_reading, open_store
-from storage.telemetry import COLUMNS, Rows, pack
+from storage.runs.telemetry import COLUMNS, Rows, pack
 from tests.test_programs import NAMES, PROGRAMS, values_of
 
 

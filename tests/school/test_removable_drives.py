@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from pinel_desktop.drives import folders
+from pinel_desktop.school.removable_drives import folders
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="mount points")
 
@@ -43,7 +43,9 @@ def test_a_folder_that_was_chosen_and_does_not_answer_is_told_as_such(tmp_path: 
 def test_a_stick_is_found_where_desktops_put_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("pinel_desktop.drives._PLUGGED_IN", (f"{tmp_path.parent}/",))
+    monkeypatch.setattr(
+        "pinel_desktop.school.removable_drives._PLUGGED_IN", (f"{tmp_path.parent}/",)
+    )
     (found,) = folders(".pinel", [tmp_path], partitions=lambda: [partition(str(tmp_path))])
     assert (found.is_stick, found.files) == (True, ())
 

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.teacher import IDLE_S, Kept, TeacherDoor
+from pinel_desktop.school.teacher import IDLE_S, Kept, TeacherDoor
 from storage import Store, StoreError, open_store
 
 PIN, WRONG = "314159", "0000"

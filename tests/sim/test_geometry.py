@@ -105,6 +105,12 @@ def test_boxes_overlap_when_a_point_of_one_is_in_the_other(one: Box, other: Box)
         assert len(overlaps(np.array([one.corners()]), np.array([other.corners()]), -1e-6)) == 1
 
 
+def test_boxes_that_touch_at_their_corners_overlap_within_a_negative_slack() -> None:
+    one, other = Box((0, 0), (2, 2)).corners(), Box((2, 2), (2, 2)).corners()
+    for slack_m, expected in ((1e-6, 0), (-1e-6, 1)):
+        assert len(overlaps(np.array([one]), np.array([other]), slack_m)) == expected
+
+
 @pytest.mark.parametrize(("away", "together"), [(1.9, False), (1.6, True)])
 def test_a_box_in_front_of_another_s_corner_is_apart_by_its_own_edge(
     away: float, together: bool

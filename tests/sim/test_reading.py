@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from hypothesis import given
+from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from sim.reading import WorldReading, read_world
@@ -52,7 +52,7 @@ def test_every_world_that_ships_is_read_without_faults(document: dict[str, Any])
 def test_a_document_is_read_into_walls_boxes_zones_and_paint() -> None:
     reading = read(
         world(
-            title={"pt-BR": "Sala", "en": "Room", "es": "Sala"},
+            title={"pt-BR": "Sala", "en": "Room", "es": "Sala", "fr": "Salle"},
             walls=[wall(-1, 1, 1, 1)],
             boxes=[{**BOX, "heading_deg": 90, "movable": True, "mass_kg": 3}],
             zones=[{"name": "A", **DISC}],
@@ -115,6 +115,11 @@ def test_what_is_no_world_at_all_is_one_fault(source: Any, code: str) -> None:
         ({"title": "  "}, "world_text_blank", "/title"),
         ({"title": "\ud800"}, "text_not_unicode", "/title"),
         ({"title": {"pt-BR": "Sala", "en": "Room"}}, "missing_parameter", "/title"),
+        (
+            {"title": {"pt-BR": "Sala", "en": "Room", "es": "Sala", "PT_br": "Sala"}},
+            "world_unknown_key",
+            "/title/PT_br",
+        ),
         (
             {"title": {"pt-BR": "Sala", "en": "x" * 61, "es": "Sala"}},
             "text_too_long",
@@ -342,6 +347,8 @@ LISTS: dict[str, Callable[[], st.SearchStrategy[Any]]] = {
 }
 
 
+# the first draw builds all strategies: on a busy PC that alone is too slow for the health check
+@settings(suppress_health_check=[HealthCheck.too_slow])
 @given(
     st.dictionaries(KEYS, GARBAGE),
     st.fixed_dictionaries({}, optional={k: v() for k, v in LISTS.items()}),

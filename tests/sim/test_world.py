@@ -5,6 +5,7 @@ from typing import Any
 
 import pytest
 
+from pinel_desktop.messages import LANGUAGES
 from sim.world import WorldError, list_worlds, load_world, world_from_document
 
 
@@ -20,7 +21,7 @@ def test_every_world_that_ships_is_closed_and_titled_in_three_languages(
     document: dict[str, Any],
 ) -> None:
     world = world_from_document(document)
-    assert set(document["title"]) == {"pt-BR", "en", "es"}
+    assert set(document["title"]) == set(LANGUAGES)
     width, height = document["size_m"]
     corners = [(s * width / 2, t * height / 2) for s, t in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     outer = {wall.start for wall in world.walls[:4]}

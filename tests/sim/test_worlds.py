@@ -10,6 +10,7 @@ import pytest
 
 from pinel_desktop.execution.executor import execute
 from pinel_desktop.links.sim import SimLink
+from pinel_desktop.messages import LANGUAGES
 from pinel_desktop.program.reading import read_document
 from pinel_desktop.robot import PIONEER_3DX, Setting
 from sim.floor import color_at, zone_at
@@ -29,7 +30,7 @@ def test_there_are_at_least_eight_each_under_its_file_s_name_with_a_title_of_its
     assert len(names()) >= 8
     files = {path.stem for path in (Path(__file__).parents[2] / "sim" / "worlds").glob("*.json")}
     assert set(names()) == files
-    for language in ("pt-BR", "en", "es"):
+    for language in LANGUAGES:
         assert len({document["title"][language] for document in list_worlds()}) == len(names())
 
 

@@ -7,10 +7,11 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 from storage import GroupRow, ProgramRow, Recorder, RunStart, Store, open_store
-from storage.bundles import ALL, BundleInfo, Scope, export_bundle
-from storage.content import content_hash
-from storage.merging import MergeReport, merge
-from storage.removal import remove_keys
+from storage.exchange.bundle_writing import BundleInfo, export_bundle
+from storage.exchange.content_hash import content_hash
+from storage.exchange.deletion import remove_keys
+from storage.exchange.merging import MergeReport, merge
+from storage.exchange.scope import ALL, Scope
 from tests.storage.sample_documents import SQUARE, WORLD
 from tests.storage.sample_runs import ended, sample
 
@@ -71,22 +72,22 @@ def work(store: Store, group: GroupRow, name: str) -> tuple[ProgramRow, str]:
 
 def exported(store: Store, dest: Path, scope: Scope = ALL) -> BundleInfo:
     return export_bundle(
-        store._access, dest, app_version="0.1.0", computer=store.computers.here(), scope=scope
+        store._database, dest, app_version="0.1.0", computer=store.computers.this(), scope=scope
     )
 
 
 def merged(store: Store, path: Path, *, delete: bool = True) -> MergeReport:
     """With `delete`, as when the teacher has confirmed it: only then do stores come to the same."""
-    return merge(store._access, path, delete=delete)
+    return merge(store._database, path, delete=delete)
 
 
 def removed(store: Store, *ids: str) -> None:
     """Deletes what has these keys for good."""
-    store._access.write(lambda db: remove_keys(db, ids))
+    store._database.write(lambda db: remove_keys(db, ids))
 
 
 def hash_of(store: Store) -> str:
-    with store._access.reading() as db:
+    with store._database.reading() as db:
         return content_hash(db)
 
 

@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from storage import GroupRow, ProgramRow, RunStart, Store, VersionRow, open_store, schema
+from storage import GroupRow, ProgramRow, RunStart, Store, VersionRow, open_store
+from storage.tables.migrations import migrate
 from tests.storage.bundle_makers import Opened, a_run, a_store, exported, work
 from tests.storage.sample_documents import SQUARE, WORLD
 
@@ -58,11 +59,10 @@ def start(version: VersionRow) -> RunStart:
 
 
 @pytest.fixture
-def older(path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def older(path: Path) -> Path:
     """A file of an earlier release with a group in it."""
-    with monkeypatch.context() as earlier, sqlite3.connect(path) as db:
-        earlier.setattr(schema, "_MIGRATIONS", (schema.first_tables, schema.first_views))
-        schema.migrate(db)
+    with sqlite3.connect(path) as db:
+        migrate(db, n_steps=2)
         db.execute("INSERT INTO groups VALUES ('g', 'A', 'a', '#000000', 't', 't')")
     db.close()
     return path

@@ -9,9 +9,9 @@ from typing import Any
 
 import pytest
 
-from storage import Notice, Store, StoreError, caretaker
-from storage.backups import list_backups, make_backup
-from storage.caretaker import NEARLY_FULL, Caretaker
+from storage import Notice, Store, StoreError, maintenance
+from storage.file.backups import list_backups, make_backup
+from storage.maintenance import NEARLY_FULL, Maintenance
 
 NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
 HOUR = timedelta(hours=1)
@@ -29,44 +29,44 @@ class Disk:
 
 
 class Keeping:
-    """A caretaker on a clock and a disk of the test's own."""
+    """A maintenance on a clock and a disk of the test's own."""
 
     def __init__(self, store: Store) -> None:
         self.now = NOON
         self.disk = Disk()
         self.told: list[str | None] = []
-        self.caretaker = Caretaker(store, self._hear, clock=lambda: self.now, free=self.disk)
+        self.maintenance = Maintenance(store, self._hear, clock=lambda: self.now, free=self.disk)
 
     def _hear(self, notice: Notice | None) -> None:
         self.told.append(notice.code if notice else None)
 
     @property
     def code(self) -> str | None:
-        return self.caretaker.notice.code if self.caretaker.notice else None
+        return self.maintenance.notice.code if self.maintenance.notice else None
 
 
 @pytest.fixture
 def keeping(store: Store) -> Iterator[Keeping]:
     keeping = Keeping(store)
     yield keeping
-    keeping.caretaker.close()
+    keeping.maintenance.close()
 
 
 def test_a_day_of_hours_makes_one_backup(keeping: Keeping, path: Path) -> None:
     for _ in range(24):
-        keeping.caretaker.back_up()
+        keeping.maintenance.back_up()
         keeping.now += HOUR
     assert [backup.made_at for backup in list_backups(path)] == [NOON]
-    keeping.caretaker.back_up()
+    keeping.maintenance.back_up()
     assert [backup.made_at for backup in list_backups(path)] == [NOON + 24 * HOUR, NOON]
     assert keeping.told == []
 
 
 def test_a_clock_that_was_set_back_does_not_put_backups_off(keeping: Keeping, path: Path) -> None:
-    keeping.caretaker.back_up()
+    keeping.maintenance.back_up()
     keeping.now -= timedelta(days=3000)
     for _ in range(5):
-        keeping.caretaker.back_up()
+        keeping.maintenance.back_up()
         keeping.now += HOUR
     assert [backup.number for backup in list_backups(path)] == [2, 1]
     assert list_backups(path)[0].made_at == NOON - timedelta(days=3000)
@@ -77,12 +77,12 @@ def test_a_disk_that_is_nearly_full_is_told_once_and_taken_back_when_there_is_ro
 ) -> None:
     for free in (NEARLY_FULL, NEARLY_FULL - 1, 20 * 10**6, NEARLY_FULL + 10**6):
         keeping.disk.free = free
-        keeping.caretaker.look_at_disk()
+        keeping.maintenance.check_space()
     assert (keeping.told, keeping.code) == (["disk_nearly_full"], "disk_nearly_full")
-    assert keeping.caretaker.notice is not None
-    assert keeping.caretaker.notice.params["free_mb"] == 501
+    assert keeping.maintenance.notice is not None
+    assert keeping.maintenance.notice.params["free_mb"] == 501
     keeping.disk.free = MUCH
-    keeping.caretaker.look_at_disk()
+    keeping.maintenance.check_space()
     assert (keeping.told, keeping.code) == (["disk_nearly_full", None], None)
 
 
@@ -92,8 +92,8 @@ def test_a_disk_that_cannot_be_asked_is_no_news(
     def gone(_folder: Path) -> int:
         raise OSError("gone")
 
-    monkeypatch.setattr(keeping.caretaker, "_free", gone)
-    keeping.caretaker.look_at_disk()
+    monkeypatch.setattr(keeping.maintenance, "_free", gone)
+    keeping.maintenance.check_space()
     assert keeping.told == []
 
 
@@ -101,12 +101,12 @@ def test_a_backup_for_which_there_is_no_room_is_told_until_it_could_be_made(
     keeping: Keeping, store: Store, path: Path
 ) -> None:
     keeping.disk.free = 0
-    keeping.caretaker.back_up()
+    keeping.maintenance.back_up()
     assert keeping.code == "backup_no_room"
     assert store.groups.create("A").name == "A"
     keeping.disk.free = MUCH
     keeping.now += HOUR
-    keeping.caretaker.back_up()
+    keeping.maintenance.back_up()
     assert (keeping.told, len(list_backups(path))) == (["backup_no_room", None], 1)
 
 
@@ -117,8 +117,8 @@ def test_whatever_keeps_a_backup_from_being_made_is_told_and_the_store_goes_on(
     def fail(*_: object, **__: object) -> None:
         raise error
 
-    monkeypatch.setattr("storage.backups.make_backup", fail)
-    keeping.caretaker.back_up()
+    monkeypatch.setattr("storage.file.backups.make_backup", fail)
+    keeping.maintenance.back_up()
     assert keeping.code == "backup_failed"
     assert store.groups.create("A").name == "A"
 
@@ -130,15 +130,15 @@ def test_a_removal_that_was_cut_off_before_the_backups_is_finished_later(
     for day in (0, 1):
         make_backup(path, NOON + day * 24 * HOUR)
     with monkeypatch.context() as cut_off:
-        cut_off.setattr("storage.exchange.remove_from_backups", _power_cut)
+        cut_off.setattr("storage.exchange.exchange.remove_from_backups", _power_cut)
         with pytest.raises(KeyboardInterrupt):
             store.exchange.remove("group", group.id)
     assert _backups_with(b"Fulano", path) == 2
 
-    keeping.caretaker.finish_removals()
+    keeping.maintenance.finish_removals()
     assert _backups_with(b"Fulano", path) == 0
     files = {backup.path: backup.path.stat().st_ino for backup in list_backups(path)}
-    keeping.caretaker.finish_removals()  # nothing is left to be done: no backup is written anew
+    keeping.maintenance.finish_removals()  # nothing is left to be done: no backup is written anew
     assert {backup.path: backup.path.stat().st_ino for backup in list_backups(path)} == files
 
 
@@ -155,21 +155,21 @@ def test_a_backup_that_was_being_made_loses_what_is_deleted_meanwhile(
 ) -> None:
     """By another process, which knows nothing of the backup."""
     group = store.groups.create("Fulano de Tal")
-    monkeypatch.setattr("storage.backups._PAGES", 1)
+    monkeypatch.setattr("storage.file.backups._PAGES", 1)
 
     def stop() -> bool:
         if store.groups.all():
             with monkeypatch.context() as elsewhere:
-                elsewhere.setattr("storage.exchange.remove_from_backups", lambda *_: [])
+                elsewhere.setattr("storage.exchange.exchange.remove_from_backups", lambda *_: [])
                 assert not store.exchange.remove("group", group.id).overwritten
         return False
 
-    monkeypatch.setattr("storage.opening._BUSY_S", 0.05)
+    monkeypatch.setattr("storage.file.opening._BUSY_S", 0.05)
     assert make_backup(path, NOON, stop=stop)
     assert _backups_with(b"Fulano", path) == 1
     files = (path, path.with_name("pinel.db-wal"))
     assert b"Fulano" in b"".join(file.read_bytes() for file in files)
-    keeping.caretaker.finish_removals()
+    keeping.maintenance.finish_removals()
     assert _backups_with(b"Fulano", path) == 0
     assert b"Fulano" not in b"".join(file.read_bytes() for file in files)
 
@@ -180,44 +180,44 @@ def test_a_backup_that_somebody_holds_loses_what_was_deleted_when_it_is_free(
     group = store.groups.create("Fulano de Tal")
     backup = make_backup(path, NOON)
     assert backup
-    folder = backup.path.with_name(f"{backup.path.name}.part")
+    folder = backup.path.with_name(f".{backup.path.name}.part")
     folder.mkdir()  # in the way of writing it anew
     assert store.exchange.remove("group", group.id).still_in == (backup.path,)
-    keeping.caretaker.finish_removals()
+    keeping.maintenance.finish_removals()
     assert _backups_with(b"Fulano", path) == 1
     shutil.rmtree(folder)
-    keeping.caretaker.finish_removals()
+    keeping.maintenance.finish_removals()
     assert _backups_with(b"Fulano", path) == 0
 
 
 def test_once_started_it_backs_up_by_itself_and_ends_when_told(
     store: Store, path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    assert caretaker._FIRST_S >= 10
-    monkeypatch.setattr(caretaker, "_FIRST_S", 0.0)
+    assert maintenance._FIRST_S >= 10
+    monkeypatch.setattr(maintenance, "_FIRST_S", 0.0)
     made = threading.Event()
 
     def make(*given: Any, **named: Any) -> None:
         make_backup(*given, **named)
         made.set()
 
-    monkeypatch.setattr("storage.backups.make_backup", make)
+    monkeypatch.setattr("storage.file.backups.make_backup", make)
     keeping = Keeping(store)
     answers = iter([NEARLY_FULL - 1])
-    monkeypatch.setattr(keeping.caretaker, "_free", lambda folder: next(answers, MUCH))
-    keeping.caretaker.start()
+    monkeypatch.setattr(keeping.maintenance, "_free", lambda folder: next(answers, MUCH))
+    keeping.maintenance.start()
     assert keeping.told[0] == "disk_nearly_full"
     assert made.wait(20)
-    keeping.caretaker.close()
+    keeping.maintenance.close()
     assert len(list_backups(path)) == 1
     assert keeping.told == ["disk_nearly_full", None]
-    assert "store-caretaker" not in {thread.name for thread in threading.enumerate()}
+    assert "store-maintenance" not in {thread.name for thread in threading.enumerate()}
 
 
 def test_a_file_that_cannot_be_written_is_not_looked_after(path: Path) -> None:
     with Store.without_file(path, StoreError("database_newer", path=str(path))) as store:
         keeping = Keeping(store)
         keeping.disk.free = 0
-        keeping.caretaker.start()
+        keeping.maintenance.start()
         assert (keeping.told, keeping.code) == ([], None)
-        keeping.caretaker.close()
+        keeping.maintenance.close()

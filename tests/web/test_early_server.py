@@ -4,18 +4,20 @@ import threading
 import urllib.error
 import urllib.request
 from collections.abc import Iterator
+from http.cookiejar import CookieJar
 from typing import Any
 
 import pytest
 
-from pinel_desktop.web.front import Front
+from pinel_desktop.messages import LANGUAGES
+from pinel_desktop.web.early_server import EarlyServer
 
 
 @pytest.fixture
-def front() -> Iterator[Front]:
-    front = Front()
-    yield front
-    front.close()
+def server() -> Iterator[EarlyServer]:
+    server = EarlyServer()
+    yield server
+    server.close()
 
 
 @pytest.fixture
@@ -29,18 +31,30 @@ def app(environ: dict[str, Any], start_response: Any) -> list[bytes]:
 
 
 def test_the_page_is_there_at_once_with_the_same_protection(
-    front: Front, opener: urllib.request.OpenerDirector
+    server: EarlyServer, opener: urllib.request.OpenerDirector
 ) -> None:
-    with opener.open(front.guard.fresh_link(), timeout=20) as answer:
+    with opener.open(server.guard.fresh_link(), timeout=20) as answer:
         assert b"<script" in answer.read()
         assert "default-src 'self'" in answer.headers["Content-Security-Policy"]
         assert "key=" not in answer.url
 
 
+def test_the_page_has_the_texts_of_the_language_that_it_last_spoke(server: EarlyServer) -> None:
+    jar = CookieJar()
+    opener = urllib.request.build_opener(urllib.request.HTTPCookieProcessor(jar))
+    opener.open(server.guard.fresh_link(), timeout=20).close()
+    kept = "; ".join(f"{cookie.name}={cookie.value}" for cookie in jar)
+    for language in LANGUAGES:
+        cookies = {"Cookie": f"{kept}; pinel_language={language}"}
+        asked = urllib.request.Request(server.guard.origin, headers=cookies)
+        with urllib.request.urlopen(asked, timeout=20) as answer:
+            assert f'<html lang="{language}">'.encode() in answer.read()
+
+
 def test_a_key_that_was_used_opens_nothing(
-    front: Front, opener: urllib.request.OpenerDirector
+    server: EarlyServer, opener: urllib.request.OpenerDirector
 ) -> None:
-    link = front.guard.fresh_link()
+    link = server.guard.fresh_link()
     opener.open(link, timeout=20).close()
     with pytest.raises(urllib.error.HTTPError) as refused:
         urllib.request.urlopen(link, timeout=20)
@@ -48,42 +62,44 @@ def test_a_key_that_was_used_opens_nothing(
     assert refused.value.code == 401
 
 
-def test_questions_wait_for_the_app(front: Front, opener: urllib.request.OpenerDirector) -> None:
-    opener.open(front.guard.fresh_link(), timeout=20).close()
+def test_questions_wait_for_the_app(
+    server: EarlyServer, opener: urllib.request.OpenerDirector
+) -> None:
+    opener.open(server.guard.fresh_link(), timeout=20).close()
     answers: list[bytes] = []
 
     def ask() -> None:
-        with opener.open(f"{front.guard.origin}/api/status", timeout=20) as answer:
+        with opener.open(f"{server.guard.origin}/api/status", timeout=20) as answer:
             answers.append(answer.read())
 
     asking = threading.Thread(target=ask)
     asking.start()
-    front.open(app)
+    server.open(app)
     asking.join(20)
     assert answers == [b"the app: /api/status"]
 
 
-def test_a_stranger_s_refusal_is_left_to_the_app(front: Front) -> None:
-    front.open(app)
-    with urllib.request.urlopen(front.guard.origin, timeout=20) as answer:
+def test_a_stranger_s_refusal_is_left_to_the_app(server: EarlyServer) -> None:
+    server.open(app)
+    with urllib.request.urlopen(server.guard.origin, timeout=20) as answer:
         assert answer.read().startswith(b"the app")
 
 
 def test_an_app_that_never_comes_leaves_nobody_waiting(
-    front: Front, opener: urllib.request.OpenerDirector
+    server: EarlyServer, opener: urllib.request.OpenerDirector
 ) -> None:
-    opener.open(front.guard.fresh_link(), timeout=20).close()
+    opener.open(server.guard.fresh_link(), timeout=20).close()
     seen: list[int] = []
 
     def ask() -> None:
         try:
-            opener.open(f"{front.guard.origin}/api/status", timeout=20).close()
+            opener.open(f"{server.guard.origin}/api/status", timeout=20).close()
         except urllib.error.HTTPError as error:
             error.close()
             seen.append(error.code)
 
     asking = threading.Thread(target=ask)
     asking.start()
-    front.give_up()
+    server.give_up()
     asking.join(20)
     assert seen == [503]

@@ -5,7 +5,7 @@ from typing import Any
 import pytest
 
 from pinel_desktop.app import App
-from pinel_desktop.web.answers import STATUS
+from pinel_desktop.web.responses import STATUS
 from storage import StoreError
 from tests.web.browser import Answer, Browser
 from tests.web.fake_engine import FakeEngine
@@ -68,8 +68,7 @@ def check_shape(answer: Answer, status: int, code: str) -> dict[str, Any]:
         ("GET", f"/api/runs/{NOWHERE}", None, 404, "run_not_found"),
         ("GET", f"/api/runs/{NOWHERE}/events", None, 404, "run_not_found"),
         ("GET", f"/api/runs/{NOWHERE}/telemetry", None, 404, "run_not_found"),
-        ("POST", f"/api/runs/{NOWHERE}/stop", None, 404, "run_not_found"),
-        ("POST", f"/api/runs/{NOWHERE}/capture", {"result": "B"}, 404, "run_not_found"),
+        ("POST", f"/api/runs/{NOWHERE}/commands", {"do": "stop"}, 404, "run_not_found"),
     ],
 )
 def test_every_family_of_routes_answers_errors_in_the_one_shape(

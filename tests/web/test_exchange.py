@@ -9,7 +9,7 @@ from urllib.parse import quote
 import pytest
 
 from pinel_desktop.app import App
-from storage.bundles import Scope
+from storage.exchange.scope import Scope
 from tests.web.browser import Answer, Browser
 from tests.web.conftest import SQUARE
 
@@ -62,7 +62,7 @@ def test_what_other_pcs_would_refuse_is_said(
     app: App, teacher: Browser, version: dict[str, Any], stick: Path
 ) -> None:
     late = "UPDATE groups SET changed_at = '9999-12-31T00:00:00Z'"
-    app._store._access.write(lambda db: db.execute(late))
+    app._store._database.write(lambda db: db.execute(late))
     written = teacher.post("/api/bundles", {"folder": str(stick)}).data
     assert written["n_groups"] == 0
     assert written["left_out"]["code"] == "export_left_out"
@@ -175,7 +175,7 @@ def test_pupils_bring_in_one_program_only(
     browser.post(f"/api/groups/{_group(browser)}/programs", {"name": "Segundo"})
     store = app._store
     info = store.exchange.export(
-        tmp_path / "all.pinel", app_version="1", computer=store.computers.here(), scope=Scope()
+        tmp_path / "all.pinel", app_version="1", computer=store.computers.this(), scope=Scope()
     )
     refused = _bring(browser, info.path.read_bytes())
     assert (refused.status, refused.error["code"]) == (422, "bundle_not_program")

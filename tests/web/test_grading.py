@@ -67,14 +67,14 @@ def test_what_could_not_be_judged_is_judged_at_the_next_start(
     app: App, engine: FakeEngine, begin: Begin
 ) -> None:
     run = begin()
-    app._judge.close()
+    app._grader.close()
     engine.send(ended(run, 0, 0))
     app._keep_up()
-    assert app._store.checks.waiting() == [run]
-    again = type(app._judge)(app._store, lambda: None, lambda event: None, lambda: "en")
+    assert app._store.checks.pending() == [run]
+    again = type(app._grader)(app._store, lambda: None, lambda event: None, lambda: "en")
     again.catch_up()
     again._worker.shutdown()
-    assert app._store.checks.waiting() == []
+    assert app._store.checks.pending() == []
     assert app._store.runs.get(run).passed is True
 
 
@@ -82,6 +82,6 @@ def test_a_run_without_activity_is_not_judged(
     app: App, engine: FakeEngine, run: dict[str, Any]
 ) -> None:
     engine.send(ended(run["id"], 0, 0))
-    app._judge.close()
+    app._grader.close()
     found = app._store.runs.get(run["id"])
     assert (found.activity, found.passed, found.check_report) == (None, None, None)

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from pinel_desktop.messages import LANGUAGES
 from pinel_desktop.web import page
 from tests.web.browser import Browser
 
@@ -12,7 +13,8 @@ from tests.web.browser import Browser
 def built(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     folder = tmp_path / "static"
     (folder / "assets").mkdir(parents=True)
-    (folder / "index.html").write_text("<!doctype html><title>PINEL</title>", "utf-8")
+    for name in ("index.html", *(f"index.{language}.html" for language in LANGUAGES)):
+        (folder / name).write_text(f"<!doctype html><title>{name}</title>", "utf-8")
     (folder / "assets" / "index-4f2a.js").write_text("export {}", "utf-8")
     (folder.parent / "secret.txt").write_text("not yours", "utf-8")
     monkeypatch.setattr(page, "STATIC", folder)
@@ -27,6 +29,14 @@ def test_the_page_is_asked_for_anew_each_time_and_its_assets_never(
     assert index.headers["Cache-Control"] == "no-cache"
     assert asset.headers["Content-Type"].startswith("text/javascript")
     assert "immutable" in asset.headers["Cache-Control"]
+
+
+def test_the_page_is_the_one_with_the_texts_of_the_chosen_language(
+    built: Path, browser: Browser
+) -> None:
+    for language in LANGUAGES:
+        browser.put("/api/settings", {"language": language})
+        assert f"index.{language}.html" in browser.get("/").text
 
 
 def test_a_file_that_did_not_change_is_not_sent_again(built: Path, browser: Browser) -> None:

@@ -3,10 +3,10 @@
 import re
 from pathlib import Path
 
-from storage.groups import COLORS, PICTURES
+from storage.choices import COLORS, PICTURES
 
 ROOT = Path(__file__).parents[2] / "ui" / "src"
-TABLE = (ROOT / "screens" / "pictures.ts").read_text("utf-8")
+TABLE = (ROOT / "kit" / "pictures" / "pictures.ts").read_text("utf-8")
 
 
 def test_there_is_a_drawing_for_each_picture() -> None:
@@ -20,6 +20,6 @@ def test_the_colours_are_the_same() -> None:
 
 def test_each_picture_has_a_name_in_three_languages() -> None:
     for language in ("pt-BR", "en", "es"):
-        words = (ROOT / "i18n" / "classes" / f"{language}.ts").read_text("utf-8")
+        words = (ROOT / "i18n" / language / "classes.ts").read_text("utf-8")
         table = words.split("pictures: {")[1].split("}")[0]
         assert tuple(re.findall(r"^    (\w+): ", table, re.M)) == PICTURES

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from pinel_desktop.app import App
-from storage.backups import list_backups, make_backup
+from storage.file.backups import list_backups, make_backup
 from tests.storage.sample_runs import ended
 from tests.web.browser import Browser
 from tests.web.fake_engine import FakeEngine
@@ -29,7 +29,7 @@ def test_a_deleted_group_is_nowhere_and_does_not_come_back(
     engine.send(ended(run["id"], 0, 0))
     app._keep_up()
     store = app._store
-    make_backup(store.path, store._access._clock())
+    make_backup(store.path, store._database._clock())
     kept = teacher.post("/api/bundles", {"folder": str(tmp_path)}).data
     removed = teacher.delete(f"/api/groups/{group['id']}").data
     assert (removed["n_groups"], removed["n_programs"], removed["n_runs"]) == (1, 1, 1)

@@ -10,7 +10,7 @@ import pytest
 from pinel_desktop.app import App
 from pinel_desktop.messages import LANGUAGES, describe
 from pinel_desktop.web.models.review import Figures
-from tests.review.sketches import Sketch, move, start, workspace_of
+from tests.school.review.sketches import Sketch, move, start, workspace_of
 from tests.storage.sample_runs import ended
 from tests.web.browser import Browser
 from tests.web.conftest import SQUARE
@@ -42,7 +42,7 @@ class Pupils:
         run_id = str(self.browser.post("/api/runs", body).data["id"])
         self.engine.send(ended(run_id, 0, 75, state=state, reason=reason))
         activity = None if passed is None else "square"
-        self.store._access.write(
+        self.store._database.write(
             lambda db: (
                 db.execute(
                     "UPDATE runs SET passed = ?, activity = ? WHERE id = ?",
@@ -106,7 +106,7 @@ def test_the_review_of_a_lesson_tells_what_each_group_did(
     assert failed["message"]
     assert (marks[3]["repairs"], marks[3]["since"]) == (crashed, first)
     assert marks[3]["run_id"] == repaired
-    assert {mark["computer"] for mark in marks} == {app._store.computers.here()[1]}
+    assert {mark["computer"] for mark in marks} == {app._store.computers.this()[1]}
     figures = robots["figures"]
     assert (figures["n_edits"], figures["n_runs"], figures["n_failed"]) == (3, 2, 1)
     assert figures["attempts_until_passed"] == 2

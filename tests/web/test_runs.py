@@ -9,8 +9,20 @@ from typing import Any
 
 import pytest
 
+from pinel_desktop.engine import commands
+from pinel_desktop.engine.commands import (
+    AnswerCapture,
+    Command,
+    Pause,
+    Resume,
+    SetBreakpoints,
+    SetSpeed,
+    Step,
+    Stop,
+    Subscribe,
+)
 from tests.storage.sample_runs import block_started, ended, sample, square
-from tests.web.browser import Browser
+from tests.web.browser import Answer, Browser
 from tests.web.fake_engine import FakeEngine
 
 
@@ -98,59 +110,78 @@ def test_an_unknown_world_is_refused_with_those_there_are(
     assert "empty_room" in answer.error["remedy"]
 
 
-@pytest.mark.parametrize("what", ["pause", "resume", "stop"])
+def command(browser: Browser, run: dict[str, Any], do: str, **more: Any) -> Answer:
+    return browser.post(f"/api/runs/{run['id']}/commands", {"do": do, **more})
+
+
+@pytest.mark.parametrize(
+    ("do", "sent"), [("pause", Pause()), ("resume", Resume()), ("stop", Stop())]
+)
 def test_the_live_run_is_steered(
-    browser: Browser, engine: FakeEngine, run: dict[str, Any], what: str
+    browser: Browser, engine: FakeEngine, run: dict[str, Any], do: str, sent: Command
 ) -> None:
-    answer = browser.post(f"/api/runs/{run['id']}/{what}")
-    assert (answer.status, answer.data) == (200, {})
-    assert engine.told == [(what, run["id"])]
+    answer = command(browser, run, do)
+    assert (answer.status, answer.data) == (200, {"value": None, "problem": None})
+    assert engine.told == [sent]
 
 
 def test_a_capture_is_answered_by_hand(
     browser: Browser, engine: FakeEngine, run: dict[str, Any]
 ) -> None:
-    assert browser.post(f"/api/runs/{run['id']}/capture", {"result": "B"}).data == {}
-    assert browser.post(f"/api/runs/{run['id']}/answer", {"value": "3"}).data == {}
-    assert engine.told == [("answer_capture", run["id"], "B"), ("answer_question", run["id"], "3")]
+    assert command(browser, run, "answer_capture", result="B").status == 200
+    assert command(browser, run, "answer", value="3").status == 200
+    assert engine.told == [AnswerCapture(result="B"), commands.Answer(value="3")]
 
 
 def test_the_live_run_is_debugged(
     browser: Browser, engine: FakeEngine, run: dict[str, Any]
 ) -> None:
-    address = f"/api/runs/{run['id']}"
-    assert browser.post(f"{address}/step", {"mode": "over"}).status == 200
-    assert browser.send("PUT", f"{address}/breakpoints", {"blocks": ["a", "b"]}).status == 200
-    assert browser.send("PUT", f"{address}/speed", {"factor": 0.5}).status == 200
-    assert browser.send("PUT", f"{address}/look", {"sensors": ["sonar", "lidar"]}).status == 200
+    assert command(browser, run, "step", mode="over").status == 200
+    assert command(browser, run, "breakpoints", blocks=["a", "b"]).status == 200
+    assert command(browser, run, "speed", factor=0.5).status == 200
+    assert command(browser, run, "subscribe", sensors=["sonar", "lidar"]).status == 200
     assert engine.told == [
-        ("step", run["id"], "over"),
-        ("breakpoints", run["id"], "a", "b"),
-        ("speed", run["id"], "0.5"),
-        ("look", run["id"], "sonar", "lidar"),
+        Step(mode="over"),
+        SetBreakpoints(blocks=["a", "b"]),
+        SetSpeed(factor=0.5),
+        Subscribe(sensors=["sonar", "lidar"]),
     ]
-    for method, what, data in (
-        ("POST", "step", {"mode": "back"}),
-        ("PUT", "breakpoints", {"blocks": [1]}),
-        ("PUT", "speed", {"factor": 100}),
-        ("PUT", "look", {"sensors": ["camera"]}),
-    ):
-        assert browser.send(method, f"{address}/{what}", data).status == 422
+
+
+@pytest.mark.parametrize(
+    ("sent", "words"),
+    [
+        ({"do": "step", "mode": "back"}, ["“mode”", "into, over, out"]),
+        ({"do": "breakpoints", "blocks": [1]}, ["“blocks”"]),
+        ({"do": "speed", "factor": 100}, ["“factor”", "0.1", "10"]),
+        ({"do": "speed"}, ["“factor”"]),
+        ({"do": "subscribe", "sensors": ["camera"]}, ["“sensors”"]),
+        ({"do": "stop", "now": True}, ["“now”"]),
+        ({"do": "fly"}, ["“do”", "pause, resume, stop"]),
+        ({}, ["“do”", "pause, resume, stop"]),
+        ([], ["JSON object"]),
+    ],
+)
+def test_a_command_that_does_not_fit_is_told_in_words(
+    browser: Browser, engine: FakeEngine, run: dict[str, Any], sent: Any, words: list[str]
+) -> None:
+    answer = browser.post(f"/api/runs/{run['id']}/commands", sent)
+    assert (answer.status, answer.error["code"]) == (422, "invalid_request")
+    text = f"{answer.error['message']} {answer.error['remedy']}"
+    assert [word for word in words if word not in text] == []
+    assert engine.told == []
 
 
 def test_an_expression_is_evaluated_while_the_run_is_paused(
     browser: Browser, engine: FakeEngine, run: dict[str, Any]
 ) -> None:
-    address = f"/api/runs/{run['id']}/evaluate"
-    assert browser.post(address, {"expression": {"var": "x"}}).data == {
-        "value": 42,
-        "problem": None,
-    }
-    answer = browser.post(address, {"expression": {"call": "f"}}).data
+    asked = command(browser, run, "evaluate", expression={"var": "x"})
+    assert asked.data == {"value": 42, "problem": None}
+    answer = command(browser, run, "evaluate", expression={"call": "f"}).data
     assert answer["value"] is None
     assert answer["problem"]
     engine.send(ended(run["id"], 0, 0))
-    assert browser.post(address, {"expression": 1}).error["code"] == "run_not_live"
+    assert command(browser, run, "evaluate", expression=1).error["code"] == "run_not_live"
 
 
 def test_a_run_may_begin_with_breakpoints_in_slow_motion_and_held(
@@ -159,17 +190,21 @@ def test_a_run_may_begin_with_breakpoints_in_slow_motion_and_held(
     wish = {"breakpoints": ["b1"], "speed": 0.25, "paused": True}
     start = {"version_id": version["id"], "world": "empty_room", **wish}
     assert browser.post("/api/runs", start).status == 200
-    assert {name: engine.begun[name] for name in wish} == wish
+    assert engine.first == [
+        SetBreakpoints(blocks=["b1"]),
+        SetSpeed(factor=0.25),
+        Step(mode="into"),
+    ]
 
 
 @pytest.mark.parametrize(
-    ("what", "data"), [("pause", None), ("stop", None), ("capture", {"result": "B"})]
+    ("do", "more"), [("pause", {}), ("stop", {}), ("answer_capture", {"result": "B"})]
 )
 def test_a_run_that_has_ended_cannot_be_steered(
-    browser: Browser, engine: FakeEngine, run: dict[str, Any], what: str, data: Any
+    browser: Browser, engine: FakeEngine, run: dict[str, Any], do: str, more: dict[str, Any]
 ) -> None:
     engine.send(ended(run["id"], 0, 0))
-    answer = browser.post(f"/api/runs/{run['id']}/{what}", data)
+    answer = command(browser, run, do, **more)
     assert (answer.status, answer.error["code"]) == (409, "run_not_live")
 
 

@@ -61,7 +61,7 @@ def test_when_the_disk_is_full_the_page_is_told_and_told_again_when_there_is_roo
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     def limit(pages: int) -> None:
-        app._store._access.write(
+        app._store._database.write(
             lambda db: db.execute(f"PRAGMA max_page_count = {pages}").fetchone()
         )
 
@@ -94,7 +94,7 @@ def test_a_store_that_refuses_everything_does_not_stop_the_stream(
 
     with browser.stream() as events:
         events.next()
-        writer = app._store._access._writer
+        writer = app._store._database._writer
         assert writer is not None
         monkeypatch.setattr(writer, "_in_transaction", refuse)
         engine.send(ended(run["id"], 0, 0))

@@ -5,6 +5,8 @@ from typing import Any
 import pytest
 
 from pinel_desktop.app import App
+from pinel_desktop.web.models.worlds import Title
+from pinel_desktop.web.responses import plain
 from sim.document import Box, WorldDocument
 from sim.reading import read_world
 from sim.world import DEFAULT_BOX_MASS_KG, list_worlds
@@ -167,3 +169,8 @@ def test_a_world_that_was_kept_before_a_rule_came_opens_runs_and_is_kept_again(
         "box_too_thin",
         "box_mass_wrong",
     ]
+
+
+def test_a_title_in_a_further_language_is_answered_under_its_tag() -> None:
+    title = {"pt-BR": "Sala", "en": "Room", "es": "Sala", "fr": "Salle"}
+    assert plain(Title.model_validate(title)) == title

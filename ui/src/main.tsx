@@ -1,20 +1,24 @@
-import "./app/ask_first";
-import "./app/known_language";
+import "./shell/ask_first";
+import "./shell/known_language";
 import { render } from "preact";
 import "./styles";
-import { firstAnswers } from "./app/first_answers";
-import { open } from "./app/session";
-import { App } from "./screens/App";
+import { App } from "./frame/App";
+import "./frame/fetch_ahead";
+import { fetchTexts, language } from "./i18n";
+import { receive, resync } from "./run/live";
+import { firstAnswers } from "./shell/first_answers";
+import { open } from "./shell/session";
 
 /** A server that is slow to answer is worth a frame around what is to come. */
 const PATIENCE_MS = 300;
 
 const patience = new Promise((resolve) => setTimeout(resolve, PATIENCE_MS));
-const opened = open();
+const texts = fetchTexts(language.peek());
+const opened = texts.then(() => open({ receive, resync }));
 const root = document.getElementById("app");
 
 // Otherwise drawn once, with everything in its place.
-void Promise.race([firstAnswers(), patience]).then(() => {
+void Promise.all([texts, Promise.race([firstAnswers(), patience])]).then(() => {
   if (root) render(<App />, root);
 });
 

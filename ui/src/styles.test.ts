@@ -5,7 +5,7 @@ import { describe, expect, test } from "vitest";
 const FIRST = "src/styles.ts";
 const LATER = "src/styles_later.ts";
 /** The editor is also shown apart from the page, and brings its own sheet there. */
-const APART = ["src/editor/index.ts", "src/editor/reader.ts"];
+const APART = ["src/editor/index.ts", "src/editor/reader/reader.ts"];
 
 const files = readdirSync("src", { recursive: true, encoding: "utf8" }).map((path) =>
   join("src", path),
@@ -60,8 +60,8 @@ describe("style sheets", () => {
       sheets(LATER).flatMap((whole) => whole.flatMap(owned).map((name) => [name, whole[0]])),
     );
     const start = [...reached("src/main.tsx")];
-    expect(start).toContain(join("src", "screens", "BlocksPane.tsx"));
-    expect(start).not.toContain(join("src", "screens", "WorkScreen.tsx"));
+    expect(start).toContain(join("src", "studio", "blocks_pane", "BlocksPane.tsx"));
+    expect(start).not.toContain(join("src", "work", "WorkScreen.tsx"));
     const missing = start.flatMap((path) =>
       classesIn(path)
         .filter((name) => owners.has(name))

@@ -4,18 +4,18 @@
  * before, and one screen would look different after another.
  * What a later sheet says about an element wins over an earlier one: what others build on stands first.
  */
-import "./design/fonts.css";
-import "./design/tokens.css";
-import "./design/base.css";
-import "./design/controls.css";
-import "./screens/header.css";
-import "./screens/pictures.css";
-import "./screens/start.css";
+import "./kit/fonts.css";
+import "./kit/tokens.css";
+import "./kit/base.css";
+import "./kit/controls.css";
+import "./frame/header/header.css";
+import "./kit/pictures/pictures.css";
+import "./start/start.css";
 import "./editor/editor.css";
-import "./editor/reader.css";
-import "./debug/debug.css";
+import "./editor/reader/reader.css";
+import "./studio/debug/debug.css";
 import "./scene/scene.css";
-import "./run/run.css";
-import "./run/text/text.css";
+import "./run/panels/run.css";
+import "./studio/text/text.css";
 import "./plots/plots.css";
-import "./screens/studio.css";
+import "./studio/studio.css";

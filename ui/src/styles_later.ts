@@ -2,22 +2,22 @@
  * The style sheets of all parts that are fetched when they are first shown, whichever it is, in one order: after those
  * of styles.ts, paper last. The start would have to read them for nothing.
  */
-import "./world_editor/board.css";
+import "./world_editor/board/board.css";
 import "./world_editor/world_editor.css";
-import "./notes/notes.css";
-import "./screens/group_head.css";
-import "./screens/work.css";
-import "./screens/keeping.css";
-import "./screens/replay.css";
+import "./work/notes.css";
+import "./work/group_head.css";
+import "./work/work.css";
+import "./work/keeping.css";
+import "./replay/replay.css";
 import "./versions/versions.css";
 import "./versions/differences.css";
 import "./teacher/teacher.css";
-import "./teacher/lessons.css";
-import "./exchange/exchange.css";
-import "./review/parts.css";
-import "./review/runs.css";
-import "./review/line.css";
-import "./review/lesson.css";
-import "./review/compare.css";
-import "./review/note.css";
-import "./review/print.css";
+import "./teacher/lessons/lessons.css";
+import "./teacher/exchange/exchange.css";
+import "./teacher/review/parts.css";
+import "./teacher/review/runs/runs.css";
+import "./teacher/review/timeline/line.css";
+import "./teacher/review/lesson/lesson.css";
+import "./teacher/review/compare/compare.css";
+import "./teacher/review/notes/note.css";
+import "./teacher/review/lesson/print.css";

@@ -31,8 +31,10 @@ class Debugger:
     def holds(self, command: Any) -> bool:
         """Whether the run pauses before this command; asks the control for the pause."""
         control = self._control
-        if self._is_held or (
-            control.step is None and not control.breakpoints and control.hold_at is None
+        if (
+            self._is_held
+            or control.stop_requested  # wins over a pause; a replay, which has no breakpoints, does the same
+            or (control.step is None and not control.breakpoints and control.hold_at is None)
         ):
             self._is_held = False
             self.n_begun += 1

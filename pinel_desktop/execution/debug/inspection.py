@@ -1,53 +1,34 @@
-"""The values of expressions for somebody who looks into a run that stands still."""
+"""The values of expressions in a paused run."""
 
-from collections.abc import Callable
-from queue import Empty, SimpleQueue
-from typing import Any, NamedTuple
+from queue import Empty
+from typing import Any
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.execution.context import RunContext
-from pinel_desktop.execution.evaluation import Evaluator
+from pinel_desktop.execution.control import RunControl
+from pinel_desktop.execution.debug.variable_watch import cut_value
+from pinel_desktop.execution.expressions.evaluation import Evaluator
 from pinel_desktop.execution.failure import RunFailureError
-from pinel_desktop.execution.watching import cut_value
 from pinel_desktop.program.base import Model, values
 from pinel_desktop.program.expressions import FunctionCall, Operation
 from pinel_desktop.program.model import SetVariable
 from pinel_desktop.program.reading import read_document
 
-# takes the value, or why there is none
-Answer = Callable[[Any, PinelError | None], None]
+
+def answer_evaluations(control: RunControl, context: RunContext) -> None:
+    """Evaluates what has been asked since the last time. Called by the run's own thread while it is paused."""
+    while True:
+        try:
+            request = control.evaluations.get_nowait()
+        except Empty:
+            return
+        try:
+            request.reply(inspect(request.expression, context), None)
+        except PinelError as error:
+            request.reply(None, error)
 
 
-class Question(NamedTuple):
-    """An expression as document data, and who wants to know."""
-
-    expression: Any
-    answer: Answer
-
-
-class Questions:
-    """What is asked by other threads, answered by the run's own."""
-
-    def __init__(self) -> None:
-        self._waiting: SimpleQueue[Question] = SimpleQueue()
-
-    def ask(self, expression: Any, answer: Answer) -> None:
-        self._waiting.put(Question(expression, answer))
-
-    def answer_all(self, context: RunContext) -> None:
-        """Answers what has been asked since the last time."""
-        while True:
-            try:
-                question = self._waiting.get_nowait()
-            except Empty:
-                return
-            try:
-                question.answer(peek(question.expression, context), None)
-            except PinelError as error:
-                question.answer(None, error)
-
-
-def peek(expression: Any, context: RunContext) -> Any:
+def inspect(expression: Any, context: RunContext) -> Any:
     """The value of an expression at this moment, as plain data; nothing in the run is changed.
 
     Raises PinelError `peek_invalid` for what is no expression, `peek_not_possible` for what would have to run
@@ -66,12 +47,12 @@ def peek(expression: Any, context: RunContext) -> Any:
     worked = context.n_evaluated
     try:
         while True:
-            next(evaluating)  # takes breaths only: there is no call in it
+            next(evaluating)  # yields Preempt only: the expression calls no function
     except StopIteration as end:
         return cut_value(end.value)
     finally:
         context.n_evaluated = (
-            worked  # looking is no work of the program: its ticks stay as they are
+            worked  # an inspection is no work of the program: its ticks stay as they are
         )
 
 

@@ -1,4 +1,4 @@
-"""What those who watch see around the robot: boxes that were pushed, and on demand what its sensors measure."""
+"""Reports of what surrounds the robot: boxes that were pushed, and measurements of the sensors subscribed to."""
 
 from collections.abc import Callable
 
@@ -12,33 +12,37 @@ _PAUSE_TICKS = 3
 _DIGITS, _STEP = 4, 1e-4  # a tenth of a millimetre
 
 
-class Surroundings:
-    """Reports at most ten times a second of robot time; for runs that somebody watches."""
+class SensorStream:
+    """Reports at most ten times a second of robot time; for runs with an observer."""
 
     def __init__(self, context: RunContext, link: RobotLink, control: RunControl) -> None:
         self._context, self._link, self._control = context, link, control
         self._poses: dict[int, Pose2D] = link.things()
-        self._looked: frozenset[str] = frozenset()
+        self._subscribed: frozenset[str] = frozenset()
 
-    def look(self) -> None:
-        """At every tick: reports when it is time."""
+    def report(self) -> None:
+        """To be called at every tick; reports when it is time."""
         if self._context.tick % _PAUSE_TICKS:
             return
         if self._poses:
             self.report_things()
-        if self._control.looks:
+        if self._control.subscriptions:
             self._report_ranges()
 
-    def look_while_paused(self) -> None:
-        """Nothing moves: what was not asked for before is reported once."""
-        if self._looked != self._control.looks:
+    def report_new_subscriptions(self) -> None:
+        """To be called while robot time stands still; reports once what has been subscribed to since."""
+        if self._subscribed != self._control.subscriptions:
             self._report_ranges()
 
     def report_things(self) -> None:
         """The boxes that have moved since the last time, where there are any."""
         poses = self._link.things()
         moved = {
-            str(index): [round(value, _DIGITS) for value in pose]
+            str(index): (
+                round(pose.x_m, _DIGITS),
+                round(pose.y_m, _DIGITS),
+                round(pose.yaw_rad, _DIGITS),
+            )
             for index, pose in poses.items()
             if not _close(pose, self._poses[index])
         }
@@ -47,7 +51,7 @@ class Surroundings:
             self._context.emit(Things(moved))
 
     def _report_ranges(self) -> None:
-        self._looked = wanted = self._control.looks
+        self._subscribed = wanted = self._control.subscriptions
         sensors = self._context.sensors
         self._context.emit(
             Ranges(

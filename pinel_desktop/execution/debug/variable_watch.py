@@ -1,12 +1,12 @@
-"""What can be seen of a program from inside: its variables, the functions that run, the gesture result."""
+"""Reports of the variables, the function calls and the gesture result of a run."""
 
 from typing import Any
 
 from pinel_desktop.events.model import Watch
 from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.execution.context import RunContext
+from pinel_desktop.execution.expressions.values import Value, plain
 from pinel_desktop.execution.stack import ProgramStack
-from pinel_desktop.execution.values import Value, plain
 
 _PAUSE_TICKS = TICK_HZ // 5
 _LONGEST_TEXT = 200
@@ -15,8 +15,8 @@ _MOST_LETTERS = 20_000
 _CUT = "…"
 
 
-class Watcher:
-    """Reports changes at most five times a second, and on demand; for runs that somebody watches."""
+class VariableWatch:
+    """Reports changes at most five times a second, and on demand; for runs with an observer."""
 
     def __init__(self, context: RunContext, stack: ProgramStack) -> None:
         self._context, self._stack = context, stack
@@ -27,13 +27,13 @@ class Watcher:
         context = self._context
         return context.variables.version, self._stack.n_calls, context.gesture_result
 
-    def look(self, *, now: bool = False) -> None:
+    def report(self, *, now: bool = False) -> None:
         """Reports what has changed since the last time, when it is time or `now`."""
         context = self._context
         if (context.tick < self._due and not now) or (state := self._state()) == self._seen:
             return
         self._seen, self._due = state, context.tick + _PAUSE_TICKS
-        calls = [dict(call) for call in self._stack.calls]
+        calls = [call.copy() for call in self._stack.calls]
         context.emit(Watch(_cut(context.variables.visible()), calls, context.gesture_result))
 
 

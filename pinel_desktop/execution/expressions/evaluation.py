@@ -2,33 +2,32 @@
 
 An expression is compiled once a run. Short ones without calls become one function, which computes the value at once.
 Calls may contain motion, and an expression may be a megabyte long: those become generators, which ask the stack to
-run a function, or take a breath. What was evaluated is counted in `RunContext.n_evaluated` and is work like commands.
+run a function, or yield `Preempt`. What was evaluated is counted in `n_evaluated` and is work like commands.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Generator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
+from pinel_desktop.execution.expressions.operators import Compute, comparison, computations
+from pinel_desktop.execution.expressions.parameters import Bounds
+from pinel_desktop.execution.expressions.requests import (
+    Evaluation,
+    EvaluationContext,
+    Invoke,
+    Preempt,
+)
+from pinel_desktop.execution.expressions.sensing import cost, reader
+from pinel_desktop.execution.expressions.values import Value, literal
 from pinel_desktop.execution.failure import RunFailureError
-from pinel_desktop.execution.operators import Compute, comparison, computations
-from pinel_desktop.execution.parameters import Bounds
-from pinel_desktop.execution.requests import Asked, Breath, Invoke
-from pinel_desktop.execution.sensing import distance, lidar, measures, sonar
-from pinel_desktop.execution.values import Value, literal
 from pinel_desktop.program.expressions import (
-    Distance,
+    READINGS,
     FunctionCall,
     GestureResult,
-    Lidar,
-    Measure,
     Operation,
-    Sonar,
+    Reading,
     Variable,
 )
-
-if TYPE_CHECKING:
-    from pinel_desktop.execution.context import RunContext
+from pinel_desktop.program.sensors import SENSORS
 
 Simple = Callable[[], Value]
 
@@ -37,8 +36,7 @@ _LONGEST_AT_ONCE = (
 )
 _JOINED = ("and", "or")
 _COMPARISONS = ("==", "!=", "<", "<=", ">", ">=")
-# parts of an expression that take about as long: a ray of a sensor, an item of a list
-_RAY = 20
+# parts of an expression that take about as long as a list
 _MAYBE_LISTS = 10  # nobody knows beforehand how long they are
 _ITEM_WORK = {"==": 0.25, "!=": 0.25, "join": 4.0}
 
@@ -54,28 +52,24 @@ class Compiled(NamedTuple):
 
     weight: int
     simple: Simple | None
-    steps: Callable[[], Asked] | None = None
+    steps: Callable[[], Evaluation] | None = None
 
 
 class Evaluator:
     """Compiles the expressions of one run, each once."""
 
-    def __init__(self, context: RunContext) -> None:
+    def __init__(self, context: EvaluationContext) -> None:
         self._context = context
-        self._compute = computations(context.sources.random)
-        self._last_breath = 0
-        self._measures = measures(context)
+        self._compute = computations(context.random)
+        self._last_preempted = 0
         # by identity: the document is there as long as the run, and is frozen
         self._compiled: dict[int, Compiled] = {}
         self._compilers: dict[type, Callable[[Any], Compiled]] = {
             Operation: self._operation,
             Variable: self._variable,
             GestureResult: lambda _: Compiled(1, lambda: self._context.gesture_result),
-            Sonar: self._sonar,
-            Distance: self._distance,
-            Lidar: self._lidar,
-            Measure: lambda node: Compiled(2, self._measures[node.sensor]),
             FunctionCall: self._call,
+            **dict.fromkeys(READINGS.values(), self._sensor),
         }
 
     def compiled(self, expression: Any) -> Compiled:
@@ -88,11 +82,11 @@ class Evaluator:
             found = self._compiled[id(expression)] = compiler(expression)
         return found
 
-    def value(self, expression: Any) -> Asked:
+    def value(self, expression: Any) -> Evaluation:
         """Evaluates an expression: `value = yield from evaluator.value(expression)`. Raises RunFailureError."""
         return self.evaluated(self.compiled(expression))
 
-    def truth(self, condition: Any) -> Asked:
+    def truth(self, condition: Any) -> Evaluation:
         """Evaluates a condition. Raises RunFailureError, also `condition_not_boolean`."""
         value = yield from self.evaluated(self.compiled(condition))
         if not isinstance(value, bool):
@@ -101,24 +95,24 @@ class Evaluator:
 
     def arguments(
         self, arguments: Mapping[str, Any]
-    ) -> Generator[Invoke | Breath, Value | None, dict[str, Value]]:
+    ) -> Generator[Invoke | Preempt, Value | None, dict[str, Value]]:
         """Evaluates the arguments of a call, in their order."""
         values: dict[str, Value] = {}
         for name, argument in arguments.items():
             values[name] = self._own((yield from self.evaluated(self.compiled(argument))))
         return values
 
-    def evaluated(self, part: Compiled) -> Asked:
-        """Evaluates a compiled expression, and takes a breath after much work."""
+    def evaluated(self, part: Compiled) -> Evaluation:
+        """Evaluates a compiled expression, and preempts after much work."""
         if part.steps is not None:
             return (yield from part.steps())
         assert part.simple is not None
         value = part.simple()
         context = self._context
         context.n_evaluated += part.weight
-        if context.n_evaluated > self._last_breath + _LONGEST_AT_ONCE:
-            self._last_breath = context.n_evaluated
-            yield Breath.TAKEN
+        if context.n_evaluated > self._last_preempted + _LONGEST_AT_ONCE:
+            self._last_preempted = context.n_evaluated
+            yield Preempt.TAKEN
         return value
 
     def _own(self, value: Value) -> Value:
@@ -171,16 +165,16 @@ class Evaluator:
 
         return counted
 
-    def _in_steps(self, op: str, compute: Compute, args: Sequence[Any]) -> Callable[[], Asked]:
+    def _in_steps(self, op: str, compute: Compute, args: Sequence[Any]) -> Callable[[], Evaluation]:
         """The long way; arguments are compiled when they are met, as compiling them is work too."""
 
-        def steps() -> Asked:
+        def steps() -> Evaluation:
             values: list[Value] = []
             for arg in args:
                 values.append(self._own((yield from self.value(arg))))
             return compute(*values)
 
-        def short_circuit() -> Asked:
+        def short_circuit() -> Evaluation:
             ends_it = op == "or"
             for arg in args:
                 if _boolean(op, (yield from self.value(arg))) is ends_it:
@@ -189,28 +183,28 @@ class Evaluator:
 
         return short_circuit if op in _JOINED else steps
 
-    def _sonar(self, node: Sonar) -> Compiled:
-        context, bounds = self._context, Bounds.of("sonar", "index")
-        return self._measured(lambda value: sonar(context, bounds.checked(value)), node.index)
+    def _sensor(self, node: Reading) -> Compiled:
+        name = node.sensor
+        read, argument = reader(self._context, name), SENSORS[name].argument
+        if argument is None:
+            return Compiled(cost(self._context, name, None), read)
+        asked = getattr(node, argument.name)
+        weight = cost(self._context, name, asked)
+        if argument.choices:
+            return Compiled(weight, lambda: read(asked))
+        bounds = Bounds.of(name, argument.name)
+        return self._measured(lambda value: read(bounds.checked(value)), asked, weight)
 
-    def _lidar(self, node: Lidar) -> Compiled:
-        context, bounds = self._context, Bounds.of("lidar", "angle")
-        return self._measured(lambda value: lidar(context, bounds.checked(value)), node.angle)
-
-    def _measured(self, measure: Compute, parameter: Any) -> Compiled:
-        """What a sensor with a parameter measures."""
-        weight, simple, _ = self.compiled(parameter)
+    def _measured(self, measure: Compute, asked: Any, cost_of_reading: int) -> Compiled:
+        """What a sensor measures that is asked a number."""
+        weight, simple, _ = self.compiled(asked)
+        weight += cost_of_reading
         if simple is None:
-            return Compiled(weight + _RAY, None, self._in_steps("", measure, [parameter]))
-        return Compiled(weight + _RAY, _applied(measure, [simple]))
-
-    def _distance(self, node: Distance) -> Compiled:
-        context, direction = self._context, node.direction
-        n_rays = len(context.robot.distance_sonars[direction])
-        return Compiled(n_rays * _RAY, lambda: distance(context, direction))
+            return Compiled(weight, None, self._in_steps("", measure, [asked]))
+        return Compiled(weight, _applied(measure, [simple]))
 
     def _call(self, node: FunctionCall) -> Compiled:
-        def steps() -> Asked:
+        def steps() -> Evaluation:
             values = yield from self.arguments(node.arguments)
             result = yield Invoke(node.call, values)
             if result is None:

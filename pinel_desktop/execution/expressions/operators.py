@@ -9,8 +9,8 @@ from operator import add, ge, gt, le, lt, mul, sub
 from random import Random
 from typing import Any
 
+from pinel_desktop.execution.expressions.values import Value, folded, join, same
 from pinel_desktop.execution.failure import RunFailureError
-from pinel_desktop.execution.values import Value, folded, join, same
 
 # takes the values of the arguments
 Compute = Callable[..., Value]

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
+from pinel_desktop.execution.expressions.values import Value
 from pinel_desktop.execution.failure import RunFailureError
-from pinel_desktop.execution.values import Value
 from pinel_desktop.program.expressions import Takes
-from pinel_desktop.program.plans import TAKES
+from pinel_desktop.program.signatures import TAKES, range_code
 
 # attributes of models that are called otherwise in the document
 _KEYS = {"from_": "from"}
@@ -41,14 +41,8 @@ class Bounds:
             or (takes.le is not None and value > takes.le)
         ):
             low = takes.ge if takes.gt is None else takes.gt
-            raise RunFailureError(self._code(), value=value, min=low, max=takes.le)
+            raise RunFailureError(range_code(self.name, takes), value=value, min=low, max=takes.le)
         return value
-
-    def _code(self) -> str:
-        """The code of the reading fault for a value outside."""
-        if self.takes.le is None:
-            return f"{self.name}_not_positive"
-        return "sonar_out_of_range" if self.name == "index" else f"{self.name}_out_of_range"
 
     def text(self, value: Value) -> str:
         """The value, if it is a text. Raises RunFailureError `wrong_type_text`."""

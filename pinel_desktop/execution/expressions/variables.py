@@ -2,9 +2,9 @@
 
 from typing import Any
 
+from pinel_desktop.execution.expressions.values import Value, plain, size
 from pinel_desktop.execution.failure import RunFailureError
 from pinel_desktop.execution.limits import MAX_MEMORY
-from pinel_desktop.execution.values import Value, plain, size
 from pinel_desktop.program.limits import MAX_LIST, MAX_VARIABLES
 
 Names = dict[str, Value]

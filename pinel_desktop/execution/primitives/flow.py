@@ -33,7 +33,7 @@ def wait(context: RunContext, _command: Wait, seconds: float) -> Routine:
 
 @timed("wait_until", "timeout")
 def wait_until(context: RunContext, command: WaitUntil, timeout: float | None) -> Routine:
-    """Looks once a tick; the first time at once."""
+    """Evaluates the condition once a tick, the first time at once."""
     first = context.tick
     ticks = math.inf if timeout is None else max(1, round(timeout * TICK_HZ))
     while not (yield from context.evaluator.truth(command.condition)):

@@ -1,9 +1,9 @@
 """Calling functions, returning from them."""
 
 from pinel_desktop.execution.context import RunContext
+from pinel_desktop.execution.expressions.values import Value
 from pinel_desktop.execution.primitives.base import flow, instant
 from pinel_desktop.execution.requests import Invoke, Returned, Routine
-from pinel_desktop.execution.values import Value
 from pinel_desktop.program.model import Call, Return
 
 

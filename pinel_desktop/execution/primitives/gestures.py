@@ -1,9 +1,9 @@
 """Capturing a gesture, setting its result."""
 
 from pinel_desktop.events.model import CaptureStarted, GestureResult
-from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.execution.context import RunContext
 from pinel_desktop.execution.primitives.base import instant, timed
+from pinel_desktop.execution.primitives.waiting import wait_for_input
 from pinel_desktop.execution.requests import Routine
 from pinel_desktop.program.model import ClassifyGestures, SetGestureResult
 
@@ -11,21 +11,11 @@ from pinel_desktop.program.model import ClassifyGestures, SetGestureResult
 @timed("classify_gestures", "timeout")
 def classify_gestures(context: RunContext, command: ClassifyGestures, timeout: float) -> Routine:
     """Waits for a result; "" after the timeout."""
-    gestures = context.sources.gestures
-    gestures.begin()  # before anybody hears of it: an answer may come at once
-    context.emit(CaptureStarted(command.block, timeout))
-    try:
-        for _ in range(max(1, round(timeout * TICK_HZ))):
-            yield None
-            result = gestures.poll()
-            if result is not None:
-                break
-        else:
-            result = ""
-    finally:
-        gestures.cancel()
-    context.gesture_result = result
-    context.emit(GestureResult(result, "capture"))
+    announcement = CaptureStarted(command.block, timeout)
+    source = context.sources.gestures
+    result = yield from wait_for_input(context, source, announcement, timeout_s=timeout)
+    context.gesture_result = result or ""
+    context.emit(GestureResult(context.gesture_result, "capture"))
     return None
 
 

@@ -2,9 +2,10 @@
 
 from pinel_desktop.events.model import Answered, Asked
 from pinel_desktop.execution.context import RunContext, RunFailureError
+from pinel_desktop.execution.expressions.values import Value, from_answer, plain, shown
 from pinel_desktop.execution.primitives.base import instant, timed
+from pinel_desktop.execution.primitives.waiting import wait_for_input
 from pinel_desktop.execution.requests import Routine
-from pinel_desktop.execution.values import Value, from_answer, plain, shown
 from pinel_desktop.program.limits import MAX_TEXT
 from pinel_desktop.program.model import Ask, Beep, Say
 
@@ -23,16 +24,10 @@ def beep(context: RunContext, command: Beep) -> None:
 def ask(context: RunContext, command: Ask, question: str) -> Routine:
     """Waits until somebody answers."""
     context.output.question()
-    answers = context.sources.answers
-    answers.begin(question)  # before anybody hears of it: an answer may come at once
-    context.emit(Asked(command.block, question, command.variable))
-    try:
-        answer = None
-        while answer is None:
-            yield None
-            answer = answers.poll()
-    finally:
-        answers.cancel()
+    announcement = Asked(command.block, question, command.variable)
+    source = context.sources.answers
+    answer = yield from wait_for_input(context, source, announcement, question=question)
+    assert answer is not None  # there is no timeout
     if len(answer) > MAX_TEXT:
         raise RunFailureError("text_too_long", name=command.variable, max=MAX_TEXT)
     value = from_answer(answer)

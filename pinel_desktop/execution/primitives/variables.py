@@ -3,8 +3,8 @@
 import math
 
 from pinel_desktop.execution.context import RunContext, RunFailureError
+from pinel_desktop.execution.expressions.values import Value
 from pinel_desktop.execution.primitives.base import instant
-from pinel_desktop.execution.values import Value
 from pinel_desktop.program.model import Append, ChangeVariable, SetVariable
 
 

@@ -1,11 +1,18 @@
 """How each command and expression is spelled in Python: one form per construct, read and written from here.
 
-docs/python-text.md is this table for people; a test holds the two together.
+The forms of commands and sensors are derived from their models and rows. docs/python-text.md is this table for people.
 """
 
 import keyword
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
+
+from pinel_desktop.program.base import defaults
+from pinel_desktop.program.model import COMMANDS as COMMAND_MODELS
+from pinel_desktop.program.model import AnyCommand, action_of, parameters_of
+from pinel_desktop.program.operators import OPERATORS
+from pinel_desktop.program.sensors import SENSORS, Argument
+from pinel_desktop.program.signatures import choices_of, takes_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -16,7 +23,9 @@ class Parameter:
         keyword: written with its name, as in `timeout=5`.
         optional: may be left out.
         default: value with which it is not written.
+        written_as: what is written for one that a document leaves out.
         literal: must be written out, as a text or as True or False, and is no expression.
+        stands_in: what a reader takes where it cannot read a literal, so that the rest can be checked.
         metres: a plain number is written with its decimal point, as in `1.0`.
     """
 
@@ -24,7 +33,9 @@ class Parameter:
     keyword: bool = False
     optional: bool = False
     default: object = None
+    written_as: object = None
     literal: Literal["text", "boolean"] | None = None
+    stands_in: object = None
     metres: bool = False
 
 
@@ -36,77 +47,55 @@ class Form:
     parameters: tuple[Parameter, ...] = ()
 
 
-_DISTANCE = (Parameter("distance", metres=True),)
-COMMANDS: dict[str, Form] = {
-    "move_forward": Form("robot.move_forward(1.0)", _DISTANCE),
-    "move_backward": Form("robot.move_backward(1.0)", _DISTANCE),
-    "turn": Form("robot.turn(90)", (Parameter("angle"),)),
-    "stop": Form("robot.stop()"),
-    "drive": Form("robot.drive(0.2, 30)", (Parameter("linear", metres=True), Parameter("angular"))),
-    "arc": Form("robot.arc(1.0, 90)", (Parameter("radius", metres=True), Parameter("angle"))),
-    "set_speed": Form(
-        "robot.set_speed(linear=0.3, angular=45)",
-        (
-            Parameter("linear", keyword=True, optional=True, metres=True),
-            Parameter("angular", keyword=True, optional=True),
-        ),
-    ),
-    "go_to": Form(
-        "robot.go_to(2.0, 1.0, avoid=True)",
-        (
-            Parameter("x", metres=True),
-            Parameter("y", metres=True),
-            Parameter("avoid", keyword=True, optional=True, default=False, literal="boolean"),
-        ),
-    ),
-    "wait": Form("robot.wait(2)", (Parameter("seconds"),)),
-    "wait_until": Form(
-        "robot.wait_until(robot.bumper, timeout=5)",
-        (Parameter("condition"), Parameter("timeout", keyword=True, optional=True)),
-    ),
-    "pen": Form(
-        'robot.pen(down=True, color="red")',
-        (
-            Parameter("down", keyword=True, literal="boolean"),
-            Parameter("color", keyword=True, optional=True, literal="text"),
-        ),
-    ),
-    "mark": Form('robot.mark("X")', (Parameter("symbol", literal="text"),)),
-    "say": Form('robot.say("Hello")', (Parameter("text"),)),
-    "beep": Form("robot.beep()"),
-    "classify_gestures": Form(
-        "robot.classify_gestures(timeout=10)",
-        (Parameter("timeout", keyword=True, optional=True),),
-    ),
-    "set_gesture_result": Form('robot.set_gesture_result("B")', (Parameter("result"),)),
-}
-ASK = Form('name = robot.ask("What is your name?")', (Parameter("question"),))
+_METRES = ("m", "m/s")
 
-# sensors that are calls, with the parameter they have; the others are `robot.NAME`
-SENSOR_CALLS: dict[str, Form] = {
-    "sonar": Form("robot.sonar(0)", (Parameter("index"),)),
-    "distance": Form('robot.distance("front")', (Parameter("direction", literal="text"),)),
-    "lidar": Form("robot.lidar(0)", (Parameter("angle"),)),
+
+def _parameter(name: str, annotation: Any, defaults: dict[str, Any]) -> Parameter:
+    """How a field of a command's model is written: what may be left out, and True and False, with their names."""
+    optional, default = name in defaults, defaults.get(name)
+    choices = choices_of(annotation)
+    is_boolean = annotation is bool
+    takes = takes_of(annotation)
+    return Parameter(
+        name,
+        keyword=optional or is_boolean,
+        optional=optional,
+        default=default if is_boolean else None,
+        written_as=None if is_boolean else default,
+        literal="boolean" if is_boolean else "text" if choices else None,
+        stands_in=None if optional else is_boolean or next(iter(choices), None),
+        metres=takes is not None and takes.unit in _METRES,
+    )
+
+
+def _form(model: type[AnyCommand]) -> Form:
+    without = defaults(model)
+    return Form(
+        model.python,
+        tuple(_parameter(name, kind, without) for name, kind in parameters_of(model).items()),
+    )
+
+
+_FORMS = {action_of(model): _form(model) for model in COMMAND_MODELS}
+# commands that are written as `robot.NAME(...)`
+COMMANDS = {action: form for action, form in _FORMS.items() if form.example.startswith("robot.")}
+ASK = Form(_FORMS["ask"].example, _FORMS["ask"].parameters[:1])
+
+
+def _sensor_form(name: str, argument: Argument) -> Form:
+    literal: Literal["text"] | None = "text" if argument.choices else None
+    start = f'"{argument.start}"' if argument.choices else argument.start
+    return Form(f"robot.{name}({start})", (Parameter(argument.name, literal=literal),))
+
+
+# sensors that are calls; the others are `robot.NAME`
+SENSOR_CALLS = {
+    name: _sensor_form(name, sensor.argument)
+    for name, sensor in SENSORS.items()
+    if sensor.argument is not None
 }
-MEASURES = ("x", "y", "heading", "bumper", "time", "floor", "cell")
+MEASURES = tuple(name for name in SENSORS if name not in SENSOR_CALLS)
 GESTURE_RESULT = "gesture_result"
-
-FUNCTIONS = (
-    "min",
-    "max",
-    "abs",
-    "round",
-    "sqrt",
-    "sin",
-    "cos",
-    "tan",
-    "random_int",
-    "join",
-    "length",
-    "item",
-)
-# names that mean something here already
-RESERVED = frozenset(keyword.kwlist) | {"robot", "range", "steps"} | frozenset(FUNCTIONS)
 
 # how tightly operators bind, from the loosest
 OR, AND, NOT, COMPARISON, SUM, PRODUCT, SIGN, POWER, ATOM = range(9)
@@ -119,6 +108,11 @@ PRECEDENCE: dict[str, int] = {
     **dict.fromkeys(("*", "/", "%"), PRODUCT),
     "**": POWER,
 }
+
+# operators that are written as calls, such as `min(1, x)`
+FUNCTIONS = tuple(name for name in OPERATORS if name.isidentifier() and name not in PRECEDENCE)
+# names that mean something here already
+RESERVED = frozenset(keyword.kwlist) | {"robot", "range", "steps"} | frozenset(FUNCTIONS)
 
 # what pupils know from other Python, and how it is said here
 INSTEAD = {

@@ -25,8 +25,6 @@ _CHANGES: dict[type[ast.operator], str] = {
     ast.Mod: "%",
     ast.Pow: "**",
 }
-# what stands in the place of a parameter that cannot be read
-_STANDS_IN: dict[str, Any] = {"down": True, "symbol": "X"}
 
 
 @dataclass(slots=True)
@@ -254,7 +252,7 @@ class Statements:
                 continue
             if parameter.literal is not None:
                 value = self._expressions.literal(node, parameter, place)
-                value = _STANDS_IN.get(parameter.name) if value is None else value
+                value = parameter.stands_in if value is None else value
             elif parameter.name == "condition":
                 value = self.condition(node, place)
             else:

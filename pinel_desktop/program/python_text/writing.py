@@ -132,8 +132,7 @@ class _Writer:
 
     def _argument(self, command: Mapping[str, Any], parameter: Parameter) -> str:
         value = command.get(parameter.name)
-        if command["action"] == "classify_gestures" and value is None:
-            value = 10
+        value = parameter.written_as if value is None else value
         if value is None or value is parameter.default:
             return ""
         if parameter.name == "condition":

@@ -1,7 +1,6 @@
 """The JSON Schema of the program document, made from the models.
 
-`python -m pinel_desktop.program.schema > pinel_desktop/program/schema.json` writes the published file; a test holds
-it current. What no schema can say (types of expressions, calls, jumps, depth) is in docs/program-document.md.
+What no schema can say (types of expressions, calls, jumps, depth) is in docs/program-document.md.
 """
 
 import json
@@ -21,7 +20,3 @@ def schema() -> dict[str, Any]:
 def schema_text() -> str:
     """The schema as text, the same for the same models."""
     return json.dumps(schema(), indent=2, sort_keys=True, ensure_ascii=False) + "\n"
-
-
-if __name__ == "__main__":
-    print(schema_text(), end="")

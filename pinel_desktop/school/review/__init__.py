@@ -1,8 +1,14 @@
 """How a group thought: what changed between two versions, what happened in a lesson. PURE: no IO, thread or clock."""
 
-from pinel_desktop.review.blocks import BlocksInUse, blocks_in_use
-from pinel_desktop.review.difference import Change, ChangedBlock, Counts, Difference, difference
-from pinel_desktop.review.lesson import (
+from pinel_desktop.school.review.blocks import BlocksInUse, blocks_in_use
+from pinel_desktop.school.review.difference import (
+    Change,
+    ChangedBlock,
+    Counts,
+    Difference,
+    difference,
+)
+from pinel_desktop.school.review.lesson import (
     Figures,
     GroupReview,
     LessonReview,
@@ -10,9 +16,9 @@ from pinel_desktop.review.lesson import (
     review_lesson,
     versions_needed,
 )
-from pinel_desktop.review.marks import Mark
-from pinel_desktop.review.records import Edit, GroupWork, Run
-from pinel_desktop.review.spreadsheet import spreadsheet
+from pinel_desktop.school.review.marks import Mark
+from pinel_desktop.school.review.records import Edit, GroupWork, Run
+from pinel_desktop.school.review.spreadsheet import spreadsheet
 
 __all__ = [
     "BlocksInUse",

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from pinel_desktop.review.blocks import START, Block, Sheet, Socket, read_sheet
+from pinel_desktop.school.review.blocks import START, Block, Sheet, Socket, read_sheet
 
 # more than any workspace has blocks: the stack of one start is the same stack, whatever hangs below it now
 _OF_A_ROOT = 10**9

@@ -1,6 +1,6 @@
 """A lesson as its groups went through it. The numbers say what they count; nothing here compares pupils.
 
-The words in which a page says what each number counts are in `messages/catalogue/review.json`, `figure_NAME`.
+The words in which a page says what each number counts are in `messages/catalogue/LANGUAGE/review.json`, `figure_NAME`.
 """
 
 import re
@@ -10,11 +10,11 @@ from dataclasses import dataclass
 from itertools import pairwise
 from unicodedata import combining, normalize
 
-from pinel_desktop.review.blocks import BlocksInUse, Sheet, blocks_of_sheet, read_sheet
-from pinel_desktop.review.clock import AWAY_S, PAUSE_S, seconds_of
-from pinel_desktop.review.marks import NOTHING, Mark, marks_of, with_changes
-from pinel_desktop.review.order import lines_of
-from pinel_desktop.review.records import Edit, Event, GroupWork, Run
+from pinel_desktop.school.review.blocks import BlocksInUse, Sheet, blocks_of_sheet, read_sheet
+from pinel_desktop.school.review.clock import AWAY_S, PAUSE_S, seconds_of
+from pinel_desktop.school.review.marks import NOTHING, Mark, marks_of, with_changes
+from pinel_desktop.school.review.order import lines_of
+from pinel_desktop.school.review.records import Edit, Event, GroupWork, Run
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,11 +3,11 @@
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from pinel_desktop.review.blocks import Sheet
-from pinel_desktop.review.clock import PAUSE_S, seconds_of
-from pinel_desktop.review.difference import Counts, difference_of_sheets
-from pinel_desktop.review.order import lines_of
-from pinel_desktop.review.records import Edit, Event, GroupWork, Run
+from pinel_desktop.school.review.blocks import Sheet
+from pinel_desktop.school.review.clock import PAUSE_S, seconds_of
+from pinel_desktop.school.review.difference import Counts, difference_of_sheets
+from pinel_desktop.school.review.order import lines_of
+from pinel_desktop.school.review.records import Edit, Event, GroupWork, Run
 
 # in place of a version: the program began with this burst
 NOTHING = ""

@@ -8,7 +8,7 @@ from collections import defaultdict
 from collections.abc import Iterable
 from itertools import chain
 
-from pinel_desktop.review.records import Edit, Event, GroupWork, Run, key_of
+from pinel_desktop.school.review.records import Edit, Event, GroupWork, Run, key_of
 
 _Rank = tuple[str, int, bool, str]
 

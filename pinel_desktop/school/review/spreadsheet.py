@@ -4,6 +4,8 @@ import csv
 import io
 from collections.abc import Iterable, Sequence
 
+from pinel_desktop.messages import decimal_sign
+
 # spreadsheets read a file without this as if it were written in another century's letters
 _BYTE_ORDER_MARK = "\ufeff"
 # what a spreadsheet takes for a formula, which a pupil may have written into a name; some take wide signs too
@@ -13,15 +15,15 @@ Cell = str | int | float | bool | None
 
 
 def spreadsheet(header: Sequence[str], rows: Iterable[Sequence[Cell]], language: str) -> str:
-    """CSV with semicolons and decimal commas in Portuguese and Spanish, commas and points in English.
+    """CSV with semicolons where the language writes decimal commas, as in Portuguese, and commas elsewhere.
 
     Texts that a spreadsheet would take for a formula are written with an apostrophe before them, and stay texts.
     """
-    english = language == "en"
+    point = decimal_sign(language)
     text = io.StringIO()
-    writer = csv.writer(text, delimiter="," if english else ";", lineterminator="\r\n")
+    writer = csv.writer(text, delimiter=";" if point == "," else ",", lineterminator="\r\n")
     writer.writerow([_text(title) for title in header])
-    writer.writerows([_cell(cell, "." if english else ",") for cell in row] for row in rows)
+    writer.writerows([_cell(cell, point) for cell in row] for row in rows)
     return _BYTE_ORDER_MARK + text.getvalue()
 
 

@@ -9,8 +9,19 @@ from flask_openapi3.types import ParametersTuple, ResponseDict
 from pydantic import BaseModel
 
 from pinel_desktop.web.models.errors import ErrorAnswer
+from pinel_desktop.web.responses import status_of
 
 _EVERYWHERE = (400, 401, 403, 421, 422, 500)
+_ERROR = {"application/json": {"schema": {"$ref": "#/components/schemas/ErrorAnswer"}}}
+
+TEACHER = ("teacher_only", "pin_missing")
+"""Codes of a route that only the teacher may call; its handler begins with `require_teacher`."""
+WRITES = ("database_locked", "database_read_only", "disk_full")
+"""Codes of a route that writes to the database."""
+OCTETS = {
+    "content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}}
+}
+"""An answer that is a file."""
 
 
 class Resource(APIBlueprint):
@@ -54,6 +65,17 @@ def _camel_case(**operation: Any) -> str:
     return first + "".join(word.capitalize() for word in others)
 
 
-def answers(good: type[BaseModel] | dict[str, Any], *statuses: int) -> ResponseDict:
-    """Descriptions of the good answer and of the errors that this operation may answer besides the usual."""
-    return {200: good, **dict.fromkeys(statuses, ErrorAnswer)}
+def answers(good: type[BaseModel] | dict[str, Any], *codes: str) -> ResponseDict:
+    """Descriptions of the good answer, and of the errors of this route besides those of every route.
+
+    Args:
+        codes: codes of these errors; the status of each follows from its code.
+    """
+    by_status: dict[int, list[str]] = {}
+    for code in codes:
+        by_status.setdefault(status_of(code), []).append(f"`{code}`")
+    errors: ResponseDict = {
+        status: {"description": ", ".join(found), "content": _ERROR}
+        for status, found in by_status.items()
+    }
+    return {200: good, **errors}

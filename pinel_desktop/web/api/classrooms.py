@@ -3,8 +3,7 @@
 from flask import Response
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.web.answers import answer
-from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.api import TEACHER, WRITES, answers, resource
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.classes import (
     ActivityList,
@@ -18,6 +17,7 @@ from pinel_desktop.web.models.classes import (
     LessonList,
     NewLesson,
 )
+from pinel_desktop.web.responses import answer
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
 from storage import ClassroomRow, LessonRow
@@ -32,48 +32,53 @@ def list_classrooms() -> Response:
     return answer(ClassroomList(classrooms=[_classroom(row) for row in rows]))
 
 
-@api.post("/classrooms", responses=answers(Classroom, 403, 409, 503, 507))
+@api.post("/classrooms", responses=answers(Classroom, *TEACHER, "classroom_exists", *WRITES))
 def create_classroom(body: ClassroomName) -> Response:
     """Makes a class; its name must be free. For the teacher."""
     require_teacher()
     return answer(_classroom(services().store.classrooms.create(body.name)))
 
 
-@api.patch("/classrooms/<id>", responses=answers(Classroom, 403, 404, 409, 503, 507))
+@api.patch(
+    "/classrooms/<id>",
+    responses=answers(Classroom, *TEACHER, "classroom_not_found", "classroom_exists", *WRITES),
+)
 def rename_classroom(path: IdPath, body: ClassroomName) -> Response:
     """Gives a class another name. For the teacher."""
     require_teacher()
     return answer(_classroom(services().store.classrooms.rename(path.id, body.name)))
 
 
-@api.get("/classrooms/<id>/lesson", responses=answers(CurrentLesson, 404))
+@api.get("/classrooms/<id>/lesson", responses=answers(CurrentLesson, "classroom_not_found"))
 def get_current_lesson(path: IdPath) -> Response:
     """The lesson that the work of the class belongs to now, on this PC."""
     store = services().store
     row = store.lessons.current(store.classrooms.get(path.id).id)
-    return answer(CurrentLesson(lesson=None if row is None else lesson_model(row)))
+    return answer(CurrentLesson(lesson=None if row is None else _lesson(row)))
 
 
-@api.get("/classrooms/<id>/lessons", responses=answers(LessonList, 403, 404))
+@api.get("/classrooms/<id>/lessons", responses=answers(LessonList, *TEACHER, "classroom_not_found"))
 def list_lessons(path: IdPath) -> Response:
     """Lessons of the class on all PCs, newest first; those of no class with `none`. For the teacher."""
     require_teacher()
     store = services().store
     classroom_id = None if path.id == "none" else store.classrooms.get(path.id).id
     rows = store.lessons.of_classroom(classroom_id)
-    return answer(LessonList(lessons=[lesson_model(row) for row in rows]))
+    return answer(LessonList(lessons=[_lesson(row) for row in rows]))
 
 
-@api.post("/classrooms/<id>/lessons", responses=answers(Lesson, 403, 404, 503, 507))
+@api.post(
+    "/classrooms/<id>/lessons", responses=answers(Lesson, *TEACHER, "classroom_not_found", *WRITES)
+)
 def open_lesson(path: IdPath, body: NewLesson) -> Response:
     """Opens a lesson; another that is open for the class on this PC is closed. For the teacher."""
     require_teacher()
     _require_activity(body.activity)
     row = services().store.lessons.open(path.id, body.title, body.activity)
-    return answer(lesson_model(row))
+    return answer(_lesson(row))
 
 
-@api.patch("/lessons/<id>", responses=answers(Lesson, 403, 404, 503, 507))
+@api.patch("/lessons/<id>", responses=answers(Lesson, *TEACHER, "lesson_not_found", *WRITES))
 def change_lesson(path: IdPath, body: LessonChanges) -> Response:
     """Gives a lesson a title or an activity, joins it to another, or closes it. For the teacher."""
     require_teacher()
@@ -82,7 +87,7 @@ def change_lesson(path: IdPath, body: LessonChanges) -> Response:
     told = body.model_dump(exclude_none=True, exclude={"closed"})
     # "" takes it away
     row = lessons.change(path.id, {name: value or None for name, value in told.items()})
-    return answer(lesson_model(lessons.close(path.id) if body.closed else row))
+    return answer(_lesson(lessons.close(path.id) if body.closed else row))
 
 
 @api.get("/activities", responses=answers(ActivityList))
@@ -96,13 +101,12 @@ def list_activities() -> Response:
     )
 
 
-def lesson_model(row: LessonRow) -> Lesson:
-    """A lesson as it is answered."""
-    return Lesson(**{name: getattr(row, name) for name in Lesson.model_fields})
+def _lesson(row: LessonRow) -> Lesson:
+    return Lesson.of(row)
 
 
 def _classroom(row: ClassroomRow) -> Classroom:
-    return Classroom.model_validate(row, from_attributes=True)
+    return Classroom.of(row)
 
 
 def _require_activity(name: str | None) -> None:

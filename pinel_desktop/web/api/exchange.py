@@ -8,20 +8,18 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from flask import Response, request
+from flask import Response
+from flask_openapi3.models import RawModel
 
-from pinel_desktop.bundle_names import nameless
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
-from pinel_desktop.web.answers import answer, showable
-from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.api import OCTETS, TEACHER, WRITES, answers, resource
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.errors import Notice
 from pinel_desktop.web.models.exchange import (
     BroughtProgram,
     Bundle,
     BundlesToMerge,
-    Doomed,
     FileFound,
     Folder,
     FolderList,
@@ -32,36 +30,35 @@ from pinel_desktop.web.models.exchange import (
     MergeList,
     NameOfFile,
     NewBundle,
+    PendingDeletion,
     SharedFolder,
 )
+from pinel_desktop.web.responses import answer, notice, showable
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
 from storage import StoreError
 
 if TYPE_CHECKING:  # needed when files go or come, not when the page is drawn
-    from pinel_desktop.drives import FileFound as FileOnDisk
-    from pinel_desktop.drives import Folder as FolderOnDisk
-    from storage.bundles import BundleInfo
-    from storage.merging import MergeReport
+    from pinel_desktop.school.removable_drives import FileFound as FileOnDisk
+    from pinel_desktop.school.removable_drives import Folder as FolderOnDisk
+    from storage.exchange.bundle_writing import BundleInfo
+    from storage.exchange.merging import MergeReport
 
 api = resource("exchange", "Work from PC to PC.", __name__)
 
 _FOLDER = "shared_folder"
 TAKES_FILES = ("/api/programs/file",)
 LARGEST_FILE = 64 * 2**20
-_OCTETS = {
-    "content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}}
-}
 
 
-@api.get("/folders", responses=answers(FolderList, 403))
+@api.get("/folders", responses=answers(FolderList, *TEACHER))
 def list_folders() -> Response:
     """Sticks and the shared folder, each with its bundles, the newest first. For the teacher."""
     require_teacher()
     return _folders()
 
 
-@api.put("/folders/shared", responses=answers(FolderList, 403, 503, 507))
+@api.put("/folders/shared", responses=answers(FolderList, *TEACHER, "folder_missing", *WRITES))
 def choose_shared_folder(body: SharedFolder) -> Response:
     """Remembers the school's shared folder. For the teacher."""
     require_teacher()
@@ -71,20 +68,27 @@ def choose_shared_folder(body: SharedFolder) -> Response:
     return _folders()
 
 
-@api.post("/bundles", responses=answers(Bundle, 403, 404, 503, 507))
+@api.post(
+    "/bundles",
+    responses=answers(
+        Bundle, *TEACHER, "classroom_not_found", "group_not_found", "folder_missing", *WRITES
+    ),
+)
 def write_bundle(body: NewBundle) -> Response:
     """Writes all work, or that of a class or group, into a folder. For the teacher."""
     from pinel_desktop.activities import shipped_texts  # noqa: PLC0415 - see above
-    from storage.bundles import SUFFIX, Scope  # noqa: PLC0415
+    from storage.exchange.bundle_writing import SUFFIX  # noqa: PLC0415
+    from storage.exchange.scope import Scope  # noqa: PLC0415
 
     require_teacher()
     folder = Path(body.folder)
     if not _is_folder(body.folder):
         raise PinelError("folder_missing", path=body.folder)
     parts = services()
-    computer = parts.store.computers.here()
+    computer = parts.store.computers.this()
     language = parts.preferences.language
-    name = nameless(language) if body.anonymous else _file_name(computer[1])
+    nameless = describe("file_without_names", {}, language).message
+    name = nameless if body.anonymous else _file_name(computer[1])
     dest = folder / f"{name}-{datetime.now().astimezone():%Y-%m-%d}{SUFFIX}"
     scope = Scope(classroom_id=body.classroom_id, group_id=body.group_id)
     info = parts.store.exchange.export(
@@ -97,7 +101,7 @@ def write_bundle(body: NewBundle) -> Response:
     return answer(_bundle(info))
 
 
-@api.post("/bundles/merge", responses=answers(MergeList, 403))
+@api.post("/bundles/merge", responses=answers(MergeList, *TEACHER))
 def merge_bundles(body: BundlesToMerge) -> Response:
     """Brings files in; one that is refused does not keep the others out. For the teacher."""
     require_teacher()
@@ -105,22 +109,19 @@ def merge_bundles(body: BundlesToMerge) -> Response:
     return answer(MergeList(merged=merged, content_hash=services().store.exchange.content_hash()))
 
 
-@api.get("/bundles/heard", responses=answers(HeardList, 403))
+@api.get("/bundles/heard", responses=answers(HeardList, *TEACHER))
 def list_heard() -> Response:
     """PCs whose work is here, and when it came. For the teacher."""
     require_teacher()
-    heard = services().store.exchange.heard_from()
-    return answer(
-        HeardList(
-            computers=[HeardComputer.model_validate(one, from_attributes=True) for one in heard]
-        )
-    )
+    heard = services().store.exchange.known_computers()
+    return answer(HeardList(computers=[HeardComputer.of(one) for one in heard]))
 
 
-@api.get("/programs/<id>/file", responses=answers(_OCTETS, 404, 503, 507))
+@api.get("/programs/<id>/file", responses=answers(OCTETS, "program_not_found", *WRITES))
 def get_program_file(path: IdPath) -> Response:
     """A program with its group, versions and runs as a file, so that the group can go on at another PC."""
-    from storage.bundles import SUFFIX, Scope  # noqa: PLC0415 - see above
+    from storage.exchange.bundle_writing import SUFFIX  # noqa: PLC0415 - see above
+    from storage.exchange.scope import Scope  # noqa: PLC0415
 
     parts = services()
     name = _file_name(parts.store.programs.get(path.id).name)
@@ -128,7 +129,7 @@ def get_program_file(path: IdPath) -> Response:
         info = parts.store.exchange.export(
             Path(folder) / f"{name}{SUFFIX}",
             app_version=parts.app_version,
-            computer=parts.store.computers.here(),
+            computer=parts.store.computers.this(),
             scope=Scope(program_id=path.id),
             is_noted=False,
         )
@@ -136,13 +137,24 @@ def get_program_file(path: IdPath) -> Response:
     return Response(octets, mimetype="application/octet-stream")
 
 
-@api.post("/programs/file", responses=answers(BroughtProgram, 404, 413, 503, 507))
-def read_program_file(query: NameOfFile) -> Response:
+class ProgramFile(RawModel):
+    """The file of a program as the body of a request."""
+
+    mimetypes = ["application/octet-stream"]  # noqa: RUF012 - the library's name and type
+
+
+@api.post(
+    "/programs/file",
+    responses=answers(
+        BroughtProgram, "program_not_found", "body_too_large", "bundle_not_program", *WRITES
+    ),
+)
+def read_program_file(query: NameOfFile, raw: ProgramFile) -> Response:
     """Brings in a file that `GET /programs/{id}/file` gave on another PC. The body is the file."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "upload"
         with path.open("wb") as file:
-            while chunk := request.stream.read(2**20):
+            while chunk := raw.stream.read(2**20):
                 file.write(chunk)
         with _called(path, query.name or path.name):
             report, program_id = services().store.exchange.merge_program(path)
@@ -178,8 +190,8 @@ def _is_folder(path: str) -> bool:
 
 
 def _folders() -> Response:
-    from pinel_desktop.drives import folders  # noqa: PLC0415 - see above
-    from storage.bundles import SUFFIX  # noqa: PLC0415
+    from pinel_desktop.school.removable_drives import folders  # noqa: PLC0415 - see above
+    from storage.exchange.bundle_writing import SUFFIX  # noqa: PLC0415
 
     kept = services().store.settings.get(_FOLDER)
     found = folders(SUFFIX, [Path(kept)] if kept else [])
@@ -199,7 +211,7 @@ def _folder(folder: "FolderOnDisk") -> Folder:
 
 
 def _file(file: "FileOnDisk") -> FileFound:
-    from storage.bundle_reading import says_anonymous  # noqa: PLC0415 - see above
+    from storage.exchange.bundle_reading import says_anonymous  # noqa: PLC0415 - see above
 
     return FileFound(
         path=showable(str(file.path)),
@@ -230,8 +242,7 @@ def _bundle(info: "BundleInfo") -> Bundle:
 def _left_out(count: int) -> Notice | None:
     if count == 0:
         return None
-    words = describe("export_left_out", {"count": count}, services().preferences.language)
-    return Notice(code="export_left_out", message=words.message, remedy=words.remedy)
+    return notice("export_left_out", {"count": count}, services().preferences.language)
 
 
 def _merged(path: Path, *, delete: bool) -> Merged:
@@ -240,21 +251,8 @@ def _merged(path: Path, *, delete: bool) -> Merged:
         with _called(path, path.name):
             return _report(path, parts.store.exchange.merge(path, delete=delete))
     except StoreError as error:
-        words = describe(error.code, showable(error.params), parts.preferences.language)
-        return Merged(
-            path=str(path),
-            name=path.name,
-            computer=None,
-            exported_at=None,
-            added=_counts({}),
-            anonymous=False,
-            nothing_new=True,
-            held_back=None,
-            removed=None,
-            would_delete=None,
-            left_in=[],
-            problem=Notice(code=error.code, message=words.message, remedy=words.remedy),
-        )
+        problem = notice(error.code, error.params, parts.preferences.language)
+        return Merged(path=str(path), name=path.name, added=_counts({}), problem=problem)
 
 
 def _report(path: Path, report: "MergeReport") -> Merged:
@@ -268,15 +266,14 @@ def _report(path: Path, report: "MergeReport") -> Merged:
         nothing_new=not (report.added or report.changed or report.removed),
         held_back=_counts(report.skipped) if report.skipped else None,
         removed=_counts(report.removed) if report.removed else None,
-        would_delete=_doomed(report),
+        would_delete=_pending_deletion(report),
         left_in=[showable(path) for path in report.left_in],
-        problem=None,
     )
 
 
-def _doomed(report: "MergeReport") -> Doomed | None:
-    doomed = report.would_delete
-    return None if doomed is None else Doomed.model_validate(doomed, from_attributes=True)
+def _pending_deletion(report: "MergeReport") -> PendingDeletion | None:
+    wanted = report.would_delete
+    return None if wanted is None else PendingDeletion.of(wanted)
 
 
 def _counts(rows: dict[str, int]) -> MergedCounts:

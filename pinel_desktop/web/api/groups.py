@@ -2,10 +2,10 @@
 
 from flask import Response
 
-from pinel_desktop.web.answers import answer
-from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.api import TEACHER, WRITES, answers, resource
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.work import Group, GroupChanges, GroupList, NewGroup
+from pinel_desktop.web.responses import answer
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import is_teacher, require_teacher
 
@@ -16,24 +16,27 @@ api = resource("groups", "Groups of pupils.", __name__)
 def list_groups() -> Response:
     """All groups, newest use first."""
     rows = services().store.groups.all()
-    return answer(
-        GroupList(groups=[Group.model_validate(row, from_attributes=True) for row in rows])
-    )
+    return answer(GroupList(groups=[Group.of(row) for row in rows]))
 
 
-@api.post("/groups", responses=answers(Group, 404, 409, 503, 507))
+@api.post("/groups", responses=answers(Group, "classroom_not_found", "group_exists", *WRITES))
 def create_group(body: NewGroup) -> Response:
-    """Makes a group; its name must be free in its class."""
+    """Makes a group; its name must be free in its class, whatever the case and the spaces."""
     groups = services().store.groups
     row = groups.create(body.name, classroom_id=body.classroom_id, picture=body.picture)
-    return answer(Group.model_validate(row, from_attributes=True))
+    return answer(Group.of(row))
 
 
-@api.patch("/groups/<id>", responses=answers(Group, 403, 404, 409, 503, 507))
+@api.patch(
+    "/groups/<id>",
+    responses=answers(
+        Group, *TEACHER, "group_not_found", "classroom_not_found", "group_exists", *WRITES
+    ),
+)
 def change_group(path: IdPath, body: GroupChanges) -> Response:
-    """Gives a group another name, colour, picture or class."""
+    """Gives a group another name, colour, picture or class; another class is for the teacher."""
     changes = body.model_dump(exclude_none=True)
     if "classroom_id" in changes:
         require_teacher()
     row = services().store.groups.change(path.id, changes, by_teacher=is_teacher())
-    return answer(Group.model_validate(row, from_attributes=True))
+    return answer(Group.of(row))

@@ -4,11 +4,10 @@ from datetime import UTC, date, datetime, time, timedelta
 
 from flask import Response
 
-from pinel_desktop.web.answers import answer
-from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.api import TEACHER, answers, resource
 from pinel_desktop.web.api.runs import run_model
 from pinel_desktop.web.models.review import GroupHead, History, HistoryPage, HistoryRun
-from pinel_desktop.web.models.runs import Run
+from pinel_desktop.web.responses import answer
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
 from storage import HistoryLine, RunFilter
@@ -19,7 +18,7 @@ api = resource("history", "Runs of all groups.", __name__)
 _FIRST_YEAR, _LAST_YEAR = 1971, 2200
 
 
-@api.get("/runs", responses=answers(History, 403))
+@api.get("/runs", responses=answers(History, *TEACHER))
 def list_history(query: HistoryPage) -> Response:
     """Runs of all groups, newest first, a page at a time. For the teacher."""
     require_teacher()
@@ -51,8 +50,5 @@ def _bounds(day: date) -> tuple[str, str]:
 
 
 def _model(line: HistoryLine) -> HistoryRun:
-    run = run_model(line.run)
-    return HistoryRun(
-        **{name: getattr(run, name) for name in Run.model_fields},
-        group=None if line.group is None else GroupHead(**line.group._asdict()),
-    )
+    group = None if line.group is None else GroupHead.of(line.group)
+    return HistoryRun.of(run_model(line.run), group=group)

@@ -2,10 +2,10 @@
 
 from flask import Response
 
-from pinel_desktop.web.answers import answer
-from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.api import TEACHER, WRITES, answers, resource
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.classes import Note, NoteList, NotePage, NoteText
+from pinel_desktop.web.responses import answer
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
 from storage import NoteRow
@@ -13,38 +13,38 @@ from storage import NoteRow
 api = resource("notes", "Notes of the teacher about runs.", __name__)
 
 
-@api.get("/groups/<id>/notes", responses=answers(NoteList, 404))
+@api.get("/groups/<id>/notes", responses=answers(NoteList, "group_not_found"))
 def list_notes(path: IdPath, query: NotePage) -> Response:
     """Notes about runs of a group, newest first."""
     store = services().store
     return _list(store.notes.of_group(store.groups.get(path.id).id, unseen=query.unseen))
 
 
-@api.get("/runs/<id>/notes", responses=answers(NoteList, 404))
+@api.get("/runs/<id>/notes", responses=answers(NoteList, "run_not_found"))
 def list_notes_of_run(path: IdPath) -> Response:
     """Notes about a run, oldest first."""
     store = services().store
     return _list(store.notes.of_run(store.runs.get(path.id).id))
 
 
-@api.post("/runs/<id>/notes", responses=answers(Note, 403, 404, 503, 507))
+@api.post("/runs/<id>/notes", responses=answers(Note, *TEACHER, "run_not_found", *WRITES))
 def write_note(path: IdPath, body: NoteText) -> Response:
     """Writes a note; its group sees it next time. For the teacher."""
     require_teacher()
     return answer(_note(services().store.notes.write(path.id, body.text)))
 
 
-@api.patch("/notes/<id>", responses=answers(Note, 403, 404, 503, 507))
+@api.patch("/notes/<id>", responses=answers(Note, *TEACHER, "note_not_found", *WRITES))
 def rewrite_note(path: IdPath, body: NoteText) -> Response:
     """Writes another text, which is new to the group again. For the teacher."""
     require_teacher()
     return answer(_note(services().store.notes.rewrite(path.id, body.text)))
 
 
-@api.post("/notes/<id>/seen", responses=answers(Note, 404, 503, 507))
+@api.post("/notes/<id>/seen", responses=answers(Note, "note_not_found", *WRITES))
 def see_note(path: IdPath) -> Response:
     """The group has read it."""
-    return answer(_note(services().store.notes.see(path.id)))
+    return answer(_note(services().store.notes.mark_seen(path.id)))
 
 
 def _list(rows: list[NoteRow]) -> Response:
@@ -52,4 +52,4 @@ def _list(rows: list[NoteRow]) -> Response:
 
 
 def _note(row: NoteRow) -> Note:
-    return Note.model_validate(row, from_attributes=True)
+    return Note.of(row)

@@ -3,9 +3,9 @@
 from flask import Response
 from pydantic import ValidationError
 
+from pinel_desktop.events.app_events import ProgramChanged
 from pinel_desktop.program.faults import Fault
-from pinel_desktop.web.answers import MAX_FAULTS, answer, faults_in_words, showable
-from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.api import WRITES, answers, resource
 from pinel_desktop.web.api.worlds import sound_world
 from pinel_desktop.web.models import Empty, IdPath, Json
 from pinel_desktop.web.models.work import (
@@ -24,6 +24,7 @@ from pinel_desktop.web.models.work import (
     VersionPage,
 )
 from pinel_desktop.web.models.worlds import World
+from pinel_desktop.web.responses import MAX_FAULTS, answer, faults_in_words, showable
 from pinel_desktop.web.services import Services, services
 from storage import FaultRow, ProgramRow, VersionRow
 from storage import VersionMark as MarkRow
@@ -31,56 +32,62 @@ from storage import VersionMark as MarkRow
 api = resource("programs", "Programs, their versions, and checking documents.", __name__)
 
 
-@api.get("/groups/<id>/programs", responses=answers(ProgramList, 404))
+@api.get("/groups/<id>/programs", responses=answers(ProgramList, "group_not_found"))
 def list_programs(path: IdPath) -> Response:
     """Programs of a group, newest first."""
     return _programs(services().store.programs.of_group(path.id))
 
 
 def _mark(row: MarkRow) -> VersionMark:
-    return VersionMark.model_validate(row, from_attributes=True)
+    return VersionMark.of(row)
 
 
 def _programs(rows: list[ProgramRow]) -> Response:
-    return answer(
-        ProgramList(programs=[Program.model_validate(row, from_attributes=True) for row in rows])
-    )
+    return answer(ProgramList(programs=[Program.of(row) for row in rows]))
 
 
-@api.post("/groups/<id>/programs", responses=answers(Program, 404, 503, 507))
+@api.post("/groups/<id>/programs", responses=answers(Program, "group_not_found", *WRITES))
 def create_program(path: IdPath, body: ProgramName) -> Response:
     """Makes an empty program."""
     row = services().store.programs.create(path.id, body.name)
-    return answer(Program.model_validate(row, from_attributes=True))
+    return answer(Program.of(row))
 
 
-@api.get("/programs/<id>", responses=answers(ProgramWithVersion, 404))
+@api.get("/programs/<id>", responses=answers(ProgramWithVersion, "program_not_found"))
 def get_program(path: IdPath) -> Response:
     """A program with its newest version."""
     store = services().store
     row = store.programs.get(path.id)
     newest = store.versions.newest(path.id)
-    fields = {name: getattr(row, name) for name in Program.model_fields}
     elsewhere = store.versions.elsewhere(newest) if newest else None
     return answer(
-        ProgramWithVersion(
-            **fields,
+        ProgramWithVersion.of(
+            row,
             version=version_model(newest) if newest else None,
             elsewhere=_mark(elsewhere) if elsewhere else None,
         )
     )
 
 
-@api.patch("/programs/<id>", responses=answers(Program, 404, 503, 507))
+@api.patch("/programs/<id>", responses=answers(Program, "program_not_found", *WRITES))
 def rename_program(path: IdPath, body: ProgramName) -> Response:
     """Gives a program another name."""
     row = services().store.programs.rename(path.id, body.name)
-    return answer(Program.model_validate(row, from_attributes=True))
+    return answer(Program.of(row))
 
 
-@api.post("/programs/<id>/versions", responses=answers(SavedVersion, 404, 413, 503, 507))
+@api.post(
+    "/programs/<id>/versions",
+    responses=answers(
+        SavedVersion, "program_not_found", "body_too_large", "invalid_world", *WRITES
+    ),
+)
 def save_version(path: IdPath, body: NewVersion) -> Response:
-    """Keeps what the editor holds; on disk when answered."""
+    """Stores what the editor holds; on disk when answered.
+
+    The server reads the document, and stores null while it has faults. A world with faults is refused. The content of
+    the newest version is not stored again: the answer is that version.
+    """
     parts = services()
     document, faults = None, []
     if body.document is not None:
@@ -106,8 +113,7 @@ def save_version(path: IdPath, body: NewVersion) -> Response:
 
 
 def _tell_windows(program: ProgramRow, version: str | None = None) -> None:
-    told = {"program": program.id, "version": version, "deleted_at": program.deleted_at}
-    services().hub.publish({"type": "program", **told})
+    services().hub.publish(ProgramChanged(program.id, version, program.deleted_at).flat())
 
 
 def _world_to_keep(program_id: str, world: Json, parts: Services) -> Json:
@@ -116,7 +122,7 @@ def _world_to_keep(program_id: str, world: Json, parts: Services) -> Json:
     return world if newest is not None and world == newest.world else sound_world(world)
 
 
-@api.get("/programs/<id>/versions", responses=answers(VersionLine, 404))
+@api.get("/programs/<id>/versions", responses=answers(VersionLine, "program_not_found"))
 def list_versions(path: IdPath, query: VersionPage) -> Response:
     """The line of a program's versions, newest first, a page at a time."""
     store = services().store
@@ -128,36 +134,36 @@ def list_versions(path: IdPath, query: VersionPage) -> Response:
     return answer(VersionLine(versions=marks, next=after))
 
 
-@api.put("/versions/<id>/label", responses=answers(Empty, 404, 503, 507))
+@api.put("/versions/<id>/label", responses=answers(Empty, "version_not_found", *WRITES))
 def label_version(path: IdPath, body: VersionLabel) -> Response:
     """Gives a version a name, so that it is found again."""
     services().store.versions.label(path.id, body.text)
     return answer(Empty())
 
 
-@api.get("/groups/<id>/bin", responses=answers(ProgramList, 404))
+@api.get("/groups/<id>/bin", responses=answers(ProgramList, "group_not_found"))
 def list_bin(path: IdPath) -> Response:
     """Programs of a group that were thrown away, newest first."""
     return _programs(services().store.programs.of_group(path.id, in_bin=True))
 
 
-@api.delete("/programs/<id>", responses=answers(Program, 404, 503, 507))
+@api.delete("/programs/<id>", responses=answers(Program, "program_not_found", *WRITES))
 def throw_program_away(path: IdPath) -> Response:
     """Puts a program into the bin; its versions and runs stay."""
-    row = services().store.programs.throw_away(path.id)
+    row = services().store.programs.move_to_bin(path.id)
     _tell_windows(row)
-    return answer(Program.model_validate(row, from_attributes=True))
+    return answer(Program.of(row))
 
 
-@api.post("/programs/<id>/take-back", responses=answers(Program, 404, 503, 507))
+@api.post("/programs/<id>/take-back", responses=answers(Program, "program_not_found", *WRITES))
 def take_program_back(path: IdPath) -> Response:
     """Takes a program out of the bin."""
-    row = services().store.programs.take_back(path.id)
+    row = services().store.programs.take_from_bin(path.id)
     _tell_windows(row)
-    return answer(Program.model_validate(row, from_attributes=True))
+    return answer(Program.of(row))
 
 
-@api.post("/check", responses=answers(CheckedDocument, 413))
+@api.post("/check", responses=answers(CheckedDocument, "body_too_large"))
 def check_document(body: DocumentToCheck) -> Response:
     """All faults of a document, in words."""
     parts = services()

@@ -2,7 +2,6 @@
 
 from flask import Response
 
-from pinel_desktop.web.answers import answer, faults_in_words
 from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.models.python import (
     DocumentToWrite,
@@ -11,12 +10,13 @@ from pinel_desktop.web.models.python import (
     ReadPython,
     WrittenPython,
 )
+from pinel_desktop.web.responses import answer, faults_in_words
 from pinel_desktop.web.services import services
 
 api = resource("python", "Programs as Python text.", __name__)
 
 
-@api.post("/python", responses=answers(WrittenPython, 413))
+@api.post("/python", responses=answers(WrittenPython, "body_too_large"))
 def write(body: DocumentToWrite) -> Response:
     """The text of a document."""
     # the page is drawn before anybody looks at Python
@@ -35,7 +35,7 @@ def write(body: DocumentToWrite) -> Response:
     return answer(WrittenPython(text=written.text, lines=lines, faults=[]))
 
 
-@api.post("/python/read", responses=answers(ReadPython, 413))
+@api.post("/python/read", responses=answers(ReadPython, "body_too_large"))
 def read(body: PythonSource) -> Response:
     """The document of a text, or all of its faults."""
     from pinel_desktop.program.python_text import read_python  # noqa: PLC0415 - see above

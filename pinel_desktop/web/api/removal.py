@@ -2,29 +2,35 @@
 
 from flask import Response
 
-from pinel_desktop.web.answers import answer, showable
-from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.api import TEACHER, WRITES, answers, resource
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.exchange import Removed, WrittenFile
+from pinel_desktop.web.responses import answer, showable
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
 
 api = resource("removal", "Deleting for good.", __name__)
 
 
-@api.delete("/groups/<id>", responses=answers(Removed, 403, 404, 409, 503, 507))
+@api.delete(
+    "/groups/<id>",
+    responses=answers(Removed, *TEACHER, "group_not_found", "run_in_progress", *WRITES),
+)
 def delete_group(path: IdPath) -> Response:
     """Deletes a group with all that it made, also from the backups; no file brings it back. For the teacher."""
     return _delete("group", path.id)
 
 
-@api.delete("/classrooms/<id>", responses=answers(Removed, 403, 404, 409, 503, 507))
+@api.delete(
+    "/classrooms/<id>",
+    responses=answers(Removed, *TEACHER, "classroom_not_found", "run_in_progress", *WRITES),
+)
 def delete_classroom(path: IdPath) -> Response:
     """Deletes a class with its groups and lessons in the same way. For the teacher."""
     return _delete("classroom", path.id)
 
 
-@api.delete("/notes/<id>", responses=answers(Removed, 403, 404, 503, 507))
+@api.delete("/notes/<id>", responses=answers(Removed, *TEACHER, "note_not_found", *WRITES))
 def delete_note(path: IdPath) -> Response:
     """Takes a note back, everywhere. For the teacher."""
     return _delete("note", path.id)

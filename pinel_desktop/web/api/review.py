@@ -5,10 +5,10 @@ What reads it is imported when a teacher asks: the page is drawn before.
 
 from flask import Response
 
-from pinel_desktop.web.answers import answer, writable
-from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.api import TEACHER, answers, resource
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.review import LessonReview
+from pinel_desktop.web.responses import answer, writable
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
 
@@ -17,7 +17,7 @@ api = resource("review", "Lessons as their groups went through them.", __name__)
 _CSV = {"content": {"text/csv": {"schema": {"type": "string"}}}}
 
 
-@api.get("/lessons/<id>/review", responses=answers(LessonReview, 403, 404))
+@api.get("/lessons/<id>/review", responses=answers(LessonReview, *TEACHER, "lesson_not_found"))
 def get_lesson_review(path: IdPath) -> Response:
     """What the groups did in a lesson and all that were joined to it. For the teacher."""
     from pinel_desktop.web.lesson_review import read_lesson  # noqa: PLC0415 - see above
@@ -26,7 +26,7 @@ def get_lesson_review(path: IdPath) -> Response:
     return answer(read_lesson(path.id, services()).model())
 
 
-@api.get("/lessons/<id>/review.csv", responses=answers(_CSV, 403, 404))
+@api.get("/lessons/<id>/review.csv", responses=answers(_CSV, *TEACHER, "lesson_not_found"))
 def get_lesson_table(path: IdPath) -> Response:
     """All marks of a lesson as a table that a spreadsheet opens, one row a mark. For the teacher."""
     from pinel_desktop.web.lesson_review import read_lesson  # noqa: PLC0415 - see above

@@ -3,9 +3,9 @@
 from flask import Response
 
 from pinel_desktop.robot import ROBOTS, RobotModel
-from pinel_desktop.web.answers import answer
 from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.models.robots import Robot, RobotList
+from pinel_desktop.web.responses import answer
 
 api = resource("robots", "Robots that the simulator has.", __name__)
 
@@ -17,13 +17,5 @@ def list_robots() -> Response:
 
 
 def _model(robot: RobotModel) -> Robot:
-    return Robot(
-        name=robot.name,
-        title=robot.title,
-        radius_m=robot.radius_m,
-        max_v_mps=robot.max_v_mps,
-        max_omega_radps=robot.max_omega_radps,
-        sonar_angles_rad=list(robot.sonar_angles_rad),
-        sonar_range_m=robot.sonar_range_m,
-        lidar_range_m=robot.lidar_range_m or None,
-    )
+    angles, range_m = list(robot.sonar_angles_rad), robot.lidar_range_m or None
+    return Robot.of(robot, sonar_angles_rad=angles, lidar_range_m=range_m)

@@ -2,11 +2,9 @@
 
 from flask import Response
 
-from pinel_desktop.messages import describe
-from pinel_desktop.web.answers import answer
 from pinel_desktop.web.api import answers, resource
-from pinel_desktop.web.models.errors import Notice
 from pinel_desktop.web.models.status import DatabaseStatus, Settings, Status
+from pinel_desktop.web.responses import answer, notice
 from pinel_desktop.web.services import Services, services
 
 api = resource("status", "State of the app and its settings.", __name__)
@@ -22,18 +20,16 @@ def get_status() -> Response:
             engine=parts.engine.state,
             run=parts.engine.live_run,
             database=_database(parts),
-            language=parts.preferences.language,  # type: ignore[arg-type] # checked when it was set
+            language=parts.preferences.language,
         )
     )
 
 
 def _database(parts: Services) -> DatabaseStatus:
     state = parts.database_state()
-    notice = None
-    if state.notice is not None:
-        words = describe(state.notice.code, state.notice.params, parts.preferences.language)
-        notice = Notice(code=state.notice.code, message=words.message, remedy=words.remedy)
-    return DatabaseStatus(path=state.path, writable=state.writable, notice=notice)
+    told = state.notice
+    shown = None if told is None else notice(told.code, told.params, parts.preferences.language)
+    return DatabaseStatus(path=state.path, writable=state.writable, notice=shown)
 
 
 @api.put("/settings", responses=answers(Settings))

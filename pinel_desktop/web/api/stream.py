@@ -5,6 +5,7 @@ from collections.abc import Iterator
 
 from flask import Response
 
+from pinel_desktop.events.app_events import Hello
 from pinel_desktop.events.hub import Subscription
 from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.models.events import StreamEvent
@@ -22,11 +23,14 @@ _EVENTS = {
 
 @api.get("/stream", responses=answers(_EVENTS))
 def stream_events() -> Response:
-    """All events as they happen, after a first `hello`."""
+    """All events as they happen, after a first `hello`.
+
+    Comment lines keep the stream alive while nothing happens.
+    """
     parts = services()
     subscription = parts.hub.subscribe()
-    hello = {"type": "hello", "run": parts.engine.live_run}
-    return Response(_lines(subscription, hello), mimetype="text/event-stream")
+    hello = Hello(parts.engine.live_run)
+    return Response(_lines(subscription, hello.flat()), mimetype="text/event-stream")
 
 
 def _lines(subscription: Subscription, hello: object) -> Iterator[str]:

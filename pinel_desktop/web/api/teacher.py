@@ -2,9 +2,9 @@
 
 from flask import Response
 
-from pinel_desktop.web.answers import answer
-from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.api import TEACHER, WRITES, answers, resource
 from pinel_desktop.web.models.classes import Computer, ComputerName, Door, Pin
+from pinel_desktop.web.responses import answer
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import is_teacher, let_in, require_teacher, show_out
 
@@ -17,9 +17,9 @@ def get_door() -> Response:
     return answer(Door(has_pin=services().teacher.has_pin, is_open=is_teacher()))
 
 
-@api.put("/teacher/pin", responses=answers(Door, 403, 503, 507))
+@api.put("/teacher/pin", responses=answers(Door, *TEACHER, *WRITES))
 def choose_pin(body: Pin) -> Response:
-    """Chooses the first PIN, or another one when the door is open; it is open afterwards."""
+    """Chooses the PIN and opens the door. The first one is anybody's to choose, another one is for the teacher."""
     door = services().teacher
     if door.has_pin:
         require_teacher()
@@ -27,7 +27,9 @@ def choose_pin(body: Pin) -> Response:
     return let_in(answer(Door(has_pin=True, is_open=True)), door.enter(body.pin))
 
 
-@api.post("/teacher/enter", responses=answers(Door, 403, 429, 503, 507))
+@api.post(
+    "/teacher/enter", responses=answers(Door, "pin_missing", "pin_wrong", "pin_wait", *WRITES)
+)
 def enter(body: Pin) -> Response:
     """Opens the door; wrong PINs make the next try wait."""
     token = services().teacher.enter(body.pin)
@@ -40,18 +42,18 @@ def leave() -> Response:
     return show_out(answer(Door(has_pin=services().teacher.has_pin, is_open=False)))
 
 
-@api.get("/computer", responses=answers(Computer, 503, 507))
+@api.get("/computer", responses=answers(Computer, *WRITES))
 def get_computer() -> Response:
     """What this PC is called."""
-    key, name = services().store.computers.here()
+    key, name = services().store.computers.this()
     return answer(Computer(id=key, name=name))
 
 
-@api.patch("/computer", responses=answers(Computer, 403, 503, 507))
+@api.patch("/computer", responses=answers(Computer, *TEACHER, *WRITES))
 def rename_computer(body: ComputerName) -> Response:
     """Gives this PC a name that people know it by. For the teacher."""
     require_teacher()
     computers = services().store.computers
     computers.rename(body.name)
-    key, name = computers.here()
+    key, name = computers.this()
     return answer(Computer(id=key, name=name))

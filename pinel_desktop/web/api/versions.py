@@ -2,7 +2,6 @@
 
 from flask import Response
 
-from pinel_desktop.web.answers import answer
 from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.api.programs import version_model
 from pinel_desktop.web.models import IdPath
@@ -11,20 +10,20 @@ from pinel_desktop.web.models.review import (
     VersionDifference,
     VersionOfProgram,
 )
-from pinel_desktop.web.models.work import Version
+from pinel_desktop.web.responses import answer
 from pinel_desktop.web.services import services
 
 api = resource("versions", "Single versions, and what differs between two.", __name__)
 
 
-@api.get("/versions/<id>", responses=answers(VersionOfProgram, 404))
+@api.get("/versions/<id>", responses=answers(VersionOfProgram, "version_not_found"))
 def get_version(path: IdPath) -> Response:
     """A version with its place in the line of its program."""
     row = services().store.versions.get(path.id)
     version = version_model(row)
     return answer(
-        VersionOfProgram(
-            **{name: getattr(version, name) for name in Version.model_fields},
+        VersionOfProgram.of(
+            version,
             program_id=row.program_id,
             number=row.number,
             label=row.label,
@@ -33,13 +32,16 @@ def get_version(path: IdPath) -> Response:
     )
 
 
-@api.get("/versions/<id>/difference", responses=answers(VersionDifference, 404))
+@api.get("/versions/<id>/difference", responses=answers(VersionDifference, "version_not_found"))
 def get_difference(path: IdPath, query: DifferenceTo) -> Response:
-    """What differs in a later version, block by block."""
+    """What differs in a later version, block by block.
+
+    Blocks are compared by their ids; shadow blocks count as values of their parents.
+    """
     # the page is drawn before anybody compares
-    from pinel_desktop.review import difference  # noqa: PLC0415
+    from pinel_desktop.school.review import difference  # noqa: PLC0415
 
     versions = services().store.versions
     before, after = (versions.get(version_id) for version_id in (path.id, query.to))
     found = difference(before.workspace, after.workspace)
-    return answer(VersionDifference.model_validate(found, from_attributes=True))
+    return answer(VersionDifference.of(found))

@@ -4,10 +4,10 @@ from typing import Any
 
 from flask import Response
 
-from pinel_desktop.web.answers import answer, faults_in_words
 from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.errors import InvalidWorldError
 from pinel_desktop.web.models.worlds import CheckedWorld, World, WorldList, WorldToCheck
+from pinel_desktop.web.responses import answer, faults_in_words
 from pinel_desktop.web.services import services
 
 api = resource("worlds", "Worlds a run can take place in.", __name__)
@@ -19,7 +19,7 @@ def list_worlds() -> Response:
     return answer(WorldList(worlds=[_model(world) for world in services().worlds]))
 
 
-@api.post("/worlds/check", responses=answers(CheckedWorld, 413))
+@api.post("/worlds/check", responses=answers(CheckedWorld, "body_too_large"))
 def check_world(body: WorldToCheck) -> Response:
     """All faults of a world, in words."""
     parts = services()

@@ -88,7 +88,7 @@ class MergedCounts(Shape):
     runs: int
 
 
-class Doomed(Shape):
+class PendingDeletion(Shape):
     """What was deleted for good on another PC and is here still, until the teacher says so too."""
 
     groups: int
@@ -109,16 +109,16 @@ class Merged(Shape):
 
     path: str
     name: str
-    computer: str | None
-    exported_at: Time | None
+    computer: str | None = None
+    exported_at: Time | None = None
     added: MergedCounts
-    anonymous: bool
-    nothing_new: bool
-    held_back: MergedCounts | None
-    removed: MergedCounts | None
-    would_delete: Doomed | None
-    left_in: list[str]
-    problem: Notice | None
+    anonymous: bool = False
+    nothing_new: bool = True
+    held_back: MergedCounts | None = None
+    removed: MergedCounts | None = None
+    would_delete: PendingDeletion | None = None
+    left_in: list[str] = Field(default=[])
+    problem: Notice | None = None
 
 
 class MergeList(Shape):

@@ -4,6 +4,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
+from pinel_desktop.engine.commands import BlockIds, SpeedFactor
 from pinel_desktop.robot import PIONEER_3DX, ROBOTS, Feedback, Preset
 from pinel_desktop.web.models import Body, Id, Json, Shape, Time
 from pinel_desktop.web.models.events import Event
@@ -66,10 +67,6 @@ class RunPage(Body):
     limit: Annotated[int, Field(ge=1, le=200)] = 50
 
 
-Blocks = Annotated[list[Annotated[str, Field(max_length=100)]], Field(max_length=1000)]
-Speed = Annotated[float, Field(ge=0.1, le=10.0)]
-
-
 RobotName = Annotated[str, Field(json_schema_extra={"enum": list(ROBOTS)})]
 
 
@@ -83,55 +80,13 @@ class NewRun(Body):
     model: RobotName = PIONEER_3DX.name
     preset: Preset = "ideal"
     feedback: Feedback = "pose"
-    breakpoints: Blocks = Field(default_factory=list)
-    speed: Speed = 1.0
+    breakpoints: BlockIds = Field(default_factory=list)
+    speed: SpeedFactor = 1.0
     paused: Annotated[bool, Field(description="hold before the first block")] = False
 
 
-class CaptureAnswer(Body):
-    """The sign that the pupils say was shown; "" means none."""
-
-    result: Annotated[str, Field(max_length=100)]
-
-
-class QuestionAnswer(Body):
-    """What the group answers to the question of its program; what reads as a number will be one."""
-
-    value: Annotated[str, Field(max_length=1000)]
-
-
-class Step(Body):
-    """How far to go on: into functions, over them, or out of the one that runs."""
-
-    mode: Literal["into", "over", "out"]
-
-
-class Breakpoints(Body):
-    """Ids of the blocks before which the run pauses."""
-
-    blocks: Blocks
-
-
-class RunSpeed(Body):
-    """Robot time to wall time, from slow motion to ten times."""
-
-    factor: Speed
-
-
-class Look(Body):
-    """Rings of sensors whose measurements somebody watches."""
-
-    sensors: Annotated[list[Literal["sonar", "lidar"]], Field(max_length=2)]
-
-
-class ExpressionToEvaluate(Body):
-    """An expression of the program document."""
-
-    expression: Any
-
-
-class Evaluated(Shape):
-    """Its value at this moment, or in words why there is none."""
+class CommandAnswer(Shape):
+    """What a command gave: the value of `evaluate`, or in words why there is none; null for all others."""
 
     value: Any
     problem: str | None

@@ -1,11 +1,15 @@
 """State of the app and its settings."""
 
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
+from pinel_desktop.messages import LANGUAGES
 from pinel_desktop.web.models import Body, Id, Shape
 from pinel_desktop.web.models.errors import Notice
 
-Language = Literal["pt-BR", "en", "es"]
+if TYPE_CHECKING:
+    Language = str
+else:
+    Language = Literal[LANGUAGES]
 
 
 class DatabaseStatus(Shape):

@@ -11,10 +11,11 @@ Metres2 = tuple[float, float]
 
 
 class Title(Shape):
-    """One text in the three languages."""
+    """One text in each language."""
 
-    model_config = ConfigDict(extra="forbid", populate_by_name=True)
+    model_config = ConfigDict(extra="allow", populate_by_name=True)
 
+    __pydantic_extra__: dict[str, str] = Field(init=False)
     pt_br: Annotated[str, Field(alias="pt-BR")]
     en: str
     es: str

@@ -1,4 +1,8 @@
 // The editor without the page around it, for programs that no hand would build.
 import { createEditor } from "../../../ui/src/editor";
+import { fetchTexts } from "../../../ui/src/i18n";
+import "../../../ui/src/i18n/pt-BR/start"; // in the same file as the code
+
+await fetchTexts("pt-BR");
 
 Object.assign(window, { createEditor });

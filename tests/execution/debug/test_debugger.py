@@ -9,7 +9,6 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, RunEnded, RunState
 from pinel_desktop.execution.control import RunControl, StepMode
 from pinel_desktop.execution.executor import RunOptions, execute
-from pinel_desktop.execution.peeking import Questions
 from pinel_desktop.links import open_link
 from pinel_desktop.program.reading import read_document
 
@@ -198,7 +197,6 @@ def test_values_are_told_while_the_run_stands(
     control: RunControl, expression: Any, value: Any
 ) -> None:
     control.breakpoints = frozenset(["here"])
-    questions = Questions()
     told: list[Any] = []
 
     def answer(found: Any, error: PinelError | None) -> None:
@@ -207,11 +205,11 @@ def test_values_are_told_while_the_run_stands(
 
     def observe(_tick: int, event: Event) -> None:
         if isinstance(event, RunState) and event.state == "paused":
-            questions.ask(expression, answer)
+            control.evaluate(expression, answer)
 
     program = read_document(COUNTING).program
     assert program is not None
-    options = RunOptions(observer=observe, control=control, questions=questions)
+    options = RunOptions(observer=observe, control=control)
     result = execute(program, open_link("sim", world="empty_room"), options)
     assert told == [value]
     assert result.ended.state == "finished"

@@ -73,7 +73,7 @@ def test_nothing_is_told_of_boxes_that_nobody_pushes() -> None:
 
 def test_ranges_are_told_at_most_ten_times_a_second_while_somebody_asks() -> None:
     control = RunControl()
-    control.looks = frozenset(["lidar"])
+    control.subscriptions = frozenset(["lidar"])
     result, log = watched(PUSH, control=control)
     told = of_type(log, Ranges)
     assert len(told) == pytest.approx(result.ended.duration_s * 10, abs=2)
@@ -87,7 +87,7 @@ def test_ranges_are_told_at_most_ten_times_a_second_while_somebody_asks() -> Non
 
 def test_looking_does_not_change_the_run() -> None:
     control = RunControl()
-    control.looks = frozenset(["lidar", "sonar"])
+    control.subscriptions = frozenset(["lidar", "sonar"])
     setting = Setting(preset="realistic")
     seen, _ = watched(PUSH, setting=setting, control=control)
     unseen, _ = watched(PUSH, setting=setting)
@@ -96,7 +96,7 @@ def test_looking_does_not_change_the_run() -> None:
 
 def test_robot_without_a_scanner_tells_none_and_its_three_sonars() -> None:
     control = RunControl()
-    control.looks = frozenset(["lidar", "sonar"])
+    control.subscriptions = frozenset(["lidar", "sonar"])
     setting = Setting(model=SMALL_ROBOT.name)
     _, log = watched(PUSH, control=control, setting=setting)
     ranges = of_type(log, Ranges)[0][1]
@@ -121,9 +121,9 @@ def test_who_looks_during_a_pause_is_told_once() -> None:
             if self.n_ticks == 10:
                 control.pause()
             if self.n_ticks == 60:
-                control.looks = frozenset(["sonar"])
+                control.subscriptions = frozenset(["sonar"])
             if self.n_ticks == 80:
-                control.looks = frozenset()
+                control.subscriptions = frozenset()
             if self.n_ticks == 100:
                 control.resume()
 

@@ -7,8 +7,8 @@ import pytest
 
 from pinel_desktop.execution.executor import execute
 from pinel_desktop.links.sim import SimLink
-from pinel_desktop.program.operators import SENSORS
 from pinel_desktop.program.reading import read_document
+from pinel_desktop.program.sensors import SENSORS
 from pinel_desktop.robot import Sensors, Setting
 
 WALL, HULL = 3.99, 0.2225
@@ -182,9 +182,8 @@ def test_what_is_read_does_not_change_the_telemetry(execute_commands: Any) -> No
     assert len(digests) == 1
 
 
-def test_every_sensor_of_the_language_is_tried_here(value_of: Any) -> None:
-    for sensor, kind in SENSORS.items():
-        more: dict[str, Any] = {"sonar": {"index": 1}, "lidar": {"angle": 1}}.get(sensor, {})
-        more = {"direction": "front"} if sensor == "distance" else more
-        value = value_of({"sensor": sensor, **more})
-        assert isinstance(value, {"number": int | float, "text": str, "boolean": bool}[kind])
+def test_every_sensor_of_the_language_gives_its_type_within_its_range(value_of: Any) -> None:
+    for sensor in SENSORS.values():
+        asked = {sensor.argument.name: sensor.argument.start} if sensor.argument else {}
+        value = value_of({"sensor": sensor.name, **asked})
+        assert sensor.is_possible(float(value) if sensor.gives == "number" else value)

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pinel_desktop.execution.values import from_answer, plain, same, shown, shown_number
+from pinel_desktop.execution.expressions.values import from_answer, plain, same, shown, shown_number
 
 
 @pytest.mark.parametrize(

@@ -1,13 +1,16 @@
 from typing import Any
 
-from pinel_desktop.events.model import CaptureStarted, Event, GestureResult, Telemetry
-from pinel_desktop.execution.gestures import AnsweredGestures, ScriptedGestures
+import pytest
+
+from pinel_desktop.events.model import CaptureStarted, Event, GestureResult
+from pinel_desktop.execution.inputs import LiveInputs, ScriptedInputs
+from tests.execution.wall import Wall
 
 CLASSIFY = {"action": "classify_gestures", "timeout": 2, "block": "c"}
 
 
 def test_scripted_result_arrives_on_the_next_tick(execute_commands: Any) -> None:
-    result, log = execute_commands(CLASSIFY, gestures=ScriptedGestures(["B"]))
+    result, log = execute_commands(CLASSIFY, inputs=ScriptedInputs(["B"]))
     assert result.gesture_result == "B"
     assert result.ended.duration_s * 30 == 1 + 1  # one to answer, one to stand still
     assert [event for _, event in log if isinstance(event, CaptureStarted)] == [
@@ -19,43 +22,42 @@ def test_scripted_result_arrives_on_the_next_tick(execute_commands: Any) -> None
 
 
 def test_scripted_results_run_out_into_nothing_recognised(execute_commands: Any) -> None:
-    result, _ = execute_commands(CLASSIFY, CLASSIFY, gestures=ScriptedGestures(["B"]))
+    result, _ = execute_commands(CLASSIFY, CLASSIFY, inputs=ScriptedInputs(["B"]))
     assert result.gesture_result == ""
 
 
 def test_person_answers_while_the_capture_runs(execute_commands: Any) -> None:
-    gestures = AnsweredGestures()
-
-    def answer(tick: int, event: Event) -> None:
-        if tick == 15 and isinstance(event, Telemetry):
-            gestures.answer("L")
-
-    result, log = execute_commands(CLASSIFY, gestures=gestures, listener=answer)
+    inputs, wall = LiveInputs(), Wall()
+    wall.at(0.5, lambda: inputs.gestures.answer("L"))
+    result, log = execute_commands(CLASSIFY, inputs=inputs, wall=wall.time)
     assert result.gesture_result == "L"
-    assert next(tick for tick, event in log if isinstance(event, GestureResult)) == 15
+    assert wall.passed_s == pytest.approx(0.5, abs=0.1)
+    assert next(tick for tick, event in log if isinstance(event, GestureResult)) == 0
 
 
 def test_answer_in_the_moment_the_capture_is_announced_counts(execute_commands: Any) -> None:
-    gestures = AnsweredGestures()
+    inputs = LiveInputs()
 
     def answer(_tick: int, event: Event) -> None:
         if isinstance(event, CaptureStarted):
-            gestures.answer("L")
+            inputs.gestures.answer("L")
 
-    result, _ = execute_commands(CLASSIFY, gestures=gestures, listener=answer)
+    result, _ = execute_commands(CLASSIFY, inputs=inputs, listener=answer, wall=Wall().time)
     assert result.gesture_result == "L"
 
 
 def test_unanswered_capture_ends_after_its_timeout_with_nothing(execute_commands: Any) -> None:
-    result, _ = execute_commands(CLASSIFY, gestures=AnsweredGestures())
+    wall = Wall()
+    result, _ = execute_commands(CLASSIFY, inputs=LiveInputs(), wall=wall.time)
     assert result.gesture_result == ""
-    assert result.ended.duration_s * 30 == 60 + 1
+    assert wall.passed_s == pytest.approx(2.0, abs=0.1)
+    assert result.ended.duration_s == 0.0
 
 
 def test_answer_outside_a_capture_is_not_kept_for_the_next(execute_commands: Any) -> None:
-    gestures = AnsweredGestures()
-    gestures.answer("B")
-    result, _ = execute_commands(CLASSIFY, gestures=gestures)
+    inputs = LiveInputs()
+    inputs.gestures.answer("B")
+    result, _ = execute_commands(CLASSIFY, inputs=inputs, wall=Wall().time)
     assert result.gesture_result == ""
 
 

@@ -4,9 +4,10 @@ from typing import Any
 
 import pytest
 
-from pinel_desktop.events.model import Answered, Asked, Beeped, Event, Said, Telemetry
-from pinel_desktop.execution.answers import LiveAnswers, ScriptedAnswers
+from pinel_desktop.events.model import Answered, Asked, Beeped, Event, Said
 from pinel_desktop.execution.control import RunControl
+from pinel_desktop.execution.inputs import LiveInputs, ScriptedInputs
+from tests.execution.wall import Wall
 
 ASK = {"action": "ask", "question": "How far?", "variable": "far", "block": "a"}
 BEEP = {"action": "beep", "block": "b"}
@@ -68,20 +69,20 @@ def test_beep_is_reported(execute_commands: Any) -> None:
 def test_answer_that_reads_as_a_number_is_one(
     typed: str, value: Any, execute_commands: Any
 ) -> None:
-    result, log = execute_commands(ASK, answers=ScriptedAnswers([typed]))
+    result, log = execute_commands(ASK, inputs=ScriptedInputs(answers=[typed]))
     assert result.variables == {"far": value}
     assert of_type(log, Asked) == [Asked("a", "How far?", "far")]
     assert of_type(log, Answered) == [Answered("far", value)]
 
 
 def test_scripted_answer_comes_on_the_next_tick(execute_commands: Any) -> None:
-    result, _ = execute_commands(ASK, ASK, answers=ScriptedAnswers(["1", "2"]))
+    result, _ = execute_commands(ASK, ASK, inputs=ScriptedInputs(answers=["1", "2"]))
     assert result.variables == {"far": 2}
     assert round(result.ended.duration_s * 30) == 2 + 1  # and one to stand still
 
 
 def test_question_without_an_answer_fails_in_words(execute_commands: Any) -> None:
-    result, _ = execute_commands(ASK, ASK, answers=ScriptedAnswers(["1"]))
+    result, _ = execute_commands(ASK, ASK, inputs=ScriptedInputs(answers=["1"]))
     ended = result.ended
     assert (ended.reason, ended.block) == ("answer_missing", "a")
     assert ended.params == {"question": "How far?"}
@@ -90,66 +91,49 @@ def test_question_without_an_answer_fails_in_words(execute_commands: Any) -> Non
 def test_question_may_be_computed_and_must_be_a_text(execute_commands: Any) -> None:
     name = {"action": "set_variable", "name": "n", "value": 2}
     joined = {"op": "join", "args": ["Number ", {"var": "n"}, "?"]}
-    _, log = execute_commands(name, {**ASK, "question": joined}, answers=ScriptedAnswers(["1"]))
+    _, log = execute_commands(
+        name, {**ASK, "question": joined}, inputs=ScriptedInputs(answers=["1"])
+    )
     assert of_type(log, Asked)[0].question == "Number 2?"
     result, _ = execute_commands(name, {**ASK, "question": {"var": "n"}})
     assert (result.ended.reason, result.ended.params) == ("wrong_type_text", {"name": "question"})
 
 
 def test_person_answers_while_the_program_waits(execute_commands: Any) -> None:
-    answers = LiveAnswers()
-    answers.answer("too early")
-
-    def answer(tick: int, event: Event) -> None:
-        if tick == 40 and isinstance(event, Telemetry):
-            answers.answer("Bia")
-
-    result, log = execute_commands(ASK, answers=answers, listener=answer)
-    answers.answer("too late")
+    inputs, wall = LiveInputs(), Wall()
+    inputs.answers.answer("too early")
+    wall.at(40.0, lambda: inputs.answers.answer("Bia"))
+    result, log = execute_commands(ASK, inputs=inputs, wall=wall.time)
+    inputs.answers.answer("too late")
     assert result.variables == {"far": "Bia"}
-    assert next(tick for tick, event in log if isinstance(event, Answered)) == 40
+    assert wall.passed_s == pytest.approx(40.0, abs=0.1)
+    assert next(tick for tick, event in log if isinstance(event, Answered)) == 0
 
 
 def test_answer_in_the_moment_of_the_question_counts(execute_commands: Any) -> None:
-    answers = LiveAnswers()
+    inputs = LiveInputs()
 
     def answer(_tick: int, event: Event) -> None:
         if isinstance(event, Asked):
-            answers.answer("now")
+            inputs.answers.answer("now")
 
-    result, _ = execute_commands(ASK, answers=answers, listener=answer)
+    result, _ = execute_commands(ASK, inputs=inputs, listener=answer, wall=Wall().time)
     assert result.variables == {"far": "now"}
 
 
 def test_stop_ends_a_question(execute_commands: Any) -> None:
-    control = RunControl()
-    result, _ = execute_commands(
-        ASK,
-        answers=LiveAnswers(),
-        control=control,
-        listener=lambda tick, _event: control.stop() if tick == 30 else None,
-    )
+    control, wall = RunControl(), Wall()
+    wall.at(1.0, control.stop)
+    result, _ = execute_commands(ASK, inputs=LiveInputs(), control=control, wall=wall.time)
     assert (result.ended.state, result.ended.block) == ("stopped", "a")
 
 
-def test_robot_drives_on_while_it_asks(execute_commands: Any) -> None:
-    answers = LiveAnswers()
-
-    def answer(tick: int, event: Event) -> None:
-        if tick == 30 and isinstance(event, Telemetry):
-            answers.answer("x")
-
-    drive = {"action": "drive", "linear": 0.3, "angular": 0}
-    result, _ = execute_commands(drive, ASK, answers=answers, listener=answer)
-    assert result.ended.pose["x_m"] == pytest.approx(0.3, abs=0.02)
-
-
 def test_too_long_an_answer_fails_the_run(execute_commands: Any) -> None:
-    result, _ = execute_commands(ASK, answers=ScriptedAnswers(["x" * 10_001]))
+    result, _ = execute_commands(ASK, inputs=ScriptedInputs(answers=["x" * 10_001]))
     assert result.ended.reason == "text_too_long"
 
 
 def test_loop_of_questions_ends(execute_commands: Any) -> None:
     loop = {"action": "forever", "commands": [ASK]}
-    result, _ = execute_commands(loop, answers=ScriptedAnswers(["x"] * 2_000))
+    result, _ = execute_commands(loop, inputs=ScriptedInputs(answers=["x"] * 2_000))
     assert (result.ended.reason, result.ended.params) == ("too_many_questions", {"max": 1000})

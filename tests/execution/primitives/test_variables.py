@@ -4,8 +4,8 @@ from typing import Any
 
 import pytest
 
+from pinel_desktop.execution.expressions.variables import Variables
 from pinel_desktop.execution.failure import RunFailureError
-from pinel_desktop.execution.variables import Variables
 
 
 def put(name: str, value: Any) -> dict[str, Any]:

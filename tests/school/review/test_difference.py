@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pinel_desktop.review import Change, Counts, Difference, blocks_in_use, difference
-from tests.review.sketches import Body, Drawing, Sketch, move, start, workspace_of
+from pinel_desktop.school.review import Change, Counts, Difference, blocks_in_use, difference
+from tests.school.review.sketches import Body, Drawing, Sketch, move, start, workspace_of
 
 JSON = st.recursive(
     st.one_of(st.none(), st.booleans(), st.integers(), st.floats(allow_nan=False), st.text()),

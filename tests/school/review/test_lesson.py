@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from pinel_desktop.review import (
+from pinel_desktop.school.review import (
     BlocksInUse,
     Counts,
     Edit,
@@ -13,9 +13,9 @@ from pinel_desktop.review import (
     review_lesson,
     versions_needed,
 )
-from pinel_desktop.review.order import lines_of
-from pinel_desktop.review.records import key_of
-from tests.review.sketches import move, start, workspace_of
+from pinel_desktop.school.review.order import lines_of
+from pinel_desktop.school.review.records import key_of
+from tests.school.review.sketches import move, start, workspace_of
 
 
 def at(minute: float) -> str:

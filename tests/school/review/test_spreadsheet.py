@@ -2,8 +2,8 @@
 
 import pytest
 
-from pinel_desktop.review import spreadsheet
-from pinel_desktop.review.spreadsheet import Cell
+from pinel_desktop.school.review import spreadsheet
+from pinel_desktop.school.review.spreadsheet import Cell
 
 
 def test_each_language_has_its_signs() -> None:

@@ -66,7 +66,7 @@ class RandomLife:
 
     def _throw_away(self) -> None:
         if program := self._program():
-            self._store.programs.throw_away(program.id)
+            self._store.programs.move_to_bin(program.id)
 
     def _note(self) -> None:
         if run := self._run():

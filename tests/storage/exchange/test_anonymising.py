@@ -55,7 +55,7 @@ def anonymous(private: Store, tmp_path: Path) -> Path:
     info = private.exchange.export(
         tmp_path / "x.pinel",
         app_version="0.1.0",
-        computer=private.computers.here(),
+        computer=private.computers.this(),
         anonymous=["empty_room"],
     )
     assert info.anonymous

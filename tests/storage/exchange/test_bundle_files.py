@@ -38,7 +38,7 @@ import os, sys
 from pathlib import Path
 sys.path[:0] = {import_path!r}
 from storage import StoreError
-from storage.bundle_reading import open_bundle
+from storage.exchange.bundle_reading import open_bundle
 if os.geteuid() == 0:  # who may read everything
     os.setgroups([]); os.setgid(65534); os.setuid(65534)
 try:

@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 
 from storage import Store, json_check
-from storage.bundle_rules import RULES, time
 from storage.json_check import is_object, parsed
+from storage.tables.replicated import GROUPS, RUNS, VERSIONS
+from storage.tables.rules import time
 from storage.text import time_text
 from tests.storage.bundle_makers import exported, merged, problems_in, work
 
@@ -49,13 +50,13 @@ def test_times_that_no_clock_shows_are_not(text: str) -> None:
     ],
 )
 def test_keys_leave_room_for_those_that_come_after(text: str, allowed: bool) -> None:
-    assert RULES["groups"]["id"](text) is allowed
+    assert GROUPS.rules["id"](text) is allowed
 
 
 def test_what_is_changed_after_the_last_moment_still_travels(store: Store, tmp_path: Path) -> None:
     group = store.groups.create("Onças")
     last = "9998-12-31T23:59:59.999999Z"
-    store._access.write(lambda db: db.execute("UPDATE groups SET changed_at = ?", [last]))
+    store._database.write(lambda db: db.execute("UPDATE groups SET changed_at = ?", [last]))
     store.groups.change(group.id, {"name": "Araras"})
     info = exported(store, tmp_path / "a.pinel")
     assert (info.left_out, info.counts["groups"]) == ((), 1)
@@ -63,7 +64,7 @@ def test_what_is_changed_after_the_last_moment_still_travels(store: Store, tmp_p
 
 @pytest.mark.parametrize("number", ["1" * 400, "-" + "9" * 4000, "1" * 5000, "1e400"])
 def test_a_place_that_no_float_can_hold_is_refused(number: str) -> None:
-    assert not RULES["runs"]["path"](f"[[{number},0]]")
+    assert not RUNS.rules["path"](f"[[{number},0]]")
 
 
 def test_large_texts_are_not_remembered() -> None:
@@ -84,10 +85,10 @@ def test_large_texts_are_not_remembered() -> None:
     "world", ["{}", '{"name":5}', '{"pinel_world":1,"name":"a","walls":{}}', '{"w":-0.0}', "[]"]
 )
 def test_worlds_and_reports_are_of_their_kind(world: str) -> None:
-    assert not RULES["runs"]["world_document"](world)
-    assert not RULES["versions"]["world"](world)
-    assert RULES["versions"]["world"]('{"pinel_world":1,"name":"a","walls":[]}')
-    assert not RULES["runs"]["check_report"]('"x"')
+    assert not RUNS.rules["world_document"](world)
+    assert not VERSIONS.rules["world"](world)
+    assert VERSIONS.rules["world"]('{"pinel_world":1,"name":"a","walls":[]}')
+    assert not RUNS.rules["check_report"]('"x"')
 
 
 def test_a_row_that_would_be_refused_does_not_keep_the_others_from_travelling(
@@ -96,7 +97,7 @@ def test_a_row_that_would_be_refused_does_not_keep_the_others_from_travelling(
     group = store.groups.create("Onças")
     kept, _ = work(store, group, "Bom")
     odd, _ = work(store, group, "Estranho")
-    store._access.write(
+    store._database.write(
         lambda db: db.execute("UPDATE versions SET parent_id = 'x' WHERE program_id = ?", [odd.id])
     )
     info = exported(store, tmp_path / "a.pinel")

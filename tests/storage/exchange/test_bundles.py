@@ -9,9 +9,10 @@ from pathlib import Path
 import pytest
 
 from storage import RunStart, Store, StoreError, open_for_reading, open_store
-from storage.bundle_reading import open_bundle
-from storage.bundles import Scope, export_bundle
-from storage.content import content_hash
+from storage.exchange.bundle_reading import open_bundle
+from storage.exchange.bundle_writing import export_bundle
+from storage.exchange.content_hash import content_hash
+from storage.exchange.scope import Scope
 from tests.storage.bundle_makers import a_run, exported, hash_of, merged, problems_in, work
 
 
@@ -119,12 +120,12 @@ def test_the_store_remembers_where_it_went(busy: Store, tmp_path: Path, path: Pa
 def test_a_store_that_can_only_be_read_is_exported_too(
     busy: Store, tmp_path: Path, path: Path
 ) -> None:
-    computer = busy.computers.here()
+    computer = busy.computers.this()
     busy.close()
 
     with open_for_reading(path) as reading:
         info = export_bundle(
-            reading._access, tmp_path / "a.pinel", app_version="1", computer=computer
+            reading._database, tmp_path / "a.pinel", app_version="1", computer=computer
         )
     assert info.counts["runs"] == 4
 

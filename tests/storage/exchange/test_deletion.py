@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 from storage import Recorder, RunStart, Store, StoreError
-from storage.bundles import Scope
-from storage.content import content_hash
-from storage.opening import connect
-from storage.removal import forget_log, remove_keys
+from storage.exchange.content_hash import content_hash
+from storage.exchange.deletion import checkpoint, remove_keys
+from storage.exchange.scope import Scope
+from storage.file.opening import connect
 from tests.storage.bundle_makers import exported, work
 from tests.storage.sample_documents import SQUARE, WORLD
 from tests.storage.sample_runs import ended, sample
@@ -67,7 +67,7 @@ def test_nothing_of_its_text_is_left_in_the_file(
     for n in range(30):
         busy_group(store, f"Onças {n}")
     removed(db, gone)
-    assert forget_log(db)
+    assert checkpoint(db)
     assert b"Zebras" not in path.read_bytes()
     assert path.with_name(f"{path.name}-wal").stat().st_size == 0
 
@@ -128,7 +128,7 @@ class TestRemove:
     def test_while_somebody_reads_the_log_it_says_so(
         self, store: Store, db: sqlite3.Connection, monkeypatch: pytest.MonkeyPatch
     ) -> None:
-        monkeypatch.setattr("storage.opening._BUSY_S", 0.05)
+        monkeypatch.setattr("storage.file.opening._BUSY_S", 0.05)
         group = store.groups.create("Zebras")
         db.execute("BEGIN")
         db.execute("SELECT count(*) FROM groups").fetchone()

@@ -12,11 +12,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from storage import Store, StoreError, bundle_reading, open_store, schema
-from storage.bundle_rules import RULES
-from storage.content import CONTENT, columns, content_hash
+from storage import Store, StoreError, open_store
+from storage.exchange import bundle_reading
+from storage.exchange.content_hash import content_hash
 from storage.limits import MAX_NUMBER, MAX_REVISION
-from storage.telemetry import COLUMNS, pack
+from storage.runs.telemetry import COLUMNS, pack
+from storage.tables.columns import Table
+from storage.tables.ddl import MIGRATIONS
+from storage.tables.replicated import TABLES
 from tests.storage.bundle_makers import exported, hash_of, merged, work
 
 Change = Callable[[sqlite3.Connection], object]
@@ -158,13 +161,8 @@ class TestOtherReleases:
         monkeypatch: pytest.MonkeyPatch,
     ) -> None:
         before = bundle.read_bytes()
-        later = (*schema._MIGRATIONS, lambda db: db.table("groups").add_column("motto", str))
-        later[-1].__name__ = "mottos"
-        monkeypatch.setattr(schema, "_MIGRATIONS", later)
-        monkeypatch.setattr(
-            "storage.opening.KNOWN_MIGRATIONS", frozenset(step.__name__ for step in later)
-        )
-        monkeypatch.setitem(schema._ABOUT, "mottos", "not in the older one")
+        monkeypatch.setitem(MIGRATIONS, "mottos", ("ALTER TABLE groups ADD COLUMN motto TEXT",))
+        monkeypatch.setitem(TABLES, "mottos", Table("mottos", "not in the older one", ()))
         bundle_reading._expected.cache_clear()
         store = opened(tmp_path / "newer.db")
         assert merged(store, bundle).added["runs"] == 2
@@ -337,9 +335,3 @@ def test_an_index_that_does_not_fit_its_table(
 
     changed(bundle, change, honest=False)
     assert refused(bundle).code == "bundle_damaged"
-
-
-def test_every_column_of_content_has_a_rule(store: Store) -> None:
-    with store._access.reading() as db:
-        for content in CONTENT:
-            assert set(RULES[content.table]) == set(columns(db, content.table))

@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 
 from storage import Recorder, RunStart, StoreError, open_for_reading, open_store
-from storage.backups import list_backups, make_backup
-from storage.bundles import Scope
-from storage.merging import heard_from, merge
+from storage.exchange.merging import known_computers, merge
+from storage.exchange.scope import Scope
+from storage.file.backups import list_backups, make_backup
 from tests.storage.bundle_makers import (
     Opened,
     a_run,
@@ -25,7 +25,7 @@ from tests.storage.bundle_makers import (
     removed,
     work,
 )
-from tests.storage.random_life import RandomLife
+from tests.storage.exchange.random_life import RandomLife
 from tests.storage.sample_documents import WORLD
 from tests.storage.sample_runs import ended
 
@@ -224,7 +224,7 @@ class TestDeleted:
         assert len(here.groups.all()) == 1
         report = here.exchange.merge(path, delete=True)
         assert report.left_in == [str(mine)]
-        with here._access.reading() as db:
+        with here._database.reading() as db:
             assert [row["file"] for row in db.execute("SELECT DISTINCT file FROM merges")] == [""]
         files = [here.path, here.path.with_name(f"{here.path.name}-wal"), backup.path]
         assert [file for file in files if b"Quagga" in file.read_bytes()] == []
@@ -282,7 +282,7 @@ def test_the_store_knows_whom_it_has_heard_from(pc: Opened, tmp_path: Path) -> N
     for n in range(2):
         info = exported(there, tmp_path / f"{n}.pinel")
         merged(here, info.path)
-    (heard,) = heard_from(here._access)
+    (heard,) = known_computers(here._database)
     assert (heard.name, heard.exported_at, heard.n_runs) == ("Lab 7", info.exported_at, 1)
 
 
@@ -304,11 +304,13 @@ def test_the_bundle_is_let_go_in_every_case(
     path = exported(there, tmp_path / "b.pinel").path
     before = hash_of(here)
     with monkeypatch.context() as broken:
-        broken.setattr("storage.merging._note", lambda *_: 1 / 0)
+        broken.setattr("storage.exchange.merging._note", lambda *_: 1 / 0)
         with pytest.raises(ZeroDivisionError):
             merged(here, path)
     assert hash_of(here) == before
-    attached = here._access.write(lambda db: [row[1] for row in db.execute("PRAGMA database_list")])
+    attached = here._database.write(
+        lambda db: [row[1] for row in db.execute("PRAGMA database_list")]
+    )
     assert "bundle" not in attached
     assert merged(here, path).added["runs"] == 1
 
@@ -318,11 +320,11 @@ import sys
 from pathlib import Path
 sys.path.insert(0, sys.argv[1])
 from storage import open_store
-from storage.merging import merge
+from storage.exchange.merging import merge
 with open_store(Path(sys.argv[2])) as store:
     print("ready", flush=True)
     for file in sys.argv[3:]:
-        merge(store._access, Path(file))
+        merge(store._database, Path(file))
 """
 
 
@@ -338,7 +340,7 @@ def test_a_merge_that_is_killed_leaves_nothing_or_all_and_can_go_on(
             work(there, group, f"P {m}")
         files.append(exported(there, tmp_path / f"{n}.pinel").path)
     allowed = {hash_after(tmp_path, files[:n]) for n in range(4)}
-    target, root = tmp_path / "killed.db", Path(__file__).parents[2]
+    target, root = tmp_path / "killed.db", Path(__file__).parents[3]
     script = [sys.executable, "-c", MERGER, str(root), str(target), *map(str, files)]
     seen = set()
     for delay_s in [0.02 * n for n in range(8)]:
@@ -354,5 +356,5 @@ def test_a_merge_that_is_killed_leaves_nothing_or_all_and_can_go_on(
     assert seen <= allowed
     with open_store(target) as store:
         for file in files:
-            merge(store._access, file)
+            merge(store._database, file)
         assert hash_of(store) == hash_after(tmp_path / "again", files)

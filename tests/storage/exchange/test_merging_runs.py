@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from storage import Recorder, RunStart, open_store
-from storage.backups import make_backup
+from storage.file.backups import make_backup
 from tests.storage.bundle_makers import Opened, a_run, exported, hash_of, merged, work
 from tests.storage.sample_documents import SQUARE, WORLD
 from tests.storage.sample_runs import ended, sample
@@ -27,7 +27,7 @@ def test_a_run_that_was_cut_off_here_is_replaced_by_its_end(pc: Opened, tmp_path
         db.execute("UPDATE events SET data = '{}' WHERE run_id = ?", [run_id])
         db.execute("DELETE FROM merges")
 
-    cut._access.write(cut_off)
+    cut._database.write(cut_off)
     assert merged(cut, path).changed == {"runs": 1}
     assert hash_of(cut) == hash_of(whole)
     assert cut.runs.events(run_id) == whole.runs.events(run_id)
@@ -71,7 +71,7 @@ def test_what_was_judged_stays_judged(pc: Opened, tmp_path: Path, order: tuple[s
     here, there = pc("a"), pc("b")
     _, run_id = work(there, there.groups.create("Onças"), "Quadrado")
     exported(there, tmp_path / "unjudged.pinel")
-    there.checks.keep(run_id, True, {"cases": []})
+    there.checks.record(run_id, True, {"cases": []})
     exported(there, tmp_path / "judged.pinel")
     for name in order:
         for store in (here, there):

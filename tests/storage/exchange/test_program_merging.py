@@ -9,8 +9,9 @@ from pathlib import Path
 import pytest
 
 from storage import Store, StoreError
-from storage.bundles import Scope, counts_of
-from storage.content import content_hash
+from storage.exchange.bundle_writing import counts_of
+from storage.exchange.content_hash import content_hash
+from storage.exchange.scope import Scope
 from tests.storage.bundle_makers import (
     a_run,
     exported,

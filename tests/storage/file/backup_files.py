@@ -4,7 +4,7 @@ import sqlite3
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
-from storage.backups import (
+from storage.file.backups import (
     Backup,
     make_backup,
 )

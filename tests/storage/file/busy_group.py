@@ -16,12 +16,12 @@ from itertools import count
 from pathlib import Path
 from typing import Any
 
-sys.path.insert(0, str(Path(__file__).parents[2]))
+sys.path.insert(0, str(Path(__file__).parents[3]))
 
 import sqlite_utils  # noqa: F401 - what is imported once need not be by each child
 
 from storage import Recorder, RunStart, Store, StoreError, open_store, warm_up
-from storage.backups import make_backup
+from storage.file.backups import make_backup
 from tests.storage.sample_runs import block_started, ended, sample
 
 PAGES, FILE_SIZE = "pages", "file size"
@@ -96,7 +96,7 @@ def limit(store: Store | None, disk: list[Any] | None) -> None:
         resource.setrlimit(resource.RLIMIT_FSIZE, (disk[1], resource.RLIM_INFINITY))
     if disk and disk[0] == PAGES and store is not None:
         n_pages = "SELECT page_count FROM pragma_page_count"
-        store._access.write(
+        store._database.write(
             lambda db: db.execute(
                 f"PRAGMA max_page_count = {db.execute(n_pages).fetchone()[0] + disk[1]}"
             ).fetchone()

@@ -10,21 +10,22 @@ from pathlib import Path
 
 import pytest
 
-from storage import Store, backups, open_store
-from storage.backups import (
+from storage import Store, open_store
+from storage.exchange.deletion import remove, remove_keys
+from storage.file import backups
+from storage.file.backups import (
     Backup,
     damage_of,
     folder_of,
     is_due,
-    kept,
     list_backups,
     make_backup,
     remove_from_backups,
     remove_surplus,
+    worth_keeping,
 )
-from storage.removal import remove, remove_keys
-from tests.storage.backup_files import DAY, MUCH, NOON, backed_up, much, names_in
-from tests.storage.refusals import code_of
+from tests.storage.file.backup_files import DAY, MUCH, NOON, backed_up, much, names_in
+from tests.storage.file.refusals import code_of
 
 
 def test_a_backup_is_the_file_at_one_moment_under_a_number_and_its_time(
@@ -154,7 +155,7 @@ def test_the_last_three_are_kept_and_the_last_of_each_day_for_14_days_then_of_ea
     None
 ):
     twice_a_day = [NOON + n * DAY / 2 for n in range(2 * 150)]
-    chosen = kept(fakes(*twice_a_day), MUCH)
+    chosen = worth_keeping(fakes(*twice_a_day), MUCH)
     assert [backup.number for backup in chosen[:4]] == [299, 298, 297, 296]
     days = sorted({backup.made_at.date() for backup in chosen}, reverse=True)
     assert len(days) == 14 + 8
@@ -164,19 +165,19 @@ def test_the_last_three_are_kept_and_the_last_of_each_day_for_14_days_then_of_ea
 
 
 def test_a_pc_that_has_the_same_day_every_day_has_more_than_one_backup() -> None:
-    assert len(kept(fakes(*[NOON] * 30), MUCH)) == 3
+    assert len(worth_keeping(fakes(*[NOON] * 30), MUCH)) == 3
 
 
 def test_holidays_and_wrong_clocks_make_nothing_old() -> None:
     before_holidays = [NOON + n * DAY for n in range(5)]
     chosen = fakes(*before_holidays, NOON + 90 * DAY, NOON + 30_000 * DAY, NOON - 5000 * DAY)
-    assert kept(chosen, MUCH) == chosen
+    assert worth_keeping(chosen, MUCH) == chosen
 
 
 def test_the_oldest_go_when_together_they_are_too_large_but_never_the_newest() -> None:
     made = fakes(*(NOON + n * DAY for n in range(5)), size=100)
-    assert kept(made, 350) == made[:3]
-    assert kept(made, 1) == made[:1]
+    assert worth_keeping(made, 350) == made[:3]
+    assert worth_keeping(made, 1) == made[:1]
 
 
 def test_backups_take_a_tenth_of_the_free_disk_at_most(store: Store, path: Path) -> None:
@@ -247,7 +248,7 @@ def test_a_backup_that_is_being_made_does_not_keep_what_is_deleted_meanwhile(
     deleting: list[threading.Thread] = []
 
     def delete() -> None:
-        remove(store._access, "group", gone.id)
+        remove(store._database, "group", gone.id)
         remove_from_backups(path, [gone.id], remove_keys)
 
     def stop() -> bool:

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from storage import RunStart, Store, text
-from storage.text import go_on_after, new_id
+from storage.text import continue_after, new_id
 
 NOW = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
 
@@ -65,7 +65,7 @@ def test_ids_are_of_version_7_with_their_time_and_grow_while_the_clock_goes_back
 
 @pytest.mark.parametrize("no_id", ["", "g", "00", "ffffffff-ffff-7fff-bfff-ffffffffffff"])
 def test_what_is_no_id_of_a_clock_changes_no_ids(clock: Clock, no_id: str) -> None:
-    go_on_after(no_id)
+    continue_after(no_id)
     assert uuid.UUID(new_id()).int >> 80 == NOW.timestamp() * 1000
 
 

@@ -7,9 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from storage import Store, StoreError, opening, places
-from storage.backups import list_backups, make_backup
-from storage.places import kind_of_file_system
+from storage import Store, StoreError
+from storage.file import filesystems, opening
+from storage.file.backups import list_backups, make_backup
+from storage.file.filesystems import kind_of_file_system
+from storage.sql import address
 
 NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
 MOUNTS = """\
@@ -38,7 +40,7 @@ def test_the_kind_of_a_file_system_is_that_of_the_nearest_mount(folder: str, kin
 def test_a_folder_of_this_pc_is_no_share_and_the_file_uses_its_wal(
     store: Store, path: Path
 ) -> None:
-    assert not places.is_on_share(path.parent)
+    assert not filesystems.is_on_share(path.parent)
     assert journal_mode(path) == "wal"
     assert store.notice is None
 
@@ -67,7 +69,7 @@ def check_that_work_is_kept_without_wal(opened: Callable[..., Store], path: Path
     newest = other.versions.newest(program.id)
     assert newest is not None
     assert newest.workspace == {"n": 2}
-    synchronous = store._access.write(lambda db: db.execute("PRAGMA synchronous").fetchone()[0])
+    synchronous = store._database.write(lambda db: db.execute("PRAGMA synchronous").fetchone()[0])
     assert synchronous == 2
     assert not path.with_name("pinel.db-wal").exists()
 
@@ -95,13 +97,13 @@ def test_where_sqlite_can_share_no_memory_the_file_is_written_without_wal_and_th
     vfs: str,
     had_wal: bool,
 ) -> None:
-    real = opening._address
+    real = address
     with monkeypatch.context() as elsewhere:
         if not had_wal:
-            elsewhere.setattr(opening, "_address", lambda p, mode: f"{real(p, mode)}&vfs={vfs}")
+            elsewhere.setattr(opening, "address", lambda p, mode: f"{real(p, mode)}&vfs={vfs}")
         with opened() as store:
             begun(store)
-    monkeypatch.setattr(opening, "_address", lambda p, mode: f"{real(p, mode)}&vfs={vfs}")
+    monkeypatch.setattr(opening, "address", lambda p, mode: f"{real(p, mode)}&vfs={vfs}")
     check_that_work_is_kept_without_wal(opened, path)
 
 
@@ -116,8 +118,8 @@ def test_a_wal_that_came_with_the_file_is_taken_in_where_there_can_be_none(
         there.with_name(there.name + suffix).write_bytes(
             path.with_name(path.name + suffix).read_bytes()
         )
-    real = opening._address
-    monkeypatch.setattr(opening, "_address", lambda p, mode: f"{real(p, mode)}&vfs=unix-dotfile")
+    real = address
+    monkeypatch.setattr(opening, "address", lambda p, mode: f"{real(p, mode)}&vfs=unix-dotfile")
     assert [group.name for group in opened(there).groups.all()] == ["A"]
 
 
@@ -125,7 +127,7 @@ def test_a_backup_of_a_file_without_wal_is_given_up_while_somebody_writes_all_th
     opened: Callable[..., Store], path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(opening, "is_on_share", lambda folder: True)
-    monkeypatch.setattr("storage.backups._PAGES", 4)
+    monkeypatch.setattr("storage.file.backups._PAGES", 4)
     store = opened()
     begun(store)
     (program,) = store.programs.of_group(store.groups.all()[0].id)

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from storage import Recorder, RunRow, RunStart, Store, StoreError, VersionRow, open_store
-from tests.storage.refusals import code_of
+from tests.storage.file.refusals import code_of
 from tests.storage.sample_runs import ended, square
 
 NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
@@ -21,7 +21,7 @@ IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 
 def limit_pages(store: Store, extra: int) -> None:
     """Makes the disk seem full after `extra` more pages."""
-    store._access.write(
+    store._database.write(
         lambda db: db.execute(
             f"PRAGMA max_page_count = {db.execute('PRAGMA page_count').fetchone()[0] + extra}"
         ).fetchone()
@@ -86,7 +86,7 @@ def settle(store: Store, job: Callable[[sqlite3.Connection], object] = lambda db
         raise ZeroDivisionError
 
     with pytest.raises(ZeroDivisionError):
-        store._access.write(fail)
+        store._database.write(fail)
 
 
 @pytest.fixture
@@ -185,7 +185,7 @@ def test_a_run_that_was_cut_off_is_closed_later_when_the_disk_was_full_at_the_st
         raise StoreError("disk_full", path=str(path))
 
     with monkeypatch.context() as patch:
-        patch.setattr("storage.runs.Runs.close_interrupted", refuse)
+        patch.setattr("storage.runs.runs.Runs.close_interrupted", refuse)
         later = opened(close_interrupted=True)
     assert (later.unfinished, later.notice and later.notice.code) == (True, "disk_full")
     recorder = Recorder(later)
@@ -280,7 +280,7 @@ def test_a_quota_that_is_used_up_is_told_apart_from_a_broken_disk(
         raise error
 
     monkeypatch.setattr("tempfile.TemporaryFile", refuse)
-    assert code_of(lambda: store._access.write(fail)) == code
+    assert code_of(lambda: store._database.write(fail)) == code
 
 
 def test_an_io_error_on_a_disk_with_room_is_not_taken_for_a_full_one(store: Store) -> None:
@@ -289,4 +289,4 @@ def test_an_io_error_on_a_disk_with_room_is_not_taken_for_a_full_one(store: Stor
         error.sqlite_errorname = "SQLITE_IOERR_READ"
         raise error
 
-    assert code_of(lambda: store._access.write(fail)) == "database_failed"
+    assert code_of(lambda: store._database.write(fail)) == "database_failed"

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from storage import ProgramRow, Store, StoreError, open_store
-from storage.caretaker import Caretaker
+from storage.maintenance import Maintenance
 
 _PAGE = 4096
 
@@ -38,11 +38,11 @@ def test_an_index_that_does_not_fit_is_made_anew(
     with open_store(path) as store:
         with pytest.raises(StoreError):
             store.versions.save(program.id, {"n": 3}, None, parent_id=damaged)
-        caretaker = Caretaker(store)
-        caretaker.look_at_file()
-        assert caretaker.notice is None
+        maintenance = Maintenance(store)
+        maintenance.check_integrity()
+        assert maintenance.notice is None
         assert store.versions.save(program.id, {"n": 3}, None, parent_id=damaged).number == 4
-        assert store.mend() is None
+        assert store.check_and_reindex() is None
 
 
 def test_what_cannot_be_mended_is_told(damaged: str, path: Path) -> None:
@@ -50,13 +50,13 @@ def test_what_cannot_be_mended_is_told(damaged: str, path: Path) -> None:
         other = sqlite3.connect(path, isolation_level=None)
         with closing(other):
             other.execute("BEGIN IMMEDIATE")  # nobody else can write now
-            caretaker = Caretaker(store)
-            caretaker.look_at_file()
-            assert caretaker.notice
-            assert caretaker.notice.code == "backup_found_damage"
+            maintenance = Maintenance(store)
+            maintenance.check_integrity()
+            assert maintenance.notice
+            assert maintenance.notice.code == "backup_found_damage"
             other.execute("ROLLBACK")
 
 
 def test_a_look_that_is_stopped_finds_nothing(damaged: str, path: Path) -> None:
     with open_store(path) as store:
-        assert store.mend(lambda: True) is None
+        assert store.check_and_reindex(lambda: True) is None

@@ -17,8 +17,8 @@ from typing import Any
 import pytest
 
 from storage import open_store
-from storage.backups import damage_of, list_backups
-from tests.storage.busy_group import FILE_SIZE, PAGES, text_of
+from storage.file.backups import damage_of, list_backups
+from tests.storage.file.busy_group import FILE_SIZE, PAGES, text_of
 
 BUSY_GROUP = Path(__file__).with_name("busy_group.py")
 LONGEST_S = 0.35

@@ -14,7 +14,7 @@ NEIGHBOUR = """
 import sys
 sys.path[:0] = {import_path!r}
 from pathlib import Path
-from tests.storage.test_neighbours import work
+from tests.storage.file.test_neighbours import work
 from storage import open_store
 with open_store(Path(sys.argv[1])) as store:
     print("open", flush=True)
@@ -68,7 +68,7 @@ def test_two_stores_that_write_at_once_lose_nothing(
 def test_two_programs_that_write_at_once_lose_nothing(path: Path) -> None:
     with open_store(path) as store:
         program = store.programs.create(store.groups.create("A").id, "P")
-        script = NEIGHBOUR.format(import_path=[str(Path(__file__).parents[2]), *sys.path])
+        script = NEIGHBOUR.format(import_path=[str(Path(__file__).parents[3]), *sys.path])
         with subprocess.Popen(
             [sys.executable, "-c", script, str(path), program.id, "two"],
             stdin=subprocess.PIPE,

@@ -8,12 +8,12 @@ from pathlib import Path
 import pytest
 
 from storage import open_store
-from storage.backups import (
+from storage.file.backups import (
     damage_of,
     list_backups,
 )
-from tests.storage.backup_files import DAY, NOON, backed_up, names_in, spoil
-from tests.storage.refusals import code_of
+from tests.storage.file.backup_files import DAY, NOON, backed_up, names_in, spoil
+from tests.storage.file.refusals import code_of
 
 
 def test_a_damaged_file_gives_way_to_its_last_backup_and_lies_beside(path: Path) -> None:

@@ -4,14 +4,15 @@ import os
 import sqlite3
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
 
-from storage import Store, StoreError, open_store, schema
-from tests.storage.refusals import code_of
+from storage import Store, StoreError, open_store
+from storage.tables.ddl import MIGRATIONS
+from tests.storage.file.refusals import code_of
 
 NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
 IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
@@ -90,13 +91,13 @@ def test_a_file_of_another_program_is_refused_and_not_touched(path: Path) -> Non
 def test_a_file_whose_making_was_cut_off_is_made_to_its_end(
     path: Path, opened: Callable[..., Store], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def cut_off(_db: object) -> None:
+    def cut_off() -> Iterator[str]:
         raise KeyboardInterrupt
+        yield
 
-    for n in range(len(schema._MIGRATIONS)):
+    for name in MIGRATIONS:
         with monkeypatch.context() as patch:
-            patch.setattr(cut_off, "__name__", schema._MIGRATIONS[n].__name__)
-            patch.setattr(schema, "_MIGRATIONS", (*schema._MIGRATIONS[:n], cut_off))
+            patch.setitem(MIGRATIONS, name, cut_off())
             with pytest.raises(KeyboardInterrupt):
                 open_store(path)
     assert opened().groups.create("A").name == "A"
@@ -124,7 +125,7 @@ def test_without_a_file_there_is_nothing_to_read_and_every_write_says_why(path: 
 def test_a_file_that_another_program_holds_is_locked_and_free_again_later(
     store: Store, path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    store._access.submit(lambda db: db.execute("PRAGMA busy_timeout = 50").fetchone()).result()
+    store._database.submit(lambda db: db.execute("PRAGMA busy_timeout = 50").fetchone()).result()
     other = sqlite3.connect(path, isolation_level=None)
     other.execute("BEGIN EXCLUSIVE")
     assert code_of(lambda: store.groups.create("A")) == "database_locked"

@@ -8,10 +8,10 @@ from typing import Any
 import pytest
 
 from storage import RunFilter, RunStart, Store, open_store
-from storage.history import NO_CLASSROOM
-from storage.runs import Batch
+from storage.runs.history import NO_CLASSROOM
+from storage.runs.runs import Batch
 from tests.storage.sample_runs import ended
-from tests.storage.school_clock import SchoolClock
+from tests.storage.work.school_clock import SchoolClock
 
 
 @dataclass
@@ -41,7 +41,7 @@ class School:
         end = ended(run_id, 0, 30, state=state, reason="collision" if state == "failed" else None)
         batches = [Batch(run_id, self.store.now(), ended=end)]
         self.store.record(lambda: batches).result()
-        self.store._access.write(
+        self.store._database.write(
             lambda db: (
                 db.execute("UPDATE runs SET passed = ? WHERE id = ?", [passed, run_id]).rowcount
             )
@@ -120,10 +120,10 @@ def test_pages_follow_each_other_without_gap(school: School) -> None:
 )
 def test_every_choice_is_read_from_an_index(school: School, which: Any, index: str) -> None:
     asked: list[str] = []
-    with school.store._access.reading() as db:
+    with school.store._database.reading() as db:
         db.set_trace_callback(asked.append)
     school.store.history.page(RunFilter(**which))
-    with school.store._access.reading() as db:
+    with school.store._database.reading() as db:
         db.set_trace_callback(None)
         (query,) = [text for text in asked if "SELECT" in text]
         plan = "; ".join(row["detail"] for row in db.execute(f"EXPLAIN QUERY PLAN {query}"))
@@ -147,7 +147,7 @@ def test_a_lesson_s_records_are_lines_of_its_groups(school: School) -> None:
     (run,) = work.runs
     assert (run.id, run.version_id, run.number, run.state) == (run_id, first, 1, "failed")
     assert (run.activity, run.passed, run.params) == ("square", None, {})
-    assert lines.computers == dict([school.store.computers.here()])
+    assert lines.computers == dict([school.store.computers.this()])
 
 
 def test_workspaces_are_read_by_version(school: School) -> None:

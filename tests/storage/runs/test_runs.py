@@ -7,8 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pinel_desktop.events.types import KEPT, URGENT
 from storage import GroupRow, Recorder, RunRow, RunStart, Store, StoreError, VersionRow
-from storage.removal import remove_keys
+from storage.exchange.deletion import remove_keys
 from tests.storage.sample_documents import SQUARE, WORLD
 from tests.storage.sample_runs import block_started, ended, sample, square
 
@@ -28,7 +29,7 @@ def clock() -> ManualClock:
 
 @pytest.fixture
 def recorder(store: Store, clock: ManualClock) -> Recorder:
-    return Recorder(store, clock=clock)
+    return Recorder(store, clock=clock, kept=KEPT, urgent=URGENT)
 
 
 @pytest.fixture
@@ -199,7 +200,7 @@ def test_what_comes_of_a_run_that_is_gone_does_not_keep_others_waiting(
     store: Store, start: RunStart, run: RunRow, recorder: Recorder
 ) -> None:
     recorder(sample(run.id, 0))
-    store._access.write(lambda db: remove_keys(db, [run.id]))
+    store._database.write(lambda db: remove_keys(db, [run.id]))
     recorder({"v": 1, "type": "said", "run": run.id, "seq": 1, "tick": 1, "text": "x"})
     recorder(ended(run.id, 2, 1))
     later = store.runs.begin(start)

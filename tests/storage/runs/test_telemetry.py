@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from storage.outline import MAX_POINTS, outline
-from storage.telemetry import COLUMNS, STEPS, Telemetry, joined, pack, rows_of, unpack
+from storage.runs.simplify_path import MAX_POINTS, outline
+from storage.runs.telemetry import COLUMNS, STEPS, Telemetry, joined, pack, rows_of, unpack
 from tests.storage.sample_runs import sample, square
 
 STEP = np.array(list(STEPS.values()))

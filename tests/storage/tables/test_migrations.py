@@ -6,15 +6,15 @@ from pathlib import Path
 
 import pytest
 
-from storage import Store, StoreError, open_for_reading, schema
+from storage import Store, StoreError, open_for_reading
+from storage.tables.migrations import migrate
 
 
 @pytest.fixture
-def before_worlds(path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def before_worlds(path: Path) -> Path:
     """A file from before versions had worlds, with one of them."""
-    with monkeypatch.context() as earlier, sqlite3.connect(path) as db:
-        earlier.setattr(schema, "_MIGRATIONS", (schema.first_tables, schema.first_views))
-        schema.migrate(db)
+    with sqlite3.connect(path) as db:
+        migrate(db, n_steps=2)
         db.executescript(
             """INSERT INTO groups VALUES ('g', 'A', 'a', '#000000', 't', 't');
                INSERT INTO programs VALUES ('p', 'g', 'Quadrado', 't', 't');

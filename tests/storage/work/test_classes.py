@@ -6,11 +6,11 @@ from typing import Any
 import pytest
 
 from storage import GroupRow, ProgramRow, RunStart, Store, open_store
-from storage.groups import COLORS, PICTURES
+from storage.choices import COLORS, PICTURES
 from tests.storage.bundle_makers import exported, hash_of, merged
-from tests.storage.refusals import code_of
+from tests.storage.file.refusals import code_of
 from tests.storage.sample_documents import WORLD
-from tests.storage.school_clock import SchoolClock
+from tests.storage.work.school_clock import SchoolClock
 
 
 @pytest.fixture
@@ -84,12 +84,12 @@ def test_what_is_thrown_away_comes_back_from_the_bin(
     school: Store, robots: GroupRow, square: ProgramRow
 ) -> None:
     kept = edited(school, square, "a")
-    assert school.programs.throw_away(square.id).deleted_at is not None
+    assert school.programs.move_to_bin(square.id).deleted_at is not None
     assert school.programs.of_group(robots.id) == []
     group = school.groups.get(robots.id)
     assert (group.n_programs, group.n_in_bin) == (0, 1)
     assert [row.id for row in school.programs.of_group(robots.id, in_bin=True)] == [square.id]
-    assert school.programs.take_back(square.id).deleted_at is None
+    assert school.programs.take_from_bin(square.id).deleted_at is None
     assert school.programs.of_group(robots.id, in_bin=True) == []
     newest = school.versions.newest(square.id)
     assert newest is not None
@@ -124,7 +124,7 @@ def test_work_belongs_to_a_lesson_that_opens_by_itself(
     run_of(school, edited(school, square, "b"))
     (lesson,) = school.lessons.of_classroom(ninth)
     assert (lesson.by_itself, lesson.title, lesson.n_versions, lesson.n_runs) == (True, "", 2, 1)
-    assert lesson.computer == school.computers.here()[1]
+    assert lesson.computer == school.computers.this()[1]
     clock.passes(minutes=46)
     assert school.lessons.current(ninth) is None
     edited(school, square, "c")
@@ -193,13 +193,13 @@ def test_a_note_is_new_to_its_group_until_it_is_seen(
     note = school.notes.write(run_id, "  Por que girou 90°? \n\ud800 ")
     assert (note.text, note.program_name) == ("Por que girou 90°?", "Quadrado")
     assert school.notes.of_group(robots.id, unseen=True) == school.notes.of_run(run_id) == [note]
-    assert school.notes.see(note.id).seen_at is not None
+    assert school.notes.mark_seen(note.id).seen_at is not None
     assert school.notes.of_group(robots.id, unseen=True) == []
     assert school.notes.rewrite(note.id, "Outra").seen_at is None
     assert code_of(lambda: school.notes.write(run_id, " \n")) == "note_empty"
     assert code_of(lambda: school.notes.write(run_id, "a" * 1001)) == "note_too_long"
     assert code_of(lambda: school.notes.write("x", "a")) == "run_not_found"
-    assert code_of(lambda: school.notes.see("x")) == "note_not_found"
+    assert code_of(lambda: school.notes.mark_seen("x")) == "note_not_found"
 
 
 def merged_in_both_orders(folder: Path, one: Store, other: Store) -> list[Store]:
@@ -236,7 +236,7 @@ def test_the_teacher_s_change_beats_what_pupils_did_on_the_older_state(
         teacher.groups.change(robots.id, {"classroom_id": other}, by_teacher=True)
         clock.passes(days=1)
         clock.is_set(days=ahead - 1)
-        school.notes.see(note)
+        school.notes.mark_seen(note)
         for color in COLORS[-2:]:
             school.groups.change(robots.id, {"color": color, "name": "Gatos"})
         edited(school, square, "b")
@@ -266,7 +266,7 @@ def test_what_pupils_did_is_kept_where_the_teacher_changed_nothing(
         merged(teacher, exported(school, tmp_path / "b.pinel").path)
         clock.passes(days=1)
         clock.is_set(days=ahead - 1)
-        school.notes.see(note)
+        school.notes.mark_seen(note)
         school.groups.change(robots.id, {"color": COLORS[-1], "name": "Gatos"})
         school.lessons.close(lesson)
         stores = merged_in_both_orders(tmp_path, school, teacher)

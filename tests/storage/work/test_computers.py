@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from storage import GroupRow, ProgramRow, Store, open_store
-from storage.machine import machine_mark
+from storage.work.machine import machine_mark
 
 
 def edited(store: Store, program: ProgramRow, text: str) -> str:
@@ -15,11 +15,11 @@ def edited(store: Store, program: ProgramRow, text: str) -> str:
 
 
 def test_this_pc_has_a_key_that_stays_and_a_name_to_choose(store: Store, path: Path) -> None:
-    key, name = store.computers.here()
+    key, name = store.computers.this()
     assert name
     assert store.computers.rename("PC 07") == "PC 07"
     with open_store(path) as again:
-        assert again.computers.here() == (key, "PC 07")
+        assert again.computers.this() == (key, "PC 07")
 
 
 @pytest.mark.parametrize(
@@ -31,7 +31,7 @@ def test_whatever_the_network_calls_this_pc_work_is_kept(
 ) -> None:
     monkeypatch.setattr("platform.node", lambda: node)
     edited(store, program, "a")
-    assert store.computers.here()[1] == name
+    assert store.computers.this()[1] == name
 
 
 def test_a_copied_data_folder_is_another_pc_with_its_first_work(
@@ -42,43 +42,43 @@ def test_a_copied_data_folder_is_another_pc_with_its_first_work(
     program: ProgramRow,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("storage.machine.machine_mark", lambda: "one")
+    monkeypatch.setattr("storage.work.machine.machine_mark", lambda: "one")
     version = edited(store, program, "a")
-    key, _ = store.computers.here()
+    key, _ = store.computers.this()
     store.computers.rename("PC 07")
     store.close()
     copy = Path(shutil.copy(path, tmp_path / "copy.db"))
     monkeypatch.setattr("platform.node", lambda: "lab-2")
-    monkeypatch.setattr("storage.machine.machine_mark", lambda: "other")
+    monkeypatch.setattr("storage.work.machine.machine_mark", lambda: "other")
     with open_store(copy) as other:
         assert other.lessons.current(group.classroom_id) is None
         edited(other, program, "b")
-        theirs = other.computers.here()
+        theirs = other.computers.this()
         assert theirs[0] != key
         assert theirs[1] == "lab-2"
-        assert other.computers.here() == theirs
+        assert other.computers.this() == theirs
         line = other.versions.line_of(program.id)
         assert [(mark.computer, mark.id == version) for mark in line] == [
             ("lab-2", False),
             ("PC 07", True),
         ]
     for mark in ("one", None):
-        monkeypatch.setattr("storage.machine.machine_mark", lambda mark=mark: mark)
+        monkeypatch.setattr("storage.work.machine.machine_mark", lambda mark=mark: mark)
         with open_store(path) as again:
-            assert again.computers.here() == (key, "PC 07")
+            assert again.computers.this() == (key, "PC 07")
 
 
 def test_a_file_without_a_machine_s_mark_stays_this_pc_s(
     store: Store, program: ProgramRow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("storage.machine.machine_mark", lambda: None)
-    here = store.computers.here()
-    monkeypatch.setattr("storage.machine.machine_mark", lambda: "one")
-    assert store.computers.here() == here
+    monkeypatch.setattr("storage.work.machine.machine_mark", lambda: None)
+    here = store.computers.this()
+    monkeypatch.setattr("storage.work.machine.machine_mark", lambda: "one")
+    assert store.computers.this() == here
     edited(store, program, "a")
-    assert store.computers.here() == here
-    monkeypatch.setattr("storage.machine.machine_mark", lambda: "other")
-    assert store.computers.here() != here
+    assert store.computers.this() == here
+    monkeypatch.setattr("storage.work.machine.machine_mark", lambda: "other")
+    assert store.computers.this() != here
 
 
 def test_the_mark_of_a_machine_is_the_same_each_time_and_tells_nothing() -> None:

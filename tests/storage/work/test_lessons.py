@@ -11,7 +11,7 @@ import pytest
 from storage import LessonRow, ProgramRow, RunStart, Store
 from tests.storage.bundle_makers import exported, hash_of, merged, removed
 from tests.storage.sample_documents import WORLD
-from tests.storage.school_clock import SchoolClock
+from tests.storage.work.school_clock import SchoolClock
 
 Start = Callable[..., Store]
 
@@ -77,7 +77,7 @@ def test_a_merge_in_the_middle_of_a_lesson_leaves_it_open(
     assert other.lessons.open(ninth, "Quadrado", "square").id == here
     clock.passes(minutes=1)
     brought(other, school, tmp_path)
-    assert school.lessons.get(here).computer_id == other.computers.here()[0]
+    assert school.lessons.get(here).computer_id == other.computers.this()[0]
     assert current(school, ninth) == here
     assert saved(school, square).id == here
     assert activity_of_a_run(school, square) == "square"
@@ -117,7 +117,7 @@ def test_a_merge_opens_no_lesson_where_it_was_closed(
     school.lessons.close(lesson)
     brought(other, school, tmp_path)
     row = school.lessons.get(lesson)
-    assert (row.closed_at, row.computer_id) == (None, school.computers.here()[0])
+    assert (row.closed_at, row.computer_id) == (None, school.computers.this()[0])
     assert current(school, ninth) is None
     assert saved(school, square).by_itself
 
@@ -191,7 +191,7 @@ def test_a_lesson_goes_on_after_a_start_but_not_in_a_copied_folder(
     copy = Path(shutil.copy(path, tmp_path / "copy.db"))
     clock.passes(hours=5)
     assert current(started(), ninth) == lesson
-    monkeypatch.setattr("storage.machine.machine_mark", lambda: "another")
+    monkeypatch.setattr("storage.work.machine.machine_mark", lambda: "another")
     there = started(copy)
     assert current(there, ninth) is None
     assert saved(there, square).by_itself

@@ -1,131 +1,103 @@
-import type { Language } from "../i18n/language";
+import createClient, { type ClientPathsWithMethod, type MaybeOptionalInit } from "openapi-fetch";
 import { ApiError, ServerGone } from "./errors";
 import type {
   Content,
   Debugging,
-  Evaluated,
-  Fault,
-  Group,
-  Program,
-  ProgramWithVersion,
-  ReadPython,
-  Ring,
-  Run,
-  RunEvent,
-  RunList,
-  RunWithVersion,
-  SavedVersion,
-  Status,
-  StepMode,
-  World,
-  WrittenPython,
+  DocumentToWrite,
+  Language,
+  LiveCommand,
+  NewVersion,
 } from "./model";
+import type { paths } from "./types";
+
+/** The one HTTP client. Paths, parameters, bodies and answers are typed by the server's own description. */
+const http = createClient<paths>({
+  // relative addresses fail in Node's Request
+  baseUrl: location.origin,
+  fetch: (request) => globalThis.fetch(request),
+});
+
+http.use({
+  onError: ({ error }) => (isAbort(error) ? undefined : new ServerGone(String(error))),
+  onResponse: async ({ response }) => {
+    if (response.ok) return;
+    const answer = await response.json().catch(() => ({}));
+    throw new ApiError(response.status, answer?.error ?? {});
+  },
+});
+
+const isAbort = (error: unknown) => error instanceof DOMException && error.name === "AbortError";
+
+type Method = "get" | "post" | "put" | "patch" | "delete";
+type Path<M extends Method> = ClientPathsWithMethod<typeof http, M>;
+type Init<P extends keyof paths, M extends Method> = MaybeOptionalInit<paths[P], M>;
+type Answer<Operation> = Operation extends { responses: { 200: { content: infer Content } } }
+  ? Content[keyof Content]
+  : never;
+
+/** Requests of one method. They reject with ApiError, which has the server's words, or with ServerGone. */
+const requests =
+  <M extends Method>(method: M) =>
+  async <P extends Path<M>>(
+    path: P,
+    ...init: undefined extends Init<P, M> ? [Init<P, M>?] : [Init<P, M>]
+  ): Promise<Answer<paths[P][M]>> =>
+    (await http.request(method, path, ...(init as never))).data as Answer<paths[P][M]>;
+
+export const [get, post, put, patch, del] = [
+  requests("get"),
+  requests("post"),
+  requests("put"),
+  requests("patch"),
+  requests("delete"),
+];
+
+/** Fills the `{id}` of a path. */
+export const of = (id: string) => ({ params: { path: { id } } });
+
+/** The same, for an answer that is a file; `file` says so to the compiler. */
+export const asFile = (id: string) => ({ ...of(id), parseAs: "blob" }) as const;
+export const file = (answer: Promise<string>) => answer as Promise<unknown> as Promise<Blob>;
 
 /** A keepalive request may carry no more than this, by the fetch standard. */
 const KEEPALIVE_LIMIT = 60_000;
 
-type Method = "GET" | "POST" | "PUT" | "PATCH" | "DELETE";
-
-function request(method: Method, path: string, body?: object, last = false): Promise<Response> {
-  const init: RequestInit = { method };
-  if (body) {
-    init.headers = { "Content-Type": "application/json" };
-    init.body = JSON.stringify(body);
-    init.keepalive = last && init.body.length < KEEPALIVE_LIMIT;
-  }
-  return ask(path, init);
-}
-
-async function ask(path: string, init: RequestInit): Promise<Response> {
-  let response: Response;
-  try {
-    response = await fetch(path, init);
-  } catch (error) {
-    throw new ServerGone(String(error));
-  }
-  if (!response.ok) throw await errorOf(response);
-  return response;
-}
-
-/** A file of the server. */
-export async function octets(path: string): Promise<Blob> {
-  return (await ask(path, {})).blob();
-}
-
-/** Sends a file as it is. */
-export async function sendFile<T>(path: string, file: Blob): Promise<T> {
-  const headers = { "Content-Type": "application/octet-stream" };
-  return (await ask(path, { method: "POST", headers, body: file })).json();
-}
-
-async function errorOf(response: Response): Promise<ApiError> {
-  const answer = await response.json().catch(() => ({}));
-  return new ApiError(response.status, answer?.error ?? {});
-}
-
-/** Asks the server; throws ApiError with its words, or ServerGone. The parts of `api/` build on it. */
-export async function json<T>(
-  method: Method,
-  path: string,
-  body?: object,
-  last = false,
-): Promise<T> {
-  const response = await request(method, path, body, last);
-  return (await response.json()) as T;
-}
-
+/** The app, groups, programs and runs: what the page needs from its start. */
 export const api = {
-  status: () => json<Status>("GET", "/api/status"),
-  setLanguage: (language: Language) =>
-    json<{ language: Language }>("PUT", "/api/settings", { language }),
+  status: () => get("/api/status"),
+  setLanguage: (language: Language) => put("/api/settings", { body: { language } }),
 
-  groups: async () => (await json<{ groups: Group[] }>("GET", "/api/groups")).groups,
+  groups: async () => (await get("/api/groups")).groups,
 
-  programs: async (group: string) =>
-    (await json<{ programs: Program[] }>("GET", `/api/groups/${group}/programs`)).programs,
+  programs: async (group: string) => (await get("/api/groups/{id}/programs", of(group))).programs,
   createProgram: (group: string, name: string) =>
-    json<Program>("POST", `/api/groups/${group}/programs`, { name }),
-  program: (id: string) => json<ProgramWithVersion>("GET", `/api/programs/${id}`),
+    post("/api/groups/{id}/programs", { ...of(group), body: { name } }),
+  program: (id: string) => get("/api/programs/{id}", of(id)),
   renameProgram: (id: string, name: string) =>
-    json<Program>("PATCH", `/api/programs/${id}`, { name }),
+    patch("/api/programs/{id}", { ...of(id), body: { name } }),
   /** `last`: the page is closing, the request must outlive it. */
-  saveVersion: (program: string, content: Content, last = false) =>
-    json<SavedVersion>("POST", `/api/programs/${program}/versions`, content, last),
+  saveVersion: (program: string, content: Content, last = false) => {
+    const body = content as NewVersion;
+    const keepalive = last && JSON.stringify(body).length < KEEPALIVE_LIMIT;
+    return post("/api/programs/{id}/versions", { ...of(program), body, keepalive });
+  },
 
   runs: (group: string, before: string | null = null, limit = 50) =>
-    json<RunList>(
-      "GET",
-      `/api/groups/${group}/runs?limit=${limit}${before ? `&before=${before}` : ""}`,
-    ),
-  startRun: (versionId: string, world: string, debugging: Debugging) =>
-    json<Run>("POST", "/api/runs", { version_id: versionId, world, ...debugging }),
-  step: (run: string, mode: StepMode) => json<object>("POST", `/api/runs/${run}/step`, { mode }),
-  setBreakpoints: (run: string, blocks: readonly string[]) =>
-    json<object>("PUT", `/api/runs/${run}/breakpoints`, { blocks }),
-  evaluate: (run: string, expression: unknown) =>
-    json<Evaluated>("POST", `/api/runs/${run}/evaluate`, { expression }),
-  setSpeed: (run: string, factor: number) =>
-    json<object>("PUT", `/api/runs/${run}/speed`, { factor }),
-  look: (run: string, sensors: readonly Ring[]) =>
-    json<object>("PUT", `/api/runs/${run}/look`, { sensors }),
-  pause: (run: string) => json<object>("POST", `/api/runs/${run}/pause`),
-  resume: (run: string) => json<object>("POST", `/api/runs/${run}/resume`),
-  stop: (run: string) => json<object>("POST", `/api/runs/${run}/stop`),
-  answerCapture: (run: string, result: string) =>
-    json<object>("POST", `/api/runs/${run}/capture`, { result }),
-  answerQuestion: (run: string, value: string) =>
-    json<object>("POST", `/api/runs/${run}/answer`, { value }),
-  writePython: (document: object) => json<WrittenPython>("POST", "/api/python", { document }),
-  readPython: (text: string) => json<ReadPython>("POST", "/api/python/read", { text }),
+    get("/api/groups/{id}/runs", { params: { path: { id: group }, query: { before, limit } } }),
+  startRun: (version_id: string, world: string, debugging: Debugging) =>
+    post("/api/runs", { body: { version_id, world, ...debugging } }),
+  command: (run: string, body: LiveCommand) =>
+    post("/api/runs/{id}/commands", { ...of(run), body }),
+  writePython: (document: object) => post("/api/python", { body: { document } as DocumentToWrite }),
+  readPython: (text: string) => post("/api/python/read", { body: { text } }),
 
-  run: (id: string) => json<RunWithVersion>("GET", `/api/runs/${id}`),
-  runEvents: async (id: string) =>
-    (await json<{ events: RunEvent[] }>("GET", `/api/runs/${id}/events`)).events,
+  run: (id: string) => get("/api/runs/{id}", of(id)),
+  runEvents: async (id: string) => (await get("/api/runs/{id}/events", of(id))).events,
   runTelemetry: async (id: string) =>
-    (await request("GET", `/api/runs/${id}/telemetry`)).arrayBuffer(),
+    (await file(get("/api/runs/{id}/telemetry", asFile(id)))).arrayBuffer(),
 
-  worlds: async () => (await json<{ worlds: World[] }>("GET", "/api/worlds")).worlds,
+  worlds: async () => (await get("/api/worlds")).worlds,
   /** Everything that is wrong with a world, in words. */
   checkWorld: async (world: unknown) =>
-    (await json<{ faults: Fault[] }>("POST", "/api/worlds/check", { world })).faults,
+    (await post("/api/worlds/check", { body: { world } })).faults,
 };

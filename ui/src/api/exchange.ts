@@ -1,43 +1,27 @@
-import { json, octets, sendFile } from "./client";
-import type { components } from "./types";
-
-type Schemas = components["schemas"];
-
-export type FoundFile = Schemas["FileFound"];
-export type Folder = Schemas["Folder"];
-export type Bundle = Schemas["Bundle"];
-export type Merged = Schemas["Merged"];
-export type Removed = Schemas["Removed"];
-export type HeardComputer = Schemas["HeardComputer"];
-
-export type Places = Schemas["FolderList"];
+import { asFile, del, file, get, of, post, put } from "./client";
 
 /** Work from PC to PC. */
 export const exchange = {
-  folders: () => json<Places>("GET", "/api/folders"),
+  folders: () => get("/api/folders"),
   /** Remembers the school's shared folder; "" for none. */
-  share: (path: string) => json<Places>("PUT", "/api/folders/shared", { path }),
-  write: (folder: string, classroom: string | null, anonymous: boolean) =>
-    json<Bundle>("POST", "/api/bundles", { folder, classroom_id: classroom, anonymous }),
+  share: (path: string) => put("/api/folders/shared", { body: { path } }),
+  write: (folder: string, classroom_id: string | null, anonymous: boolean) =>
+    post("/api/bundles", { body: { folder, classroom_id, anonymous } }),
   /** `drop`: what was deleted for good on the other PC goes here too. */
   merge: async (path: string, drop = false) =>
-    (
-      await json<{ merged: Merged[] }>("POST", "/api/bundles/merge", {
-        paths: [path],
-        delete: drop,
-      })
-    ).merged[0],
-  heard: async () =>
-    (await json<{ computers: HeardComputer[] }>("GET", "/api/bundles/heard")).computers,
+    (await post("/api/bundles/merge", { body: { paths: [path], delete: drop } })).merged[0],
+  heard: async () => (await get("/api/bundles/heard")).computers,
 
-  deleteGroup: (id: string) => json<Removed>("DELETE", `/api/groups/${id}`),
-  deleteClassroom: (id: string) => json<Removed>("DELETE", `/api/classrooms/${id}`),
+  deleteGroup: (id: string) => del("/api/groups/{id}", of(id)),
+  deleteClassroom: (id: string) => del("/api/classrooms/{id}", of(id)),
 
-  programFile: (program: string) => octets(`/api/programs/${program}/file`),
-  /** A refusal calls the file what it is called where it was chosen. */
-  bringProgram: (file: File) =>
-    sendFile<Schemas["BroughtProgram"]>(
-      `/api/programs/file?name=${encodeURIComponent(file.name)}`,
-      file,
-    ),
+  programFile: (program: string) => file(get("/api/programs/{id}/file", asFile(program))),
+  /** An error names the file by the name it has where it was chosen. */
+  bringProgram: (bundle: File) =>
+    post("/api/programs/file", {
+      params: { query: { name: bundle.name } },
+      headers: { "Content-Type": "application/octet-stream" },
+      body: bundle as unknown as string, // the description knows octets as text
+      bodySerializer: (octets) => octets,
+    }),
 };

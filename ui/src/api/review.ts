@@ -1,6 +1,4 @@
-import type { HistoryRun, LessonReview, VersionDifference } from "../review/model";
-import { json } from "./client";
-import type { Note } from "./model";
+import { asFile, del, file, get, of, patch, post } from "./client";
 
 /** Which runs of the history; what is "" does not choose. */
 export interface RunFilter {
@@ -11,32 +9,21 @@ export interface RunFilter {
   outcome: string;
 }
 
-interface History {
-  runs: HistoryRun[];
-  next: string | null;
-}
-
 /** What the teacher looks at after class. */
 export const reviewApi = {
-  lesson: (id: string) => json<LessonReview>("GET", `/api/lessons/${id}/review`),
+  lesson: (id: string) => get("/api/lessons/{id}/review", of(id)),
   /** The table of a lesson, as a spreadsheet opens it. */
-  table: async (id: string): Promise<Blob> => {
-    const answer = await fetch(`/api/lessons/${id}/review.csv`);
-    if (!answer.ok) throw new Error(`no table: ${answer.status}`);
-    return answer.blob();
-  },
+  table: (id: string) => file(get("/api/lessons/{id}/review.csv", asFile(id))),
   runs: (filter: RunFilter, before: string | null, limit = 24) => {
-    const told = Object.entries({ ...filter, before: before ?? "" }).filter(([, value]) => value);
-    return json<History>(
-      "GET",
-      `/api/runs?${new URLSearchParams([...told, ["limit", String(limit)]])}`,
-    );
+    const told = Object.entries({ ...filter, before }).filter(([, value]) => value);
+    return get("/api/runs", { params: { query: { ...Object.fromEntries(told), limit } } });
   },
-  difference: (from: string, to: string) =>
-    json<VersionDifference>("GET", `/api/versions/${from}/difference?to=${to}`),
-  notes: async (run: string) =>
-    (await json<{ notes: Note[] }>("GET", `/api/runs/${run}/notes`)).notes,
-  writeNote: (run: string, text: string) => json<Note>("POST", `/api/runs/${run}/notes`, { text }),
-  rewriteNote: (note: string, text: string) => json<Note>("PATCH", `/api/notes/${note}`, { text }),
-  deleteNote: (note: string) => json<unknown>("DELETE", `/api/notes/${note}`),
+  difference: (id: string, to: string) =>
+    get("/api/versions/{id}/difference", { params: { path: { id }, query: { to } } }),
+  notes: async (run: string) => (await get("/api/runs/{id}/notes", of(run))).notes,
+  writeNote: (run: string, text: string) =>
+    post("/api/runs/{id}/notes", { ...of(run), body: { text } }),
+  rewriteNote: (note: string, text: string) =>
+    patch("/api/notes/{id}", { ...of(note), body: { text } }),
+  deleteNote: (note: string) => del("/api/notes/{id}", of(note)),
 };

@@ -1,17 +1,18 @@
+import type { Category as CommandCategory } from "./categories";
 import type { BlockDefinition } from "./definition";
-import { flow } from "./flow";
-import { functions } from "./functions";
-import { gestures } from "./gestures";
 import type { Category } from "./hues";
-import { lists } from "./lists";
-import { logic } from "./logic";
-import { maths } from "./maths";
-import { motion } from "./motion";
-import { sensing } from "./sensing";
-import { show } from "./show";
-import { start } from "./start";
-import { text } from "./text";
-import { variables } from "./variables";
+import { flow } from "./table/flow";
+import { functions } from "./table/functions";
+import { gestures } from "./table/gestures";
+import { lists } from "./table/lists";
+import { logic } from "./table/logic";
+import { maths } from "./table/maths";
+import { motion } from "./table/motion";
+import { sensing } from "./table/sensing";
+import { show } from "./table/show";
+import { start } from "./table/start";
+import { text } from "./table/text";
+import { variables } from "./table/variables";
 
 /**
  * The block table: every block there is, by category, in the order of the toolbox. A new one takes a row in the file of
@@ -60,4 +61,29 @@ export function definitionOf(type: string): Row {
 /** Where the parameters of a block stand: its inputs and fields, those of a second line included. */
 export function argumentsOf(row: BlockDefinition) {
   return [...row.args0, ...(row.args1 ?? [])];
+}
+
+const BY_SENSOR = new Map<string, Row>(
+  ALL_DEFINITIONS.flatMap((row) => {
+    const sensors: readonly string[] = row.makes && "sensor" in row.makes ? row.makes.sensor : [];
+    return sensors.map((sensor) => [sensor, row] as const);
+  }),
+);
+
+/** The row of the block that reads a sensor. */
+export function sensorRow(sensor: string): Row {
+  const row = BY_SENSOR.get(sensor);
+  if (!row) throw new Error(`there is no sensor ${sensor}`);
+  return row;
+}
+
+const CATEGORY_OF_ACTION = new Map(
+  ALL_DEFINITIONS.flatMap(({ makes, style }) =>
+    makes && "action" in makes ? [[makes.action, style as CommandCategory] as const] : [],
+  ),
+);
+
+/** The category of an action of the program document. */
+export function categoryOf(action: string): CommandCategory {
+  return CATEGORY_OF_ACTION.get(action) ?? "flow";
 }

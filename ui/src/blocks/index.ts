@@ -10,8 +10,8 @@ import { callShape } from "./shapes/call";
 import { functionShape } from "./shapes/function";
 import { listData } from "./shapes/list_data";
 import { variadic } from "./shapes/variadic";
-import { reference } from "./texts";
-import type { TextKey } from "./texts/keys";
+import type { TextKey } from "./words";
+import { reference } from "./words";
 
 export { ALL_DEFINITIONS, type BlockType, CATEGORIES, DEFINITIONS } from "./definitions";
 export { type Category, HUES } from "./hues";

@@ -1,5 +1,10 @@
 import type * as Blockly from "blockly/core";
-import { NameField } from "./fields/name_field";
+
+/** A field that holds the name of a variable, as `fields/name_field.ts` has it. */
+export interface VariableField extends Blockly.Field {
+  readonly holdsVariable: true;
+  name_(): string;
+}
 
 /** Letters of any script, digits and underscores, with spaces between; as the reader of documents takes them. */
 const NAME = /^[\p{L}\p{M}\p{N}_](?:[\p{L}\p{M}\p{N}_ ]*[\p{L}\p{M}\p{N}_])?$/u;
@@ -77,13 +82,13 @@ export function renameInside(definition: Blockly.Block, from: string, to: string
   }
 }
 
-function nameFields(workspace: Blockly.Workspace): NameField[] {
+function nameFields(workspace: Blockly.Workspace): VariableField[] {
   return workspace.getAllBlocks(false).flatMap(fieldsOf);
 }
 
-function fieldsOf(block: Blockly.Block): NameField[] {
+function fieldsOf(block: Blockly.Block): VariableField[] {
   if (block.isInsertionMarker()) return [];
-  return [...block.getFields()].filter((field): field is NameField => field instanceof NameField);
+  return [...block.getFields()].filter((field): field is VariableField => "holdsVariable" in field);
 }
 
 function sorted(names: ReadonlySet<string>): string[] {

@@ -1,14 +1,17 @@
 import * as Blockly from "blockly/core";
 import { beforeAll, describe, expect, test } from "vitest";
-import { CATEGORY_COLOURS, categoryOf } from "../design/categories";
-import { VALUES } from "../generator/values";
-import { LANGUAGES } from "../i18n/language";
+import { textsOf } from "../i18n";
+import { LANGUAGES } from "../i18n/languages";
 import { ALL_DEFINITIONS, registerBlocks } from ".";
+import { CATEGORY_COLOURS } from "./categories";
 import type { BlockArgument, Level } from "./definition";
-import { argumentsOf, type Row } from "./definitions";
-import { BLOCK_TEXTS, setBlockLanguage } from "./texts";
-import type { TextKey } from "./texts/keys";
-import { flyoutBlocks, TOOLBOX_CATEGORIES, toolbox } from "./toolbox";
+import { argumentsOf, categoryOf, type Row } from "./definitions";
+import { VALUES } from "./generator/values";
+import { sensorWords } from "./sensor_words";
+import { SENSOR_ROWS } from "./table/sensor_rows";
+import { flyoutBlocks, TOOLBOX_CATEGORIES, toolbox } from "./toolbox/toolbox";
+import type { TextKey } from "./words";
+import { setBlockLanguage } from "./words";
 
 beforeAll(() => {
   setBlockLanguage("pt-BR");
@@ -103,9 +106,9 @@ test("a hand is held to the limits of the place a number stands in", () => {
 
 describe.each(LANGUAGES)("texts in %s", (language) => {
   test.each(
-    Object.entries(BLOCK_TEXTS["pt-BR"]),
+    Object.entries(textsOf("pt-BR").blocks),
   )("%s says something with the same places", (key, text) => {
-    const here = BLOCK_TEXTS[language][key as TextKey];
+    const here = textsOf(language).blocks[key as TextKey];
     expect(here.trim()).not.toBe("");
     expect(placeholders(here)).toEqual(placeholders(text));
   });
@@ -121,9 +124,20 @@ describe.each(LANGUAGES)("texts in %s", (language) => {
   });
 });
 
+test("a sensor that is asked is called as on its block", () => {
+  setBlockLanguage("en");
+  expect(sensorWords({ sensor: "sonar", index: 3 } as { sensor: string })).toBe("sonar 3 (m)");
+  expect(sensorWords({ sensor: "y" })).toBe("position y (m)");
+  const front = { sensor: "distance", direction: "front" } as { sensor: string };
+  expect(sensorWords(front)).toBe("distance ahead (m)");
+  for (const sensor of SENSOR_ROWS.flatMap((row) => row.sensors)) {
+    expect(sensorWords({ sensor })).not.toBe("");
+  }
+});
+
 test("the number of places in a text is the number of arguments of its block", () => {
   for (const { type, args0, icon } of ALL_DEFINITIONS as readonly Row[]) {
-    const text = BLOCK_TEXTS["pt-BR"][type.toUpperCase() as TextKey];
+    const text = textsOf("pt-BR").blocks[type.toUpperCase() as TextKey];
     expect(placeholders(text), type).toHaveLength(args0.length + (icon ? 1 : 0));
   }
 });

@@ -1,17 +1,13 @@
 import * as Blockly from "blockly/core";
-import type { Language } from "../../i18n/language";
-import { en } from "./en";
-import { es } from "./es";
-import type { BlockTexts, TextKey } from "./keys";
-import { ptBR } from "./pt-BR";
+import { type Language, type Texts, textsOf } from "../i18n";
 
-export const BLOCK_TEXTS: Readonly<Record<Language, BlockTexts>> = { "pt-BR": ptBR, en, es };
+export type TextKey = keyof Texts["blocks"];
 
 const PREFIX = "PINEL_";
 
 /** Puts our words where Blockly looks for them; blocks made from now on speak this language. */
 export function setBlockLanguage(language: Language): void {
-  for (const [key, text] of Object.entries(BLOCK_TEXTS[language])) {
+  for (const [key, text] of Object.entries(textsOf(language).blocks)) {
     Blockly.Msg[PREFIX + key] = text;
   }
 }

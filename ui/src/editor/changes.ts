@@ -1,8 +1,8 @@
 import * as Blockly from "blockly/core";
 
 /**
- * Calls back once after each burst of edits that changed what the program is. Selecting, scrolling and opening a menu
- * are events too, and half a drag is no edit yet.
+ * Calls back once after each burst of events that changed the program. Selecting, scrolling and opening a menu are
+ * ignored, and so is a drag until it ends.
  */
 export function watchContent(workspace: Blockly.WorkspaceSvg, changed: () => void): void {
   let scheduled = false;

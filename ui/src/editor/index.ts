@@ -2,83 +2,66 @@ import * as Blockly from "blockly/core";
 import "./editor.css";
 import { registerBlocks } from "../blocks";
 import type { Level } from "../blocks/definition";
-import { EVERYTHING, toolbox } from "../blocks/toolbox";
+import { generateDocument } from "../blocks/generator";
+import { EVERYTHING, toolbox } from "../blocks/toolbox/toolbox";
 import { upgradeWorkspace } from "../blocks/upgrade";
-import { generateDocument } from "../generator";
-import type { Language } from "../i18n/language";
-import { Breakpoints } from "./breakpoints";
+import type { Language } from "../i18n";
 import { watchContent } from "./changes";
-import { type Fault, Faults } from "./faults";
-import { bringIntoView, Highlight } from "./highlight";
 import { injectWorkspace } from "./inject";
 import { keepFocus } from "./keep_focus";
 import { applyLanguage } from "./locale";
+import { Breakpoints } from "./marks/breakpoints";
+import { type Fault, Faults } from "./marks/faults";
+import { bringIntoView, Highlight } from "./marks/highlight";
+import { StartHint } from "./marks/start_hint";
+import { ValueBubble } from "./marks/value_bubble";
+import type { EditorOptions } from "./options";
 import { Overview } from "./overview";
-import { type Peek, ValueBubble } from "./peek";
 import { quietly } from "./quietly";
 import { ensureStartBlock, markLooseBlocks } from "./start_block";
-import { StartHint } from "./start_hint";
 import { tellNothingToUndo, undoInto } from "./steps_back";
 import { pageFont, showTheme, type ThemeName } from "./themes";
 import { addZoomControls } from "./zoom_controls";
 
-export interface EditorOptions {
-  container: HTMLElement;
-  language: Language;
-  theme: ThemeName;
-  /** Where Blockly's pictures and cursors are served, with a slash at the end. */
-  mediaPath: string;
-  /** What the toolbox offers: 1 first steps, 2 explorer, 3 everything (without it). */
-  level?: Level;
-  programName?: () => string;
-  /** The ids of the blocks at which a run is to pause have changed; without it there are no such blocks. */
-  onBreakpoints?(ids: readonly string[]): void;
-  /** What an expression is worth now; without it values are not shown. */
-  peek?: Peek;
-  /** Undo was asked for, and nothing that was done here is left to undo. */
-  onNothingToUndo?(): void;
-  onChange(content: { workspace: object; document: object | null }): void;
-}
-
 export interface Editor {
   /**
-   * Replaces the content without firing onChange; null leaves the start block only.
-   * Throws, and keeps what was there, when the content holds blocks this version does not know.
+   * Replaces the content without firing onChange; null leaves only the start block.
+   * Throws, and keeps the current content, when the content holds blocks this version does not know.
    */
   load(workspace: object | null): void;
   content(): { workspace: object; document: object };
-  /** What the robot gets, without the workspace. */
+  /** The program document that is sent to the robot, without the workspace. */
   document(): object;
-  /** Lights the running block and brings it into view; null lights none. */
+  /** Highlights the running block and scrolls it into view; null clears the highlight. */
   highlight(blockId: string | null): void;
-  /** Shows faults on their blocks until that block is edited or an empty list comes. */
+  /** Shows faults on their blocks until the block is edited or an empty list is passed. */
   showFaults(faults: Fault[]): void;
-  /** Brings a block into view and opens the words of its fault, if it has one. */
+  /** Scrolls a block into view and opens its fault bubble, if it has one. */
   reveal(blockId: string): void;
   setLanguage(language: Language): void;
   setTheme(theme: ThemeName): void;
-  /** Offers the blocks of another level; blocks of higher ones that are in the program stay. */
+  /** Sets the toolbox level; blocks of higher levels that are already in the program stay. */
   setLevel(level: Level): void;
   setReadOnly(readOnly: boolean): void;
   undo(): void;
   redo(): void;
   /**
-   * Undoes to what was there before the session, null for nothing; false, and nothing happens, where it looks like
-   * what is there. Throws as `load` does.
+   * Undoes to a state from before the session; null is the empty program. Returns false and changes nothing when that
+   * state equals the current one. Throws as `load` does.
    */
   undoTo(workspace: object | null): boolean;
   /** Lines up loose blocks. */
   tidy(): void;
   zoomToFit(): void;
-  /** To be called when the container has another size and nobody else could notice. */
+  /** Call it when the container's size changed in a way that the editor cannot observe. */
   resize(): void;
   dispose(): void;
 }
 
-/** From the corner of the workspace to the start block, in pixels. */
+/** Distance from the workspace's corner to the start block, in pixels. */
 const MARGIN = 32;
 
-/** Makes an editor that is empty, even of its start block, until it is told what to load. */
+/** Creates an editor without any block, not even the start block, until `load` is called. */
 export function createEditor(options: EditorOptions): Editor {
   applyLanguage(options.language);
   registerBlocks();
@@ -163,7 +146,7 @@ class BlockEditor implements Editor {
     applyLanguage(language);
     this.updateToolbox();
     this.zoomControls.relabel();
-    // blocks take their words when they are made
+    // blocks read their texts when they are created
     this.remake();
   }
 
@@ -220,7 +203,7 @@ class BlockEditor implements Editor {
   }
 
   dispose(): void {
-    // the last edit may still wait for its event
+    // the last edit may still be waiting for its event
     Blockly.hideChaff();
     this.onContent();
     this.disposed = true;
@@ -232,7 +215,7 @@ class BlockEditor implements Editor {
     this.workspace.dispose();
   }
 
-  /** Blocks drawn before the font arrived are too wide or too narrow for their words. */
+  /** Measures again blocks that were drawn before the font was loaded: their width does not fit their text. */
   private measureAgainWithFont(): void {
     const font = `600 18px ${pageFont()}`;
     if (!document.fonts || document.fonts.check(font)) return;
@@ -241,7 +224,7 @@ class BlockEditor implements Editor {
     });
   }
 
-  /** Makes every block again as it is; ids, undo and what is shown on blocks stay. */
+  /** Recreates every block in place; ids, the undo stack and the marks on blocks stay. */
   private remake(): void {
     Blockly.hideChaff();
     const running = this.running.blockId;
@@ -256,14 +239,14 @@ class BlockEditor implements Editor {
     if (again) Blockly.getFocusManager().focusNode(again);
   }
 
-  /** Id of the block that has the keyboard, if one of ours has it. */
+  /** Id of the block that has keyboard focus; null when no block of this workspace has it. */
   private focusedBlock(): string | null {
     if (!this.options.container.contains(document.activeElement)) return null;
     const node = Blockly.getFocusManager().getFocusedNode();
     return node instanceof Blockly.BlockSvg && node.workspace === this.workspace ? node.id : null;
   }
 
-  /** Blockly shows a toolbox that is made anew, also where nothing may be taken out of it. */
+  /** Blockly shows a toolbox after an update, even in a read-only workspace, so it is hidden again here. */
   private updateToolbox(): void {
     this.workspace.updateToolbox(toolbox(this.level));
     if (this.workspace.isReadOnly()) this.workspace.getToolbox()?.setVisible(false);
@@ -289,7 +272,7 @@ class BlockEditor implements Editor {
     this.refreshHint();
   }
 
-  /** A program opens in full size with its start block in the corner, wherever it was put. */
+  /** Shows the program at full size with its start block in the corner, wherever it was stored. */
   private showFromTheStart(): void {
     const [start] = this.workspace.getBlocksByType("program_start") as Blockly.BlockSvg[];
     this.workspace.setScale(1);
@@ -326,7 +309,7 @@ class BlockEditor implements Editor {
   }
 }
 
-/** Tries the content where nothing can be lost, and tells how it would be saved. Throws when it cannot be loaded. */
+/** Loads the content into a scratch workspace and returns how it would be saved. Throws when it cannot be loaded. */
 function tried(workspace: object): object {
   const trial = new Blockly.Workspace();
   try {

@@ -1,22 +1,23 @@
 import * as Blockly from "blockly/core";
-import { keepCallsInStep } from "../blocks/function_sync";
-import { registerFlyouts, toolbox } from "../blocks/toolbox";
-import type { EditorOptions } from ".";
+import { keepCallsInStep } from "../blocks/shapes/function_sync";
+import { registerFlyouts, toolbox } from "../blocks/toolbox/toolbox";
 import { adaptMenus } from "./menus";
+import type { EditorOptions } from "./options";
 import { askOnlyDrawnFields } from "./quietly";
 import { RENDERER, registerRenderer } from "./renderer";
-import { registerSearchItem } from "./search_item";
 import { blocklyTheme } from "./themes";
-import { registerToolboxCategory } from "./toolbox_category";
+import { registerSearchItem } from "./toolbox/search_item";
+import { registerToolboxCategory } from "./toolbox/toolbox_category";
 
+/** Injects a Blockly workspace with this application's renderer, theme and toolbox into the container. */
 export function injectWorkspace(options: EditorOptions): Blockly.WorkspaceSvg {
   registerRenderer();
   registerToolboxCategory();
   registerSearchItem();
-  // a finger, or a shared mouse, lets go well beside the gap it means
+  // a finger or a shared mouse often drops a block well beside the connection it aims at
   Blockly.config.snapRadius = 40;
   Blockly.config.connectingSnapRadius = 40;
-  // what was deleted comes back with undo or from the trash, so nobody is asked
+  // a deleted block can be restored by undo or from the trash, so no confirmation is needed
   Blockly.dialog.setConfirm((_message, answer) => answer(true));
   adaptMenus();
   askOnlyDrawnFields();

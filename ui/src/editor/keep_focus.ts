@@ -1,10 +1,10 @@
 import * as Blockly from "blockly/core";
 
 /**
- * Blockly moves what it draws about in the page, and what is moved loses the keyboard's focus; on a slow PC it is not
- * always given back, and the next key goes nowhere. Gives it back, unless a pointer took it away.
+ * Restores keyboard focus that is lost when Blockly moves elements in the page. On a slow PC Blockly does not always
+ * restore it, and the next key is ignored. Focus that a pointer took away is not restored.
  *
- * Returns what ends it.
+ * Returns the function that stops this.
  */
 export function keepFocus(workspace: Blockly.WorkspaceSvg): () => void {
   const ends = new AbortController();

@@ -1,18 +1,9 @@
 import * as Blockly from "blockly/core";
-import * as en from "blockly/msg/en";
-import * as es from "blockly/msg/es";
-import * as ptBR from "blockly/msg/pt-br";
-import { setBlockLanguage } from "../blocks/texts";
-import type { Language } from "../i18n/language";
-import { OWN_MESSAGES } from "./messages";
+import { setBlockLanguage } from "../blocks/words";
+import { type Language, textsOf } from "../i18n";
 
-const BLOCKLY_MESSAGES: Readonly<Record<Language, object>> = { "pt-BR": ptBR, en, es };
-
-/** Blockly's own words and those of our blocks; what is drawn already keeps its old ones until it is made again. */
+/** Sets the language of Blockly's texts and of our blocks; drawn blocks keep theirs until they are recreated. */
 export function applyLanguage(language: Language): void {
-  Blockly.setLocale({
-    ...(BLOCKLY_MESSAGES[language] as Record<string, string>),
-    ...OWN_MESSAGES[language],
-  });
+  Blockly.setLocale({ ...textsOf(language).blockly });
   setBlockLanguage(language);
 }

@@ -1,12 +1,12 @@
 import * as Blockly from "blockly/core";
 import { definitionOf } from "../blocks/definitions";
 
-/** Of Blockly's menu entries, those that mean nothing here. */
+/** Blockly menu entries that have no use in this application. */
 const IDLE_ENTRIES = ["blockInline", "blockHelp", "commentCreate"];
 
 let adapted = false;
 
-/** Makes Blockly's menus say what is so of our blocks. The menus are one for the page: once is enough. */
+/** Adapts Blockly's context menus to our blocks. The menu registry is global, so this runs once per page. */
 export function adaptMenus(): void {
   if (adapted) return;
   adapted = true;
@@ -29,7 +29,7 @@ export function adaptMenus(): void {
 
 type Scope = Blockly.ContextMenuRegistry.Scope;
 
-/** An entry that acts, as all of ours do; separators have neither of these. */
+/** A menu entry with an action, as all of ours have; separators have none of these members. */
 interface Entry {
   displayText: (scope: Scope) => string;
   preconditionFn: (scope: Scope, event: Event) => string;
@@ -41,7 +41,7 @@ function adapt(id: string, change: (entry: Entry) => void): void {
   if (item) change(item as unknown as Entry);
 }
 
-/** Blockly counts what stands in the holes of a block as blocks; a pupil does not. */
+/** Counts blocks as a pupil does; Blockly also counts the shadow blocks in a block's inputs. */
 function deletionWords(block?: Blockly.BlockSvg): string {
   const after = new Set(block?.getNextBlock()?.getDescendants(false));
   const count = (block?.getDescendants(false) ?? []).filter(
@@ -51,7 +51,7 @@ function deletionWords(block?: Blockly.BlockSvg): string {
   return (Blockly.Msg.DELETE_X_BLOCKS ?? "").replace("%1", String(count));
 }
 
-/** A comment that was just added is there to be written, so the hand need not look for its icon first. */
+/** Opens the editor of a comment as soon as the comment is added. */
 function openComment(block?: Blockly.BlockSvg): void {
   const icon = block?.getIcon(Blockly.icons.IconType.COMMENT);
   if (!icon) return;
@@ -62,7 +62,7 @@ function openComment(block?: Blockly.BlockSvg): void {
   });
 }
 
-/** What is written on a block goes with its command into the document; values have no place there. */
+/** A comment is stored in the document with its command; value blocks have no place for one there. */
 function canHoldComment(block?: Blockly.BlockSvg): boolean {
   const makes = block ? definitionOf(block.type).makes : null;
   return makes !== null && ("action" in makes || "function" in makes);

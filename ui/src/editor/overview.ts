@@ -1,14 +1,14 @@
 import type * as Blockly from "blockly/core";
-import { word } from "../blocks/texts";
+import { word } from "../blocks/words";
 
-/** Of the canvas, in pixels of the page. */
+/** Size of the canvas, in CSS pixels. */
 const WIDTH = 104;
 const HEIGHT = 176;
-/** Programs that are not much longer than what can be seen need no map. */
+/** The map is shown for programs longer than this multiple of the viewport. */
 const LONG = 1.4;
 const PADDING = 6;
 
-/** A small map of a long program, with a frame around what can be seen; pressing or dragging in it goes there. */
+/** Overview map of a long program, with a frame around the viewport; pressing or dragging in it scrolls there. */
 export class Overview {
   private readonly canvas = document.createElement("canvas");
   private frame = 0;
@@ -20,7 +20,7 @@ export class Overview {
     canvas.className = "pinelOverview";
     canvas.hidden = true;
     canvas.title = word("OVERVIEW");
-    // what it shows and does, blocks and arrow keys do as well
+    // hidden from screen readers: blocks and arrow keys give the same information and actions
     canvas.setAttribute("aria-hidden", "true");
     workspace.getInjectionDiv().append(canvas);
     workspace.addChangeListener(this.refresh);
@@ -28,7 +28,7 @@ export class Overview {
     canvas.addEventListener("pointermove", this.onPointer);
   }
 
-  /** Draws it again with the next picture, however often it is asked until then. */
+  /** Redraws at the next animation frame; several calls before it cause one redraw. */
   readonly refresh = (): void => {
     this.frame ||= requestAnimationFrame(() => {
       this.frame = 0;

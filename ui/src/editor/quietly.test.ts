@@ -1,7 +1,7 @@
 import * as Blockly from "blockly/core";
 import { beforeAll, expect, test } from "vitest";
 import { registerBlocks } from "../blocks";
-import { setBlockLanguage } from "../blocks/texts";
+import { setBlockLanguage } from "../blocks/words";
 import { quietly } from "./quietly";
 
 beforeAll(() => {

@@ -1,8 +1,8 @@
 import * as Blockly from "blockly/core";
 
 /**
- * Makes many blocks at once, without an event for each. What Blockly sets aside for it comes back even when it fails;
- * by itself it would go on without undo.
+ * Creates many blocks without firing an event for each. Restores Blockly's undo recording and event group also when
+ * `make` fails; Blockly itself would leave undo recording off.
  */
 export function quietly(make: () => void): void {
   const recordUndo = Blockly.Events.getRecordUndo();
@@ -20,8 +20,8 @@ export function quietly(make: () => void): void {
 let patched = false;
 
 /**
- * A field that is not drawn yet has nothing to say to a screen reader. Blockly finds that out by throwing and catching,
- * twice a field, which made up half of the time to open a program of 500 blocks.
+ * Skips the ARIA update of fields that are not drawn yet. Blockly detects them by throwing and catching, twice a field,
+ * which took half of the time to open a program of 500 blocks.
  */
 export function askOnlyDrawnFields(): void {
   if (patched) return;

@@ -1,8 +1,9 @@
 import * as Blockly from "blockly/core";
 
+/** Name under which the renderer is registered with Blockly. */
 export const RENDERER = "pinel";
 
-/** What may be drawn around a block. */
+/** Kinds of rings around a block. */
 export type Ring = "running" | "fault" | "added" | "removed" | "changed" | "moved";
 
 const CLASSES: Readonly<Record<Ring, string>> = {
@@ -15,8 +16,8 @@ const CLASSES: Readonly<Record<Ring, string>> = {
 };
 
 /**
- * Draws rings above everything inside a block, where its own outline would be half covered by the next block, and
- * leaves loose blocks their hue, only dimmed, where Blockly would hatch them.
+ * Draws rings above everything inside a block, because the next block would cover half of the block's own outline.
+ * Loose blocks keep their colour, dimmed, where Blockly would hatch them.
  */
 class PathObject extends Blockly.zelos.PathObject {
   private readonly rings = new Map<Ring, SVGElement>();

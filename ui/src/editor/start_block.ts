@@ -3,7 +3,7 @@ import * as Blockly from "blockly/core";
 const START = "program_start";
 const LOOSE = "pinel_loose";
 
-/** Every program has its start block, whatever was loaded. */
+/** Returns the start block of a program, and creates it where it is missing. */
 export function ensureStartBlock(workspace: Blockly.WorkspaceSvg): Blockly.BlockSvg {
   const start = (workspace.getBlocksByType(START)[0] as Blockly.BlockSvg) ?? newStart(workspace);
   start.setDeletable(false);
@@ -18,10 +18,10 @@ function newStart(workspace: Blockly.WorkspaceSvg): Blockly.BlockSvg {
   return start;
 }
 
-/** Blocks that a stack may begin with and be part of the program. */
+/** Blocks at which a stack of the program may begin. */
 const ROOTS = [START, "function_def"];
 
-/** Only what hangs below the start block, or defines a function, runs; the rest stays and is drawn dimmed. */
+/** Only blocks below the start block or in a function definition run. All others are kept and drawn dimmed. */
 export function markLooseBlocks(workspace: Blockly.WorkspaceSvg): void {
   Blockly.Events.disable();
   try {

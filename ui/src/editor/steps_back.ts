@@ -1,6 +1,6 @@
 import * as Blockly from "blockly/core";
 
-/** A whole program took the place of another: one step for undo and redo among those of single blocks. */
+/** Undo event for the replacement of the whole program, one step among those of single blocks. */
 class Exchange extends Blockly.Events.Abstract {
   override type = "pinel_exchange";
   override isBlank = false;
@@ -19,7 +19,7 @@ class Exchange extends Blockly.Events.Abstract {
   }
 }
 
-/** Tells when undo, by whatever button or key, finds nothing of this session that it could undo. */
+/** Calls `tell` when undo is requested by any button or key and the undo stack of this session is empty. */
 export function tellNothingToUndo(workspace: Blockly.WorkspaceSvg, tell: () => void): void {
   const undo = workspace.undo.bind(workspace);
   workspace.undo = (redo = false) => {
@@ -28,7 +28,7 @@ export function tellNothingToUndo(workspace: Blockly.WorkspaceSvg, tell: () => v
   };
 }
 
-/** Undoes to a state from before the session; what can be redone can still be redone after that. */
+/** Undoes to a state from before the session; the redo stack is kept. */
 export function undoInto(
   workspace: Blockly.WorkspaceSvg,
   before: object,

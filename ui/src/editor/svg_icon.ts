@@ -1,6 +1,6 @@
 const SVG = "http://www.w3.org/2000/svg";
 
-/** A stroked picture of 24 x 24; the style sheet gives it colour and size. */
+/** A stroked 24 x 24 icon; the style sheet sets its colour and size. */
 export function svgIcon(shape: string, className: string): SVGElement {
   const svg = document.createElementNS(SVG, "svg");
   svg.classList.add(className);

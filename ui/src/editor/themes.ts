@@ -1,12 +1,13 @@
 import * as Blockly from "blockly/core";
 import { HUES } from "../blocks/hues";
 
+/** Themes of the editor, as in the rest of the page. */
 export type ThemeName = "light" | "dark" | "contrast";
 
 interface Look {
-  /** Ground of a block, from its category's hue. */
+  /** Fill of a block, from its category's hue. */
   face(hue: string): string;
-  /** Outline of a block, from its ground. */
+  /** Outline of a block, from its fill. */
   edge(face: string): string;
 }
 
@@ -16,11 +17,11 @@ const mix = (colour: string, other: string, part: number) =>
 const LOOKS: Readonly<Record<ThemeName, Look>> = {
   light: { face: (hue) => hue, edge: (face) => mix(face, "#000000", 0.3) },
   dark: { face: (hue) => hue, edge: (face) => mix(face, "#ffffff", 0.35) },
-  // white on the plain hues is 4.5 : 1; who asks for contrast gets 7 : 1
+  // white on the plain hues has a contrast of 4.5 : 1; the contrast theme has 7 : 1
   contrast: { face: (hue) => mix(hue, "#000000", 0.35), edge: () => "#ffffff" },
 };
 
-/** The page's tokens, which change with its theme by themselves. */
+/** CSS variables of the page, which follow its theme. */
 const COMPONENTS: Blockly.Theme.ComponentStyle = {
   workspaceBackgroundColour: "var(--ground)",
   toolboxBackgroundColour: "var(--surface)",
@@ -35,10 +36,10 @@ const COMPONENTS: Blockly.Theme.ComponentStyle = {
   selectedGlowColour: "#f5b700",
 };
 
-/** Blocks with nothing above them in these categories begin a part of the program. */
+/** Categories whose blocks begin a stack; they are drawn with a cap. */
 const BEGIN_STACKS = ["start", "functions"];
 
-/** Zelos in our hues and our font. */
+/** The Zelos theme in our hues and our font. */
 export function blocklyTheme(name: ThemeName): Blockly.Theme {
   const { face, edge } = LOOKS[name];
   const faces = Object.entries(HUES).map(([category, hue]) => [category, face(hue)] as const);
@@ -64,12 +65,12 @@ export function blocklyTheme(name: ThemeName): Blockly.Theme {
 
 const nameOf = (name: ThemeName) => `pinel-${name}`;
 
-/** Gives a workspace another look; it is drawn anew only where it has not got that one. */
+/** Sets the theme of a workspace; it is redrawn only where the theme changes. */
 export function showTheme(workspace: Blockly.WorkspaceSvg, name: ThemeName): void {
   if (workspace.getTheme().name !== nameOf(name)) workspace.setTheme(blocklyTheme(name));
 }
 
-/** Blockly measures texts outside of the page's tree, so it needs the name and not the token. */
+/** Blockly measures text outside the page's tree, so it needs the font's name instead of the CSS variable. */
 export function pageFont(): string {
   const font = getComputedStyle(document.documentElement).getPropertyValue("--font").trim();
   return font || "system-ui, sans-serif";

@@ -1,6 +1,6 @@
 import type * as Blockly from "blockly/core";
-import { word } from "../blocks/texts";
-import type { TextKey } from "../blocks/texts/keys";
+import type { TextKey } from "../blocks/words";
+import { word } from "../blocks/words";
 import { svgIcon } from "./svg_icon";
 
 const SHAPES = {
@@ -12,7 +12,7 @@ const SHAPES = {
 
 type Control = keyof typeof SHAPES;
 
-/** Zoom by buttons a finger can hit; Blockly's own are 32 pixels and hard to see. */
+/** Adds zoom buttons large enough for touch; Blockly's own are 32 pixels and hard to see. */
 export function addZoomControls(workspace: Blockly.WorkspaceSvg, zoomToFit: () => void) {
   const actions: Record<Control, () => void> = {
     ZOOM_IN: () => workspace.zoomCenter(1),

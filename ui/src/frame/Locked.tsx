@@ -1,6 +1,6 @@
 import { Lock } from "lucide-preact";
-import { TEST } from "../app/testids";
 import { texts } from "../i18n";
+import { TEST } from "../shell/testids";
 
 /** No cookie, no page: it can only be opened by the program. */
 export function Locked() {

@@ -1,11 +1,14 @@
-import { Database, Download, FileX, House, Save, TriangleAlert, Unplug, X } from "lucide-preact";
+import { Database, Download, FileX, Save, TriangleAlert, Unplug, X } from "lucide-preact";
 import type { ComponentChildren } from "preact";
 import { api } from "../api/client";
-import { type OpenProgram, onDesk } from "../app/open_program";
-import { fileName, saveFile } from "../app/save_file";
-import { connection, notice, type Problem, problem, report, wordsOf } from "../app/session";
-import { TEST } from "../app/testids";
 import { texts } from "../i18n";
+import { Button } from "../kit/Button";
+import { type Problem, wordsOf } from "../kit/requests/problem";
+import { ToStart } from "../kit/ToStart";
+import { fileName, saveFile } from "../shell/save_file";
+import { connection, notice, problem } from "../shell/session";
+import { TEST } from "../shell/testids";
+import { type OpenProgram, onDesk } from "../studio/program/open_program";
 
 /** What the person has to know, as lines under the header: never a window in the way. */
 export function Messages() {
@@ -27,16 +30,14 @@ export function Messages() {
           testId={TEST.problem}
           icon={<TriangleAlert class="icon" />}
         >
-          <button
-            type="button"
-            class="button button--plain button--icon"
-            aria-label={trouble.close}
-            onClick={() => {
+          <Button
+            kind="plain"
+            icon={X}
+            label={trouble.close}
+            onPress={() => {
               problem.value = null;
             }}
-          >
-            <X class="icon" aria-hidden="true" />
-          </button>
+          />
         </Line>
       )}
     </div>
@@ -58,27 +59,22 @@ function Unsaved() {
 
 /** The work has no place here any more: what is on the screen can still be taken along as text. */
 function Deleted({ open, what }: { open: OpenProgram; what: "program" | "group" }) {
-  const { deleted, back } = texts.value.trouble;
+  const { deleted } = texts.value.trouble;
   const { document } = open.content.value ?? {};
   const canTake = Boolean(document) && !open.isEmpty;
   const words = { message: deleted[what], remedy: canTake ? deleted.take : deleted.leave };
   return (
     <Line words={words} fault testId={TEST.deleted} icon={<FileX class="icon" />}>
       {canTake && document && (
-        <button
-          type="button"
-          class="button"
-          data-testid={TEST.takeText}
-          onClick={() => void takeText(document, open.program.name).catch(report)}
+        <Button
+          icon={Download}
+          testId={TEST.takeText}
+          onPress={() => takeText(document, open.program.name)}
         >
-          <Download class="icon" aria-hidden="true" />
           {deleted.takeText}
-        </button>
+        </Button>
       )}
-      <a class="button" href="#/">
-        <House class="icon" aria-hidden="true" />
-        {back}
-      </a>
+      <ToStart />
     </Line>
   );
 }

@@ -1,5 +1,5 @@
-import type { Language } from "./language";
-import type { Texts } from "./pt-BR";
+import type { Language } from "../api/model";
+import type { Texts } from "./texts";
 
 const cache = new Map<string, Intl.NumberFormat>();
 

@@ -1,14 +1,53 @@
 import { computed, signal } from "@preact/signals";
-import { en } from "./en";
-import { es } from "./es";
-import type { Language } from "./language";
-import { ptBR, type Texts } from "./pt-BR";
+import type { Language } from "../api/model";
+import { FIRST, isLanguage, languageRow } from "./languages";
+import type { LaterTexts, StartTexts, Texts } from "./texts";
 
-export const CATALOGUES: Record<Language, Texts> = { "pt-BR": ptBR, en, es };
+type Part = "start" | "later";
 
-export const language = signal<Language>("pt-BR");
+const START = new Map<Language, StartTexts>();
+const LATER = new Map<Language, LaterTexts>();
+/** The texts that the page needs of whatever language it speaks. */
+const needed = new Set<Part>(["start"]);
 
-/** The words of the page in the language chosen. Reading `.value` in a component subscribes it. */
-export const texts = computed<Texts>(() => CATALOGUES[language.value]);
+/** The server writes its language into the page, so that its texts arrive with the code. */
+const written = document.documentElement.lang;
+
+/** The language chosen; its texts are there. */
+export const language = signal<Language>(isLanguage(written) ? written : FIRST);
+let chosen = language.peek();
+const arrived = signal(0);
+
+/** The texts of a language that has been fetched; those of later parts are missing before one is shown. */
+export function textsOf(language: Language): Texts {
+  return { ...START.get(language), ...LATER.get(language) } as Texts;
+}
+
+/** The texts of the page in the language chosen. Reading `.value` in a component subscribes it. */
+export const texts = computed<Texts>(() => {
+  arrived.value;
+  return textsOf(language.value);
+});
+
+/** Fetches what the page needs of a language. Rejects where the server is gone. */
+export async function fetchTexts(wanted: Language): Promise<void> {
+  const row = languageRow(wanted);
+  if (!START.has(wanted)) START.set(wanted, await row.start());
+  if (needed.has("later") && !LATER.has(wanted)) LATER.set(wanted, await row.later());
+  arrived.value++;
+}
+
+/** Fetches the texts of the parts that are fetched later; from now on, those of every language chosen. */
+export async function fetchLaterTexts(): Promise<void> {
+  needed.add("later");
+  while (!LATER.has(language.peek())) await fetchTexts(language.peek());
+}
+
+/** Makes the page speak a language as soon as its texts are there; of two choices the last one counts. */
+export async function speak(wanted: Language): Promise<void> {
+  chosen = wanted;
+  await fetchTexts(wanted);
+  if (chosen === wanted) language.value = wanted;
+}
 
 export type { Language, Texts };

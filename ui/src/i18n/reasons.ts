@@ -1,30 +1,16 @@
-import type { Language } from "./language";
-
-interface Words {
-  message: string;
-  remedy: string;
-}
-
-type Area = Record<string, Record<Language, Words>>;
+import { type Language, textsOf } from ".";
+import type { Message } from "./message";
 
 /**
- * The server's own words for the ends of runs, so that no text exists twice. What can be known only while running may
- * have the reason of a fault of the document, such as a distance that comes out below 0.
+ * Why a run ended, in the server's words; null for a code that has none. What can be known only while running may have
+ * the reason of a fault of the document, such as a distance that comes out below 0.
  */
-const AREAS = import.meta.glob<Area>(
-  "../../../pinel_desktop/messages/catalogue/{program,run}.json",
-  { eager: true, import: "default" },
-);
-
-const CATALOGUE: Area = Object.assign({}, ...Object.values(AREAS));
-
-/** Why a run ended, in words; null for a code that has none. */
 export function reasonWords(
   code: string | null,
   params: Record<string, unknown>,
   language: Language,
-): Words | null {
-  const words = code === null ? undefined : CATALOGUE[code]?.[language];
+): Message | null {
+  const words = code === null ? undefined : textsOf(language).reasons[code];
   if (!words) return null;
   const fill = (text: string) =>
     text.replace(/\{(\w+)\}/g, (whole, name: string) =>

@@ -1,14 +1,14 @@
 import { type LucideIcon, Undo2, X } from "lucide-preact";
-import type { TEST } from "../app/testids";
 import { texts } from "../i18n";
+import { Button } from "./Button";
 
 interface WayBackProps {
   /** What has happened, and what would undo it. */
   words: string;
   action: string;
   Icon?: LucideIcon;
-  testId: (typeof TEST)[keyof typeof TEST];
-  onBack(): void;
+  testId: string;
+  onBack(): unknown;
   onClose(): void;
 }
 
@@ -18,19 +18,10 @@ export function WayBack({ words, action, Icon = Undo2, testId, onBack, onClose }
   return (
     <div class="line-message way-back" role="status">
       <span>{words}</span>
-      <button type="button" class="button" data-testid={testId} onClick={onBack}>
-        <Icon class="icon" aria-hidden="true" />
+      <Button icon={Icon} testId={testId} onPress={onBack}>
         {action}
-      </button>
-      <button
-        type="button"
-        class="button button--plain button--icon way-back__close"
-        aria-label={close}
-        title={close}
-        onClick={onClose}
-      >
-        <X class="icon" aria-hidden="true" />
-      </button>
+      </Button>
+      <Button kind="plain" class="way-back__close" icon={X} label={close} onPress={onClose} />
     </div>
   );
 }

@@ -1,13 +1,13 @@
 import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { TEST } from "../app/testids";
-import { theme } from "../app/theme";
 import { language, type Texts, texts } from "../i18n";
+import { TEST } from "../shell/testids";
+import { theme } from "../shell/theme";
 import type { Chart, Hand, Setting } from "./chart";
 import { type FigureName, TIME_FIGURES } from "./figures";
 import { readLook } from "./look";
-import type { PlotSource } from "./PlotsPanel";
 import { PathChart } from "./path_chart";
+import type { PlotSource } from "./plot_source";
 import { TimeChart } from "./time_chart";
 
 interface ChartBoxProps {
@@ -15,10 +15,10 @@ interface ChartBoxProps {
   figure: FigureName;
 }
 
-/** So far an arrow key moves the moment that is looked at, in ticks. */
+/** Step of an arrow key, in ticks. */
 const KEY_TICKS = 3;
 
-/** A plot as large as its place. */
+/** A plot that fills its container. */
 export function ChartBox({ source, figure }: ChartBoxProps) {
   const box = useRef<HTMLDivElement>(null);
   const { plots } = texts.value;
@@ -74,7 +74,7 @@ export function chartOf(
   return new TimeChart(figure, setting, into, hand);
 }
 
-/** What the axes are called. */
+/** Titles of the axes. */
 export function titlesOf(figure: FigureName, { plots }: Texts): readonly [string, string] {
   if (figure === "path") return ["x (m)", "y (m)"];
   return [`${plots.time} (s)`, `${plots.quantities[figure]} (${TIME_FIGURES[figure].unit})`];

@@ -1,23 +1,24 @@
-import { BLOCK_TEXTS } from "../blocks/texts";
-import { CATEGORY_COLOURS, categoryOf } from "../design/categories";
-import { type Language, language, type Texts, texts } from "../i18n";
+import { CATEGORY_COLOURS } from "../blocks/categories";
+import { categoryOf } from "../blocks/definitions";
+import type { TextKey } from "../blocks/words";
+import { type Language, language, type Texts, texts, textsOf } from "../i18n";
 import { decimal, seconds } from "../i18n/format";
 import { type Column, rowAt, type Samples } from "../run/samples";
 import { type FigureName, linesOf, type Role, TIME_FIGURES } from "./figures";
 import { DASHES, type Look, WIDTHS } from "./look";
-import type { PlotSource } from "./PlotsPanel";
 import { pathRoles } from "./path_chart";
+import type { PlotSource } from "./plot_source";
 
-/** One line of a plot in words. */
+/** A legend entry: one line of a plot in words. */
 export interface Entry {
   readonly role: Role;
   readonly ink: keyof Pick<Look, "x" | "y" | "only" | "soft">;
   readonly name: string;
-  /** What it is worth at a row, with its unit. */
+  /** Its value at a row, with the unit. */
   valueAt(row: number): string;
 }
 
-/** What the lines of a plot are, as its legend has them. */
+/** The legend entries of a plot. */
 export function entriesOf(
   figure: FigureName,
   samples: Samples,
@@ -63,7 +64,7 @@ interface LegendProps {
   figure: FigureName;
 }
 
-/** The lines of a plot by name, each drawn as in the plot, and what they are worth at the moment looked at. */
+/** The lines of a plot by name, each with its line style and its value at the selected tick. */
 export function Legend({ source, figure }: LegendProps) {
   const { samples } = source;
   const moment = source.moment.value;
@@ -96,7 +97,7 @@ export function Legend({ source, figure }: LegendProps) {
   );
 }
 
-/** Of which category the block is that ran then. */
+/** The category of the block that ran at a tick. */
 function Block({ source, tick }: { source: PlotSource; tick: number }) {
   const stretch = source.stretches.findLast(({ from, to }) => from <= tick && tick <= to);
   if (!stretch) return null;
@@ -110,6 +111,6 @@ function Block({ source, tick }: { source: PlotSource; tick: number }) {
 }
 
 export function categoryWords(category: keyof typeof CATEGORY_COLOURS, now: Language): string {
-  const key = `CATEGORY_${category.toUpperCase()}` as keyof (typeof BLOCK_TEXTS)["pt-BR"];
-  return BLOCK_TEXTS[now][key];
+  const key = `CATEGORY_${category.toUpperCase()}` as TextKey;
+  return textsOf(now).blocks[key];
 }

@@ -1,30 +1,16 @@
-import type { ReadonlySignal } from "@preact/signals";
 import { useSignal } from "@preact/signals";
 import { Download, FileSpreadsheet, Image, Maximize2, Minimize2 } from "lucide-preact";
-import { fileName, saveFile } from "../app/save_file";
-import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
-import type { Stretch } from "../run/playback";
-import type { Samples } from "../run/samples";
+import { Button } from "../kit/Button";
+import { Tabs } from "../kit/Tabs";
+import { fileName, saveFile } from "../shell/save_file";
+import { TEST } from "../shell/testids";
 import { ChartBox } from "./ChartBox";
-import type { Hand } from "./chart";
 import { csvOf } from "./csv";
 import { FIGURES, type FigureName } from "./figures";
 import { Legend } from "./Legend";
 import { pictureOf } from "./picture";
-
-/** The measurements of a run, live or recorded, and the moment that is looked at. */
-export interface PlotSource {
-  readonly samples: Samples;
-  readonly stretches: readonly Stretch[];
-  /** Changes when there is more to draw. */
-  readonly revision: ReadonlySignal<number>;
-  /** A tick, or null where none is pointed at. */
-  readonly moment: ReadonlySignal<number | null>;
-  readonly hand: Hand;
-  /** What the program is called. */
-  name(): string;
-}
+import type { PlotSource } from "./plot_source";
 
 interface PlotsPanelProps {
   source: PlotSource;
@@ -32,7 +18,7 @@ interface PlotsPanelProps {
   onTall(tall: boolean): void;
 }
 
-/** The plots of a run, one at a time, and the ways to take them along. */
+/** The plots of a run, one at a time, with buttons to export them. */
 export function PlotsPanel({ source, tall, onTall }: PlotsPanelProps) {
   const figure = useSignal<FigureName>("path");
   const saving = useSignal(false);
@@ -42,25 +28,29 @@ export function PlotsPanel({ source, tall, onTall }: PlotsPanelProps) {
     <section class="plots card" aria-label={plots.label} data-testid={TEST.plots} data-more={more}>
       <div class="text__head">
         <Tabs
-          chosen={figure.value}
-          onChoose={(name) => {
+          label={plots.label}
+          testId={TEST.plotTab}
+          value={figure.value}
+          options={FIGURES.map((name) => [
+            name,
+            plots.figures[name],
+            { title: plots.titles[name], "data-figure": name },
+          ])}
+          onChange={(name) => {
             figure.value = name;
           }}
         />
         <div class="plots__tools">
-          <button
-            type="button"
-            class="button button--plain button--icon"
-            aria-label={plots.save}
-            title={plots.save}
-            aria-expanded={saving.value}
-            data-testid={TEST.plotSave}
-            onClick={() => {
+          <Button
+            icon={Download}
+            label={plots.save}
+            kind="plain"
+            open={saving.value}
+            testId={TEST.plotSave}
+            onPress={() => {
               saving.value = !saving.value;
             }}
-          >
-            <Download class="icon" aria-hidden="true" />
-          </button>
+          />
           <Size tall={tall} onTall={onTall} />
         </div>
       </div>
@@ -82,58 +72,14 @@ function Size({ tall, onTall }: Pick<PlotsPanelProps, "tall" | "onTall">) {
   const label = tall ? plots.smaller : plots.larger;
   const Icon = tall ? Minimize2 : Maximize2;
   return (
-    <button
-      type="button"
-      class="button button--plain button--icon"
-      aria-label={label}
-      title={label}
-      data-testid={TEST.plotSize}
-      onClick={() => onTall(!tall)}
-    >
-      <Icon class="icon" aria-hidden="true" />
-    </button>
+    <Button
+      icon={Icon}
+      label={label}
+      kind="plain"
+      testId={TEST.plotSize}
+      onPress={() => onTall(!tall)}
+    />
   );
-}
-
-interface TabsProps {
-  chosen: FigureName;
-  onChoose(name: FigureName): void;
-}
-
-function Tabs({ chosen, onChoose }: TabsProps) {
-  const { plots } = texts.value;
-  return (
-    <div class="text__tabs" role="tablist" aria-label={plots.label} onKeyDown={toOtherTab}>
-      {FIGURES.map((name) => (
-        <button
-          key={name}
-          type="button"
-          class="text__tab"
-          role="tab"
-          title={plots.titles[name]}
-          aria-selected={chosen === name}
-          tabIndex={chosen === name ? 0 : -1}
-          data-testid={TEST.plotTab}
-          data-figure={name}
-          onClick={() => onChoose(name)}
-        >
-          {plots.figures[name]}
-        </button>
-      ))}
-    </div>
-  );
-}
-
-/** The arrows go from tab to tab, round and round. */
-function toOtherTab(event: KeyboardEvent & { currentTarget: HTMLElement }): void {
-  const way = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
-  if (!way) return;
-  event.stopPropagation();
-  const tabs = [...event.currentTarget.querySelectorAll<HTMLElement>("[role=tab]")];
-  const now = tabs.findIndex((tab) => tab.ariaSelected === "true");
-  const other = tabs.at((now + way) % tabs.length);
-  other?.focus();
-  other?.click();
 }
 
 function Save({ source, figure }: { source: PlotSource; figure: FigureName }) {
@@ -152,26 +98,12 @@ function Save({ source, figure }: { source: PlotSource; figure: FigureName }) {
   const { rows } = source.samples;
   return (
     <div class="plots__save">
-      <button
-        type="button"
-        class="button"
-        disabled={rows === 0}
-        data-testid={TEST.plotPicture}
-        onClick={() => void picture()}
-      >
-        <Image class="icon" aria-hidden="true" />
+      <Button icon={Image} disabled={rows === 0} testId={TEST.plotPicture} onPress={picture}>
         {plots.picture}
-      </button>
-      <button
-        type="button"
-        class="button"
-        disabled={rows === 0}
-        data-testid={TEST.plotTable}
-        onClick={table}
-      >
-        <FileSpreadsheet class="icon" aria-hidden="true" />
+      </Button>
+      <Button icon={FileSpreadsheet} disabled={rows === 0} testId={TEST.plotTable} onPress={table}>
         {plots.table}
-      </button>
+      </Button>
     </div>
   );
 }

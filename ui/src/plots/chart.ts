@@ -5,37 +5,37 @@ import type { Stretch } from "../run/playback";
 import type { Samples } from "../run/samples";
 import type { Look } from "./look";
 
-/** What a plot tells of the hand: `null` when it has left. */
+/** Callbacks of a plot's pointer and keyboard input; `null` when the pointer has left. */
 export interface Hand {
   onPoint(tick: number | null): void;
   onPress(tick: number): void;
 }
 
-/** What a plot needs to know to be drawn. */
+/** Appearance and size of a plot. */
 export interface Setting {
   readonly look: Look;
   readonly language: Language;
   readonly width: number;
   readonly height: number;
-  /** Titles of the axes: across and up. */
+  /** Titles of the x and y axes. */
   readonly titles: readonly [string, string];
 }
 
-/** A plot in the page. */
+/** A plot that is mounted in the page. */
 export interface Chart {
   readonly plot: uPlot;
   show(samples: Samples, stretches: readonly Stretch[]): void;
   resize(width: number, height: number): void;
-  /** Marks a moment. */
+  /** Marks a tick. */
   mark(tick: number | null): void;
   dispose(): void;
 }
 
-/** Room for the numbers beside and below a plot, in pixels. */
+/** Room for the numbers beside and below a plot, and padding at the other sides, in pixels. */
 export const AXIS = { left: 58, bottom: 44 };
 export const PADDING = { top: 10, right: 26 };
 
-/** uPlot's own ways with the mouse are switched off: fingers and keys point too. */
+/** uPlot's own mouse handling is off, because touch and keys select a tick too. */
 const nobody = () => null;
 const NO_MOUSE: uPlot.Cursor.Bind = {
   mousedown: nobody,
@@ -49,7 +49,7 @@ const NO_MOUSE: uPlot.Cursor.Bind = {
 
 export const NO_DATA: uPlot.AlignedData = [[0, 1]];
 
-/** What all plots have in common. */
+/** uPlot options that all plots share. */
 export function optionsFor({ look, language, width, height, titles }: Setting): uPlot.Options {
   const axis = (title: string, size: number): uPlot.Axis => ({
     label: title,
@@ -80,7 +80,7 @@ export function optionsFor({ look, language, width, height, titles }: Setting): 
   };
 }
 
-/** A number of an axis with as many digits as its neighbours differ in. */
+/** Formats an axis value with as many digits as the axis step needs. */
 export function numberOf(
   value: number,
   splits: readonly (number | null)[],
@@ -93,7 +93,7 @@ export function numberOf(
 
 const round = (value: number, digits: number) => Math.round(value * 10 ** digits) / 10 ** digits;
 
-/** Has mouse, pen and finger point into a plot; a press goes there for good. The answer ends that. */
+/** Handles mouse, pen and touch on a plot: moving points at a tick, pressing or dragging selects it. */
 export function listen(plot: uPlot, tickAt: (x: number, y: number) => number, hand: Hand) {
   const { over } = plot;
   let pressed = false;

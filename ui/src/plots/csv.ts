@@ -2,7 +2,7 @@ import type { Language, Texts } from "../i18n";
 import type { Samples } from "../run/samples";
 import { linesOf, TIME_FIGURES, times } from "./figures";
 
-/** Spreadsheets read a file without this as if it were written in another century's letters. */
+/** Without this mark spreadsheets do not read the file as UTF-8. */
 const BYTE_ORDER_MARK = "\ufeff";
 
 interface TableColumn {
@@ -12,9 +12,9 @@ interface TableColumn {
 }
 
 /**
- * The measurements of a run as a table that a spreadsheet opens with a double click. In Portuguese and Spanish that
- * asks for decimal commas, and hence semicolons between the columns; in English for points and commas. One row a
- * sample, 30 a second; metres, degrees and seconds, as the blocks have them.
+ * The measurements of a run as a table that a spreadsheet opens with a double click. Spreadsheets in Portuguese and
+ * Spanish expect decimal commas and semicolons between columns, in English points and commas. One row per sample, 30 a
+ * second; metres, degrees and seconds, as in the blocks.
  */
 export function csvOf(samples: Samples, texts: Texts, language: Language): string {
   const comma = language === "en" ? "," : ";";
@@ -31,7 +31,7 @@ export function csvOf(samples: Samples, texts: Texts, language: Language): strin
   return `${BYTE_ORDER_MARK}${lines.join("\r\n")}\r\n`;
 }
 
-/** Never "-0.0000". */
+/** Formats a number, never as "-0.0000". */
 const plain = (value: number, digits: number) => {
   const text = value.toFixed(digits);
   return Number(text) === 0 ? (0).toFixed(digits) : text;

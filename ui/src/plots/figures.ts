@@ -1,17 +1,17 @@
 import type { Column, Samples } from "../run/samples";
 
-/** The plots of a run, as dissertations show an experiment. */
+/** The plots of a run, as in the report of an experiment. */
 export const FIGURES = ["path", "position", "heading", "speed", "turning"] as const;
 
 export type FigureName = (typeof FIGURES)[number];
 
-/** Who tells: where the robot says it is, where it should be, where it truly is; what it was told to do. */
+/** Source of a line: the believed pose, the desired pose, the true pose, the command, or a measurement. */
 export type Role = "obtained" | "desired" | "true" | "commanded" | "measured";
 
 export interface Line {
-  /** Key of its colour. */
+  /** Key of the line's colour. */
   readonly ink: "x" | "y" | "only" | "soft";
-  /** What it measures, in a letter. */
+  /** Letter of the quantity. */
   readonly letter: string;
   readonly role: Role;
   values(samples: Samples): ArrayLike<number>;
@@ -20,7 +20,7 @@ export interface Line {
 export interface TimeFigure {
   readonly unit: "m" | "°" | "m/s" | "°/s";
   readonly lines: readonly Line[];
-  /** The least that the vertical axis spans, so that noise does not look like motion. */
+  /** Smallest span of the vertical axis, so that noise does not look like motion. */
   readonly span: number;
 }
 
@@ -66,7 +66,7 @@ export const TIME_FIGURES: Readonly<Record<Exclude<FigureName, "path">, TimeFigu
   },
 };
 
-/** The lines of a plot that say something: the truth only where it is known and differs from what the robot knows. */
+/** The lines of a plot. The true pose is included only where it is known and differs from the believed one. */
 export function linesOf(name: Exclude<FigureName, "path">, samples: Samples): readonly Line[] {
   const withTruth = hasTruth(samples);
   return TIME_FIGURES[name].lines.filter((line) => line.role !== "true" || withTruth);
@@ -80,7 +80,7 @@ export function hasTruth(samples: Samples): boolean {
   });
 }
 
-/** Headings in degrees that go on past 180 instead of jumping to -180. */
+/** Headings in degrees, unwrapped: they continue past 180 instead of jumping to -180. */
 export function headings(samples: Samples): Float64Array {
   const yaws = samples.column("yaw_rad");
   const turned = new Float64Array(yaws.length);
@@ -92,7 +92,7 @@ export function headings(samples: Samples): Float64Array {
   return turned;
 }
 
-/** Another heading, in the turn in which the robot's own is. */
+/** Another heading, unwrapped to the same turn as the believed one. */
 function near(name: Column): (samples: Samples) => Float64Array {
   return (samples) => {
     const own = headings(samples);
@@ -111,7 +111,7 @@ const wrapped = (angle: number) => Math.atan2(Math.sin(angle), Math.cos(angle));
 export const times = (samples: Samples): Float64Array =>
   Float64Array.from(samples.column("tick"), (tick) => tick / 30);
 
-/** Where the vertical axis begins and ends: all values, some air, and no less than `span`. */
+/** Range of the vertical axis: all values with a margin, and at least `span`. */
 export function rangeOf(low: number | null, high: number | null, span: number): [number, number] {
   if (low === null || high === null) return [-span / 2, span / 2];
   const half = Math.max(span, (high - low) * 1.3) / 2;
@@ -127,7 +127,7 @@ export interface Range {
 const LEAST_M = 1;
 const AIR = 1.12;
 
-/** Axes on which a metre is as long up as it is across, around everything that is drawn. */
+/** Axis ranges with the same scale in both directions, around all points. */
 export function equalRange(
   lines: readonly (readonly [ArrayLike<number>, ArrayLike<number>])[],
   width: number,
@@ -158,7 +158,7 @@ function extent(columns: readonly ArrayLike<number>[]): [number, number] {
   return [low, high];
 }
 
-/** The row whose point is nearest to a place; pixels or metres, whichever both are in. */
+/** The row whose point is nearest to a place; all in pixels or all in metres. */
 export function nearestRow(
   xs: ArrayLike<number>,
   ys: ArrayLike<number>,

@@ -1,11 +1,11 @@
 import { computed, signal } from "@preact/signals";
-import { program } from "../app/session";
 import { record } from "../run/live_record";
-import type { PlotSource } from "./PlotsPanel";
+import { program } from "../shell/session";
+import type { PlotSource } from "./plot_source";
 
 const pointed = signal<number | null>(null);
 
-/** What the robot did up to now: the plots of the studio. */
+/** Samples of the live run for the plots of the studio. */
 export const liveSource: PlotSource = {
   get samples() {
     return record.samples;

@@ -1,4 +1,4 @@
-/** The colours of a plot: a canvas cannot read the page's tokens itself. */
+/** The colours of a plot: a canvas cannot use CSS variables. */
 export interface Look {
   readonly ground: string;
   readonly ink: string;
@@ -21,7 +21,7 @@ const TOKENS: Readonly<Record<keyof Look, string>> = {
   font: "--font",
 };
 
-/** The colours of the theme that is on. */
+/** Colours of the current theme. */
 export function readLook(): Look {
   const style = getComputedStyle(document.documentElement);
   const value = (token: string) => style.getPropertyValue(token).trim();
@@ -29,7 +29,7 @@ export function readLook(): Look {
   return Object.fromEntries(entries) as unknown as Look;
 }
 
-/** Ink on white paper, whatever the theme: for pictures that leave the program. */
+/** Dark lines on white, whatever the theme: for exported pictures. */
 export function paperLook(): Look {
   return {
     ground: "#ffffff",
@@ -43,7 +43,7 @@ export function paperLook(): Look {
   };
 }
 
-/** How a line is drawn: what is desired or commanded dashed, the truth dotted, what was obtained whole. */
+/** Line styles: desired or commanded dashed, true dotted, obtained solid. */
 export const DASHES = {
   obtained: [],
   measured: [],

@@ -12,7 +12,7 @@ interface PathLine {
   readonly points: Columns;
 }
 
-/** The way of the robot over the floor: a metre up is as long as a metre across. */
+/** The robot's path on the floor, with the same scale in both directions. */
 export class PathChart implements Chart {
   readonly plot: uPlot;
   private samples = new Samples();
@@ -66,12 +66,12 @@ export class PathChart implements Chart {
     const area = width > 1 ? { width, height } : this.drawnArea();
     const points = linesIn(this.samples).map((line) => line.points);
     this.range = equalRange(points, area.width, area.height);
-    // the range is asked for anew with the data, which stands for the corners
+    // setting the data makes uPlot read the range again; the data are the range's corners
     this.plot.setData([this.range.x, this.range.y]);
     queueMicrotask(() => this.mark(this.marked));
   }
 
-  /** Out of the page nothing has a size but the drawing. */
+  /** Size of the drawing area where the chart is not in the page, and so has no layout. */
   private drawnArea() {
     const { width, height } = this.plot.bbox;
     return { width: width / uPlot.pxRatio, height: height / uPlot.pxRatio };
@@ -103,7 +103,7 @@ export class PathChart implements Chart {
   }
 }
 
-/** The dashes lie on top: they are thin, and are to be seen where both agree. */
+/** Dashed lines are drawn last: they are thin, and must be visible where they overlap others. */
 function linesIn(samples: Samples): PathLine[] {
   const pair = (
     x: "x_m" | "goal_x_m" | "true_x_m",
@@ -126,7 +126,7 @@ function trace(plot: uPlot, [xs, ys]: Columns): void {
   for (let row = 0; row < xs.length; row++) {
     const x = plot.valToPos(xs[row] ?? 0, "x", true);
     const y = plot.valToPos(ys[row] ?? 0, "y", true);
-    // what falls on the same pixel is not worth a line
+    // skip points that fall on the same pixel
     if (Math.abs(x - lastX) + Math.abs(y - lastY) < 1) continue;
     ctx.lineTo(x, y);
     [lastX, lastY] = [x, y];
@@ -134,7 +134,7 @@ function trace(plot: uPlot, [xs, ys]: Columns): void {
   ctx.stroke();
 }
 
-/** A ring where the robot began, a full dot where it is. */
+/** Draws a ring at the start of the path and a full dot at its end. */
 function drawEnds(plot: uPlot, samples: Samples, look: Look): void {
   const { ctx } = plot;
   const dot = (x: number, y: number) => {

@@ -1,4 +1,5 @@
-import { CATEGORY_COLOURS, type Category, categoryOf } from "../design/categories";
+import { CATEGORY_COLOURS, type Category } from "../blocks/categories";
+import { categoryOf } from "../blocks/definitions";
 import type { Language, Texts } from "../i18n";
 import type { Stretch } from "../run/playback";
 import type { Samples } from "../run/samples";
@@ -7,7 +8,7 @@ import type { FigureName } from "./figures";
 import { categoryWords, type Entry, entriesOf } from "./Legend";
 import { DASHES, type Look, paperLook, WIDTHS } from "./look";
 
-/** Of the picture, in pixels of the page; a screen with finer ones makes it finer. */
+/** Sizes of the picture in CSS pixels; the device's pixel ratio multiplies them. */
 const WIDTH = 1000;
 const CHART = 560;
 const HEAD = 72;
@@ -21,7 +22,7 @@ interface About {
   readonly language: Language;
 }
 
-/** A plot on white ground with title and legend, as a PNG for reports. */
+/** Renders a plot on a white background with title and legend, as a PNG for reports. */
 export async function pictureOf(
   samples: Samples,
   stretches: readonly Stretch[],
@@ -49,7 +50,7 @@ export async function pictureOf(
 
 const IDLE_HAND = { onPoint() {}, onPress() {} };
 
-/** The drawing of a chart that is in no page. */
+/** Renders a chart that is not in the page. */
 async function chartCanvas(
   samples: Samples,
   stretches: readonly Stretch[],
@@ -59,7 +60,7 @@ async function chartCanvas(
   const size = { width: WIDTH - 2 * MARGIN, height: CHART };
   const setting = { look, language, titles: titlesOf(figure, texts), ...size };
   const chart = chartOf(figure, setting, document.createElement("div"), IDLE_HAND);
-  // it draws when what is under way is done; a plot of a path asks for its size first
+  // uPlot draws in a microtask; the path plot first requests its size
   await settled();
   chart.show(samples, stretches);
   await settled();
@@ -102,7 +103,7 @@ function drawLines(
   }
 }
 
-/** The categories of the blocks that ran, by colour. */
+/** Draws the categories of the blocks that ran, by colour. */
 function drawBlocks(
   ctx: CanvasRenderingContext2D,
   stretches: readonly Stretch[],

@@ -1,11 +1,11 @@
 import { describe, expect, test } from "vitest";
 import type { TelemetryEvent } from "../api/model";
-import { CATALOGUES } from "../i18n";
+import { textsOf } from "../i18n";
 import { type Column, rowAt, Samples } from "../run/samples";
 import { csvOf } from "./csv";
 import { equalRange, headings, linesOf, nearestRow, rangeOf } from "./figures";
 
-/** Drives along x at 0.01 m a tick; what is given besides holds in every sample. */
+/** Samples of a drive along x at 0.01 m a tick; `over` sets other columns in every sample. */
 function driven(rows: number, over: Partial<Record<Column, number>> = {}): Samples {
   const samples = new Samples();
   for (let tick = 0; tick < rows; tick++) {
@@ -91,7 +91,7 @@ describe("axes", () => {
 
 describe("the table", () => {
   const lines = (language: "pt-BR" | "en") =>
-    csvOf(driven(2), CATALOGUES[language], language).split("\r\n");
+    csvOf(driven(2), textsOf(language), language).split("\r\n");
 
   test("opens in a Brazilian spreadsheet: semicolons and decimal commas", () => {
     const [head, , second] = lines("pt-BR");

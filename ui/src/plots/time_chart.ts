@@ -1,21 +1,22 @@
 import uPlot from "uplot";
-import { CATEGORY_COLOURS, categoryOf } from "../design/categories";
+import { CATEGORY_COLOURS } from "../blocks/categories";
+import { categoryOf } from "../blocks/definitions";
 import { coarse, type Stretch } from "../run/playback";
 import { rowAt, type Samples } from "../run/samples";
 import { type Chart, type Hand, listen, NO_DATA, optionsFor, type Setting } from "./chart";
 import { type FigureName, type Line, linesOf, rangeOf, TIME_FIGURES, times } from "./figures";
 import { DASHES, type Look, WIDTHS } from "./look";
 
-/** Height of the coloured band that tells the blocks, in pixels, and how much it tints what is above it. */
+/** Height in pixels of the coloured band that shows the blocks, and the opacity of the tint above it. */
 const BAND = 7;
 const TINT = 0.1;
 
-/** A live run's time axis is at least so long, in seconds. */
+/** Shortest time axis of a live run, in seconds. */
 const LEAST_S = 2;
 
 type TimeFigureName = Exclude<FigureName, "path">;
 
-/** A quantity over time, over the blocks that ran. */
+/** Quantities over time, above the blocks that ran. */
 export class TimeChart implements Chart {
   readonly plot: uPlot;
   private lines: readonly Line[] = [];
@@ -84,7 +85,7 @@ export class TimeChart implements Chart {
     return this.ticks[rowAt(this.ticks, Math.max(0, tick))] ?? 0;
   }
 
-  /** The truth may turn up in the middle of a run. */
+  /** The set of lines can change during a run, for instance when the true pose becomes known. */
   private takeLines(lines: readonly Line[]): void {
     const same = lines.length === this.lines.length;
     this.lines = lines;
@@ -107,7 +108,7 @@ function seriesOf({ ink, role }: Line, look: Look): uPlot.Series {
   };
 }
 
-/** The categories of the blocks along the time axis; `height` 0 is all of the plot. */
+/** Draws the categories of the blocks along the time axis; `height` 0 fills the plot. */
 function drawBands(
   plot: uPlot,
   stretches: readonly Stretch[],
@@ -131,7 +132,7 @@ function drawBands(
   ctx.restore();
 }
 
-/** The letter of each quantity at the end of its line, so that no colour is needed to tell them apart. */
+/** Draws the letter of each quantity at the end of its line, so that lines do not differ by colour alone. */
 function drawLetters(plot: uPlot, lines: readonly Line[], look: Look): void {
   const { ctx } = plot;
   const last = plot.data[0].length - 1;

@@ -2,22 +2,22 @@ import type { ReadonlySignal } from "@preact/signals";
 import { effect, useComputed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { RunWithVersion } from "../api/model";
-import { TEST } from "../app/testids";
-import { theme } from "../app/theme";
 import { createEditor, type Editor } from "../editor";
 import { language, texts } from "../i18n";
 import { failureIn } from "../run/failure";
+import { StatusLine } from "../run/panels/StatusLine";
 import { litBlock, type RunView } from "../run/reducer";
-import { StatusLine } from "../run/StatusLine";
 import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
+import { TEST } from "../shell/testids";
+import { theme } from "../shell/theme";
 
-/** A recorded run at the moment that is shown. */
+/** A recorded run and its state at the current tick. */
 export interface Shown {
   readonly run: RunWithVersion;
   readonly view: ReadonlySignal<RunView>;
 }
 
-/** What the robot did at that moment, in words. */
+/** The robot's action at the current tick, in words. */
 export function ReplayWords({ run, view }: Shown) {
   const sentence = useComputed<Sentence>(() => {
     const begin: Sentence = { text: texts.value.replay.begin, more: "", tone: "calm" };
@@ -34,7 +34,7 @@ export function ReplayWords({ run, view }: Shown) {
   return <StatusLine sentence={sentence.value} />;
 }
 
-/** The blocks as they were, the running one lit, and outlined the one at which the run broke off. */
+/** The blocks of the recorded version: the running one is highlighted, the one at which the run failed is outlined. */
 export function ReplayBlocks({ run, view }: Shown) {
   const container = useRef<HTMLDivElement>(null);
   const editor = useRef<Editor | null>(null);

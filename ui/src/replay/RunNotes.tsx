@@ -1,24 +1,19 @@
-import { useSignal } from "@preact/signals";
 import { Check, Mail } from "lucide-preact";
-import { useEffect } from "preact/hooks";
-import { keeping, type Note } from "../api/keeping";
-import { report } from "../app/session";
-import { TEST } from "../app/testids";
+import type { Note } from "../api/model";
+import { versionsApi } from "../api/versions";
 import { texts } from "../i18n";
+import { Button } from "../kit/Button";
+import { useLoaded } from "../kit/requests/useLoaded";
+import { TEST } from "../shell/testids";
 
-/** What the teacher wrote about the run that is replayed. */
+/** The teacher's notes about the replayed run. */
 export function RunNotes({ runId }: { runId: string }) {
-  const notes = useSignal<Note[]>([]);
-  useEffect(() => {
-    keeping.notesOfRun(runId).then((found) => {
-      notes.value = found;
-    }, report);
-  }, [runId]);
-  if (notes.value.length === 0) return null;
+  const notes = useLoaded(runId, () => versionsApi.notesOfRun(runId));
+  if (notes.status !== "ready" || notes.value.length === 0) return null;
   const { keeping: words } = texts.value;
   const see = async (note: Note) => {
-    const seen = await keeping.seeNote(note.id);
-    notes.value = notes.value.map((one) => (one.id === seen.id ? seen : one));
+    const seen = await versionsApi.seeNote(note.id);
+    notes.set(notes.value.map((one) => (one.id === seen.id ? seen : one)));
   };
   return (
     <ul class="run-notes" aria-label={words.noteFrom} data-scrolls>
@@ -29,15 +24,9 @@ export function RunNotes({ runId }: { runId: string }) {
             <strong>{words.noteFrom}:</strong> {note.text}
           </p>
           {note.seen_at === null && (
-            <button
-              type="button"
-              class="button"
-              data-testid={TEST.noteSeen}
-              onClick={() => void see(note).catch(report)}
-            >
-              <Check class="icon" aria-hidden="true" />
+            <Button icon={Check} testId={TEST.noteSeen} onPress={() => see(note)}>
               {words.noteSeen}
-            </button>
+            </Button>
           )}
         </li>
       ))}

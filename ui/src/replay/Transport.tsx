@@ -20,13 +20,16 @@ import {
   StepForward,
 } from "lucide-preact";
 import { useLayoutEffect } from "preact/hooks";
-import { TEST } from "../app/testids";
-import { CATEGORY_COLOURS, categoryOf } from "../design/categories";
+import { CATEGORY_COLOURS } from "../blocks/categories";
+import { categoryOf } from "../blocks/definitions";
 import { language, texts } from "../i18n";
 import { decimal, duration } from "../i18n/format";
+import { Button } from "../kit/Button";
+import { Select } from "../kit/Select";
 import { coarse, type Playback, SPEEDS, type Stretch, stepFrom } from "../run/playback";
+import { TEST } from "../shell/testids";
 
-/** A stretch narrower than this part of the slider has no room for a picture. */
+/** A stretch narrower than this fraction of the slider has no room for an icon. */
 const LEGIBLE_PART = 0.035;
 
 const ICONS: Record<string, typeof Play> = {
@@ -52,11 +55,11 @@ function iconOf({ action, amount }: Stretch): typeof Play | null {
 
 interface TransportProps {
   playback: Playback;
-  /** What ran when, of each run that is shown. */
+  /** The stretches of each run that is shown. */
   tracks: readonly (readonly Stretch[])[];
 }
 
-/** Time of a replay: play, step from block to block, speed, and the slider coloured by block. */
+/** Controls of a replay: play, step by block, speed, and the slider coloured by block. */
 export function Transport({ playback, tracks }: TransportProps) {
   const { replay } = texts.value;
   const step = (way: -1 | 1) => {
@@ -68,26 +71,18 @@ export function Transport({ playback, tracks }: TransportProps) {
     <section class="transport" aria-label={replay.title}>
       <PlayButton playback={playback} />
       <div class="transport__steps">
-        <button
-          type="button"
-          class="button button--icon"
-          aria-label={replay.back}
-          title={replay.back}
-          data-testid={TEST.replayBack}
-          onClick={() => step(-1)}
-        >
-          <StepBack class="icon" aria-hidden="true" />
-        </button>
-        <button
-          type="button"
-          class="button button--icon"
-          aria-label={replay.forward}
-          title={replay.forward}
-          data-testid={TEST.replayForward}
-          onClick={() => step(1)}
-        >
-          <StepForward class="icon" aria-hidden="true" />
-        </button>
+        <Button
+          icon={StepBack}
+          label={replay.back}
+          testId={TEST.replayBack}
+          onPress={() => step(-1)}
+        />
+        <Button
+          icon={StepForward}
+          label={replay.forward}
+          testId={TEST.replayForward}
+          onPress={() => step(1)}
+        />
       </div>
       <Slider playback={playback} tracks={tracks} />
       <Speed playback={playback} />
@@ -101,16 +96,17 @@ function PlayButton({ playback }: { playback: Playback }) {
   const over = !playing && playback.tick.value >= playback.end;
   const Icon = playing ? Pause : over ? RotateCcw : Play;
   return (
-    <button
-      type="button"
-      class="button button--run transport__play"
-      data-testid={TEST.replayPlay}
+    <Button
+      icon={Icon}
+      filled={!over}
+      kind="main"
+      class="transport__play"
+      testId={TEST.replayPlay}
       data-does={playing ? "pause" : "play"}
-      onClick={() => playback.toggle()}
+      onPress={() => playback.toggle()}
     >
-      <Icon class="icon" fill={over ? "none" : "currentColor"} aria-hidden="true" />
       {playing ? replay.pause : over ? replay.again : replay.play}
-    </button>
+    </Button>
   );
 }
 
@@ -150,7 +146,7 @@ function Slider({ playback, tracks }: TransportProps) {
   );
 }
 
-/** The blocks of all runs in the order in which they begin. */
+/** The blocks of all runs, ordered by their start. */
 function inOrder(tracks: TransportProps["tracks"]): readonly Stretch[] {
   const [only, ...others] = tracks;
   return only && others.length === 0 ? only : tracks.flat().sort((a, b) => a.from - b.from);
@@ -184,27 +180,24 @@ function Stretches({ stretches, end }: { stretches: readonly Stretch[]; end: num
 function Speed({ playback }: { playback: Playback }) {
   const { replay } = texts.value;
   return (
-    <span class="select transport__speed">
-      <select
-        aria-label={replay.speed}
-        title={replay.speed}
-        data-testid={TEST.replaySpeed}
-        value={String(playback.speed.value)}
-        onChange={(event) => {
-          playback.speed.value = Number(event.currentTarget.value);
-        }}
-      >
-        {SPEEDS.map((speed) => (
-          <option key={speed} value={String(speed)}>
-            {decimal(speed, speed < 0.5 ? 2 : speed < 1 ? 1 : 0, language.value)}×
-          </option>
-        ))}
-      </select>
-    </span>
+    <Select
+      class="transport__speed"
+      label={replay.speed}
+      tip={replay.speed}
+      testId={TEST.replaySpeed}
+      value={playback.speed.value}
+      options={SPEEDS.map((speed) => [speed, `${speedWords(speed)}×`])}
+      onChange={(speed) => {
+        playback.speed.value = speed;
+      }}
+    />
   );
 }
 
-/** Space plays, the arrows step, wherever the focus is but in a field of its own. */
+const speedWords = (speed: number) =>
+  decimal(speed, speed < 0.5 ? 2 : speed < 1 ? 1 : 0, language.value);
+
+/** Space plays, arrow keys step, unless the focus is in a field that uses these keys. */
 function listenToKeys(toggle: () => void, step: (way: -1 | 1) => void): () => void {
   const onKey = (event: KeyboardEvent) => {
     const target = event.target as HTMLElement;

@@ -1,13 +1,13 @@
 import { signal } from "@preact/signals";
 import { api } from "../api/client";
 import type { RunEvent, RunWithVersion } from "../api/model";
-import type { PlotSource } from "../plots/PlotsPanel";
+import type { PlotSource } from "../plots/plot_source";
 import { History } from "../run/history";
 import { Playback, type Stretch, stretches } from "../run/playback";
 import { Samples } from "../run/samples";
 import { decodeTelemetry, type Telemetry } from "../run/telemetry";
 
-/** A recorded run with all that is needed to show any moment of it. */
+/** A recorded run with the data needed to show any tick of it. */
 export interface Recording {
   run: RunWithVersion;
   playback: Playback;
@@ -15,7 +15,7 @@ export interface Recording {
   plots: PlotSource;
 }
 
-/** Fetches all of a run. */
+/** Loads all data of a run. */
 export async function loadRecording(runId: string): Promise<Recording> {
   const [run, events, samples] = await Promise.all([
     api.run(runId),
@@ -33,7 +33,7 @@ function record(run: RunWithVersion, events: RunEvent[], samples: ArrayBuffer): 
   return { run, playback, stretches: blocks, plots: plotsOf(run, playback, telemetry, blocks) };
 }
 
-/** The plots of a replay show the moment of its slider, and move it. */
+/** The plots of a replay share the tick of its slider: they show it and set it. */
 function plotsOf(
   run: RunWithVersion,
   playback: Playback,

@@ -2,11 +2,11 @@ import type { Language, Texts } from "../i18n";
 import { degrees, metres } from "../i18n/format";
 import type { Speed } from "./reducer";
 
-/** Slower than this is standing, m/s and rad/s. */
+/** Lower speeds count as standing still, m/s and rad/s. */
 const STANDING_MPS = 0.005;
 const STANDING_RADPS = 0.01;
 
-/** How the robot rolls while no motion has a goal, in words; null where it stands. */
+/** Describes the robot's motion while no motion command is active; null where it stands still. */
 export function drivingWords(speed: Speed, texts: Texts, language: Language): string | null {
   const { status } = texts;
   const { linear, angular } = speed;

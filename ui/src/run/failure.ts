@@ -1,15 +1,15 @@
-import type { Language } from "../i18n/language";
+import type { Language } from "../i18n";
 import { reasonWords } from "../i18n/reasons";
 import type { Ending, RunView } from "./reducer";
 
-/** The block at which a run broke off, with why, in words, as an editor shows it. */
+/** The block at which a run failed and the reason in words, in the form that an editor shows. */
 export interface Failure {
   block: string;
   message: string;
   remedy: string;
 }
 
-/** None where the run did not break off, or at no block. */
+/** The failure of a run as a list; empty where the run did not fail, or not at a block. */
 export function failureIn({ phase, ending }: RunView, language: Language): Failure[] {
   return phase === "failed" ? failureOf(ending, language) : [];
 }

@@ -8,7 +8,7 @@ import type { Telemetry } from "./telemetry";
 const RUN = "run-1";
 const LAST = 120;
 
-/** Drives 0.01 m a tick for 60 ticks, then turns 3 degrees a tick. */
+/** A recording that drives 0.01 m a tick for 60 ticks, then turns 3 degrees a tick. */
 function recorded(): [RunEvent[], Telemetry] {
   const head = (seq: number, tick: number) => ({ v: 1, run: RUN, seq, tick }) as const;
   const started = (seq: number, tick: number, n: number, action: string, amount: number) =>

@@ -3,10 +3,10 @@ import { between } from "./motion_buffer";
 import { IDLE, type Pose, type RunView, reduce } from "./reducer";
 import { type Telemetry, telemetryEvent } from "./telemetry";
 
-/** States are kept this often, so that any moment opens at once. */
+/** Interval of the stored states, so that seeking is fast. */
 const KEEP_EVERY_TICKS = 30;
 
-/** Puts the events of a run and its telemetry back into the order in which they happened. */
+/** Merges the events of a run and its telemetry in the order of their ticks. */
 export function* inOrder(
   run: string,
   events: readonly RunEvent[],
@@ -24,20 +24,20 @@ export function* inOrder(
   while (row < telemetry.rows) yield telemetryEvent(telemetry, row++, run);
 }
 
-/** A state, and which event comes next. */
+/** A stored state and the index of the event after it. */
 interface Mark {
   readonly next: number;
   readonly view: RunView;
 }
 
-/** A whole run at hand: its state at any tick. Built with the same reducer that follows a live run. */
+/** All states of a recorded run, at any tick. Built with the same reducer as a live run. */
 export class History {
   private readonly ordered: RunEvent[];
   private readonly marks: Mark[] = [];
-  /** What was asked for last: a replay asks for the next moment then. */
+  /** Cache of the last result, because a replay requests increasing ticks. */
   private last: Mark & { tick: number } = { next: 0, view: IDLE, tick: Number.POSITIVE_INFINITY };
   readonly lastTick: number;
-  /** The state after everything that is known. */
+  /** The state after the last event. */
   readonly end: RunView;
 
   constructor(
@@ -59,7 +59,7 @@ export class History {
     this.lastTick = view.tick;
   }
 
-  /** The state when everything up to and including `tick` had happened. */
+  /** The state after all events up to and including `tick`. */
   at(tick: number): RunView {
     const { last } = this;
     if (last.tick <= tick && tick - last.tick < KEEP_EVERY_TICKS) return this.from(last, tick);
@@ -79,7 +79,7 @@ export class History {
     return view;
   }
 
-  /** Where the robot truly is at a moment between two ticks. */
+  /** The true pose at a fractional tick, interpolated. */
   poseAt(tick: number): Pose {
     const { columns, rows } = this.telemetry;
     const ticks = columns.get("tick");

@@ -1,7 +1,9 @@
 import { expect, test } from "vitest";
-import { ptBR } from "../i18n/pt-BR";
+import { textsOf } from "../i18n";
 import { withJudgement } from "./judgement";
 import type { Sentence } from "./sentence";
+
+const ptBR = textsOf("pt-BR");
 
 const ended: Sentence = { text: "Terminou.", more: "Em 3 s.", tone: "notice" };
 

@@ -2,7 +2,7 @@ import type { JudgedEvent } from "../api/model";
 import type { Texts } from "../i18n";
 import type { Sentence } from "./sentence";
 
-/** The sentence at the end of a run, with what it means for the activity of the lesson. */
+/** The sentence at the end of a run, with the result of the lesson's activity. */
 export function withJudgement(
   ended: Sentence,
   run: string | null,

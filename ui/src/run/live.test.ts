@@ -3,7 +3,7 @@ import type { RunEvent, TelemetryEvent } from "../api/model";
 
 const api = {
   startRun: vi.fn(),
-  stop: vi.fn(),
+  command: vi.fn(),
   status: vi.fn(),
   run: vi.fn(),
   runEvents: vi.fn(),
@@ -12,10 +12,10 @@ const api = {
 vi.mock("../api/client", () => ({ api }));
 
 let page: typeof import("./live");
-/** Of the same making as the page: a module that is loaded anew has classes of its own. */
+/** From the same module instance as the page: a reloaded module has its own classes. */
 let ApiError: typeof import("../api/errors").ApiError;
 
-/** What the store of the server has of run `other`. */
+/** Events of the run `other` in the server's store. */
 let stored: RunEvent[] = [];
 
 const head = (run: string, seq: number) => ({ v: 1, run, seq, tick: seq }) as const;
@@ -50,11 +50,13 @@ const ended = (run: string, seq: number): RunEvent => ({
   telemetry_sha256: "0",
 });
 
+const STOP = { do: "stop" };
+
 const conflict = (code: string) => new ApiError(409, { code, message: code });
 
 const settled = () => vi.waitFor(() => expect(page.live.value.run).toBe("other"));
 
-/** The times that something was asked and has been answered. */
+/** Waits until a request was made and answered the given number of times. */
 const asked = (what: ReturnType<typeof vi.fn>, times: number) =>
   vi.waitFor(() => expect(what.mock.settledResults.length).toBe(times));
 
@@ -65,7 +67,7 @@ beforeEach(async () => {
   api.runEvents.mockImplementation(async () => stored);
   api.runTelemetry.mockRejectedValue(new Error("none yet"));
   api.status.mockResolvedValue({ run: null });
-  api.stop.mockResolvedValue({});
+  api.command.mockResolvedValue({});
   vi.resetModules();
   ({ ApiError } = await import("../api/errors"));
   page = await import("./live");
@@ -78,7 +80,7 @@ describe("a run begun in another window", () => {
     expect(page.live.value.phase).toBe("running");
     expect(page.liveRun.value?.program_id).toBe("p");
     await page.stop();
-    expect(api.stop.mock.calls).toEqual([["other"]]);
+    expect(api.command.mock.calls).toEqual([["other", STOP]]);
     expect(api.status).not.toHaveBeenCalled();
   });
 
@@ -124,22 +126,25 @@ describe("Stop", () => {
     stored = [running("other")];
     api.status.mockResolvedValue({ run: "other" });
     await page.stop();
-    expect(api.stop.mock.calls).toEqual([["other"]]);
+    expect(api.command.mock.calls).toEqual([["other", STOP]]);
     expect(page.live.value.run).toBe("other");
   });
 
   test("does nothing where nothing runs", async () => {
     await page.stop();
-    expect(api.stop).not.toHaveBeenCalled();
+    expect(api.command).not.toHaveBeenCalled();
   });
 
   test("reaches the run that came after the one that is shown", async () => {
     page.receive(running("other"));
     await settled();
     api.status.mockResolvedValue({ run: "next" });
-    api.stop.mockRejectedValueOnce(conflict("run_not_live"));
+    api.command.mockRejectedValueOnce(conflict("run_not_live"));
     await page.stop();
-    expect(api.stop.mock.calls).toEqual([["other"], ["next"]]);
+    expect(api.command.mock.calls).toEqual([
+      ["other", STOP],
+      ["next", STOP],
+    ]);
     expect(page.live.value.run).toBe("next");
   });
 
@@ -147,7 +152,7 @@ describe("Stop", () => {
     page.receive(running("other"));
     await settled();
     stored = [running("other"), ended("other", 1)];
-    api.stop.mockRejectedValueOnce(conflict("run_not_live"));
+    api.command.mockRejectedValueOnce(conflict("run_not_live"));
     await page.stop();
     expect(page.live.value.phase).toBe("stopped");
   });
@@ -160,7 +165,7 @@ describe("a start", () => {
     api.startRun.mockRejectedValue(conflict("run_in_progress"));
     await expect(page.start("v", "w")).rejects.toThrow("run_in_progress");
     expect(page.live.value).toMatchObject({ run: "other", phase: "running" });
-    expect(api.stop).not.toHaveBeenCalled();
+    expect(api.command).not.toHaveBeenCalled();
   });
 
   test("refused for another reason shows what was shown before", async () => {
@@ -179,7 +184,7 @@ describe("a start", () => {
     });
     await page.start("v", "w");
     expect(page.live.value).toMatchObject({ run: "mine", phase: "running", seq: 1 });
-    expect(api.stop.mock.calls).toEqual([["mine"]]);
+    expect(api.command.mock.calls).toEqual([["mine", STOP]]);
     expect(api.run).not.toHaveBeenCalled();
   });
 });

@@ -1,14 +1,14 @@
-import { batch, signal } from "@preact/signals";
+import { batch, computed, signal } from "@preact/signals";
 import { api } from "../api/client";
 import { ApiError } from "../api/errors";
 import type {
+  CommandAnswer,
   Debugging,
+  LiveCommand,
   RangesEvent,
-  Ring,
   Run,
   RunEvent,
   RunWithVersion,
-  StepMode,
 } from "../api/model";
 import { History } from "./history";
 import { record } from "./live_record";
@@ -17,26 +17,28 @@ import { IDLE, isLive, type Pose, type RunView, reduce, starting } from "./reduc
 import { beep } from "./sound";
 import { decodeTelemetry, NO_TELEMETRY } from "./telemetry";
 
-/** The run that moves the robot now, or the last one that did. */
+/** State of the live run, or of the last one. */
 export const live = signal<RunView>(IDLE);
 
-/** What the server says of it: program, world; the version where it was asked for. Null until it is known. */
+/** The server's record of that run: program, world, and the version where requested. Null until it is loaded. */
 export const liveRun = signal<Run | RunWithVersion | null>(null);
 
+export const isRunning = computed(() => isLive(live.value));
+
 const motion = new MotionBuffer();
-/** How many requests are under way that will tell where events belong; until then events are held. */
+/** Number of pending requests whose answers decide which run events belong to; until then events are queued. */
 let holds = 0;
 let held: RunEvent[] = [];
-/** Events that had their run followed: each may try once, or a server in trouble were asked for ever. */
+/** Events that already triggered a `follow`. Each triggers only one, so that a failing server is not polled forever. */
 const tried = new WeakSet<RunEvent>();
-/** Counts what was asked of the server; only the newest answer is shown. */
+/** Sequence number of requests; only the newest answer is shown. */
 let turns = 0;
-/** Stop was pressed before the run had a name. */
+/** Stop was pressed before the run had an id. */
 let stopWanted = false;
 
 /**
- * A program that computes tells of thousands of blocks a second; the page is drawn sixty times. What came since it was
- * drawn last waits here.
+ * The newest view, waiting for the next redraw: a program can send thousands of block events a second, and the page is
+ * redrawn sixty times a second.
  */
 let waiting: RunView | null = null;
 let timer: ReturnType<typeof setTimeout> | undefined;
@@ -45,7 +47,7 @@ const FRAME_MS = 16;
 
 const newest = (): RunView => waiting ?? live.value;
 
-/** Shows a view now, in place of whatever waits. */
+/** Shows a view immediately and drops the waiting one. */
 function show(view: RunView): void {
   clearTimeout(timer);
   waiting = null;
@@ -66,12 +68,12 @@ function catchUp(): void {
   if (waiting) show(waiting);
 }
 
-/** Where the robot is drawn at this moment of the screen's clock. */
+/** The pose at which the robot is drawn at a time of the screen's clock. */
 export function livePose(now: number): Pose {
   return motion.at(now) ?? live.value.truth;
 }
 
-/** What the sensors measure, while somebody looks. */
+/** Newest sensor distances, while the page subscribes to them. */
 export const ranges = signal<RangesEvent | null>(null);
 
 export function receive(event: RunEvent): void {
@@ -81,15 +83,15 @@ export function receive(event: RunEvent): void {
   } else if (holds > 0) held.push(event);
   else if (event.run === view.run) apply(event);
   else if (!isLive(view) && isSignOfLife(event) && !tried.has(event)) {
-    // begun in another window
+    // started in another window
     tried.add(event);
     held.push(event);
-    // where this fails, the next such event tries again
+    // if this fails, the next such event tries again
     follow(event.run).catch(() => {});
   }
 }
 
-/** Telemetry comes too often to ask the server for each of it, and what has ended is not followed. */
+/** Telemetry is too frequent to query the server for each sample, and a run that ended is not followed. */
 const isSignOfLife = ({ type }: RunEvent) => type !== "telemetry" && type !== "run_ended";
 
 function apply(event: RunEvent): void {
@@ -102,7 +104,7 @@ function apply(event: RunEvent): void {
   showSoon(next);
 }
 
-/** Shows the robot at the start again, with no run. */
+/** Clears the run and shows the robot at the start. */
 export function clear(): void {
   if (isLive(newest())) return;
   batch(() => {
@@ -113,7 +115,7 @@ export function clear(): void {
   });
 }
 
-/** Starts a run; rejects with the server's words, and shows what was shown before or the run in its way. */
+/** Starts a run. Rejects with the server's message, then shows the previous state or the run that is in the way. */
 export function start(versionId: string, world: string, debugging: Debugging = {}): Promise<Run> {
   const before = newest();
   const nameless = starting(null);
@@ -139,7 +141,7 @@ export function start(versionId: string, world: string, debugging: Debugging = {
   });
 }
 
-/** Fetches what a run has done so far and follows it from there. */
+/** Loads what a run has done so far and follows it from there. */
 export function follow(runId: string): Promise<void> {
   const turn = ++turns;
   return holding(async () => {
@@ -159,7 +161,7 @@ export function follow(runId: string): Promise<void> {
   });
 }
 
-/** Holds events back while the work is done, then hands them on; what they already did changes nothing. */
+/** Queues events during `work`, then replays them; the reducer ignores those that are already applied. */
 async function holding<T>(work: () => Promise<T>): Promise<T> {
   holds++;
   try {
@@ -174,42 +176,31 @@ async function holding<T>(work: () => Promise<T>): Promise<T> {
   }
 }
 
-/** The server said which run is live: catch up with it, or with the end of the one that was. */
+/** The server reported which run is live: load it, or load the end of the run that was live. */
 export async function resync(runId: string | null): Promise<void> {
   const shown = newest();
   if (runId) await follow(runId);
   else if (isLive(shown) && shown.run) await follow(shown.run);
 }
 
-export type { Debugging, StepMode };
+export type { Debugging };
 
-export const step = (mode: StepMode) => withRun((run) => api.step(run, mode));
-export const setBreakpoints = (blocks: readonly string[]) =>
-  withRun((run) => api.setBreakpoints(run, blocks));
-
-/** Slow motion or fast forward, from now on. */
-export function setSpeed(factor: number): Promise<void> {
-  motion.setSpeed(factor);
-  return withRun((run) => api.setSpeed(run, factor));
+/** Sends a command to the live run; null where there is none. */
+export async function command(wanted: LiveCommand): Promise<CommandAnswer | null> {
+  if (wanted.do === "speed") motion.setSpeed(wanted.factor);
+  if (wanted.do === "subscribe" && wanted.sensors.length === 0) ranges.value = null;
+  const view = newest();
+  return view.run && isLive(view) ? api.command(view.run, wanted) : null;
 }
 
-/** Has the run tell what rings of sensors measure; none of them ends it. */
-export function look(sensors: readonly Ring[]): Promise<void> {
-  if (sensors.length === 0) ranges.value = null;
-  return withRun((run) => api.look(run, sensors));
-}
-
-export const pause = () => withRun(api.pause);
-export const resume = () => withRun(api.resume);
-
-/** Stops the robot, whoever began the run and whether this page has heard of it or not. */
+/** Stops the robot, also where another client started the run and this page does not know it yet. */
 export async function stop(): Promise<void> {
   const view = newest();
   if (!isLive(view)) await meet(true);
   else if (view.run === null) stopWanted = true;
   else {
     try {
-      await api.stop(view.run);
+      await api.command(view.run, STOP);
     } catch (error) {
       if (!isCode(error, "run_not_live")) throw error;
       await meet(true);
@@ -217,25 +208,18 @@ export async function stop(): Promise<void> {
   }
 }
 
-/** Asks which run is live, stops it where that is wanted, and shows it. */
+/** Queries which run is live, stops it when `toStop`, and shows it. */
 async function meet(toStop: boolean): Promise<void> {
   const { run } = await api.status();
   if (run && toStop) {
-    await api.stop(run).catch((error) => {
-      // it ended by itself just now
+    await api.command(run, STOP).catch((error) => {
+      // the run ended in the meantime
       if (!isCode(error, "run_not_live")) throw error;
     });
   }
   await resync(run);
 }
 
+const STOP: LiveCommand = { do: "stop" };
+
 const isCode = (error: unknown, code: string) => error instanceof ApiError && error.code === code;
-
-export const answerCapture = (result: string) => withRun((run) => api.answerCapture(run, result));
-
-export const answerQuestion = (value: string) => withRun((run) => api.answerQuestion(run, value));
-
-async function withRun(send: (run: string) => Promise<object>): Promise<void> {
-  const view = newest();
-  if (view.run && isLive(view)) await send(view.run);
-}

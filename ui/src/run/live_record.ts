@@ -4,12 +4,12 @@ import { type Stretch, Timeline } from "./playback";
 import { Samples } from "./samples";
 import type { Telemetry } from "./telemetry";
 
-/** Plots are drawn anew no more often than this while a run is live. */
+/** Shortest time between redraws of the plots while a run is live. */
 const REDRAW_MS = 200;
 
-/** The measurements of the run that is live, or of the last one that was: what plots show in the studio. */
+/** Samples of the live run, or of the last one, for the plots of the studio. */
 export class LiveRecord {
-  /** Changes when there is more to draw. */
+  /** Changes when there are new samples to draw. */
   readonly revision = signal(0);
   samples = new Samples();
   private timeline = new Timeline();

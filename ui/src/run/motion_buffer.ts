@@ -6,19 +6,19 @@ interface Sample {
 }
 
 const TICK_MS = 1000 / 30;
-/** The picture runs this far behind, so that there is always a sample to move towards. */
+/** The drawn pose is this far behind, so that there is always a later sample to interpolate to. */
 const DELAY_TICKS = 1.5;
 const KEPT = 12;
 
-/** Smooths 30 samples a second into a position for every frame of the screen. */
+/** Interpolates 30 samples a second to a pose for every animation frame. */
 export class MotionBuffer {
   private samples: Sample[] = [];
-  /** Arrival time of tick 0, as the promptest samples tell it. */
+  /** Arrival time of tick 0, estimated from the samples with the smallest delay. */
   private origin = Number.NaN;
 
   private tickMs = TICK_MS;
 
-  /** Samples come faster or slower from now on. */
+  /** Sets the rate of the samples relative to real time. */
   setSpeed(factor: number): void {
     this.tickMs = TICK_MS / factor;
     this.origin = Number.NaN;
@@ -30,12 +30,12 @@ export class MotionBuffer {
     this.samples.push({ tick, pose });
     if (this.samples.length > KEPT) this.samples.shift();
     const origin = now - tick * this.tickMs;
-    // a sample may come late, never early; the slow drift follows a clock that runs differently
+    // samples can be late, never early; the slow correction follows clock drift
     if (!(origin >= this.origin) || origin - this.origin > 500) this.origin = origin;
     else this.origin += (origin - this.origin) * 0.02;
   }
 
-  /** Forgets everything and stands at `pose`. */
+  /** Clears the buffer; the robot stands at `pose`. */
   reset(pose?: Pose): void {
     this.samples = pose ? [{ tick: -1, pose }] : [];
     this.origin = Number.NaN;
@@ -54,7 +54,7 @@ export class MotionBuffer {
   }
 }
 
-/** The pose at `part` of the way, turning the short way round. */
+/** Interpolates two poses; the heading turns the shorter way. */
 export function between(a: Pose, b: Pose, part: number): Pose {
   const turn = Math.atan2(Math.sin(b.yaw - a.yaw), Math.cos(b.yaw - a.yaw));
   return {

@@ -36,7 +36,7 @@ const answered = (value: string | number): RunEvent => ({
 const at = (x: number, y: number): RunEvent =>
   ({ ...head(0), type: "telemetry", x_m: x, y_m: y }) as RunEvent;
 
-/** The robot is where the newest telemetry says. */
+/** The output after events, with the robot at the position of the newest telemetry. */
 function outputOf(...events: RunEvent[]): Output {
   let place: [number, number] = [0, 0];
   let output = NOTHING;

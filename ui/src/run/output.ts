@@ -1,14 +1,14 @@
 import type { RunEvent } from "../api/model";
 import { EMPTY_TRAIL, extend, lastPoint, type Point, type Trail } from "./trail";
 
-/** A line of the talk between the program and the group. */
+/** A line of the dialogue between the program and the group. */
 export interface Line {
   readonly kind: "said" | "asked" | "answered";
-  /** A number where the group's answer reads as one. */
+  /** A number where the group's answer can be read as one. */
   readonly text: string | number;
   readonly block: string | null;
   readonly tick: number;
-  /** Counts the lines of a run from 0. */
+  /** Index of the line in its run, from 0. */
   readonly number: number;
 }
 
@@ -19,7 +19,7 @@ export interface FloorMark {
   readonly y: number;
 }
 
-/** What the pen has drawn from going down to going up. */
+/** A pen stroke, from pen down to pen up. */
 export interface Stroke {
   readonly color: string;
   readonly trail: Trail;
@@ -31,26 +31,26 @@ export interface Question {
   readonly variable: string;
 }
 
-/** A function that runs, and the block that called it. */
+/** An active function call and the block that made it. */
 export interface Call {
   readonly function: string;
   readonly block: string | null;
 }
 
-/** All that a program has given out besides motion, and what it has in mind. */
+/** All outputs of a program besides motion, with its variables and calls. */
 export interface Output {
   /** The newest lines, oldest first. */
   readonly talk: readonly Line[];
   readonly marks: readonly FloorMark[];
-  /** Strokes that are done. */
+  /** Finished strokes. */
   readonly strokes: readonly Stroke[];
-  /** What the pen draws now; null while it is up. */
+  /** The unfinished stroke; null while the pen is up. */
   readonly pen: Stroke | null;
-  /** Open until it is answered or the run goes on without. */
+  /** The pending question, until it is answered or the run goes on without an answer. */
   readonly question: Question | null;
   readonly beeps: number;
   readonly variables: Readonly<Record<string, unknown>>;
-  /** The outermost first. */
+  /** The call stack, outermost first. */
   readonly calls: readonly Call[];
 }
 
@@ -65,12 +65,12 @@ export const NOTHING: Output = {
   calls: [],
 };
 
-/** Of more than these the oldest are forgotten: nobody reads further back, and states of a run share what they keep. */
+/** Limits above which the oldest entries are dropped. States of a run share the entries that they keep. */
 export const MOST_LINES = 200;
 export const MOST_MARKS = 1000;
 export const MOST_STROKES = 1000;
 
-/** The output after an event; the same object where the event says nothing of it. `at`: where the robot truly is. */
+/** The output after an event; the same object when the event changes nothing. `at` is the robot's true position. */
 export function given(output: Output, event: RunEvent, at: Point): Output {
   switch (event.type) {
     case "telemetry":
@@ -107,7 +107,7 @@ export function given(output: Output, event: RunEvent, at: Point): Output {
   }
 }
 
-/** Strokes with the one that is being drawn. */
+/** All strokes, including the unfinished one. */
 export function* allStrokes({ strokes, pen }: Output): Generator<Stroke> {
   yield* strokes;
   if (pen) yield pen;
@@ -138,7 +138,7 @@ function drawn(output: Output, point: Point): Output {
   return trail === pen.trail ? output : { ...output, pen: { ...pen, trail } };
 }
 
-/** Another colour is another stroke, which begins where the last one ends. */
+/** A new colour begins a new stroke at the end of the last one. */
 function withPen(output: Output, color: string | null, at: Point): Output {
   const { pen } = output;
   if (color === (pen?.color ?? null)) return output;
@@ -151,7 +151,7 @@ function withPen(output: Output, color: string | null, at: Point): Output {
   };
 }
 
-/** A pen that goes up and down on the spot makes one dot, however often. */
+/** Repeated pen down and up at one point makes a single dot. */
 function isRepeated(before: Stroke | undefined, stroke: Stroke): boolean {
   const isDot = stroke.trail.chunks.length === 0 && stroke.trail.tail.length < 2;
   const [x, y] = lastPoint(stroke.trail) ?? [0, 0];

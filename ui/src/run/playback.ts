@@ -1,24 +1,25 @@
 import { computed, signal } from "@preact/signals";
 import type { RunEvent } from "../api/model";
-import { categoryOf } from "../design/categories";
+import { categoryOf } from "../blocks/definitions";
 import type { History } from "./history";
 import type { Pose } from "./reducer";
 
+/** Speeds of a replay, as factors of real time. */
 export const SPEEDS = [0.25, 0.5, 1, 2, 4, 8, 16] as const;
 
 const TICKS_PER_MS = 30 / 1000;
 
-/** The clock of a replay: a tick that moves while it plays. */
+/** The clock of a replay: a tick that advances while it plays. */
 export class Playback {
   readonly tick = signal(0);
   readonly playing = signal(false);
   readonly speed = signal<number>(1);
-  /** The whole tick, which is all that the state depends on. */
+  /** The whole tick, which alone determines the state. */
   private readonly whole = computed(() => Math.floor(this.tick.value));
   readonly view = computed(() => this.history.at(this.whole.value));
   private handle = 0;
   private last = 0;
-  /** Where the slider stood before something else was pointed at. */
+  /** Tick of the slider before another tick was pointed at. */
   private pointedFrom: number | null = null;
 
   constructor(readonly history: History) {}
@@ -29,7 +30,7 @@ export class Playback {
 
   readonly pose = (): Pose => this.history.poseAt(this.tick.peek());
 
-  /** Shows another moment while it is pointed at, and comes back with `null`. Does nothing while it plays. */
+  /** Shows a tick while it is pointed at; `null` returns to the slider's tick. Ignored while playing. */
   point(tick: number | null): void {
     if (this.playing.peek()) return;
     this.pointedFrom ??= this.tick.peek();
@@ -78,7 +79,7 @@ export class Playback {
   };
 }
 
-/** A stretch of time in which one block ran. */
+/** Interval in which one block ran. */
 export interface Stretch {
   from: number;
   to: number;
@@ -97,10 +98,10 @@ const HOLDERS = new Set([
   "call",
 ]);
 
-/** Of more stretches than this, neighbours are put together. */
+/** Limit of the number of stretches; above it neighbours are merged. */
 const MOST_STRETCHES = 6000;
 
-/** When each block that does something ran, told event by event; what only holds others is left out. */
+/** Collects from events when each block ran; blocks that only contain others are left out. */
 export class Timeline {
   private found: Stretch[] = [];
 
@@ -116,20 +117,20 @@ export class Timeline {
     if (event.type === "block_ended" && open?.block === event.block && isOpen) open.to = event.tick;
   }
 
-  /** All stretches; what has not ended lasts until `lastTick`. */
+  /** All stretches; an unfinished one lasts until `lastTick`. */
   until(lastTick: number): Stretch[] {
     return this.found.map((one) => ({ ...one, to: Math.min(one.to, lastTick) }));
   }
 }
 
-/** When each block that does something ran; what only holds others is left out. */
+/** When each block ran; blocks that only contain others are left out. */
 export function stretches(events: readonly RunEvent[], lastTick: number): Stretch[] {
   const timeline = new Timeline();
   for (const event of events) timeline.take(event);
   return timeline.until(lastTick);
 }
 
-/** Neighbours of one hue as one, so that a long run does not become ten thousand slivers. */
+/** Merges neighbours of one category, so that a long run does not become thousands of narrow stretches. */
 export function coarse(all: readonly Stretch[], lastTick: number, most = 300): Stretch[] {
   if (all.length <= most) return [...all];
   const gap = lastTick / most;
@@ -143,7 +144,7 @@ export function coarse(all: readonly Stretch[], lastTick: number, most = 300): S
   return merged;
 }
 
-/** The beginning of the block before or after a moment. */
+/** Start of the next or previous block. */
 export function stepFrom(all: readonly Stretch[], tick: number, way: -1 | 1, end: number): number {
   const begins = all.map((stretch) => stretch.from);
   if (way > 0) return begins.find((begin) => begin > tick + 0.5) ?? end;

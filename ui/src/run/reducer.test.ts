@@ -227,10 +227,20 @@ describe("a capture", () => {
 
   test("asks until there is a result", () => {
     const asked = viewAfter(started(30, "/commands/0", "classify_gestures"), begun());
-    expect(asked.capture).toEqual({ block: "c", timeoutS: 10, sinceTick: 30 });
+    expect(asked.capture).toEqual({ block: "c", timeoutS: 10, leftS: 10 });
     const answered = reduce(asked, result());
     expect(answered.capture).toBeNull();
     expect(answered.gesture).toBe("B");
+  });
+
+  test("counts down in the seconds that the run tells, which stand while it is paused", () => {
+    const countdown = (left_s: number): RunEvent => ({
+      ...head(30),
+      type: "countdown",
+      left_s,
+    });
+    expect(viewAfter(begun(), countdown(7.4)).capture?.leftS).toBe(7.4);
+    expect(viewAfter(begun(), result(), countdown(7.2)).capture).toBeNull();
   });
 
   test("ends with the run", () => {

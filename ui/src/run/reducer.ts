@@ -2,6 +2,7 @@ import type { RunEndedEvent, RunEvent, TelemetryEvent } from "../api/model";
 import { given, NOTHING, type Output } from "./output";
 import { EMPTY_TRAIL, extend, type Trail } from "./trail";
 
+/** Phase of a run. */
 export type Phase = "idle" | "starting" | "running" | "paused" | "finished" | "stopped" | "failed";
 
 export interface Pose {
@@ -10,15 +11,15 @@ export interface Pose {
   readonly yaw: number;
 }
 
-/** A block that has begun and not ended; the last one of the stack is the innermost. */
+/** A block that has started and not ended; the last one of the stack is the innermost. */
 export interface LitBlock {
   readonly block: string | null;
   readonly pointer: string;
   readonly action: string;
   readonly amount: number | null;
-  /** How many times the first command inside has begun: the round of a loop. NaN where rounds come too fast to tell. */
+  /** Number of the current loop round. NaN where rounds are too fast to count. */
   readonly round: number;
-  /** When that was the last time. */
+  /** Tick at which this round began. */
   readonly roundTick: number;
 }
 
@@ -36,7 +37,8 @@ export interface Speed {
 export interface Capture {
   readonly block: string | null;
   readonly timeoutS: number;
-  readonly sinceTick: number;
+  /** Seconds of real time that are left. */
+  readonly leftS: number;
 }
 
 export interface Ending {
@@ -48,30 +50,30 @@ export interface Ending {
   readonly closingErrorM: number | null;
 }
 
-/** Where movable boxes are that have moved: x and y in metres, heading in radians, world frame, by index. */
+/** Poses of movable boxes that have moved: x and y in metres, heading in radians, world frame, by index. */
 export type Things = Readonly<Record<string, readonly number[]>>;
 
-/** All that the page shows of a run at one moment, live or replayed. */
+/** All that the page shows of a run at one tick, live or replayed. */
 export interface RunView {
   readonly run: string | null;
   readonly phase: Phase;
-  /** `seq` of the newest event applied, telemetry not counted. */
+  /** `seq` of the newest event applied, telemetry excluded. */
   readonly seq: number;
   readonly tick: number;
   readonly stack: readonly LitBlock[];
-  /** The block that begins next, where the run is held before one. */
+  /** The block that starts next, where the run is paused before one. */
   readonly next: string | null;
-  /** Where the robot says it is. */
+  /** The believed pose. */
   readonly pose: Pose;
-  /** Where it is; as `pose` while nobody knows better. */
+  /** The true pose; same as `pose` while it is not known. */
   readonly truth: Pose;
   readonly setpoint: Pose;
-  /** Where the robot has been, truly. */
+  /** The true path. */
   readonly path: Trail;
   readonly idealPath: Trail;
   readonly things: Things;
   readonly motion: Motion | null;
-  /** The velocity that the robot was told, m/s and rad/s. */
+  /** The commanded velocity, m/s and rad/s. */
   readonly speed: Speed;
   readonly capture: Capture | null;
   readonly gesture: string | null;
@@ -79,7 +81,7 @@ export interface RunView {
   readonly ending: Ending | null;
 }
 
-/** What the robot knows of its place and the truth are the same below this. */
+/** Below this distance the believed and the true pose count as equal. */
 const SAME_M = 1e-6;
 
 const AT_START: Pose = { x: 0, y: 0, yaw: 0 };
@@ -110,10 +112,12 @@ const NOT_BEGUN = { pointer: "", action: "", amount: null, round: 0, roundTick: 
 
 export const starting = (run: string | null): RunView => ({ ...IDLE, run, phase: "starting" });
 
-export const isLive = (view: RunView) =>
-  view.phase === "starting" || view.phase === "running" || view.phase === "paused";
+export const isUnderWay = (phase: Phase) =>
+  phase === "starting" || phase === "running" || phase === "paused";
 
-/** The block before which the run is held, else the innermost running one that has an id. */
+export const isLive = (view: RunView) => isUnderWay(view.phase);
+
+/** The block before which the run is paused, else the innermost running one that has an id. */
 export function runningBlock(view: RunView): LitBlock | null {
   if (view.next !== null) return { ...NOT_BEGUN, block: view.next };
   return view.stack.findLast((entry) => entry.block !== null) ?? null;
@@ -121,7 +125,7 @@ export function runningBlock(view: RunView): LitBlock | null {
 
 export const litBlock = (view: RunView): string | null => runningBlock(view)?.block ?? null;
 
-/** One step of a run. Events of another run, and events already applied, change nothing. */
+/** The state after an event. Events of another run and events already applied change nothing. */
 export function reduce(view: RunView, event: RunEvent): RunView {
   if (event.run !== view.run) return view;
   if (event.type === "telemetry") return withTelemetry(view, event);
@@ -138,8 +142,10 @@ export function reduce(view: RunView, event: RunEvent): RunView {
     case "capture_started":
       return {
         ...next,
-        capture: { block: event.block, timeoutS: event.timeout_s, sinceTick: event.tick },
+        capture: { block: event.block, timeoutS: event.timeout_s, leftS: event.timeout_s },
       };
+    case "countdown":
+      return view.capture ? { ...next, capture: { ...view.capture, leftS: event.left_s } } : next;
     case "gesture_result":
       return { ...next, gesture: event.result, capture: null };
     case "watch":
@@ -172,14 +178,14 @@ function withTelemetry(view: RunView, event: TelemetryEvent): RunView {
   };
 }
 
-/** Runs of before there was a difference do not tell it, and a real robot cannot. */
+/** Old recordings do not contain the true pose, and a real robot does not know it. */
 function truthIn({ true_x_m: x, true_y_m: y, true_yaw_rad: yaw }: TelemetryEvent): Pose | null {
   return x == null || y == null || yaw == null ? null : { x, y, yaw };
 }
 
 type RunState = Extract<RunEvent, { type: "run_state" }>;
 
-/** A person pauses in the middle of a block; a step and a breakpoint before one. */
+/** A person pauses a run inside a block; a step and a breakpoint pause it before one. */
 function heldBefore({ state, cause, block }: RunState): string | null {
   const held = state === "paused" && (cause === "step" || cause === "breakpoint");
   return held ? (block ?? null) : null;
@@ -198,8 +204,8 @@ function begun(view: RunView, event: BlockStarted): RunView {
 }
 
 /**
- * The loop whose first command begins is in its next round. Of what takes no time the robot tells once a tick, so
- * rounds that follow tick upon tick may be many more.
+ * Begins the next round of the loop whose first command starts. For commands that take no time the robot reports only
+ * one start per tick, so rounds on consecutive ticks cannot be counted.
  */
 function withRound(stack: readonly LitBlock[], pointer: string, tick: number): readonly LitBlock[] {
   const at = stack.findLastIndex((entry) => pointer === `${entry.pointer}/commands/0`);
@@ -236,7 +242,7 @@ function closed(view: RunView, event: RunEndedEvent): RunView {
   };
 }
 
-/** The end tells where the robot says it is; where it is, it tells only where both were the same. */
+/** The last event has only the believed pose; it is also the true one where both were equal until then. */
 function placesAtEnd(
   { pose, truth }: RunView,
   event: RunEndedEvent,

@@ -1,7 +1,7 @@
 import type { TelemetryEvent } from "../api/model";
 import type { Telemetry } from "./telemetry";
 
-/** What plots and tables show of telemetry; metres, radians and seconds, start frame. */
+/** Columns of the telemetry that plots and tables use; metres, radians and seconds, start frame. */
 export const COLUMNS = [
   "tick",
   "x_m",
@@ -23,7 +23,7 @@ export type Column = (typeof COLUMNS)[number];
 
 const FIRST_ROOM = 1024;
 
-/** The samples of a run column by column, growing while it is live. What is not known is NaN. */
+/** The samples of a run by column; they grow while it is live. Unknown values are NaN. */
 export class Samples {
   rows = 0;
   private room = FIRST_ROOM;
@@ -40,7 +40,7 @@ export class Samples {
     return samples;
   }
 
-  /** Views of what is there now; they do not grow. */
+  /** A view of the current samples; it does not grow. */
   column(name: Column): Float32Array {
     return (this.columns[COLUMNS.indexOf(name)] ?? new Float32Array(0)).subarray(0, this.rows);
   }
@@ -67,7 +67,7 @@ export class Samples {
   }
 }
 
-/** The row of the sample that was current at a tick; 0 before the first. */
+/** The row of the last sample at or before a tick; 0 before the first. */
 export function rowAt(ticks: Float32Array, tick: number): number {
   let low = 0;
   let high = ticks.length;

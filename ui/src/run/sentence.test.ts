@@ -1,7 +1,9 @@
 import { describe, expect, test } from "vitest";
-import { ptBR } from "../i18n/pt-BR";
+import { textsOf } from "../i18n";
 import { IDLE, type RunView } from "./reducer";
 import { parameterIn, sentenceOf } from "./sentence";
+
+const ptBR = textsOf("pt-BR");
 
 const voice = { texts: ptBR, language: "pt-BR", parameterOf: () => 4 } as const;
 

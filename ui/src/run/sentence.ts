@@ -4,9 +4,10 @@ import { reasonWords } from "../i18n/reasons";
 import { drivingWords } from "./driving";
 import type { LitBlock, Motion, RunView } from "./reducer";
 
+/** Tone of a sentence, for its colour and icon. */
 export type Tone = "calm" | "moving" | "done" | "notice" | "fault";
 
-/** What is said of a run in one line: `text`, `more` for what to do about it, `part` of the motion done. */
+/** The state of a run in one line: `text`, `more` with advice, `part` with the progress of the motion. */
 export interface Sentence {
   text: string;
   more: string;
@@ -14,23 +15,23 @@ export interface Sentence {
   part?: number | null;
 }
 
-/** Nearer to the start than this counts as having come back. */
+/** Below this distance from the start the path counts as closed. */
 const CLOSED_M = 0.01;
 
-/** What was said stays in the sentence so long. */
+/** How long a message of the robot stays in the sentence. */
 const HEARD_TICKS = 90;
 
 const LOOPS = new Set(["repeat", "while", "until", "for", "forever"]);
 
-/** Ends after which there is nothing to do but to run again. */
+/** Endings after which the only advice is to run again. */
 const RUN_AGAIN = new Set(["stopped_by_person", "engine_lost", "link_lost", "internal_error"]);
 
 export interface Voice {
   texts: Texts;
   language: Language;
-  /** A parameter of the command at a pointer of the document, as it is written there. */
+  /** A parameter of the command at a pointer of the document, as written there. */
   parameterOf(pointer: string, name: string): unknown;
-  /** Of a run that was: there is no button to go on with it, so none is spoken of. */
+  /** For a recorded run: the text does not mention buttons that only a live run has. */
   past?: boolean;
 }
 
@@ -117,7 +118,7 @@ function partOf(motion: Motion | null): number | null {
   return Math.min(1, Math.max(0, motion.done / motion.amount));
 }
 
-/** What goes on around the command: words just said, else the round, the function, and whether the robot rolls on. */
+/** Context of the command: a recent message, else the loop round, the function, and whether the robot is moving. */
 function around(view: RunView, voice: Voice): string {
   const { status } = voice.texts;
   const heard = view.output.talk.findLast((line) => line.kind === "said");
@@ -159,9 +160,9 @@ function finished(view: RunView, { status }: Texts, language: Language): string 
   return status.finishedAway(metres(closingErrorM, language));
 }
 
-/** Reads a parameter of a command out of the document. */
+/** Reads a parameter of a command from the document. */
 export function parameterIn(document: unknown, pointer: string, name: string): unknown {
-  // a bare list of commands is a program too
+  // a bare list of commands is a valid program too
   let place: unknown = Array.isArray(document) ? { commands: document } : document;
   for (const key of pointer.split("/").slice(1)) {
     place = (place as Record<string, unknown> | undefined)?.[key];

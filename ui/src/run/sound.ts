@@ -1,14 +1,15 @@
 import { signal } from "@preact/signals";
-import { remember, remembered } from "../app/remembered";
+import { remember, remembered } from "../shell/remembered";
 
 const COOKIE = "pinel_muted";
 
 const FREQUENCY_HZ = 880;
 const LENGTH_S = 0.16;
 const LOUDNESS = 0.12;
-/** From silence to tone and back, without a click. */
+/** Duration of fade-in and fade-out, which avoid clicks. */
 const FADE_S = 0.012;
 
+/** Whether sound is off, as stored in a cookie. */
 export const muted = signal(remembered(COOKIE) === "1");
 
 export function setMuted(value: boolean): void {
@@ -19,7 +20,7 @@ export function setMuted(value: boolean): void {
 let context: AudioContext | null = null;
 let quietFrom = 0;
 
-/** A short tone. Silent until somebody has clicked in the page, as browsers demand; tones never pile up. */
+/** Plays a short tone. Silent before the first click in the page, as browsers require; tones do not overlap. */
 export function beep(): void {
   if (muted.value || document.hidden || !mayPlay()) return;
   context ??= new AudioContext();
@@ -37,7 +38,7 @@ export function beep(): void {
   tone.stop(now + LENGTH_S);
 }
 
-/** Before the first click a browser would only complain. */
+/** Before the first click a browser would only log a warning. */
 function mayPlay(): boolean {
   return "AudioContext" in window && navigator.userActivation?.hasBeenActive !== false;
 }

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { decodeTelemetry, telemetryEvent } from "./telemetry";
 
-/** The binary answer as ARCHITECTURE.md describes it. */
+/** Encodes the binary response as ARCHITECTURE.md describes it. */
 function encode(columns: Record<string, number[]>): ArrayBuffer {
   const names = Object.keys(columns);
   const rows = columns[names[0] ?? ""]?.length ?? 0;

@@ -6,7 +6,7 @@ interface Header {
   rate_hz: number;
 }
 
-/** The samples of a run, column by column. */
+/** The samples of a run by column. */
 export interface Telemetry {
   readonly rows: number;
   readonly rateHz: number;
@@ -15,7 +15,7 @@ export interface Telemetry {
 
 export const NO_TELEMETRY: Telemetry = { rows: 0, rateHz: 30, columns: new Map() };
 
-/** Reads the answer of GET /api/runs/{id}/telemetry; the columns are views, nothing is copied. */
+/** Decodes the response of GET /api/runs/{id}/telemetry; the columns are views of the buffer. */
 export function decodeTelemetry(buffer: ArrayBuffer): Telemetry {
   const length = new DataView(buffer).getUint32(0, true);
   const text = new TextDecoder().decode(new Uint8Array(buffer, 4, length));
@@ -28,7 +28,7 @@ export function decodeTelemetry(buffer: ArrayBuffer): Telemetry {
   return { rows: header.rows, rateHz: header.rate_hz, columns };
 }
 
-/** One row as the event it once was. Telemetry has no order but its tick, hence no `seq`. */
+/** A row as a telemetry event. It has no `seq`, because telemetry is ordered by its tick only. */
 export function telemetryEvent(telemetry: Telemetry, row: number, run: string): TelemetryEvent {
   const value = (name: string) => telemetry.columns.get(name)?.[row] ?? 0;
   const known = (name: string) => {

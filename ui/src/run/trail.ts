@@ -2,8 +2,8 @@
 export type Point = readonly [x: number, y: number];
 
 /**
- * A growing line that shares what it has with the line it grew from: adding a point copies at most one
- * chunk, so a reducer may keep every state of a long run.
+ * A growing line that shares its points with earlier states: adding a point copies at most one chunk, so a reducer
+ * can keep every state of a long run.
  */
 export interface Trail {
   readonly chunks: readonly (readonly Point[])[];
@@ -11,7 +11,7 @@ export interface Trail {
 }
 
 const CHUNK = 64;
-/** Points nearer than this to the last one are not worth drawing. */
+/** Points closer than this to the last one are dropped. */
 const STEP_M = 0.01;
 
 export const EMPTY_TRAIL: Trail = { chunks: [], tail: [] };

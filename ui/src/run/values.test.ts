@@ -1,7 +1,8 @@
 import { expect, test } from "vitest";
-import { en } from "../i18n/en";
-import { ptBR } from "../i18n/pt-BR";
+import { textsOf } from "../i18n";
 import { valueWords } from "./values";
+
+const ptBR = textsOf("pt-BR");
 
 test.each([
   [3, "3"],
@@ -17,5 +18,5 @@ test.each([
 });
 
 test("numbers and lists are written as in the language", () => {
-  expect(valueWords([1.5, 2], en, "en")).toBe("[1.5, 2]");
+  expect(valueWords([1.5, 2], textsOf("en"), "en")).toBe("[1.5, 2]");
 });

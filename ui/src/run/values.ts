@@ -1,12 +1,12 @@
 import type { Language, Texts } from "../i18n";
 
-/** A number as people of the language write it, with no more digits than it has. */
+/** Formats a number for the language, without trailing zeros. */
 export function numberWords(value: number, language: Language): string {
   const digits = { maximumFractionDigits: 4, useGrouping: false } as const;
   return value.toLocaleString(language, digits).replace("-", "\u2212");
 }
 
-/** A value of the program as the watch shows it: texts in quotes, numbers as people of the language write them. */
+/** Formats a program's value for the watch panel: texts in quotes, numbers in the language's format. */
 export function valueWords(value: unknown, texts: Texts, language: Language): string {
   if (typeof value === "number") return numberWords(value, language);
   if (typeof value === "boolean") return value ? texts.show.yes : texts.show.no;

@@ -3,7 +3,7 @@ type Points = readonly (readonly number[])[];
 const WIDTH = 240;
 const HEIGHT = 150;
 const MARGIN = 24;
-/** A short path is not blown up beyond this, so that pictures can be compared. Pixels per metre. */
+/** Scale limit in pixels per metre: a short path is not enlarged further, so that pictures can be compared. */
 const LARGEST_SCALE = 56;
 
 interface Frame {
@@ -12,7 +12,7 @@ interface Frame {
   y: number;
 }
 
-/** The path of a run as a small picture, with a metre grid for its size. */
+/** Small picture of a run's path, with a metre grid that shows its size. */
 export function PathPicture({ path }: { path: Points }) {
   const frame = frameOf(path);
   const place = ([x = 0, y = 0]: readonly number[]) =>
@@ -49,7 +49,7 @@ function Robot({ at: [x, y] }: { at: readonly [number, number] }) {
   return <circle class="path-picture__robot" cx={x} cy={y} r="8" />;
 }
 
-/** Nothing has been driven yet: the robot stands at the start and looks ahead. */
+/** Nothing has been driven yet: the robot stands at the start pose. */
 function WaitingRobot({ at: [x, y] }: { at: readonly [number, number] }) {
   return (
     <g class="path-picture__waiting" transform={`translate(${x} ${y})`}>

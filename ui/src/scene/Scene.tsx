@@ -1,24 +1,25 @@
 import type { ReadonlySignal } from "@preact/signals";
-import { effect, useSignal } from "@preact/signals";
+import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { World } from "../api/model";
-import { program } from "../app/session";
-import { TEST } from "../app/testids";
-import { prefersStill, theme } from "../app/theme";
 import { language, texts } from "../i18n";
 import { degrees, headingDegrees, metres } from "../i18n/format";
+import { useInstance } from "../kit/instance";
 import type { Pose, RunView } from "../run/reducer";
+import { program } from "../shell/session";
+import { TEST } from "../shell/testids";
+import { prefersStill, theme } from "../shell/theme";
 import type { Companion } from "./companion";
 import { startOf, toWorld, type XY } from "./frames";
-import { type Grip, listenToHands } from "./hands";
-import { drawMeasure, measureWords } from "./measure_view";
 import { savePicture } from "./picture";
 import type { Measurements } from "./ranges_view";
 import { SceneRenderer } from "./renderer";
-import { Toolbar } from "./Toolbar";
-import { SceneTools } from "./tools";
+import { type Grip, listenToHands } from "./tools/hands";
+import { drawMeasure, measureWords } from "./tools/measure_view";
+import { Toolbar } from "./tools/Toolbar";
+import { SceneTools } from "./tools/tools";
 
-/** A robot that a hand may put somewhere else, and whose sensors can be asked. */
+/** A robot that the user can move by dragging and whose sensors can be displayed. */
 export interface RobotHold {
   readonly grip: ReadonlySignal<Grip>;
   readonly canReset: ReadonlySignal<boolean>;
@@ -29,19 +30,19 @@ export interface RobotHold {
 interface SceneProps {
   world: World | null;
   view: ReadonlySignal<RunView>;
-  /** Where the robot is at a moment of the screen's clock, finer than the ticks of `view`. */
+  /** The robot's pose at a time of the screen's clock, interpolated between the ticks of `view`. */
   poseAt(now: number): Pose;
-  /** Another run on the same floor. */
+  /** A second run drawn on the same floor. */
   companion?: ReadonlySignal<Companion | null>;
-  /** Missing where a run is only looked at. */
+  /** Absent where a run is only displayed. */
   hold?: RobotHold;
 }
 
-/** The floor from above. Wheel and buttons zoom, dragging moves it or the robot, tools measure on it. */
+/** The floor from above. Wheel and buttons zoom, dragging pans or moves the robot, tools measure. */
 export function Scene({ world, view, poseAt, companion, hold }: SceneProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const renderer = useRef<SceneRenderer | null>(null);
-  const tools = useSignal(new SceneTools()).peek();
+  const tools = useInstance(() => new SceneTools());
 
   useEffect(() => {
     const element = canvas.current;
@@ -128,7 +129,7 @@ function Canvas({ canvas, view, tools, canMove }: CanvasProps) {
   );
 }
 
-/** How the tool in the hand is used, then what it measured. */
+/** Instructions for the active tool, then its measurement. */
 function MeasureHint({ tools }: { tools: SceneTools }) {
   const { value: tool } = tools.tool;
   const { value: result } = tools.result;
@@ -161,7 +162,7 @@ function showMeasure(scene: SceneRenderer, tools: SceneTools): () => void {
   });
 }
 
-/** The robot, the start and all marks: what a ruler is laid to. */
+/** Points that the ruler snaps to: the robot, the start and all marks. */
 function placesOn(scene: SceneRenderer, { output }: RunView): XY[] {
   const start = startOf(scene.shownWorld);
   const marks = output.marks.map((mark) => toWorld(start, mark.x, mark.y));

@@ -1,6 +1,6 @@
 import type { Box, XY } from "./frames";
 
-/** Maps the world's frame to the canvas: `x`, `y` is the middle in metres, `scale` in pixels per metre. */
+/** Maps the world frame to the canvas: `x`, `y` is the centre in metres, `scale` is in pixels per metre. */
 export interface Camera {
   x: number;
   y: number;
@@ -12,9 +12,9 @@ export interface Size {
   readonly height: number;
 }
 
-/** Room for the rulers and the walls' thickness, in pixels. */
+/** Margins for the rulers and the walls' thickness, in pixels. */
 export const EDGE = { left: 34, right: 14, top: 14, bottom: 28 };
-/** The same, and room for the tools that lie over the floor on its right: they must not hide a goal. */
+/** The same with room on the right for the tools over the floor, which must not hide a goal. */
 export const EDGE_WITH_TOOLS = { ...EDGE, right: 66 };
 
 const MIN_SCALE = 12;
@@ -26,7 +26,7 @@ export function cameraFor(box: Box, size: Size, edge = EDGE): Camera {
   const scale = clampScale(
     Math.min(width / (box.right - box.left), height / (box.top - box.bottom)),
   );
-  // what is left of the height goes to the top, where the controls lie over the floor
+  // spare height goes to the top, where controls lie over the floor
   return {
     x: (box.left + box.right) / 2 - (edge.left - edge.right) / 2 / scale,
     y: box.bottom + (size.height / 2 - edge.bottom) / scale,
@@ -52,7 +52,7 @@ export function toFloor(camera: Camera, size: Size, place: XY): XY {
   };
 }
 
-/** Moves a camera towards another; true while there is way to go. */
+/** Moves a camera one step towards another; true while it has not arrived. */
 export function approach(
   camera: Camera,
   target: Camera,

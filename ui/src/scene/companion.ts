@@ -6,14 +6,14 @@ import { startOf } from "./frames";
 import type { Palette } from "./palette";
 import { drawRobot } from "./robot";
 
-/** Another run on the same floor, from its own start. */
+/** A second run on the same floor, with its own start pose. */
 export interface Companion {
   readonly world: World | null;
   readonly view: RunView;
   pose(): Pose;
 }
 
-/** Its path is dashed and in the colour of the start, for the two to be told apart without seeing colours. */
+/** Draws it with a dashed path in the start's colour, so that the two do not differ by colour alone. */
 export function drawCompanion(
   ctx: CanvasRenderingContext2D,
   { world, view, pose }: Companion,

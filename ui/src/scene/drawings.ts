@@ -5,16 +5,16 @@ import type { Palette } from "./palette";
 
 type Ctx = CanvasRenderingContext2D;
 
-/** Width of what the pen draws, metres, but wide enough to cover the path beneath it. */
+/** Width of the pen's line in metres; it has a minimum in pixels, so that it covers the path beneath. */
 const PEN_M = 0.07;
 const PEN_PX = 7;
 const EDGE_PX = 1.5;
 
-/** From the middle of a mark to its outermost, and the width of its line; metres. */
+/** Radius of a mark and the width of its line, metres. */
 const MARK_M = 0.3;
 const MARK_LINE_M = 0.075;
 
-/** What the pen has drawn, up to where the robot is (`end`) while it draws. Start frame, metres. */
+/** Draws a stroke of the pen; an unfinished one ends at the robot (`end`). Start frame, metres. */
 export function drawStroke(
   ctx: Ctx,
   stroke: Stroke,
@@ -36,7 +36,7 @@ export function drawStroke(
 function trace(ctx: Ctx, { trail }: Stroke): void {
   ctx.beginPath();
   for (const [x, y] of points(trail)) ctx.lineTo(x, y);
-  // a line to where it ends already makes a dot of a single point
+  // a line of length zero draws a dot for a single point
   const [x, y] = lastPoint(trail) ?? [0, 0];
   ctx.lineTo(x, y);
 }
@@ -47,7 +47,7 @@ function paintLine(ctx: Ctx, colour: string, width: number): void {
   ctx.stroke();
 }
 
-/** X and O where the program put them. */
+/** Draws the X and O marks of the program. */
 export function drawMarks(ctx: Ctx, marks: readonly FloorMark[], palette: Palette): void {
   ctx.lineCap = "round";
   for (const mark of marks) {
@@ -56,7 +56,7 @@ export function drawMarks(ctx: Ctx, marks: readonly FloorMark[], palette: Palett
     ctx.beginPath();
     if (mark.symbol === "X") cross(ctx);
     else ctx.arc(0, 0, MARK_M, 0, 2 * Math.PI);
-    // a rim of the floor keeps it apart from the path and from other marks
+    // an edge in the floor's colour separates it from the path and from other marks
     paintLine(ctx, palette.tile, MARK_LINE_M + 0.04);
     paintLine(ctx, mark.symbol === "X" ? palette.markX : palette.markO, MARK_LINE_M);
     ctx.restore();

@@ -5,13 +5,13 @@ import { roomOf, startOf, toStart, toWorld } from "./frames";
 import { drawPaint, drawZones } from "./ground";
 import type { Palette } from "./palette";
 
-/** The choice of the world lies over the upper left corner, down to here. */
+/** Height of the world selector over the upper left corner, pixels. */
 const WORLD_CHOICE = 68;
 
-/** All of these draw in the world's frame, in metres, y up. */
+/** All functions here draw in the world frame, in metres, y up. */
 type Ctx = CanvasRenderingContext2D;
 
-/** The room with all that stands in it; without the boxes that can be pushed where those are drawn apart. */
+/** Draws the room with everything in it; without movable boxes where those are drawn separately. */
 export function drawFloor(
   ctx: Ctx,
   world: World | null,
@@ -34,7 +34,7 @@ export function drawFloor(
   drawWalls(ctx, world, palette);
 }
 
-/** Which metres of the start frame the room spans. */
+/** Range of the start frame that the room covers, metres. */
 function spanOf(world: World | null): [left: number, right: number, bottom: number, top: number] {
   const room = roomOf(world);
   const start = startOf(world);
@@ -109,7 +109,7 @@ function drawBox(ctx: Ctx, box: World["boxes"][number], palette: Palette): void 
   ctx.restore();
 }
 
-/** A box that can be pushed is a crate with a cross, one that stays a chest with a bar. */
+/** A movable box is drawn as a crate with a cross, a fixed one as a chest with a bar. */
 function drawLid(ctx: Ctx, right: number, top: number, movable: boolean): void {
   if (right <= 0 || top <= 0) return;
   ctx.beginPath();
@@ -120,7 +120,7 @@ function drawLid(ctx: Ctx, right: number, top: number, movable: boolean): void {
   ctx.stroke();
 }
 
-/** The boxes that can be pushed, where they have been pushed to. */
+/** Draws the movable boxes at their current poses. */
 export function drawThings(ctx: Ctx, world: World | null, things: Things, palette: Palette): void {
   world?.boxes.forEach((box, index) => {
     if (!box.movable) return;
@@ -130,7 +130,7 @@ export function drawThings(ctx: Ctx, world: World | null, things: Things, palett
   });
 }
 
-/** Numbers of the metre grid along the edges; drawn in pixels, over everything else. */
+/** Draws the numbers of the metre grid along the edges, in pixels, over everything else. */
 export function drawRulers(
   ctx: Ctx,
   world: World | null,
@@ -160,7 +160,7 @@ interface Place {
   y: number;
 }
 
-/** Where a grid line meets the lower edge, or the left one when it runs across. */
+/** Where a grid line crosses the lower edge, or the left edge for a horizontal line. */
 function edgePoint(a: Place, b: Place, size: Size): Place | null {
   const dx = b.x - a.x;
   const dy = b.y - a.y;

@@ -1,6 +1,9 @@
 import type { World } from "../api/model";
 
-/** Where the start frame of a run lies in the world: metres and radians. */
+/** Distance from the robot's centre to its turning handle. */
+export const HANDLE_M = 0.5;
+
+/** Pose of a run's start frame in the world frame: metres and radians. */
 export interface StartPose {
   readonly x: number;
   readonly y: number;
@@ -25,14 +28,14 @@ export function startOf(world: World | null): StartPose {
   return { x: x_m, y: y_m, yaw: (heading_deg * Math.PI) / 180 };
 }
 
-/** A point of the start frame in the world's frame. */
+/** Transforms a point from the start frame to the world frame. */
 export function toWorld(start: StartPose, x: number, y: number): XY {
   const cos = Math.cos(start.yaw);
   const sin = Math.sin(start.yaw);
   return { x: start.x + x * cos - y * sin, y: start.y + x * sin + y * cos };
 }
 
-/** A point of the world's frame in the start frame. */
+/** Transforms a point from the world frame to the start frame. */
 export function toStart(start: StartPose, x: number, y: number): XY {
   const cos = Math.cos(start.yaw);
   const sin = Math.sin(start.yaw);

@@ -6,7 +6,7 @@ import type { Palette } from "./palette";
 
 const PALETTE = { tile: "#fafafa", number: "#202020" } as Palette;
 
-/** What is filled, in order: the colour and how many shapes the path has. */
+/** Fill calls in order: the colour and the number of shapes in the path. */
 function filled(floor: World["floor"]): [string, number][] {
   const fills: [string, number][] = [];
   let shapes = 0;

@@ -6,10 +6,10 @@ type Ctx = CanvasRenderingContext2D;
 type Paint = World["floor"][number];
 type Area = World["zones"][number] | Paint;
 
-/** What the robot's sensor sees where nothing is painted: it looks like that in every theme. */
+/** Colour that the robot's floor sensor reads where nothing is painted; it is the same in every theme. */
 const BARE_FLOOR = "white";
 
-/** Painted areas of the floor; the last lies on top and hides what is below. World's frame, metres. */
+/** Draws the painted areas of the floor in order, so that later ones cover earlier ones. World frame, metres. */
 export function drawPaint(ctx: Ctx, world: World | null, palette: Palette, pixel: number): void {
   ctx.lineWidth = 3 * pixel; // the inner half is painted over
   for (const areas of layersOf(world?.floor ?? [])) {
@@ -28,7 +28,7 @@ export function drawPaint(ctx: Ctx, world: World | null, palette: Palette, pixel
   }
 }
 
-/** Areas of one colour that follow each other are one shape without seams. */
+/** Groups consecutive areas of one colour into one shape without seams. */
 function layersOf(floor: World["floor"]): [Paint, ...Paint[]][] {
   const layers: [Paint, ...Paint[]][] = [];
   for (const area of floor) {
@@ -39,7 +39,7 @@ function layersOf(floor: World["floor"]): [Paint, ...Paint[]][] {
   return layers;
 }
 
-/** Zones as dashed outlines, each with its name in the middle. */
+/** Draws zones as dashed outlines with the name in the centre. */
 export function drawZones(ctx: Ctx, world: World | null, palette: Palette, pixel: number): void {
   const zones = world?.zones ?? [];
   ctx.save();
@@ -57,7 +57,7 @@ export function drawZones(ctx: Ctx, world: World | null, palette: Palette, pixel
   ctx.restore();
 }
 
-/** How wide the name may be, as a part of the zone. */
+/** Largest width of a name, as a fraction of the zone's width. */
 const NAME_PART = 0.8;
 const NAME_M = 0.34;
 
@@ -65,7 +65,7 @@ function drawName(ctx: Ctx, zone: World["zones"][number], { font }: Palette): vo
   const [x = 0, y = 0] = zone.center;
   ctx.save();
   ctx.translate(x, y);
-  ctx.scale(0.01, -0.01); // a font of less than a pixel is drawn badly
+  ctx.scale(0.01, -0.01); // fonts below one pixel render badly
   ctx.font = `700 ${NAME_M * 100}px ${font}`;
   const room = 100 * NAME_PART * (zone.size?.[0] ?? 2 * (zone.radius ?? 0.5));
   const fit = Math.min(1, room / ctx.measureText(zone.name).width);

@@ -4,7 +4,7 @@ import { contrast, edgeOf, paintOf } from "./paints";
 
 const NAMES = ["black", "red", "orange", "yellow", "green", "blue", "purple", "white"];
 
-const tokens = readFileSync("src/design/tokens.css", "utf8");
+const tokens = readFileSync("src/kit/tokens.css", "utf8");
 const values = (token: string) =>
   [...tokens.matchAll(new RegExp(`${token}: (#[0-9a-f]{6})`, "g"))].map(([, value = ""]) => value);
 

@@ -1,4 +1,4 @@
-/** The colours that programs and worlds name, as they look on every floor. */
+/** Colours that programs and worlds name; they look the same on every floor. */
 const PAINTS: Readonly<Record<string, string>> = {
   black: "#1d1b19",
   red: "#d7281f",
@@ -10,18 +10,18 @@ const PAINTS: Readonly<Record<string, string>> = {
   white: "#ffffff",
 };
 
-/** A colour nobody knows is drawn as the pen's own. */
+/** CSS colour of a paint; an unknown name gets the pen's default. */
 export const paintOf = (name: string): string => PAINTS[name] ?? PAINTS.blue ?? "";
 
-/** Below this contrast a line is lost on its ground. */
+/** A line with less contrast than this to its background is hard to see. */
 const LOST = 1.9;
 
-/** The colour of an edge that keeps a paint visible on a ground; null where it is so by itself. */
+/** Edge colour that keeps a paint visible on a background; null where no edge is needed. */
 export function edgeOf(paint: string, ground: string, ink: string): string | null {
   return contrast(paint, ground) < LOST ? ink : null;
 }
 
-/** The contrast of two colours `#rrggbb`, from 1 to 21, as WCAG defines it. */
+/** Contrast ratio of two colours `#rrggbb`, from 1 to 21, as WCAG defines it. */
 export function contrast(one: string, other: string): number {
   const [a, b] = [luminance(one), luminance(other)];
   return (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);

@@ -20,9 +20,10 @@ const TOKENS = {
   font: "--font",
 } as const;
 
+/** Colours of the floor by their role. */
 export type Palette = Record<keyof typeof TOKENS, string>;
 
-/** The colours of the light floor, whatever the theme: for pictures that leave the program. */
+/** Colours of the light theme, whatever the current theme: for exported pictures. */
 export function paperPalette(): Palette {
   const { dataset } = document.documentElement;
   const now = dataset.theme;
@@ -32,7 +33,7 @@ export function paperPalette(): Palette {
   return palette;
 }
 
-/** The colours of the floor in the theme that is on: a canvas cannot read the page's tokens itself. */
+/** Colours of the current theme: a canvas cannot use CSS variables. */
 export function readPalette(): Palette {
   const style = getComputedStyle(document.documentElement);
   return Object.fromEntries(

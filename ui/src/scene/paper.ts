@@ -11,7 +11,7 @@ import { drawStart } from "./robot";
 
 type Ctx = CanvasRenderingContext2D;
 
-/** What the picture of the floor is made of; another object is another picture. */
+/** Input of the cached image. */
 export interface Sheet {
   readonly world: World | null;
   readonly view: RunView;
@@ -20,30 +20,29 @@ export interface Sheet {
   readonly ratio: number;
 }
 
-/** Drawing everything anew may take so long at every frame; where it takes longer, every so often; ms. */
+/** A full redraw faster than QUICK_MS may happen in every frame, a slower one only every AGAIN_MS; ms. */
 const QUICK_MS = 5;
 const AGAIN_MS = 150;
 
-/** The image is so much larger than what is seen, on each side: a camera that follows does not leave it soon; pixels. */
+/** Margin of the cached image around the viewport, so that small camera moves need no redraw; pixels. */
 const MARGIN = 128;
 
-/** How much of a line is on the paper. */
+/** How much of a line is drawn in the cache. */
 interface Inked {
   chunks: number;
-  /** Length of what is there, in metres: dashes go on where they ended. */
+  /** Drawn length in metres: the dash pattern continues from it. */
   length: number;
 }
 
 /**
- * The floor with all that will not change any more, kept as an image: the chunks of the paths that are full, finished
- * strokes of the pen, marks. What is new is drawn on top of it, so that a long run costs a frame no more than a short
- * one. When the camera moves, so does the image; when it zooms and a new drawing would take long, the old image is
- * scaled instead, for a moment.
+ * Image cache of the floor and of everything on it that cannot change any more: full chunks of the paths, finished
+ * strokes of the pen, marks. Newer parts are drawn on top, so that a frame costs the same in a long run as in a short
+ * one. The cache moves with the camera. When the camera zooms and a redraw is slow, the old image is scaled meanwhile.
  */
 export class Paper {
   private readonly canvas = document.createElement("canvas");
   private readonly ctx = this.canvas.getContext("2d");
-  /** What the pen has drawn lies over the path, also over what is new of it. */
+  /** Second layer for the pen's strokes, which lie above the path, also above its newest part. */
   private readonly film = document.createElement("canvas");
   private readonly filmCtx = this.film.getContext("2d");
   private sheet: Sheet | null = null;
@@ -51,15 +50,15 @@ export class Paper {
   private path: Inked = { chunks: 0, length: 0 };
   private ideal: Inked = { chunks: 0, length: 0 };
   private strokes = 0;
-  /** What the pen draws, as far as it is on the paper. */
+  /** How much of the pen's unfinished stroke is drawn in the cache. */
   private pen: Inked = { chunks: 0, length: 0 };
   private cost = 0;
   private drawnAt = 0;
 
-  /** Puts the floor with the paths under everything else; true while it is not as sharp as it should be. */
+  /** Draws the cached floor and paths; true while the image is scaled or shifted and needs a redraw. */
   lay(target: Ctx, sheet: Sheet, camera: Camera, now: number): boolean {
     const { canvas, ctx } = this;
-    // a pane that is hidden has no size, and what has none cannot be drawn
+    // a hidden pane has no size, and a canvas without size cannot be drawn
     if (!ctx || sheet.size.width === 0 || sheet.size.height === 0) return false;
     const same = this.isSame(sheet);
     const mayWait = same && this.cost > QUICK_MS && now - this.drawnAt < AGAIN_MS;
@@ -69,7 +68,7 @@ export class Paper {
     return !this.covers(camera);
   }
 
-  /** Puts what the pen has drawn over the paths. */
+  /** Draws the pen's strokes over the paths. */
   layFilm(target: Ctx, sheet: Sheet, camera: Camera): void {
     if (this.strokes + this.pen.chunks > 0) this.put(target, this.film, sheet, camera);
   }
@@ -83,7 +82,7 @@ export class Paper {
     target.drawImage(image, middleX + left, middleY + top, width * scale, height * scale);
   }
 
-  /** A camera less than a pixel from another one, from which pixels of the image meet pixels of the screen. */
+  /** Shifts the camera by less than a pixel so that pixels of the cache align with pixels of the screen. */
   aligned(camera: Camera, ratio: number): Camera {
     if (camera.scale !== this.camera.scale) return camera;
     const pixels = camera.scale * ratio;
@@ -97,7 +96,7 @@ export class Paper {
     return scale === this.camera.scale && far <= MARGIN;
   }
 
-  /** The image holds the beginning of what is to be shown. */
+  /** Whether the cache is still valid: it holds the beginning of what the sheet shows. */
   private isSame({ world, view, palette, size, ratio }: Sheet): boolean {
     const { sheet } = this;
     return (
@@ -115,7 +114,7 @@ export class Paper {
     );
   }
 
-  /** What the pen had drawn is still what it draws, or has become a stroke. */
+  /** The pen's cached stroke is still unfinished, or is now one of the finished strokes. */
   private holdsPen({ pen, strokes }: Output): boolean {
     if (this.pen.chunks === 0) return true;
     const before = this.sheet?.view.output.pen;
@@ -173,7 +172,7 @@ export class Paper {
     ctx.translate(-camera.x, -camera.y);
   }
 
-  /** Draws what is full now and was not before. */
+  /** Draws into the cache what became complete since the last call. */
   private ink(ctx: Ctx, sheet: Sheet): void {
     const { view, palette } = sheet;
     const pixel = 1 / this.camera.scale;
@@ -205,14 +204,14 @@ export class Paper {
     ctx.rotate(start.yaw);
   }
 
-  /** Draws on a canvas in the start frame what is not on the paper yet: the newest of each path. */
+  /** Draws the newest part of each path, which is not in the cache yet. The canvas is in the start frame. */
   drawPaths(ctx: Ctx, { view, palette }: Sheet, camera: Camera, end: Point | null): void {
     const pixel = 1 / camera.scale;
     drawRest(ctx, view.idealPath, this.ideal, idealPen(palette, pixel), null);
     drawRest(ctx, view.path, this.path, pathPen(palette, pixel), end);
   }
 
-  /** The same of what the pen draws now. */
+  /** Draws the part of the pen's unfinished stroke that is not in the cache yet. */
   drawPen(ctx: Ctx, { view, palette }: Sheet, camera: Camera, end: Point | null): void {
     const { pen } = view.output;
     const pixel = 1 / camera.scale;
@@ -220,14 +219,14 @@ export class Paper {
   }
 }
 
-/** A stroke from the last point that is drawn of it, up to its last full chunk or to its end. */
+/** The part of a stroke after its drawn chunks, up to its last full chunk or its end. */
 function restOf({ color, trail }: Stroke, drawn: number, toEnd: boolean): Stroke {
   const joint = trail.chunks[drawn - 1]?.slice(-JOINT) ?? [];
   const fresh = trail.chunks.slice(drawn);
   return { color, trail: { chunks: [joint, ...fresh], tail: toEnd ? trail.tail : [] } };
 }
 
-/** So many points are drawn twice where a stroke is put together, for the edge not to cut it. */
+/** Points drawn twice where two parts of a stroke meet, so that the edge has no gap. */
 const JOINT = 3;
 
 interface Pen {
@@ -242,7 +241,7 @@ const pathPen = (palette: Palette, pixel: number): Pen => ({
   dash: [],
 });
 
-/** Beneath the path, so that it is seen where the robot did not do what it should. */
+/** Drawn beneath the path, so that deviations of the robot can be seen. */
 const idealPen = (palette: Palette, pixel: number): Pen => ({
   colour: palette.ideal,
   width: 2 * pixel,
@@ -294,7 +293,7 @@ function finish(ctx: Ctx): void {
   ctx.lineDashOffset = 0;
 }
 
-/** The second trail has grown from what is drawn of the first. A replay makes the same points anew. */
+/** The second trail continues the drawn part of the first. Points are compared by value: a replay recreates them. */
 function begins(one: Trail, other: Trail, chunks: number): boolean {
   if (chunks === 0) return true;
   const [a, b] = [one.chunks[chunks - 1], other.chunks[chunks - 1]];

@@ -1,14 +1,14 @@
-import { fileName, saveFile } from "../app/save_file";
+import { fileName, saveFile } from "../shell/save_file";
 import { paperPalette } from "./palette";
 import type { SceneRenderer } from "./renderer";
 
 const WIDTH = 800;
 const HEIGHT = 640;
 const HEAD = 56;
-/** Twice the pixels, for print. */
+/** Twice the resolution, for print. */
 const RATIO = 2;
 
-/** Hands over the floor with path and drawings as a PNG on white ground, with the program's name. */
+/** Downloads the floor with path and drawings as a PNG on a white background, named after the program. */
 export async function savePicture(scene: SceneRenderer, name: string): Promise<void> {
   const palette = paperPalette();
   const floor = scene.picture({ width: WIDTH, height: HEIGHT }, RATIO, palette);

@@ -1,15 +1,15 @@
 import type { Things } from "../run/reducer";
 
-/** Of the way to where a box is now, what is left after so long: boxes are told ten times a second, ms. */
+/** Time constant of the interpolation in ms; boxes are reported ten times a second. */
 const TIME_MS = 60;
-/** Nearer than this it has arrived, metres and radians. */
+/** Distance at which a box has arrived, metres and radians. */
 const THERE = 1e-3;
 
-/** Where pushed boxes are drawn: gliding from what was told to what is told. */
+/** Interpolates the drawn poses of pushed boxes towards the reported ones. */
 export class Pushed {
   places: Things = {};
 
-  /** Moves all boxes on their way; true while one has not arrived. What is no longer told is back in its place. */
+  /** Moves all boxes one step; true while one has not arrived. A box no longer reported returns to its place. */
   approach(things: Things, elapsedMs: number, still: boolean): boolean {
     const part = still ? 1 : 1 - Math.exp(-elapsedMs / TIME_MS);
     let moving = false;

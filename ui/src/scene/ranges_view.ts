@@ -2,15 +2,15 @@ import type { Palette } from "./palette";
 
 type Ctx = CanvasRenderingContext2D;
 
-/** Of the Pioneer 3-DX, by index of the sonar; each sits on the hull in its direction. */
+/** Direction of each sonar of the Pioneer 3-DX by its index, in degrees; each is mounted on the hull's rim. */
 export const SONAR_DEG = [
   90, 50, 30, 10, -10, -30, -50, -90, -90, -130, -150, -170, 170, 150, 130, 90,
 ] as const;
 const HULL_M = 0.2225;
 
-/** How wide the picture of a sonar's sound is, to each side; degrees. */
+/** Half of the opening angle of a drawn sonar cone, degrees. */
 const CONE_DEG = 7;
-/** What is farther is not there. */
+/** A distance above this means that the sonar detects nothing. */
 const FAR_M = 4.95;
 
 export interface Measurements {
@@ -18,7 +18,7 @@ export interface Measurements {
   readonly lidar: readonly number[] | null;
 }
 
-/** What the sensors measure, around the robot at the origin; metres. */
+/** Draws the measured distances around the robot at the origin; metres. */
 export function drawRanges(ctx: Ctx, ranges: Measurements, palette: Palette, pixel: number): void {
   ctx.save();
   if (ranges.lidar) drawLidar(ctx, ranges.lidar, palette, pixel);
@@ -29,7 +29,7 @@ export function drawRanges(ctx: Ctx, ranges: Measurements, palette: Palette, pix
   ctx.restore();
 }
 
-/** One beam for each degree from -90, on the right, to 90. */
+/** Draws one beam per degree from -90 (right) to 90 (left). */
 function drawLidar(ctx: Ctx, beams: readonly number[], palette: Palette, pixel: number): void {
   ctx.beginPath();
   ctx.moveTo(0, 0);

@@ -12,24 +12,24 @@ import {
 } from "./camera";
 import { type Companion, drawCompanion } from "./companion";
 import { drawRulers, drawThings } from "./floor";
-import { startOf, toWorld, type XY } from "./frames";
+import { HANDLE_M, startOf, toWorld, type XY } from "./frames";
 import { type Palette, readPalette } from "./palette";
 import { Paper, type Sheet } from "./paper";
 import { Pushed } from "./pushed";
 import { drawRanges, type Measurements } from "./ranges_view";
 import { drawBelief, drawKnob, drawRobot } from "./robot";
-import { HANDLE_M } from "./start_pose";
 import { subjectOf, wholeRoom } from "./subject";
 
-/** After the last change the picture is drawn on for so long, for the robot to arrive. */
+/** Redraws continue this long after the last change, until the robot's interpolated pose has arrived; ms. */
 const LINGER_MS = 250;
 
-/** What the robot knows of its place is shown where it is so far from the truth. */
+/** The believed pose is drawn where it differs from the true one by more than this. */
 const OFF_M = 0.01;
 
+/** What the camera shows: the subject, the room, the view set by the user, or the robot that it follows. */
 export type Framing = "subject" | "room" | "hand" | "robot";
 
-/** What lies over the floor, drawn in pixels. */
+/** Drawn over the floor, in pixels. */
 export type Overlay = (
   ctx: CanvasRenderingContext2D,
   camera: Camera,
@@ -37,7 +37,7 @@ export type Overlay = (
   palette: Palette,
 ) => void;
 
-/** Draws the floor from above whenever something changes, at most once a frame of the screen. */
+/** Redraws the floor from above after a change, at most once per animation frame. */
 export class SceneRenderer {
   private readonly ctx: CanvasRenderingContext2D;
   private palette: Palette = readPalette();
@@ -55,9 +55,9 @@ export class SceneRenderer {
   private paper = new Paper();
   private readonly pushed = new Pushed();
   private ranges: Measurements | null = null;
-  /** The robot stands at its start and may be moved there. */
+  /** The robot is at its start and can be moved. */
   private movable = false;
-  /** While a hand moves something, the camera stays where it is. */
+  /** While the user drags something, the camera does not move. */
   private held = false;
   private overlay: Overlay | null = null;
   private companion: Companion | null = null;
@@ -78,7 +78,7 @@ export class SceneRenderer {
     const sameRoom = world !== null && this.world?.walls === world.walls;
     this.world = world;
     if (sameRoom) {
-      // only the start is another
+      // only the start pose differs
       this.moved = true;
       this.wake();
       return;
@@ -103,33 +103,33 @@ export class SceneRenderer {
     this.wake();
   }
 
-  /** Another run that is drawn on this floor. */
+  /** Sets the second run that is drawn on this floor. */
   setCompanion(companion: Companion | null): void {
     this.companion = companion;
     this.moved = true;
     this.wake();
   }
 
-  /** Keeps the camera where it is while something is being dragged. */
+  /** Fixes the camera while something is being dragged. */
   hold(held: boolean): void {
     this.held = held;
     this.moved = true;
     this.wake();
   }
 
-  /** Keeps the robot in the middle, or leaves off. */
+  /** Turns following the robot on or off. */
   follow(wanted: boolean): void {
     if (wanted) this.setFraming("robot");
     else if (this.framing === "robot") this.setFraming("hand");
     this.aim();
   }
 
-  /** The place on the floor under a place of the canvas, in the world's frame. */
+  /** Converts a point of the canvas to the world frame. */
   floorAt(place: XY): XY {
     return toFloor(this.camera ?? this.target, this.size, place);
   }
 
-  /** Metres that a pixel covers. */
+  /** Size of a pixel in metres. */
   get pixel(): number {
     return 1 / (this.camera ?? this.target).scale;
   }
@@ -138,7 +138,7 @@ export class SceneRenderer {
     return this.world;
   }
 
-  /** Where the robot stands, in the world's frame. */
+  /** Position of the robot in the world frame. */
   get robotAt(): XY {
     const pose = this.poseAt(performance.now());
     return toWorld(startOf(this.world), pose.x, pose.y);
@@ -146,7 +146,7 @@ export class SceneRenderer {
 
   setView(view: RunView): void {
     this.view = view;
-    // the camera is aimed when the picture is drawn: many events may come between two pictures
+    // the camera is aimed at the next redraw, because many events may arrive before it
     this.moved = true;
     this.wake();
   }
@@ -166,7 +166,7 @@ export class SceneRenderer {
     this.draw(performance.now());
   }
 
-  /** Shows what is worth seeing, or the whole room when that is what was shown. */
+  /** Shows the subject, or the whole room when the subject is shown already. */
   frame(): void {
     this.setFraming(this.framing === "subject" ? "room" : "subject");
     this.aim();
@@ -190,7 +190,7 @@ export class SceneRenderer {
     cancelAnimationFrame(this.handle);
   }
 
-  /** The floor as a picture on light ground, with everything worth seeing in it. */
+  /** Draws the whole subject with the given palette on a new canvas, for export. */
   picture(size: Size, ratio: number, palette: Palette): HTMLCanvasElement {
     const canvas = document.createElement("canvas");
     canvas.width = size.width * ratio;
@@ -260,7 +260,7 @@ export class SceneRenderer {
     return moving || pushing || blurred;
   }
 
-  /** Everything but what a hand holds over it; true while it is not as sharp as it should be. */
+  /** Draws everything except the overlay; true while the cached image needs a redraw. */
   private paintSheet(
     ctx: CanvasRenderingContext2D,
     sheet: Sheet,
@@ -317,7 +317,7 @@ export class SceneRenderer {
   }
 }
 
-/** Draws in the world's frame, in metres, y up. */
+/** Runs a function with the canvas in the world frame: metres, y up. */
 function onFloor(
   ctx: CanvasRenderingContext2D,
   { size }: Sheet,

@@ -3,13 +3,13 @@ import type { Palette } from "./palette";
 
 type Ctx = CanvasRenderingContext2D;
 
-/** Pioneer 3-DX, metres, from its data sheet: 455 x 381 mm, wheels of 195 mm, nose along +x. */
+/** Pioneer 3-DX from its data sheet: 455 x 381 mm, wheels of 195 mm, front along +x. Metres. */
 const LENGTH = 0.455;
 const WIDTH = 0.381;
 const WHEEL = { length: 0.195, width: 0.05, x: 0.03, y: 0.165 };
 const SONARS = [-75, -50, -30, -10, 10, 30, 50, 75];
 
-/** Draws the robot from above, in metres, y up. `pixels` are those of a metre. */
+/** Draws the robot from above in metres, y up. `pixels` is the number of pixels per metre. */
 export function drawRobot(ctx: Ctx, pose: Pose, palette: Palette, pixels: number): void {
   ctx.save();
   ctx.translate(pose.x, pose.y);
@@ -38,7 +38,7 @@ function outline(ctx: Ctx, grow = 0): void {
   ctx.closePath();
 }
 
-/** The light stands still while the robot turns, so the shadow falls the same way always. */
+/** The light does not turn with the robot, so the shadow always falls in the same direction. */
 function drawShadow(ctx: Ctx, yaw: number, palette: Palette, pixels: number): void {
   ctx.save();
   ctx.rotate(-yaw);
@@ -101,7 +101,7 @@ function drawDeck(ctx: Ctx, palette: Palette): void {
   ctx.fill();
 }
 
-/** Where the robot believes to be: its outline, without a body. */
+/** Draws the believed pose as an outline. */
 export function drawBelief(ctx: Ctx, pose: Pose, palette: Palette, pixel: number): void {
   ctx.save();
   ctx.translate(pose.x, pose.y);
@@ -116,7 +116,7 @@ export function drawBelief(ctx: Ctx, pose: Pose, palette: Palette, pixel: number
   ctx.restore();
 }
 
-/** The knob that turns the robot at its start; `reach` metres ahead of it. */
+/** Draws the handle that turns the robot at its start, `reach` metres ahead of it. */
 export function drawKnob(ctx: Ctx, reach: number, palette: Palette, pixel: number): void {
   ctx.save();
   ctx.strokeStyle = palette.start;
@@ -134,7 +134,7 @@ export function drawKnob(ctx: Ctx, reach: number, palette: Palette, pixel: numbe
   ctx.restore();
 }
 
-/** Where and in which direction the robot began. */
+/** Draws the start pose. */
 export function drawStart(ctx: Ctx, palette: Palette, pixels: number): void {
   const line = Math.max(2, 0.025 * pixels) / pixels;
   ctx.save();

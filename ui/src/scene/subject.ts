@@ -3,14 +3,14 @@ import type { RunView } from "../run/reducer";
 import type { Point, Trail } from "../run/trail";
 import { type Box, include, roomOf, type StartPose, startOf, toWorld } from "./frames";
 
-/** Around the start and around what stands in the room, in metres. */
+/** Margins around the start and around the path, and the walls' thickness, in metres. */
 const AROUND_START = 2.1;
 const AROUND_PATH = 0.6;
 const WALL = 0.12;
 
 /**
- * What is worth seeing: the start, the path so far and everything that stands in the room. An empty room is
- * not shown whole, because the robot would be a speck.
+ * Box that the camera shows: the start, the path so far and all objects in the room. An empty room is not shown
+ * whole, because the robot would be too small.
  */
 export function subjectOf(
   world: World | null,
@@ -46,10 +46,10 @@ function includePath(box: Box, start: StartPose, path: Trail): void {
   }
 }
 
-/** Of chunks that are full, which do not change any more. */
+/** Cache for full chunks, which do not change any more. */
 const known = new WeakMap<readonly Point[], readonly Point[]>();
 
-/** Points of a path that reach as far as all of them do in its own frame: exact for starts that are not turned. */
+/** Corners of the full chunks' bounding boxes, and the newest points. Exact for starts that are not rotated. */
 function* corners({ chunks, tail }: Trail): Generator<Point> {
   for (const chunk of chunks) {
     let found = known.get(chunk);
@@ -70,7 +70,7 @@ function* corners({ chunks, tail }: Trail): Generator<Point> {
   yield* tail;
 }
 
-/** The whole room with its walls. */
+/** Box of the whole room with its walls. */
 export function wholeRoom(world: World | null): Box {
   const room = roomOf(world);
   return {
@@ -94,7 +94,7 @@ function isOuter(wall: World["walls"][number], room: Box): boolean {
   );
 }
 
-/** Shifts the box into the room where it hangs out, then cuts off what still does. */
+/** Shifts the box into the room where it exceeds it, then clips the rest. */
 function inside(box: Box, room: Box): Box {
   const outer = {
     left: room.left - WALL,

@@ -1,9 +1,10 @@
 import { NO_CLASS } from "../api/classes";
 import type { Classroom } from "../api/model";
-import { setClassroom } from "../app/classroom";
-import { toldApart } from "../app/namesakes";
-import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
+import { Choice } from "../kit/Choice";
+import { setClassroom } from "./classroom";
+import { toldApart } from "./namesakes";
+import { TEST } from "./testids";
 
 interface ClassChipsProps {
   classes: readonly Classroom[];
@@ -17,23 +18,22 @@ export function ClassChips({ classes, withNone, shown }: ClassChipsProps) {
   const words = texts.value.classes;
   const none = { id: NO_CLASS, name: words.noClass };
   return (
-    <fieldset class="class-chips">
-      <legend class="visually-hidden">{words.choose}</legend>
-      {[...toldApart(classes, language.value), ...(withNone ? [none] : [])].map(({ id, name }) => (
-        <button
-          key={id}
-          type="button"
-          class="button class-chips__one"
-          title={name}
-          aria-pressed={id === shown}
-          data-testid={TEST.classChip}
-          onClick={() => setClassroom(id)}
-        >
-          <span class="class-chips__name" data-shortened>
+    <Choice
+      label={words.choose}
+      class="class-chips"
+      optionClass="class-chips__one"
+      testId={TEST.classChip}
+      value={shown}
+      options={[...toldApart(classes, language.value), ...(withNone ? [none] : [])].map(
+        ({ id, name }) => [
+          id,
+          <span key={id} class="class-chips__name" data-shortened>
             {name}
-          </span>
-        </button>
-      ))}
-    </fieldset>
+          </span>,
+          { tip: name },
+        ],
+      )}
+      onChange={setClassroom}
+    />
   );
 }

@@ -1,6 +1,8 @@
 import { classesApi } from "../api/classes";
 import { api } from "../api/client";
 import type { Classroom, Door, Group, ProgramWithVersion, Status } from "../api/model";
+import { fetchTexts } from "../i18n";
+import { isLanguage } from "../i18n/languages";
 import { route } from "./route";
 
 type ProgramAnswer = Promise<[ProgramWithVersion, Group[]]>;
@@ -19,9 +21,16 @@ function askStart(): StartAnswer {
   return Promise.all([api.groups(), classesApi.classrooms()]);
 }
 
+/** How the server is, once the texts of its language are there. */
+async function askStatus(): Promise<Status> {
+  const status = await api.status();
+  if (isLanguage(status.language)) await fetchTexts(status.language);
+  return status;
+}
+
 /** Asks for what the page needs first; whoever takes an answer hears of its failure. */
 export function askFirst(): void {
-  firstStatus = api.status();
+  firstStatus = askStatus();
   const now = route.peek();
   if (now.screen === "studio") firstProgram = { id: now.program, answer: askProgram(now.program) };
   if (now.screen === "start") firstStart = askStart();

@@ -1,10 +1,19 @@
 import { useSignalEffect } from "@preact/signals";
-import { House, RotateCw } from "lucide-preact";
+import { RotateCw } from "lucide-preact";
 import type { ComponentType } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
-import { connection, problem, refreshStatus, report, wordsOf } from "../app/session";
-import { TEST } from "../app/testids";
-import { texts } from "../i18n";
+import { fetchLaterTexts, texts } from "../i18n";
+import { Button } from "../kit/Button";
+import { wordsOf } from "../kit/requests/problem";
+import { ToStart } from "../kit/ToStart";
+import { connection, problem, refreshStatus, report } from "./session";
+import { TEST } from "./testids";
+
+/** Fetches a part that is not needed to begin with, and what all such parts need. */
+export async function fetchPart<Part>(load: () => Promise<Part>): Promise<Part> {
+  const [part] = await Promise.all([load(), import("../styles_later"), fetchLaterTexts()]);
+  return part;
+}
 
 /** A part of the page whose code is not needed to begin with: it is fetched when the part is first shown. */
 export function later<P extends object>(
@@ -17,8 +26,8 @@ export function later<P extends object>(
     const [failed, setFailed] = useState(false);
     useEffect(() => {
       if (loaded) return;
-      Promise.all([load(), import("../styles_later")]).then(
-        ([part]) => {
+      fetchPart(load).then(
+        (part) => {
           loaded = part;
           drawAgain(true);
         },
@@ -41,7 +50,6 @@ export function laterScreen<P extends object>(load: () => Promise<ComponentType<
 
 /** A browser may remember that it could not fetch a part: only a new page asks again. */
 function NotFetched() {
-  const { trouble, saved } = texts.value;
   const again = async () => {
     await refreshStatus();
     if (connection.peek() === "open") location.reload();
@@ -58,21 +66,12 @@ function NotFetched() {
     if (connection.value === "open" && waits.current) location.reload();
   });
   return (
-    <main class="screen not-opened">
-      <div class="not-opened__ways">
-        <button
-          type="button"
-          class="button"
-          data-testid={TEST.fetchAgain}
-          onClick={() => void again()}
-        >
-          <RotateCw class="icon" aria-hidden="true" />
-          {saved.retry}
-        </button>
-        <a class="button" href="#/">
-          <House class="icon" aria-hidden="true" />
-          {trouble.back}
-        </a>
+    <main class="screen waiting">
+      <div class="waiting__ways">
+        <Button icon={RotateCw} testId={TEST.fetchAgain} onPress={again}>
+          {texts.value.saved.retry}
+        </Button>
+        <ToStart />
       </div>
     </main>
   );

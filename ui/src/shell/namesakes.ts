@@ -1,5 +1,5 @@
 import type { Classroom } from "../api/model";
-import type { Language } from "../i18n/language";
+import type { Language } from "../i18n";
 
 /** Two PCs may each have made a class of one name: then the name tells the PC too, or the day before there was a lesson. */
 export function toldApart(classes: readonly Classroom[], language: Language): Classroom[] {

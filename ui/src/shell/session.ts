@@ -6,25 +6,23 @@ import type {
   JudgedEvent,
   Notice,
   Program,
-  ProgramEvent,
+  ProgramChangedEvent,
+  RunEvent,
   Status,
   StreamEvent,
   World,
 } from "../api/model";
-import { language, texts } from "../i18n";
-import { isLanguage, type Language } from "../i18n/language";
-import { live, receive, resync } from "../run/live";
-import { openStream } from "../run/stream";
+import { type Language, language, speak, texts } from "../i18n";
+import { isLanguage } from "../i18n/languages";
+import { reportTo } from "../kit/report";
+import { type Problem, wordsOf } from "../kit/requests/problem";
 import { serverStatus } from "./first_answers";
-import { staying } from "./route";
+import { remember } from "./remembered";
+import { ROUTES, route, staying } from "./route";
+import { openStream } from "./stream";
 
 /** How the page stands with the program behind it. */
-export type Connection = "opening" | "open" | "gone" | "locked";
-
-export interface Problem {
-  message: string;
-  remedy: string;
-}
+export type Connection = "opening" | "failed" | "open" | "gone" | "locked";
 
 export const connection = signal<Connection>("opening");
 export const status = signal<Status | null>(null);
@@ -32,7 +30,7 @@ export const notice = signal<Notice | null>(null);
 /** Whether the run that ended last passed the activity of its lesson. */
 export const judged = signal<JudgedEvent | null>(null);
 /** What was saved last, or went into the bin or came out of it, in any window. */
-export const changed = signal<ProgramEvent | null>(null);
+export const changed = signal<ProgramChangedEvent | null>(null);
 export const problem = signal<Problem | null>(null);
 export const worlds = signal<World[]>([]);
 
@@ -47,6 +45,8 @@ effect(() => {
 
 export const engine = computed(() => status.value?.engine ?? "starting");
 
+/** Read by the server too, which writes the page before it has opened the store. */
+const LANGUAGE_COOKIE = "pinel_language";
 const POLL_MS = 1000;
 // said once, then what the server says of itself is shown again
 const GOOD_NEWS = new Set(["recording_resumed", "keeping_well_again"]);
@@ -58,31 +58,12 @@ export function report(error: unknown): void {
   else if (error instanceof ApiError && error.status === 401) connection.value = "locked";
   else problem.value = wordsOf(error);
 }
-
-/** What the page itself cannot do, in words. */
-export class Refused extends Error {
-  constructor(
-    message: string,
-    readonly remedy: string,
-  ) {
-    super(message);
-  }
-}
-
-export function wordsOf(error: unknown): Problem {
-  if (error instanceof Refused) return { message: error.message, remedy: error.remedy };
-  if (error instanceof ApiError && error.message) {
-    return { message: error.message, remedy: error.remedy };
-  }
-  const { trouble } = texts.value;
-  if (error instanceof ServerGone) return { message: trouble.goneTitle, remedy: trouble.gone };
-  return { message: trouble.failedTitle, remedy: "" };
-}
+reportTo(report);
 
 let polling = 0;
 
 function lost(): void {
-  if (connection.value === "open" || connection.value === "opening") connection.value = "gone";
+  if (connection.value !== "locked") connection.value = "gone";
   poll();
 }
 
@@ -99,26 +80,26 @@ function poll(): void {
 export async function refreshStatus(): Promise<void> {
   try {
     const answer = await serverStatus();
+    if (["opening", "failed"].includes(connection.value) && isLanguage(answer.language)) {
+      await speak(answer.language);
+    }
     status.value = answer;
     notice.value = answer.database.notice;
-    if (connection.value === "opening" && isLanguage(answer.language)) {
-      language.value = answer.language;
-    }
     connection.value = "open";
     if (answer.engine !== "ready") poll();
   } catch (error) {
     report(error);
+    if (connection.value === "opening") connection.value = "failed";
   }
 }
 
 let languageKept: Promise<unknown> = Promise.resolve();
 
 export async function chooseLanguage(chosen: Language): Promise<void> {
-  language.value = chosen;
   // one after the other: of two answers on their way the server would keep whichever comes last
   languageKept = languageKept.then(() => api.setLanguage(chosen));
   try {
-    await languageKept;
+    await Promise.all([languageKept, speak(chosen)]);
     if (notice.value) await refreshStatus();
   } catch (error) {
     languageKept = Promise.resolve();
@@ -126,11 +107,18 @@ export async function chooseLanguage(chosen: Language): Promise<void> {
   }
 }
 
-function onStream(event: StreamEvent): void {
+/** Who follows the runs. */
+interface Follower {
+  receive(event: RunEvent): void;
+  /** The stream begins, or begins again: what was missed of the run is to be asked for. */
+  resync(run: string | null): Promise<void>;
+}
+
+function onStream(event: StreamEvent, runs: Follower): void {
   switch (event.type) {
     case "hello":
       void refreshStatus();
-      void resync(event.run).catch(report);
+      void runs.resync(event.run).catch(report);
       break;
     case "notice":
       notice.value = event;
@@ -143,7 +131,7 @@ function onStream(event: StreamEvent): void {
       changed.value = event;
       break;
     default:
-      receive(event);
+      runs.receive(event);
       if (event.type === "run_ended" && event.state === "failed") void refreshStatus();
   }
 }
@@ -152,22 +140,28 @@ window.addEventListener("hashchange", () => {
   problem.value = null;
 });
 
-/** Opens the page's line to the server. */
-export async function open(): Promise<void> {
+/** "Quadrado · Histórico · PINEL". */
+function title(): string {
+  const { screen } = route.value;
+  const about = ROUTES[screen].ofGroup ? program.value?.name : null;
+  return [about, texts.value.titles[screen], "PINEL"].filter(Boolean).join(" · ");
+}
+
+/** Opens the page's line to the server, once the texts of the first language are there. */
+export async function open(runs: Follower): Promise<void> {
   effect(() => {
     document.documentElement.lang = language.value;
-    document.title = program.value ? `${program.value.name} · PINEL` : "PINEL";
+    remember(LANGUAGE_COOKIE, language.value);
+  });
+  effect(() => {
+    document.title = title();
   });
   await refreshStatus();
   if (connection.value === "locked") return;
-  openStream({ onEvent: onStream, onLost: () => void refreshStatus() });
+  openStream({ onEvent: (event) => onStream(event, runs), onLost: () => void refreshStatus() });
   try {
     worlds.value = await api.worlds();
   } catch (error) {
     report(error);
   }
 }
-
-export const isRunning = computed(() =>
-  ["starting", "running", "paused"].includes(live.value.phase),
-);

@@ -2,13 +2,13 @@ import type { StreamEvent } from "../api/model";
 
 interface Listener {
   onEvent(event: StreamEvent): void;
-  /** The line to the server broke; it is being tried again. */
+  /** The connection to the server was lost; the stream reconnects. */
   onLost(): void;
 }
 
 const AGAIN_MS = 1500;
 
-/** The page's one event stream. Comes back by itself; after each return the server says `hello`. */
+/** The page's event stream. It reconnects automatically; after each reconnection the server sends `hello`. */
 export function openStream({ onEvent, onLost }: Listener): () => void {
   let source: EventSource | null = null;
   let timer = 0;
@@ -17,7 +17,7 @@ export function openStream({ onEvent, onLost }: Listener): () => void {
     source.onmessage = (message) => onEvent(JSON.parse(message.data) as StreamEvent);
     source.onerror = () => {
       onLost();
-      // an answer such as 401 ends an EventSource for good; a broken line does not
+      // a response such as 401 closes an EventSource for good; a lost connection does not
       if (source?.readyState === EventSource.CLOSED) timer = window.setTimeout(open, AGAIN_MS);
     };
   };

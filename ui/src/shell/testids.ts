@@ -1,8 +1,12 @@
+import { KIT_TEST } from "../kit/testids";
+
 /**
  * Handles for the end-to-end tests, `data-testid` in the page. They stay when words, looks and languages
  * change. Those marked "of each" occur once for every card, letter or line.
  */
 export const TEST = {
+  ...KIT_TEST,
+
   // header
   home: "home",
   headerGroup: "header-group",
@@ -23,8 +27,6 @@ export const TEST = {
   createGroup: "create-group",
   groupCard: "group-card", // of each; data-picture
   classChip: "class-chip", // of each
-  choosePicture: "choose-picture", // shows the drawings of a new group
-  picture: "picture", // of each; data-name
   door: "door", // to the teacher's part
   prepare: "prepare", // the same, on the first day
   leaveDoor: "leave-door",

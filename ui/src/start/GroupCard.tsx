@@ -1,23 +1,23 @@
 import type { Group } from "../api/model";
-import { enterGroup } from "../app/entering";
-import { report } from "../app/session";
-import { TEST } from "../app/testids";
 import { texts } from "../i18n";
-import { GroupPicture } from "./GroupPicture";
+import { Button } from "../kit/Button";
+import { GroupPicture } from "../kit/pictures/GroupPicture";
+import { TEST } from "../shell/testids";
+import { enterGroup } from "../work/entering";
 import { groupCounts } from "./group_counts";
 
 /** A group by its drawing, its colour and its name. */
 export function GroupCard({ group }: { group: Group }) {
   const { start } = texts.value;
   return (
-    <button
-      type="button"
+    <Button
+      kind="bare"
       class="group-card card tinted"
       style={{ "--group": group.color }}
-      data-testid={TEST.groupCard}
+      testId={TEST.groupCard}
       data-picture={group.picture}
-      title={start.open(group.name)}
-      onClick={() => void enterGroup(group).catch(report)}
+      tip={start.open(group.name)}
+      onPress={() => enterGroup(group)}
     >
       <span class="group-card__picture">
         <span class="badge badge--large">
@@ -30,6 +30,6 @@ export function GroupCard({ group }: { group: Group }) {
         </span>{" "}
         <span class="group-card__counts">{groupCounts(group, texts.value)}</span>
       </span>
-    </button>
+    </Button>
   );
 }

@@ -2,13 +2,16 @@ import { ArrowRight, UserRoundPlus } from "lucide-preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { classesApi } from "../api/classes";
 import type { Group } from "../api/model";
-import { enterGroup } from "../app/entering";
-import { type Problem, wordsOf } from "../app/session";
-import { TEST } from "../app/testids";
 import { texts } from "../i18n";
-import { PictureButton } from "./PictureButton";
-import { PictureChoice } from "./PictureChoice";
-import { rarestPicture } from "./pictures";
+import { Button } from "../kit/Button";
+import { Form } from "../kit/Form";
+import { PictureButton } from "../kit/pictures/PictureButton";
+import { PictureChoice } from "../kit/pictures/PictureChoice";
+import { rarestPicture } from "../kit/pictures/pictures";
+import { useAct } from "../kit/requests/act";
+import { FaultLine } from "../kit/requests/FaultLine";
+import { TEST } from "../shell/testids";
+import { enterGroup } from "../work/entering";
 
 const LONGEST = 60;
 
@@ -25,45 +28,30 @@ export function NewGroup({ classroomId, others, first = false }: NewGroupProps) 
   const input = useRef<HTMLInputElement>(null);
   const taken = others.map((one) => one.picture);
   const [picture, setPicture] = useState<string>(() => rarestPicture(taken));
-  const [busy, setBusy] = useState(false);
-  const [fault, setFault] = useState<Problem | null>(null);
+  const { busy, fault, act, refuse, clear } = useAct();
+  const [entered, setEntered] = useState(false);
+  const isBusy = busy || entered; // until the other screen is there
 
   useEffect(() => {
     if (first) input.current?.focus();
   }, [first]);
 
-  const create = async (event: Event) => {
-    event.preventDefault();
+  const create = async () => {
     const name = input.current?.value.trim() ?? "";
     if (!name) {
-      setFault({ message: start.nameMissing, remedy: "" });
+      refuse(start.nameMissing);
       input.current?.focus();
       return;
     }
-    setBusy(true);
-    try {
-      const wanted = { name, picture, classroom_id: classroomId };
-      await enterGroup(await classesApi.createGroup(wanted));
-    } catch (error) {
-      setFault(wordsOf(error));
-      setBusy(false);
-      input.current?.select();
-    }
+    const wanted = { name, picture, classroom_id: classroomId };
+    if (await act(async () => enterGroup(await classesApi.createGroup(wanted)))) setEntered(true);
+    else input.current?.select();
   };
 
   const choice = { chosen: picture, taken, onChoose: setPicture };
   return (
-    <form
-      class={first ? "new-group new-group--first" : "new-group card"}
-      onSubmit={(event) => void create(event)}
-      noValidate
-    >
-      {!first && (
-        <h2 class="new-group__title">
-          <UserRoundPlus class="icon" aria-hidden="true" />
-          {start.newGroup}
-        </h2>
-      )}
+    <Form class={first ? "new-group new-group--first" : "new-group card"} onSubmit={create}>
+      {!first && <Title />}
       <div class="new-group__who">
         {!first && <PictureButton {...choice} />}
         <input
@@ -76,24 +64,30 @@ export function NewGroup({ classroomId, others, first = false }: NewGroupProps) 
           maxLength={LONGEST}
           autocomplete="off"
           spellcheck={false}
-          onInput={() => setFault(null)}
+          onInput={clear}
         />
       </div>
-      <button
-        type="submit"
-        class="button button--run new-group__go"
-        data-testid={TEST.createGroup}
-        disabled={busy}
+      <Button
+        submit
+        kind="main"
+        class="new-group__go"
+        iconEnd={ArrowRight}
+        testId={TEST.createGroup}
+        busy={isBusy}
       >
-        {busy ? start.creating : start.create}
-        <ArrowRight class="icon" aria-hidden="true" />
-      </button>
-      {fault && (
-        <p class="new-group__fault" role="alert">
-          <strong>{fault.message}</strong> {fault.remedy}
-        </p>
-      )}
+        {isBusy ? start.creating : start.create}
+      </Button>
+      <FaultLine fault={fault} />
       {first && <PictureChoice {...choice} />}
-    </form>
+    </Form>
+  );
+}
+
+function Title() {
+  return (
+    <h2 class="new-group__title">
+      <UserRoundPlus class="icon" aria-hidden="true" />
+      {texts.value.start.newGroup}
+    </h2>
   );
 }

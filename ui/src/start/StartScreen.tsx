@@ -3,17 +3,21 @@ import { DoorClosed, DoorOpen, GraduationCap } from "lucide-preact";
 import { useEffect } from "preact/hooks";
 import { NO_CLASS } from "../api/classes";
 import type { Classroom, Group } from "../api/model";
-import { classroom, groupsIn, shownClass } from "../app/classroom";
-import { groupsAndClasses } from "../app/first_answers";
-import { hashOf } from "../app/route";
-import { group, program, report } from "../app/session";
-import { door, knowDoor } from "../app/teacher";
-import { TEST } from "../app/testids";
 import { texts } from "../i18n";
-import { ClassChips } from "./ClassChips";
+import { Button } from "../kit/Button";
+import { LinkButton } from "../kit/LinkButton";
+import { Loaded } from "../kit/requests/Loaded";
+import { useLoaded } from "../kit/requests/useLoaded";
+import { ClassChips } from "../shell/ClassChips";
+import { classroom, groupsIn, shownClass } from "../shell/classroom";
+import { groupsAndClasses } from "../shell/first_answers";
+import { hashOf } from "../shell/route";
+import { group, program, report } from "../shell/session";
+import { loadTeacherSession, teacherSession } from "../shell/teacher/teacher_session";
+import { TEST } from "../shell/testids";
+import { BringIn } from "../work/ProgramFile";
 import { GroupCard } from "./GroupCard";
 import { NewGroup } from "./NewGroup";
-import { BringIn } from "./ProgramFile";
 import { StartPicture } from "./StartPicture";
 
 const SHOWN_AT_FIRST = 11;
@@ -25,19 +29,23 @@ interface Found {
 
 /** Who are you? Groups by their pictures, class by class, and one field for a new one. */
 export function StartScreen() {
-  const found = useSignal<Found | null>(null);
+  const found = useLoaded("start", groupsAndClasses);
   useEffect(() => {
     group.value = null;
     program.value = null;
-    groupsAndClasses().then(([groups, classes]) => {
-      found.value = { groups, classes };
-    }, report);
-    knowDoor().catch(report);
+    loadTeacherSession().catch(report);
   }, []);
-  if (!found.value) return <main class="screen" aria-busy="true" />;
-  const { groups, classes } = found.value;
-  if (groups.length + classes.length === 0) return <FirstGroup />;
-  return <Groups {...found.value} />;
+  return (
+    <Loaded of={found} as="screen" ways={<DoorLink />}>
+      {([groups, classes]) =>
+        groups.length + classes.length === 0 ? (
+          <FirstGroup />
+        ) : (
+          <Groups groups={groups} classes={classes} />
+        )
+      }
+    </Loaded>
+  );
 }
 
 function Groups({ groups, classes }: Found) {
@@ -92,15 +100,14 @@ function Cards({ groups, classroomId }: CardsProps) {
         ))}
       </ul>
       {groups.length > shown.value && (
-        <button
-          type="button"
-          class="button start__more"
-          onClick={() => {
+        <Button
+          class="start__more"
+          onPress={() => {
             shown.value += 24;
           }}
         >
           {start.more}
-        </button>
+        </Button>
       )}
     </>
   );
@@ -108,7 +115,7 @@ function Cards({ groups, classroomId }: CardsProps) {
 
 function FirstGroup() {
   const { start, classes } = texts.value;
-  const isNew = door.value?.has_pin === false;
+  const isNew = teacherSession.value?.has_pin === false;
   return (
     <main class="screen start start--first">
       <StartPicture />
@@ -141,15 +148,15 @@ function FirstGroup() {
 
 /** The way to the teacher's part. */
 function DoorLink() {
-  const Icon = door.value?.is_open ? DoorOpen : DoorClosed;
   return (
-    <a
-      class="button button--plain start__door"
+    <LinkButton
+      kind="plain"
+      class="start__door"
+      icon={teacherSession.value?.is_open ? DoorOpen : DoorClosed}
       href={hashOf({ screen: "teacher", part: "lessons" })}
-      data-testid={TEST.door}
+      testId={TEST.door}
     >
-      <Icon class="icon" aria-hidden="true" />
       {texts.value.classes.door}
-    </a>
+    </LinkButton>
   );
 }

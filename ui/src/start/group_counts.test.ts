@@ -1,7 +1,9 @@
 import { expect, test } from "vitest";
 import type { Group } from "../api/model";
-import { ptBR } from "../i18n/pt-BR";
+import { textsOf } from "../i18n";
 import { groupCounts } from "./group_counts";
+
+const ptBR = textsOf("pt-BR");
 
 const counts = (n_programs: number, n_in_bin: number, n_runs: number) =>
   groupCounts({ n_programs, n_in_bin, n_runs } as Group, ptBR);

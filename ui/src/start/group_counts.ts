@@ -1,5 +1,5 @@
 import type { Group } from "../api/model";
-import type { Texts } from "../i18n/pt-BR";
+import type { Texts } from "../i18n";
 
 /** What a group has made; what lies in its bin is its work too. */
 export function groupCounts(group: Group, { start }: Texts): string {

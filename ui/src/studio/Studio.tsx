@@ -1,32 +1,32 @@
-import { useSignal } from "@preact/signals";
-import type { OpenProgram } from "../app/open_program";
-import { program } from "../app/session";
+import { useInstance } from "../kit/instance";
 import * as robot from "../run/live";
 import { isLive } from "../run/reducer";
-import { BlocksPane } from "./BlocksPane";
-import { FloorPane } from "./FloorPane";
-import { later } from "./later";
+import { later } from "../shell/later";
+import { program } from "../shell/session";
+import { BlocksPane } from "./blocks_pane/BlocksPane";
+import { FloorPane } from "./floor_pane/FloorPane";
+import type { OpenProgram } from "./program/open_program";
 import { StudioControl } from "./studio_control";
 
 const WorldEditor = later(async () => (await import("../world_editor/WorldEditor")).WorldEditor);
 
 /** Blocks on the left, the floor on the right. */
 export function Studio({ open }: { open: OpenProgram }) {
-  const control = useSignal(new StudioControl(open)).peek();
+  const control = useInstance(() => new StudioControl(open));
   const { worlds } = control;
-  const desk = worlds.desk.value;
+  const store = worlds.store.value;
   return (
     <main class="screen studio">
       <h1 class="visually-hidden">{program.value?.name}</h1>
       <BlocksPane control={control} />
       <FloorPane control={control} />
-      {desk && (
+      {store && (
         <WorldEditor
-          desk={desk}
+          store={store}
           replaces={worlds.replaces.value}
           onOwn={() => worlds.editOwn()}
           onForget={open.ownWorld.now.value ? () => worlds.forget() : null}
-          onStop={isLive(robot.live.value) ? () => control.send(robot.stop) : null}
+          onStop={isLive(robot.live.value) ? () => control.stop() : null}
           onDone={() => worlds.done()}
         />
       )}

@@ -1,9 +1,9 @@
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { Start, World } from "../api/model";
+import * as robot from "../run/live";
+import { isLive } from "../run/reducer";
 import { startOf, toWorld } from "../scene/frames";
-import { onTurn, turned } from "../scene/measure";
-import * as robot from "./live";
-import { isLive } from "./reducer";
+import { onTurn, turned } from "../scene/tools/measure";
 
 /** By program and world, as long as the page is open. */
 const chosen = signal<ReadonlyMap<string, Start>>(new Map());

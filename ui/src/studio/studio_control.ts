@@ -1,26 +1,27 @@
 import { computed, effect, signal } from "@preact/signals";
 import { api } from "../api/client";
 import { ApiError } from "../api/errors";
-import { keeping } from "../api/keeping";
-import type { Content, Fault } from "../api/model";
-import type { OpenProgram } from "../app/open_program";
-import { Past } from "../app/past";
-import { renameProgram } from "../app/rename";
-import { connection, engine, judged, problem, Refused, report, wordsOf } from "../app/session";
-import { breakpoints, tellRun, wishes } from "../debug/debugging";
-import { watchSensors } from "../debug/senses";
+import type { Content, Fault, LiveCommand } from "../api/model";
+import { versionsApi } from "../api/versions";
 import type { Editor } from "../editor";
 import { language, texts } from "../i18n";
+import { Refused, wordsOf } from "../kit/requests/problem";
 import { failureOf } from "../run/failure";
 import { withJudgement } from "../run/judgement";
 import * as robot from "../run/live";
-import { lookAround } from "../run/looking";
 import { isLive, runningBlock } from "../run/reducer";
 import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
-import { StartChoice } from "../run/start_choice";
 import { valueWords } from "../run/values";
 import type { RobotHold } from "../scene/Scene";
-import { WorldControl } from "../world_editor/world_control";
+import { subscribeToRings } from "../scene/tools/sensor_rings";
+import { connection, engine, judged, problem, report } from "../shell/session";
+import { breakpoints, tellRun, wishes } from "./debug/debugging";
+import { watchSensors } from "./debug/senses";
+import type { OpenProgram } from "./program/open_program";
+import { renameProgram } from "./program/rename";
+import { StoredUndo } from "./program/stored_undo";
+import { StartChoice } from "./start_choice";
+import { WorldControl } from "./world_control";
 
 const POINTING_MS = 2500;
 
@@ -59,10 +60,10 @@ export class StudioControl {
   private pointing = 0;
   private busy = false;
 
-  private past: Past;
+  private storedUndo: StoredUndo;
 
   constructor(readonly open: OpenProgram) {
-    this.past = new Past(open);
+    this.storedUndo = new StoredUndo(open);
     this.worlds = new WorldControl(open);
     this.start = new StartChoice(open.id, this.worlds);
   }
@@ -93,7 +94,7 @@ export class StudioControl {
     this.editor = editor;
     const stops = [
       tellRun(report),
-      lookAround(report),
+      subscribeToRings(report),
       watchSensors(() => (this.mine.peek() ? this.documentThatRuns() : null)),
       effect(() => editor.highlight(this.lit.value)),
       effect(() => editor.showFaults([...this.open.faults.value, ...this.runFaults()])),
@@ -113,12 +114,12 @@ export class StudioControl {
   /** Undo goes on with what was there before the program was opened. */
   undoPast(): void {
     const take = (workspace: object | null) => this.editor?.undoTo(workspace) ?? true;
-    this.past.back(take).catch((error) => this.tell(error));
+    this.storedUndo.back(take).catch((error) => this.tell(error));
   }
 
   /** Brings back a stored version, as undo would: redo leaves it again. */
   async backTo(id: string): Promise<void> {
-    const { workspace, world } = await keeping.version(id);
+    const { workspace, world } = await versionsApi.version(id);
     this.editor?.undoTo(workspace);
     this.open.setWorld(world);
     this.open.remember(id);
@@ -126,7 +127,7 @@ export class StudioControl {
 
   /** Shows a document as blocks in place of those that are there, and gives the program its name. */
   async place(document: object): Promise<void> {
-    const { commandCount, MOST_SHOWN, workspaceOf } = await import("../loader");
+    const { commandCount, MOST_SHOWN, workspaceOf } = await import("../blocks/loader");
     const n = commandCount(document);
     if (n > MOST_SHOWN) {
       const { tooLong, tooLongRemedy } = texts.value.python;
@@ -149,7 +150,7 @@ export class StudioControl {
     if (!editor) return;
     const before = editor.content().workspace;
     editor.load(workspace);
-    this.past = new Past(this.open);
+    this.storedUndo = new StoredUndo(this.open);
     this.replaced.value = { workspace: before, now };
     this.onEdit(editor.content());
   }
@@ -158,7 +159,7 @@ export class StudioControl {
   peek(expression: unknown): Promise<string> | null {
     const { run, phase } = robot.live.peek();
     if (!run || phase !== "paused" || !this.mine.peek()) return null;
-    return api.evaluate(run, expression).then(
+    return api.command(run, { do: "evaluate", expression }).then(
       ({ value, problem }) => problem ?? valueWords(value, texts.value, language.value),
       (error) => wordsOf(error).message,
     );
@@ -214,8 +215,13 @@ export class StudioControl {
     this.pointing = window.setTimeout(() => this.editor?.highlight(this.lit.value), POINTING_MS);
   }
 
-  send(message: () => Promise<void>): void {
-    message().catch(report);
+  /** Sends a command to the live run; what goes wrong is reported. */
+  send(command: LiveCommand): void {
+    robot.command(command).catch(report);
+  }
+
+  stop(): void {
+    robot.stop().catch(report);
   }
 
   /** A run that failed at a block shows why, there. */

@@ -1,23 +1,23 @@
 import { batch, computed, signal } from "@preact/signals";
 import { OWN_WORLD, type World } from "../api/model";
-import type { OpenProgram } from "../app/open_program";
-import { worlds } from "../app/session";
 import { texts } from "../i18n";
 import * as robot from "../run/live";
 import { isLive } from "../run/reducer";
-import { WorldDesk } from "./desk";
+import { worlds } from "../shell/session";
+import { EditorStore } from "../world_editor/editor_store";
+import type { OpenProgram } from "./program/open_program";
 
-/** A world that ships, chosen once and kept from program to program. */
+/** The selected world among those that ship; it is kept when another program is opened. */
 const chosen = signal<string | null>(null);
 
-/** Where a program's robot drives: in a world that ships, or in the one that the group has made. */
+/** Selects the world of a program's runs: one that ships, or the group's own. */
 export class WorldControl {
   private readonly usesOwn = signal(false);
-  /** Deleted just now, for who wants it back. */
+  /** The own world that was just deleted, for undo. */
   readonly forgotten = signal<World | null>(null);
-  /** The editor's table while it is open. */
-  readonly desk = signal<WorldDesk | null>(null);
-  private lastDesk: WorldDesk | null = null;
+  /** The editor's store while the editor is open. */
+  readonly store = signal<EditorStore | null>(null);
+  private lastStore: EditorStore | null = null;
 
   readonly name = computed(() => {
     const { value: run } = robot.liveRun;
@@ -31,13 +31,13 @@ export class WorldControl {
     if (this.name.value === OWN_WORLD) return this.open.ownWorld.now.value;
     return worlds.value.find((world) => world.name === this.name.value) ?? null;
   });
-  /** The robot would drive in a world that the server does not take. */
+  /** The selected world has faults, so the server would reject it. */
   readonly isFaulty = computed(
     () => this.name.value === OWN_WORLD && this.open.ownWorld.isRefused.value,
   );
-  /** What is on the table would take the place of the group's own world. */
+  /** Whether a change in the editor would replace the group's own world. */
   readonly replaces = computed(
-    () => this.desk.value !== null && !this.usesOwn.value && this.open.ownWorld.now.value !== null,
+    () => this.store.value !== null && !this.usesOwn.value && this.open.ownWorld.now.value !== null,
   );
 
   constructor(private readonly open: OpenProgram) {
@@ -52,12 +52,12 @@ export class WorldControl {
     });
   }
 
-  /** Puts the world that is chosen on the editor's table; one that ships as a copy, not kept before it is changed. */
+  /** Opens the selected world in the editor. A world that ships is opened as a copy, stored at its first change. */
   edit(): void {
     const world = this.world.peek();
     if (!world || isLive(robot.live.peek())) return;
-    if (this.name.peek() === OWN_WORLD) this.desk.value = this.deskOf(world);
-    else this.desk.value = this.newDesk(copyOf(world), this.open.ownWorld.now.peek());
+    if (this.name.peek() === OWN_WORLD) this.store.value = this.storeOf(world);
+    else this.store.value = this.newStore(copyOf(world), this.open.ownWorld.now.peek());
   }
 
   editOwn(): void {
@@ -66,7 +66,7 @@ export class WorldControl {
   }
 
   done(): void {
-    this.desk.value = null;
+    this.store.value = null;
   }
 
   forget(): void {
@@ -84,18 +84,18 @@ export class WorldControl {
     if (world) this.keep(world);
   }
 
-  /** The way back lasts as long as nobody else changes the world. */
-  private deskOf(world: World): WorldDesk {
-    return this.lastDesk?.document.peek() === world ? this.lastDesk : this.newDesk(world);
+  /** The undo history is reused while nothing else has changed the world. */
+  private storeOf(world: World): EditorStore {
+    return this.lastStore?.document.peek() === world ? this.lastStore : this.newStore(world);
   }
 
-  private newDesk(world: World, before: World | null = null): WorldDesk {
-    const desk = new WorldDesk(world, (document) => this.keep(document), before);
-    desk.faults.subscribe((faults) => {
-      if (faults.length > 0) this.open.ownWorld.refuse(desk.document.peek());
+  private newStore(world: World, before: World | null = null): EditorStore {
+    const store = new EditorStore(world, (document) => this.keep(document), before);
+    store.faults.subscribe((faults) => {
+      if (faults.length > 0) this.open.ownWorld.refuse(store.document.peek());
     });
-    this.lastDesk = desk;
-    return desk;
+    this.lastStore = store;
+    return store;
   }
 
   private keep(world: World): void {

@@ -1,10 +1,13 @@
 import { Plus } from "lucide-preact";
 import { useState } from "preact/hooks";
-import { LONGEST_NAME } from "../app/rename";
-import type { TEST } from "../app/testids";
-import { useAct } from "./act";
-import { FaultLine } from "./FaultLine";
-import { words } from "./words";
+import { texts } from "../i18n";
+import { Button } from "../kit/Button";
+import { Form } from "../kit/Form";
+import { useAct } from "../kit/requests/act";
+import { FaultLine } from "../kit/requests/FaultLine";
+import { asTeacher } from "../shell/teacher/teacher_session";
+import type { TEST } from "../shell/testids";
+import { LONGEST_NAME } from "../studio/program/rename";
 
 type TestId = (typeof TEST)[keyof typeof TEST];
 
@@ -16,21 +19,20 @@ interface AddFormProps {
   onAdd(name: string): Promise<unknown>;
 }
 
-/** A name, and one more of its kind. */
+/** A field for a name, and a button that adds one of that name. */
 export function AddForm({ label, placeholder, fieldId, buttonId, onAdd }: AddFormProps) {
   const [name, setName] = useState("");
-  const { busy, fault, act, refuse, clear } = useAct();
-  const { classes } = words.value;
+  const { busy, fault, act, refuse, clear } = useAct(asTeacher);
+  const { classes } = texts.value.teacher;
 
-  const add = async (event: Event) => {
-    event.preventDefault();
+  const add = async () => {
     const wanted = name.trim();
     if (!wanted) refuse(classes.nameMissing);
     else if (await act(() => onAdd(wanted))) setName("");
   };
 
   return (
-    <form class="add-form" onSubmit={(event) => void add(event)} noValidate>
+    <Form class="add-form" onSubmit={add}>
       <input
         class="field"
         aria-label={label}
@@ -45,11 +47,10 @@ export function AddForm({ label, placeholder, fieldId, buttonId, onAdd }: AddFor
           setName(event.currentTarget.value);
         }}
       />
-      <button type="submit" class="button" disabled={busy} data-testid={buttonId}>
-        <Plus class="icon" aria-hidden="true" />
+      <Button submit icon={Plus} busy={busy} testId={buttonId}>
         {classes.make}
-      </button>
+      </Button>
       <FaultLine fault={fault} />
-    </form>
+    </Form>
   );
 }

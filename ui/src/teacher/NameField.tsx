@@ -1,11 +1,14 @@
 import { Check, Pencil, X } from "lucide-preact";
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
-import { LONGEST_NAME } from "../app/rename";
-import { TEST } from "../app/testids";
-import { useAct } from "./act";
-import { FaultLine } from "./FaultLine";
-import { words } from "./words";
+import { texts } from "../i18n";
+import { Button } from "../kit/Button";
+import { Form } from "../kit/Form";
+import { useAct } from "../kit/requests/act";
+import { FaultLine } from "../kit/requests/FaultLine";
+import { asTeacher } from "../shell/teacher/teacher_session";
+import { TEST } from "../shell/testids";
+import { LONGEST_NAME } from "../studio/program/rename";
 
 interface NameFieldProps {
   name: string;
@@ -13,48 +16,42 @@ interface NameFieldProps {
   label: string;
   testId?: (typeof TEST)[keyof typeof TEST];
   onRename(name: string): Promise<unknown>;
-  /** The name as it stands while nobody changes it. */
+  /** The name as it is shown while nobody changes it. */
   children: ComponentChildren;
 }
 
-/** A name with a pencil: pressed, the name is a field. Enter keeps it, Escape leaves it. */
+/** A name with a pencil that turns it into a field. Enter keeps the new name, Escape drops it. */
 export function NameField({ name, label, testId, onRename, children }: NameFieldProps) {
   const [draft, setDraft] = useState<string | null>(null);
   const input = useRef<HTMLInputElement>(null);
-  const { busy, fault, act, clear } = useAct();
-  const { save, cancel } = words.value;
-
+  const { busy, fault, act, clear } = useAct(asTeacher);
+  const { save, cancel } = texts.value.teacher;
   useEffect(() => input.current?.select(), [draft === null]);
-
-  if (draft === null) {
-    return (
-      <div class="name-field">
-        {children}
-        <button
-          type="button"
-          class="button button--plain button--icon"
-          aria-label={`${label}: ${name}`}
-          title={label}
-          data-testid={testId}
-          onClick={() => setDraft(name)}
-        >
-          <Pencil class="icon" aria-hidden="true" />
-        </button>
-      </div>
-    );
-  }
   const leave = () => {
     clear();
     setDraft(null);
   };
-  const keep = async (event: Event) => {
-    event.preventDefault();
-    const wanted = draft.trim();
+  const keep = async (wanted: string) => {
     if (!wanted || wanted === name) leave();
     else if (await act(() => onRename(wanted))) setDraft(null);
   };
+  if (draft === null) {
+    return (
+      <div class="name-field">
+        {children}
+        <Button
+          kind="plain"
+          icon={Pencil}
+          label={`${label}: ${name}`}
+          tip={label}
+          testId={testId}
+          onPress={() => setDraft(name)}
+        />
+      </div>
+    );
+  }
   return (
-    <form class="name-field" onSubmit={(event) => void keep(event)} noValidate>
+    <Form class="name-field" onSubmit={() => keep(draft.trim())}>
       <input
         ref={input}
         class="field name-field__input"
@@ -66,25 +63,9 @@ export function NameField({ name, label, testId, onRename, children }: NameField
         onInput={(event) => setDraft(event.currentTarget.value)}
         onKeyDown={(event) => event.key === "Escape" && leave()}
       />
-      <button
-        type="submit"
-        class="button button--icon"
-        aria-label={save}
-        title={save}
-        disabled={busy}
-      >
-        <Check class="icon" aria-hidden="true" />
-      </button>
-      <button
-        type="button"
-        class="button button--plain button--icon"
-        aria-label={cancel}
-        title={cancel}
-        onClick={leave}
-      >
-        <X class="icon" aria-hidden="true" />
-      </button>
+      <Button submit icon={Check} label={save} busy={busy} />
+      <Button kind="plain" icon={X} label={cancel} onPress={leave} />
       <FaultLine fault={fault} />
-    </form>
+    </Form>
   );
 }

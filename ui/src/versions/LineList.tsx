@@ -9,16 +9,19 @@ import {
   Play,
 } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
-import type { VersionMark } from "../api/keeping";
-import { hashOf } from "../app/route";
-import { program } from "../app/session";
-import { TEST } from "../app/testids";
+import type { VersionMark } from "../api/model";
+
 import { language, texts } from "../i18n";
+import { Button } from "../kit/Button";
+import { LinkButton } from "../kit/LinkButton";
+import { hashOf } from "../shell/route";
+import { program } from "../shell/session";
+import { TEST } from "../shell/testids";
 import type { VersionHistory } from "./history";
 import { type Fork, faceOf, type Section, type Step } from "./line";
 import { factsOf, sectionWords, spanOf, stepWords } from "./words";
 
-/** The versions by lesson and day, bursts of edits folded into one mark. */
+/** The versions by lesson and day, with bursts of edits folded into one entry. */
 export function LineList({ history }: { history: VersionHistory }) {
   const list = useRef<HTMLElement>(null);
   const id = history.chosen.value?.id;
@@ -88,24 +91,24 @@ function ForkOf({ fork, history }: { fork: Fork; history: VersionHistory }) {
   );
 }
 
-/** What the first two PCs came to, side by side. */
+/** Compares the newest versions of the first two branches, side by side. */
 function CompareBranches({ fork }: { fork: Fork }) {
   const [before, after] = fork.branches.map(({ steps }) => steps.at(-1)).map((s) => s && faceOf(s));
   if (!before || !after || !program.value) return null;
   return (
-    <a
-      class="button line-list__compare"
+    <LinkButton
+      icon={Columns2}
+      class="line-list__compare"
       href={hashOf({
         screen: "differences",
         program: program.value.id,
         before: before.id,
         after: after.id,
       })}
-      data-testid={TEST.versionCompareFork}
+      testId={TEST.versionCompareFork}
     >
-      <Columns2 class="icon" aria-hidden="true" />
       {texts.value.keeping.compareBranches}
-    </a>
+    </LinkButton>
   );
 }
 
@@ -125,17 +128,14 @@ function StepOf({ step, history }: { step: Step; history: VersionHistory }) {
           history={history}
           current={!open && history.holdsChosen(step)}
         />
-        <button
-          type="button"
-          class="button button--plain button--icon"
-          data-testid={TEST.versionUnfold}
-          aria-expanded={open}
-          aria-label={open ? words.foldAgain : words.showEach(versions.length)}
-          title={open ? words.foldAgain : words.showEach(versions.length)}
-          onClick={() => history.fold(step)}
-        >
-          <UnfoldIcon class="icon" aria-hidden="true" />
-        </button>
+        <Button
+          icon={UnfoldIcon}
+          label={open ? words.foldAgain : words.showEach(versions.length)}
+          kind="plain"
+          testId={TEST.versionUnfold}
+          open={open}
+          onPress={() => history.fold(step)}
+        />
       </li>
       {open &&
         versions.map((version) => (
@@ -173,21 +173,21 @@ function LineButton({ version, step, history, current }: LineProps & { current: 
   const facts = version.label ? factsOf(version, texts.value) : [];
   const times = spanOf(first.created_at, version.created_at, language.value);
   return (
-    <button
-      type="button"
+    <Button
+      icon={Icon}
+      kind="bare"
       class={`line-list__step line-list__step--${toneOf(version)}`}
-      aria-current={current}
-      data-testid={TEST.versionStep}
+      current={current}
+      testId={TEST.versionStep}
       data-number={version.number}
       data-n={step.versions.length}
-      onClick={() => history.choose(version)}
+      onPress={() => history.choose(version)}
     >
-      <Icon class="icon" aria-hidden="true" />
       <span class="line-list__words">
         <strong>{stepWords(step, texts.value)}</strong>
         <span>{[texts.value.keeping.version(version.number), times, ...facts].join(" · ")}</span>
       </span>
-    </button>
+    </Button>
   );
 }
 

@@ -1,15 +1,17 @@
 import { ChevronLeft, ChevronRight, CircleCheck, Flag } from "lucide-preact";
-import type { VersionMark } from "../api/keeping";
-import { TEST } from "../app/testids";
+import type { VersionMark } from "../api/model";
+
 import { language, texts } from "../i18n";
+import { Button } from "../kit/Button";
+import { TEST } from "../shell/testids";
 import type { VersionHistory } from "./history";
 import { versionsIn } from "./line";
 import { dayWords, versionLine } from "./words";
 
-/** What a day needs of the line to be named below it. */
+/** Smallest part of the line at which a day gets a label below it. */
 const ROOM = 0.1;
 
-/** The whole line at a glance: lessons as stretches, marks where something ran, passed or has a name. */
+/** Overview of all versions: lessons as sections, with marks at versions that ran, passed or have a name. */
 export function LineSlider({ history }: { history: VersionHistory }) {
   const words = texts.value.keeping;
   const { value: line } = history.line;
@@ -17,17 +19,13 @@ export function LineSlider({ history }: { history: VersionHistory }) {
   const last = line.length - 1;
   const chosen = line[place];
   const stepper = (by: number, label: string, testId: string, Icon: typeof ChevronLeft) => (
-    <button
-      type="button"
-      class="button button--icon"
-      aria-label={label}
-      title={label}
-      data-testid={testId}
+    <Button
+      icon={Icon}
+      label={label}
+      testId={testId}
       disabled={place + by < 0 || place + by > last}
-      onClick={() => history.step(by)}
-    >
-      <Icon class="icon" aria-hidden="true" />
-    </button>
+      onPress={() => history.step(by)}
+    />
   );
   return (
     <div class="transport versions__transport">

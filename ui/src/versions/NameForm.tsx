@@ -1,8 +1,9 @@
 import { Check } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
-import { LONGEST_NAME } from "../app/rename";
-import { TEST } from "../app/testids";
 import { texts } from "../i18n";
+import { Button } from "../kit/Button";
+import { TEST } from "../shell/testids";
+import { LONGEST_NAME } from "../studio/program/rename";
 
 interface NameFormProps {
   now: string;
@@ -10,6 +11,7 @@ interface NameFormProps {
   onLeave(): void;
 }
 
+/** Form that names a version. */
 export function NameForm({ now, onKeep, onLeave }: NameFormProps) {
   const field = useRef<HTMLInputElement>(null);
   const words = texts.value.keeping;
@@ -32,13 +34,12 @@ export function NameForm({ now, onKeep, onLeave }: NameFormProps) {
         defaultValue={now}
         data-testid={TEST.versionName}
       />
-      <button type="submit" class="button button--run" data-testid={TEST.versionKeepName}>
-        <Check class="icon" aria-hidden="true" />
+      <Button icon={Check} kind="main" submit testId={TEST.versionKeepName}>
         {words.keepName}
-      </button>
-      <button type="button" class="button button--plain" onClick={onLeave}>
+      </Button>
+      <Button kind="plain" onPress={onLeave}>
         {words.leaveName}
-      </button>
+      </Button>
     </form>
   );
 }

@@ -1,18 +1,18 @@
 import { useEffect, useRef } from "preact/hooks";
-import { theme } from "../app/theme";
-import { BlocksReader } from "../editor/reader";
+import { BlocksReader } from "../editor/reader/reader";
 import { language } from "../i18n";
+import { theme } from "../shell/theme";
 
 interface ReadBlocksProps {
   label: string;
   testId?: string;
-  /** Hands the blocks over once they can be filled; null when they are gone. */
+  /** Called with the reader when it is ready, and with null when it is disposed. */
   onReader(reader: BlocksReader | null): void;
-  /** The blocks speak another language now. */
+  /** Called when the language of the blocks changed. */
   onLanguage?(): void;
 }
 
-/** A place for blocks to look at. */
+/** A read-only view of blocks. */
 export function ReadBlocks({ label, testId, onReader, onLanguage }: ReadBlocksProps) {
   const container = useRef<HTMLDivElement>(null);
   const reader = useRef<BlocksReader | null>(null);

@@ -1,10 +1,10 @@
 import { useComputed } from "@preact/signals";
-import { ChevronDown } from "lucide-preact";
-import type { VersionMark } from "../api/keeping";
-import { go } from "../app/route";
-import { TEST } from "../app/testids";
+import type { VersionMark } from "../api/model";
 import { language, texts } from "../i18n";
-import type { Compared } from "./DifferencesScreen";
+import { Select } from "../kit/Select";
+import { go } from "../shell/route";
+import { TEST } from "../shell/testids";
+import type { Compared } from "./differences";
 import { faceOf, sectionsOf } from "./line";
 import { sectionWords, versionLine } from "./words";
 
@@ -14,7 +14,7 @@ interface SideChoiceProps {
   programId: string;
 }
 
-/** Which version stands on a side: what each step of the line led to, and the one that is shown. */
+/** Selects the version of one side: the last version of each step, and the selected one. */
 export function SideChoice({ side, compared, programId }: SideChoiceProps) {
   const words = texts.value.keeping;
   const shown = compared[side];
@@ -36,30 +36,24 @@ export function SideChoice({ side, compared, programId }: SideChoiceProps) {
   return (
     <div class="differences__choice">
       <strong>{name}</strong>
-      <span class="select">
-        <select
-          aria-label={words.choose(name)}
-          data-testid={TEST.differenceSide}
-          data-side={side}
-          value={shown.id}
-          onChange={({ currentTarget: { value } }) => {
-            const [before, after] = [compared.before.id, compared.after.id];
-            const next = side === "before" ? { before: value, after } : { before, after: value };
-            go({ screen: "differences", program: programId, ...next });
-          }}
-        >
-          {sections.value.map((section) => (
-            <optgroup key={section.words} label={section.words}>
-              {section.versions.map((version) => (
-                <option key={version.id} value={version.id}>
-                  {versionLine(version, language.value, texts.value)}
-                </option>
-              ))}
-            </optgroup>
-          ))}
-        </select>
-        <ChevronDown class="icon icon--end" aria-hidden="true" />
-      </span>
+      <Select
+        label={words.choose(name)}
+        testId={TEST.differenceSide}
+        data-side={side}
+        value={shown.id}
+        groups={sections.value.map(({ words: heading, versions }) => [
+          heading,
+          versions.map((version) => [
+            version.id,
+            versionLine(version, language.value, texts.value),
+          ]),
+        ])}
+        onChange={(id) => {
+          const [before, after] = [compared.before.id, compared.after.id];
+          const next = side === "before" ? { before: id, after } : { before, after: id };
+          go({ screen: "differences", program: programId, ...next });
+        }}
+      />
     </div>
   );
 }

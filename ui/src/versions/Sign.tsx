@@ -1,6 +1,6 @@
-import { type Difference, SIGNS } from "../editor/difference_sign";
+import { type Difference, SIGNS } from "../editor/reader/difference_sign";
 
-/** The sign that blocks carry, for lists. */
+/** The sign of a difference, as on blocks, for lists. */
 export function Sign({ kind }: { kind: Difference }) {
   return (
     <svg

@@ -1,32 +1,37 @@
-import { useSignal, useSignalEffect } from "@preact/signals";
+import { type ReadonlySignal, useSignal, useSignalEffect } from "@preact/signals";
 import { ArrowLeft, Columns2, Flag, StepForward } from "lucide-preact";
+import type { RefObject } from "preact";
 import { useRef } from "preact/hooks";
-import { keeping, type StoredVersion } from "../api/keeping";
-import { reviewPlace } from "../app/review_place";
-import { go, hashOf } from "../app/route";
-import { problem, program, report } from "../app/session";
-import { TEST } from "../app/testids";
-import { wentOn } from "../app/went_on";
-import type { Difference } from "../editor/difference_sign";
-import type { BlocksReader } from "../editor/reader";
+import type { VersionOfProgram } from "../api/model";
+import { versionsApi } from "../api/versions";
+import type { Difference } from "../editor/reader/difference_sign";
+import type { BlocksReader } from "../editor/reader/reader";
 import { language, texts } from "../i18n";
+import { Button } from "../kit/Button";
+import { LinkButton } from "../kit/LinkButton";
+import { settled } from "../kit/report";
+import { go, hashOf } from "../shell/route";
+import { problem, program, report } from "../shell/session";
+import { reviewOrigin } from "../shell/teacher/review_origin";
+import { TEST } from "../shell/testids";
+import { restoredFrom } from "../studio/program/restored_from";
 import { kindsOf } from "./differences";
 import type { VersionHistory } from "./history";
 import { NameForm } from "./NameForm";
 import { ReadBlocks } from "./ReadBlocks";
 import { factsOf, madeWords } from "./words";
 
-/** The chosen version: what it is, what can be done with it, and its blocks. */
+/** The selected version: its description, actions and blocks. */
 export function VersionPane({ history }: { history: VersionHistory }) {
   const naming = useSignal(false);
   const reader = useSignal<BlocksReader | null>(null);
-  const drawn = useRef<StoredVersion | null>(null);
+  const drawn = useRef<VersionOfProgram | null>(null);
   const renaming = useRef<HTMLButtonElement>(null);
   const words = texts.value.keeping;
 
   const leaveNaming = () => {
     naming.value = false;
-    // the keyboard goes on where it was
+    // give the focus back to the button that opened the form
     requestAnimationFrame(() => renaming.current?.focus());
   };
 
@@ -39,82 +44,27 @@ export function VersionPane({ history }: { history: VersionHistory }) {
     void draw(blocks, history, version);
   });
 
-  const goOn = async () => {
-    const { value: version } = history.shown;
-    const blocks = reader.peek();
-    const { value: now } = program;
-    if (!version || !blocks || !now || version.id !== history.chosen.value?.id) return;
-    const { workspace, world } = version;
-    await keeping.goOnFrom(now.id, version.id, {
-      workspace,
-      document: blocks.document(now.name),
-      world,
-    });
-    const { value: from } = history.chosen;
-    const instead = history.line.value.at(-1);
-    if (from && instead) wentOn.value = { program: now.id, from, instead };
-    go({ screen: "studio", program: now.id });
-  };
-
-  const compare = () => {
-    const { value: chosen } = history.chosen;
-    const { counterpart: other } = history;
-    const { value: now } = program;
-    if (!chosen || !other || !now) return;
-    const [before, after] = history.isNewest ? [other, chosen] : [chosen, other];
-    go({ screen: "differences", program: now.id, before: before.id, after: after.id });
-  };
-
   return (
     <section class="blocks versions__pane">
       <div class="versions__bar">
         <ChosenWords history={history} />
-        {!naming.value && (
-          <div class="versions__acts">
-            <button
-              ref={renaming}
-              type="button"
-              class="button"
-              data-testid={TEST.versionRename}
-              onClick={() => {
-                naming.value = true;
-              }}
-            >
-              <Flag class="icon" aria-hidden="true" />
-              {history.chosen.value?.label ? words.rename : words.name}
-            </button>
-            <button
-              type="button"
-              class="button"
-              data-testid={TEST.versionCompare}
-              title={words.compareHelp}
-              disabled={history.line.value.length < 2}
-              onClick={compare}
-            >
-              <Columns2 class="icon" aria-hidden="true" />
-              {words.compare}
-            </button>
-            <button
-              type="button"
-              class="button button--run"
-              data-testid={TEST.versionGoOn}
-              title={words.goOnHelp}
-              disabled={history.isNewest}
-              onClick={() => void goOn().catch(report)}
-            >
-              <StepForward class="icon" aria-hidden="true" />
-              {words.goOn}
-            </button>
-          </div>
-        )}
-        {naming.value && (
+        {naming.value ? (
           <NameForm
             now={history.chosen.value?.label ?? ""}
             onKeep={(text) => {
               leaveNaming();
-              history.name(text).catch(report);
+              void settled(history.name(text));
             }}
             onLeave={leaveNaming}
+          />
+        ) : (
+          <VersionActs
+            history={history}
+            reader={reader}
+            renaming={renaming}
+            onName={() => {
+              naming.value = true;
+            }}
           />
         )}
       </div>
@@ -128,6 +78,67 @@ export function VersionPane({ history }: { history: VersionHistory }) {
       />
     </section>
   );
+}
+
+interface VersionActsProps {
+  history: VersionHistory;
+  reader: ReadonlySignal<BlocksReader | null>;
+  renaming: RefObject<HTMLButtonElement>;
+  onName(): void;
+}
+
+/** Buttons to name the version, compare it, and continue from it. */
+function VersionActs({ history, reader, renaming, onName }: VersionActsProps) {
+  const words = texts.value.keeping;
+  return (
+    <div class="versions__acts">
+      <Button icon={Flag} elementRef={renaming} testId={TEST.versionRename} onPress={onName}>
+        {history.chosen.value?.label ? words.rename : words.name}
+      </Button>
+      <Button
+        icon={Columns2}
+        tip={words.compareHelp}
+        testId={TEST.versionCompare}
+        disabled={history.line.value.length < 2}
+        onPress={() => compare(history)}
+      >
+        {words.compare}
+      </Button>
+      <Button
+        icon={StepForward}
+        tip={words.goOnHelp}
+        kind="main"
+        testId={TEST.versionGoOn}
+        disabled={history.isNewest}
+        onPress={() => goOn(history, reader.peek())}
+      >
+        {words.goOn}
+      </Button>
+    </div>
+  );
+}
+
+/** Stores the selected version as the newest one and opens the studio with it. */
+async function goOn(history: VersionHistory, blocks: BlocksReader | null): Promise<void> {
+  const { value: version } = history.shown;
+  const { value: now } = program;
+  if (!version || !blocks || !now || version.id !== history.chosen.value?.id) return;
+  const { workspace, world } = version;
+  const document = blocks.document(now.name);
+  await versionsApi.goOnFrom(now.id, version.id, { workspace, document, world });
+  const { value: from } = history.chosen;
+  const instead = history.line.value.at(-1);
+  if (from && instead) restoredFrom.value = { program: now.id, from, instead };
+  go({ screen: "studio", program: now.id });
+}
+
+function compare(history: VersionHistory): void {
+  const { value: chosen } = history.chosen;
+  const { counterpart: other } = history;
+  const { value: now } = program;
+  if (!chosen || !other || !now) return;
+  const [before, after] = history.isNewest ? [other, chosen] : [chosen, other];
+  go({ screen: "differences", program: now.id, before: before.id, after: after.id });
 }
 
 function ChosenWords({ history }: { history: VersionHistory }) {
@@ -149,16 +160,13 @@ function ChosenWords({ history }: { history: VersionHistory }) {
       data-testid={TEST.versionShown}
       data-number={history.shown.value?.number}
     >
-      {!reviewPlace.value && (
-        <a
-          class="button button--icon"
+      {!reviewOrigin.value && (
+        <LinkButton
+          icon={ArrowLeft}
+          label={header.backToProgram}
           href={hashOf({ screen: "studio", program: program.value?.id ?? "" })}
-          aria-label={header.backToProgram}
-          title={header.backToProgram}
-          data-testid={TEST.versionBack}
-        >
-          <ArrowLeft class="icon" aria-hidden="true" />
-        </a>
+          testId={TEST.versionBack}
+        />
       )}
       <p aria-live="polite">
         <strong title={version.label || undefined}>{version.label || name}</strong>
@@ -171,7 +179,7 @@ function ChosenWords({ history }: { history: VersionHistory }) {
 async function draw(
   blocks: BlocksReader,
   history: VersionHistory,
-  version: StoredVersion,
+  version: VersionOfProgram,
 ): Promise<void> {
   try {
     blocks.load(version.workspace);
@@ -183,7 +191,7 @@ async function draw(
   const before = history.madeFrom(version);
   if (!before) return;
   try {
-    const difference = await keeping.difference(before.id, version.id);
+    const difference = await versionsApi.difference(before.id, version.id);
     if (history.shown.peek()?.id !== version.id) return;
     const kinds = new Map<string, readonly Difference[]>(kindsOf(difference, "after"));
     blocks.mark(kinds);

@@ -1,79 +1,59 @@
 import { History } from "lucide-preact";
-import { useEffect, useLayoutEffect, useState } from "preact/hooks";
-import { api } from "../api/client";
-import { keeping } from "../api/keeping";
-import { couldNotOpen } from "../app/open_program";
-import { hashOf } from "../app/route";
-import { group, program, report } from "../app/session";
+import { useEffect, useLayoutEffect } from "preact/hooks";
+import { versionsApi } from "../api/versions";
 import { texts } from "../i18n";
-import { NotOpened } from "../screens/NotOpened";
+import { LinkButton } from "../kit/LinkButton";
+import { Loaded } from "../kit/requests/Loaded";
+import { useLoaded } from "../kit/requests/useLoaded";
+import { nameInHeader } from "../shell/named";
+import { hashOf } from "../shell/route";
+import { program, report } from "../shell/session";
+import { couldNotOpen } from "../studio/program/open_program";
 import { VersionHistory } from "./history";
 import { LineList } from "./LineList";
 import { LineSlider } from "./LineSlider";
 import { VersionPane } from "./VersionPane";
 
 interface VersionsScreenProps {
-  programId: string;
-  versionId: string | null;
+  program: string;
+  version: string | null;
 }
 
-/** All versions of a program, to step through and to go on from. */
-export function VersionsScreen({ programId, versionId }: VersionsScreenProps) {
-  const [history, setHistory] = useState<VersionHistory | null>(null);
-  const [failed, setFailed] = useState(false);
-  useEffect(() => {
-    let left = false;
-    let made: VersionHistory | null = null;
-    load(programId, versionId).then(
-      (loaded) => {
-        made = loaded;
-        if (left) made.dispose();
-        else setHistory(made);
-      },
-      (error) => {
-        if (left) return;
-        setFailed(true);
-        couldNotOpen(error);
-      },
-    );
-    return () => {
-      left = true;
-      made?.dispose();
-    };
-  }, [programId]);
-  const words = texts.value.keeping;
-  if (failed) return <NotOpened />;
-  if (!history) {
-    return (
-      <main class="screen studio studio--opening" aria-busy="true">
-        <p>{words.loading}</p>
-      </main>
-    );
-  }
-  if (history.line.value.length === 0) return <Empty programId={programId} />;
-  return <Versions history={history} />;
+/** All versions of a program, with stepping and a way to continue from any of them. */
+export function VersionsScreen({ program: programId, version: versionId }: VersionsScreenProps) {
+  const history = useLoaded(programId, () => load(programId, versionId), {
+    onFailed: couldNotOpen,
+    release: (made) => made.dispose(),
+  });
+  return (
+    <Loaded of={history} as="screen" loading={texts.value.keeping.loading}>
+      {(loaded) =>
+        loaded.line.value.length === 0 ? (
+          <Empty programId={programId} />
+        ) : (
+          <Versions history={loaded} />
+        )
+      }
+    </Loaded>
+  );
 }
 
 async function load(programId: string, versionId: string | null): Promise<VersionHistory> {
-  const [line, opened] = await Promise.all([keeping.line(programId), api.program(programId)]);
-  program.value = opened;
-  if (group.value?.id !== opened.group_id) {
-    group.value = (await api.groups()).find((one) => one.id === opened.group_id) ?? null;
-  }
+  const [line] = await Promise.all([versionsApi.line(programId), nameInHeader(programId)]);
   return new VersionHistory(line, versionId, report);
 }
 
 function Empty({ programId }: { programId: string }) {
   const { keeping: words, header } = texts.value;
   return (
-    <main class="screen studio studio--opening">
+    <main class="screen waiting">
       <div class="versions__empty">
         <History class="icon" aria-hidden="true" />
         <h1>{words.emptyTitle}</h1>
         <p>{words.empty}</p>
-        <a class="button" href={hashOf({ screen: "studio", program: programId })}>
+        <LinkButton href={hashOf({ screen: "studio", program: programId })}>
           {header.backToProgram}
-        </a>
+        </LinkButton>
       </div>
     </main>
   );
@@ -81,8 +61,8 @@ function Empty({ programId }: { programId: string }) {
 
 function Versions({ history }: { history: VersionHistory }) {
   const id = history.chosen.value?.id;
-  useLayoutEffect(() => byKeys(history), [history]); // before painting: the first key is heard
-  // whoever comes back from comparing finds the version that was looked at
+  useLayoutEffect(() => byKeys(history), [history]); // before painting, so that no key press is missed
+  // returning from a comparison selects the version that was shown before
   useEffect(() => {
     const version = history.isNewest ? null : (id ?? null);
     const place = hashOf({ screen: "versions", program: program.peek()?.id ?? "", version });
@@ -105,7 +85,7 @@ const STEPS: Readonly<Record<string, number>> = {
   End: Number.POSITIVE_INFINITY,
 };
 
-/** The arrows step through the versions, wherever the keyboard is not at something that needs them. */
+/** The arrow keys step through the versions, unless the focused element uses these keys. */
 function byKeys(history: VersionHistory): () => void {
   const onKey = (event: KeyboardEvent) => {
     const by = STEPS[event.key];

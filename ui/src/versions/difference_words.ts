@@ -1,8 +1,8 @@
-import type { BlocksReader } from "../editor/reader";
+import type { BlocksReader } from "../editor/reader/reader";
 import type { Texts } from "../i18n";
 import { commentText, type Differing, hiddenChange } from "./differences";
 
-/** What became of a block, in the words that stand on it: "andar para frente 1 m → andar para frente 2 m". */
+/** Describes a difference with the blocks' texts: "andar para frente 1 m → andar para frente 2 m". */
 export function differenceWords(
   one: Differing,
   before: BlocksReader,

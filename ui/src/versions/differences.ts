@@ -1,16 +1,24 @@
-import type { VersionDifference } from "../api/keeping";
-import type { Difference } from "../editor/difference_sign";
+import type { VersionDifference, VersionMark, VersionOfProgram } from "../api/model";
+import type { Difference } from "../editor/reader/difference_sign";
 
 type Change = VersionDifference["changed"][number]["what"][number];
 
-/** One block that differs, with all that became of it. */
+/** Two versions and their difference. */
+export interface Compared {
+  line: readonly VersionMark[];
+  before: VersionOfProgram;
+  after: VersionOfProgram;
+  difference: VersionDifference;
+}
+
+/** A block that differs, with all kinds of its difference. */
 export interface Differing {
   readonly block: string;
   readonly kinds: readonly Difference[];
   readonly what: readonly Change[];
 }
 
-/** Every block that differs once, although the server tells one that was changed and moved in both lists. */
+/** Each block that differs, once; the server lists a block that was changed and moved in both lists. */
 export function differing({ added, removed, changed, moved }: VersionDifference): Differing[] {
   const apart = new Set(moved.map(({ block }) => block));
   const alsoChanged = new Set(changed.map(({ block }) => block));
@@ -33,7 +41,7 @@ export function differing({ added, removed, changed, moved }: VersionDifference)
   ];
 }
 
-/** What is marked on the blocks of one of the two versions. */
+/** The kinds to mark on the blocks of one of the two versions. */
 export function kindsOf(
   difference: VersionDifference,
   side: "before" | "after",
@@ -44,12 +52,12 @@ export function kindsOf(
     .map(({ block, kinds }) => [block, kinds]);
 }
 
-/** A change that the words of the block do not show, told by itself: the text of a comment, mostly. */
+/** A change that the block's text does not show, and so needs its own text: usually that of a comment. */
 export function hiddenChange(what: readonly Change[]): Change | null {
   return what.find(({ name }) => name === "comment") ?? null;
 }
 
-/** A comment as it is kept is a text, or an object that holds one. */
+/** Text of a stored comment, which is a string or an object that contains one. */
 export function commentText(kept: unknown): string {
   if (typeof kept === "string") return kept;
   const { text } = (kept ?? {}) as { text?: unknown };

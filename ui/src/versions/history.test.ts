@@ -1,8 +1,9 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { keeping, type StoredVersion, type VersionMark } from "../api/keeping";
+import type { VersionMark, VersionOfProgram } from "../api/model";
+import { versionsApi } from "../api/versions";
 import { VersionHistory } from "./history";
 
-/** Three edits in a burst, a run, and one more edit that was made from the first. */
+/** Three edits in a burst, a run, and one more edit based on the first. */
 function line(): VersionMark[] {
   return [1, 2, 3, 4, 5].map((number) => ({
     id: `v${number}`,
@@ -20,8 +21,8 @@ function line(): VersionMark[] {
 
 beforeEach(() => {
   vi.useFakeTimers();
-  vi.spyOn(keeping, "version").mockImplementation(
-    async (id) => ({ id, parent_id: null }) as StoredVersion,
+  vi.spyOn(versionsApi, "version").mockImplementation(
+    async (id) => ({ id, parent_id: null }) as VersionOfProgram,
   );
 });
 
@@ -37,7 +38,7 @@ test("the newest is shown first, and whoever steps quickly sees the last of it",
   for (let step = 0; step < 9; step += 1) history.step(-1);
   await vi.runAllTimersAsync();
   expect(history.shown.value?.id).toBe("v1");
-  expect(keeping.version).toHaveBeenCalledTimes(2);
+  expect(versionsApi.version).toHaveBeenCalledTimes(2);
   history.dispose();
 });
 
@@ -58,7 +59,7 @@ test("a version tells what it was made of where that is not the one before", () 
 });
 
 test("a name is kept in the store and shown in the line", async () => {
-  const label = vi.spyOn(keeping, "label").mockResolvedValue({});
+  const label = vi.spyOn(versionsApi, "label").mockResolvedValue({});
   const history = new VersionHistory(line(), "v2", () => {});
   await history.name(" anda ");
   expect(label).toHaveBeenCalledWith("v2", " anda ");
@@ -67,7 +68,7 @@ test("a name is kept in the store and shown in the line", async () => {
 });
 
 test("what cannot be fetched is told", async () => {
-  vi.spyOn(keeping, "version").mockRejectedValue(new Error("gone"));
+  vi.spyOn(versionsApi, "version").mockRejectedValue(new Error("gone"));
   const told = vi.fn();
   const history = new VersionHistory(line(), null, told);
   await vi.runAllTimersAsync();

@@ -1,22 +1,23 @@
 import { computed, effect, signal } from "@preact/signals";
-import { keeping, type StoredVersion, type VersionMark } from "../api/keeping";
+import type { VersionMark, VersionOfProgram } from "../api/model";
+import { versionsApi } from "../api/versions";
 import { faceOf, type Section, type Step, sectionsOf } from "./line";
 
-/** Whoever steps quickly sees the last of it. */
+/** Delay before a version is loaded, so that fast stepping loads only the last one; and the size of the cache. */
 const PATIENCE_MS = 40;
 const MOST_KEPT = 40;
 
-/** The line of a program's versions and the one that is looked at. */
+/** State of the versions page: the versions of a program and the selected one. */
 export class VersionHistory {
   readonly line = signal<VersionMark[]>([]);
   readonly place = signal(0);
-  /** What is shown: it may be a moment behind the place. */
-  readonly shown = signal<StoredVersion | null>(null);
-  /** Steps that are shown one version at a time, by the id of their first. */
+  /** The displayed version; it can lag behind `place` while it loads. */
+  readonly shown = signal<VersionOfProgram | null>(null);
+  /** Steps that are expanded to single versions, by the id of their first version. */
   readonly unfolded = signal<ReadonlySet<string>>(new Set());
   readonly sections = computed<Section[]>(() => sectionsOf(this.line.value));
   readonly chosen = computed<VersionMark | null>(() => this.line.value[this.place.value] ?? null);
-  private readonly stored = new Map<string, Promise<StoredVersion>>();
+  private readonly stored = new Map<string, Promise<VersionOfProgram>>();
   private readonly stop: () => void;
   private timer = 0;
 
@@ -35,7 +36,7 @@ export class VersionHistory {
     return this.place.value === this.line.value.length - 1;
   }
 
-  /** The number of the version that this one was made of, where that is not the one before it. */
+  /** Number of the parent version, where the parent is not the version directly before. */
   readonly madeOf = computed<number | null>(() => {
     const { value: version } = this.chosen;
     const before = this.line.value[this.place.value - 1];
@@ -44,8 +45,8 @@ export class VersionHistory {
     return parent && parent.number < version.number - 1 ? parent.number : null;
   });
 
-  /** The version that was edited, or where that is not known or not here the one before in the line. */
-  madeFrom({ id, parent_id }: StoredVersion): VersionMark | null {
+  /** The parent version; where it is unknown or not in the line, the version before. */
+  madeFrom({ id, parent_id }: VersionOfProgram): VersionMark | null {
     const line = this.line.peek();
     const parent = line.find((one) => one.id === parent_id);
     return parent ?? line[line.findIndex((one) => one.id === id) - 1] ?? null;
@@ -79,18 +80,18 @@ export class VersionHistory {
     return step.versions.some((one) => one.id === id);
   }
 
-  /** A name for the chosen version, as in the store. */
+  /** Names the selected version in the store and here. */
   async name(text: string): Promise<void> {
     const { value: version } = this.chosen;
     if (!version) return;
-    await keeping.label(version.id, text);
+    await versionsApi.label(version.id, text);
     const label = text.trim();
     this.line.value = this.line.value.map((one) =>
       one.id === version.id ? { ...one, label } : one,
     );
   }
 
-  /** What it is worth comparing the chosen version with: the newest, or for that the step before. */
+  /** The version to compare the selected one with: the newest, or for the newest the step before it. */
   get counterpart(): VersionMark | null {
     const line = this.line.value;
     if (!this.isNewest) return line.at(-1) ?? null;
@@ -121,8 +122,8 @@ export class VersionHistory {
     this.timer = window.setTimeout(() => void show(), this.shown.peek() ? PATIENCE_MS : 0);
   }
 
-  private content(id: string): Promise<StoredVersion> {
-    const known = this.stored.get(id) ?? keeping.version(id);
+  private content(id: string): Promise<VersionOfProgram> {
+    const known = this.stored.get(id) ?? versionsApi.version(id);
     this.stored.set(id, known);
     const [oldest] = this.stored.keys();
     if (this.stored.size > MOST_KEPT && oldest) this.stored.delete(oldest);

@@ -1,12 +1,12 @@
-import type { VersionMark } from "../api/keeping";
+import type { VersionMark } from "../api/model";
 
-/** Versions that are shown as one mark: a burst of edits, or one that has something to say. The last is its face. */
+/** Versions in one entry: a burst of edits, or one notable version. The last version represents the step. */
 export interface Step {
   readonly kind: "step";
   readonly versions: readonly VersionMark[];
 }
 
-/** What was made of one version on several PCs that did not know of each other. */
+/** Versions that several PCs made from the same version without a connection to each other. */
 export interface Fork {
   readonly kind: "fork";
   readonly branches: readonly Branch[];
@@ -17,17 +17,17 @@ export interface Branch {
   readonly steps: readonly Step[];
 }
 
-/** What was made on one day in one lesson. */
+/** The versions of one day in one lesson. */
 export interface Section {
   readonly from: string;
   readonly to: string;
   readonly items: readonly (Step | Fork)[];
 }
 
-/** A pause that ends a burst of edits. */
+/** Pause that ends a burst of edits. */
 const PAUSE_MS = 90_000;
 
-/** The versions of a program, the oldest first, as a person goes through them. */
+/** Groups the versions of a program, oldest first, into sections. */
 export function sectionsOf(line: readonly VersionMark[]): Section[] {
   const sections: Section[] = [];
   for (const stretch of stretches(line)) {
@@ -44,7 +44,7 @@ export function sectionsOf(line: readonly VersionMark[]): Section[] {
   return sections;
 }
 
-/** The face of a step: what it led to. */
+/** The version that represents a step: its last. */
 export function faceOf({ versions }: Step): VersionMark {
   return versions[versions.length - 1] as VersionMark;
 }
@@ -71,7 +71,7 @@ interface Stretch {
   versions: VersionMark[];
 }
 
-/** Parts of the line in which each number is there once, and parts in which there are several. */
+/** Splits the line into parts with unique version numbers and parts with repeated ones. */
 function stretches(line: readonly VersionMark[]): Stretch[] {
   const count = new Map<number, number>();
   for (const { number } of line) count.set(number, (count.get(number) ?? 0) + 1);
@@ -107,7 +107,7 @@ function byComputer(versions: readonly VersionMark[]): VersionMark[][] {
   return [...branches.values()];
 }
 
-/** PCs that have no name, or the same: what was made of what tells them apart. */
+/** Splits by parent version, where the PCs have no names or the same name. */
 function byParent(versions: readonly VersionMark[]): VersionMark[][] {
   const branches: VersionMark[][] = [];
   const home = new Map<string, VersionMark[]>();

@@ -1,8 +1,9 @@
-import type { VersionMark } from "../api/keeping";
+import type { VersionMark } from "../api/model";
+
 import type { Language, Texts } from "../i18n";
 import { faceOf, type Section, type Step } from "./line";
 
-/** What a version has to say for itself besides when it was made, the most telling first. */
+/** Facts about a version besides its time, the most important first. */
 export function factsOf(version: VersionMark, texts: Texts): string[] {
   const { keeping, work } = texts;
   const facts: string[] = [];
@@ -12,25 +13,25 @@ export function factsOf(version: VersionMark, texts: Texts): string[] {
   return facts;
 }
 
-/** What a step is called in the list. */
+/** Label of a step in the list. */
 export function stepWords(step: Step, texts: Texts): string {
   const face = faceOf(step);
   const [fact] = factsOf({ ...face, can_run: true }, texts);
   return face.label || fact || texts.keeping.changes(step.versions.length);
 }
 
-/** The time of a day: "10:32". */
+/** Time of day: "10:32". */
 export function timeOf(iso: string, language: Language): string {
   return new Date(iso).toLocaleTimeString(language, { timeStyle: "short" });
 }
 
-/** From when to when: "10:02–10:05", "10:02". */
+/** Time span: "10:02–10:05", "10:02". */
 export function spanOf(from: string, to: string, language: Language): string {
   const [first, last] = [timeOf(from, language), timeOf(to, language)];
   return first === last ? first : `${first}–${last}`;
 }
 
-/** The day and the times of a section: "ontem, 09:10–09:25". */
+/** Day and time span of a section: "ontem, 09:10–09:25". */
 export function sectionWords(section: Section, now: Date, language: Language, texts: Texts) {
   const then = new Date(section.from);
   const days = midnight(now) - midnight(then);
@@ -46,7 +47,7 @@ export function sectionWords(section: Section, now: Date, language: Language, te
   return `${day}, ${span}`;
 }
 
-/** The day alone, short: "19 de nov.", "hoje". */
+/** Short day: "19 de nov.", "hoje". */
 export function dayWords({ from }: Section, now: Date, language: Language, texts: Texts): string {
   const then = new Date(from);
   const days = midnight(now) - midnight(then);
@@ -61,13 +62,13 @@ function midnight(date: Date): number {
   );
 }
 
-/** When a version was made: "hoje, 10:32", "19 de novembro, 10:32". */
+/** Creation time of a version: "hoje, 10:32", "19 de novembro, 10:32". */
 export function madeWords({ created_at }: VersionMark, language: Language, texts: Texts): string {
   const alone = { from: created_at, to: created_at, items: [] };
   return sectionWords(alone, new Date(), language, texts);
 }
 
-/** A version in one line, as in a list to choose from. */
+/** A version in one line, for lists to choose from. */
 export function versionLine(version: VersionMark, language: Language, texts: Texts): string {
   const about = version.label || factsOf(version, texts)[0];
   const made = madeWords(version, language, texts);

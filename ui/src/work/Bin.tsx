@@ -1,10 +1,10 @@
 import { useSignal } from "@preact/signals";
 import { ChevronDown, ChevronUp, RotateCcw, Trash2 } from "lucide-preact";
 import type { Program } from "../api/model";
-import { report } from "../app/session";
-import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
 import { when } from "../i18n/format";
+import { Button } from "../kit/Button";
+import { TEST } from "../shell/testids";
 import type { ProgramShelf } from "./program_shelf";
 
 /** Programs that were thrown away, at the end of the group's work; nothing while there are none. */
@@ -13,22 +13,19 @@ export function Bin({ shelf }: { shelf: ProgramShelf }) {
   const { keeping } = texts.value;
   const { value: bin } = shelf.bin;
   if (bin.length === 0) return null;
-  const Chevron = open.value ? ChevronUp : ChevronDown;
   return (
     <section class="bin">
-      <button
-        type="button"
-        class="button"
-        data-testid={TEST.bin}
-        aria-expanded={open.value}
-        onClick={() => {
+      <Button
+        icon={Trash2}
+        iconEnd={open.value ? ChevronUp : ChevronDown}
+        testId={TEST.bin}
+        open={open.value}
+        onPress={() => {
           open.value = !open.value;
         }}
       >
-        <Trash2 class="icon" aria-hidden="true" />
         {keeping.bin(bin.length)}
-        <Chevron class="icon" aria-hidden="true" />
-      </button>
+      </Button>
       {open.value && (
         <>
           <p class="bin__hint">{keeping.binHint}</p>
@@ -54,16 +51,14 @@ function Thrown({ program, shelf }: { program: Program; shelf: ProgramShelf }) {
           {work.changed(changed)} · {work.runCount(program.n_runs)}
         </span>
       </span>
-      <button
-        type="button"
-        class="button"
-        data-testid={TEST.takeBack}
-        aria-label={`${keeping.takeBack}: ${program.name}`}
-        onClick={() => void shelf.takeBack(program).catch(report)}
+      <Button
+        icon={RotateCcw}
+        label={`${keeping.takeBack}: ${program.name}`}
+        testId={TEST.takeBack}
+        onPress={() => shelf.takeBack(program)}
       >
-        <RotateCcw class="icon" aria-hidden="true" />
         {keeping.takeBack}
-      </button>
+      </Button>
     </li>
   );
 }

@@ -1,17 +1,19 @@
 import { History, Trash2 } from "lucide-preact";
 import type { Program } from "../api/model";
-import { hashOf } from "../app/route";
-import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
 import { when } from "../i18n/format";
+import { Button } from "../kit/Button";
+import { LinkButton } from "../kit/LinkButton";
 import { PathPicture } from "../scene/PathPicture";
+import { hashOf } from "../shell/route";
+import { TEST } from "../shell/testids";
 import { TakeAlong } from "./ProgramFile";
 
 interface ProgramCardProps {
   program: Program;
   /** Of its newest run. */
   path: readonly (readonly number[])[];
-  onThrowAway(): void;
+  onThrowAway(): Promise<void>;
 }
 
 export function ProgramCard({ program, path, onThrowAway }: ProgramCardProps) {
@@ -39,26 +41,25 @@ export function ProgramCard({ program, path, onThrowAway }: ProgramCardProps) {
         </span>
       </a>
       <div class="program-card__acts">
-        <a
-          class="button button--plain"
+        <LinkButton
+          kind="plain"
+          icon={History}
           href={hashOf({ screen: "versions", program: program.id, version: null })}
-          data-testid={TEST.openHistory}
-          aria-label={about(keeping.history)}
+          label={about(keeping.history)}
+          testId={TEST.openHistory}
         >
-          <History class="icon" aria-hidden="true" />
           {keeping.history}
-        </a>
+        </LinkButton>
         <TakeAlong program={program} />
-        <button
-          type="button"
-          class="button button--plain"
-          data-testid={TEST.throwAway}
-          aria-label={about(keeping.throwAway)}
-          onClick={onThrowAway}
+        <Button
+          kind="plain"
+          icon={Trash2}
+          label={about(keeping.throwAway)}
+          testId={TEST.throwAway}
+          onPress={onThrowAway}
         >
-          <Trash2 class="icon" aria-hidden="true" />
           {keeping.throwAway}
-        </button>
+        </Button>
       </div>
     </div>
   );

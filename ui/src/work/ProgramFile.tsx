@@ -2,12 +2,13 @@ import { Download, Upload } from "lucide-preact";
 import { NO_CLASS } from "../api/classes";
 import { exchange } from "../api/exchange";
 import type { Program } from "../api/model";
-import { setClassroom } from "../app/classroom";
-import { go } from "../app/route";
-import { fileName, saveFile } from "../app/save_file";
-import { report } from "../app/session";
-import { TEST } from "../app/testids";
 import { texts } from "../i18n";
+import { Button } from "../kit/Button";
+import { setClassroom } from "../shell/classroom";
+import { go } from "../shell/route";
+import { fileName, saveFile } from "../shell/save_file";
+import { report } from "../shell/session";
+import { TEST } from "../shell/testids";
 
 const SUFFIX = ".pinel";
 
@@ -19,17 +20,16 @@ export function TakeAlong({ program }: { program: Program }) {
     saveFile(`${fileName(program.name, "programa")}${SUFFIX}`, file);
   };
   return (
-    <button
-      type="button"
-      class="button button--plain"
-      data-testid={TEST.programFile}
-      title={programFile.takeAlongHint}
-      aria-label={`${programFile.takeAlong}: ${program.name}`}
-      onClick={() => void take().catch(report)}
+    <Button
+      kind="plain"
+      icon={Download}
+      label={`${programFile.takeAlong}: ${program.name}`}
+      tip={programFile.takeAlongHint}
+      testId={TEST.programFile}
+      onPress={take}
     >
-      <Download class="icon" aria-hidden="true" />
       {programFile.take}
-    </button>
+    </Button>
   );
 }
 

@@ -1,10 +1,10 @@
 import { CircleCheck, CircleStop, CircleX, LoaderCircle } from "lucide-preact";
 import type { Run } from "../api/model";
-import { hashOf } from "../app/route";
-import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
 import { duration, moment } from "../i18n/format";
 import { PathPicture } from "../scene/PathPicture";
+import { hashOf } from "../shell/route";
+import { TEST } from "../shell/testids";
 
 const ICONS = {
   running: LoaderCircle,

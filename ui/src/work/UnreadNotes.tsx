@@ -1,38 +1,35 @@
-import { useSignal } from "@preact/signals";
 import { Check, Mail, Play } from "lucide-preact";
-import { useEffect } from "preact/hooks";
-import { keeping, type Note } from "../api/keeping";
-import { hashOf } from "../app/route";
-import { report } from "../app/session";
-import { TEST } from "../app/testids";
+import type { Note } from "../api/model";
+import { versionsApi } from "../api/versions";
 import { language, texts } from "../i18n";
 import { when } from "../i18n/format";
+import { Button } from "../kit/Button";
+import { LinkButton } from "../kit/LinkButton";
+import { useLoaded } from "../kit/requests/useLoaded";
+import { hashOf } from "../shell/route";
+import { TEST } from "../shell/testids";
 
 /** What the teacher wrote and the group has not read yet, as letters; nothing while there are none. */
-export function Letters({ groupId }: { groupId: string }) {
-  const notes = useSignal<Note[]>([]);
-  useEffect(() => {
-    keeping.unseenNotes(groupId).then((unseen) => {
-      notes.value = unseen;
-    }, report);
-  }, [groupId]);
-  if (notes.value.length === 0) return null;
+export function UnreadNotes({ groupId }: { groupId: string }) {
+  const notes = useLoaded(groupId, () => versionsApi.unseenNotes(groupId));
+  if (notes.status !== "ready" || notes.value.length === 0) return null;
+  const { value: unseen } = notes;
   const seen = async (note: Note) => {
-    await keeping.seeNote(note.id);
-    notes.value = notes.value.filter(({ id }) => id !== note.id);
+    await versionsApi.seeNote(note.id);
+    notes.set(unseen.filter(({ id }) => id !== note.id));
   };
   return (
     <ul class="letters">
-      {notes.value.map((note) => (
+      {unseen.map((note) => (
         <li key={note.id}>
-          <Letter note={note} onSeen={() => void seen(note).catch(report)} />
+          <Letter note={note} onSeen={() => seen(note)} />
         </li>
       ))}
     </ul>
   );
 }
 
-function Letter({ note, onSeen }: { note: Note; onSeen(): void }) {
+function Letter({ note, onSeen }: { note: Note; onSeen(): Promise<void> }) {
   const { keeping: words, work } = texts.value;
   const about = words.noteAbout(note.program_name ?? work.noName);
   const written = when(note.written_at, new Date(), language.value, texts.value);
@@ -47,23 +44,16 @@ function Letter({ note, onSeen }: { note: Note; onSeen(): void }) {
         </p>
       </div>
       <div class="letter__acts">
-        <a
-          class="button"
+        <LinkButton
+          icon={Play}
           href={hashOf({ screen: "replay", run: note.run_id })}
-          data-testid={TEST.noteRun}
+          testId={TEST.noteRun}
         >
-          <Play class="icon" aria-hidden="true" />
           {words.noteSeeRun}
-        </a>
-        <button
-          type="button"
-          class="button button--run"
-          data-testid={TEST.noteSeen}
-          onClick={onSeen}
-        >
-          <Check class="icon" aria-hidden="true" />
+        </LinkButton>
+        <Button kind="main" icon={Check} testId={TEST.noteSeen} onPress={onSeen}>
           {words.noteSeen}
-        </button>
+        </Button>
       </div>
     </article>
   );

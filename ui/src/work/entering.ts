@@ -1,10 +1,10 @@
 import { NO_CLASS } from "../api/classes";
 import { api } from "../api/client";
-import { keeping } from "../api/keeping";
 import type { Group, Program } from "../api/model";
+import { versionsApi } from "../api/versions";
 import { texts } from "../i18n";
-import { setClassroom } from "./classroom";
-import { go } from "./route";
+import { setClassroom } from "../shell/classroom";
+import { go } from "../shell/route";
 
 /** By then the other screen is there, and takes the second click of a double click. */
 const SHOWN_MS = 100;
@@ -36,7 +36,7 @@ async function enter(group: Group): Promise<void> {
 
 /** Nobody is kept out by a letter that cannot be fetched: it is there the next time. */
 function unseenNotes(group: Group) {
-  return keeping.unseenNotes(group.id).catch(() => []);
+  return versionsApi.unseenNotes(group.id).catch(() => []);
 }
 
 /** Makes one more program for a group, and opens it. */

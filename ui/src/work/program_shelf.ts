@@ -1,28 +1,30 @@
 import { signal } from "@preact/signals";
 import { api } from "../api/client";
-import { keeping } from "../api/keeping";
 import type { Program } from "../api/model";
-import { opened } from "../app/open_program";
+import { versionsApi } from "../api/versions";
+import { opened } from "../studio/program/open_program";
 
 /** A group's programs, those in its bin, and the one that was thrown away last. */
 export class ProgramShelf {
-  /** Null until they are known. */
-  readonly programs = signal<Program[] | null>(null);
+  readonly programs = signal<Program[]>([]);
   readonly bin = signal<Program[]>([]);
   readonly thrown = signal<Program | null>(null);
 
   constructor(private readonly group: string) {}
 
   async load(): Promise<void> {
-    const [programs, bin] = await Promise.all([api.programs(this.group), keeping.bin(this.group)]);
+    const [programs, bin] = await Promise.all([
+      api.programs(this.group),
+      versionsApi.bin(this.group),
+    ]);
     this.bin.value = bin;
     this.programs.value = programs;
   }
 
   /** Into the bin: nothing is asked, the way back stays in sight. */
   async throwAway(program: Program): Promise<void> {
-    const thrown = await keeping.throwAway(program.id);
-    this.programs.value = without(this.programs.peek() ?? [], program);
+    const thrown = await versionsApi.throwAway(program.id);
+    this.programs.value = without(this.programs.peek(), program);
     // the header leads back to what is on the desk, and not into the bin
     if (opened.peek()?.id === program.id) opened.value = null;
     this.bin.value = [thrown, ...without(this.bin.peek(), program)];
@@ -30,9 +32,9 @@ export class ProgramShelf {
   }
 
   async takeBack(program: Program): Promise<void> {
-    const back = await keeping.takeBack(program.id);
+    const back = await versionsApi.takeBack(program.id);
     this.bin.value = without(this.bin.peek(), program);
-    const others = without(this.programs.peek() ?? [], program);
+    const others = without(this.programs.peek(), program);
     this.programs.value = [...others, back].sort((one, other) => (one.id < other.id ? 1 : -1));
     if (this.thrown.peek()?.id === program.id) this.thrown.value = null;
   }

@@ -1,11 +1,12 @@
 import { Copy, Layers, Trash2 } from "lucide-preact";
-import { TEST } from "../app/testids";
 import { texts } from "../i18n";
-import { Choice } from "./Choice";
-import type { WorldDesk } from "./desk";
+import { Button } from "../kit/Button";
+import { Choice } from "../kit/Choice";
+import { NumberField } from "../kit/NumberField";
+import { TEST } from "../shell/testids";
+import type { EditorStore } from "./editor_store";
 import { clean, FINE, GRID } from "./geometry";
 import { LONGEST, NAME_MOST, PUSHED_LEAST_KG, PUSHED_MOST_KG, SHORTEST } from "./limits";
-import { NumberField } from "./NumberField";
 import {
   type Area,
   type AreaThing,
@@ -20,13 +21,13 @@ import { Swatches } from "./Toolbox";
 import { nameOf } from "./words";
 
 interface PanelProps<T> {
-  desk: WorldDesk;
+  store: EditorStore;
   plan: Plan;
   thing: T;
 }
 
-/** The selected thing in numbers. */
-export function ThingPanel({ desk, plan, thing }: PanelProps<Thing>) {
+/** Properties of the selected thing. */
+export function ThingPanel({ store, plan, thing }: PanelProps<Thing>) {
   const words = texts.value.world;
   return (
     <section
@@ -37,51 +38,43 @@ export function ThingPanel({ desk, plan, thing }: PanelProps<Thing>) {
     >
       <h2>{nameOf(thing, ofKind(plan, thing.kind).indexOf(thing), words)}</h2>
       {isArea(thing) ? (
-        <AreaFields desk={desk} plan={plan} thing={thing} />
+        <AreaFields store={store} plan={plan} thing={thing} />
       ) : (
-        <WallFields desk={desk} plan={plan} thing={thing} />
+        <WallFields store={store} plan={plan} thing={thing} />
       )}
-      <Acts desk={desk} thing={thing} />
+      <Acts store={store} thing={thing} />
     </section>
   );
 }
 
-function Acts({ desk, thing }: { desk: WorldDesk; thing: Thing }) {
+function Acts({ store, thing }: { store: EditorStore; thing: Thing }) {
   const words = texts.value.world;
   return (
     <div class="world-panel__acts">
       {(thing.kind === "paint" || thing.kind === "zone") && (
-        <button type="button" class="button" onClick={() => desk.layer(true)}>
-          <Layers class="icon" aria-hidden="true" />
+        <Button icon={Layers} onPress={() => store.layer(true)}>
           {words.onTop}
-        </button>
+        </Button>
       )}
-      <button type="button" class="button" onClick={() => desk.double()}>
-        <Copy class="icon" aria-hidden="true" />
+      <Button icon={Copy} onPress={() => store.double()}>
         {words.double}
-      </button>
-      <button
-        type="button"
-        class="button"
-        data-testid={TEST.worldDelete}
-        onClick={() => desk.remove()}
-      >
-        <Trash2 class="icon" aria-hidden="true" />
+      </Button>
+      <Button icon={Trash2} testId={TEST.worldDelete} onPress={() => store.remove()}>
         {words.remove}
-      </button>
+      </Button>
     </div>
   );
 }
 
-/** A number of a thing; typing one number after another is undone at once. */
-function measure(desk: WorldDesk, id: string, key: string) {
+/** Setter for one number of a thing; consecutive changes of it are undone in one step. */
+function measure(store: EditorStore, id: string, key: string) {
   return (changed: Thing | Start) => {
-    if ("id" in changed) desk.alter(changed, `${key} ${id}`);
-    else desk.place(changed, `${key} ${id}`);
+    if ("id" in changed) store.alter(changed, `${key} ${id}`);
+    else store.place(changed, `${key} ${id}`);
   };
 }
 
-function WallFields({ desk, plan, thing }: PanelProps<Wall>) {
+function WallFields({ store, plan, thing }: PanelProps<Wall>) {
   const words = texts.value.world;
   const end = (name: "from" | "to", axis: "x" | "y", label: string) => (
     <NumberField
@@ -91,7 +84,7 @@ function WallFields({ desk, plan, thing }: PanelProps<Wall>) {
       testId={`world-${name}-${axis}`}
       onNumber={(value) =>
         measure(
-          desk,
+          store,
           thing.id,
           name + axis,
         )({ ...thing, [name]: { ...thing[name], [axis]: value } })
@@ -116,7 +109,7 @@ function WallFields({ desk, plan, thing }: PanelProps<Wall>) {
 
 const reach = (size: number) => ({ least: -size / 2, most: size / 2, step: GRID });
 
-function AreaFields({ desk, plan, thing }: PanelProps<AreaThing>) {
+function AreaFields({ store, plan, thing }: PanelProps<AreaThing>) {
   const words = texts.value.world;
   const number = (key: keyof Area, label: string, range: Range, among: Partial<Area> = {}) => (
     <NumberField
@@ -125,14 +118,14 @@ function AreaFields({ desk, plan, thing }: PanelProps<AreaThing>) {
       {...range}
       testId={`world-${key}`}
       onNumber={(value) =>
-        measure(desk, thing.id, key)({ ...thing, ...among, [key]: value } as AreaThing)
+        measure(store, thing.id, key)({ ...thing, ...among, [key]: value } as AreaThing)
       }
     />
   );
   return (
     <>
-      <OwnFields desk={desk} plan={plan} thing={thing} />
-      {thing.kind !== "box" && <ShapeChoice desk={desk} thing={thing} />}
+      <OwnFields store={store} plan={plan} thing={thing} />
+      {thing.kind !== "box" && <ShapeChoice store={store} thing={thing} />}
       <div class="numbers">
         {number("x", words.x, reach(plan.width))}
         {number("y", words.y, reach(plan.depth))}
@@ -140,7 +133,7 @@ function AreaFields({ desk, plan, thing }: PanelProps<AreaThing>) {
         {thing.radius === null && number("width", words.width, SIDE)}
         {thing.radius === null && number("depth", words.depth, SIDE)}
         {thing.radius === null && number("heading", words.heading, TURN)}
-        {thing.kind === "box" && thing.movable && <Mass desk={desk} thing={thing} />}
+        {thing.kind === "box" && thing.movable && <Mass store={store} thing={thing} />}
       </div>
     </>
   );
@@ -154,25 +147,31 @@ interface Range {
 const SIDE: Range = { least: SHORTEST, most: LONGEST, step: GRID };
 const TURN: Range = { least: -360, most: 360, step: 5 };
 const MASS: Range = { least: PUSHED_LEAST_KG, most: PUSHED_MOST_KG, step: 0.5 };
-/** What a box weighs that nobody has weighed, kilograms. */
+/** Mass of a box without a given mass, kilograms. */
 const USUAL_MASS = 2;
 
-function Mass({ desk, thing }: { desk: WorldDesk; thing: Extract<AreaThing, { kind: "box" }> }) {
+function Mass({
+  store,
+  thing,
+}: {
+  store: EditorStore;
+  thing: Extract<AreaThing, { kind: "box" }>;
+}) {
   return (
     <NumberField
       label={texts.value.world.mass}
       value={thing.mass ?? USUAL_MASS}
       {...MASS}
       testId="world-mass"
-      onNumber={(mass) => desk.alter({ ...thing, mass }, `mass ${thing.id}`)}
+      onNumber={(mass) => store.alter({ ...thing, mass }, `mass ${thing.id}`)}
     />
   );
 }
 
-function OwnFields({ desk, thing }: PanelProps<AreaThing>) {
+function OwnFields({ store, thing }: PanelProps<AreaThing>) {
   const words = texts.value.world;
   if (thing.kind === "paint") {
-    return <Swatches color={thing.color} onColor={(color) => desk.dip(color)} />;
+    return <Swatches color={thing.color} onColor={(color) => store.dip(color)} />;
   }
   if (thing.kind === "zone") {
     return (
@@ -184,7 +183,7 @@ function OwnFields({ desk, thing }: PanelProps<AreaThing>) {
           maxLength={NAME_MOST}
           data-testid={TEST.worldZoneName}
           onInput={({ currentTarget: { value } }) =>
-            desk.alter({ ...thing, name: value }, `name ${thing.id}`)
+            store.alter({ ...thing, name: value }, `name ${thing.id}`)
           }
         />
       </label>
@@ -199,14 +198,14 @@ function OwnFields({ desk, thing }: PanelProps<AreaThing>) {
         [true, words.movable],
       ]}
       value={thing.movable}
-      onValue={(movable) => desk.alter({ ...thing, movable, mass: movable ? thing.mass : null })}
+      onChange={(movable) => store.alter({ ...thing, movable, mass: movable ? thing.mass : null })}
     />
   );
 }
 
 type Flat = Exclude<AreaThing, { kind: "box" }>;
 
-function ShapeChoice({ desk, thing }: { desk: WorldDesk; thing: Flat }) {
+function ShapeChoice({ store, thing }: { store: EditorStore; thing: Flat }) {
   const words = texts.value.world;
   return (
     <Choice
@@ -217,7 +216,7 @@ function ShapeChoice({ desk, thing }: { desk: WorldDesk; thing: Flat }) {
         ["disc", words.disc],
       ]}
       value={thing.radius === null ? "rectangle" : "disc"}
-      onValue={(shape) => desk.alter(shape === "disc" ? rounded(thing) : squared(thing))}
+      onChange={(shape) => store.alter(shape === "disc" ? rounded(thing) : squared(thing))}
     />
   );
 }
@@ -232,8 +231,8 @@ function squared(thing: Flat): Flat {
   return { ...thing, radius: null, width: side, depth: side };
 }
 
-/** Where the robot begins. */
-export function StartPanel({ desk, plan }: { desk: WorldDesk; plan: Plan }) {
+/** Properties of the start pose. */
+export function StartPanel({ store, plan }: { store: EditorStore; plan: Plan }) {
   const words = texts.value.world;
   const number = (key: keyof Start, label: string, range: Range) => (
     <NumberField
@@ -241,7 +240,7 @@ export function StartPanel({ desk, plan }: { desk: WorldDesk; plan: Plan }) {
       value={plan.start[key]}
       {...range}
       testId={`world-${key}`}
-      onNumber={(value) => measure(desk, "start", key)({ ...plan.start, [key]: value })}
+      onNumber={(value) => measure(store, "start", key)({ ...plan.start, [key]: value })}
     />
   );
   return (

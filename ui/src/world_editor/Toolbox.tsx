@@ -1,9 +1,10 @@
 import { BrickWall, Flag, MapPin, MousePointer2, Package, PaintBucket } from "lucide-preact";
-import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
+import { Button } from "../kit/Button";
+import { Choice } from "../kit/Choice";
 import { paintOf } from "../scene/paints";
-import { Choice } from "./Choice";
-import type { WorldDesk } from "./desk";
+import { TEST } from "../shell/testids";
+import type { EditorStore } from "./editor_store";
 import { TOOLS } from "./gestures";
 import { COLORS, colorWord } from "./words";
 
@@ -16,39 +17,39 @@ const ICONS = {
   start: Flag,
 } as const;
 
-/** What a hand can draw, and how what it draws next will be. */
-export function Toolbox({ desk }: { desk: WorldDesk }) {
+/** The drawing tools and the properties of the next thing. */
+export function Toolbox({ store }: { store: EditorStore }) {
   const { tools, toolsLabel } = texts.value.world;
   return (
     <div class="world-tools" role="toolbar" aria-label={toolsLabel} aria-orientation="vertical">
       {TOOLS.map((tool) => {
         const Icon = ICONS[tool];
         return (
-          <button
+          <Button
+            icon={Icon}
+            kind="plain"
+            class="world-tools__tool"
             key={tool}
-            type="button"
-            class="button button--plain world-tools__tool"
-            aria-pressed={desk.tool.value === tool}
-            data-testid={TEST.worldTool}
+            pressed={store.tool.value === tool}
+            testId={TEST.worldTool}
             data-tool={tool}
-            onClick={() => desk.choose(tool)}
+            onPress={() => store.choose(tool)}
           >
-            <Icon class="icon" aria-hidden="true" />
             {tools[tool]}
-          </button>
+          </Button>
         );
       })}
-      <NextThing desk={desk} />
+      <NextThing store={store} />
     </div>
   );
 }
 
-function NextThing({ desk }: { desk: WorldDesk }) {
+function NextThing({ store }: { store: EditorStore }) {
   const words = texts.value.world;
-  if (desk.tool.value === "paint") {
-    return <Swatches color={desk.color.value} onColor={(color) => desk.dip(color)} />;
+  if (store.tool.value === "paint") {
+    return <Swatches color={store.color.value} onColor={(color) => store.dip(color)} />;
   }
-  if (desk.tool.value !== "box") return null;
+  if (store.tool.value !== "box") return null;
   return (
     <Choice
       label={words.tools.box}
@@ -56,32 +57,31 @@ function NextThing({ desk }: { desk: WorldDesk }) {
         [false, words.fixed],
         [true, words.movable],
       ]}
-      value={desk.movable.value}
-      onValue={(movable) => {
-        desk.movable.value = movable;
+      value={store.movable.value}
+      onChange={(movable) => {
+        store.movable.value = movable;
       }}
     />
   );
 }
 
-/** The colours that a floor sensor can tell apart. */
+/** The colours that a floor sensor can distinguish. */
 export function Swatches({ color, onColor }: { color: string; onColor(color: string): void }) {
   return (
     <fieldset class="swatches" aria-label={texts.value.world.color}>
       {COLORS.map((one) => {
         const word = colorWord(one, language.value);
         return (
-          <button
-            key={one}
-            type="button"
+          <Button
+            label={word}
+            kind="bare"
             class="swatch"
+            key={one}
             style={{ "--swatch": paintOf(one) }}
-            aria-label={word}
-            title={word}
-            aria-pressed={color === one}
-            data-testid={TEST.worldColor}
+            pressed={color === one}
+            testId={TEST.worldColor}
             data-color={one}
-            onClick={() => onColor(one)}
+            onPress={() => onColor(one)}
           />
         );
       })}

@@ -2,12 +2,13 @@ import { useSignal } from "@preact/signals";
 import { Check, CircleHelp, Redo2, Square, TriangleAlert, Undo2 } from "lucide-preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { worldTitle } from "../api/model";
-import { report } from "../app/session";
-import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
-import { Board } from "./Board";
+import { Button } from "../kit/Button";
+import { report } from "../shell/session";
+import { TEST } from "../shell/testids";
+import { Board } from "./board/Board";
 import { keepChecked } from "./checks";
-import type { WorldDesk } from "./desk";
+import type { EditorStore } from "./editor_store";
 import { exportWorld, isRefusal, type Refusal, worldIn } from "./files";
 import { pressedAnywhere } from "./keys";
 import { thingOf } from "./plan";
@@ -16,30 +17,37 @@ import { Toolbox } from "./Toolbox";
 import { WorldPanel } from "./WorldPanel";
 
 interface WorldEditorProps {
-  desk: WorldDesk;
-  /** The first change takes the place of the group's own world. */
+  store: EditorStore;
+  /** The first change replaces the group's own world. */
   replaces: boolean;
   onOwn(): void;
   /** Null while the program has no world of its own. */
   onForget: (() => void) | null;
-  /** Null while no robot is on its way. */
+  /** Null while no run is live. */
   onStop: (() => void) | null;
   onDone(): void;
 }
 
-/** Draws the group's own world, in place of blocks and floor. */
-export function WorldEditor({ desk, replaces, onOwn, onForget, onStop, onDone }: WorldEditorProps) {
+/** Editor of the group's own world, shown in place of blocks and floor. */
+export function WorldEditor({
+  store,
+  replaces,
+  onOwn,
+  onForget,
+  onStop,
+  onDone,
+}: WorldEditorProps) {
   const words = texts.value.world;
   const section = useRef<HTMLElement>(null);
   const refusal = useSignal<Refusal | null>(null);
-  useEffect(() => keepChecked(desk, report), [desk]);
+  useEffect(() => keepChecked(store, report), [store]);
   useEffect(() => section.current?.focus(), []);
-  useLayoutEffect(() => followKeys(desk), [desk]);
+  useLayoutEffect(() => followKeys(store), [store]);
   const take = (file: File) => {
     refusal.value = null;
     worldIn(file).then((answer) => {
       if (isRefusal(answer)) refusal.value = answer;
-      else desk.replace(answer, worldTitle(answer, language.peek()));
+      else store.replace(answer, worldTitle(answer, language.peek()));
     }, report);
   };
   return (
@@ -56,7 +64,7 @@ export function WorldEditor({ desk, replaces, onOwn, onForget, onStop, onDone }:
         if (file) take(file);
       }}
     >
-      <Bar desk={desk} onStop={onStop} onDone={onDone} />
+      <Bar store={store} onStop={onStop} onDone={onDone} />
       {refusal.value && (
         <Refused
           refusal={refusal.value}
@@ -67,72 +75,69 @@ export function WorldEditor({ desk, replaces, onOwn, onForget, onStop, onDone }:
       )}
       {replaces && <Replaces onOwn={onOwn} />}
       <div class="world-editor__table">
-        <Toolbox desk={desk} />
-        <Board desk={desk}>
-          <Hint desk={desk} />
+        <Toolbox store={store} />
+        <Board store={store}>
+          <Hint store={store} />
         </Board>
-        <Side desk={desk} onForget={onForget} onFile={take} />
+        <Side store={store} onForget={onForget} onFile={take} />
       </div>
     </section>
   );
 }
 
-/** Wherever the focus is, for what had it may be gone; but not while a text is typed. */
-function followKeys(desk: WorldDesk): () => void {
+/** Handles keys for the whole page, since the focused element may have been deleted; ignored while typing text. */
+function followKeys(store: EditorStore): () => void {
   const down = (event: KeyboardEvent) => {
     const isTyping = event.target instanceof HTMLInputElement;
-    if (!isTyping && pressedAnywhere(desk, event)) event.preventDefault();
+    if (!isTyping && pressedAnywhere(store, event)) event.preventDefault();
   };
   window.addEventListener("keydown", down);
   return () => window.removeEventListener("keydown", down);
 }
 
 interface BarProps {
-  desk: WorldDesk;
+  store: EditorStore;
   onStop: (() => void) | null;
   onDone(): void;
 }
 
-function Bar({ desk, onStop, onDone }: BarProps) {
+function Bar({ store, onStop, onDone }: BarProps) {
   const { studio, world, run } = texts.value;
   return (
     <div class="world-editor__bar">
-      <button
-        type="button"
-        class="button button--plain"
-        data-testid={TEST.worldUndo}
-        disabled={!desk.canUndo.value}
-        onClick={() => desk.undo()}
+      <Button
+        icon={Undo2}
+        kind="plain"
+        testId={TEST.worldUndo}
+        disabled={!store.canUndo.value}
+        onPress={() => store.undo()}
       >
-        <Undo2 class="icon" aria-hidden="true" />
         {studio.undo}
-      </button>
-      <button
-        type="button"
-        class="button button--plain"
-        data-testid={TEST.worldRedo}
-        disabled={!desk.canRedo.value}
-        onClick={() => desk.redo()}
+      </Button>
+      <Button
+        icon={Redo2}
+        kind="plain"
+        testId={TEST.worldRedo}
+        disabled={!store.canRedo.value}
+        onPress={() => store.redo()}
       >
-        <Redo2 class="icon" aria-hidden="true" />
         {studio.redo}
-      </button>
+      </Button>
       <h2>{world.title}</h2>
       {onStop && (
-        <button type="button" class="button button--stop" onClick={onStop}>
-          <Square class="icon" aria-hidden="true" />
+        <Button icon={Square} kind="stop" onPress={onStop}>
           {run.stop}
-        </button>
+        </Button>
       )}
-      <button
-        type="button"
-        class="button button--run world-editor__done"
-        data-testid={TEST.worldDone}
-        onClick={onDone}
+      <Button
+        icon={Check}
+        kind="main"
+        class="world-editor__done"
+        testId={TEST.worldDone}
+        onPress={onDone}
       >
-        <Check class="icon" aria-hidden="true" />
         {world.done}
-      </button>
+      </Button>
     </div>
   );
 }
@@ -146,9 +151,7 @@ function Refused({ refusal, onClose }: { refusal: Refusal; onClose(): void }) {
       <span>
         <strong>{world.fileRefused}</strong> {why}
       </span>
-      <button type="button" class="button" onClick={onClose}>
-        {trouble.close}
-      </button>
+      <Button onPress={onClose}>{trouble.close}</Button>
     </div>
   );
 }
@@ -158,19 +161,19 @@ function Replaces({ onOwn }: { onOwn(): void }) {
   return (
     <div class="line-message" role="status">
       <span>{world.replaces}</span>
-      <button type="button" class="button" data-testid={TEST.worldOwnInstead} onClick={onOwn}>
+      <Button testId={TEST.worldOwnInstead} onPress={onOwn}>
         {world.ownInstead}
-      </button>
+      </Button>
     </div>
   );
 }
 
-/** What to do now, in a line. */
-function Hint({ desk }: { desk: WorldDesk }) {
+/** One line with instructions for the current tool. */
+function Hint({ store }: { store: EditorStore }) {
   const { hints } = texts.value.world;
-  const tool = desk.tool.value;
-  const isEmpty = desk.isBare && tool === "select" && desk.selected.value === null;
-  const isHeld = tool === "select" && desk.selected.value !== null;
+  const tool = store.tool.value;
+  const isEmpty = store.isBare && tool === "select" && store.selected.value === null;
+  const isHeld = tool === "select" && store.selected.value !== null;
   return (
     <p class="world-hint card" role="status" data-testid={TEST.worldHint}>
       <CircleHelp class="icon" aria-hidden="true" />
@@ -180,37 +183,37 @@ function Hint({ desk }: { desk: WorldDesk }) {
 }
 
 interface SideProps {
-  desk: WorldDesk;
+  store: EditorStore;
   onForget: (() => void) | null;
   onFile(file: File): void;
 }
 
-function Side({ desk, onForget, onFile }: SideProps) {
-  const plan = desk.shown.value;
-  const selected = desk.selected.value;
+function Side({ store, onForget, onFile }: SideProps) {
+  const plan = store.shown.value;
+  const selected = store.selected.value;
   const thing = thingOf(plan, selected);
   return (
     <div class="world-side card">
-      {thing && <ThingPanel desk={desk} plan={plan} thing={thing} key={thing.id} />}
-      {selected === "start" && <StartPanel desk={desk} plan={plan} />}
+      {thing && <ThingPanel store={store} plan={plan} thing={thing} key={thing.id} />}
+      {selected === "start" && <StartPanel store={store} plan={plan} />}
       {!thing && selected !== "start" && (
         <WorldPanel
-          desk={desk}
+          store={store}
           plan={plan}
           onForget={onForget}
           onFile={onFile}
           onExport={() =>
-            exportWorld(desk.document.value, worldTitle(desk.world.value, language.value))
+            exportWorld(store.document.value, worldTitle(store.world.value, language.value))
           }
         />
       )}
-      <Faults desk={desk} />
+      <Faults store={store} />
     </div>
   );
 }
 
-function Faults({ desk }: { desk: WorldDesk }) {
-  const { value: faults } = desk.faults;
+function Faults({ store }: { store: EditorStore }) {
+  const { value: faults } = store.faults;
   if (faults.length === 0) return null;
   return (
     <div class="world-faults" role="status" data-testid={TEST.worldFaults}>
@@ -222,20 +225,20 @@ function Faults({ desk }: { desk: WorldDesk }) {
       <ul>
         {faults.map((fault) => (
           <li key={`${fault.pointer} ${fault.code}`}>
-            <button
-              type="button"
+            <Button
+              kind="bare"
               class="faults__fault"
-              data-testid={TEST.worldFault}
+              testId={TEST.worldFault}
               data-code={fault.code}
-              onClick={() => {
-                desk.choose("select");
-                desk.select(desk.aboutFault(fault));
+              onPress={() => {
+                store.choose("select");
+                store.select(store.aboutFault(fault));
               }}
             >
               <span>
                 <strong>{fault.message}</strong> {fault.remedy}
               </span>
-            </button>
+            </Button>
           </li>
         ))}
       </ul>

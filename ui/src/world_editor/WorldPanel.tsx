@@ -1,26 +1,28 @@
-import { ChevronDown, Download, FolderOpen, Trash2 } from "lucide-preact";
+import { Download, FolderOpen, Trash2 } from "lucide-preact";
 import { useRef } from "preact/hooks";
 import { worldTitle } from "../api/model";
-import { worlds } from "../app/session";
-import { TEST } from "../app/testids";
 import { language, texts } from "../i18n";
-import type { WorldDesk } from "./desk";
+import { Button } from "../kit/Button";
+import { NumberField } from "../kit/NumberField";
+import { Select } from "../kit/Select";
+import { worlds } from "../shell/session";
+import { TEST } from "../shell/testids";
+import type { EditorStore } from "./editor_store";
 import { GRID } from "./geometry";
 import { FLOOR_LEAST, LONGEST, TITLE_MOST } from "./limits";
-import { NumberField } from "./NumberField";
 import type { Plan } from "./plan";
 
 interface WorldPanelProps {
-  desk: WorldDesk;
+  store: EditorStore;
   plan: Plan;
-  /** Null while the program has no world of its own to forget. */
+  /** Null while the program has no world of its own to delete. */
   onForget: (() => void) | null;
   onExport(): void;
   onFile(file: File): void;
 }
 
-/** The world itself: its name, the floor's size, where to begin from, files. */
-export function WorldPanel({ desk, plan, onForget, onExport, onFile }: WorldPanelProps) {
+/** Properties of the world: name, size of the floor, template, files. */
+export function WorldPanel({ store, plan, onForget, onExport, onFile }: WorldPanelProps) {
   const words = texts.value.world;
   const side = (key: "width" | "depth", label: string) => (
     <NumberField
@@ -30,7 +32,7 @@ export function WorldPanel({ desk, plan, onForget, onExport, onFile }: WorldPane
       most={LONGEST}
       step={GRID}
       testId={`world-floor-${key}`}
-      onNumber={(value) => desk.resize({ width: plan.width, depth: plan.depth, [key]: value })}
+      onNumber={(value) => store.resize({ width: plan.width, depth: plan.depth, [key]: value })}
     />
   );
   return (
@@ -39,10 +41,10 @@ export function WorldPanel({ desk, plan, onForget, onExport, onFile }: WorldPane
         {words.name}
         <input
           class="field"
-          value={worldTitle(desk.world.value, language.value)}
+          value={worldTitle(store.world.value, language.value)}
           maxLength={TITLE_MOST}
           data-testid={TEST.worldName}
-          onInput={({ currentTarget: { value } }) => desk.rename(value)}
+          onInput={({ currentTarget: { value } }) => store.rename(value)}
         />
       </label>
       <h3>{words.floorSize}</h3>
@@ -50,48 +52,39 @@ export function WorldPanel({ desk, plan, onForget, onExport, onFile }: WorldPane
         {side("width", words.width)}
         {side("depth", words.depth)}
       </div>
-      <BeginFrom desk={desk} />
+      <BeginFrom store={store} />
       <div class="world-panel__acts">
         <OpenFile onFile={onFile} />
-        <button type="button" class="button" data-testid={TEST.worldExport} onClick={onExport}>
-          <Download class="icon" aria-hidden="true" />
+        <Button icon={Download} testId={TEST.worldExport} onPress={onExport}>
           {words.toFile}
-        </button>
+        </Button>
         {onForget && (
-          <button type="button" class="button" data-testid={TEST.worldForget} onClick={onForget}>
-            <Trash2 class="icon" aria-hidden="true" />
+          <Button icon={Trash2} testId={TEST.worldForget} onPress={onForget}>
             {words.forget}
-          </button>
+          </Button>
         )}
       </div>
     </section>
   );
 }
 
-function BeginFrom({ desk }: { desk: WorldDesk }) {
+function BeginFrom({ store }: { store: EditorStore }) {
   const words = texts.value.world;
   return (
     <label class="world-panel__text">
       {words.beginFrom}
-      <span class="select">
-        <select
-          data-testid={TEST.worldBegin}
-          value=""
-          onChange={({ currentTarget }) => {
-            const world = worlds.value.find((one) => one.name === currentTarget.value);
-            currentTarget.value = "";
-            if (world) desk.replace(world);
-          }}
-        >
-          <option value="">{words.choose}</option>
-          {worlds.value.map((one) => (
-            <option key={one.name} value={one.name}>
-              {worldTitle(one, language.value)}
-            </option>
-          ))}
-        </select>
-        <ChevronDown class="icon icon--end" aria-hidden="true" />
-      </span>
+      <Select
+        testId={TEST.worldBegin}
+        value=""
+        options={[
+          ["", words.choose],
+          ...worlds.value.map((one) => [one.name, worldTitle(one, language.value)] as const),
+        ]}
+        onChange={(name) => {
+          const world = worlds.value.find((one) => one.name === name);
+          if (world) store.replace(world);
+        }}
+      />
     </label>
   );
 }
@@ -112,10 +105,9 @@ function OpenFile({ onFile }: { onFile(file: File): void }) {
           if (file) onFile(file);
         }}
       />
-      <button type="button" class="button" onClick={() => input.current?.click()}>
-        <FolderOpen class="icon" aria-hidden="true" />
+      <Button icon={FolderOpen} onPress={() => input.current?.click()}>
         {texts.value.world.fromFile}
-      </button>
+      </Button>
     </>
   );
 }

@@ -1,24 +1,24 @@
 import { effect } from "@preact/signals";
 import { api } from "../api/client";
-import type { WorldDesk } from "./desk";
+import type { EditorStore } from "./editor_store";
 
-/** So long after the last change the server is asked, milliseconds. */
+/** Delay between the last change and the request to the server, milliseconds. */
 const QUIET_MS = 150;
 
-/** Keeps the faults of the plan on the table beside it; the answer ends that. */
-export function keepChecked(desk: WorldDesk, onTrouble: (error: unknown) => void): () => void {
+/** Has the server check the document after each change and stores the faults. Returns the unsubscribe function. */
+export function keepChecked(store: EditorStore, onTrouble: (error: unknown) => void): () => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const ask = async () => {
-    const document = desk.document.peek();
+    const document = store.document.peek();
     try {
       const faults = await api.checkWorld(document);
-      if (document === desk.document.peek()) desk.faults.value = faults;
+      if (document === store.document.peek()) store.faults.value = faults;
     } catch (error) {
       onTrouble(error);
     }
   };
   const stop = effect(() => {
-    desk.document.value;
+    store.document.value;
     clearTimeout(timer);
     timer = setTimeout(() => void ask(), QUIET_MS);
   });

@@ -1,13 +1,13 @@
 import type { World } from "../api/model";
 import { type Area, type Kind, newId, ofKind, type Plan, type Thing } from "./plan";
 
-/** Which list of a document holds which things, in the order in which they are drawn. */
+/** Lists of the document and the kind of thing in each, in drawing order. */
 export const LISTS = { walls: "wall", boxes: "box", zones: "zone", floor: "paint" } as const;
 
 type Point = [number, number];
 type Shape = { center: Point; size?: Point; heading_deg?: number; radius?: number };
 
-/** Reads a document of the server, or one that the server has found to be sound. */
+/** Reads a document that comes from the server or was validated by it. */
 export function planOf(world: World): Plan {
   const { start } = world;
   return {
@@ -65,7 +65,7 @@ function areaOf(area: {
   return { ...xy(area.center), width, depth, heading: area.heading_deg ?? 0, radius };
 }
 
-/** The document of a plan. Lists that need not be there are left out while they are empty. */
+/** The document of a plan. Optional lists are left out while they are empty. */
 export function documentOf(plan: Plan): World {
   const { start } = plan;
   const zones = ofKind(plan, "zone").map(entryOf);
@@ -81,7 +81,7 @@ export function documentOf(plan: Plan): World {
     ...(zones.length > 0 && { zones }),
     ...(floor.length > 0 && { floor }),
   };
-  // defaults are left out, as in the worlds that ship
+  // default values are left out, as in the worlds that ship
   return document as unknown as World;
 }
 
@@ -108,7 +108,7 @@ function shapeOf(area: Area): Shape {
   return { center, size: [area.width, area.depth], heading_deg: area.heading };
 }
 
-/** What a fault of the document is about: a thing's id, "start", or null for the world itself. */
+/** The subject of a fault: a thing's id, "start", or null for the world itself. */
 export function aboutOf(plan: Plan, pointer: string): string | null {
   const [, list = "", index = ""] = pointer.split("/");
   if (list === "start") return "start";

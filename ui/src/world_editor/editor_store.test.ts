@@ -2,38 +2,38 @@ import { beforeEach, describe, expect, test } from "vitest";
 import emptyRoom from "../../../sim/worlds/empty_room.json";
 import obstacles from "../../../sim/worlds/obstacles.json";
 import type { World } from "../api/model";
-import { WorldDesk } from "./desk";
+import { EditorStore } from "./editor_store";
 
 const EMPTY = emptyRoom as unknown as World;
 
 let kept: World[];
-let desk: WorldDesk;
+let store: EditorStore;
 
 beforeEach(() => {
   kept = [];
-  desk = new WorldDesk(EMPTY, (world) => kept.push(world));
+  store = new EditorStore(EMPTY, (world) => kept.push(world));
 });
 
 function drag(from: [number, number], to: [number, number], target = {}, free = false): void {
   const [a, b] = [from, to].map(([x, y]) => ({ x, y }));
   if (!a || !b) return;
-  desk.grip(target, a);
-  desk.drag({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 }, free);
-  desk.drag(b, free);
-  desk.letGo(b, true);
+  store.grip(target, a);
+  store.drag({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 }, free);
+  store.drag(b, free);
+  store.letGo(b, true);
 }
 
 function tap(x: number, y: number, id?: string): void {
-  desk.grip(id ? { id } : {}, { x, y });
-  desk.letGo({ x, y }, false);
+  store.grip(id ? { id } : {}, { x, y });
+  store.letGo({ x, y }, false);
 }
 
-const drawn = () => desk.document.value;
+const drawn = () => store.document.value;
 const handle = (name: string) => ({ handle: name });
 
 describe("a hand", () => {
   test("draws a wall from end to end, kept once", () => {
-    desk.choose("wall");
+    store.choose("wall");
     drag([1.02, -0.98], [1.03, 1.01]);
     expect(drawn().walls.at(-1)).toEqual({ from: [1, -1], to: [1, 1] });
     expect(kept).toHaveLength(1);
@@ -41,17 +41,17 @@ describe("a hand", () => {
   });
 
   test("that trembles draws no wall", () => {
-    desk.choose("wall");
+    store.choose("wall");
     drag([1, 1], [1.02, 1]);
     tap(2, 2);
     expect(kept).toEqual([]);
   });
 
   test("draws boxes and places from corner to corner", () => {
-    desk.choose("box");
-    desk.movable.value = true;
+    store.choose("box");
+    store.movable.value = true;
     drag([1, 1], [2, 1.5]);
-    desk.choose("zone");
+    store.choose("zone");
     drag([-1, -1], [-2, -2]);
     expect(drawn().boxes).toEqual([
       { center: [1.5, 1.25], size: [1, 0.5], heading_deg: 0, movable: true },
@@ -62,13 +62,13 @@ describe("a hand", () => {
   });
 
   test("gives each place a name of its own", () => {
-    desk.choose("zone");
+    store.choose("zone");
     for (const x of [-2, 0, 2]) tap(x, 0);
     expect(drawn().zones.map(({ name }) => name)).toEqual(["A", "B", "C"]);
   });
 
   test("puts the robot down, and turns it where it goes", () => {
-    desk.choose("start");
+    store.choose("start");
     drag([1.01, 1.02], [1, 3]);
     expect(drawn().start).toEqual({ x_m: 1, y_m: 1, heading_deg: 90 });
     tap(-2, -9);
@@ -76,23 +76,23 @@ describe("a hand", () => {
   });
 
   test("takes hold of what is drawn, moves, turns and stretches it", () => {
-    desk.choose("box");
+    store.choose("box");
     drag([0, 0], [1, 1]);
-    const id = desk.selected.value ?? "";
-    desk.choose("select");
+    const id = store.selected.value ?? "";
+    store.choose("select");
     drag([0.5, 0.5], [1.52, 0.49], { id });
     expect(drawn().boxes[0]?.center).toEqual([1.5, 0.5]);
     drag([2.5, 0.5], [1.5, 3], handle("turn"));
     expect(drawn().boxes[0]?.heading_deg).toBe(90);
-    expect(desk.selected.value).toBe(id);
+    expect(store.selected.value).toBe(id);
   });
 
   test("that is called off leaves everything as it was", () => {
-    desk.choose("wall");
-    desk.grip({}, { x: 0, y: 0 });
-    desk.drag({ x: 2, y: 0 }, false);
-    desk.cancel();
-    expect(desk.shown.value.things).toHaveLength(4);
+    store.choose("wall");
+    store.grip({}, { x: 0, y: 0 });
+    store.drag({ x: 2, y: 0 }, false);
+    store.cancel();
+    expect(store.shown.value.things).toHaveLength(4);
     expect(kept).toEqual([]);
   });
 });
@@ -100,74 +100,78 @@ describe("a hand", () => {
 describe("the way back", () => {
   test("leads through every change and forth again", () => {
     const before = drawn();
-    desk.choose("box");
+    store.choose("box");
     drag([0, 0], [1, 1]);
-    desk.remove();
-    desk.undo();
+    store.remove();
+    store.undo();
     expect(drawn().boxes).toHaveLength(1);
-    desk.undo();
+    store.undo();
     expect(drawn()).toEqual(before);
-    expect(desk.canUndo.value).toBe(false);
-    desk.redo();
+    expect(store.canUndo.value).toBe(false);
+    store.redo();
     expect(drawn().boxes).toHaveLength(1);
-    expect(desk.canRedo.value).toBe(true);
+    expect(store.canRedo.value).toBe(true);
   });
 
   test("takes a held arrow key for one change", () => {
-    desk.choose("box");
+    store.choose("box");
     tap(0, 0);
-    for (let press = 0; press < 5; press++) desk.nudge(0.1, 0);
+    for (let press = 0; press < 5; press++) store.nudge(0.1, 0);
     expect(drawn().boxes[0]?.center).toEqual([0.5, 0]);
-    desk.undo();
+    store.undo();
     expect(drawn().boxes[0]?.center).toEqual([0, 0]);
   });
 
   test("ends where a new change begins", () => {
-    desk.choose("box");
+    store.choose("box");
     tap(0, 0);
-    desk.undo();
+    store.undo();
     tap(1, 1);
-    expect(desk.canRedo.value).toBe(false);
+    expect(store.canRedo.value).toBe(false);
   });
 
   test("is kept too: what is shown is what is saved", () => {
-    desk.choose("box");
+    store.choose("box");
     tap(0, 0);
-    desk.undo();
+    store.undo();
     expect(kept.at(-1)).toEqual(drawn());
   });
 
   test("brings back the world whose place another has taken", () => {
-    const other = new WorldDesk(EMPTY, (world) => kept.push(world), obstacles as unknown as World);
+    const other = new EditorStore(
+      EMPTY,
+      (world) => kept.push(world),
+      obstacles as unknown as World,
+    );
     other.undo();
     expect(other.document.value.boxes).toHaveLength(3);
   });
 
   test("undoes a file that was opened", () => {
     const before = drawn();
-    desk.replace(obstacles as unknown as World);
+    store.replace(obstacles as unknown as World);
     expect(drawn().boxes).toHaveLength(3);
-    desk.undo();
+    store.undo();
     expect(drawn()).toEqual(before);
   });
 });
 
 test("the copy of a thing lies beside it and is held", () => {
-  desk.choose("box");
+  store.choose("box");
   tap(0, 0);
-  desk.double();
+  store.double();
   expect(drawn().boxes.map(({ center }) => center)).toEqual([
     [0, 0],
     [0.2, -0.2],
   ]);
-  desk.remove();
+  store.remove();
   expect(drawn().boxes).toHaveLength(1);
 });
 
 test("a colour dips what is held and what is drawn next", () => {
-  desk.choose("paint");
+  store.choose("paint");
   tap(0, 0);
-  desk.dip("green");
+  store.dip("green");
   tap(2, 2);
   expect(drawn().floor.map(({ color }) => color)).toEqual(["green", "green"]);
 });

@@ -26,10 +26,10 @@ import {
   withThing,
 } from "./plan";
 
-/** What is on the editor's table: the plan, what is chosen of it, and the way back. */
-export class WorldDesk {
+/** State of the world editor: the plan, the selection, and the history for undo. */
+export class EditorStore {
   private readonly plan = signal<Plan>(EMPTY);
-  /** The plan as the hand that is drawing would leave it. */
+  /** Preview of the plan during a gesture. */
   private readonly draft = signal<Plan | null>(null);
   readonly shown = computed(() => this.draft.value ?? this.plan.value);
   readonly world = computed<World>(() => documentOf(this.shown.value));
@@ -40,14 +40,14 @@ export class WorldDesk {
   readonly color = signal("red");
   readonly movable = signal(false);
   readonly faults = signal<readonly Fault[]>([]);
-  /** Counts the changes, for what depends on the way back. */
+  /** Counts the changes, so that `canUndo` and `canRedo` are computed again. */
   private readonly changes = signal(0);
   readonly canUndo = computed(() => this.changes.value >= 0 && this.history.canUndo);
   readonly canRedo = computed(() => this.changes.value >= 0 && this.history.canRedo);
   private readonly history = new History<Plan>();
   private gesture: Gesture | null = null;
 
-  /** The first undo brings back `before`, a world whose place this one is to take. */
+  /** `before` is the world that this one replaces; the first undo restores it. */
   constructor(
     world: World,
     private readonly onChange: (document: World) => void,
@@ -57,13 +57,13 @@ export class WorldDesk {
     if (before) this.history.keep(planOf(before));
   }
 
-  /** Whether there is anything but the floor and the walls around it. */
+  /** Whether the world has only a floor and outer walls. */
   get isBare(): boolean {
     const plan = this.shown.value;
     return plan.things.every((thing) => isOuter(plan, thing));
   }
 
-  /** What the faults are about: thing, "start" or the world (null). */
+  /** The subject of a fault: a thing's id, "start", or null for the world. */
   aboutFault(fault: Fault): string | null {
     return aboutOf(this.plan.value, fault.pointer);
   }
@@ -81,14 +81,14 @@ export class WorldDesk {
     this.history.rest();
   }
 
-  /** Changes the plan for good; see History for `stroke`. */
+  /** Commits a changed plan; see History for `stroke`. */
   change(plan: Plan, stroke: string | null = null): void {
     if (plan === this.plan.value) return;
     this.history.keep(this.plan.value, stroke);
     this.put(plan);
   }
 
-  /** Takes another world in place of this one; undo brings this one back. */
+  /** Replaces the world; undo restores the previous one. */
   replace(world: World, title: World["title"] = this.plan.value.title): void {
     batch(() => {
       const { name } = this.plan.value;
@@ -101,7 +101,7 @@ export class WorldDesk {
     this.gesture = gesture;
   }
 
-  /** The hand begins at a point: with a handle, on a thing, or on the floor. */
+  /** Begins a gesture at a point: with a handle, on a thing, or on the floor. */
   grip(target: { id?: string; handle?: string }, at: XY): void {
     const plan = this.plan.value;
     const tool = this.tool.value;
@@ -123,7 +123,7 @@ export class WorldDesk {
     if (this.gesture) this.draft.value = this.gesture(at, free);
   }
 
-  /** The hand lets go; a hand that did not move has tapped. */
+  /** Ends a gesture; without movement it counts as a tap. */
   letGo(at: XY, hasMoved: boolean): void {
     const { value: draft } = this.draft;
     const tool = this.tool.value;
@@ -137,12 +137,12 @@ export class WorldDesk {
     this.draft.value = null;
   }
 
-  /** Puts down what the tool draws, in its usual size. */
+  /** Places a thing of the current tool in its default size. */
   putDown(at: XY): void {
     this.settle(tapped(this.plan.value, this.tool.value, at, this.wishes()));
   }
 
-  /** Takes on a plan, and selects what is new in it. */
+  /** Commits a plan and selects the new thing in it. */
   private settle(plan: Plan): void {
     batch(() => {
       const before = this.plan.value;
@@ -176,7 +176,7 @@ export class WorldDesk {
     });
   }
 
-  /** Lays a thing over, or under, all others of its kind. */
+  /** Moves a thing above, or below, all others of its kind. */
   layer(top: boolean): void {
     const plan = this.plan.value;
     const thing = thingOf(plan, this.selected.value);
@@ -185,7 +185,7 @@ export class WorldDesk {
     this.change({ ...plan, things: top ? [...things, thing] : [thing, ...things] });
   }
 
-  /** Gives the next things this colour, and the selected one too. */
+  /** Sets the colour of the next things and of the selected painted area. */
   dip(color: string): void {
     const thing = thingOf(this.plan.value, this.selected.value);
     batch(() => {
@@ -194,7 +194,7 @@ export class WorldDesk {
     });
   }
 
-  /** Gives a thing other numbers, names or colours. */
+  /** Replaces a thing by a copy with other properties. */
   alter(thing: Thing, stroke: string | null = null): void {
     this.change(withThing(this.plan.value, thing), stroke);
   }

@@ -1,15 +1,15 @@
 import { api } from "../api/client";
 import type { Fault, World } from "../api/model";
-import { fileName, saveFile } from "../app/save_file";
+import { fileName, saveFile } from "../shell/save_file";
 import { planOf } from "./document";
 import { FILE_MOST_BYTES } from "./limits";
 
-/** Why a file was not taken, in the server's words; without any it was too large to be read. */
+/** Why a file was rejected: the server's faults. An empty list means that the file was too large to be read. */
 export interface Refusal {
   readonly faults: readonly Fault[];
 }
 
-/** The world that a file holds, or why it was not taken. One with faults that can be drawn is to be mended here. */
+/** The world in a file, or why it was rejected. A faulty world that can be drawn is accepted. */
 export async function worldIn(file: File): Promise<World | Refusal> {
   if (file.size > FILE_MOST_BYTES) return { faults: [] };
   const text = await file.text();
@@ -29,7 +29,7 @@ function parsed(text: string): unknown {
   }
 }
 
-/** Everything that the picture needs is there and of its kind. */
+/** Whether the document has all fields that drawing needs, with the right types. */
 function canBeDrawn(world: unknown): boolean {
   try {
     const { width, depth, start, things } = planOf(world as World);
@@ -39,7 +39,7 @@ function canBeDrawn(world: unknown): boolean {
   }
 }
 
-/** No part of it is missing, a list, or something that is not a number where one belongs. */
+/** Checks recursively that no part is missing or a list, and that numbers are finite where numbers belong. */
 function isSound(value: unknown): boolean {
   if (typeof value === "number") return Number.isFinite(value);
   if (typeof value === "string" || typeof value === "boolean" || value === null) return true;
@@ -51,7 +51,7 @@ function isSound(value: unknown): boolean {
 
 const TEXTS = new Set(["id", "kind", "name", "color"]);
 
-/** Hands a world to the person as a file, to be read by people too. */
+/** Downloads a world as an indented JSON file. */
 export function exportWorld(document: World, title: string): void {
   const text = `${JSON.stringify(document, null, 2)}\n`;
   saveFile(`${fileName(title, "mundo")}.json`, new Blob([text], { type: "application/json" }));

@@ -1,19 +1,19 @@
 import type { XY } from "../scene/frames";
 import { type AreaThing, isArea, type Plan, type Start, type Thing, type Wall } from "./plan";
 
-/** Hands work on this grid; with Shift, and where numbers are typed, to the centimetre. Metres, degrees. */
+/** Grid of gestures, and the finer one with Shift and for typed numbers. Metres. */
 export const GRID = 0.1;
 export const FINE = 0.01;
 const TURN_STEP = 15;
-/** A wall's end that is as near as this is meant. */
+/** A wall's end snaps to another end within this distance. */
 const END_M = 0.16;
-/** A wall that is off by less than this is meant to be straight. */
+/** A wall snaps to straight when it is off by less than this. */
 const STRAIGHT_DEG = 5;
 export const LEAST_M = 0.1;
-/** From the middle of the largest robot to its rim, and to a wall around it. */
+/** Radius of the largest robot, and its distance from a wall around it. */
 const ROBOT_M = 0.3;
 
-/** A number of metres or degrees without the dust of binary fractions. */
+/** Rounds metres or degrees, to remove errors of binary fractions. */
 export const clean = (value: number) => Math.round(value * 1000) / 1000 + 0;
 
 export const snap = (value: number, step: number) => clean(Math.round(value / step) * step);
@@ -31,7 +31,7 @@ export function insideRoom(plan: Plan, { x, y }: XY, margin = 0): XY {
   return { x: hold(x, plan.width), y: hold(y, plan.depth) };
 }
 
-/** Where the end of a wall comes to lie: on the end of another, straight from its own other end, or on the grid. */
+/** Snaps the end of a wall: to the end of another wall, to a straight line from its other end, or to the grid. */
 export function snapEnd(plan: Plan, point: XY, own: string, other: XY | null, free: boolean): XY {
   const held = insideRoom(plan, point);
   if (free) return snapPoint(held, FINE);
@@ -61,7 +61,7 @@ function straightened(point: XY, from: XY): XY {
   return point;
 }
 
-/** The part of a floor between two corners. */
+/** The rectangle between two corners. */
 export function between(one: XY, other: XY, free: boolean) {
   const step = free ? FINE : GRID;
   const [a, b] = [snapPoint(one, step), snapPoint(other, step)];
@@ -75,7 +75,7 @@ export function between(one: XY, other: XY, free: boolean) {
 
 export const lengthOf = ({ from, to }: Wall) => Math.hypot(to.x - from.x, to.y - from.y);
 
-/** The points of a thing that lie furthest out. */
+/** The outermost points of a thing. */
 export function pointsOf(thing: Thing): XY[] {
   if (!isArea(thing)) return [thing.from, thing.to];
   if (thing.radius === null) return cornersOf(thing);
@@ -86,7 +86,7 @@ export function pointsOf(thing: Thing): XY[] {
   ];
 }
 
-/** The thing shifted by metres, no further than to the edge of the floor. */
+/** Shifts a thing by metres, up to the edge of the floor. */
 export function shifted<T extends Thing>(plan: Plan, thing: T, dx: number, dy: number): T {
   const points = pointsOf(thing);
   const across = heldShift(
@@ -110,7 +110,7 @@ function heldShift(values: readonly number[], shift: number, edge: number): numb
   return Math.max(-edge - least, Math.min(edge - most, shift));
 }
 
-/** A vector of the world in the frame of something turned by `heading` degrees. */
+/** Rotates a vector of the world into the frame of a thing with a `heading` in degrees. */
 export function turnedBack({ x, y }: XY, heading: number): XY {
   return turnedBy({ x, y }, -heading);
 }
@@ -121,7 +121,7 @@ export function turnedBy({ x, y }: XY, heading: number): XY {
   return { x: x * cos - y * sin, y: x * sin + y * cos };
 }
 
-/** The corners of a rectangle, counterclockwise from its own lower left. */
+/** Corners of a rectangle, counterclockwise from the lower left in its own frame. */
 export function cornersOf(area: AreaThing): XY[] {
   return CORNERS.map(([right, up]) => {
     const offset = turnedBy(
@@ -139,7 +139,7 @@ const CORNERS = [
   [-1, 1],
 ] as const;
 
-/** Pulls one corner to a point; the opposite one stays. */
+/** Moves one corner to a point; the opposite corner stays. */
 export function corneredTo(area: AreaThing, corner: number, point: XY, free: boolean): AreaThing {
   const step = free ? FINE : GRID;
   const still = cornersOf(area)[(corner + 2) % 4] ?? area;
@@ -151,7 +151,7 @@ export function corneredTo(area: AreaThing, corner: number, point: XY, free: boo
   return { ...area, width, depth, x: clean(still.x + half.x), y: clean(still.y + half.y) };
 }
 
-/** Gives a disc the radius that reaches to a point. */
+/** Sets the radius of a disc so that it reaches a point. */
 export function reachingTo(area: AreaThing, point: XY, free: boolean): AreaThing {
   if (area.kind === "box") return area;
   const away = Math.hypot(point.x - area.x, point.y - area.y);
@@ -159,7 +159,7 @@ export function reachingTo(area: AreaThing, point: XY, free: boolean): AreaThing
   return { ...area, radius, width: 2 * radius, depth: 2 * radius };
 }
 
-/** The direction from a middle to a point, in degrees of (-180, 180]; 0 is to the right, 90 up. */
+/** Direction from a centre to a point in degrees, in (-180, 180]; 0 is right, 90 is up. */
 export function headingTo(middle: XY, point: XY, free: boolean): number {
   const angle = (Math.atan2(point.y - middle.y, point.x - middle.x) * 180) / Math.PI;
   const snapped = snap(angle, free ? 1 : TURN_STEP);

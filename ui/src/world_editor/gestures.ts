@@ -17,22 +17,22 @@ import {
 } from "./geometry";
 import { isArea, newId, type Plan, plusThing, type Thing, thingOf, withThing } from "./plan";
 
-/** What a hand draws next. */
+/** Drawing tools. */
 export type Tool = "select" | "wall" | "box" | "zone" | "paint" | "start";
 export const TOOLS: readonly Tool[] = ["select", "wall", "box", "zone", "paint", "start"];
 
-/** How things are that are drawn next. */
+/** Properties of the next thing to be drawn. */
 export interface Wishes {
   readonly color: string;
   readonly movable: boolean;
-  /** The next zone's name. */
+  /** Name of the next zone. */
   readonly name: string;
 }
 
-/** The plan as it is with the hand at a point. `free`: to the centimetre, beside grid and ends. */
+/** The plan with the pointer at a point. `free`: rounds to centimetres, without the grid and without snapping. */
 export type Gesture = (point: XY, free: boolean) => Plan;
 
-/** Drags the thing, or the start, by the point where it was taken. */
+/** Drags a thing, or the start, by the point where it was pressed. */
 export function moving(plan: Plan, id: string, grip: XY): Gesture {
   const thing = thingOf(plan, id);
   const anchor = thing ? anchorOf(thing) : plan.start;
@@ -47,7 +47,7 @@ export function moving(plan: Plan, id: string, grip: XY): Gesture {
   };
 }
 
-/** What comes to lie on the grid: a corner of what has edges along it, else the middle. */
+/** The point that snaps to the grid: a corner if the edges follow the grid, else the centre. */
 function anchorOf(thing: Thing): XY {
   if (!isArea(thing)) return thing.from;
   if (thing.radius !== null || thing.heading % 90 !== 0) return thing;
@@ -56,7 +56,7 @@ function anchorOf(thing: Thing): XY {
   return { x: thing.x - width / 2, y: thing.y - depth / 2 };
 }
 
-/** Pulls a handle: "from" and "to" of a wall, "0" to "3" of a rectangle's corners, "radius", "turn". */
+/** Drags a handle: "from" and "to" of a wall, "0" to "3" for a rectangle's corners, "radius", "turn". */
 export function pulling(plan: Plan, id: string, handle: string): Gesture {
   const thing = thingOf(plan, id);
   return (point, free) => {
@@ -80,7 +80,7 @@ function pulled(plan: Plan, thing: Thing, handle: string, point: XY, free: boole
   return corneredTo(thing, Number(handle), insideRoom(plan, point), free);
 }
 
-/** Draws what the tool draws from the point where the hand came down. */
+/** Draws a thing of the tool from the point where the pointer was pressed. */
 export function drawing(plan: Plan, tool: Tool, from: XY, wishes: Wishes): Gesture {
   const id = newId();
   if (tool === "start") return starting(plan, from);
@@ -92,7 +92,7 @@ export function drawing(plan: Plan, tool: Tool, from: XY, wishes: Wishes): Gestu
   };
 }
 
-/** The robot stands where the hand came down and looks where the hand goes. */
+/** Sets the start to the pressed point, facing the pointer. */
 function starting(plan: Plan, from: XY): Gesture {
   return (point, free) => {
     const start = placed(plan, plan.start, from, free);
@@ -125,10 +125,10 @@ function made(tool: Tool, id: string, room: Room, { color, movable, name }: Wish
   return { id, kind: "paint", ...area, color };
 }
 
-/** How wide and deep a thing is that was put down with a tap, in metres. */
+/** Width and depth of a thing placed by a tap, in metres. */
 const TAPPED = { box: 0.6, zone: 1, paint: 1 } as const;
 
-/** What a tap, or a key, puts down at a point. */
+/** Places a thing at a point by a tap or a key. */
 export function tapped(plan: Plan, tool: Tool, at: XY, wishes: Wishes): Plan {
   if (tool === "select") return plan;
   if (tool === "start") return { ...plan, start: placed(plan, plan.start, at, false) };
@@ -145,14 +145,14 @@ export function tapped(plan: Plan, tool: Tool, at: XY, wishes: Wishes): Plan {
   return drawing(plan, tool, from, wishes)({ x: at.x + half, y: at.y + half }, false);
 }
 
-/** The thing again, beside itself. */
+/** Duplicates a thing beside itself. */
 export function doubled(plan: Plan, thing: Thing): [Plan, string] {
   const id = newId();
   const copy = shifted(plan, { ...thing, id }, 2 * GRID, -2 * GRID);
   return [plusThing(plan, copy), id];
 }
 
-/** The first letter, or number, that no zone is called yet. */
+/** The first letter, or number, that no zone has as its name. */
 export function freeName(plan: Plan): string {
   const taken = new Set(plan.things.map((thing) => (thing.kind === "zone" ? thing.name : "")));
   const letters = [..."ABCDEFGHIJKLMNOPQRSTUVWXYZ"];

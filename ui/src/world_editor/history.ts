@@ -1,10 +1,10 @@
-/** What was there before each change, and what was undone; states are never changed themselves. */
+/** Undo and redo stacks of immutable states. */
 export class History<T> {
   private past: T[] = [];
   private future: T[] = [];
   private stroke: string | null = null;
 
-  /** Keeps the state before a change. Changes with one `stroke` after another, as of a held key, are undone as one. */
+  /** Pushes the state before a change. Consecutive changes with one `stroke`, as of a held key, are one undo step. */
   keep(before: T, stroke: string | null = null): void {
     if (stroke === null || stroke !== this.stroke) this.past.push(before);
     if (this.past.length > MOST) this.past.shift();
@@ -12,7 +12,7 @@ export class History<T> {
     this.future = [];
   }
 
-  /** Makes the next change one of its own, whatever its stroke. */
+  /** Ends the current stroke: the next change is an undo step of its own. */
   rest(): void {
     this.stroke = null;
   }

@@ -1,4 +1,4 @@
-import type { WorldDesk } from "./desk";
+import type { EditorStore } from "./editor_store";
 import { FINE, GRID } from "./geometry";
 
 const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
@@ -8,42 +8,42 @@ const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowDown: [0, -1],
 };
 
-/** Does what a key says while the board has the focus; true where it says anything. */
-export function pressed(desk: WorldDesk, event: KeyboardEvent): boolean {
+/** Handles a key while the board has focus; true when the key has a function. */
+export function pressed(store: EditorStore, event: KeyboardEvent): boolean {
   const arrow = ARROWS[event.key];
-  if (arrow && desk.selected.value) {
+  if (arrow && store.selected.value) {
     const step = event.shiftKey ? FINE : GRID;
-    desk.nudge(arrow[0] * step, arrow[1] * step);
+    store.nudge(arrow[0] * step, arrow[1] * step);
     return true;
   }
   switch (event.key) {
     case "Delete":
     case "Backspace":
-      desk.remove();
+      store.remove();
       return true;
     case "Enter":
-      if (desk.tool.value === "select") return false;
-      desk.putDown({ x: 0, y: 0 });
+      if (store.tool.value === "select") return false;
+      store.putDown({ x: 0, y: 0 });
       return true;
     default:
       return false;
   }
 }
 
-/** Keys that count all over the editor. */
-export function pressedAnywhere(desk: WorldDesk, event: KeyboardEvent): boolean {
+/** Handles keys that work anywhere in the editor. */
+export function pressedAnywhere(store: EditorStore, event: KeyboardEvent): boolean {
   const key = event.key.toLowerCase();
   const isCommand = event.ctrlKey || event.metaKey;
-  if (isCommand && key === "z" && !event.shiftKey) desk.undo();
-  else if (isCommand && (key === "y" || (key === "z" && event.shiftKey))) desk.redo();
-  else if (isCommand && key === "d") desk.double();
-  else if (event.key === "Escape") leave(desk);
+  if (isCommand && key === "z" && !event.shiftKey) store.undo();
+  else if (isCommand && (key === "y" || (key === "z" && event.shiftKey))) store.redo();
+  else if (isCommand && key === "d") store.double();
+  else if (event.key === "Escape") leave(store);
   else return false;
   return true;
 }
 
-function leave(desk: WorldDesk): void {
-  if (desk.isGripping) desk.cancel();
-  else if (desk.tool.value !== "select") desk.choose("select");
-  else desk.select(null);
+function leave(store: EditorStore): void {
+  if (store.isGripping) store.cancel();
+  else if (store.tool.value !== "select") store.choose("select");
+  else store.select(null);
 }

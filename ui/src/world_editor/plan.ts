@@ -1,7 +1,7 @@
 import type { World } from "../api/model";
 import type { XY } from "../scene/frames";
 
-/** What can lie or stand on a floor. `id` lasts as long as the editor is open; documents know places in lists. */
+/** A thing on the floor. `id` is valid while the editor is open; a document identifies things by index. */
 export type Thing = Wall | Box | Zone | Paint;
 export type Kind = Thing["kind"];
 
@@ -15,7 +15,7 @@ export interface Wall extends One<"wall"> {
   readonly to: XY;
 }
 
-/** Metres and degrees in the world's frame; with a `radius` it is a disc, else a rectangle. */
+/** Metres and degrees, world frame; a disc where `radius` is set, else a rectangle. */
 export interface Area extends XY {
   readonly width: number;
   readonly depth: number;
@@ -43,7 +43,7 @@ export interface Start extends XY {
   readonly heading: number;
 }
 
-/** A world as the editor holds it: never changed, always replaced. */
+/** Immutable state of a world in the editor. */
 export interface Plan {
   readonly name: string;
   readonly title: World["title"];
@@ -56,7 +56,7 @@ export interface Plan {
 let counted = 0;
 export const newId = () => `thing-${++counted}`;
 
-/** The thing with that id; null where there is none. */
+/** The thing with an id; null where there is none. */
 export const thingOf = (plan: Plan, id: string | null): Thing | null =>
   plan.things.find((thing) => thing.id === id) ?? null;
 
@@ -82,7 +82,7 @@ export const withoutThing = (plan: Plan, id: string): Plan => ({
 
 const EDGE_M = 0.01;
 
-/** A wall along a whole side of the floor: it goes with the floor's size and is not moved by hand. */
+/** Whether a thing is an outer wall: it follows the floor's size and cannot be dragged. */
 export function isOuter(plan: Plan, thing: Thing): boolean {
   if (thing.kind !== "wall") return false;
   const { from, to } = thing;
@@ -95,7 +95,7 @@ export function isOuter(plan: Plan, thing: Thing): boolean {
   );
 }
 
-/** Gives the floor another size; the walls around it go along. */
+/** Resizes the floor and its outer walls. */
 export function resized(plan: Plan, width: number, depth: number): Plan {
   const stretch = ({ x, y }: XY): XY => ({
     x: (Math.sign(x) * width) / 2,

@@ -1,9 +1,8 @@
-import { BLOCK_TEXTS } from "../blocks/texts";
-import type { TextKey } from "../blocks/texts/keys";
-import type { Language, Texts } from "../i18n";
+import type { TextKey } from "../blocks/words";
+import { type Language, type Texts, textsOf } from "../i18n";
 import type { Thing } from "./plan";
 
-/** The floor's colours in the order of the rainbow; `blocks` has their words. */
+/** Colours of the floor in rainbow order; `blocks` has their names. */
 export const COLORS = [
   "red",
   "orange",
@@ -17,10 +16,10 @@ export const COLORS = [
 
 export function colorWord(color: string, language: Language): string {
   const known = COLORS.find((one) => one === color);
-  return known ? BLOCK_TEXTS[language][`COLOUR_${known.toUpperCase()}` as TextKey] : color;
+  return known ? textsOf(language).blocks[`COLOUR_${known.toUpperCase()}` as TextKey] : color;
 }
 
-/** What a thing is called: "Parede 2", "Lugar A". `index` is its place among its kind. */
+/** Display name of a thing: "Parede 2", "Lugar A". `index` is its index among things of its kind. */
 export function nameOf(thing: Thing, index: number, words: Texts["world"]): string {
   return `${words.kinds[thing.kind]} ${thing.kind === "zone" ? thing.name : index + 1}`;
 }

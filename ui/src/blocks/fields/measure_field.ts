@@ -1,7 +1,7 @@
 import * as Blockly from "blockly/core";
 import type { Limits } from "../definition";
 import { argumentsOf, definitionOf } from "../definitions";
-import { word } from "../texts";
+import { word } from "../words";
 
 /**
  * A number as pupils write it: "0,5" where the language writes decimals with a comma. Blockly's own field drops the

@@ -1,12 +1,13 @@
 import * as Blockly from "blockly/core";
-import { isName, namesFor, renameVariable } from "../names";
-import { word } from "../texts";
+import { isName, namesFor, renameVariable, type VariableField } from "../names";
+import { word } from "../words";
 
 const NEW = "\u0000new";
 const RENAME = "\u0000rename";
 
 /** The name of a variable: one of those in use, a new one, or the same under another name. */
-export class NameField extends Blockly.FieldDropdown {
+export class NameField extends Blockly.FieldDropdown implements VariableField {
+  readonly holdsVariable = true;
   private listing = false;
 
   constructor(config?: Blockly.FieldDropdownConfig) {

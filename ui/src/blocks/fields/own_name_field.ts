@@ -1,6 +1,6 @@
 import * as Blockly from "blockly/core";
 import { isName } from "../names";
-import { word } from "../texts";
+import { word } from "../words";
 
 /**
  * The name of a function or of a parameter, written where it is defined. While it is being typed it may be anything;

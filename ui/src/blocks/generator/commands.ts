@@ -1,8 +1,8 @@
 import type * as Blockly from "blockly/core";
-import type { BlockArgument } from "../blocks/definition";
-import { argumentsOf, definitionOf, type StatementBlockType } from "../blocks/definitions";
-import type { BranchesState } from "../blocks/shapes/branches";
-import { callOf } from "../blocks/shapes/call";
+import type { BlockArgument } from "../definition";
+import { argumentsOf, definitionOf, type StatementBlockType } from "../definitions";
+import type { BranchesState } from "../shapes/branches";
+import { callOf } from "../shapes/call";
 import type { Branch, Command, Expression } from "./document";
 import { generateCallArguments, generateInput } from "./values";
 

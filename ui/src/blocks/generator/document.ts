@@ -30,7 +30,7 @@ export type Expression =
   | { gesture: "result" }
   | { var: string }
   | { op: string; args: Expression[] }
-  | { sensor: string; index?: Expression; direction?: string; angle?: Expression }
+  | { sensor: string } // with its argument, see sensor_rows.ts
   | { call: string; arguments: Record<string, Expression> };
 
 /** A part of a conditional. */

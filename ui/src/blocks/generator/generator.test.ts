@@ -1,8 +1,8 @@
 import * as Blockly from "blockly/core";
 import { beforeAll, describe, expect, test } from "vitest";
-import { registerBlocks } from "../blocks";
-import { setBlockLanguage } from "../blocks/texts";
-import { upgradeWorkspace } from "../blocks/upgrade";
+import { registerBlocks } from "..";
+import { upgradeWorkspace } from "../upgrade";
+import { setBlockLanguage } from "../words";
 import { type Command, generateDocument } from ".";
 
 beforeAll(() => {

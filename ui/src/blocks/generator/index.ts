@@ -1,5 +1,5 @@
 import type * as Blockly from "blockly/core";
-import { definitionsIn, functionName, parametersOf } from "../blocks/names";
+import { definitionsIn, functionName, parametersOf } from "../names";
 import { commentOf, generateStack } from "./commands";
 import type { FunctionDefinition, ProgramDocument } from "./document";
 

@@ -1,9 +1,19 @@
 import type * as Blockly from "blockly/core";
-import type { ValueBlockType } from "../blocks/definitions";
-import { callOf } from "../blocks/shapes/call";
-import { valuesOf } from "../blocks/shapes/list_data";
-import { itemInput } from "../blocks/shapes/variadic";
+import type { BlockArgument } from "../definition";
+import { definitionOf, type ValueBlockType } from "../definitions";
+import { callOf } from "../shapes/call";
+import { valuesOf } from "../shapes/list_data";
+import { itemInput } from "../shapes/variadic";
+import { CHOSEN_SENSOR } from "../table/sensing";
+import { SENSOR_ROWS } from "../table/sensor_rows";
 import type { Expression, Literal } from "./document";
+
+type SensorBlock = (typeof SENSOR_ROWS)[number]["type"];
+
+const SENSOR_VALUES = Object.fromEntries(SENSOR_ROWS.map(({ type }) => [type, sensor])) as Record<
+  SensorBlock,
+  typeof sensor
+>;
 
 /** One generator per block that gives a value. A block without one does not compile. */
 export const VALUES: Readonly<Record<ValueBlockType, (block: Blockly.Block) => Expression>> = {
@@ -29,18 +39,7 @@ export const VALUES: Readonly<Record<ValueBlockType, (block: Blockly.Block) => E
   item: operation("item", "LIST", "INDEX"),
   length: operation("length", "A"),
 
-  distance_sensor: (block) => ({
-    sensor: "distance",
-    direction: String(block.getFieldValue("DIRECTION")),
-  }),
-  sonar: (block) => ({ sensor: "sonar", ...parameter(block, "index", "INDEX") }),
-  lidar: (block) => ({ sensor: "lidar", ...parameter(block, "angle", "ANGLE") }),
-  position: (block) => ({ sensor: String(block.getFieldValue("AXIS")) }),
-  heading: () => ({ sensor: "heading" }),
-  bumper: () => ({ sensor: "bumper" }),
-  time: () => ({ sensor: "time" }),
-  floor: () => ({ sensor: "floor" }),
-  cell: () => ({ sensor: "cell" }),
+  ...SENSOR_VALUES,
   call_value: (block) => ({ call: callOf(block).name, arguments: generateCallArguments(block) }),
 };
 
@@ -90,7 +89,19 @@ function items(block: Blockly.Block): Expression[] {
   return args(block, inputs);
 }
 
-function parameter(block: Blockly.Block, key: "index" | "angle", input: string) {
-  const value = generateInput(block, input);
-  return value === null ? {} : { [key]: value };
+/** What a block that reads sensors asks: the only sensor it has or the chosen one, and its argument. */
+function sensor(block: Blockly.Block): Expression {
+  const row = definitionOf(block.type);
+  const [only, ...others] = (row.makes as { sensor: readonly string[] }).sensor;
+  const name = others.length > 0 ? String(block.getFieldValue(CHOSEN_SENSOR)) : (only as string);
+  const asked: Record<string, Expression> = {};
+  for (const argument of row.args0 as readonly BlockArgument[]) {
+    if (argument.key === undefined || argument.name === undefined) continue;
+    const value =
+      argument.type === "input_value"
+        ? generateInput(block, argument.name)
+        : String(block.getFieldValue(argument.name));
+    if (value !== null) asked[argument.key] = value;
+  }
+  return { sensor: name, ...asked };
 }

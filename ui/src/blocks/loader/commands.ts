@@ -1,9 +1,9 @@
-import type { BlockArgument } from "../blocks/definition";
-import { ALL_DEFINITIONS, argumentsOf, type Row } from "../blocks/definitions";
+import type { BlockArgument } from "../definition";
+import { ALL_DEFINITIONS, argumentsOf, type Row } from "../definitions";
 import type { Branch, Command, Expression } from "../generator/document";
 import { parseCondition } from "./conditions";
 import type { BlockState, Connection, Ids } from "./state";
-import { callParts, valueInput } from "./values";
+import { callParts, defaultOf, valueInput } from "./values";
 
 type Parts = Pick<BlockState, "fields" | "inputs" | "extraState">;
 
@@ -89,11 +89,6 @@ function partsOf(row: Row, command: Command, ids: Ids): Parts {
     } else fields[name] = fieldValue(value, key);
   }
   return { fields, inputs };
-}
-
-/** Of optional parameters, what the reader of documents takes instead is what stands on the block to begin with. */
-function defaultOf(shadow: BlockArgument["shadow"]): number | undefined {
-  return shadow && "number" in shadow ? shadow.number : undefined;
 }
 
 function expressionOf(key: string, value: unknown): Expression {

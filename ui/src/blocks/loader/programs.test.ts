@@ -3,14 +3,14 @@
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import * as Blockly from "blockly/core";
 import { beforeAll, describe, expect, test } from "vitest";
-import { registerBlocks } from "../blocks";
-import { setBlockLanguage } from "../blocks/texts";
+import { registerBlocks } from "..";
 import { generateDocument } from "../generator";
+import { setBlockLanguage } from "../words";
 import { workspaceOf } from ".";
 
 const FOLDER = `${process.cwd()}/../tests/programs/blocks/`; // vitest runs in ui/
 const PROGRAMS = Object.entries(
-  import.meta.glob<{ name?: string }>("../../../tests/programs/*.json", {
+  import.meta.glob<{ name?: string }>("../../../../tests/programs/*.json", {
     eager: true,
     import: "default",
   }),

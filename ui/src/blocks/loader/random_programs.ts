@@ -6,6 +6,7 @@ import type {
   Literal,
   ProgramDocument,
 } from "../generator/document";
+import { SENSOR_ROWS } from "../table/sensor_rows";
 
 /** Draws documents without faults that use all of the language: the same ones for the same seed. */
 export class RandomPrograms {
@@ -179,15 +180,23 @@ export class RandomPrograms {
       () => ({ op: this.pick(["min", "max"]), args: this.several(1, inner) }),
       () => ({ op: "random_int", args: [inner(), inner()] }),
       () => ({ op: "length", args: [this.whole(2) ? this.text(depth - 1) : this.list()] }),
-      () => ({ sensor: "distance", direction: this.pick(["front", "left", "right", "back"]) }),
-      () => ({ sensor: "sonar", index: this.whole(2) ? this.whole(16) : { var: this.name() } }),
-      () => ({
-        sensor: "lidar",
-        angle: this.whole(2) ? this.whole(181) - 90 : { var: this.name() },
-      }),
-      () => ({ sensor: this.pick(["x", "y", "heading", "time"]) }),
+      () => this.reading("Number"),
+      () => this.reading("Number"),
+      () => this.reading("Number"),
       ...this.wild(depth),
     ])();
+  }
+
+  /** What a sensor of that type measures. */
+  private reading(type: "Number" | "Boolean" | "String"): Expression {
+    const row = this.pick(SENSOR_ROWS.filter(({ gives }) => gives === type));
+    const sensor = this.pick<string>(row.sensors);
+    if (!row.asked) return { sensor };
+    const { key } = row.asked;
+    if ("choices" in row.asked) return { sensor, [key]: this.pick<string>(row.asked.choices) };
+    const { min, max } = row.asked.limits;
+    const asked = this.whole(2) ? min + this.whole(max - min + 1) : { var: this.name() };
+    return { sensor, [key]: asked };
   }
 
   private numeric(depth: number): Expression {
@@ -208,7 +217,7 @@ export class RandomPrograms {
         op: this.pick(["<", "<=", ">", ">="]),
         args: [this.numeric(depth - 1), this.numeric(depth - 1)],
       }),
-      () => ({ sensor: "bumper" }),
+      () => this.reading("Boolean"),
       ...this.wild(depth),
     ])();
   }
@@ -219,7 +228,7 @@ export class RandomPrograms {
       () => this.text(0),
       () => ({ op: "join", args: this.several(1, () => this.any(depth - 1)) }),
       () => ({ gesture: "result" }),
-      () => ({ sensor: this.pick(["floor", "cell"]) }),
+      () => this.reading("String"),
       ...this.wild(depth),
     ])();
   }

@@ -1,9 +1,10 @@
 import * as Blockly from "blockly/core";
 import { beforeAll, describe, expect, test } from "vitest";
-import { registerBlocks } from "../blocks";
-import { setBlockLanguage } from "../blocks/texts";
+import { registerBlocks } from "..";
+import { ALL_DEFINITIONS } from "../definitions";
 import { generateDocument } from "../generator";
 import type { Branch, Command, ProgramDocument } from "../generator/document";
+import { setBlockLanguage } from "../words";
 import { workspaceOf } from ".";
 import { parseCondition } from "./conditions";
 import { RandomPrograms } from "./random_programs";
@@ -46,7 +47,7 @@ describe("a document drawn at random from the whole language", () => {
 
 /** The programs that the server's tests run. */
 const PROGRAMS = Object.entries(
-  import.meta.glob<object>("../../../tests/programs/*.json", { eager: true, import: "default" }),
+  import.meta.glob<object>("../../../../tests/programs/*.json", { eager: true, import: "default" }),
 ).filter(([path]) => !path.includes(".values."));
 
 test("there are programs to try", () => expect(PROGRAMS.length).toBeGreaterThan(9));
@@ -132,17 +133,7 @@ function withoutIds(value: unknown): unknown {
   });
 }
 
-const ACTIONS = [
-  ...["move_forward", "move_backward", "turn", "stop", "drive", "arc", "set_speed", "go_to"],
-  ...["wait", "wait_until", "pen", "ask", "mark", "say", "beep", "classify_gestures"],
-  ...["set_gesture_result", "set_variable", "change_variable", "append", "repeat", "while"],
-  ...["until", "for", "forever", "break", "continue", "conditional_execution", "call", "return"],
-];
-const OPERATORS = [
-  ...["+", "-", "*", "/", "%", "**", "==", "!=", "<", "<=", ">", ">=", "and", "or", "not"],
-  ...["min", "max", "abs", "round", "sqrt", "sin", "cos", "tan", "random_int", "join", "length"],
-  "item",
-];
-const SENSORS = [
-  ...["sonar", "distance", "lidar", "x", "y", "heading", "bumper", "time", "floor", "cell"],
-];
+const MAKES = ALL_DEFINITIONS.flatMap(({ makes }) => makes ?? []);
+const ACTIONS = MAKES.flatMap((makes) => ("action" in makes ? makes.action : []));
+const OPERATORS = MAKES.flatMap((makes) => ("op" in makes ? makes.op : []));
+const SENSORS = MAKES.flatMap((makes) => ("sensor" in makes ? makes.sensor : []));

@@ -1,9 +1,9 @@
-import { COLOURS } from "../blocks/arguments";
-import type { BlockArgument, Shadow } from "../blocks/definition";
-import { ALL_DEFINITIONS, argumentsOf, definitionOf, type Row } from "../blocks/definitions";
-import { shadowState } from "../blocks/shadows";
-import { itemInput } from "../blocks/shapes/variadic";
+import type { BlockArgument, Shadow } from "../definition";
+import { ALL_DEFINITIONS, argumentsOf, type Row, sensorRow } from "../definitions";
 import type { Expression, Literal } from "../generator/document";
+import { shadowState } from "../shapes/shadows";
+import { itemInput } from "../shapes/variadic";
+import { COLOURS } from "../table/arguments";
 import type { BlockState, Connection } from "./state";
 
 /** Lists with more values than this are shown by their length. */
@@ -118,21 +118,28 @@ function isSensor(expression: Expression, sensor: string): boolean {
   return typeof expression === "object" && "sensor" in expression && expression.sensor === sensor;
 }
 
-function sensorBlock(expression: Extract<Expression, { sensor: string }>): BlockState {
-  const { sensor, direction, index, angle } = expression;
-  switch (sensor) {
-    case "distance":
-      return { type: "distance_sensor", fields: { DIRECTION: direction } };
-    case "sonar":
-      return { type: "sonar", inputs: { INDEX: valueInput(index ?? 0, { number: 0 }) } };
-    case "lidar":
-      return { type: "lidar", inputs: { ANGLE: valueInput(angle ?? 0, { number: 0 }) } };
-    case "x":
-    case "y":
-      return { type: "position", fields: { AXIS: sensor } };
-    default:
-      return { type: definitionOf(sensor).type };
+function sensorBlock(
+  expression: { sensor: string } & Partial<Record<string, Expression>>,
+): BlockState {
+  const row = sensorRow(expression.sensor);
+  const fields: Record<string, Expression> = {};
+  const inputs: Record<string, Connection> = {};
+  for (const { name, key, type, shadow } of row.args0 as readonly BlockArgument[]) {
+    const value = expression[key ?? "sensor"];
+    if (!name) continue;
+    if (type !== "input_value") fields[name] = value as Expression;
+    else inputs[name] = valueInput(value ?? defaultOf(shadow) ?? 0, shadow);
   }
+  return {
+    type: row.type,
+    ...(Object.keys(fields).length > 0 && { fields }),
+    ...(Object.keys(inputs).length > 0 && { inputs }),
+  };
+}
+
+/** What stands on a block to begin with is taken where an optional value is left out. */
+export function defaultOf(shadow: Shadow | undefined): number | undefined {
+  return shadow && "number" in shadow ? shadow.number : undefined;
 }
 
 /** What stands in an input of a block when nothing else does. */

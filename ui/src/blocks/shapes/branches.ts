@@ -2,7 +2,7 @@ import type * as Blockly from "blockly/core";
 import { buttonField } from "../fields/button_field";
 import { IconField } from "../fields/icon_field";
 import { rowSpacer } from "../icons";
-import { word } from "../texts";
+import { word } from "../words";
 import { changeShape } from "./change_shape";
 
 /** How many "else if" and whether an "else" hang on an `if`. */

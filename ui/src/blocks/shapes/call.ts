@@ -1,6 +1,6 @@
 import type * as Blockly from "blockly/core";
-import { shadowState } from "../shadows";
 import { changeShape } from "./change_shape";
+import { shadowState } from "./shadows";
 
 /** Which function is called, and the names of its parameters in their order. */
 export interface CallState {

@@ -2,7 +2,7 @@ import type * as Blockly from "blockly/core";
 import { buttonField } from "../fields/button_field";
 import { OwnNameField } from "../fields/own_name_field";
 import { definitionsIn, freeName, functionName } from "../names";
-import { word } from "../texts";
+import { word } from "../words";
 import { changeShape } from "./change_shape";
 
 export interface FunctionState {

@@ -1,6 +1,6 @@
 import * as Blockly from "blockly/core";
-import { definitionsIn, freeName, functionName, parametersOf, renameInside } from "./names";
-import { callOf, followDefinition } from "./shapes/call";
+import { definitionsIn, freeName, functionName, parametersOf, renameInside } from "../names";
+import { callOf, followDefinition } from "./call";
 
 /**
  * Calls follow their definition, and a copy of a definition gets a name of its own; in the same step of undo as what

@@ -1,7 +1,7 @@
 import type * as Blockly from "blockly/core";
-import type { Shadow } from "./definition";
-import { word } from "./texts";
-import type { TextKey } from "./texts/keys";
+import type { Shadow } from "../definition";
+import type { TextKey } from "../words";
+import { word } from "../words";
 
 /** The block that stands in an input until another is put there. */
 export function shadowState(shadow: Shadow): Blockly.serialization.blocks.State {

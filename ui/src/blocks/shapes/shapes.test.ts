@@ -1,10 +1,10 @@
 import * as Blockly from "blockly/core";
 import { beforeAll, beforeEach, describe, expect, test } from "vitest";
 import { registerBlocks } from "..";
-import { keepCallsInStep } from "../function_sync";
 import { functionName, namesFor, parametersOf, renameVariable, variableNames } from "../names";
-import { setBlockLanguage } from "../texts";
+import { setBlockLanguage } from "../words";
 import { callOf } from "./call";
+import { keepCallsInStep } from "./function_sync";
 
 type State = Blockly.serialization.blocks.State;
 interface Shaped extends Blockly.Block {

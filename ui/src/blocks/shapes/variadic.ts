@@ -2,9 +2,9 @@ import * as Blockly from "blockly/core";
 import type { Variadic } from "../definition";
 import { definitionOf } from "../definitions";
 import { buttonField } from "../fields/button_field";
-import { shadowState } from "../shadows";
-import { word } from "../texts";
+import { word } from "../words";
 import { changeShape } from "./change_shape";
+import { shadowState } from "./shadows";
 
 export interface VariadicState {
   n: number;

@@ -1,4 +1,4 @@
-import type { Limits, ValueType } from "./definition";
+import type { Limits, ValueType } from "../definition";
 
 /** Variables, calls and items of lists may be anything; what is written on a block itself they are not. */
 const ANYTHING: readonly ValueType[] = ["Number", "String", "Boolean", "Array"];

@@ -1,5 +1,5 @@
+import type { BlockDefinition } from "../definition";
 import { body, conditionInput, nameField, numberInput, SECONDS, TIMEOUT, TIMES } from "./arguments";
-import type { BlockDefinition } from "./definition";
 
 const statement = { style: "flow", previousStatement: null, nextStatement: null } as const;
 const condition = conditionInput("CONDITION", "condition");

@@ -1,5 +1,5 @@
+import type { BlockDefinition } from "../definition";
 import { anything } from "./arguments";
-import type { BlockDefinition } from "./definition";
 
 const statement = { style: "functions", previousStatement: null, nextStatement: null } as const;
 

@@ -1,5 +1,5 @@
+import type { BlockDefinition } from "../definition";
 import { numberInput, TEXT_LITERAL, TIMEOUT } from "./arguments";
-import type { BlockDefinition } from "./definition";
 
 const statement = { style: "gestures", previousStatement: null, nextStatement: null } as const;
 

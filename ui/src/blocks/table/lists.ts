@@ -1,5 +1,5 @@
+import type { BlockDefinition } from "../definition";
 import { anything, nameField } from "./arguments";
-import type { BlockDefinition } from "./definition";
 
 export const lists = [
   {

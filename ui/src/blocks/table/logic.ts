@@ -1,5 +1,5 @@
+import type { BlockDefinition, ValueType } from "../definition";
 import { BOOLEAN_LITERAL } from "./arguments";
-import type { BlockDefinition, ValueType } from "./definition";
 
 const logicValue = { style: "logic", output: "Boolean" } as const;
 const side = (name: string, check?: ValueType) => ({

@@ -1,5 +1,5 @@
+import type { BlockDefinition } from "../definition";
 import { NUMBER_LITERAL } from "./arguments";
-import type { BlockDefinition } from "./definition";
 
 const result = { style: "maths", output: "Number" } as const;
 const operand = (name: string, start: number) =>

@@ -1,5 +1,5 @@
+import type { BlockDefinition } from "../definition";
 import { ANGLE, choice, DISTANCE, numberInput, PLACE, SPEED, sides } from "./arguments";
-import type { BlockDefinition } from "./definition";
 
 const statement = { style: "motion", previousStatement: null, nextStatement: null } as const;
 const distance = numberInput("DISTANCE", "distance", 1, DISTANCE);

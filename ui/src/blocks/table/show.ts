@@ -1,5 +1,5 @@
+import type { BlockDefinition } from "../definition";
 import { choice, colourOptions, nameField, wordsInput } from "./arguments";
-import type { BlockDefinition } from "./definition";
 
 const statement = { style: "show", previousStatement: null, nextStatement: null } as const;
 

@@ -1,4 +1,4 @@
-import type { BlockDefinition } from "./definition";
+import type { BlockDefinition } from "../definition";
 
 /** The one block every program has; what hangs below it runs. */
 export const start = [

@@ -1,5 +1,5 @@
+import type { BlockDefinition } from "../definition";
 import { TEXT_LITERAL } from "./arguments";
-import type { BlockDefinition } from "./definition";
 
 export const text = [
   {

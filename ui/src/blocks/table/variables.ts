@@ -1,5 +1,5 @@
+import type { BlockDefinition } from "../definition";
 import { anything, nameField, numberInput } from "./arguments";
-import type { BlockDefinition } from "./definition";
 
 const statement = { style: "variables", previousStatement: null, nextStatement: null } as const;
 

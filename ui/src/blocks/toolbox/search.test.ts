@@ -1,10 +1,10 @@
 import * as Blockly from "blockly/core";
 import { beforeAll, beforeEach, describe, expect, test } from "vitest";
-import type { Language } from "../i18n/language";
-import { registerBlocks } from ".";
-import type { Level } from "./definition";
+import type { Language } from "../../i18n";
+import { registerBlocks } from "..";
+import type { Level } from "../definition";
+import { setBlockLanguage } from "../words";
 import { searchBlocks } from "./search";
-import { setBlockLanguage } from "./texts";
 
 beforeAll(registerBlocks);
 beforeEach(() => setBlockLanguage("pt-BR"));

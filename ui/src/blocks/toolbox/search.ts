@@ -1,9 +1,9 @@
 import * as Blockly from "blockly/core";
-import type { BlockArgument, Level } from "./definition";
-import { argumentsOf, type Row } from "./definitions";
-import { definitionsIn, functionName, givesValue } from "./names";
-import { word } from "./texts";
-import type { TextKey } from "./texts/keys";
+import type { BlockArgument, Level } from "../definition";
+import { argumentsOf, type Row } from "../definitions";
+import { definitionsIn, functionName, givesValue } from "../names";
+import type { TextKey } from "../words";
+import { word } from "../words";
 import { block, callBlock, offeredRows } from "./toolbox";
 
 type ToolboxBlock = Blockly.utils.toolbox.BlockInfo;

@@ -1,7 +1,7 @@
 import type * as Blockly from "blockly/core";
-import type { BlockArgument, Level } from "./definition";
-import { argumentsOf, type BlockType, CATEGORIES, DEFINITIONS, type Row } from "./definitions";
-import type { Category } from "./hues";
+import type { BlockArgument, Level } from "../definition";
+import { argumentsOf, type BlockType, CATEGORIES, DEFINITIONS, type Row } from "../definitions";
+import type { Category } from "../hues";
 import {
   definitionsIn,
   freeName,
@@ -9,11 +9,11 @@ import {
   givesValue,
   parametersOf,
   variableNames,
-} from "./names";
-import { shadowState } from "./shadows";
-import { itemInput } from "./shapes/variadic";
-import { reference, word } from "./texts";
-import type { TextKey } from "./texts/keys";
+} from "../names";
+import { shadowState } from "../shapes/shadows";
+import { itemInput } from "../shapes/variadic";
+import type { TextKey } from "../words";
+import { reference, word } from "../words";
 
 type ToolboxBlock = Blockly.utils.toolbox.BlockInfo;
 type Inputs = NonNullable<ToolboxBlock["inputs"]>;

@@ -1,6 +1,6 @@
 import type * as Blockly from "blockly/core";
-import type { Shadow } from "./definition";
-import { shadowState } from "./shadows";
+import type { Shadow } from "../definition";
+import { shadowState } from "../shapes/shadows";
 
 type BlockState = Blockly.serialization.blocks.State;
 type Inputs = NonNullable<BlockState["inputs"]>;

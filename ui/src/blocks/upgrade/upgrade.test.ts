@@ -1,10 +1,10 @@
 import * as Blockly from "blockly/core";
 import { beforeAll, describe, expect, test } from "vitest";
+import { registerBlocks } from "..";
 import { generateDocument } from "../generator";
-import { registerBlocks } from ".";
+import { setBlockLanguage } from "../words";
+import { upgradeWorkspace } from ".";
 import saved from "./saved_by_0_1.json";
-import { setBlockLanguage } from "./texts";
-import { upgradeWorkspace } from "./upgrade";
 
 beforeAll(() => {
   setBlockLanguage("pt-BR");

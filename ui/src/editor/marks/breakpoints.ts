@@ -1,14 +1,14 @@
 import * as Blockly from "blockly/core";
-import { word } from "../blocks/texts";
+import { word } from "../../blocks/words";
 
 const MENU = "pinel_breakpoint";
 const MARK = "pinelBreakpoint";
 const RADIUS = 7;
-/** On the left edge of the block's first row, where neither words nor icons are. */
+/** Offset on the left edge of the block's first row, where there is no text and no icon. */
 const LEFT = -2;
 const MIDDLE = 24;
 
-/** Blocks before which a run pauses: a red dot each, set by the block's menu or the key F9. */
+/** Blocks before which a run pauses. Each has a red dot, toggled by the block's menu or the key F9. */
 export class Breakpoints {
   private static readonly of = new WeakMap<Blockly.Workspace, Breakpoints>();
   private readonly ids = new Set<string>();
@@ -36,7 +36,7 @@ export class Breakpoints {
     this.changed([...this.ids]);
   }
 
-  /** Draws the dots of blocks that were made again, and forgets blocks that are gone. */
+  /** Draws the dots of recreated blocks again and drops breakpoints of deleted blocks. */
   refresh(): void {
     const before = this.ids.size;
     for (const id of [...this.ids]) {
@@ -68,7 +68,7 @@ export class Breakpoints {
   }
 }
 
-/** A run stops at commands; values and the block that begins the program take no time of their own. */
+/** A run can pause only before commands: values and the start block take no time of their own. */
 function canHold(block: Blockly.BlockSvg | undefined): block is Blockly.BlockSvg {
   return Boolean(block?.previousConnection && !block.isInFlyout);
 }

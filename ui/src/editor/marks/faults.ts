@@ -1,7 +1,8 @@
 import * as Blockly from "blockly/core";
-import { setRing } from "./renderer";
+import { setRing } from "../renderer";
 import { wrapWords } from "./wrap_words";
 
+/** A fault of the program, with the block it concerns if there is one. */
 export interface Fault {
   block: string | null;
   message: string;
@@ -9,20 +10,20 @@ export interface Fault {
 }
 
 const GAP = 12;
-/** From the corner of a block to the middle of its icon, which bubbles hang on. */
+/** Offset from the corner of a block to the centre of its icon, where bubbles are anchored. */
 const ICON_INSET = 16;
 const WARNING = "pinel_fault";
 
-/** Shows each fault where it is: a red ring, and words in a bubble that opens at the first new one. */
+/** Marks each faulty block with a red ring and a bubble with the message. The bubble of the first new fault opens. */
 export class Faults {
-  /** What was asked for last, less what was mended since. */
+  /** Faults of the last `show`, without those whose blocks were edited since. */
   shown: readonly Fault[] = [];
   private readonly marked = new Map<string, string>();
   private readonly opening = new Map<Blockly.IIcon, Promise<void>>();
 
   constructor(private readonly workspace: Blockly.WorkspaceSvg) {}
 
-  /** What is shown already stays as it is, so that a bubble that was closed is not opened with every save. */
+  /** Faults already shown are left as they are, so that a closed bubble does not reopen at every save. */
   show(faults: readonly Fault[]): void {
     const wanted = wordsByBlock(faults);
     for (const [id, words] of this.marked) if (wanted.get(id) !== words) this.clearBlock(id);
@@ -35,7 +36,7 @@ export class Faults {
     for (const id of [...this.marked.keys()]) this.clearBlock(id);
   }
 
-  /** A pupil who works on a block has understood; the next check will tell whether it is well now. */
+  /** Clears the fault of a block that is being edited; the next check decides whether it is fixed. */
   clearBlock(id: string | null | undefined): void {
     if (!id || !this.marked.delete(id)) return;
     this.shown = this.shown.filter((fault) => fault.block !== id);
@@ -49,7 +50,7 @@ export class Faults {
     const block = this.workspace.getBlockById(id);
     const icon = block?.getIcons().find(hasBubble);
     if (!block || !icon) return;
-    // asked again before it has drawn the first, Blockly draws a second one that never goes away
+    // a second request before the first bubble is drawn makes Blockly draw another one that never closes
     const opening = this.opening.get(icon) ?? icon.setBubbleVisible(true);
     this.opening.set(icon, opening);
     void opening
@@ -67,7 +68,7 @@ export class Faults {
   }
 }
 
-/** Beside its block the bubble hides no other and needs no tail; without room it stays where Blockly put it. */
+/** Places the bubble beside its block, where it covers no other and needs no tail. Without room it stays put. */
 function placeBeside(block: Blockly.BlockSvg, bubble: Blockly.IBubble | null): void {
   if (!(bubble instanceof Blockly.bubbles.TextBubble)) return;
   const view = block.workspace.getMetricsManager().getViewMetrics(true);

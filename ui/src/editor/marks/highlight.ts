@@ -1,7 +1,7 @@
 import type * as Blockly from "blockly/core";
-import { type Ring, setRing } from "./renderer";
+import { type Ring, setRing } from "../renderer";
 
-/** Rings one block, such as the running one, and keeps it in view. */
+/** Highlights one block, such as the running one, with a ring and keeps it in view. */
 export class Highlight {
   blockId: string | null = null;
 
@@ -28,7 +28,7 @@ export class Highlight {
   }
 }
 
-/** Scrolls until the block can be seen; a hand that drags is not disturbed. */
+/** Scrolls until the block is in view, unless the user is dragging. */
 export function bringIntoView(workspace: Blockly.WorkspaceSvg, blockId: string): void {
   const block = workspace.getBlockById(blockId);
   if (!block || workspace.isDragging()) return;

@@ -1,10 +1,10 @@
 import * as Blockly from "blockly/core";
-import { word } from "../blocks/texts";
+import { word } from "../../blocks/words";
 
 const WIDTH = 300;
 const HEIGHT = 48;
 
-/** An empty place below a start block with nothing under it, inviting the first block. */
+/** Placeholder below a start block that has no blocks under it, as a hint where the first block goes. */
 export class StartHint {
   private group: SVGElement | null = null;
 

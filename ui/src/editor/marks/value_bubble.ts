@@ -1,14 +1,14 @@
 import type * as Blockly from "blockly/core";
-import type { Expression } from "../generator/document";
-import { VALUES } from "../generator/values";
+import type { Expression } from "../../blocks/generator/document";
+import { VALUES } from "../../blocks/generator/values";
 
-/** Says what an expression is worth now, in words; null where that cannot be asked. */
+/** Evaluates an expression and formats its value; null where no evaluation is possible. */
 export type Peek = (expression: Expression) => Promise<string> | null;
 
 const REST_MS = 250;
 const GAP = 8;
 
-/** Shows what a value block is worth when the pointer rests on it, while somebody can say so. */
+/** Shows the value of a block in a tooltip while the pointer rests on it, where evaluation is possible. */
 export class ValueBubble {
   private readonly bubble = document.createElement("div");
   private block: Blockly.BlockSvg | null = null;

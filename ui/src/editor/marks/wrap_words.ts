@@ -1,4 +1,4 @@
-/** Breaks a sentence into lines, because SVG text does not wrap by itself. */
+/** Breaks a sentence into lines, because SVG text does not wrap automatically. */
 export function wrapWords(text: string, width = 34): string {
   const lines: string[] = [];
   for (const word of text.split(/\s+/)) {

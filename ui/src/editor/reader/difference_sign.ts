@@ -1,11 +1,11 @@
 import * as Blockly from "blockly/core";
 
-/** What became of a block between two versions. */
+/** How a block changed between two versions. */
 export type Difference = "added" | "removed" | "changed" | "moved";
 
 const { dom, Svg } = Blockly.utils;
 
-/** Drawn with a stroke in a disc at the corner of the block, so that nobody needs to tell colours apart. */
+/** SVG paths of the signs, drawn in a disc at the block's corner, so that differences do not depend on colour alone. */
 export const SIGNS: Readonly<Record<Difference, string>> = {
   added: "M-5 0H5M0 -5V5",
   removed: "M-5 0H5",
@@ -15,7 +15,7 @@ export const SIGNS: Readonly<Record<Difference, string>> = {
 
 const RADIUS = 11;
 
-/** Above all blocks, for the next one in a stack would cover it; blocks that are only looked at stay where they are. */
+/** Drawn above all blocks, because the next block in a stack would cover it. Read-only blocks do not move. */
 export function addDifferenceSign(block: Blockly.BlockSvg, kinds: readonly Difference[]): void {
   const { x, y } = block.getRelativeToSurfaceXY();
   const layer = block.workspace.getCanvas();

@@ -1,20 +1,21 @@
 import * as Blockly from "blockly/core";
-import "./editor.css";
+import "../editor.css";
 import "./reader.css";
-import { registerBlocks } from "../blocks";
-import { upgradeWorkspace } from "../blocks/upgrade";
-import { generateDocument } from "../generator";
-import type { Language } from "../i18n/language";
+import { registerBlocks } from "../../blocks";
+import { generateDocument } from "../../blocks/generator";
+import { upgradeWorkspace } from "../../blocks/upgrade";
+import type { Language } from "../../i18n";
+import { applyLanguage } from "../locale";
+import { bringIntoView, Highlight } from "../marks/highlight";
+import { Overview } from "../overview";
+import { askOnlyDrawnFields, quietly } from "../quietly";
+import { RENDERER, registerRenderer, setRing } from "../renderer";
+import { ensureStartBlock, markLooseBlocks } from "../start_block";
+import { blocklyTheme, showTheme, type ThemeName } from "../themes";
+import { addZoomControls } from "../zoom_controls";
 import { addDifferenceSign, type Difference, SIGNS } from "./difference_sign";
-import { bringIntoView, Highlight } from "./highlight";
-import { applyLanguage } from "./locale";
-import { Overview } from "./overview";
-import { askOnlyDrawnFields, quietly } from "./quietly";
-import { RENDERER, registerRenderer, setRing } from "./renderer";
-import { ensureStartBlock, markLooseBlocks } from "./start_block";
-import { blocklyTheme, showTheme, type ThemeName } from "./themes";
-import { addZoomControls } from "./zoom_controls";
 
+/** Settings of a read-only view of blocks. */
 export interface ReaderOptions {
   container: HTMLElement;
   language: Language;
@@ -22,13 +23,13 @@ export interface ReaderOptions {
   mediaPath: string;
 }
 
-/** From the corner of the workspace to the first block, in pixels. */
+/** Distance from the workspace's corner to the first block, in pixels. */
 const MARGIN = 32;
-/** Smaller blocks cannot be read; a longer program is scrolled. */
+/** Smallest scale at which blocks can be read; a longer program is scrolled. */
 const SMALLEST = 0.7;
 const LONGEST_WORDS = 90;
 
-/** Blocks to look at only: a stored version, with what differs in it from another. */
+/** Read-only workspace: a stored version with marks on the blocks that differ from another version. */
 export class BlocksReader {
   private readonly workspace: Blockly.WorkspaceSvg;
   private readonly pointed: Highlight;
@@ -64,7 +65,7 @@ export class BlocksReader {
     this.sizes.observe(options.container);
   }
 
-  /** Shows a stored workspace from its start. Throws where it holds blocks this version does not know. */
+  /** Shows a stored workspace from its start. Throws when it holds blocks this version does not know. */
   load(saved: object): void {
     this.shown = upgradeWorkspace(saved);
     this.clearMarks();
@@ -72,7 +73,7 @@ export class BlocksReader {
     this.showFromTheStart(this.fittingScale());
   }
 
-  /** Marks what differs, by the ids of blocks; a block that is not there is passed over. */
+  /** Marks differences by block id; ids that are not in the workspace are ignored. */
   mark(differences: ReadonlyMap<string, readonly Difference[]>): void {
     this.clearMarks();
     this.marked = [...differences];
@@ -85,12 +86,12 @@ export class BlocksReader {
     }
   }
 
-  /** Lights a block and brings it into view; null lights none. */
+  /** Highlights a block and scrolls it into view; null clears the highlight. */
   point(id: string | null): void {
     this.pointed.show(id !== null && this.block(id) ? id : null);
   }
 
-  /** Outlines the block at which a run broke off; null outlines none. */
+  /** Outlines the block at which a run failed; null clears the outline. */
   fail(id: string | null): void {
     this.failed.show(id !== null && this.block(id) ? id : null);
   }
@@ -103,19 +104,19 @@ export class BlocksReader {
     return this.block(id) !== null;
   }
 
-  /** How far down a block stands, so that differences can be told from the top. */
+  /** Vertical position of a block, used to list differences from top to bottom. */
   heightOf(id: string): number {
     return this.block(id)?.getRelativeToSurfaceXY().y ?? Number.POSITIVE_INFINITY;
   }
 
-  /** What a block says, values within it included, without the blocks that hang in or below it. */
+  /** Text of a block with the values in its inputs, without the blocks inside or below it. */
   words(id: string): string {
     const block = this.block(id);
     const words = block ? wordsOf(block).replace(/\s+/g, " ").replace(/ °/g, "°").trim() : "";
     return words.length > LONGEST_WORDS ? `${words.slice(0, LONGEST_WORDS - 1)}…` : words;
   }
 
-  /** What the robot would get. */
+  /** The program document that would be sent to the robot. */
   document(name: string): object {
     return generateDocument(this.workspace, name);
   }
@@ -124,13 +125,13 @@ export class BlocksReader {
     showTheme(this.workspace, theme);
   }
 
-  /** What a screen reader calls this place, so that two of them can be told apart. */
+  /** Sets the accessible name, which tells two readers on one page apart. */
   setName(name: string): void {
     const area = this.workspace.getParentSvg().querySelector(".blocklyWorkspace");
     area?.setAttribute("aria-label", name);
   }
 
-  /** Blocks take their words when they are made: they are made again. */
+  /** Blocks read their texts when they are created, so they are created again. */
   setLanguage(language: Language): void {
     if (language === this.language) return;
     this.language = language;
@@ -171,7 +172,7 @@ export class BlocksReader {
     this.marked = [];
   }
 
-  /** As large as may be: a program that fits is seen whole, of a longer one its beginning. */
+  /** Largest scale at which the whole program fits; a program that is too long is scaled to be readable. */
   fittingScale(): number {
     const box = this.workspace.getBlocksBoundingBox();
     const view = this.workspace.getMetricsManager().getViewMetrics();
@@ -195,7 +196,7 @@ export class BlocksReader {
     return this.workspace.getBlockById(id) ?? this.startBlock(id);
   }
 
-  /** There is one start block, whatever it was called in another version. */
+  /** The id "start" always means the start block, whatever its id is in this version. */
   private startBlock(id: string): Blockly.BlockSvg | null {
     const [start] = this.workspace.getBlocksByType("program_start") as Blockly.BlockSvg[];
     return id === "start" ? (start ?? null) : null;

@@ -1,12 +1,12 @@
 import * as Blockly from "blockly/core";
-import type { Level } from "../blocks/definition";
-import { iconShape } from "../blocks/icons";
-import { searchBlocks } from "../blocks/search";
-import { word } from "../blocks/texts";
-import { SEARCH_KIND } from "../blocks/toolbox";
-import { svgIcon } from "./svg_icon";
+import type { Level } from "../../blocks/definition";
+import { iconShape } from "../../blocks/icons";
+import { searchBlocks } from "../../blocks/toolbox/search";
+import { SEARCH_KIND } from "../../blocks/toolbox/toolbox";
+import { word } from "../../blocks/words";
+import { svgIcon } from "../svg_icon";
 
-/** A field at the head of the toolbox; what it finds stands where the blocks of a category stand. */
+/** Search field at the top of the toolbox; its results are shown like the blocks of a category. */
 class SearchItem extends Blockly.ToolboxCategory {
   private declare field: HTMLInputElement;
 
@@ -40,14 +40,14 @@ class SearchItem extends Blockly.ToolboxCategory {
     field.placeholder = this.name_;
     field.setAttribute("aria-label", this.name_);
     field.dataset.testid = "toolbox-search";
-    // the toolbox closes what is clicked twice
+    // the toolbox closes an item on its second click
     field.addEventListener("pointerdown", (event) => event.stopPropagation());
     field.addEventListener("keydown", (event) => this.onKey(event));
     field.addEventListener("input", () => this.search());
     return field;
   }
 
-  /** Arrows lead out of the field, as out of a category; Escape empties it first. */
+  /** Arrow keys move the focus out of the field as from a category; Escape clears the field first. */
   private onKey(event: KeyboardEvent): void {
     const atEnd = this.field.selectionStart === this.field.value.length;
     const navigator = this.parentToolbox_.getNavigator();
@@ -88,6 +88,7 @@ function noteOf(query: string) {
   return { kind: "label" as const, text, "web-class": "pinelFlyoutNote" };
 }
 
+/** Registers the search field as a toolbox item of Blockly. */
 export function registerSearchItem(): void {
   Blockly.registry.register(Blockly.registry.Type.TOOLBOX_ITEM, SEARCH_KIND, SearchItem, true);
 }

@@ -1,7 +1,7 @@
 import * as Blockly from "blockly/core";
-import type { Category } from "../blocks/hues";
-import { type IconName, iconShape } from "../blocks/icons";
-import { svgIcon } from "./svg_icon";
+import type { Category } from "../../blocks/hues";
+import { type IconName, iconShape } from "../../blocks/icons";
+import { svgIcon } from "../svg_icon";
 
 const ICONS: Readonly<Record<Exclude<Category, "start">, IconName>> = {
   motion: "arrowUp",
@@ -17,7 +17,7 @@ const ICONS: Readonly<Record<Exclude<Category, "start">, IconName>> = {
   functions: "puzzle",
 };
 
-/** A category as a coloured tile with its icon above its word: wide enough for a finger, narrow enough for the blocks. */
+/** A category as a coloured tile with its icon above its name, wide enough for touch. */
 class ToolboxCategory extends Blockly.ToolboxCategory {
   protected override createContainer_(): HTMLDivElement {
     const container = super.createContainer_();
@@ -43,6 +43,7 @@ class ToolboxCategory extends Blockly.ToolboxCategory {
   }
 }
 
+/** Registers the tile as Blockly's toolbox category. */
 export function registerToolboxCategory(): void {
   Blockly.registry.register(
     Blockly.registry.Type.TOOLBOX_ITEM,

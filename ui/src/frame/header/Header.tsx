@@ -1,28 +1,27 @@
-import { ArrowLeft, ChevronDown, Contrast, Languages, Moon, Route, Sun } from "lucide-preact";
-import { opened } from "../app/open_program";
-import { reviewPlace } from "../app/review_place";
-import { go, hashOf, route } from "../app/route";
-import { chooseLanguage, group } from "../app/session";
-import { TEST } from "../app/testids";
-import { nextTheme, setTheme, theme } from "../app/theme";
-import { language, texts } from "../i18n";
-import { isLanguage, LANGUAGES } from "../i18n/language";
-import { GroupPicture } from "./GroupPicture";
+import { ArrowLeft, Contrast, Languages, Moon, Route, Sun } from "lucide-preact";
+import { language, texts } from "../../i18n";
+import { LANGUAGES, languageRow } from "../../i18n/languages";
+import { Button } from "../../kit/Button";
+import { LinkButton } from "../../kit/LinkButton";
+import { GroupPicture } from "../../kit/pictures/GroupPicture";
+import { Select } from "../../kit/Select";
+import { go, hashOf, ROUTES, route } from "../../shell/route";
+import { chooseLanguage, group } from "../../shell/session";
+import { reviewOrigin } from "../../shell/teacher/review_origin";
+import { TEST } from "../../shell/testids";
+import { nextTheme, setTheme, theme } from "../../shell/theme";
+import { opened } from "../../studio/program/open_program";
 import { LessonChip } from "./LessonChip";
 import { Mark } from "./Mark";
 import { ProgramName } from "./ProgramName";
 import { SavedMark } from "./SavedMark";
 import { TeacherChip } from "./TeacherChip";
 
-const LANGUAGE_NAMES = { "pt-BR": "Português", en: "English", es: "Español" } as const;
 const THEME_ICONS = { light: Sun, dark: Moon, contrast: Contrast } as const;
-
-/** Screens that are about no group in particular. */
-const OUTSIDE = ["start", "teacher", "lesson", "runs", "compare"];
 
 /** The same places on every screen: who, what, saved, our work, look, language. */
 export function Header() {
-  const inside = !OUTSIDE.includes(route.value.screen);
+  const inside = ROUTES[route.value.screen].ofGroup;
   return (
     <header class="header">
       <a class="header__home" href="#/" data-testid={TEST.home} title={texts.value.header.home}>
@@ -66,85 +65,64 @@ function GroupChip() {
 function WorkButton() {
   const { header } = texts.value;
   const now = route.value;
-  if (reviewPlace.value) {
-    const word = reviewPlace.value.screen === "lesson" ? header.backToLesson : header.backToRuns;
+  if (reviewOrigin.value) {
+    const word = reviewOrigin.value.screen === "lesson" ? header.backToLesson : header.backToRuns;
     return (
-      <a
-        class="button"
-        href={hashOf(reviewPlace.value)}
-        aria-label={word}
-        title={word}
-        data-testid={TEST.backToReview}
+      <LinkButton
+        href={hashOf(reviewOrigin.value)}
+        icon={ArrowLeft}
+        label={word}
+        tip={word}
+        testId={TEST.backToReview}
       >
-        <ArrowLeft class="icon" aria-hidden="true" />
         <span class="header__word">{word}</span>
-      </a>
+      </LinkButton>
     );
   }
   if (now.screen === "work") {
     const program = opened.value?.program;
     if (program?.group_id !== now.group) return null;
     return (
-      <a class="button" href={hashOf({ screen: "studio", program: program.id })}>
-        <ArrowLeft class="icon" aria-hidden="true" />
+      <LinkButton icon={ArrowLeft} href={hashOf({ screen: "studio", program: program.id })}>
         <span class="header__word">{header.backToProgram}</span>
-      </a>
+      </LinkButton>
     );
   }
   return (
-    <button
-      type="button"
-      class="button"
-      data-testid={TEST.openWork}
-      aria-label={header.work}
+    <Button
+      icon={Route}
+      label={header.work}
+      testId={TEST.openWork}
       disabled={!group.value}
-      onClick={() => group.value && go({ screen: "work", group: group.value.id })}
+      onPress={() => group.value && go({ screen: "work", group: group.value.id })}
     >
-      <Route class="icon" aria-hidden="true" />
       <span class="header__word">{header.work}</span>
-    </button>
+    </Button>
   );
 }
 
 function ThemeButton() {
   const { header } = texts.value;
-  const Icon = THEME_ICONS[theme.value];
-  const label = header.changeTheme(header.theme[theme.value]);
   return (
-    <button
-      type="button"
-      class="button button--icon"
-      data-testid={TEST.theme}
+    <Button
+      icon={THEME_ICONS[theme.value]}
+      label={header.changeTheme(header.theme[theme.value])}
+      testId={TEST.theme}
       data-theme={theme.value}
-      aria-label={label}
-      title={label}
-      onClick={() => setTheme(nextTheme(theme.value))}
-    >
-      <Icon class="icon" aria-hidden="true" />
-    </button>
+      onPress={() => setTheme(nextTheme(theme.value))}
+    />
   );
 }
 
 function LanguageChoice() {
   return (
-    <span class="select">
-      <Languages class="icon" aria-hidden="true" />
-      <select
-        aria-label={texts.value.header.language}
-        data-testid={TEST.language}
-        value={language.value}
-        onChange={(event) => {
-          const { value } = event.currentTarget;
-          if (isLanguage(value)) void chooseLanguage(value);
-        }}
-      >
-        {LANGUAGES.map((name) => (
-          <option key={name} value={name} lang={name}>
-            {LANGUAGE_NAMES[name]}
-          </option>
-        ))}
-      </select>
-      <ChevronDown class="icon icon--end" aria-hidden="true" />
-    </span>
+    <Select
+      icon={Languages}
+      label={texts.value.header.language}
+      testId={TEST.language}
+      value={language.value}
+      options={LANGUAGES.map((tag) => [tag, languageRow(tag).name, { lang: tag }])}
+      onChange={chooseLanguage}
+    />
   );
 }

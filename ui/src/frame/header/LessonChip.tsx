@@ -1,9 +1,10 @@
 import { BookOpen } from "lucide-preact";
 import { useEffect } from "preact/hooks";
-import { knowLesson, lesson } from "../app/lesson";
-import { group, isRunning } from "../app/session";
-import { TEST } from "../app/testids";
-import { language, texts } from "../i18n";
+import { language, texts } from "../../i18n";
+import { isRunning } from "../../run/live";
+import { group } from "../../shell/session";
+import { TEST } from "../../shell/testids";
+import { knowLesson, lesson } from "./lesson";
 
 /** The teacher may open a lesson in another window while the group is at work. */
 const EVERY_MS = 15_000;

@@ -1,10 +1,10 @@
 import { Pencil } from "lucide-preact";
 import { useRef, useState } from "preact/hooks";
-import { LONGEST_NAME, renameProgram } from "../app/rename";
-import { route } from "../app/route";
-import { program } from "../app/session";
-import { TEST } from "../app/testids";
-import { texts } from "../i18n";
+import { texts } from "../../i18n";
+import { route } from "../../shell/route";
+import { program } from "../../shell/session";
+import { TEST } from "../../shell/testids";
+import { LONGEST_NAME, renameProgram } from "../../studio/program/rename";
 
 /** The program's name, changed where it stands: type, then Enter or go elsewhere; Escape takes it back. */
 export function ProgramName() {

@@ -1,7 +1,8 @@
 import { Check, LoaderCircle, TriangleAlert } from "lucide-preact";
-import { onDesk } from "../app/open_program";
-import { TEST } from "../app/testids";
-import { texts } from "../i18n";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { TEST } from "../../shell/testids";
+import { onDesk } from "../../studio/program/open_program";
 
 const ICONS = {
   saved: Check,
@@ -19,7 +20,6 @@ export function SavedMark() {
   const { value: saving } = open.autosave.state;
   const state = saving === "saved" && open.ownWorld.isRefused.value ? "refused" : saving;
   const Icon = ICONS[state];
-  const retry = () => void open.autosave.flush().catch(() => {});
   return (
     <span
       class={`saved saved--${state === "deleted" ? "failed" : state}`}
@@ -31,9 +31,9 @@ export function SavedMark() {
         {state === "deleted" ? saved.failed : saved[state]}
       </span>
       {state === "failed" && (
-        <button type="button" class="button" onClick={retry} title={saved.failedRemedy}>
+        <Button tip={saved.failedRemedy} onPress={() => open.autosave.flush().catch(() => {})}>
           {saved.retry}
-        </button>
+        </Button>
       )}
     </span>
   );

@@ -1,7 +1,7 @@
 import { signal } from "@preact/signals";
-import { classesApi } from "../api/classes";
-import { ServerGone } from "../api/errors";
-import { group, report } from "./session";
+import { classesApi } from "../../api/classes";
+import { ServerGone } from "../../api/errors";
+import { group, report } from "../../shell/session";
 
 /** What the open group's class is about now, in the words of the teacher. */
 export interface LessonWords {

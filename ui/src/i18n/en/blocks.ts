@@ -1,6 +1,6 @@
-import type { BlockTexts } from "./keys";
+import type { blocks as first } from "../pt-BR/blocks";
 
-export const en: BlockTexts = {
+export const blocks: typeof first = {
   CATEGORY_MOTION: "Motion",
   CATEGORY_SENSING: "Sensors",
   CATEGORY_FLOW: "Control",

@@ -1,6 +1,6 @@
-import type { ClassesTexts } from "./pt-BR";
+import type { classes as first } from "../pt-BR/classes";
 
-export const en: ClassesTexts = {
+export const classes: typeof first = {
   picture: "Picture of the group",
   choosePicture: (now: string) => `Picture of the group: ${now}. Change.`,
   noPicture: "none",

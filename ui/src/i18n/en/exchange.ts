@@ -1,6 +1,6 @@
-import type { ExchangeTexts } from "./pt-BR";
+import type { exchange as first } from "../pt-BR/exchange";
 
-export const en: ExchangeTexts = {
+export const exchange: typeof first = {
   title: "Stick and school folder",
   intro:
     "Here the work of many PCs becomes one collection. Merging a file twice changes nothing, and the order does not matter.",

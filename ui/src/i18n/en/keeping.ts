@@ -1,6 +1,6 @@
-import type { ptBR } from "./pt-BR";
+import type { keeping as first } from "../pt-BR/keeping";
 
-export const en: typeof ptBR = {
+export const keeping: typeof first = {
   history: "History",
   historyOf: (program: string) => `History of ${program}`,
   loading: "Fetching the versions…",
@@ -65,7 +65,6 @@ export const en: typeof ptBR = {
   thrown: (program: string) => `“${program}” is in the bin now.`,
   undo: "Undo",
   bin: (n: number) => `Bin (${n})`,
-  binTitle: "Bin",
   binHint: "Discarded programs stay here, whole. Their runs stay in the list.",
   inBin: "This program is in the bin.",
   takeBack: "Take back",
@@ -73,7 +72,6 @@ export const en: typeof ptBR = {
   noteAbout: (program: string) => `about a run of ${program}`,
   noteSeeRun: "Watch the run",
   noteSeen: "We have read it",
-  noteWasSeen: "read",
   filters: "Which runs to show",
   allRuns: "All",
   allPrograms: "All programs",

@@ -1,16 +1,18 @@
-import { en as activity } from "./activity/en";
-import { en as classes } from "./classes/en";
-import { en as keeping } from "./keeping/en";
-import { en as plots } from "./plots/en";
-import { en as programFile } from "./program_file/en";
-import type { Texts } from "./pt-BR";
-import { en as world } from "./world/en";
+import type { page as first } from "../pt-BR/page";
 
-export const en: Texts = {
-  activity,
-  programFile,
-  keeping,
-  classes,
+export const page: typeof first = {
+  titles: {
+    start: "Groups",
+    studio: "Program",
+    work: "Our work",
+    replay: "Replay of a run",
+    versions: "History",
+    differences: "Versions compared",
+    teacher: "The teacher's part",
+    lesson: "Lesson",
+    runs: "All runs",
+    compare: "Two runs side by side",
+  },
   header: {
     home: "Change group",
     group: "Group",
@@ -92,19 +94,6 @@ export const en: Texts = {
     cameraHelp: "Wheels slip and measurements are a little off; a camera tells where the robot is.",
     wheelsHelp:
       "Wheels slip and the robot knows only what they tell: little by little it gets lost.",
-    sensors: {
-      sonar: "sonar",
-      distance: "distance",
-      lidar: "laser at °",
-      x: "position x (m)",
-      y: "position y (m)",
-      heading: "heading (°)",
-      bumper: "bumped",
-      time: "time (s)",
-      floor: "floor colour",
-      cell: "place",
-    },
-    directions: { front: "in front", left: "to the left", right: "to the right", back: "behind" },
     gesture: "gesture read",
     calls: "inside",
     times: (factor: string) => `${factor}×`,
@@ -250,8 +239,6 @@ export const en: Texts = {
     measureKeys: "Arrow keys move the point, Enter sets it, Esc puts the tool away.",
     startKeys: "Arrow keys move the start; comma and full stop turn the robot.",
   },
-  world,
-  plots,
   capture: {
     title: "Which sign did you make?",
     hint: "Choose the letter in LIBRAS.",
@@ -308,6 +295,8 @@ export const en: Texts = {
     goneTitle: "PINEL does not answer.",
     gone: "We keep trying. If it does not come back, close and open the program. What was saved is kept.",
     failedTitle: "That did not work.",
+    notLoaded: "This could not be opened.",
+    tryAgain: "Try again",
     back: "Back to the beginning",
     deleted: {
       group: "The group was deleted on this PC.",

@@ -1,6 +1,6 @@
-import type { PlotsTexts } from "./pt-BR";
+import type { plots as first } from "../pt-BR/plots";
 
-export const en: PlotsTexts = {
+export const plots: typeof first = {
   label: "Plots of the run",
   open: "Plots",
   empty: "Press Run: the plots appear here.",

@@ -1,6 +1,6 @@
-import type { ReviewTexts } from "./pt-BR";
+import type { review as first } from "../pt-BR/review";
 
-export const en: ReviewTexts = {
+export const review: typeof first = {
   lesson: {
     title: (title) => title || "Lesson without a title",
     opening: "Fetching the lesson…",

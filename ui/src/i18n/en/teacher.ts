@@ -1,6 +1,6 @@
-import type { TeacherTexts } from "./pt-BR";
+import type { teacher as first } from "../pt-BR/teacher";
 
-export const en: TeacherTexts = {
+export const teacher: typeof first = {
   door: {
     title: "For the teacher",
     hint: "Type the PIN to open.",

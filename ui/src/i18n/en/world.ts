@@ -1,6 +1,6 @@
-import type { WorldTexts } from "./pt-BR";
+import type { world as first } from "../pt-BR/world";
 
-export const en: WorldTexts = {
+export const world: typeof first = {
   own: "Our world",
   change: "Change",
   changeHelp: "Change this world: walls, boxes, colours",

@@ -1,6 +1,6 @@
-import type { ptBR } from "./pt-BR";
+import type { activity as first } from "../pt-BR/activity";
 
-export const es: typeof ptBR = {
+export const activity: typeof first = {
   passed: "¡Lo lograron! La actividad está resuelta.",
   missing: (what: string) => `Todavía falta para la actividad: ${what}`,
   toTheEnd: "El programa resuelve la actividad: ahora déjenlo correr hasta el final.",

@@ -1,6 +1,6 @@
-import type { BlockTexts } from "./keys";
+import type { blocks as first } from "../pt-BR/blocks";
 
-export const es: BlockTexts = {
+export const blocks: typeof first = {
   CATEGORY_MOTION: "Movimiento",
   CATEGORY_SENSING: "Sensores",
   CATEGORY_FLOW: "Control",

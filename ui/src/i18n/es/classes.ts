@@ -1,6 +1,6 @@
-import type { ClassesTexts } from "./pt-BR";
+import type { classes as first } from "../pt-BR/classes";
 
-export const es: ClassesTexts = {
+export const classes: typeof first = {
   picture: "Dibujo del grupo",
   choosePicture: (now: string) => `Dibujo del grupo: ${now}. Cambiar.`,
   noPicture: "ninguno",

@@ -1,6 +1,6 @@
-import type { ExchangeTexts } from "./pt-BR";
+import type { exchange as first } from "../pt-BR/exchange";
 
-export const es: ExchangeTexts = {
+export const exchange: typeof first = {
   title: "Memoria USB y carpeta de la escuela",
   intro:
     "Aquí los trabajos de muchas computadoras se vuelven un solo conjunto. Unir dos veces el mismo archivo no cambia nada, y el orden no importa.",

@@ -1,6 +1,6 @@
-import type { ptBR } from "./pt-BR";
+import type { keeping as first } from "../pt-BR/keeping";
 
-export const es: typeof ptBR = {
+export const keeping: typeof first = {
   history: "Historial",
   historyOf: (program: string) => `Historial de ${program}`,
   loading: "Buscando las versiones…",
@@ -65,7 +65,6 @@ export const es: typeof ptBR = {
   thrown: (program: string) => `“${program}” se fue a la papelera.`,
   undo: "Deshacer",
   bin: (n: number) => `Papelera (${n})`,
-  binTitle: "Papelera",
   binHint: "Los programas tirados quedan aquí, enteros. Sus recorridos siguen en la lista.",
   inBin: "Este programa está en la papelera.",
   takeBack: "Recuperar",
@@ -73,7 +72,6 @@ export const es: typeof ptBR = {
   noteAbout: (program: string) => `sobre un recorrido de ${program}`,
   noteSeeRun: "Volver a ver el recorrido",
   noteSeen: "Ya lo leímos",
-  noteWasSeen: "leído",
   filters: "Qué recorridos mostrar",
   allRuns: "Todos",
   allPrograms: "Todos los programas",

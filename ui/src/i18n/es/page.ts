@@ -1,16 +1,18 @@
-import { es as activity } from "./activity/es";
-import { es as classes } from "./classes/es";
-import { es as keeping } from "./keeping/es";
-import { es as plots } from "./plots/es";
-import { es as programFile } from "./program_file/es";
-import type { Texts } from "./pt-BR";
-import { es as world } from "./world/es";
+import type { page as first } from "../pt-BR/page";
 
-export const es: Texts = {
-  activity,
-  programFile,
-  keeping,
-  classes,
+export const page: typeof first = {
+  titles: {
+    start: "Grupos",
+    studio: "Programa",
+    work: "Nuestros trabajos",
+    replay: "Volver a ver el recorrido",
+    versions: "Historial",
+    differences: "Comparar versiones",
+    teacher: "Área docente",
+    lesson: "Clase",
+    runs: "Todos los recorridos",
+    compare: "Dos recorridos lado a lado",
+  },
   header: {
     home: "Cambiar de grupo",
     group: "Grupo",
@@ -93,19 +95,6 @@ export const es: Texts = {
       "Las ruedas patinan y las mediciones fallan un poco; una cámara dice dónde está el robot.",
     wheelsHelp:
       "Las ruedas patinan y el robot solo sabe lo que ellas cuentan: de a poco se pierde.",
-    sensors: {
-      sonar: "sonar",
-      distance: "distancia",
-      lidar: "láser a °",
-      x: "posición x (m)",
-      y: "posición y (m)",
-      heading: "dirección (°)",
-      bumper: "chocó con algo",
-      time: "tiempo (s)",
-      floor: "color del piso",
-      cell: "nombre del lugar",
-    },
-    directions: { front: "adelante", left: "a la izquierda", right: "a la derecha", back: "atrás" },
     gesture: "gesto leído",
     calls: "dentro de",
     times: (factor: string) => `${factor}×`,
@@ -251,8 +240,6 @@ export const es: Texts = {
     measureKeys: "Las flechas mueven la punta, Enter la marca, Esc guarda.",
     startKeys: "Las flechas mueven la partida; coma y punto giran el robot.",
   },
-  world,
-  plots,
   capture: {
     title: "¿Qué gesto hicieron?",
     hint: "Elijan la letra en LIBRAS.",
@@ -310,6 +297,8 @@ export const es: Texts = {
     goneTitle: "PINEL no responde.",
     gone: "Seguimos intentando. Si no vuelve, cierren y abran el programa. Lo que se guardó está a salvo.",
     failedTitle: "Eso no funcionó.",
+    notLoaded: "No se pudo abrir.",
+    tryAgain: "Intentar de nuevo",
     back: "Volver al inicio",
     deleted: {
       group: "El grupo fue borrado en esta computadora.",

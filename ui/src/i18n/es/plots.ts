@@ -1,6 +1,6 @@
-import type { PlotsTexts } from "./pt-BR";
+import type { plots as first } from "../pt-BR/plots";
 
-export const es: PlotsTexts = {
+export const plots: typeof first = {
   label: "Gráficos del recorrido",
   open: "Gráficos",
   empty: "Presionen Ejecutar y los gráficos aparecen aquí.",

@@ -1,6 +1,6 @@
-import type { ptBR } from "./pt-BR";
+import type { programFile as first } from "../pt-BR/program_file";
 
-export const es: typeof ptBR = {
+export const programFile: typeof first = {
   takeAlong: "Llevar el programa",
   takeAlongHint: "Guarda el programa en un archivo, para seguir en otra computadora.",
   take: "Llevar",

@@ -1,6 +1,6 @@
-import type { TeacherTexts } from "./pt-BR";
+import type { teacher as first } from "../pt-BR/teacher";
 
-export const es: TeacherTexts = {
+export const teacher: typeof first = {
   door: {
     title: "Área docente",
     hint: "Escriba el PIN para abrir.",

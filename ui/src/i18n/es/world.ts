@@ -1,6 +1,6 @@
-import type { WorldTexts } from "./pt-BR";
+import type { world as first } from "../pt-BR/world";
 
-export const es: WorldTexts = {
+export const world: typeof first = {
   own: "Nuestro mundo",
   change: "Cambiar",
   changeHelp: "Cambiar este mundo: paredes, cajas, colores",

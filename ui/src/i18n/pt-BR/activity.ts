@@ -1,5 +1,5 @@
 /** What is said of the activity of a lesson. */
-export const ptBR = {
+export const activity = {
   passed: "Conseguiram! A atividade está resolvida.",
   missing: (what: string) => `Ainda falta para a atividade: ${what}`,
   toTheEnd: "O programa resolve a atividade: agora deixem rodar até o fim.",

@@ -1,6 +1,4 @@
-import type { BlockTexts } from "./keys";
-
-export const ptBR: BlockTexts = {
+export const blocks = {
   CATEGORY_MOTION: "Movimento",
   CATEGORY_SENSING: "Sensores",
   CATEGORY_FLOW: "Controle",

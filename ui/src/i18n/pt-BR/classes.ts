@@ -1,5 +1,5 @@
 /** Groups by their drawings, classes, the lesson that is open, the door to the teacher's part. */
-export const ptBR = {
+export const classes = {
   picture: "Desenho do grupo",
   choosePicture: (now: string) => `Desenho do grupo: ${now}. Trocar.`,
   noPicture: "nenhum",
@@ -49,5 +49,3 @@ export const ptBR = {
   turns: "Quem estava no mouse passa a guiar.",
   turnsDone: "Trocamos",
 };
-
-export type ClassesTexts = typeof ptBR;

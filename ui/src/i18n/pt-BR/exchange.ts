@@ -1,5 +1,5 @@
 /** Work that goes from PC to PC. */
-export const ptBR = {
+export const exchange = {
   title: "Pendrive e pasta da escola",
   intro:
     "Aqui os trabalhos de muitos computadores viram um só conjunto. Juntar duas vezes o mesmo arquivo não muda nada, e a ordem não importa.",
@@ -82,5 +82,3 @@ export const ptBR = {
     left: "Apague também estes arquivos, que ainda podem conter esses trabalhos:",
   },
 };
-
-export type ExchangeTexts = typeof ptBR;

@@ -1,5 +1,5 @@
 /** What is never lost: the line of versions, comparing, the bin, notes of the teacher. */
-export const ptBR = {
+export const keeping = {
   history: "Histórico",
   historyOf: (program: string) => `Histórico de ${program}`,
   loading: "Buscando as versões…",
@@ -65,7 +65,6 @@ export const ptBR = {
   thrown: (program: string) => `“${program}” foi para a lixeira.`,
   undo: "Desfazer",
   bin: (n: number) => `Lixeira (${n})`,
-  binTitle: "Lixeira",
   binHint: "Os programas jogados fora ficam aqui, inteiros. As rodadas deles continuam na lista.",
   inBin: "Este programa está na lixeira.",
   takeBack: "Pegar de volta",
@@ -73,7 +72,6 @@ export const ptBR = {
   noteAbout: (program: string) => `sobre uma rodada de ${program}`,
   noteSeeRun: "Rever a rodada",
   noteSeen: "Já lemos",
-  noteWasSeen: "lido",
   filters: "Quais rodadas mostrar",
   allRuns: "Todas",
   allPrograms: "Todos os programas",

@@ -1,16 +1,18 @@
-import { ptBR as activity } from "./activity/pt-BR";
-import { ptBR as classes } from "./classes/pt-BR";
-import { ptBR as keeping } from "./keeping/pt-BR";
-import { ptBR as plots } from "./plots/pt-BR";
-import { ptBR as programFile } from "./program_file/pt-BR";
-import { ptBR as world } from "./world/pt-BR";
-
 /** The first catalogue: its shape is what every other language must have. */
-export const ptBR = {
-  activity,
-  programFile,
-  keeping,
-  classes,
+export const page = {
+  /** What the browser calls each screen of `shell/route`. */
+  titles: {
+    start: "Grupos",
+    studio: "Programa",
+    work: "Nossos trabalhos",
+    replay: "Rever a rodada",
+    versions: "Histórico",
+    differences: "Comparar versões",
+    teacher: "Área do professor",
+    lesson: "Aula",
+    runs: "Todas as rodadas",
+    compare: "Duas rodadas lado a lado",
+  },
   header: {
     home: "Trocar de grupo",
     group: "Grupo",
@@ -92,19 +94,6 @@ export const ptBR = {
     idealHelp: "Nada escorrega e todas as medidas são exatas.",
     cameraHelp: "As rodas escorregam e as medidas erram um pouco; uma câmera diz onde o robô está.",
     wheelsHelp: "As rodas escorregam e o robô só sabe o que elas contam: ele se perde aos poucos.",
-    sensors: {
-      sonar: "sonar",
-      distance: "distância",
-      lidar: "laser a °",
-      x: "posição x (m)",
-      y: "posição y (m)",
-      heading: "direção (°)",
-      bumper: "bateu em algo",
-      time: "tempo (s)",
-      floor: "cor do chão",
-      cell: "nome do lugar",
-    },
-    directions: { front: "à frente", left: "à esquerda", right: "à direita", back: "atrás" },
     gesture: "gesto lido",
     calls: "dentro de",
     times: (factor: string) => `${factor}×`,
@@ -248,8 +237,6 @@ export const ptBR = {
     measureKeys: "Setas movem a ponta, Enter marca, Esc guarda.",
     startKeys: "Setas movem a partida; vírgula e ponto giram o robô.",
   },
-  world,
-  plots,
   capture: {
     title: "Que gesto vocês fizeram?",
     hint: "Escolham a letra em LIBRAS.",
@@ -308,6 +295,8 @@ export const ptBR = {
     goneTitle: "O PINEL não responde.",
     gone: "Estamos tentando de novo. Se não voltar, fechem e abram o programa. O que já foi salvo não se perde.",
     failedTitle: "Isto não deu certo.",
+    notLoaded: "Não deu para abrir.",
+    tryAgain: "Tentar de novo",
     back: "Voltar ao início",
     deleted: {
       group: "O grupo foi apagado neste computador.",
@@ -325,6 +314,3 @@ export const ptBR = {
     yesterday: (time: string) => `ontem, ${time}`,
   },
 };
-
-/** A key that a language lacks, or has too much, does not compile. */
-export type Texts = typeof ptBR;

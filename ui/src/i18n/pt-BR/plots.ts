@@ -1,5 +1,5 @@
 /** What is said of plots. */
-export const ptBR = {
+export const plots = {
   label: "Gráficos da rodada",
   open: "Gráficos",
   empty: "Apertem Rodar: os gráficos aparecem aqui.",
@@ -33,5 +33,3 @@ export const ptBR = {
     measured: "medido",
   },
 };
-
-export type PlotsTexts = typeof ptBR;

@@ -1,5 +1,5 @@
 /** A program as a file. */
-export const ptBR = {
+export const programFile = {
   takeAlong: "Levar o programa",
   takeAlongHint: "Salva o programa em um arquivo, para continuar em outro computador.",
   take: "Levar",

@@ -1,5 +1,5 @@
 /** What the teacher reads after class: its shape is what every other language must have. */
-export const ptBR = {
+export const review = {
   lesson: {
     title: (title: string) => title || "Aula sem título",
     opening: "Buscando a aula…",
@@ -185,5 +185,3 @@ export const ptBR = {
     blocksOf: (name: string) => `Blocos de ${name}`,
   },
 };
-
-export type ReviewTexts = typeof ptBR;

@@ -1,5 +1,5 @@
 /** The teacher's part: the door, the first day, classes, lessons, this PC. */
-export const ptBR = {
+export const teacher = {
   door: {
     title: "Área do professor",
     hint: "Digite o PIN para abrir.",
@@ -110,5 +110,3 @@ export const ptBR = {
   save: "Salvar",
   cancel: "Cancelar",
 };
-
-export type TeacherTexts = typeof ptBR;

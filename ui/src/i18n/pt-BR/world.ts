@@ -1,5 +1,5 @@
 /** The world editor's words. */
-export const ptBR = {
+export const world = {
   own: "Nosso mundo",
   change: "Mudar",
   changeHelp: "Mudar este mundo: paredes, caixas, cores",
@@ -69,5 +69,3 @@ export const ptBR = {
   tooLarge: "Ele é grande demais: um mundo tem até 256 kB.",
   between: (least: string, most: string) => `Escrevam um número de ${least} a ${most}.`,
 };
-
-export type WorldTexts = typeof ptBR;

@@ -1,7 +1,9 @@
 import { ChevronDown } from "lucide-preact";
+import type { RefObject } from "preact";
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
-import { TEST } from "../app/testids";
-import { texts } from "../i18n";
+import { texts } from "../../i18n";
+import { Button } from "../Button";
+import { KIT_TEST } from "../testids";
 import { GroupPicture } from "./GroupPicture";
 import { PictureChoice } from "./PictureChoice";
 import { isPicture, type PictureName } from "./pictures";
@@ -17,57 +19,30 @@ export function PictureButton(props: PictureButtonProps) {
   const { classes } = texts.value;
   const place = useRef<HTMLDivElement>(null);
   const [open, setOpen] = useState(false);
-
-  const put = () => {
+  const close = (withFocus: boolean) => {
     setOpen(false);
-    place.current?.querySelector("button")?.focus();
+    if (withFocus) place.current?.querySelector("button")?.focus();
   };
-  // a press chooses and puts them away; arrow keys walk, Enter or Escape ends it
-  const byHand = useRef(false);
+  const byHand = useOpenPlace(place, open, close);
   const choose = (name: PictureName) => {
     props.onChoose(name);
-    if (byHand.current) put();
+    if (byHand.current) close(true);
   };
-
-  useLayoutEffect(() => {
-    if (!open) return;
-    const inside = place.current;
-    inside?.querySelector<HTMLInputElement>("input:checked")?.focus();
-    const leave = ({ target, type }: Event) => {
-      if (type === "pointerdown") byHand.current = true;
-      if (!inside?.contains(target as Node)) setOpen(false);
-    };
-    const end = (event: KeyboardEvent) => {
-      byHand.current = false;
-      if (event.key !== "Escape" && event.key !== "Enter") return;
-      event.preventDefault();
-      put();
-    };
-    document.addEventListener("pointerdown", leave);
-    document.addEventListener("focusin", leave);
-    inside?.addEventListener("keydown", end);
-    return () => {
-      document.removeEventListener("pointerdown", leave);
-      document.removeEventListener("focusin", leave);
-      inside?.removeEventListener("keydown", end);
-    };
-  }, [open]);
-
   const now = isPicture(props.chosen) ? classes.pictures[props.chosen] : classes.noPicture;
   return (
     <div class="picture-button" ref={place}>
-      <button
-        type="button"
+      <Button
+        kind="bare"
         class="picture-button__button"
-        aria-expanded={open}
-        aria-label={classes.choosePicture(now)}
-        title={classes.choosePicture(now)}
-        data-testid={TEST.choosePicture}
-        onClick={() => setOpen(!open)}
+        open={open}
+        label={classes.choosePicture(now)}
+        tip={classes.choosePicture(now)}
+        testId={KIT_TEST.choosePicture}
+        onPress={() => setOpen(!open)}
       >
         <GroupPicture name={props.chosen} />
         <ChevronDown class="icon picture-button__more" aria-hidden="true" />
-      </button>
+      </Button>
       {open && (
         <div class="picture-button__all card">
           <PictureChoice {...props} onChoose={choose} />
@@ -75,4 +50,38 @@ export function PictureButton(props: PictureButtonProps) {
       )}
     </div>
   );
+}
+
+/**
+ * Closes an open place when the pointer or the focus leaves it, or by Enter or Escape. The answer tells whether the
+ * pointer was used last: a press chooses and closes, arrow keys walk.
+ */
+function useOpenPlace(
+  place: RefObject<HTMLElement>,
+  open: boolean,
+  close: (withFocus: boolean) => void,
+): { readonly current: boolean } {
+  const byHand = useRef(false);
+  useLayoutEffect(() => {
+    const inside = place.current;
+    if (!open || !inside) return;
+    inside.querySelector<HTMLInputElement>("input:checked")?.focus();
+    const leave = ({ target, type }: Event) => {
+      if (type === "pointerdown") byHand.current = true;
+      if (!inside.contains(target as Node)) close(false);
+    };
+    const end = (event: KeyboardEvent) => {
+      byHand.current = false;
+      if (event.key !== "Escape" && event.key !== "Enter") return;
+      event.preventDefault();
+      close(true);
+    };
+    const ended = new AbortController();
+    const { signal } = ended;
+    document.addEventListener("pointerdown", leave, { signal });
+    document.addEventListener("focusin", leave, { signal });
+    inside.addEventListener("keydown", end, { signal });
+    return () => ended.abort();
+  }, [open]);
+  return byHand;
 }

@@ -1,18 +1,22 @@
 import { useState } from "preact/hooks";
-import { type Problem, wordsOf } from "../app/session";
-import { asTeacher } from "../app/teacher";
+import { type Problem, wordsOf } from "./problem";
 
-/** A form's way to the server: busy while it waits, and what went wrong, in words, beside it. */
-export function useAct() {
+type Work = () => Promise<unknown>;
+
+/**
+ * A form's request to the server: busy while it waits, and its failure in words beside the form.
+ * `through`: how the work is done where it needs more than to be called, for example `asTeacher`.
+ */
+export function useAct(through: (work: Work) => Promise<unknown> = (work) => work()) {
   const [busy, setBusy] = useState(false);
   const [fault, setFault] = useState<Problem | null>(null);
 
   /** Whether it was done. */
-  const act = async (work: () => Promise<unknown>): Promise<boolean> => {
+  const act = async (work: Work): Promise<boolean> => {
     setBusy(true);
     setFault(null);
     try {
-      await asTeacher(work);
+      await through(work);
       return true;
     } catch (error) {
       setFault(wordsOf(error));
@@ -22,7 +26,7 @@ export function useAct() {
     }
   };
 
-  /** Says what the page itself finds wrong. */
+  /** Shows what the page itself finds wrong. */
   const refuse = (message: string) => setFault({ message, remedy: "" });
 
   return { busy, fault, act, refuse, clear: () => setFault(null) };

@@ -1,8 +1,8 @@
 import type { ReadonlySignal } from "@preact/signals";
-import { TEST } from "../app/testids";
-import { language, texts } from "../i18n";
-import { decimal, headingDegrees } from "../i18n/format";
-import type { RunView } from "./reducer";
+import { language, texts } from "../../i18n";
+import { decimal, headingDegrees } from "../../i18n/format";
+import { TEST } from "../../shell/testids";
+import type { RunView } from "../reducer";
 
 interface Cell {
   name: string;
@@ -13,7 +13,7 @@ interface Cell {
   testId: string;
 }
 
-/** Where the robot is and how long it has been on its way. */
+/** The robot's pose and the elapsed time. */
 export function Readout({ view }: { view: ReadonlySignal<RunView> }) {
   const { readout } = texts.value;
   const { pose, tick } = view.value;

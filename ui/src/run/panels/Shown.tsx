@@ -1,16 +1,16 @@
 import { type ReadonlySignal, useComputed } from "@preact/signals";
-import { texts } from "../i18n";
-import type { RunView } from "./reducer";
+import { texts } from "../../i18n";
+import type { RunView } from "../reducer";
 import { Talk } from "./Talk";
 import { Watch } from "./Watch";
 
 interface ShownProps {
   view: ReadonlySignal<RunView>;
-  /** More to watch: what sensors measure while the run stands. */
+  /** More rows to watch: sensor values while the run is paused. */
   more?: ReadonlySignal<readonly (readonly [string, unknown])[]>;
 }
 
-/** Under the floor: what the robot says, and what its variables hold. Nothing where there is neither. */
+/** Panel under the floor with the dialogue and the variables. Renders nothing where there is neither. */
 export function Shown({ view, more }: ShownProps) {
   const talk = useComputed(() => view.value.output.talk);
   const variables = useComputed(() => view.value.output.variables);

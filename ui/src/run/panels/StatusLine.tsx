@@ -1,8 +1,8 @@
 import { CircleCheck, Info, Navigation, TriangleAlert } from "lucide-preact";
 import { useEffect, useState } from "preact/hooks";
-import { TEST } from "../app/testids";
-import { texts } from "../i18n";
-import type { Sentence, Tone } from "./sentence";
+import { texts } from "../../i18n";
+import { TEST } from "../../shell/testids";
+import type { Sentence, Tone } from "../sentence";
 
 const ICONS: Record<Tone, typeof Info> = {
   calm: Info,
@@ -12,10 +12,10 @@ const ICONS: Record<Tone, typeof Info> = {
   fault: TriangleAlert,
 };
 
-/** A screen reader hears a new sentence, not every centimetre of it. */
+/** Delay before a screen reader announces a sentence, so that it does not announce every centimetre. */
 const SETTLE_MS = 400;
 
-/** What the robot does now, in one line of words. */
+/** The robot's current action in one line of text. */
 export function StatusLine({ sentence }: { sentence: Sentence }) {
   const Icon = ICONS[sentence.tone];
   return (

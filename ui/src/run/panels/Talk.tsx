@@ -1,17 +1,17 @@
 import { CircleQuestionMark, MessageCircle, Reply } from "lucide-preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
-import { TEST } from "../app/testids";
-import { language, texts } from "../i18n";
-import { seconds } from "../i18n/format";
-import type { Line } from "./output";
-import { numberWords } from "./values";
+import { language, texts } from "../../i18n";
+import { seconds } from "../../i18n/format";
+import { TEST } from "../../shell/testids";
+import type { Line } from "../output";
+import { numberWords } from "../values";
 
 const ICONS = { said: MessageCircle, asked: CircleQuestionMark, answered: Reply } as const;
 
-/** Nearer to the end than this, in pixels, the list follows its newest line. */
+/** The list scrolls to its newest line while it is scrolled to within this of its end, in pixels. */
 const AT_END_PX = 48;
 
-/** What the robot says and asks, and what the group answered; the newest in sight. */
+/** What the robot says and asks, and the group's answers, with the newest line in view. */
 export function Talk({ lines }: { lines: readonly Line[] }) {
   const { show } = texts.value;
   const list = useRef<HTMLOListElement>(null);

@@ -1,8 +1,8 @@
-import { TEST } from "../app/testids";
-import { language, texts } from "../i18n";
-import { valueWords } from "./values";
+import { language, texts } from "../../i18n";
+import { TEST } from "../../shell/testids";
+import { valueWords } from "../values";
 
-/** What the variables of the program hold now. */
+/** The current values of the program's variables. */
 export function Watch({ rows }: { rows: readonly (readonly [string, unknown])[] }) {
   const { show } = texts.value;
   return (

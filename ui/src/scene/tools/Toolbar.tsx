@@ -13,11 +13,12 @@ import {
   Triangle,
   Wrench,
 } from "lucide-preact";
-import type { Ring } from "../api/model";
-import { TEST } from "../app/testids";
-import { texts } from "../i18n";
-import { looking, toggleRing } from "../run/looking";
-import type { SceneRenderer } from "./renderer";
+import type { Ring } from "../../api/model";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { TEST } from "../../shell/testids";
+import type { SceneRenderer } from "../renderer";
+import { shownRings, toggleRing } from "./sensor_rings";
 import type { SceneTools } from "./tools";
 
 const ZOOM_STEP = 1.4;
@@ -25,14 +26,14 @@ const ZOOM_STEP = 1.4;
 interface ToolbarProps {
   scene(): SceneRenderer | null;
   tools: SceneTools;
-  /** Puts everything back to the start; there only where something can be put back. */
+  /** Resets everything to the start; null where the floor has no reset. */
   again: { readonly able: boolean; act(): void } | null;
-  /** There is a robot whose sensors can be asked. */
+  /** The robot has sensors that can be displayed. */
   hasSensors: boolean;
   onPicture(): void;
 }
 
-/** Few buttons on the floor; the rest of the tools behind one of them. */
+/** The floor's main buttons, and a menu with the other tools. */
 export function Toolbar({ scene, tools, again, hasSensors, onPicture }: ToolbarProps) {
   const words = texts.value.scene;
   const open = useSignal(false);
@@ -82,7 +83,7 @@ function More({ scene, tools, hasSensors, onPicture }: MoreProps) {
       Icon={Icon}
       testId={TEST.ring}
       name={name}
-      pressed={looking.value.includes(name)}
+      pressed={shownRings.value.includes(name)}
       onClick={() => toggleRing(name)}
     />
   );
@@ -131,19 +132,17 @@ interface ToolProps {
 
 function Tool({ label, Icon, testId, name, pressed, expanded, disabled, onClick }: ToolProps) {
   return (
-    <button
-      type="button"
+    <Button
+      icon={Icon}
+      label={label}
+      kind="bare"
       class="scene__button"
-      aria-label={label}
-      title={label}
-      aria-pressed={pressed}
-      aria-expanded={expanded}
+      pressed={pressed}
+      open={expanded}
       disabled={disabled}
-      data-testid={testId}
+      testId={testId}
       data-name={name}
-      onClick={onClick}
-    >
-      <Icon class="icon" aria-hidden="true" />
-    </button>
+      onPress={onClick}
+    />
   );
 }

@@ -1,16 +1,16 @@
-import type { Start, World } from "../api/model";
-import type { XY } from "./frames";
+import type { Start, World } from "../../api/model";
+import type { XY } from "../frames";
+import type { SceneRenderer } from "../renderer";
 import { POINTS_OF, snapped } from "./measure";
-import type { SceneRenderer } from "./renderer";
 import { facing, handleOf, isStartKey, movedTo, nudged, wayOf } from "./start_pose";
 import type { SceneTools } from "./tools";
 
-/** A robot that may be taken by hand. */
+/** A robot that can be dragged. */
 export interface Grip {
   readonly world: World | null;
-  /** Where it stands, null while a run moves it. */
+  /** Its pose; null while a run moves it. */
   readonly here: Start | null;
-  /** It stands at its start, where a knob turns it. */
+  /** The robot is at its start, where a handle turns it. */
   readonly isAtStart: boolean;
   put(start: Start): void;
 }
@@ -20,25 +20,25 @@ interface Floor {
   readonly scene: SceneRenderer;
   readonly tools: SceneTools;
   grip(): Grip | null;
-  /** Places worth measuring from, world frame. */
+  /** Points that measurements snap to, world frame. */
   places(): XY[];
 }
 
-/** A finger hits what is nearer than this, in pixels; what moved less was a click. */
+/** Touch radius in pixels, and the largest movement that still counts as a click. */
 const REACH_PX = 22;
 const CLICK_PX = 6;
 const ROBOT_M = 0.24;
 
 type Mode = "pan" | "move" | "turn" | "measure";
 
-/** Mouse, pen and finger on the floor: they measure, take the robot, or move the floor. The answer ends that. */
+/** Handles pointer and keys on the floor: measuring, dragging the robot, panning. Returns the unsubscribe function. */
 export function listenToHands(floor: Floor): () => void {
   const { element, scene, tools } = floor;
   let mode: Mode | null = null;
   let last: XY = { x: 0, y: 0 };
   let far = 0;
   let began: Start | null = null;
-  /** The hand has only just set the first point. */
+  /** The current press set the first point. */
   let fresh = false;
 
   const placeOf = (event: PointerEvent): XY => {
@@ -114,7 +114,7 @@ export function listenToHands(floor: Floor): () => void {
   };
 }
 
-/** What a hand at a place of the floor takes. */
+/** Which drag a press at a place of the floor begins. */
 function holdAt(place: XY, { scene, grip }: Floor): Exclude<Mode, "measure"> {
   const robot = grip();
   const { here } = robot ?? {};
@@ -127,7 +127,7 @@ function holdAt(place: XY, { scene, grip }: Floor): Exclude<Mode, "measure"> {
   return near({ x: here.x_m, y: here.y_m }, reach) ? "move" : "pan";
 }
 
-/** The first point is where the hand came down, the next are where it goes up; true for the first. */
+/** A press sets the first point and a release each further one. Returns true for the first. */
 function beginMeasure(tools: SceneTools, place: XY): boolean {
   const first = tools.points.peek().length === 0 || tools.isDone.peek();
   if (first) tools.set(place);
@@ -140,7 +140,7 @@ function endMeasure(tools: SceneTools, place: XY): void {
   if (tool && tools.points.peek().length < POINTS_OF[tool]) tools.set(place);
 }
 
-/** The arrows move the next point, Enter sets it. */
+/** Arrow keys move the next point, Enter sets it. */
 function measureKey(event: KeyboardEvent, { scene, tools }: Floor): boolean {
   const now = tools.draft.peek() ?? tools.points.peek().at(-1) ?? scene.robotAt;
   if (event.key === "Enter" || event.key === " ") {
@@ -154,7 +154,7 @@ function measureKey(event: KeyboardEvent, { scene, tools }: Floor): boolean {
   return true;
 }
 
-/** The arrows move the start, comma and point turn it. */
+/** Arrow keys move the start, comma and period turn it. */
 function startKey({ key, shiftKey, ctrlKey }: KeyboardEvent, { grip }: Floor): boolean {
   const robot = grip();
   if (!robot?.here || ctrlKey || !isStartKey(key)) return false;

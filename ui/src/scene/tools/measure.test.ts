@@ -1,9 +1,9 @@
 import { describe, expect, test } from "vitest";
-import { CATALOGUES } from "../i18n";
-import { toFloor, toScreen } from "./camera";
+import { textsOf } from "../../i18n";
+import { toFloor, toScreen } from "../camera";
+import { Pushed } from "../pushed";
 import { measured, snapped, turnBetween, turned } from "./measure";
 import { measureWords } from "./measure_view";
-import { Pushed } from "./pushed";
 import { facing, handleOf, movedTo, nudged } from "./start_pose";
 import { SceneTools } from "./tools";
 
@@ -31,7 +31,7 @@ describe("the protractor", () => {
 
   test("says the side in words", () => {
     const words = (degrees: number) =>
-      measureWords({ kind: "angle", degrees }, CATALOGUES["pt-BR"], "pt-BR");
+      measureWords({ kind: "angle", degrees }, textsOf("pt-BR"), "pt-BR");
     expect(words(90)).toBe("90° à esquerda");
     expect(words(-44.6)).toBe("45° à direita");
     expect(words(0.2)).toBe("0°");

@@ -1,16 +1,16 @@
-import type { XY } from "./frames";
+import type { XY } from "../frames";
 
-/** What measures on the floor. */
+/** Tools that measure on the floor. */
 export type MeasureTool = "ruler" | "protractor";
 
-/** How many points a tool needs: two ends; the corner and a point on each ray. */
+/** Number of points of each tool: two ends; a vertex and a point on each ray. */
 export const POINTS_OF: Readonly<Record<MeasureTool, number>> = { ruler: 2, protractor: 3 };
 
 export type Measured =
   | { readonly kind: "distance"; readonly metres: number }
   | { readonly kind: "angle"; readonly degrees: number };
 
-/** What the points of a tool tell: a distance, or how far to turn from the first ray to the second, left positive. */
+/** Result of a tool's points: a distance, or the turn from the first ray to the second, positive to the left. */
 export function measured(tool: MeasureTool, points: readonly XY[]): Measured | null {
   const [a, b, c] = points;
   if (tool === "ruler") return a && b ? { kind: "distance", metres: distance(a, b) } : null;
@@ -19,7 +19,7 @@ export function measured(tool: MeasureTool, points: readonly XY[]): Measured | n
 
 export const distance = (a: XY, b: XY) => Math.hypot(b.x - a.x, b.y - a.y);
 
-/** The turn in degrees, (-180, 180], from the ray through `from` to the ray through `to`. */
+/** Turn in degrees, in (-180, 180], from the ray through `from` to the ray through `to`. */
 export function turnBetween(corner: XY, from: XY, to: XY): number {
   const [ax, ay] = [from.x - corner.x, from.y - corner.y];
   const [bx, by] = [to.x - corner.x, to.y - corner.y];
@@ -27,7 +27,7 @@ export function turnBetween(corner: XY, from: XY, to: XY): number {
   return turn <= -180 ? turn + 360 : turn;
 }
 
-/** The nearest of the places worth hitting, where one is nearer than `reach`; else the point itself. */
+/** The nearest snap point within `reach`, else the point itself. */
 export function snapped(point: XY, places: readonly XY[], reach: number): XY {
   let [best, least] = [point, reach];
   for (const place of places) {
@@ -40,11 +40,11 @@ export function snapped(point: XY, places: readonly XY[], reach: number): XY {
 const STEP_M = 0.1;
 const STEP_DEG = 15;
 
-/** A start on the grid of tenths of a metre and steps of 15 degrees. */
+/** Rounds to the start's grid: tenths of a metre; angles are in steps of 15 degrees. */
 export const onGrid = (metres: number) => Math.round(metres / STEP_M) / (1 / STEP_M);
 export const onTurn = (degrees: number) => Math.round(degrees / STEP_DEG) * STEP_DEG;
 
-/** Degrees in (-180, 180]. */
+/** Wraps degrees to (-180, 180]. */
 export function turned(degrees: number): number {
   const rest = degrees - 360 * Math.ceil((degrees - 180) / 360);
   return rest === 0 ? 0 : rest;

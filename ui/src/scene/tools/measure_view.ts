@@ -1,15 +1,15 @@
-import type { Language, Texts } from "../i18n";
-import { decimal, metres } from "../i18n/format";
-import { type Camera, type Size, toScreen } from "./camera";
-import type { XY } from "./frames";
+import type { Language, Texts } from "../../i18n";
+import { decimal, metres } from "../../i18n/format";
+import { type Camera, type Size, toScreen } from "../camera";
+import type { XY } from "../frames";
+import type { Palette } from "../palette";
 import type { Measured, MeasureTool } from "./measure";
-import type { Palette } from "./palette";
 
 type Ctx = CanvasRenderingContext2D;
 
 const ARC_PX = 44;
 
-/** What was measured, in words: "1,25 m", "90° à esquerda". */
+/** A measurement as text: "1,25 m", "90° à esquerda". */
 export function measureWords(
   result: Measured,
   { scene }: Pick<Texts, "scene">,
@@ -21,7 +21,7 @@ export function measureWords(
   return result.degrees > 0 ? scene.toLeft(degrees) : scene.toRight(degrees);
 }
 
-/** Ruler or protractor with its words, over everything else; in pixels. */
+/** Draws ruler or protractor with its text over everything else; in pixels. */
 export function drawMeasure(
   ctx: Ctx,
   tool: MeasureTool,
@@ -83,7 +83,7 @@ function drawArc(ctx: Ctx, corner: XY, from: XY, to: XY, palette: Palette): void
   drawTip(ctx, corner, end, Math.sign(turn), palette);
 }
 
-/** The head of the arrow tells from which ray to which. */
+/** Draws the arrow head that shows the direction from the first ray to the second. */
 function drawTip(ctx: Ctx, corner: XY, angle: number, way: number, palette: Palette): void {
   ctx.save();
   ctx.translate(corner.x + ARC_PX * Math.cos(angle), corner.y + ARC_PX * Math.sin(angle));

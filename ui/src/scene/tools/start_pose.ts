@@ -1,13 +1,11 @@
-import type { Start, World } from "../api/model";
-import { roomOf, type XY } from "./frames";
+import type { Start, World } from "../../api/model";
+import { HANDLE_M, roomOf, type XY } from "../frames";
 import { onGrid, onTurn, turned } from "./measure";
 
-/** The robot does not begin nearer to the outer walls than this. */
+/** Smallest distance of the start from the outer walls. */
 const CLEAR_M = 0.3;
-/** From the robot's middle to the handle that turns it. */
-export const HANDLE_M = 0.5;
 
-/** A start moved to a place: to tenths of a metre unless `free`, and never into the outer walls. */
+/** Moves a start to a place, snapped to tenths of a metre unless `free`, and inside the outer walls. */
 export function movedTo(start: Start, place: XY, world: World | null, free: boolean): Start {
   const room = roomOf(world);
   const clear = (value: number, low: number, high: number) => {
@@ -21,13 +19,13 @@ export function movedTo(start: Start, place: XY, world: World | null, free: bool
   };
 }
 
-/** A start that faces a place: in steps of 15 degrees unless `free`. */
+/** Turns a start towards a place, in steps of 15 degrees unless `free`. */
 export function facing(start: Start, place: XY, free: boolean): Start {
   const heading = (Math.atan2(place.y - start.y_m, place.x - start.x_m) * 180) / Math.PI;
   return { ...start, heading_deg: round(turned(free ? heading : onTurn(heading)), 1) };
 }
 
-/** One step of a key: so many metres, or degrees to the left. */
+/** Moves or turns a start by one key press: metres, or degrees to the left. */
 export function nudged(start: Start, key: string, world: World | null, fine: boolean): Start {
   const step = fine ? 0.01 : 0.1;
   const way = KEYS[key];
@@ -48,7 +46,7 @@ const KEYS: Readonly<Record<string, readonly [number, number]>> = {
 
 export const isStartKey = (key: string) => key in KEYS || [",", ".", "<", ">"].includes(key);
 
-/** Which way an arrow key leads. */
+/** Direction of an arrow key. */
 export const wayOf = (key: string) => KEYS[key];
 
 const round = (value: number, digits: number) => {

@@ -1,12 +1,12 @@
 import { expect, test } from "vitest";
-import { nextPlace } from "./review_place";
-import type { Route } from "./route";
+import type { Route } from "../route";
+import { nextOrigin } from "./review_origin";
 
 const LESSON = { screen: "lesson", lesson: "l1" } as const;
 const REPLAY = { screen: "replay", run: "r1" } as const;
 
 function walk(...screens: Route[]) {
-  return screens.reduce<ReturnType<typeof nextPlace>>((last, now) => nextPlace(now, last), null);
+  return screens.reduce<ReturnType<typeof nextOrigin>>((last, now) => nextOrigin(now, last), null);
 }
 
 test("who opens a run from the lesson's page can go back to it, over another version too", () => {

@@ -1,18 +1,17 @@
 import { useEffect } from "preact/hooks";
-import { report } from "../app/session";
-import { TEST } from "../app/testids";
-import { wentOn } from "../app/went_on";
-import { texts } from "../i18n";
-import type { StudioControl } from "./studio_control";
-import { WayBack } from "./WayBack";
+import { texts } from "../../i18n";
+import { WayBack } from "../../kit/WayBack";
+import { TEST } from "../../shell/testids";
+import { restoredFrom } from "../program/restored_from";
+import type { StudioControl } from "../studio_control";
 
 /** After an old version took the place of the newest: where that is now, with the way back to it. */
 export function BackFromOld({ control }: { control: StudioControl }) {
   const forget = () => {
-    wentOn.value = null;
+    restoredFrom.value = null;
   };
   useEffect(() => forget, []);
-  const { value: step } = wentOn;
+  const { value: step } = restoredFrom;
   if (step?.program !== control.open.id) return null;
   const words = texts.value.keeping;
   const { from, instead } = step;
@@ -25,7 +24,7 @@ export function BackFromOld({ control }: { control: StudioControl }) {
       words={words.wentOn(from.number, instead.number)}
       action={words.backTo(instead.number)}
       testId={TEST.versionReturn}
-      onBack={() => void back().catch(report)}
+      onBack={back}
       onClose={forget}
     />
   );

@@ -1,28 +1,30 @@
 import {
   AlignVerticalJustifyStart,
-  ChevronDown,
   History,
   Layers,
+  type LucideIcon,
   Redo2,
   Undo2,
 } from "lucide-preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
-import { LEVELS, level, setLevel } from "../app/level";
-import { go } from "../app/route";
-import { problem, program, refreshStatus } from "../app/session";
-import { TEST } from "../app/testids";
-import { theme } from "../app/theme";
+import { createEditor, type Editor } from "../../editor";
+import { language, texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { Select } from "../../kit/Select";
+import { WayBack } from "../../kit/WayBack";
+import { LEVELS, level, setLevel } from "../../shell/level";
+import { go } from "../../shell/route";
+import { problem, program, refreshStatus } from "../../shell/session";
+import { TEST } from "../../shell/testids";
+import { theme } from "../../shell/theme";
 import { breakpoints } from "../debug/debugging";
-import { createEditor, type Editor } from "../editor";
-import { language, texts } from "../i18n";
+import type { StudioControl } from "../studio_control";
 import { BackFromOld } from "./BackFromOld";
 import { Elsewhere } from "./Elsewhere";
 import { FaultList } from "./FaultList";
 import { InBin } from "./InBin";
 import { OtherWindow } from "./OtherWindow";
-import type { StudioControl } from "./studio_control";
 import { Turns } from "./Turns";
-import { WayBack } from "./WayBack";
 
 export function BlocksPane({ control }: { control: StudioControl }) {
   const { studio } = texts.value;
@@ -43,21 +45,15 @@ export function BlocksPane({ control }: { control: StudioControl }) {
 
 function Tools({ control }: { control: StudioControl }) {
   const { studio } = texts.value;
-  const tool = (
-    testId: string,
-    label: string,
-    Icon: typeof Undo2,
-    act: (editor: Editor) => void,
-  ) => (
-    <button
-      type="button"
-      class="button button--plain"
-      data-testid={testId}
-      onClick={() => control.editor && act(control.editor)}
+  const tool = (testId: string, label: string, icon: LucideIcon, act: (editor: Editor) => void) => (
+    <Button
+      kind="plain"
+      icon={icon}
+      testId={testId}
+      onPress={() => control.editor && act(control.editor)}
     >
-      <Icon class="icon" aria-hidden="true" />
       {label}
-    </button>
+    </Button>
   );
   return (
     <div class="blocks__tools">
@@ -80,17 +76,16 @@ function HistoryButton({ control: { open } }: { control: StudioControl }) {
     go({ screen: "versions", program: open.id, version: null });
   };
   return (
-    <button
-      type="button"
-      class="button button--plain"
-      data-testid={TEST.openHistory}
-      title={history}
+    <Button
+      kind="plain"
+      icon={History}
+      tip={history}
+      testId={TEST.openHistory}
       disabled={open.deleted.value !== null}
-      onClick={() => void show()}
+      onPress={show}
     >
-      <History class="icon" aria-hidden="true" />
       {history}
-    </button>
+    </Button>
   );
 }
 
@@ -98,26 +93,16 @@ function LevelChoice() {
   const words = texts.value.level;
   const names = { 1: words.first, 2: words.explorer, 3: words.everything };
   return (
-    <span class="select blocks__level">
-      <Layers class="icon" aria-hidden="true" />
-      <select
-        aria-label={words.label}
-        title={words.label}
-        data-testid={TEST.level}
-        value={String(level.value)}
-        onChange={({ currentTarget: { value } }) => {
-          const chosen = LEVELS.find((one) => String(one) === value);
-          if (chosen) setLevel(chosen);
-        }}
-      >
-        {LEVELS.map((one) => (
-          <option key={one} value={String(one)}>
-            {names[one]}
-          </option>
-        ))}
-      </select>
-      <ChevronDown class="icon icon--end" aria-hidden="true" />
-    </span>
+    <Select
+      class="blocks__level"
+      icon={Layers}
+      label={words.label}
+      tip={words.label}
+      testId={TEST.level}
+      value={level.value}
+      options={LEVELS.map((one) => [one, names[one]])}
+      onChange={setLevel}
+    />
   );
 }
 

@@ -1,11 +1,11 @@
 import { useSignal } from "@preact/signals";
 import { Columns2 } from "lucide-preact";
-import type { ProgramWithVersion } from "../api/model";
-import { remember, remembered } from "../app/remembered";
-import { go } from "../app/route";
-import { TEST } from "../app/testids";
-import { texts } from "../i18n";
-import { WayBack } from "./WayBack";
+import type { ProgramWithVersion } from "../../api/model";
+import { texts } from "../../i18n";
+import { WayBack } from "../../kit/WayBack";
+import { remember, remembered } from "../../shell/remembered";
+import { go } from "../../shell/route";
+import { TEST } from "../../shell/testids";
 
 const COOKIE = "pinel_elsewhere";
 const APART = "_";

@@ -1,7 +1,8 @@
 import { ArrowRight, TriangleAlert } from "lucide-preact";
-import type { Fault } from "../api/model";
-import { TEST } from "../app/testids";
-import { texts } from "../i18n";
+import type { Fault } from "../../api/model";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { TEST } from "../../shell/testids";
 
 interface FaultListProps {
   faults: readonly Fault[];
@@ -21,20 +22,20 @@ export function FaultList({ faults, onGo }: FaultListProps) {
       <ul class="faults__list">
         {faults.map((fault) => (
           <li key={`${fault.pointer}/${fault.code}`}>
-            <button
-              type="button"
+            <Button
+              kind="bare"
               class="faults__fault"
-              data-testid={TEST.fault}
+              iconEnd={fault.block ? ArrowRight : undefined}
+              tip={studio.goToBlock}
+              testId={TEST.fault}
               data-code={fault.code}
               disabled={!fault.block}
-              title={studio.goToBlock}
-              onClick={() => onGo(fault)}
+              onPress={() => onGo(fault)}
             >
               <span>
                 <strong>{fault.message}</strong> {fault.remedy}
               </span>
-              {fault.block && <ArrowRight class="icon" aria-hidden="true" />}
-            </button>
+            </Button>
           </li>
         ))}
       </ul>

@@ -1,10 +1,9 @@
 import { useSignal } from "@preact/signals";
-import { keeping } from "../api/keeping";
-import type { OpenProgram } from "../app/open_program";
-import { report } from "../app/session";
-import { TEST } from "../app/testids";
-import { texts } from "../i18n";
-import { WayBack } from "./WayBack";
+import { versionsApi } from "../../api/versions";
+import { texts } from "../../i18n";
+import { WayBack } from "../../kit/WayBack";
+import { TEST } from "../../shell/testids";
+import type { OpenProgram } from "../program/open_program";
 
 /** Whoever has a program on the desk that was thrown away, in whatever window, is told so, with the way back. */
 export function InBin({ open }: { open: OpenProgram }) {
@@ -12,7 +11,7 @@ export function InBin({ open }: { open: OpenProgram }) {
   if (closed.value || !open.inBin.value || open.deleted.value) return null;
   const words = texts.value.keeping;
   const takeBack = async () => {
-    await keeping.takeBack(open.id);
+    await versionsApi.takeBack(open.id);
     open.inBin.value = false;
   };
   return (
@@ -20,7 +19,7 @@ export function InBin({ open }: { open: OpenProgram }) {
       words={words.inBin}
       action={words.takeBack}
       testId={TEST.takeBack}
-      onBack={() => void takeBack().catch(report)}
+      onBack={takeBack}
       onClose={() => {
         closed.value = true;
       }}

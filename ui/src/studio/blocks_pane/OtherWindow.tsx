@@ -1,11 +1,10 @@
 import { useSignal } from "@preact/signals";
 import { FileClock, History } from "lucide-preact";
-import { type OpenProgram, openNewest } from "../app/open_program";
-import { go } from "../app/route";
-import { report } from "../app/session";
-import { TEST } from "../app/testids";
-import { texts } from "../i18n";
-import { WayBack } from "./WayBack";
+import { texts } from "../../i18n";
+import { WayBack } from "../../kit/WayBack";
+import { go } from "../../shell/route";
+import { TEST } from "../../shell/testids";
+import { type OpenProgram, openNewest } from "../program/open_program";
 
 /** Two windows have one program open: neither goes on without knowing of the other. */
 export function OtherWindow({ open }: { open: OpenProgram }) {
@@ -21,10 +20,9 @@ export function OtherWindow({ open }: { open: OpenProgram }) {
       action={toNewest ? words.openNewest : words.seeOther}
       Icon={toNewest ? FileClock : History}
       testId={TEST.otherWindow}
-      onBack={() => {
-        if (toNewest) void openNewest(open).catch(report);
-        else go({ screen: "versions", program: open.id, version });
-      }}
+      onBack={() =>
+        toNewest ? openNewest(open) : go({ screen: "versions", program: open.id, version })
+      }
       onClose={() => {
         closed.value = true;
       }}

@@ -1,9 +1,10 @@
 import { Check, RefreshCcw } from "lucide-preact";
 import { useEffect } from "preact/hooks";
-import { isRunning } from "../app/session";
-import { TEST } from "../app/testids";
-import { countTurns, isTurn, nextTurn } from "../app/turns";
-import { texts } from "../i18n";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { isRunning } from "../../run/live";
+import { TEST } from "../../shell/testids";
+import { countTurns, isTurn, nextTurn } from "../../shell/turns";
 
 /** Time to swap, said in a line; never while the robot drives. */
 export function Turns({ group }: { group: string }) {
@@ -11,15 +12,14 @@ export function Turns({ group }: { group: string }) {
   useEffect(() => countTurns(group), [group]);
   if (!isTurn.value || isRunning.value) return null;
   return (
-    <div class="line-message turns" role="status" data-testid={TEST.turns}>
+    <div class="line-message way-back" role="status" data-testid={TEST.turns}>
       <RefreshCcw class="icon" aria-hidden="true" />
       <span>
         <strong>{classes.turnsTitle}</strong> {classes.turns}
       </span>
-      <button type="button" class="button" data-testid={TEST.turnsDone} onClick={nextTurn}>
-        <Check class="icon" aria-hidden="true" />
+      <Button icon={Check} testId={TEST.turnsDone} onPress={nextTurn}>
         {classes.turnsDone}
-      </button>
+      </Button>
     </div>
   );
 }

@@ -1,7 +1,7 @@
 import { effect, signal, untracked } from "@preact/signals";
-import type { Lifelike } from "../api/model";
-import { level } from "../app/level";
-import * as robot from "../run/live";
+import type { Lifelike } from "../../api/model";
+import * as robot from "../../run/live";
+import { level } from "../../shell/level";
 
 /** How many times faster than a real robot the simulated one is. */
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10] as const;
@@ -32,12 +32,12 @@ export function tellRun(report: (error: unknown) => void): () => void {
   let first = true;
   const stops = [
     effect(() => {
-      const ids = breakpoints.value;
-      if (!first) untracked(() => robot.setBreakpoints(ids).catch(report));
+      const blocks = [...breakpoints.value];
+      if (!first) untracked(() => robot.command({ do: "breakpoints", blocks }).catch(report));
     }),
     effect(() => {
       const factor = speed.value;
-      if (!first) untracked(() => robot.setSpeed(factor).catch(report));
+      if (!first) untracked(() => robot.command({ do: "speed", factor }).catch(report));
     }),
   ];
   first = false;

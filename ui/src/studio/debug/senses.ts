@@ -1,10 +1,10 @@
 import { computed, effect, signal } from "@preact/signals";
-import { api } from "../api/client";
-import { texts } from "../i18n";
-import * as robot from "../run/live";
+import { api } from "../../api/client";
+import { sensorWords } from "../../blocks/sensor_words";
+import * as robot from "../../run/live";
 
 /** A sensor as the document has it. */
-type Sensor = { sensor: string; index?: unknown; angle?: unknown; direction?: string };
+type Sensor = { readonly sensor: string };
 type Row = readonly [name: string, value: unknown];
 
 const MOST = 8;
@@ -32,8 +32,8 @@ export function watchSensors(documentThatRuns: () => unknown): () => void {
 
 async function measured(run: string, sensors: readonly Sensor[]): Promise<readonly Row[]> {
   const answers = sensors.map(async (sensor) => {
-    const { value, problem } = await api.evaluate(run, sensor);
-    return [nameOf(sensor), problem ?? value] as const;
+    const { value, problem } = await api.command(run, { do: "evaluate", expression: sensor });
+    return [sensorWords(sensor), problem ?? value] as const;
   });
   return Promise.all(answers).catch(() => []);
 }
@@ -52,10 +52,3 @@ export function sensorsIn(document: unknown): readonly Sensor[] {
 }
 
 const isPlain = (node: object) => Object.values(node).every((part) => typeof part !== "object");
-
-function nameOf({ sensor, index, angle, direction }: Sensor): string {
-  const { sensors } = texts.value.debug;
-  const words = sensors[sensor as keyof typeof sensors] ?? sensor;
-  const place = direction ? texts.value.debug.directions[direction as "front"] : (index ?? angle);
-  return place === undefined ? words : `${words} ${place}`;
-}

@@ -1,25 +1,24 @@
 import { Hand } from "lucide-preact";
 import { useLayoutEffect } from "preact/hooks";
-import { TEST } from "../app/testids";
-import { language, texts } from "../i18n";
-import { decimal } from "../i18n/format";
-import type { Capture } from "./reducer";
+import { language, texts } from "../../i18n";
+import { decimal } from "../../i18n/format";
+import { Button } from "../../kit/Button";
+import type { Capture } from "../../run/reducer";
+import { TEST } from "../../shell/testids";
 
 /** The static letters of the LIBRAS alphabet; both ways to sign D are one letter. */
 export const LETTERS = [..."ABCDEFGIKLMNOPQRSTUVW"];
 
 interface CapturePanelProps {
   capture: Capture;
-  tick: number;
   onAnswer(result: string): void;
 }
 
 /** The program waits for a sign; until a camera sees it, the group says which one it was. */
-export function CapturePanel({ capture, tick, onAnswer }: CapturePanelProps) {
+export function CapturePanel({ capture, onAnswer }: CapturePanelProps) {
   const words = texts.value.capture;
   useLayoutEffect(() => listenForLetters(onAnswer));
-  const left = Math.max(0, capture.timeoutS - (tick - capture.sinceTick) / 30);
-  const shown = decimal(Math.ceil(left), 0, language.value);
+  const shown = decimal(Math.ceil(capture.leftS), 0, language.value);
   return (
     <section class="capture" aria-label={words.title} data-testid={TEST.capture}>
       <div class="capture__head">
@@ -33,7 +32,7 @@ export function CapturePanel({ capture, tick, onAnswer }: CapturePanelProps) {
         </span>
       </div>
       <div class="capture__bar" aria-hidden="true">
-        <div style={{ width: `${(100 * left) / capture.timeoutS}%` }} />
+        <div style={{ width: `${(100 * capture.leftS) / capture.timeoutS}%` }} />
       </div>
       <div class="capture__letters">
         {LETTERS.map((letter) => (
@@ -71,15 +70,14 @@ interface AnswerProps {
 
 function Answer({ result, label, children, onAnswer }: AnswerProps) {
   return (
-    <button
-      type="button"
-      class={`button capture__letter ${result === "" ? "capture__none" : ""}`}
-      data-testid={TEST.captureLetter}
+    <Button
+      class={`capture__letter ${result === "" ? "capture__none" : ""}`}
+      label={label}
+      testId={TEST.captureLetter}
       data-letter={result}
-      aria-label={label}
-      onClick={() => onAnswer(result)}
+      onPress={() => onAnswer(result)}
     >
       {children}
-    </button>
+    </Button>
   );
 }

@@ -1,16 +1,16 @@
 import { useSignal } from "@preact/signals";
 import { ChartLine, FileCode } from "lucide-preact";
-import { TEST } from "../app/testids";
-import { texts } from "../i18n";
-import * as robot from "../run/live";
-import { Readout } from "../run/Readout";
-import { StatusLine } from "../run/StatusLine";
-import { DRAWER, type DrawerState } from "../run/text/drawer";
-import { Controls } from "./Controls";
-import { FootButton } from "./FootButton";
+import { texts } from "../../i18n";
+import { FootButton } from "../../kit/FootButton";
+import { WayBack } from "../../kit/WayBack";
+import * as robot from "../../run/live";
+import { Readout } from "../../run/panels/Readout";
+import { StatusLine } from "../../run/panels/StatusLine";
+import { TEST } from "../../shell/testids";
+import { Controls } from "../run_bar/Controls";
+import type { StudioControl } from "../studio_control";
+import { DRAWER, type DrawerState } from "../text/drawer";
 import { Stage } from "./Stage";
-import type { StudioControl } from "./studio_control";
-import { WayBack } from "./WayBack";
 
 export function FloorPane({ control }: { control: StudioControl }) {
   const drawer = useSignal(DRAWER);
@@ -31,21 +31,21 @@ export function FloorPane({ control }: { control: StudioControl }) {
         <Readout view={robot.live} />
         <FootButton
           testId={TEST.plotsToggle}
-          Icon={ChartLine}
+          icon={ChartLine}
           word={plots.open}
           label={plots.label}
           open={open && what === "plots"}
           disabled={busy}
-          onClick={() => show("plots")}
+          onPress={() => show("plots")}
         />
         <FootButton
           testId={TEST.irToggle}
-          Icon={FileCode}
+          icon={FileCode}
           word={python.short}
           label={python.open}
           open={open && what === "text"}
           disabled={busy}
-          onClick={() => show("text")}
+          onPress={() => show("text")}
         />
       </div>
     </section>

@@ -1,8 +1,10 @@
 import { CircleQuestionMark, Send } from "lucide-preact";
 import { useEffect, useRef, useState } from "preact/hooks";
-import { TEST } from "../app/testids";
-import { texts } from "../i18n";
-import type { Question } from "./output";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { Form } from "../../kit/Form";
+import type { Question } from "../../run/output";
+import { TEST } from "../../shell/testids";
 
 /** The server takes no longer answer. */
 const LONGEST = 1000;
@@ -20,14 +22,11 @@ export function QuestionPanel({ question, onAnswer }: QuestionPanelProps) {
   useEffect(() => focusUnlessBusy(field.current), [question]);
   const isBlank = value.trim() === "";
   return (
-    <form
+    <Form
       class="question"
       aria-label={words.title}
-      data-testid={TEST.question}
-      onSubmit={(event) => {
-        event.preventDefault();
-        if (!isBlank) onAnswer(value);
-      }}
+      testId={TEST.question}
+      onSubmit={() => !isBlank && onAnswer(value)}
     >
       <CircleQuestionMark class="icon question__icon" aria-hidden="true" />
       <div class="question__words">
@@ -49,18 +48,19 @@ export function QuestionPanel({ question, onAnswer }: QuestionPanelProps) {
           data-testid={TEST.answer}
           onInput={(event) => setValue(event.currentTarget.value)}
         />
-        <button
-          type="submit"
-          class="button button--run question__send"
+        <Button
+          submit
+          kind="main"
+          class="question__send"
+          icon={Send}
+          testId={TEST.sendAnswer}
           disabled={isBlank}
-          data-testid={TEST.sendAnswer}
         >
-          <Send class="icon" aria-hidden="true" />
           {words.send}
-        </button>
+        </Button>
       </div>
       <p class="question__hint">{words.keptIn(question.variable)}</p>
-    </form>
+    </Form>
   );
 }
 

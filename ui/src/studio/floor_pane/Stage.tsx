@@ -1,26 +1,27 @@
 import { type Signal, useComputed } from "@preact/signals";
 import { Pencil } from "lucide-preact";
-import { worldTitle } from "../api/model";
-import { worlds } from "../app/session";
-import { TEST } from "../app/testids";
+import { worldTitle } from "../../api/model";
+import { language, texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { liveSource } from "../../plots/live_source";
+import * as robot from "../../run/live";
+import type { Question } from "../../run/output";
+import { MuteButton } from "../../run/panels/MuteButton";
+import { Shown } from "../../run/panels/Shown";
+import { isLive } from "../../run/reducer";
+import { Scene } from "../../scene/Scene";
+import { later } from "../../shell/later";
+import { worlds } from "../../shell/session";
+import { TEST } from "../../shell/testids";
 import { senses } from "../debug/senses";
-import { language, texts } from "../i18n";
-import { liveSource } from "../plots/live_source";
-import { CapturePanel } from "../run/CapturePanel";
-import * as robot from "../run/live";
-import { MuteButton } from "../run/MuteButton";
-import type { Question } from "../run/output";
-import { QuestionPanel } from "../run/QuestionPanel";
-import { isLive } from "../run/reducer";
-import { Shown } from "../run/Shown";
-import type { DrawerState } from "../run/text/drawer";
-import { WorldChoice } from "../run/WorldChoice";
-import { Scene } from "../scene/Scene";
-import { later } from "./later";
-import type { StudioControl } from "./studio_control";
+import type { StudioControl } from "../studio_control";
+import type { DrawerState } from "../text/drawer";
+import { CapturePanel } from "./CapturePanel";
+import { QuestionPanel } from "./QuestionPanel";
+import { WorldChoice } from "./WorldChoice";
 
-const TextDrawer = later(async () => (await import("../run/text/TextDrawer")).TextDrawer);
-const PlotsPanel = later(async () => (await import("../plots/PlotsPanel")).PlotsPanel);
+const TextDrawer = later(async () => (await import("../text/TextDrawer")).TextDrawer);
+const PlotsPanel = later(async () => (await import("../../plots/PlotsPanel")).PlotsPanel);
 
 interface StageProps {
   control: StudioControl;
@@ -98,17 +99,16 @@ function Corner({ control }: { control: StudioControl }) {
         own={own && (worldTitle(own, language.value) || words.own)}
         onWorld={(name) => control.worlds.choose(name)}
       />
-      <button
-        type="button"
-        class="button floor__change"
-        title={words.changeHelp}
+      <Button
+        class="floor__change"
+        icon={Pencil}
+        tip={words.changeHelp}
+        testId={TEST.worldChange}
         disabled={busy.value || !control.world.value}
-        data-testid={TEST.worldChange}
-        onClick={() => control.worlds.edit()}
+        onPress={() => control.worlds.edit()}
       >
-        <Pencil class="icon" aria-hidden="true" />
         {words.change}
-      </button>
+      </Button>
       <MuteButton view={robot.live} expected={control.beeps.value} />
     </div>
   );
@@ -118,19 +118,18 @@ function Asked({ control, question }: { control: StudioControl; question: Questi
   return (
     <QuestionPanel
       question={question}
-      onAnswer={(value) => control.send(() => robot.answerQuestion(value))}
+      onAnswer={(value) => control.send({ do: "answer", value })}
     />
   );
 }
 
 function CaptureWhileAsked({ control }: { control: StudioControl }) {
-  const { capture, tick } = robot.live.value;
+  const { capture } = robot.live.value;
   if (!capture) return null;
   return (
     <CapturePanel
       capture={capture}
-      tick={tick}
-      onAnswer={(result) => control.send(() => robot.answerCapture(result))}
+      onAnswer={(result) => control.send({ do: "answer_capture", result })}
     />
   );
 }

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
-import { ApiError } from "../api/errors";
-import type { Content, OnDisk } from "../api/model";
+import { ApiError } from "../../api/errors";
+import type { Content, OnDisk } from "../../api/model";
 import { Autosave } from "./autosave";
 
 const content = (n: number): Content => ({ workspace: { n }, document: null });

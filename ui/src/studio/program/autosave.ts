@@ -1,6 +1,6 @@
 import { signal } from "@preact/signals";
-import { ApiError } from "../api/errors";
-import type { Content, OnDisk } from "../api/model";
+import { ApiError } from "../../api/errors";
+import type { Content, OnDisk } from "../../api/model";
 
 /** `deleted`: there is no program any more, so that nothing can be saved, however often it is tried. */
 export type SaveState = "saved" | "saving" | "failed" | "deleted";

@@ -1,12 +1,12 @@
 import { computed, effect, type Signal, signal } from "@preact/signals";
-import { api } from "../api/client";
-import { ServerGone } from "../api/errors";
-import type { Content, Fault, ProgramWithVersion, SavedVersion, World } from "../api/model";
+import { api } from "../../api/client";
+import { ServerGone } from "../../api/errors";
+import type { Content, Fault, ProgramWithVersion, SavedVersion, World } from "../../api/model";
+import { route } from "../../shell/route";
+import { changed, group, program, report } from "../../shell/session";
 import { Autosave } from "./autosave";
 import { OwnWorld } from "./own_world";
-import { Parents } from "./parents";
-import { route } from "./route";
-import { changed, group, program, report } from "./session";
+import { VersionLineage } from "./version_lineage";
 import { Windows } from "./windows";
 
 /** The program on the desk: what the header, the editor and the run bar share. */
@@ -19,7 +19,7 @@ export class OpenProgram {
   readonly deleted = signal<"program" | "group" | null>(null);
   readonly inBin: Signal<boolean>;
   readonly windows: Windows;
-  private readonly parents = new Parents();
+  private readonly lineage = new VersionLineage();
   private readonly stopEffects: (() => void)[];
 
   constructor(readonly program: ProgramWithVersion) {
@@ -58,7 +58,7 @@ export class OpenProgram {
   /** What is on the screen is that version: who goes on from here goes on from there. */
   remember(version: string): void {
     const { value: content } = this.content;
-    if (content) this.parents.keep({ ...content, world: this.ownWorld.now.peek() }, version);
+    if (content) this.lineage.keep({ ...content, world: this.ownWorld.now.peek() }, version);
   }
 
   edit(content: Content): void {
@@ -96,11 +96,11 @@ export class OpenProgram {
 
   private async keep(content: Content, last: boolean): Promise<SavedVersion> {
     // a page that closes may send before it knows the version that it sent last: then the newest of all is meant
-    const parent = this.windows.isSending ? undefined : this.parents.of(content);
+    const parent = this.windows.isSending ? undefined : this.lineage.of(content);
     const kept = await this.windows.keep(() =>
       api.saveVersion(this.id, parent ? { ...content, parent_id: parent } : content, last),
     );
-    this.parents.keep(content, kept.id);
+    this.lineage.keep(content, kept.id);
     this.inBin.value = kept.deleted_at !== null;
     return kept;
   }

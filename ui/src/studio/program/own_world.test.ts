@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, test, vi } from "vitest";
-import { ApiError } from "../api/errors";
-import type { Fault, OnDisk, World } from "../api/model";
+import { ApiError } from "../../api/errors";
+import type { Fault, OnDisk, World } from "../../api/model";
 import { OwnWorld } from "./own_world";
 
 const SOUND = { name: "sound" } as World;

@@ -1,6 +1,6 @@
 import { computed, effect, signal } from "@preact/signals";
-import { ApiError } from "../api/errors";
-import type { Fault, OnDisk, World } from "../api/model";
+import { ApiError } from "../../api/errors";
+import type { Fault, OnDisk, World } from "../../api/model";
 
 /** Tells all that is wrong with a world. */
 type Check = (world: World) => Promise<readonly Fault[]>;

@@ -1,5 +1,5 @@
-import { api } from "../api/client";
-import { program, report } from "./session";
+import { api } from "../../api/client";
+import { program, report } from "../../shell/session";
 
 /** No program has a longer name. */
 export const LONGEST_NAME = 60;

@@ -1,12 +1,12 @@
 import { signal } from "@preact/signals";
-import type { VersionMark } from "../api/keeping";
+import type { VersionMark } from "../../api/model";
 
 /** An older version that a group went on from, and the one whose place it took. */
-export interface WentOn {
+export interface RestoredFrom {
   program: string;
   from: VersionMark;
   instead: VersionMark;
 }
 
 /** The last such step, until its program is left. */
-export const wentOn = signal<WentOn | null>(null);
+export const restoredFrom = signal<RestoredFrom | null>(null);

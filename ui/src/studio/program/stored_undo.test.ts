@@ -1,17 +1,23 @@
 import { afterEach, expect, test, vi } from "vitest";
-import { keeping, type StoredVersion } from "../api/keeping";
+import type { VersionOfProgram } from "../../api/model";
+import { versionsApi } from "../../api/versions";
 import type { OpenProgram } from "./open_program";
-import { Past } from "./past";
+import { StoredUndo } from "./stored_undo";
 
 /** A program whose versions are these; the last is the newest. */
 function program(versions: { id: string; parent: string | null; n: number }[]) {
   const stored = (id: string) => {
     const at = versions.findIndex((one) => one.id === id);
     const { n, parent } = versions[at] ?? { n: 0, parent: null };
-    return { id, parent_id: parent, number: at + 1, workspace: { n } } as unknown as StoredVersion;
+    return {
+      id,
+      parent_id: parent,
+      number: at + 1,
+      workspace: { n },
+    } as unknown as VersionOfProgram;
   };
-  vi.spyOn(keeping, "version").mockImplementation(async (id) => stored(id));
-  vi.spyOn(keeping, "before").mockImplementation(
+  vi.spyOn(versionsApi, "version").mockImplementation(async (id) => stored(id));
+  vi.spyOn(versionsApi, "before").mockImplementation(
     async (_, id) => versions[versions.findIndex((one) => one.id === id) - 1]?.id ?? null,
   );
   const remembered: string[] = [];
@@ -20,39 +26,39 @@ function program(versions: { id: string; parent: string | null; n: number }[]) {
     autosave: { flush: async () => ({ id: versions.at(-1)?.id }) },
     remember: (id: string) => remembered.push(id),
   } as unknown as OpenProgram;
-  return { past: new Past(open), remembered };
+  return { undo: new StoredUndo(open), remembered };
 }
 
 afterEach(() => vi.restoreAllMocks());
 
 test("undo goes on with the version that the newest was made of", async () => {
-  const { past, remembered } = program([
+  const { undo, remembered } = program([
     { id: "a", parent: null, n: 1 },
     { id: "b", parent: "a", n: 2 },
     { id: "c", parent: "a", n: 3 },
   ]);
   const offered: unknown[] = [];
-  await past.back((workspace) => offered.push(workspace) > 0);
+  await undo.back((workspace) => offered.push(workspace) > 0);
   expect(offered).toEqual([{ n: 1 }]);
   expect(remembered).toEqual(["a"]);
 });
 
 test("what looks the same is passed over, and before the first there was nothing", async () => {
-  const { past, remembered } = program([
+  const { undo, remembered } = program([
     { id: "a", parent: null, n: 1 },
     { id: "b", parent: "a", n: 1 },
   ]);
   const offered: unknown[] = [];
-  await past.back((workspace) => offered.push(workspace) > 1);
+  await undo.back((workspace) => offered.push(workspace) > 1);
   expect(offered).toEqual([{ n: 1 }, null]);
   expect(remembered).toEqual([]);
 });
 
 test("a version that does not tell its parent is followed by the one before in the line", async () => {
-  const { past, remembered } = program([
+  const { undo, remembered } = program([
     { id: "a", parent: null, n: 1 },
     { id: "b", parent: null, n: 2 },
   ]);
-  await past.back(() => true);
+  await undo.back(() => true);
   expect(remembered).toEqual(["a"]);
 });

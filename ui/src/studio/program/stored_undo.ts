@@ -1,8 +1,9 @@
-import { keeping, type StoredVersion } from "../api/keeping";
+import type { VersionOfProgram } from "../../api/model";
+import { versionsApi } from "../../api/versions";
 import type { OpenProgram } from "./open_program";
 
 /** What lies behind the session: undo goes on through the stored versions when it has undone all that was done here. */
-export class Past {
+export class StoredUndo {
   private walking = false;
   private atBeginning = false;
 
@@ -17,10 +18,10 @@ export class Past {
     this.walking = true;
     try {
       const newest = await this.open.autosave.flush();
-      let version = newest && (await keeping.version(newest.id));
+      let version = newest && (await versionsApi.version(newest.id));
       while (version) {
         const id = await this.behind(version);
-        version = id === null ? null : await keeping.version(id);
+        version = id === null ? null : await versionsApi.version(id);
         if (version && take(version.workspace)) return this.open.remember(version.id);
       }
       this.atBeginning = true;
@@ -31,8 +32,8 @@ export class Past {
   }
 
   /** Versions of earlier releases do not tell what they were made of: the one before in the line, then. */
-  private async behind({ id, parent_id, number }: StoredVersion): Promise<string | null> {
+  private async behind({ id, parent_id, number }: VersionOfProgram): Promise<string | null> {
     if (parent_id || number === 1) return parent_id;
-    return keeping.before(this.open.id, id);
+    return versionsApi.before(this.open.id, id);
   }
 }

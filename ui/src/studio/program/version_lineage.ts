@@ -11,7 +11,7 @@ interface Kept {
  * hand, goes on from there, and not from what was tried in between. What is new was made of what was here before it,
  * whatever another window has made of the program meanwhile.
  */
-export class Parents {
+export class VersionLineage {
   private readonly ids = new Map<string, string>();
   private last: string | undefined;
 

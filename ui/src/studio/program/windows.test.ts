@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { SavedVersion } from "../api/model";
+import type { SavedVersion } from "../../api/model";
 import { Windows } from "./windows";
 
 const saved = (id: string, before: string | null): SavedVersion => ({

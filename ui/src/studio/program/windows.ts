@@ -1,5 +1,5 @@
 import { computed, signal } from "@preact/signals";
-import type { SavedVersion } from "../api/model";
+import type { SavedVersion } from "../../api/model";
 
 /** Tells what this window made of a program from what another window made of it meanwhile. */
 export class Windows {

@@ -1,8 +1,9 @@
 import { Copy, CopyCheck } from "lucide-preact";
 import { useState } from "preact/hooks";
-import { TEST } from "../../app/testids";
 import { texts } from "../../i18n";
-import { copyText } from "../copy";
+import { Button } from "../../kit/Button";
+import { copyText } from "../../kit/clipboard";
+import { TEST } from "../../shell/testids";
 import { JSON_TOKENS, tokens } from "./tokens";
 
 const COPIED_MS = 2000;
@@ -33,17 +34,9 @@ export function CopyButton({ text }: { text: string }) {
     setCopied(true);
     setTimeout(() => setCopied(false), COPIED_MS);
   };
-  const Icon = copied ? CopyCheck : Copy;
   return (
-    <button
-      type="button"
-      class="button"
-      data-testid={TEST.irCopy}
-      disabled={!text}
-      onClick={() => void copy()}
-    >
-      <Icon class="icon" aria-hidden="true" />
+    <Button icon={copied ? CopyCheck : Copy} testId={TEST.irCopy} disabled={!text} onPress={copy}>
       <span aria-live="polite">{copied ? ir.copied : ir.copy}</span>
-    </button>
+    </Button>
   );
 }

@@ -1,10 +1,14 @@
 import { Blocks, CircleCheck, Undo2 } from "lucide-preact";
+import type { RefObject } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { api } from "../../api/client";
 import type { Fault } from "../../api/model";
-import { report } from "../../app/session";
-import { TEST } from "../../app/testids";
 import { language, texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { settled } from "../../kit/report";
+import { valueIn } from "../../kit/requests/load_state";
+import { useLoaded } from "../../kit/requests/useLoaded";
+import { TEST } from "../../shell/testids";
 import { CodeSheet, showLine } from "./CodeSheet";
 import { listenToTyping } from "./keys";
 import { PythonFaults, placeOf } from "./PythonFaults";
@@ -23,20 +27,30 @@ interface Check {
   readonly faults: readonly Fault[];
 }
 
+/** The text is read when the hand rests. */
+const QUIET_MS = 350;
+
+async function checkOf(text: string): Promise<Check> {
+  const { document, faults } = await api.readPython(text);
+  return { text, document: document as object | null, faults };
+}
+
 /** Python to be written, with what is wrong in it, until it can become blocks. */
 export function PythonEditor({ original, onLeave, onPlace }: PythonEditorProps) {
   const { python } = texts.value;
   const [text, setText] = useState(original);
-  const check = useCheck(text);
+  const check = valueIn(
+    useLoaded([text, language.value], () => checkOf(text), { quietMs: QUIET_MS }),
+  );
   const field = useRef<HTMLTextAreaElement>(null);
   const faults = check?.faults ?? [];
   const isChanged = text !== original;
   const document = isChanged && check?.text === text ? check.document : null;
-  const place = () => {
-    if (document) onPlace(document).catch(report);
-  };
+  const place = async () => document && onPlace(document);
   useEffect(() => field.current?.focus(), []);
-  useEffect(() => (field.current ? listenToTyping(field.current, place) : undefined), [document]);
+  useEffect(() => {
+    return field.current ? listenToTyping(field.current, () => void settled(place())) : undefined;
+  }, [document]);
   const jump = (fault: Fault) => {
     const { line, column } = placeOf(fault);
     const at = offsetOf(text, line, column);
@@ -52,38 +66,48 @@ export function PythonEditor({ original, onLeave, onPlace }: PythonEditorProps) 
         label={python.text}
         faulty={new Set(faults.map((fault) => placeOf(fault).line))}
       >
-        <textarea
-          ref={field}
-          value={text}
-          wrap="off"
-          spellcheck={false}
-          autocapitalize="off"
-          autocomplete="off"
-          aria-label={python.text}
-          aria-describedby="python-keys"
-          data-testid={TEST.pythonEditor}
-          onInput={(event) => setText(event.currentTarget.value)}
-        />
+        <TextField elementRef={field} text={text} onText={setText} />
       </CodeSheet>
       {faults.length > 0 && <PythonFaults faults={faults} onGo={jump} />}
       <State check={check?.text === text ? check : null} isChanged={isChanged} />
       <div class="text__bar">
-        <button type="button" class="button" data-testid={TEST.pythonLeave} onClick={onLeave}>
-          <Undo2 class="icon" aria-hidden="true" />
+        <Button icon={Undo2} testId={TEST.pythonLeave} onPress={onLeave}>
           {python.leave}
-        </button>
-        <button
-          type="button"
-          class="button button--run"
+        </Button>
+        <Button
+          kind="main"
+          icon={Blocks}
+          testId={TEST.pythonPut}
           disabled={!document}
-          data-testid={TEST.pythonPut}
-          onClick={place}
+          onPress={place}
         >
-          <Blocks class="icon" aria-hidden="true" />
           {python.put}
-        </button>
+        </Button>
       </div>
     </div>
+  );
+}
+
+interface TextFieldProps {
+  elementRef: RefObject<HTMLTextAreaElement>;
+  text: string;
+  onText(text: string): void;
+}
+
+function TextField({ elementRef, text, onText }: TextFieldProps) {
+  return (
+    <textarea
+      ref={elementRef}
+      value={text}
+      wrap="off"
+      spellcheck={false}
+      autocapitalize="off"
+      autocomplete="off"
+      aria-label={texts.value.python.text}
+      aria-describedby="python-keys"
+      data-testid={TEST.pythonEditor}
+      onInput={(event) => onText(event.currentTarget.value)}
+    />
   );
 }
 
@@ -109,24 +133,4 @@ function State({ check, isChanged }: { check: Check | null; isChanged: boolean }
       </p>
     </div>
   );
-}
-
-/** The text is read when the hand rests. */
-const QUIET_MS = 350;
-
-function useCheck(text: string): Check | null {
-  const [check, setCheck] = useState<Check | null>(null);
-  useEffect(() => {
-    let left = false;
-    const read = () =>
-      api.readPython(text).then(({ document, faults }) => {
-        if (!left) setCheck({ text, document: document as object | null, faults });
-      }, report);
-    const timer = setTimeout(read, check ? QUIET_MS : 0);
-    return () => {
-      left = true;
-      clearTimeout(timer);
-    };
-  }, [text, language.value]);
-  return check;
 }

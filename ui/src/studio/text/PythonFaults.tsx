@@ -1,6 +1,7 @@
 import type { Fault } from "../../api/model";
-import { TEST } from "../../app/testids";
 import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { TEST } from "../../shell/testids";
 
 interface Place {
   readonly line: number;
@@ -30,20 +31,20 @@ export function PythonFaults({ faults, onGo }: PythonFaultsProps) {
         const { line, column } = placeOf(fault);
         return (
           <li key={`${line}/${column}/${fault.code}`}>
-            <button
-              type="button"
+            <Button
+              kind="bare"
               class="faults__fault"
-              data-testid={TEST.pythonFault}
+              testId={TEST.pythonFault}
               data-code={fault.code}
               data-line={line}
               data-column={column}
-              onClick={() => onGo(fault)}
+              onPress={() => onGo(fault)}
             >
               <span>
                 <span class="text__place">{python.place(line, column)}</span>{" "}
                 <strong>{fault.message}</strong> {fault.remedy}
               </span>
-            </button>
+            </Button>
           </li>
         );
       })}

@@ -1,11 +1,13 @@
 import { PencilLine } from "lucide-preact";
-import { useEffect, useState } from "preact/hooks";
 import { api } from "../../api/client";
 import type { WrittenPython } from "../../api/model";
-import { report } from "../../app/session";
-import { TEST } from "../../app/testids";
 import { language, texts } from "../../i18n";
-import type { LitBlock } from "../reducer";
+import { Button } from "../../kit/Button";
+import { Loaded } from "../../kit/requests/Loaded";
+import { valueIn } from "../../kit/requests/load_state";
+import { useLoaded } from "../../kit/requests/useLoaded";
+import type { LitBlock } from "../../run/reducer";
+import { TEST } from "../../shell/testids";
 import { CodeSheet } from "./CodeSheet";
 import { CopyButton } from "./IrPanel";
 import { PythonEditor } from "./PythonEditor";
@@ -20,13 +22,20 @@ interface PythonPaneProps {
   onPlace(document: object): Promise<void>;
 }
 
+/** An edit is written as Python when the hand rests. */
+const QUIET_MS = 250;
+
 /** The program as Python, to be read, and to be written. */
 export function PythonPane(props: PythonPaneProps) {
   const { document, running, editing, onEditing, onPlace } = props;
-  const written = useWritten(document);
+  const written = useLoaded(
+    [document, language.value],
+    async () => document && api.writePython(document),
+    { quietMs: QUIET_MS },
+  );
   const { python } = texts.value;
-  const text = written?.text ?? null;
-  if (editing && written) {
+  const text = valueIn(written)?.text ?? null;
+  if (editing && valueIn(written)) {
     return (
       <PythonEditor
         original={text ?? ""}
@@ -38,35 +47,49 @@ export function PythonPane(props: PythonPaneProps) {
       />
     );
   }
-  const instead = insteadOfText(document, written);
   return (
     <div class="text__panel">
-      {text === null || instead ? (
-        <p class="text__empty" data-testid={TEST.pythonEmpty}>
-          {instead}
-        </p>
-      ) : (
-        <CodeSheet
-          text={text.trimEnd()}
-          lit={running && written ? lineOf(written.lines, running) : null}
-          label={python.text}
-          testId={TEST.pythonText}
-        />
-      )}
+      <Loaded of={written}>
+        {(now) => <Written document={document} written={now} running={running} />}
+      </Loaded>
       <div class="text__bar">
-        <button
-          type="button"
-          class="button"
+        <Button
+          icon={PencilLine}
+          testId={TEST.pythonEdit}
           disabled={text === null}
-          data-testid={TEST.pythonEdit}
-          onClick={() => onEditing(true)}
+          onPress={() => onEditing(true)}
         >
-          <PencilLine class="icon" aria-hidden="true" />
           {python.edit}
-        </button>
+        </Button>
         <CopyButton text={text ?? ""} />
       </div>
     </div>
+  );
+}
+
+interface WrittenProps {
+  document: object | null;
+  written: WrittenPython | null;
+  running: LitBlock | null;
+}
+
+function Written({ document, written, running }: WrittenProps) {
+  const { python } = texts.value;
+  const instead = insteadOfText(document, written);
+  if (!written?.text || instead) {
+    return (
+      <p class="text__empty" data-testid={TEST.pythonEmpty}>
+        {instead}
+      </p>
+    );
+  }
+  return (
+    <CodeSheet
+      text={written.text.trimEnd()}
+      lit={running && lineOf(written.lines, running)}
+      label={python.text}
+      testId={TEST.pythonText}
+    />
   );
 }
 
@@ -77,27 +100,6 @@ function insteadOfText(document: object | null, written: WrittenPython | null): 
   if (written.text === null) return python.broken;
   const { commands = [], functions = [] } = document as Record<string, unknown[]>;
   return commands.length + functions.length === 0 ? python.empty : "";
-}
-
-/** An edit is written as Python when the hand rests. */
-const QUIET_MS = 250;
-
-function useWritten(document: object | null): WrittenPython | null {
-  const [written, setWritten] = useState<WrittenPython | null>(null);
-  useEffect(() => {
-    if (!document) return;
-    let left = false;
-    const write = () =>
-      api.writePython(document).then((answer) => {
-        if (!left) setWritten(answer);
-      }, report);
-    const timer = setTimeout(write, written ? QUIET_MS : 0);
-    return () => {
-      left = true;
-      clearTimeout(timer);
-    };
-  }, [document, language.value]);
-  return written;
 }
 
 /** The line of the command that runs. After an edit places have moved, but blocks keep their ids. */

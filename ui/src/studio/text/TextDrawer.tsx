@@ -1,7 +1,9 @@
 import { Maximize2, Minimize2 } from "lucide-preact";
-import { TEST } from "../../app/testids";
 import { texts } from "../../i18n";
-import type { LitBlock } from "../reducer";
+import { Button } from "../../kit/Button";
+import { Tabs } from "../../kit/Tabs";
+import type { LitBlock } from "../../run/reducer";
+import { TEST } from "../../shell/testids";
 import { type DrawerState, TABS } from "./drawer";
 import { IrPanel } from "./IrPanel";
 import { PythonPane } from "./PythonPane";
@@ -37,44 +39,22 @@ export function TextDrawer({ state, document, running, onState, onPlace }: TextD
 function Head({ state, onState }: Pick<TextDrawerProps, "state" | "onState">) {
   const { python, ir } = texts.value;
   const { tab, tall } = state;
-  const label = tall ? python.smaller : python.larger;
-  const Icon = tall ? Minimize2 : Maximize2;
+  const words = { python: python.tab, ir: ir.tab };
   return (
     <div class="text__head">
-      <div class="text__tabs" role="tablist" aria-label={python.tabs} onKeyDown={toOtherTab}>
-        {TABS.map((name) => (
-          <button
-            key={name}
-            type="button"
-            class="text__tab"
-            role="tab"
-            aria-selected={tab === name}
-            tabIndex={tab === name ? 0 : -1}
-            data-testid={TEST.textTab}
-            data-tab={name}
-            onClick={() => onState({ ...state, tab: name })}
-          >
-            {name === "python" ? python.tab : ir.tab}
-          </button>
-        ))}
-      </div>
-      <button
-        type="button"
-        class="button button--plain button--icon"
-        aria-label={label}
-        title={label}
-        onClick={() => onState({ ...state, tall: !tall })}
-      >
-        <Icon class="icon" aria-hidden="true" />
-      </button>
+      <Tabs
+        label={python.tabs}
+        testId={TEST.textTab}
+        value={tab}
+        options={TABS.map((name) => [name, words[name], { "data-tab": name }])}
+        onChange={(wanted) => onState({ ...state, tab: wanted })}
+      />
+      <Button
+        kind="plain"
+        icon={tall ? Minimize2 : Maximize2}
+        label={tall ? python.smaller : python.larger}
+        onPress={() => onState({ ...state, tall: !tall })}
+      />
     </div>
   );
-}
-
-/** The arrows go from one of the two tabs to the other. */
-function toOtherTab(event: KeyboardEvent & { currentTarget: HTMLElement }): void {
-  if (event.key !== "ArrowLeft" && event.key !== "ArrowRight") return;
-  const other = event.currentTarget.querySelector<HTMLElement>("[aria-selected=false]");
-  other?.focus();
-  other?.click();
 }

@@ -1,20 +1,20 @@
 import { HardDrive, Usb } from "lucide-preact";
-import type { Folder, FoundFile } from "../api/exchange";
-import { TEST } from "../app/testids";
-import { language, texts } from "../i18n";
-import { when } from "../i18n/format";
-import { size } from "./size";
-import { words } from "./words";
+import type { FileFound, Folder } from "../../api/model";
 
-interface Properties {
+import { language, texts } from "../../i18n";
+import { when } from "../../i18n/format";
+import { TEST } from "../../shell/testids";
+import { size } from "./size";
+
+interface FolderFilesProps {
   folder: Folder;
-  isChosen(file: FoundFile): boolean;
-  onToggle(file: FoundFile): void;
+  isChosen(file: FileFound): boolean;
+  onToggle(file: FileFound): void;
 }
 
-/** What lies on a stick or in the school's folder, to be ticked. */
-export function FolderFiles({ folder, isChosen, onToggle }: Properties) {
-  const say = words.value;
+/** The files on a stick or in the school's folder, with check boxes. */
+export function FolderFiles({ folder, isChosen, onToggle }: FolderFilesProps) {
+  const say = texts.value.exchange;
   const Icon = folder.is_stick ? Usb : HardDrive;
   return (
     <fieldset class="exchange__folder">
@@ -24,7 +24,7 @@ export function FolderFiles({ folder, isChosen, onToggle }: Properties) {
         <FolderState folder={folder} />
       </legend>
       {folder.is_reachable && folder.files.length === 0 && (
-        <p class="exchange__none">{say.noFiles}</p>
+        <p class="exchange__hint">{say.noFiles}</p>
       )}
       {folder.files.map((file) => (
         <FileLine
@@ -39,14 +39,14 @@ export function FolderFiles({ folder, isChosen, onToggle }: Properties) {
 }
 
 interface FileLineProps {
-  file: FoundFile;
+  file: FileFound;
   isChosen: boolean;
   onToggle(): void;
 }
 
-/** A file without names is told as such: merged, it doubles the groups that are here. */
+/** A file without names is marked: merging it doubles the groups that are here. */
 function FileLine({ file, isChosen, onToggle }: FileLineProps) {
-  const say = words.value;
+  const say = texts.value.exchange;
   return (
     <>
       <label class="exchange__file" data-testid={TEST.foundFile}>
@@ -66,7 +66,7 @@ function FileLine({ file, isChosen, onToggle }: FileLineProps) {
         </span>
       </label>
       {file.anonymous && isChosen && (
-        <p class="exchange__doubles" role="status">
+        <p class="notice-box" role="status">
           {say.doubles}
         </p>
       )}
@@ -75,7 +75,7 @@ function FileLine({ file, isChosen, onToggle }: FileLineProps) {
 }
 
 function FolderState({ folder }: { folder: Folder }) {
-  const say = words.value;
+  const say = texts.value.exchange;
   if (!folder.is_reachable) return <span class="exchange__about">{say.unreachable}</span>;
   if (!folder.is_writable) return <span class="exchange__about">{say.readOnly}</span>;
   if (folder.free_bytes === null) return null;

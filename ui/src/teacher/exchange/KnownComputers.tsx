@@ -1,18 +1,22 @@
-import type { HeardComputer } from "../api/exchange";
-import { language, texts } from "../i18n";
-import { when } from "../i18n/format";
-import { words } from "./words";
+import type { HeardComputer } from "../../api/model";
 
-/** PCs whose work is here, and when it came. */
-export function Heard({ computers }: { computers: readonly HeardComputer[] }) {
-  const say = words.value;
+import { language, texts } from "../../i18n";
+import { when } from "../../i18n/format";
+
+interface KnownComputersProps {
+  computers: readonly HeardComputer[];
+}
+
+/** The PCs whose work is here, and when it came. */
+export function KnownComputers({ computers }: KnownComputersProps) {
+  const say = texts.value.exchange;
   const now = new Date();
   const at = (iso: string) => when(iso, now, language.value, texts.value);
   return (
-    <section class="exchange__box" aria-labelledby="exchange-heard">
+    <section class="panel card" aria-labelledby="exchange-heard">
       <h2 id="exchange-heard">{say.heard}</h2>
       {computers.length === 0 ? (
-        <p class="exchange__none">{say.heardNobody}</p>
+        <p class="exchange__hint">{say.heardNobody}</p>
       ) : (
         <>
           <table class="exchange__table">
@@ -37,7 +41,7 @@ export function Heard({ computers }: { computers: readonly HeardComputer[] }) {
               ))}
             </tbody>
           </table>
-          <p class="exchange__none">{say.clock}</p>
+          <p class="exchange__hint">{say.clock}</p>
         </>
       )}
     </section>

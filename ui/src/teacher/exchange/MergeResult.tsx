@@ -1,26 +1,27 @@
 import { CircleCheck, TriangleAlert } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
-import type { Merged } from "../api/exchange";
-import { TEST } from "../app/testids";
-import { StillIn } from "./Deletion";
+import type { Merged } from "../../api/model";
+import { texts } from "../../i18n";
+import { TEST } from "../../shell/testids";
+import { ConfirmDeletion } from "./ConfirmDeletion";
+import { FilesLeft } from "./FilesLeft";
 import { counted, outcome } from "./outcome";
-import { words } from "./words";
 
-interface Properties {
+interface MergeResultProps {
   merged: Merged;
-  onDelete(): void;
+  onDelete(): Promise<void>;
   onKeep(): void;
 }
 
 /** What one file brought, or why it was refused. */
-export function MergeResult({ merged, onDelete, onKeep }: Properties) {
+export function MergeResult({ merged, onDelete, onKeep }: MergeResultProps) {
   const { problem } = merged;
-  const say = words.value;
+  const say = texts.value.exchange;
   const answer = useRef<HTMLParagraphElement>(null);
-  const isGone = merged.removed !== null;
+  const isRemoved = merged.removed !== null;
   useEffect(() => {
-    if (isGone) answer.current?.focus(); // the button that was pressed is no longer there
-  }, [isGone]);
+    if (isRemoved) answer.current?.focus(); // the button that was pressed is no longer there
+  }, [isRemoved]);
   const Icon = problem ? TriangleAlert : CircleCheck;
   return (
     <li class={`exchange__result exchange__result--${problem ? "problem" : "good"}`}>
@@ -35,39 +36,31 @@ export function MergeResult({ merged, onDelete, onKeep }: Properties) {
         )}
       </p>
       {merged.would_delete && (
-        <div class="deletion__sure" data-testid={TEST.wouldDelete}>
-          <p>
-            {say.doomed(
-              merged.computer ?? merged.name,
-              merged.would_delete.names.join(", "),
-              counted(merged.would_delete, say) || say.programs(0),
-            )}
-          </p>
-          <div class="exchange__buttons">
-            <button
-              type="button"
-              class="button button--stop"
-              data-testid={TEST.deleteToo}
-              onClick={onDelete}
-            >
-              {say.deleteToo}
-            </button>
-            <button type="button" class="button" onClick={onKeep}>
-              {say.keepHere}
-            </button>
-          </div>
-        </div>
+        <ConfirmDeletion
+          confirm={say.deleteToo}
+          cancel={say.keepHere}
+          testId={TEST.wouldDelete}
+          confirmId={TEST.deleteToo}
+          onConfirm={onDelete}
+          onCancel={onKeep}
+        >
+          {say.doomed(
+            merged.computer ?? merged.name,
+            merged.would_delete.names.join(", "),
+            counted(merged.would_delete, say) || say.programs(0),
+          )}
+        </ConfirmDeletion>
       )}
       {merged.left_in.length > 0 && (
-        <div class="deletion__done">
-          <StillIn paths={merged.left_in} />
+        <div class="deletion__done notice-box">
+          <FilesLeft paths={merged.left_in} />
         </div>
       )}
     </li>
   );
 }
 
-/** Most refusals name the file themselves. */
+/** Names the file unless the message does. */
 function refusal(name: string, message: string): string {
   return message.includes(name) ? message : `${name}: ${message}`;
 }

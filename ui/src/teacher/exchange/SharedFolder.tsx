@@ -1,73 +1,62 @@
 import { useSignal } from "@preact/signals";
-import { exchange, type Places } from "../api/exchange";
-import { type Problem, wordsOf } from "../app/session";
-import { asTeacher } from "../app/teacher";
-import { TEST } from "../app/testids";
-import { words } from "./words";
+import { exchange } from "../../api/exchange";
+import type { FolderList } from "../../api/model";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { Form } from "../../kit/Form";
+import { useAct } from "../../kit/requests/act";
+import { FaultLine } from "../../kit/requests/FaultLine";
+import { asTeacher } from "../../shell/teacher/teacher_session";
+import { TEST } from "../../shell/testids";
 
-interface Properties {
+interface SharedFolderProps {
   path: string;
   /** Whether it answers now. */
   isReachable: boolean;
   onChoose(): void;
-  onChosen(places: Places): void;
+  onChosen(places: FolderList): void;
 }
 
 /** A folder of the network that is treated as a stick. */
-export function SharedFolder({ path, isReachable, onChoose, onChosen }: Properties) {
+export function SharedFolder({ path, isReachable, onChoose, onChosen }: SharedFolderProps) {
   const typed = useSignal(path);
-  const problem = useSignal<Problem | null>(null);
-  const say = words.value;
-
-  const keep = async () => {
-    problem.value = null;
+  const { busy, fault, act, clear } = useAct(asTeacher);
+  const say = texts.value.exchange;
+  const isSilent = path !== "" && !isReachable && typed.value === path;
+  const shown = fault ?? (isSilent ? say.sharedSilent : null);
+  const keep = () => {
     onChoose();
-    try {
-      onChosen(await asTeacher(() => exchange.share(typed.value.trim())));
-    } catch (error) {
-      problem.value = wordsOf(error);
-    }
+    return act(async () => onChosen(await exchange.share(typed.value.trim())));
   };
-
-  const silent = path !== "" && !isReachable && typed.value === path;
-  const fault = problem.value ?? (silent ? say.sharedSilent : null);
   return (
-    <form
-      class="exchange__box"
-      onSubmit={(event) => {
-        event.preventDefault();
-        void keep();
-      }}
-    >
+    <Form class="panel card" onSubmit={keep}>
       <h2>
         <label for="shared-folder">{say.shared}</label>
       </h2>
-      <p id="shared-folder-hint" class="exchange__none">
+      <p id="shared-folder-hint" class="exchange__hint">
         {say.sharedHint}
       </p>
-      <div class="exchange__buttons">
+      <div class="button-row">
         <input
           id="shared-folder"
           class="field exchange__path"
           data-testid={TEST.sharedFolder}
           aria-describedby="shared-folder-hint"
-          aria-invalid={fault !== null}
+          aria-invalid={shown !== null}
           placeholder={say.sharedExample}
           autocomplete="off"
           spellcheck={false}
           value={typed.value}
           onInput={(event) => {
-            problem.value = null;
+            clear();
             typed.value = event.currentTarget.value;
           }}
         />
-        <button type="submit" class="button">
+        <Button submit busy={busy}>
           {say.keepShared}
-        </button>
+        </Button>
       </div>
-      <p role="alert" class="exchange__problem">
-        {fault && `${fault.message} ${fault.remedy}`}
-      </p>
-    </form>
+      <FaultLine fault={shown} />
+    </Form>
   );
 }

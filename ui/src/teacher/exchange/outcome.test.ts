@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { ptBR } from "../i18n/exchange/pt-BR";
+import { textsOf } from "../../i18n";
 import { outcome } from "./outcome";
 
 const none = { groups: 0, programs: 0, versions: 0, runs: 0 };
@@ -13,7 +13,7 @@ const file = {
   removed: null,
 };
 const words = (change: Partial<Parameters<typeof outcome>[0]>) =>
-  outcome({ ...file, ...change }, ptBR);
+  outcome({ ...file, ...change }, textsOf("pt-BR").exchange);
 const work = { groups: 1, programs: 2, versions: 5, runs: 1 };
 
 test("what came is counted", () => {

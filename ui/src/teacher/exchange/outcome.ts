@@ -1,8 +1,8 @@
-import type { Merged } from "../api/exchange";
-import type { ExchangeTexts } from "../i18n/exchange/pt-BR";
+import type { Merged } from "../../api/model";
+import type { Texts } from "../../i18n";
 
 type Say = Pick<
-  ExchangeTexts,
+  Texts["exchange"],
   | "groups"
   | "programs"
   | "versions"
@@ -22,7 +22,7 @@ type Outcome = Pick<
   "computer" | "name" | "added" | "anonymous" | "held_back" | "nothing_new" | "removed"
 >;
 
-/** What one file brought, what of it was deleted long ago, and what is deleted now. */
+/** What one file brought, what of it was deleted here earlier, and what was deleted now. */
 export function outcome(merged: Outcome, say: Say): string {
   const { removed, held_back: heldBack } = merged;
   const sentences = [
@@ -59,7 +59,7 @@ function came(merged: Outcome, say: Say): string[] {
   return [say.only(who)];
 }
 
-/** With numbers, or without where it was neither group, program, version nor run. */
+/** With numbers, or `rest` where neither groups, programs, versions nor runs were counted. */
 function told(parts: string, say: (parts: string) => string, rest: string): string {
   return parts ? say(parts) : rest;
 }

@@ -1,9 +1,9 @@
-import { decimal } from "../i18n/format";
-import type { Language } from "../i18n/language";
+import type { Language } from "../../i18n";
+import { decimal } from "../../i18n/format";
 
 const UNITS = ["KB", "MB", "GB", "TB"] as const;
 
-/** Bytes as people say them: "340 KB", "1,2 GB"; nothing is "0 KB", and the least that is something 1 KB. */
+/** Bytes in words: "340 KB", "1,2 GB". 0 is "0 KB"; any other size is at least 1 KB. */
 export function size(bytes: number, language: Language): string {
   let value = bytes > 0 ? Math.max(1, bytes / 1000) : 0;
   let unit = 0;

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Lesson } from "../api/model";
+import type { Lesson } from "../../api/model";
 import { whole, withParts } from "./lessons";
 
 const lesson = (id: string, more: Partial<Lesson> = {}): Lesson => ({

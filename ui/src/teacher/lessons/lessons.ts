@@ -1,4 +1,5 @@
-import type { Lesson } from "../api/model";
+import type { Lesson } from "../../api/model";
+import { texts } from "../../i18n";
 
 /** A lesson with those that were joined to it. */
 export interface LessonGroup {
@@ -6,7 +7,7 @@ export interface LessonGroup {
   parts: Lesson[];
 }
 
-/** Lessons in their order, each with its parts below it; a part whose lesson is not there stands alone. */
+/** Lessons in their order, each with its parts; a part whose lesson is not among them stays alone. */
 export function withParts(lessons: readonly Lesson[]): LessonGroup[] {
   const ids = new Set(lessons.map((one) => one.id));
   const isPart = (one: Lesson) => one.part_of !== null && ids.has(one.part_of);
@@ -15,8 +16,12 @@ export function withParts(lessons: readonly Lesson[]): LessonGroup[] {
     .map((lesson) => ({ lesson, parts: lessons.filter((one) => one.part_of === lesson.id) }));
 }
 
-/** The one that the others become part of: the first with a title, else the oldest. */
+/** The lesson that the others will be joined to: the first with a title, else the oldest. */
 export function whole(lessons: readonly Lesson[]): Lesson | undefined {
   const oldestFirst = [...lessons].sort((a, b) => (a.opened_at < b.opened_at ? -1 : 1));
   return oldestFirst.find((one) => one.title) ?? oldestFirst[0];
+}
+
+export function titleOf(lesson: Lesson): string {
+  return lesson.title || texts.value.teacher.lessons.untitled;
 }

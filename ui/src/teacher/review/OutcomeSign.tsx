@@ -43,7 +43,12 @@ const SIGNS: Record<Outcome, preact.JSX.Element> = {
   ),
 };
 
-export function Sign({ outcome }: { outcome: Outcome }) {
+interface OutcomeSignProps {
+  outcome: Outcome;
+}
+
+/** The sign of how a run ended. */
+export function OutcomeSign({ outcome }: OutcomeSignProps) {
   return (
     <svg class={`sign sign--${outcome}`} viewBox="0 0 24 24" aria-hidden="true">
       {SIGNS[outcome]}

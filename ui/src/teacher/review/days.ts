@@ -1,5 +1,5 @@
-import type { Language } from "../i18n";
-import type { GroupReview } from "./model";
+import type { GroupReview } from "../../api/model";
+import type { Language } from "../../i18n";
 
 /** The days on which the groups worked, by this computer's calendar, in their order. */
 export function daysOf(groups: readonly GroupReview[]): Date[] {
@@ -9,7 +9,7 @@ export function daysOf(groups: readonly GroupReview[]): Date[] {
   return [...days].sort((a, b) => a - b).map((day) => new Date(day * 1000));
 }
 
-/** The midnight with which the day of a moment began; both in seconds since 1970. */
+/** The local midnight before a time; both in seconds since 1970. */
 export function dayOf(seconds: number): number {
   return new Date(seconds * 1000).setHours(0, 0, 0, 0) / 1000;
 }

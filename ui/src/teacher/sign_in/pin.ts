@@ -1,4 +1,4 @@
-import type { TeacherTexts } from "../i18n/teacher/pt-BR";
+import type { Texts } from "../../i18n";
 
 const FORMAT = /^\d{4,12}$/;
 
@@ -6,7 +6,7 @@ const FORMAT = /^\d{4,12}$/;
 export function pinFault(
   pin: string,
   again: string,
-  words: Pick<TeacherTexts["prepare"], "pinFormat" | "different">,
+  words: Pick<Texts["teacher"]["prepare"], "pinFormat" | "different">,
 ): string | null {
   if (!FORMAT.test(pin)) return words.pinFormat;
   return pin === again ? null : words.different;

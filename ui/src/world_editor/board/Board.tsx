@@ -2,28 +2,29 @@ import { type Signal, useComputed, useSignal } from "@preact/signals";
 import { Minus, Plus, Scan } from "lucide-preact";
 import type { ComponentChildren } from "preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
-import { TEST } from "../app/testids";
-import { theme } from "../app/theme";
-import { texts } from "../i18n";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { TEST } from "../../shell/testids";
+import { theme } from "../../shell/theme";
+import type { EditorStore } from "../editor_store";
+import { pressed } from "../keys";
 import { floorPoint, paintBoard, panned, type View, wholeView, zoomed } from "./board_view";
-import type { WorldDesk } from "./desk";
 import { FaultNote } from "./FaultNote";
 import { Handles } from "./Handles";
-import { pressed } from "./keys";
 import { Outlines } from "./Outlines";
 
 const ZOOM_STEP = 1.4;
-/** A hand that trembles has not moved, pixels. */
+/** Smaller pointer movements do not count as a drag, pixels. */
 const TREMBLE = 4;
 
-/** The floor to draw on, under words and buttons of its own: the scene's picture, and over it elements for what can be taken hold of. */
-export function Board({ desk, children }: { desk: WorldDesk; children: ComponentChildren }) {
+/** The floor to draw on: the scene's picture below SVG elements for the things that can be selected or dragged. */
+export function Board({ store, children }: { store: EditorStore; children: ComponentChildren }) {
   const view = useSignal<View | null>(null);
   const byHand = useSignal(false);
   const frame = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
-  useFitting(frame, desk, view, byHand);
-  const world = desk.world.value;
+  useFitting(frame, store, view, byHand);
+  const world = store.world.value;
 
   useLayoutEffect(() => {
     if (canvas.current && view.value) paintBoard(canvas.current, world, view.value);
@@ -45,24 +46,24 @@ export function Board({ desk, children }: { desk: WorldDesk; children: Component
           }}
         />
       </div>
-      <div class="scene board" ref={frame} data-tool={desk.tool.value}>
+      <div class="scene board" ref={frame} data-tool={store.tool.value}>
         <canvas class="scene__canvas" ref={canvas} />
-        {view.value && <Overlay desk={desk} view={view as Signal<View>} byHand={byHand} />}
-        {view.value && <FaultNote desk={desk} view={view.value} />}
+        {view.value && <Overlay store={store} view={view as Signal<View>} byHand={byHand} />}
+        {view.value && <FaultNote store={store} view={view.value} />}
       </div>
     </div>
   );
 }
 
-/** The whole floor is shown until a person zooms or moves it. */
+/** Fits the whole floor until the user zooms or pans. */
 function useFitting(
   frame: { current: HTMLDivElement | null },
-  desk: WorldDesk,
+  store: EditorStore,
   view: Signal<View | null>,
   byHand: Signal<boolean>,
 ): void {
   const size = useSignal({ width: 0, height: 0 });
-  const floor = useComputed(() => desk.shown.value.width * 1000 + desk.shown.value.depth);
+  const floor = useComputed(() => store.shown.value.width * 1000 + store.shown.value.depth);
   useEffect(() => {
     const element = frame.current;
     if (!element) return;
@@ -74,23 +75,23 @@ function useFitting(
   }, []);
   useLayoutEffect(() => {
     if (size.value.width === 0) return;
-    if (!byHand.value) view.value = wholeView(desk.world.peek(), size.value);
+    if (!byHand.value) view.value = wholeView(store.world.peek(), size.value);
     else if (view.value) view.value = { ...view.value, size: size.value };
   }, [size.value, floor.value, byHand.value]);
 }
 
 interface OverlayProps {
-  desk: WorldDesk;
+  store: EditorStore;
   view: Signal<View>;
   byHand: Signal<boolean>;
 }
 
-function Overlay({ desk, view, byHand }: OverlayProps) {
+function Overlay({ store, view, byHand }: OverlayProps) {
   const svg = useRef<SVGSVGElement>(null);
   const words = texts.value.world;
   useLayoutEffect(
-    () => (svg.current ? followHand(svg.current, desk, view, byHand) : undefined),
-    [desk, view, byHand],
+    () => (svg.current ? followHand(svg.current, store, view, byHand) : undefined),
+    [store, view, byHand],
   );
   const { size, camera } = view.value;
   return (
@@ -104,22 +105,22 @@ function Overlay({ desk, view, byHand }: OverlayProps) {
       data-testid={TEST.worldBoard}
       data-camera={`${camera.x} ${camera.y} ${camera.scale}`}
       onKeyDown={(event) => {
-        if (!pressed(desk, event)) return;
+        if (!pressed(store, event)) return;
         event.preventDefault();
-        // what has the focus may have been deleted
-        if (!desk.selected.value) svg.current?.focus();
+        // the focused element may have been deleted
+        if (!store.selected.value) svg.current?.focus();
       }}
     >
-      <Outlines desk={desk} view={view.value} />
-      {desk.tool.value === "select" && <Handles desk={desk} view={view.value} />}
+      <Outlines store={store} view={view.value} />
+      {store.tool.value === "select" && <Handles store={store} view={view.value} />}
     </svg>
   );
 }
 
-/** Turns what pointer and wheel do into gestures, and into moves of the picture where nothing is taken. */
+/** Turns pointer and wheel events into gestures, or into pan and zoom where nothing is dragged. */
 function followHand(
   svg: SVGSVGElement,
-  desk: WorldDesk,
+  store: EditorStore,
   view: Signal<View>,
   byHand: Signal<boolean>,
 ): () => void {
@@ -139,14 +140,14 @@ function followHand(
     svg.focus();
     from = { ...at(event), pointer: event.pointerId };
     moved = false;
-    desk.grip(targetOf(event.target), floorAt(event));
+    store.grip(targetOf(event.target), floorAt(event));
   };
   const move = (event: PointerEvent) => {
     if (!from || event.pointerId !== from.pointer) return;
     const now = at(event);
     moved ||= Math.hypot(now.x - from.x, now.y - from.y) > TREMBLE;
     if (!moved) return;
-    if (desk.isGripping) desk.drag(floorAt(event), event.shiftKey);
+    if (store.isGripping) store.drag(floorAt(event), event.shiftKey);
     else {
       byHand.value = true;
       view.value = panned(view.value, now.x - from.x, now.y - from.y);
@@ -156,11 +157,11 @@ function followHand(
   const up = (event: PointerEvent) => {
     if (event.pointerId !== from?.pointer) return;
     from = null;
-    desk.letGo(floorAt(event), moved);
+    store.letGo(floorAt(event), moved);
   };
   const cancel = () => {
     from = null;
-    desk.cancel();
+    store.cancel();
   };
   const wheel = (event: WheelEvent) => {
     event.preventDefault();
@@ -168,7 +169,7 @@ function followHand(
     byHand.value = true;
     view.value = zoomed(view.value, Math.exp(-event.deltaY / 500), x, y);
   };
-  // the keys are for the board: what is beneath the hand has the focus only where Tab brought it
+  // keys belong to the board: a press does not move the focus to the element below it, only Tab does
   const keepFocus = (event: MouseEvent) => event.preventDefault();
   svg.addEventListener("mousedown", keepFocus);
   svg.addEventListener("pointerdown", down);
@@ -196,9 +197,7 @@ function targetOf(target: EventTarget | null): { id?: string; handle?: string } 
 function Buttons({ onZoom, onFit }: { onZoom(factor: number): void; onFit(): void }) {
   const words = texts.value.scene;
   const button = (label: string, Icon: typeof Plus, act: () => void) => (
-    <button type="button" class="scene__button" aria-label={label} title={label} onClick={act}>
-      <Icon class="icon" aria-hidden="true" />
-    </button>
+    <Button icon={Icon} label={label} kind="bare" class="scene__button" onPress={act} />
   );
   return (
     <div class="world-zoom">

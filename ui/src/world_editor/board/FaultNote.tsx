@@ -1,24 +1,24 @@
 import { TriangleAlert } from "lucide-preact";
-import { TEST } from "../app/testids";
+import { TEST } from "../../shell/testids";
+import type { EditorStore } from "../editor_store";
+import { type Plan, thingOf } from "../plan";
 import type { View } from "./board_view";
-import type { WorldDesk } from "./desk";
 import { onBoard, spanOf } from "./outline";
-import { type Plan, thingOf } from "./plan";
 
-/** Off the element that it speaks of, clear of its handles; and the note itself. Pixels. */
+/** Distance of the note from its element, clear of the handles, and size of the note. Pixels. */
 const GAP = 48;
 const WIDE = 250;
 const HIGH = 110;
 
-/** What is wrong with the selected thing, or with the first, said where it is. */
-export function FaultNote({ desk, view }: { desk: WorldDesk; view: View }) {
-  const { value: faults } = desk.faults;
-  const { value: selected } = desk.selected;
-  const placed = faults.filter((fault) => desk.aboutFault(fault) !== null);
-  const fault = placed.find((one) => desk.aboutFault(one) === selected) ?? placed[0];
-  if (!fault || desk.isGripping) return null;
-  const plan = desk.shown.value;
-  const about = desk.aboutFault(fault);
+/** Note with the fault of the selected thing, or else the first fault, placed at its thing. */
+export function FaultNote({ store, view }: { store: EditorStore; view: View }) {
+  const { value: faults } = store.faults;
+  const { value: selected } = store.selected;
+  const placed = faults.filter((fault) => store.aboutFault(fault) !== null);
+  const fault = placed.find((one) => store.aboutFault(one) === selected) ?? placed[0];
+  if (!fault || store.isGripping) return null;
+  const plan = store.shown.value;
+  const about = store.aboutFault(fault);
   const thing = thingOf(plan, about);
   const span = thing ? spanOf(view, thing) : startSpan(view, plan);
   const isAbove = span.top - GAP > HIGH;

@@ -1,27 +1,27 @@
-import { TEST } from "../app/testids";
-import type { XY } from "../scene/frames";
+import type { XY } from "../../scene/frames";
+import { TEST } from "../../shell/testids";
+import type { EditorStore } from "../editor_store";
+import { cornersOf, turnedBy } from "../geometry";
+import { type AreaThing, isArea, type Plan, type Thing, thingOf } from "../plan";
 import type { View } from "./board_view";
-import type { WorldDesk } from "./desk";
-import { cornersOf, turnedBy } from "./geometry";
 import { onBoard } from "./outline";
-import { type AreaThing, isArea, type Plan, type Thing, thingOf } from "./plan";
 
-/** What one sees of a handle, and what a finger may miss it by; pixels. */
+/** Visible radius and touch radius of a handle, pixels. */
 const DOT = 8;
 const REACH = 20;
-/** How far the handle that turns a thing stands off its edge, pixels. */
+/** Distance of the turning handle from the thing's edge, pixels. */
 const ARM = 34;
 
 interface Handle {
   readonly name: string;
   readonly at: XY;
-  /** Where the arm of a handle that turns begins. */
+  /** Start of the turning handle's arm. */
   readonly root?: XY;
 }
 
-/** What the selected thing can be pulled and turned by. */
-export function Handles({ desk, view }: { desk: WorldDesk; view: View }) {
-  const handles = handlesOf(desk.shown.value, desk.selected.value, view);
+/** Handles that resize and turn the selected thing. */
+export function Handles({ store, view }: { store: EditorStore; view: View }) {
+  const handles = handlesOf(store.shown.value, store.selected.value, view);
   return (
     <g class="handles">
       {handles.map(({ name, at, root }) => (
@@ -68,7 +68,7 @@ const radiusHandle = (thing: AreaThing, radius: number, view: View): Handle => (
   at: onBoard(view, { x: thing.x + radius, y: thing.y }),
 });
 
-/** It stands ahead of the thing, where the thing looks. */
+/** The turning handle, ahead of the thing in its heading. */
 function turnHandle(view: View, middle: XY, heading: number, reach: number): Handle {
   const along = (metres: number) => {
     const offset = turnedBy({ x: metres, y: 0 }, heading);

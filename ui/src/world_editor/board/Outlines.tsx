@@ -1,26 +1,26 @@
 import { useComputed } from "@preact/signals";
-import { TEST } from "../app/testids";
-import { texts } from "../i18n";
+import { texts } from "../../i18n";
+import { TEST } from "../../shell/testids";
+import type { EditorStore } from "../editor_store";
+import { isOuter, ofKind, type Thing } from "../plan";
+import { nameOf } from "../words";
 import type { View } from "./board_view";
-import type { WorldDesk } from "./desk";
 import { onBoard, outlineOf } from "./outline";
-import { isOuter, ofKind, type Thing } from "./plan";
-import { nameOf } from "./words";
 
-/** From the middle of the robot to where a hand takes it, metres; and never less than a fingertip, pixels. */
+/** Touch radius of the robot in metres, and its minimum in pixels. */
 const ROBOT_M = 0.3;
 const FINGER_PX = 18;
 
 interface OutlinesProps {
-  desk: WorldDesk;
+  store: EditorStore;
   view: View;
 }
 
-/** An element for each thing, to be clicked, reached with Tab, and marked where there is something wrong. */
-export function Outlines({ desk, view }: OutlinesProps) {
-  const plan = desk.shown.value;
-  const faulty = useComputed(() => new Set(desk.faults.value.map((one) => desk.aboutFault(one))));
-  // as they are drawn: paint beneath, walls on top
+/** An element for each thing, which can be clicked and reached with Tab, and is marked when it has a fault. */
+export function Outlines({ store, view }: OutlinesProps) {
+  const plan = store.shown.value;
+  const faulty = useComputed(() => new Set(store.faults.value.map((one) => store.aboutFault(one))));
+  // drawing order: paint below, walls on top
   const order = ["paint", "zone", "box", "wall"] as const;
   const things = order.flatMap((kind) =>
     ofKind(plan, kind).map((thing, index) => ({ thing, index })),
@@ -32,7 +32,7 @@ export function Outlines({ desk, view }: OutlinesProps) {
           !isOuter(plan, thing) && (
             <Outline
               key={thing.id}
-              desk={desk}
+              store={store}
               view={view}
               thing={thing}
               index={index}
@@ -40,20 +40,20 @@ export function Outlines({ desk, view }: OutlinesProps) {
             />
           ),
       )}
-      <StartOutline desk={desk} view={view} isFaulty={faulty.value.has("start")} />
+      <StartOutline store={store} view={view} isFaulty={faulty.value.has("start")} />
     </g>
   );
 }
 
 interface OutlineProps extends OutlinesProps {
   thing: Thing;
-  /** Its place in the list of the document that holds it. */
+  /** Index in its list of the document. */
   index: number;
   isFaulty: boolean;
 }
 
-function Outline({ desk, view, thing, index, isFaulty }: OutlineProps) {
-  const isSelected = desk.selected.value === thing.id;
+function Outline({ store, view, thing, index, isFaulty }: OutlineProps) {
+  const isSelected = store.selected.value === thing.id;
   const path = outlineOf(view, thing);
   return (
     // biome-ignore lint/a11y/useSemanticElements: an SVG has no button
@@ -68,7 +68,7 @@ function Outline({ desk, view, thing, index, isFaulty }: OutlineProps) {
       data-index={index}
       data-faulty={isFaulty}
       data-testid={TEST.worldThing}
-      onFocus={() => desk.select(thing.id)}
+      onFocus={() => store.select(thing.id)}
     >
       <path class="outline__reach" d={path} />
       <path class="outline__line" d={path} />
@@ -80,9 +80,9 @@ interface StartOutlineProps extends OutlinesProps {
   isFaulty: boolean;
 }
 
-function StartOutline({ desk, view, isFaulty }: StartOutlineProps) {
-  const { x, y } = onBoard(view, desk.shown.value.start);
-  const isSelected = desk.selected.value === "start";
+function StartOutline({ store, view, isFaulty }: StartOutlineProps) {
+  const { x, y } = onBoard(view, store.shown.value.start);
+  const isSelected = store.selected.value === "start";
   const r = Math.max(FINGER_PX, ROBOT_M * view.camera.scale);
   return (
     // biome-ignore lint/a11y/useSemanticElements: an SVG has no button
@@ -96,7 +96,7 @@ function StartOutline({ desk, view, isFaulty }: StartOutlineProps) {
       data-kind="start"
       data-faulty={isFaulty}
       data-testid={TEST.worldThing}
-      onFocus={() => desk.select("start")}
+      onFocus={() => store.select("start")}
     >
       <circle class="outline__reach" cx={x} cy={y} r={r} />
       <circle class="outline__line" cx={x} cy={y} r={r} />

@@ -1,15 +1,15 @@
-import type { World } from "../api/model";
-import { type Camera, cameraFor, clampScale, type Size } from "../scene/camera";
-import { drawFloor, drawRulers } from "../scene/floor";
-import type { XY } from "../scene/frames";
-import { type Palette, readPalette } from "../scene/palette";
-import { drawRobot, drawStart } from "../scene/robot";
-import { wholeRoom } from "../scene/subject";
+import type { World } from "../../api/model";
+import { type Camera, cameraFor, clampScale, type Size } from "../../scene/camera";
+import { drawFloor, drawRulers } from "../../scene/floor";
+import type { XY } from "../../scene/frames";
+import { type Palette, readPalette } from "../../scene/palette";
+import { drawRobot, drawStart } from "../../scene/robot";
+import { wholeRoom } from "../../scene/subject";
 
-/** Numbers and tiles count from the middle of the floor here, as the document does. */
+/** The board's numbers and tiles have their origin in the middle of the floor, as the document has. */
 const MIDDLE = { x_m: 0, y_m: 0, heading_deg: 0 };
 
-/** Where the floor lies on the board. */
+/** Camera and size of the board: where the floor is drawn. */
 export interface View {
   readonly size: Size;
   readonly camera: Camera;
@@ -27,7 +27,7 @@ export function floorPoint({ camera, size }: View, x: number, y: number): XY {
   };
 }
 
-/** Zooms about a point of the board that stays where it is. */
+/** Zooms about a fixed point of the board. */
 export function zoomed(view: View, factor: number, x: number, y: number): View {
   const held = floorPoint(view, x, y);
   const scale = clampScale(view.camera.scale * factor);
@@ -45,7 +45,7 @@ export function panned(view: View, dx: number, dy: number): View {
   return { ...view, camera: { x: x - dx / scale, y: y + dy / scale, scale } };
 }
 
-/** Draws the floor as the scene does. */
+/** Draws the floor with the scene's functions. */
 export function paintBoard(canvas: HTMLCanvasElement, world: World, view: View): void {
   const ctx = canvas.getContext("2d");
   if (!ctx) return;

@@ -1,13 +1,13 @@
-import { toScreen } from "../scene/camera";
-import type { XY } from "../scene/frames";
+import { toScreen } from "../../scene/camera";
+import type { XY } from "../../scene/frames";
+import { cornersOf, pointsOf } from "../geometry";
+import { isArea, type Thing } from "../plan";
 import type { View } from "./board_view";
-import { cornersOf, pointsOf } from "./geometry";
-import { isArea, type Thing } from "./plan";
 
-/** Where a point of the floor lies on the board, in pixels. */
+/** Converts a point of the floor to pixels of the board. */
 export const onBoard = ({ camera, size }: View, point: XY): XY => toScreen(camera, size, point);
 
-/** A thing's edge as a path of SVG, in pixels of the board. */
+/** The edge of a thing as an SVG path, in pixels of the board. */
 export function outlineOf(view: View, thing: Thing): string {
   if (!isArea(thing)) return line([thing.from, thing.to].map((end) => onBoard(view, end)));
   if (thing.radius === null) {
@@ -20,7 +20,7 @@ export function outlineOf(view: View, thing: Thing): string {
 
 const line = (points: readonly XY[]) => `M${points.map(({ x, y }) => `${x} ${y}`).join("L")}`;
 
-/** From top to bottom, and the middle across: where a note about a thing may stand. Pixels. */
+/** Top, bottom and horizontal centre of a thing, where a note about it can be placed. Pixels. */
 export function spanOf(view: View, thing: Thing): { x: number; top: number; bottom: number } {
   const shown = pointsOf(thing).map((point) => onBoard(view, point));
   const xs = shown.map(({ x }) => x);

@@ -1,10 +1,9 @@
 import { useRef } from "preact/hooks";
-import { report } from "../app/session";
-import type { BlocksReader } from "../editor/reader";
-import { texts } from "../i18n";
-import { words } from "../i18n/review";
-import { litBlock } from "../run/reducer";
-import { ReadBlocks } from "../versions/ReadBlocks";
+import type { BlocksReader } from "../../../editor/reader/reader";
+import { texts } from "../../../i18n";
+import { litBlock } from "../../../run/reducer";
+import { report } from "../../../shell/session";
+import { ReadBlocks } from "../../../versions/ReadBlocks";
 import type { Side } from "./pair";
 
 interface SideBlocksProps {
@@ -13,7 +12,7 @@ interface SideBlocksProps {
   label: string;
 }
 
-/** The blocks of one of two runs, the running one lit, and outlined the one at which it broke off. */
+/** The blocks of one of two runs: the running one is lit, the one that failed is outlined. */
 export function SideBlocks({ side, number, label }: SideBlocksProps) {
   const place = useRef<HTMLDivElement>(null);
   const stop = useRef(() => {});
@@ -29,10 +28,10 @@ export function SideBlocks({ side, number, label }: SideBlocksProps) {
       report(error);
       return;
     }
-    // two places with blocks are told apart by their names
+    // each of the two block areas has a name of its own
     place.current
       ?.querySelector(".blocklyWorkspace")
-      ?.setAttribute("aria-label", `${words.value.compare.blocks} ${number}`);
+      ?.setAttribute("aria-label", `${texts.value.review.compare.blocks} ${number}`);
     stop.current = side.view.subscribe((view) => {
       reader.point(litBlock(view));
       reader.fail(view.phase === "failed" ? (view.ending?.block ?? null) : null);

@@ -1,9 +1,9 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
-import type { Playback } from "../run/playback";
-import type { Pose, RunView } from "../run/reducer";
-import type { Recording } from "../screens/recording";
+import type { Recording } from "../../../replay/recording";
+import type { Playback } from "../../../run/playback";
+import type { Pose, RunView } from "../../../run/reducer";
 
-/** One of two runs at the moment of the shared clock. */
+/** One of two runs, at the time of the shared clock. */
 export interface Side {
   readonly recording: Recording;
   readonly view: ReadonlySignal<RunView>;
@@ -11,7 +11,7 @@ export interface Side {
   pose(): Pose;
 }
 
-/** Two runs on one clock that begins with both of them; the shorter one waits at its end. */
+/** Two runs that start together on one clock; the shorter one stays at its end. */
 export class Pair {
   readonly sides: readonly [Side, Side];
   /** The clock: that of the longer run. */

@@ -1,16 +1,18 @@
-import { CATEGORY_COLOURS, type Category } from "../design/categories";
-import { language } from "../i18n";
-import { words } from "../i18n/review";
-import { categoryName, categoryOfType } from "./block_kinds";
-import { blockName } from "./difference_words";
-import type { BlockCount } from "./model";
+import type { BlockCount } from "../../../api/model";
+import type { Category } from "../../../blocks/categories";
+import { language, texts } from "../../../i18n";
+import { categoryName, categoryOfType, hueOf } from "../marks/block_kinds";
 
-/** So many categories have room for their names. */
+/** With more categories there is no room for their names. */
 const FEW = 2;
 
+interface CategoryChipsProps {
+  blocks: readonly BlockCount[];
+}
+
 /** How many blocks of each category are in use, small. */
-export function CategoryChips({ blocks }: { blocks: readonly BlockCount[] }) {
-  const { detail } = words.value;
+export function CategoryChips({ blocks }: CategoryChipsProps) {
+  const { detail } = texts.value.review;
   const counts = new Map<Category, number>();
   for (const { type, count } of blocks) {
     const category = categoryOfType(type);
@@ -22,7 +24,7 @@ export function CategoryChips({ blocks }: { blocks: readonly BlockCount[] }) {
         const name = counts.size > FEW ? "" : `${categoryName(category, language.value)} `;
         const label = detail.blocksOf(categoryName(category, language.value), count);
         return (
-          <li key={category} class="chip chip--small" style={hue(category)} title={label}>
+          <li key={category} class="chip chip--small" style={hueOf(category)} title={label}>
             <span aria-hidden="true">
               {name}
               {count}
@@ -34,25 +36,3 @@ export function CategoryChips({ blocks }: { blocks: readonly BlockCount[] }) {
     </ul>
   );
 }
-
-/** Every type of block in use with its words. */
-export function BlockChips({ blocks }: { blocks: readonly BlockCount[] }) {
-  const { detail } = words.value;
-  if (blocks.length === 0) return <p class="detail__none">{detail.noBlocks}</p>;
-  return (
-    <ul class="chips">
-      {blocks.map(({ type, count, loose }) => {
-        const category = categoryOfType(type);
-        const more = loose > 0 ? ` (${detail.loose(loose)})` : "";
-        return (
-          <li key={type} class="chip" style={category ? hue(category) : {}}>
-            {blockName(type, language.value)} <b>{count}</b>
-            {more}
-          </li>
-        );
-      })}
-    </ul>
-  );
-}
-
-const hue = (category: Category) => ({ "--hue": CATEGORY_COLOURS[category] });

@@ -1,11 +1,13 @@
 import { CircleQuestionMark } from "lucide-preact";
-import { TEST } from "../app/testids";
-import { language } from "../i18n";
-import { figureWords, words } from "../i18n/review";
-import { spell } from "./mark_words";
-import type { FigureName, Figures } from "./model";
-import { rove } from "./roving";
-import { hideTip, showTip } from "./tip";
+import type { Figures } from "../../../api/model";
+import { language, texts } from "../../../i18n";
+import { Button } from "../../../kit/Button";
+import { rove } from "../../../kit/roving";
+import { TEST } from "../../../shell/testids";
+import { roundDuration } from "../../time_words";
+import { hideTip, showTip } from "../marks/tip";
+import type { FigureName } from "../model";
+import { figureWords } from "../words";
 
 export const FIGURES: readonly FigureName[] = [
   "n_edits",
@@ -16,11 +18,16 @@ export const FIGURES: readonly FigureName[] = [
   "active_s",
 ];
 
-/** What was counted of a group; each number says what it counts. */
-export function FigureRow({ group, figures }: { group: string; figures: Figures }) {
-  const texts = words.value.figures;
+interface FigureRowProps {
+  group: string;
+  figures: Figures;
+}
+
+/** The figures of a group, each with a tooltip that explains it. */
+export function FigureRow({ group, figures }: FigureRowProps) {
+  const say = texts.value.review.figures;
   return (
-    <ul class="figures" aria-label={texts.label(group)} onKeyDown={rove}>
+    <ul class="figures" aria-label={say.label(group)} onKeyDown={rove}>
       {FIGURES.map((name, index) => (
         <li key={name}>
           <Figure name={name} value={figures[name]} first={index === 0} />
@@ -37,25 +44,25 @@ interface FigureProps {
 }
 
 function Figure({ name, value, first }: FigureProps) {
-  const texts = words.value.figures;
-  const shown = value === null ? texts.unknown : inWords(name, value);
-  const unit = texts[name](value ?? 0);
+  const say = texts.value.review.figures;
+  const shown = value === null ? say.unknown : inWords(name, value);
+  const unit = say[name](value ?? 0);
   const show = (event: { currentTarget: HTMLElement }) =>
     showTip(event.currentTarget, () => {
       const { message, remedy } = figureWords(name);
       return { title: message, lines: [remedy] };
     });
   return (
-    <button
-      type="button"
+    <Button
+      kind="bare"
       class="figure"
       tabIndex={first ? 0 : -1}
       data-rove
-      data-testid={TEST.reviewFigure}
+      testId={TEST.reviewFigure}
       data-name={name}
       data-value={value ?? ""}
-      aria-label={texts.ask(`${shown} ${unit}`)}
-      onClick={show}
+      label={say.ask(`${shown} ${unit}`)}
+      onPress={show}
       onMouseEnter={show}
       onFocus={show}
       onMouseLeave={(event) => hideTip(event.currentTarget)}
@@ -63,10 +70,10 @@ function Figure({ name, value, first }: FigureProps) {
     >
       <b>{shown}</b> {unit}
       <CircleQuestionMark class="icon figure__ask" aria-hidden="true" />
-    </button>
+    </Button>
   );
 }
 
 function inWords(name: FigureName, value: number): string {
-  return name.endsWith("_s") ? spell(value, language.value) : String(value);
+  return name.endsWith("_s") ? roundDuration(value, language.value) : String(value);
 }

@@ -1,15 +1,16 @@
 import { ChevronDown } from "lucide-preact";
 import { useMemo } from "preact/hooks";
-import { TEST } from "../app/testids";
-import { words } from "../i18n/review";
-import { GroupPicture } from "../screens/GroupPicture";
-import { CategoryChips } from "./BlockChips";
+import type { GroupReview } from "../../../api/model";
+import { texts } from "../../../i18n";
+import { Button } from "../../../kit/Button";
+import { GroupPicture } from "../../../kit/pictures/GroupPicture";
+import { TEST } from "../../../shell/testids";
+import { MarkBook } from "../marks/mark_words";
+import { Line } from "../timeline/Line";
+import type { LineLayout } from "../timeline/line_layout";
+import { CategoryChips } from "./CategoryChips";
 import { FigureRow } from "./FigureRow";
 import { GroupDetail } from "./GroupDetail";
-import { Line } from "./Line";
-import type { LineLayout } from "./line_layout";
-import { MarkBook } from "./mark_words";
-import type { GroupReview } from "./model";
 
 interface GroupRowProps {
   review: GroupReview;
@@ -20,10 +21,10 @@ interface GroupRowProps {
   onToggle(): void;
 }
 
-/** One group: who, its line, what was counted; its runs in words when it is opened. */
+/** A group: its name, timeline and figures; when opened, its runs in words. */
 export function GroupRow({ review, layout, withDays, open, onToggle }: GroupRowProps) {
   const { group, marks, figures, blocks } = review;
-  const { lesson, detail } = words.value;
+  const { lesson, detail } = texts.value.review;
   const book = useMemo(() => new MarkBook(marks, withDays), [marks, withDays]);
   return (
     <li
@@ -33,18 +34,18 @@ export function GroupRow({ review, layout, withDays, open, onToggle }: GroupRowP
       data-name={group.name}
     >
       <div class="group-row__who">
-        <button
-          type="button"
+        <Button
+          kind="bare"
           class="group-row__name"
-          aria-expanded={open}
-          title={`${group.name}. ${open ? detail.close(group.name) : detail.open(group.name)}`}
-          data-testid={TEST.reviewOpen}
-          onClick={onToggle}
+          open={open}
+          tip={`${group.name}. ${open ? detail.close(group.name) : detail.open(group.name)}`}
+          testId={TEST.reviewOpen}
+          onPress={onToggle}
         >
           <GroupPicture name={group.picture} class="group-row__picture" />
           <span dir="auto">{group.name}</span>
           <ChevronDown class="icon group-row__chevron" aria-hidden="true" />
-        </button>
+        </Button>
         <CategoryChips blocks={blocks} />
       </div>
       <div class="group-row__work">

@@ -1,11 +1,11 @@
-import { words } from "../i18n/review";
-import { Sign } from "./Sign";
+import { texts } from "../../../i18n";
+import { OutcomeSign } from "../OutcomeSign";
 
 const OUTCOMES = ["passed", "finished", "notyet", "stopped", "failed"] as const;
 
-/** What the marks say. */
+/** What the marks of the lines mean. */
 export function Legend() {
-  const { legend } = words.value;
+  const { legend } = texts.value.review;
   return (
     <ul class="legend" aria-label={legend.title}>
       <li>
@@ -14,7 +14,7 @@ export function Legend() {
       </li>
       {OUTCOMES.map((outcome) => (
         <li key={outcome}>
-          <Sign outcome={outcome} />
+          <OutcomeSign outcome={outcome} />
           {legend[outcome]}
         </li>
       ))}

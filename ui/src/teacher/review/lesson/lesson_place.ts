@@ -1,8 +1,8 @@
 import { type Signal, signal } from "@preact/signals";
-import type { TimeOf } from "./lines";
-import type { ScrollPlace } from "./scroll_place";
+import type { ScrollPlace } from "../../../kit/scroll_place";
+import type { TimeOf } from "../timeline/lines";
 
-/** How a lesson's page was left: a replay is a step away and back. */
+/** How the page of a lesson was left, for the way back from a replay. */
 export interface LessonPlace extends ScrollPlace {
   readonly lesson: string;
   readonly timeOf: Signal<TimeOf>;
@@ -12,7 +12,7 @@ export interface LessonPlace extends ScrollPlace {
 
 let last: LessonPlace | null = null;
 
-/** That of the lesson that was looked at last, for as long as the page is open; a new one for any other. */
+/** Remembered for the last lesson alone, and until the page is closed. */
 export function placeOf(lesson: string): LessonPlace {
   if (last?.lesson !== lesson) {
     last = { lesson, timeOf: signal<TimeOf>("group"), open: signal(new Set<string>()), top: 0 };

@@ -1,10 +1,10 @@
 import { options } from "preact";
-import { hideTip } from "./tip";
+import { hideTip } from "../marks/tip";
 
-/** What A4 leaves for a line beside the name of its group, as in print.css. */
+/** The width of a line on A4 beside the name of its group, in pixels, as in print.css. */
 export const PAPER_PX = 556;
 
-/** The windows of some systems have no printing of their own. */
+/** False in the web views of some systems. */
 export const canPrint = () => typeof window.print === "function";
 
 export function printPage(): void {
@@ -24,7 +24,7 @@ export function forPaper(draw: () => void, drawBack: () => void): () => void {
   };
 }
 
-/** The page is printed as it is when the event is over: too early for what is drawn with the next frame. */
+/** The page is printed as it is when the event handler returns, so rendering cannot wait for the next frame. */
 function atOnce(change: () => void): void {
   const { debounceRendering } = options;
   options.debounceRendering = (draw) => draw();

@@ -4,7 +4,7 @@ import { hideTip, TIP_ID, tip } from "./tip";
 const GAP_PX = 8;
 const EDGE_PX = 8;
 
-/** The one bubble of the page; it goes with Escape, and when its place scrolls away. */
+/** The one tooltip of the page. Escape and scrolling close it. */
 export function TipBubble() {
   const bubble = useRef<HTMLDivElement>(null);
   const now = tip.value;
@@ -34,7 +34,7 @@ export function TipBubble() {
   );
 }
 
-/** Above its place, or below where there is no room above. */
+/** Above the anchor, or below it where there is no room above. */
 function place(bubble: HTMLElement, anchor: DOMRect): void {
   const { width, height } = bubble.getBoundingClientRect();
   const middle = anchor.left + anchor.width / 2 - width / 2;

@@ -1,8 +1,7 @@
-import { CATEGORIES, DEFINITIONS } from "../blocks/definitions";
-import { BLOCK_TEXTS } from "../blocks/texts";
-import type { TextKey } from "../blocks/texts/keys";
-import { CATEGORY_COLOURS, type Category } from "../design/categories";
-import type { Language } from "../i18n/language";
+import { CATEGORY_COLOURS, type Category } from "../../../blocks/categories";
+import { CATEGORIES, DEFINITIONS } from "../../../blocks/definitions";
+import type { TextKey } from "../../../blocks/words";
+import { type Language, textsOf } from "../../../i18n";
 
 const CATEGORY_OF = new Map<string, Category>(
   CATEGORIES.flatMap((category) =>
@@ -16,4 +15,7 @@ const CATEGORY_OF = new Map<string, Category>(
 export const categoryOfType = (type: string): Category | null => CATEGORY_OF.get(type) ?? null;
 
 export const categoryName = (category: Category, language: Language): string =>
-  BLOCK_TEXTS[language][`CATEGORY_${category.toUpperCase()}` as TextKey] ?? category;
+  textsOf(language).blocks[`CATEGORY_${category.toUpperCase()}` as TextKey] ?? category;
+
+/** The style that gives an element the colour of its category. */
+export const hueOf = (category: Category) => ({ "--hue": CATEGORY_COLOURS[category] });

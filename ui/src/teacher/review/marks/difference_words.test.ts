@@ -1,10 +1,10 @@
 import { expect, test } from "vitest";
-import { REVIEW_TEXTS } from "../i18n/review";
+import type { VersionDifference } from "../../../api/model";
+import { textsOf } from "../../../i18n";
 import { blockName, countsInWords, differenceInWords, MOST } from "./difference_words";
-import type { VersionDifference } from "./model";
 
 const NONE: VersionDifference = { added: [], removed: [], changed: [], moved: [] };
-const pt = REVIEW_TEXTS["pt-BR"];
+const pt = textsOf("pt-BR").review;
 
 test("a block is called by the words on it", () => {
   expect(blockName("turn", "pt-BR")).toBe("girar");

@@ -1,11 +1,9 @@
-import { ALL_DEFINITIONS, argumentsOf } from "../blocks/definitions";
-import { BLOCK_TEXTS } from "../blocks/texts";
-import type { TextKey } from "../blocks/texts/keys";
-import type { Language } from "../i18n/language";
-import type { ReviewTexts } from "../i18n/review/pt-BR";
-import type { BlockChange, ChangeCounts, VersionDifference } from "./model";
+import type { BlockChange, ChangeCounts, VersionDifference } from "../../../api/model";
+import { ALL_DEFINITIONS, argumentsOf } from "../../../blocks/definitions";
+import type { TextKey } from "../../../blocks/words";
+import { type Language, type Texts, textsOf } from "../../../i18n";
 
-/** So much is said of a difference; who wants more compares the versions. */
+/** At most so many changes are listed. */
 export const MOST = 4;
 
 const ROWS = new Map<string, (typeof ALL_DEFINITIONS)[number]>(
@@ -14,7 +12,7 @@ const ROWS = new Map<string, (typeof ALL_DEFINITIONS)[number]>(
 
 /** The words on a block without its holes: "girar" for "%1 girar %2 %3 °". */
 export function blockName(type: string, language: Language): string {
-  const text = BLOCK_TEXTS[language][type.toUpperCase() as TextKey];
+  const text = textsOf(language).blocks[type.toUpperCase() as TextKey];
   if (!text) return type;
   const words = text
     .split(/%\d+/)
@@ -24,16 +22,16 @@ export function blockName(type: string, language: Language): string {
 }
 
 /** How many blocks differ, in words. */
-export function countsInWords(changes: ChangeCounts, { line }: ReviewTexts): string[] {
+export function countsInWords(changes: ChangeCounts, { line }: Texts["review"]): string[] {
   const kinds = ["added", "removed", "changed", "moved"] as const;
   const found = kinds.filter((kind) => changes[kind] > 0).map((kind) => line[kind](changes[kind]));
   return found.length > 0 ? found : [line.same];
 }
 
-/** What differs, block by block, the most telling first: new values, then blocks that came, went and moved. */
+/** What differs, block by block, the most important first: new values, then added, removed and moved blocks. */
 export function differenceInWords(
   { added, removed, changed, moved }: VersionDifference,
-  texts: ReviewTexts,
+  texts: Texts["review"],
   language: Language,
 ): string[] {
   const { difference } = texts;
@@ -63,7 +61,7 @@ function counted(all: readonly string[], times: (what: string, n: number) => str
 function changeInWords(
   type: string,
   { name, before, after }: BlockChange,
-  { difference }: ReviewTexts,
+  { difference }: Texts["review"],
   language: Language,
 ): string {
   const block = blockName(type, language);
@@ -96,6 +94,6 @@ function optionWords(type: string, name: string, value: string, language: Langua
   const label = options?.find?.(([, key]) => key === value)?.[0];
   if (!label) return null;
   return label.replace(/%\{BKY_PINEL_(\w+)\}/g, (_, key: string) => {
-    return BLOCK_TEXTS[language][key as TextKey] ?? key;
+    return textsOf(language).blocks[key as TextKey] ?? key;
   });
 }

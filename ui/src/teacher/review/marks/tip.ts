@@ -1,14 +1,14 @@
 import { signal } from "@preact/signals";
 
-/** Words beside something that is pointed at, focused or tapped. */
+/** The text of the tooltip of an element that is pointed at, focused or tapped. */
 export interface Tip {
   readonly title: string;
   readonly lines: readonly string[];
-  /** What it is about, on the screen. */
+  /** The element that it describes. */
   readonly anchor: Element;
 }
 
-/** What the tip says now: asked again when what it reads changes. */
+/** Gives the text; called again when a signal that it reads changes. */
 type Saying = () => Omit<Tip, "anchor">;
 
 export const tip = signal<{ anchor: Element; say: Saying } | null>(null);

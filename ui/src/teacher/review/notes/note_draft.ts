@@ -1,11 +1,11 @@
 const key = (run: string) => `pinel_note_${run}`;
 
-/** What the teacher has written about a run and not given to the group: it outlives a walk to another page, though not the window. */
+/** The unsent text of a note about a run; kept until the window closes. */
 export function draftOf(run: string): string | null {
   return sessionStorage.getItem(key(run));
 }
 
-/** Null where there is nothing that the group has not got. */
+/** `text`: null deletes the draft. */
 export function keepDraft(run: string, text: string | null): void {
   if (text) sessionStorage.setItem(key(run), text);
   else sessionStorage.removeItem(key(run));

@@ -1,47 +1,40 @@
 import { type Signal, useSignal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
-import type { Note } from "../api/model";
-import { reviewApi } from "../api/review";
-import { report } from "../app/session";
-import { asTeacher } from "../app/teacher";
+import type { Note } from "../../../api/model";
+import { reviewApi } from "../../../api/review";
+import { language, texts } from "../../../i18n";
+import { when } from "../../../i18n/format";
+import { report } from "../../../kit/report";
+import { asTeacher } from "../../../shell/teacher/teacher_session";
 import { draftOf, keepDraft } from "./note_draft";
 
 export type NoteState = "unchanged" | "saving" | "saved" | "deleted";
 
-/** A run's note: what the group has, and what is written of the next one. */
-export interface NoteKeeping {
+/** A run's note: the one that the group has, and the text of the next one. */
+export interface NoteEditor {
   readonly note: Signal<Note | null>;
   readonly text: Signal<string>;
   readonly state: Signal<NoteState>;
   readonly open: Signal<boolean>;
-  /** Whether what is written is not what the group has. */
+  /** The text differs from the note that the group has. */
   readonly changed: boolean;
   write(text: string): void;
   save(): Promise<void>;
-  takeBack(): Promise<void>;
+  remove(): Promise<void>;
 }
 
-export function useNote(run: string): NoteKeeping {
-  const note = useSignal<Note | null>(null);
-  const text = useSignal("");
-  const open = useSignal(false);
+/** `last`: the note that the group has. */
+export function useNoteEditor(run: string, last: Note | null): NoteEditor {
+  const draft = draftOf(run);
+  const note = useSignal(last);
+  const text = useSignal(draft ?? last?.text ?? "");
+  const open = useSignal(last !== null || draft !== null);
   const state = useSignal<NoteState>("unchanged");
-
-  useEffect(() => {
-    reviewApi.notes(run).then((found) => {
-      const draft = draftOf(run);
-      note.value = found.at(-1) ?? null;
-      text.value = draft ?? note.value?.text ?? "";
-      open.value = note.value !== null || draft !== null;
-    }, report);
-  }, [run]);
-
   const kept = note.value?.text ?? "";
+  const changed = text.value.trim() !== kept;
   const write = (written: string) => {
     text.value = written;
     keepDraft(run, written.trim() === kept ? null : written);
   };
-  /** Where the door has shut meanwhile, the page asks for the PIN and this goes on. */
   const act = async (work: () => Promise<Note | null>, done: NoteState, left = "") => {
     state.value = "saving";
     try {
@@ -61,12 +54,25 @@ export function useNote(run: string): NoteKeeping {
       "saved",
     );
   };
-  const changed = text.value.trim() !== kept;
-  const takeBack = async () => {
+  const remove = async () => {
     const known = note.value;
-    // what the group never got is not taken back
+    // text that the group never got stays in the field
     const left = changed ? text.value : "";
     if (known) await act(() => reviewApi.deleteNote(known.id).then(() => null), "deleted", left);
   };
-  return { note, text, state, open, changed, write, save, takeBack };
+  return { note, text, state, open, changed, write, save, remove };
+}
+
+/** Whether the note is kept, and whether the group has read it, in words. */
+export function stateInWords({ note, text, state, changed }: NoteEditor): string {
+  const { note: say } = texts.value.review;
+  if (state.value === "saving") return say.saving;
+  if (changed && text.value.trim()) return say.draft;
+  if (changed && note.value) return say.emptied;
+  if (state.value === "deleted") return say.deleted;
+  if (!note.value) return say.help;
+  const read = note.value.seen_at
+    ? say.seen(when(note.value.seen_at, new Date(), language.value, texts.value))
+    : say.unseen;
+  return `${say.saved}. ${read}`;
 }

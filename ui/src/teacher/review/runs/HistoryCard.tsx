@@ -1,15 +1,15 @@
 import type { Signal } from "@preact/signals";
-import { hashOf } from "../app/route";
-import { TEST } from "../app/testids";
-import { language, texts } from "../i18n";
-import { duration, moment } from "../i18n/format";
-import { words } from "../i18n/review";
-import { PathPicture } from "../scene/PathPicture";
-import { GroupPicture } from "../screens/GroupPicture";
-import { type HistoryRun, type Outcome, outcomeOf } from "./model";
-import { Sign } from "./Sign";
+import type { HistoryRun } from "../../../api/model";
+import { language, texts } from "../../../i18n";
+import { duration, moment } from "../../../i18n/format";
+import { GroupPicture } from "../../../kit/pictures/GroupPicture";
+import { PathPicture } from "../../../scene/PathPicture";
+import { hashOf } from "../../../shell/route";
+import { TEST } from "../../../shell/testids";
+import { type Outcome, outcomeOf } from "../model";
+import { OutcomeSign } from "../OutcomeSign";
 
-/** Shorter words, where there are any. */
+/** Outcomes that have shorter words on a card. */
 const SHORT: Partial<Record<Outcome, "passed" | "not_passed" | "finished" | "stopped" | "failed">> =
   {
     passed: "passed",
@@ -24,9 +24,9 @@ interface HistoryCardProps {
   chosen: Signal<readonly HistoryRun[]>;
 }
 
-/** A run with its group: opens its replay, or is chosen to be seen beside another. */
+/** A run with its group: opens its replay, and can be chosen for side by side. */
 export function HistoryCard({ run, chosen }: HistoryCardProps) {
-  const { outcomes, runs } = words.value;
+  const { outcomes, runs } = texts.value.review;
   const { work } = texts.value;
   const outcome = outcomeOf(run);
   const name = run.program_name ?? work.noName;
@@ -52,7 +52,7 @@ export function HistoryCard({ run, chosen }: HistoryCardProps) {
             <span>{run.group?.name ?? runs.commandLine}</span>
           </span>
           <span class="work-card__line work-card__line--strong run-card__outcome">
-            <Sign outcome={outcome} />
+            <OutcomeSign outcome={outcome} />
             {SHORT[outcome] ? runs.outcomes[SHORT[outcome]] : outcomes[outcome]}
           </span>
           <span class="work-card__line">{name}</span>
@@ -65,7 +65,7 @@ export function HistoryCard({ run, chosen }: HistoryCardProps) {
 }
 
 function Choose({ run, chosen, title }: HistoryCardProps & { title: string }) {
-  const { runs } = words.value;
+  const { runs } = texts.value.review;
   const isChosen = chosen.value.some(({ id }) => id === run.id);
   return (
     <label class="run-card__choose" data-chosen={isChosen}>

@@ -1,18 +1,19 @@
 import { useRef } from "preact/hooks";
-import { hashOf } from "../app/route";
-import { TEST } from "../app/testids";
-import { language, texts } from "../i18n";
-import { words } from "../i18n/review";
-import { shortDay } from "./days";
-import { differenceOf } from "./differences";
+import type { ReviewMark } from "../../../api/model";
+import { language, texts } from "../../../i18n";
+import { rove } from "../../../kit/roving";
+import { hashOf } from "../../../shell/route";
+import { TEST } from "../../../shell/testids";
+import { roundDuration, timeOfDay } from "../../time_words";
+import { shortDay } from "../days";
+import { type MarkBook, wordsOf } from "../marks/mark_words";
+import { hideTip, isTipOf, showTip, TIP_ID, tip } from "../marks/tip";
+import { differenceOf } from "../marks/version_differences";
+import { outcomeOf } from "../model";
+import { OutcomeSign } from "../OutcomeSign";
 import { barHeight, type LineLayout, type PlacedMark, type Tick } from "./line_layout";
-import { clock, type MarkBook, spell, wordsOf } from "./mark_words";
-import { outcomeOf, type ReviewMark } from "./model";
-import { rove } from "./roving";
-import { Sign } from "./Sign";
-import { hideTip, isTipOf, showTip, TIP_ID, tip } from "./tip";
 
-/** Where the line lies under the marks, and how high all of it is; pixels, as in lesson.css. */
+/** The height of the line under the marks, and of all of it; pixels, as in lesson.css. */
 const BASE = 42;
 const HEIGHT = 60;
 
@@ -22,9 +23,9 @@ interface LineProps {
   layout: LineLayout;
 }
 
-/** What a group did over time: bars of edits, round runs, arcs of repairs. */
+/** The timeline of a group: a bar for each burst of edits, a round sign for each run, arcs for repairs. */
 export function Line({ group, book, layout }: LineProps) {
-  const { line } = words.value;
+  const { line } = texts.value.review;
   return (
     <div class="line" style={{ width: `${layout.width}px`, "--line-width": layout.width }}>
       <Ground layout={layout} />
@@ -49,21 +50,20 @@ export function Line({ group, book, layout }: LineProps) {
 
 function Mark({ placed: { mark, index }, book }: { placed: PlacedMark; book: MarkBook }) {
   const touched = useRef(false);
-  const speech = { texts: words.value, language: language.value, page: texts.value };
-  const plain = wordsOf(mark, book, null, speech);
+  const plain = wordsOf(mark, book, null);
   const outcome = outcomeOf(mark);
   const isRun = mark.kind === "run";
   const show = (event: { currentTarget: HTMLElement }) =>
     showTip(event.currentTarget, () => {
-      const said = saying(mark, book);
+      const said = wordsOf(mark, book, differenceOf(book.changeOf(mark)));
       return touched.current
-        ? { ...said, lines: [...said.lines, words.value.line.tapAgain] }
+        ? { ...said, lines: [...said.lines, texts.value.review.line.tapAgain] }
         : said;
     });
   return (
     <a
       class={`review-mark review-mark--${isRun ? "run" : "edit"}`}
-      href={placeOf(mark)}
+      href={addressOf(mark)}
       tabIndex={index === 0 ? 0 : -1}
       data-rove
       data-testid={TEST.reviewMark}
@@ -86,26 +86,15 @@ function Mark({ placed: { mark, index }, book }: { placed: PlacedMark; book: Mar
       onMouseLeave={(event) => hideTip(event.currentTarget)}
       onBlur={(event) => hideTip(event.currentTarget)}
     >
-      {isRun ? <Sign outcome={outcome} /> : <span class="review-mark__bar" />}
+      {isRun ? <OutcomeSign outcome={outcome} /> : <span class="review-mark__bar" />}
     </a>
   );
 }
 
-const isShown = (mark: ReviewMark) => tip.value?.anchor.getAttribute("href") === placeOf(mark);
+const isShown = (mark: ReviewMark) => tip.value?.anchor.getAttribute("href") === addressOf(mark);
 
-function saying(mark: ReviewMark, book: MarkBook) {
-  const changed = book.changeOf(mark);
-  const { since, version_id } = changed ?? {};
-  const difference = since && version_id ? differenceOf(since, version_id).value : null;
-  return wordsOf(mark, book, difference, {
-    texts: words.value,
-    language: language.value,
-    page: texts.value,
-  });
-}
-
-/** What a mark opens: the replay of a run, the two versions of edits. */
-export function placeOf(mark: ReviewMark): string {
+/** The address that a mark opens: the replay of a run, or the two versions of a burst of edits. */
+export function addressOf(mark: ReviewMark): string {
   if (mark.run_id) return hashOf({ screen: "replay", run: mark.run_id });
   const { program_id, since, version_id } = mark;
   if (!program_id || !version_id) return hashOf({ screen: "runs" });
@@ -114,9 +103,9 @@ export function placeOf(mark: ReviewMark): string {
     : hashOf({ screen: "versions", program: program_id, version: version_id });
 }
 
-/** The line itself, its ruler, folded pauses, and arcs from what failed to what made it good. */
+/** The line itself, its ruler, folded pauses, and arcs from failed runs to their repairs. */
 function Ground({ layout }: { layout: LineLayout }) {
-  const { line } = words.value;
+  const { line } = texts.value.review;
   const { width, ticks, folds, arcs, marks, lengths } = layout;
   const end = Math.max(...marks.map(({ x, width: wide }) => x + wide / 2), 0);
   const round = marks.find(({ mark }) => mark.kind === "run")?.height ?? barHeight(1);
@@ -129,7 +118,7 @@ function Ground({ layout }: { layout: LineLayout }) {
       ))}
       {folds.map(({ x, fold, isNight, isSaid }) => (
         <g key={fold.from} class="line__fold" transform={`translate(${x} ${BASE})`}>
-          <title>{line.fold(spell(fold.seconds, language.value))}</title>
+          <title>{line.fold(roundDuration(fold.seconds, language.value))}</title>
           <rect x="-7" y="-4" width="14" height="8" />
           <path d="M-7 5l4-10M3 5l4-10" />
           {isSaid && (
@@ -159,14 +148,14 @@ function Ground({ layout }: { layout: LineLayout }) {
 }
 
 function tickWords({ time, says, from }: Tick): string {
-  const { line } = words.value;
+  const { line } = texts.value.review;
   if (says === "day") return shortDay(time, language.value);
-  if (says === "clock") return clock(new Date(time * 1000).toISOString(), language.value);
+  if (says === "clock") return timeOfDay(new Date(time * 1000).toISOString(), language.value);
   const minutes = Math.round((time - from) / 60);
   return minutes === 0 ? line.begin : line.minutes(minutes);
 }
 
-/** From above one mark to above another, with a head at its end. */
+/** An arrow from above one mark to above another. */
 function arcPath(from: number, to: number, top: number): string {
   const high = Math.max(-2, top - 8 - (to - from) / 8);
   const head = `M${to - 4} ${top - 5}L${to} ${top}L${to + 3} ${top - 6}`;

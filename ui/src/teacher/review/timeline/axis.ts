@@ -13,7 +13,7 @@ export interface Fold {
 
 /** Longer pauses are folded: the figures leave them out of the active time, too. */
 export const FOLD_S = 300;
-/** So wide is a folded pause drawn. */
+/** A folded pause is drawn as if it were so long. */
 export const FOLDED_S = 60;
 
 /**
@@ -43,7 +43,7 @@ export class Axis {
     this.to = reached;
   }
 
-  /** Where a moment stands, in seconds from the beginning of the line. */
+  /** The position of a time, in seconds from the beginning of the line. */
   at(time: number): number {
     let shown = time - this.from;
     for (const { from, seconds } of this.folds) {

@@ -1,4 +1,4 @@
-/** Something that wants a place on a line: its middle and its width, in pixels. */
+/** The wanted position of an item on a line: its middle and its width, in pixels. */
 export interface Wish {
   readonly middle: number;
   readonly width: number;
@@ -7,7 +7,7 @@ export interface Wish {
 /** Between two neighbours, in pixels. */
 export const GAP = 2;
 
-/** The least room in which all find a place beside each other. */
+/** The least room in which no two overlap. */
 export function roomFor(wishes: readonly Wish[]): number {
   return wishes.reduce((sum, { width }) => sum + width + GAP, -GAP);
 }
@@ -41,7 +41,7 @@ export function spread(wishes: readonly Wish[], room: number): number[] {
 
 const mean = ({ sum, count }: { sum: number; count: number }) => sum / count;
 
-/** A place on a line that is stretched between known pairs; both of them rise. Beyond them it goes on evenly. */
+/** Interpolates linearly between known pairs, which rise in both values; beyond them by `scale`. */
 export function between(
   knots: readonly (readonly [number, number])[],
   value: number,

@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
+import type { ReviewMark } from "../../../api/model";
 import { Axis, FOLDED_S, spansOf, stepFor } from "./axis";
+import { between, GAP, roomFor, spread } from "./label_placement";
 import { barHeight, layOut, ROUND } from "./line_layout";
-import type { ReviewMark } from "./model";
-import { between, GAP, roomFor, spread } from "./places";
 import { stretch } from "./stretch";
 
 const NOON = Date.UTC(2026, 10, 21, 12) / 1000;

@@ -1,8 +1,8 @@
+import type { ReviewMark } from "../../../api/model";
+import { dayOf } from "../days";
 import { type Axis, type Fold, type Span, stepFor } from "./axis";
-import { dayOf } from "./days";
-import type { ReviewMark } from "./model";
-import { between, GAP, roomFor, spread } from "./places";
-import type { Moment } from "./stretch";
+import { between, GAP, roomFor, spread } from "./label_placement";
+import type { TimePoint } from "./stretch";
 
 /** A round mark, and the smallest one that still shows its sign; in pixels. */
 export const ROUND = 26;
@@ -12,12 +12,12 @@ const DENSE = 20;
 const THINNEST_BAR = 10;
 const LOWEST_BAR = 8;
 const HIGHEST_BAR = 30;
-/** Numbers under the line are so far apart. */
+/** Distance of the numbers under the line, in pixels. */
 const RULER_APART = 72;
-/** A day under the line takes so much room, and what is said of a folded pause. */
+/** Widths of a day and of the label of a folded pause under the line, in pixels. */
 const DAY_APART = 84;
 const FOLD_APART = 56;
-/** What is left and right of the line. */
+/** Margin left and right of the line, in pixels. */
 const EDGE = 4;
 
 export interface PlacedMark {
@@ -38,7 +38,7 @@ export interface Arc {
 export interface Tick {
   readonly x: number;
   readonly time: number;
-  /** What it says: the day, the time on the wall, or the minutes since `from`. */
+  /** Its label: the day, the time of day, or the minutes since `from`. */
   readonly says: "day" | "clock" | "minutes";
   readonly from: number;
 }
@@ -49,26 +49,26 @@ export interface PlacedFold {
   readonly fold: Fold;
   /** Another day begins in it. */
   readonly isNight: boolean;
-  /** There is room to say how long it was, or which day begins. */
+  /** There is room for a label: its length, or the day that begins. */
   readonly isSaid: boolean;
 }
 
 export interface LineLayout {
   readonly width: number;
   readonly marks: readonly PlacedMark[];
-  /** From each failing run to the one that made it good. */
+  /** From each failed run to the run that repaired it. */
   readonly arcs: readonly Arc[];
   readonly ticks: readonly Tick[];
   readonly folds: readonly PlacedFold[];
-  /** Runs that went on beyond the sign of their beginning. */
+  /** Runs that are longer than the sign at their beginning. */
   readonly lengths: readonly Arc[];
-  /** Where the time of the line is over. */
+  /** The end of the time of the line. */
   readonly end: number;
 }
 
-/** Places that were found for all lines together. */
+/** Positions in the scale that all lines share. */
 export interface Common {
-  /** The moments of this line as `momentsOf` has them. */
+  /** One for each of `pointsOf` this line. */
   readonly places: readonly number[];
   readonly knots: readonly (readonly [number, number])[];
   readonly end: number;
@@ -78,25 +78,25 @@ interface LineInput {
   marks: readonly ReviewMark[];
   spans: readonly Span[];
   axis: Axis;
-  /** The line's room in pixels, and how much a second takes of it. */
+  /** The room for the line in pixels, and the pixels of a second. */
   width: number;
   scale: number;
-  /** The ruler has the time on the wall, where it does not count minutes. */
+  /** The ruler shows the time of day instead of minutes. */
   byClock: boolean;
   /** The ruler begins with the day. */
   withDays: boolean;
-  /** Missing where each line has a scale of its own. */
+  /** Undefined where each line has a scale of its own. */
   common?: Common;
 }
 
-/** The moments of a line: one for each run, and the beginning and the end of each burst of edits. */
-export function momentsOf(
+/** The points in time of a line: one for each run, and the beginning and end of each burst of edits. */
+export function pointsOf(
   marks: readonly ReviewMark[],
   spans: readonly Span[],
   axis: Axis,
-): Moment[] {
+): TimePoint[] {
   let right = 0;
-  return marks.flatMap(({ kind }, index): Moment[] => {
+  return marks.flatMap(({ kind }, index): TimePoint[] => {
     const { from, to } = spans[index] ?? { from: 0, to: 0 };
     const before = right;
     right = kind === "run" ? DENSE / 2 : 0;
@@ -108,7 +108,7 @@ export function momentsOf(
   });
 }
 
-/** Where everything on a line stands that shares its scale with others. */
+/** The layout of a line that shares its scale with others. */
 function layOutCommon(line: LineInput, common: Common): LineLayout {
   const { marks, axis, width, scale } = line;
   let next = 0;
@@ -130,7 +130,7 @@ function layOutCommon(line: LineInput, common: Common): LineLayout {
   };
 }
 
-/** Where everything on a line stands. The ruler goes with the marks where these had to make room for each other. */
+/** The layout of a line. Where marks had to be moved apart, the ruler is stretched with them. */
 export function layOut(line: LineInput): LineLayout {
   const { marks, spans, axis, width, scale, common } = line;
   if (common) return layOutCommon(line, common);
@@ -165,12 +165,12 @@ export function layOut(line: LineInput): LineLayout {
   };
 }
 
-/** Many edits are a higher bar than few, but not so much higher that few cannot be seen. */
+/** The height grows with the root of the edits: few stay visible beside many. Pixels. */
 export function barHeight(edits: number): number {
   return Math.min(HIGHEST_BAR, LOWEST_BAR + 4 * Math.sqrt(Math.max(0, edits - 1)));
 }
 
-/** Marks get smaller before the line gets longer than its room. */
+/** The size of round marks: smaller ones where the line would become longer than its room. */
 function roundFor(marks: readonly ReviewMark[], room: number): number {
   const parts = marks.reduce(
     (sum, { kind }) => sum + (kind === "run" ? 1 : THINNEST_BAR / ROUND),
@@ -189,7 +189,7 @@ function narrow(
 
 type At = (index: number) => number;
 
-/** Pairs of time (in pixels of an even line) and place that only rise. */
+/** Rising pairs of time (in pixels of an even line) and position. */
 function knotsOf(
   placed: readonly PlacedMark[],
   marks: readonly ReviewMark[],
@@ -218,7 +218,7 @@ function arcsOf(placed: readonly PlacedMark[]): Arc[] {
 
 type Ruler = Pick<LineLayout, "ticks" | "folds" | "lengths" | "end">;
 
-/** What lies under the marks: the time itself. */
+/** The ruler under the marks. */
 function rulerOf(line: LineInput, placed: readonly PlacedMark[], place: At, room: number): Ruler {
   const { axis, spans } = line;
   const within = (time: number) => Math.min(EDGE + room, place(time));
@@ -234,7 +234,7 @@ function rulerOf(line: LineInput, placed: readonly PlacedMark[], place: At, room
   };
 }
 
-/** Days are said before pauses are. */
+/** Labels of days have precedence over labels of pauses. */
 function foldsOf({ axis, withDays }: LineInput, place: At): PlacedFold[] {
   const folds = axis.folds.map((fold) => ({ fold, x: place(fold.from + fold.seconds / 2) }));
   const nights = folds.filter(({ fold }) => isNight(fold)).map(({ x }) => x);
@@ -250,14 +250,14 @@ function foldsOf({ axis, withDays }: LineInput, place: At): PlacedFold[] {
 
 const isNight = ({ from, seconds }: Fold) => dayOf(from) !== dayOf(from + seconds);
 
-/** What is said under a folded pause stays readable. */
+/** Without the ticks that would overlap the label of a folded pause. */
 function apartFrom(folds: readonly PlacedFold[], ticks: readonly Tick[]): Tick[] {
   return ticks.filter(({ x }) =>
     folds.every((fold) => Math.abs(fold.x - x) > (fold.isNight ? DAY_APART : 44)),
   );
 }
 
-/** Numbers for each day apart: nobody counts the minutes of nights. */
+/** Ticks that start anew with each day, so that minutes of nights do not count. */
 function ticksOf(line: LineInput, place: At, room: number): Tick[] {
   const { axis, scale, byClock, withDays } = line;
   const step = stepFor(scale, RULER_APART);

@@ -1,13 +1,13 @@
+import type { GroupReview } from "../../../api/model";
+import { daysOf } from "../days";
 import { Axis, type Span, spansOf } from "./axis";
-import { daysOf } from "./days";
-import { type LineLayout, layOut, momentsOf } from "./line_layout";
-import type { GroupReview } from "./model";
+import { type LineLayout, layOut, pointsOf } from "./line_layout";
 import { type Stretched, stretch } from "./stretch";
 
-/** Whose time the lines show: each group's own, or the clock on the wall. */
+/** What positions on the lines mean: time since the group's own beginning, or time of day. */
 export type TimeOf = "group" | "clock";
 
-/** A line is at least so long, for the marks of two minutes not to be strewn over a metre. Seconds. */
+/** The least length of a line in seconds: the marks of two minutes are not spread over the whole screen. */
 const SHORTEST_S = 600;
 
 /** The lines of all groups in one scale, so that a minute is as long for all of them. */
@@ -46,6 +46,6 @@ function stretchAll(
   common: Axis,
   width: number,
 ): Stretched {
-  const moments = groups.map(({ marks }, index) => momentsOf(marks, spans[index] ?? [], common));
-  return stretch(moments, width - 40);
+  const points = groups.map(({ marks }, index) => pointsOf(marks, spans[index] ?? [], common));
+  return stretch(points, width - 40);
 }

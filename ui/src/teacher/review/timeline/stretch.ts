@@ -1,14 +1,14 @@
-/** A moment on a group's line, and how far it must be at least from the one before it on that line, in pixels. */
-export interface Moment {
+/** A point in time on a line, and its least distance from the point before it on that line, in pixels. */
+export interface TimePoint {
   readonly time: number;
   readonly gap: number;
 }
 
-/** Places of all moments in one scale: time goes on evenly where there is room, and slower where marks are dense. */
+/** Positions of all points in one scale: even where there is room, stretched where marks are dense. */
 export interface Stretched {
-  /** By line and moment, in pixels. */
+  /** By line and point, in pixels. */
   readonly places: readonly (readonly number[])[];
-  /** Pairs of time and place, both of them rising. */
+  /** Pairs of time and position, both of them rising. */
   readonly knots: readonly (readonly [number, number])[];
   readonly end: number;
 }
@@ -16,12 +16,12 @@ export interface Stretched {
 const STEPS = 24;
 
 /**
- * One scale for many lines, so that the same time stands at the same place of all of them, and no two moments of a line
- * are nearer than they may be. As even as the room allows.
+ * One scale for many lines: a time has the same position on all of them, and no two points of a line are nearer than
+ * they may be. As even as the room allows.
  */
-export function stretch(lines: readonly (readonly Moment[])[], room: number): Stretched {
+export function stretch(lines: readonly (readonly TimePoint[])[], room: number): Stretched {
   const sorted = lines
-    .flatMap((moments, line) => moments.map((moment, index) => ({ ...moment, line, index })))
+    .flatMap((points, line) => points.map((point, index) => ({ ...point, line, index })))
     .sort((a, b) => a.time - b.time || a.index - b.index);
   const length = (sorted.at(-1)?.time ?? 0) - (sorted[0]?.time ?? 0);
   let [least, most] = [0, room / Math.max(1, length)];
@@ -33,21 +33,21 @@ export function stretch(lines: readonly (readonly Moment[])[], room: number): St
   return laid(lines.length, sorted, least);
 }
 
-interface Placed extends Moment {
+interface Placed extends TimePoint {
   readonly line: number;
   readonly index: number;
 }
 
-/** Each moment as far to the left as it may be, where a second takes at least so many pixels. */
+/** Each point as far to the left as it may be, where a second takes at least `perSecond` pixels. */
 function laid(count: number, sorted: readonly Placed[], perSecond: number): Stretched {
   const places: number[][] = Array.from({ length: count }, () => []);
   const knots: [number, number][] = [];
   let [time, reached] = [sorted[0]?.time ?? 0, 0];
-  for (const moment of sorted) {
-    const before = places[moment.line]?.at(-1) ?? 0;
-    reached = Math.max(reached + (moment.time - time) * perSecond, before + moment.gap);
-    time = moment.time;
-    places[moment.line]?.push(reached);
+  for (const point of sorted) {
+    const before = places[point.line]?.at(-1) ?? 0;
+    reached = Math.max(reached + (point.time - time) * perSecond, before + point.gap);
+    time = point.time;
+    places[point.line]?.push(reached);
     const last = knots.at(-1);
     if (last?.[0] === time) last[1] = reached;
     else knots.push([time, reached]);

@@ -1,0 +1,151 @@
+"""The commands to a live run, declared once.
+
+The route, the page's types, the client and the engine's reader derive from `LiveCommand`. A new command is a class
+here, with what it does to a run (`apply`), and whatever in the page sends it.
+"""
+
+from typing import Annotated, Any, Literal, get_args
+
+from pydantic import BaseModel, ConfigDict, Field, RootModel
+
+from pinel_desktop.execution.control import GREATEST_SPEED, LEAST_SPEED, Reply, RunControl, StepMode
+
+# The app's start imports this module; a model is built when it is first used.
+_LATER = ConfigDict(defer_build=True, frozen=True)
+
+BlockIds = Annotated[list[Annotated[str, Field(max_length=100)]], Field(max_length=1000)]
+SpeedFactor = Annotated[float, Field(ge=LEAST_SPEED, le=GREATEST_SPEED)]
+Ring = Literal["sonar", "lidar"]
+
+
+class _Command(BaseModel):
+    """Base of all commands; `do` tells them apart. Unknown keys are refused."""
+
+    model_config = _LATER | ConfigDict(extra="forbid")
+
+    def apply(self, control: RunControl, reply: Reply) -> None:
+        """Does it to the run, from the engine's reading thread; `reply` takes the value of what asks for one."""
+        raise NotImplementedError
+
+
+class Pause(_Command):
+    """Makes the run wait."""
+
+    do: Literal["pause"] = "pause"
+
+    def apply(self, control: RunControl, reply: Reply) -> None:
+        control.pause()
+
+
+class Resume(_Command):
+    """Lets the run go on after a pause."""
+
+    do: Literal["resume"] = "resume"
+
+    def apply(self, control: RunControl, reply: Reply) -> None:
+        control.resume()
+
+
+class Stop(_Command):
+    """Stops the robot and ends the run."""
+
+    do: Literal["stop"] = "stop"
+
+    def apply(self, control: RunControl, reply: Reply) -> None:
+        control.stop()
+
+
+class Step(_Command):
+    """Goes on to the next block and pauses there: into functions, over them, or out of the one that runs."""
+
+    do: Literal["step"] = "step"
+    mode: StepMode
+
+    def apply(self, control: RunControl, reply: Reply) -> None:
+        control.step_on(self.mode)
+
+
+class SetBreakpoints(_Command):
+    """Ids of the blocks before which the run pauses; replaces those set before."""
+
+    do: Literal["breakpoints"] = "breakpoints"
+    blocks: BlockIds
+
+    def apply(self, control: RunControl, reply: Reply) -> None:
+        control.breakpoints = frozenset(self.blocks)
+
+
+class SetSpeed(_Command):
+    """Robot time divided by wall time, in the simulator: slow motion or fast forward."""
+
+    do: Literal["speed"] = "speed"
+    factor: SpeedFactor
+
+    def apply(self, control: RunControl, reply: Reply) -> None:
+        control.set_speed(self.factor)
+
+
+class Subscribe(_Command):
+    """Rings of sensors that the stream reports from now on, as `ranges` events; an empty list ends it."""
+
+    do: Literal["subscribe"] = "subscribe"
+    sensors: Annotated[list[Ring], Field(max_length=2)]
+
+    def apply(self, control: RunControl, reply: Reply) -> None:
+        control.subscriptions = frozenset(self.sensors)
+
+
+class Evaluate(_Command):
+    """Asks for the value of an expression of the program document while the run is paused."""
+
+    do: Literal["evaluate"] = "evaluate"
+    expression: Any
+
+    def apply(self, control: RunControl, reply: Reply) -> None:
+        control.evaluate(self.expression, reply)
+
+
+class AnswerCapture(_Command):
+    """The sign that the pupils say was shown; "" means none. Does nothing while no capture is under way."""
+
+    do: Literal["answer_capture"] = "answer_capture"
+    result: Annotated[str, Field(max_length=100)]
+
+    def apply(self, control: RunControl, reply: Reply) -> None:
+        control.inputs.gestures.answer(self.result)
+
+
+class Answer(_Command):
+    """The group's answer to the question of its program. Does nothing while none is asked."""
+
+    do: Literal["answer"] = "answer"
+    value: Annotated[str, Field(max_length=1000)]
+
+    def apply(self, control: RunControl, reply: Reply) -> None:
+        control.inputs.answers.answer(self.value)
+
+
+Command = (
+    Pause
+    | Resume
+    | Stop
+    | Step
+    | SetBreakpoints
+    | SetSpeed
+    | Subscribe
+    | Evaluate
+    | AnswerCapture
+    | Answer
+)
+COMMANDS: dict[str, type[Command]] = {
+    model.model_fields["do"].default: model for model in get_args(Command)
+}
+
+
+class LiveCommand(RootModel[Any]):
+    """One command to a live run."""
+
+    model_config = _LATER
+
+    # in the brackets of RootModel it would be built at once, whatever the configuration says
+    root: Annotated[Command, Field(discriminator="do")]

@@ -1,0 +1,25 @@
+"""All events by their name, and which of them have a trait. Nothing else lists events."""
+
+from typing import Any, Literal
+
+from pinel_desktop.events import app_events, model  # noqa: F401 - declares them
+from pinel_desktop.events.model import Event, StreamEvent
+
+
+def _declared(base: type[Any]) -> dict[str, type[Any]]:
+    """A class with slots replaces the one that it was made from, which Python lists before it."""
+    return {cls.type: cls for cls in base.__subclasses__() if hasattr(cls, "type")}
+
+
+RUN_EVENTS: dict[str, type[Event]] = _declared(Event)
+APP_EVENTS: dict[str, type[StreamEvent]] = _declared(StreamEvent)
+
+
+def _types_that_are(trait: Literal["kept", "lossy", "urgent"]) -> frozenset[str]:
+    declared = RUN_EVENTS | APP_EVENTS
+    return frozenset(name for name, cls in declared.items() if getattr(cls, trait))
+
+
+KEPT = _types_that_are("kept")
+LOSSY = _types_that_are("lossy")
+URGENT = _types_that_are("urgent")

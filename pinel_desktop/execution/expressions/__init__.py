@@ -1,0 +1,1 @@
+"""Values, operators, variables, and the evaluation of expressions."""

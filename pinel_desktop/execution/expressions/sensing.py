@@ -1,0 +1,71 @@
+"""Reading sensors into the language's units: metres, degrees, seconds, in the start frame."""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+from pinel_desktop.execution.clock import TICK_HZ
+from pinel_desktop.execution.expressions.requests import EvaluationContext
+from pinel_desktop.execution.expressions.values import Value
+from pinel_desktop.program.sensors import DEGREES, SENSORS, Argument
+from pinel_desktop.robot.sensors import missing
+
+_ROUNDING_DEG = 1e-9
+
+
+def reader(context: EvaluationContext, name: str) -> Callable[..., Value]:
+    """The function that reads a sensor; it takes the value of the argument where the sensor has one.
+
+    Calling it raises PinelError `sensor_missing` where the robot lacks the sensor.
+    """
+    if name in _OF_THE_RUN:
+        read = _OF_THE_RUN[name]
+        return lambda *asked: read(context, *asked)
+    sensor = SENSORS[name]
+    read = context.sensors.reader(name)
+    if sensor.unit == DEGREES:
+        read = _in_degrees(read)
+    return read if sensor.argument is None else _asked(read, sensor.argument)
+
+
+def cost(context: EvaluationContext, name: str, asked: Any) -> int:
+    """How many parts of an expression reading a sensor takes as long as."""
+    n_readings = len(context.robot.distance_sonars[asked]) if name == "distance" else 1
+    return SENSORS[name].cost * n_readings
+
+
+def _asked(read: Callable[..., Value], argument: Argument) -> Callable[..., Value]:
+    """The same function, with an argument in the language's units."""
+    if argument.whole:
+        return lambda value: read(int(value))
+    if argument.unit == DEGREES:
+        return lambda value: read(math.radians(value))
+    return read
+
+
+def _in_degrees(read: Callable[..., Any]) -> Callable[..., Value]:
+    return lambda *asked: _heading_deg(read(*asked))
+
+
+def _distance(context: EvaluationContext, direction: str) -> Value:
+    """How much room there is in a direction, in m: what the nearest of its sonars measures."""
+    indices = context.robot.distance_sonars[direction]  # type: ignore[index]
+    if not indices:
+        missing("distance")
+    return float(min(context.sensors.sonar(index) for index in indices))
+
+
+def _heading_deg(yaw_rad: float) -> float:
+    """In (-180, 180]: straight back is 180, also where rounding has put it a hair beyond."""
+    degrees = math.degrees(yaw_rad)
+    return degrees if degrees > -180.0 + _ROUNDING_DEG else 180.0
+
+
+# sensors that are worked out of the run's state or of other sensors; a link has no method for them
+_OF_THE_RUN: dict[str, Callable[..., Value]] = {
+    "x": lambda context: context.pose.x_m,
+    "y": lambda context: context.pose.y_m,
+    "heading": lambda context: _heading_deg(context.pose.yaw_rad),
+    "time": lambda context: (context.tick - 1) / TICK_HZ,
+    "distance": _distance,
+}

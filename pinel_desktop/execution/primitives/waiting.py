@@ -1,0 +1,56 @@
+"""Waiting for an input, as captures and questions do."""
+
+import math
+from collections.abc import Generator
+
+from pinel_desktop.events.model import Countdown, Event
+from pinel_desktop.execution.clock import TICK_HZ
+from pinel_desktop.execution.context import RunContext
+from pinel_desktop.execution.inputs.sources import InputSource, Pending
+
+_TOLD_HZ = 5
+
+Waiting = Generator[Pending | None, None, str | None]
+
+
+def wait_for_input(
+    context: RunContext,
+    source: InputSource,
+    announcement: Event,
+    *,
+    question: str = "",
+    timeout_s: float = math.inf,
+) -> Waiting:
+    """Announces that the program waits, and gives the input; None after the timeout.
+
+    The timeout counts what the source needs: real time for a person or a camera, without pauses, else robot time.
+    """
+    source.begin(question)  # before the announcement: an answer may come at once
+    context.emit(announcement)
+    try:
+        return (yield from _polled(context, source, timeout_s))
+    finally:
+        source.cancel()
+
+
+def _polled(context: RunContext, source: InputSource, timeout_s: float) -> Waiting:
+    n_ticks, began_s, told = 0, context.waited_s, math.inf
+    while isinstance(given := source.poll(), Pending):
+        if given is Pending.TICK:
+            if n_ticks >= max(1, _ticks(timeout_s)):
+                return None
+            n_ticks += 1
+            yield None
+            continue
+        left_s = began_s + timeout_s - context.waited_s
+        if left_s <= 0.0:
+            return None
+        if math.isfinite(left_s) and math.ceil(left_s * _TOLD_HZ) < told:
+            told = math.ceil(left_s * _TOLD_HZ)
+            context.emit(Countdown(round(left_s, 2)))
+        yield given
+    return given
+
+
+def _ticks(timeout_s: float) -> float:
+    return round(timeout_s * TICK_HZ) if math.isfinite(timeout_s) else math.inf

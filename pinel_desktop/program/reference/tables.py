@@ -1,0 +1,125 @@
+"""Rows of the tables of docs/program-document.md and docs/python-text.md."""
+
+import json
+from typing import Any, get_args
+
+from pinel_desktop.program.base import defaults
+from pinel_desktop.program.expressions import Takes
+from pinel_desktop.program.model import COMMANDS, AnyCommand, Branch, action_of, parameters_of
+from pinel_desktop.program.python_text.forms import SENSOR_CALLS
+from pinel_desktop.program.sensors import SENSORS, Sensor
+from pinel_desktop.program.signatures import choices_of, takes_of
+
+
+def commands_of_the_document() -> list[str]:
+    """Action, parameters with their bounds, what the robot does."""
+    return _table(
+        ("action", "parameters", "what the robot does"),
+        [(f"`{action_of(one)}`", _parameters(one), _says(one)) for one in COMMANDS],
+    )
+
+
+def commands_in_python() -> list[str]:
+    """Python form, action, what it does."""
+    return _table(
+        ("Python", "command", "what it does"),
+        [(f"`{one.python}`", f"`{action_of(one)}`", _in_python(one)) for one in COMMANDS],
+    )
+
+
+def sensors_of_the_document() -> list[str]:
+    """Form in a document, value."""
+    return _table(
+        ("form", "value"),
+        [(f"`{json.dumps(_node(one))}`", _value(one)) for one in SENSORS.values()],
+    )
+
+
+def sensors_in_python() -> list[str]:
+    """Python form, sensor, value."""
+    return _table(
+        ("Python", "expression", "what it is"),
+        [(f"`{_python(one)}`", f"`{one.name}`", _value(one)) for one in SENSORS.values()],
+    )
+
+
+def _table(titles: tuple[str, ...], rows: list[tuple[str, ...]]) -> list[str]:
+    lines = [" | ".join(row) for row in (titles, *rows)]
+    return [f"| {lines[0]} |", "|---" * len(titles) + "|", *(f"| {line} |" for line in lines[1:])]
+
+
+def _says(model: type[AnyCommand]) -> str:
+    """The docstring as a part of a sentence."""
+    says = (model.__doc__ or "").strip().removesuffix(".")
+    return says[:1].lower() + says[1:]
+
+
+def _in_python(model: type[AnyCommand]) -> str:
+    taken = {name: takes_of(kind) for name, kind in parameters_of(model).items()}
+    units = [f"`{name}` in {takes.unit}" for name, takes in taken.items() if takes and takes.unit]
+    return f"{_says(model)}; {', '.join(units)}" if units else _says(model)
+
+
+def _parameters(model: type[AnyCommand]) -> str:
+    without = defaults(model)
+    return ", ".join(
+        " ".join(filter(None, (f"`{name}`", _takes(kind), _without(name, without))))
+        for name, kind in parameters_of(model).items()
+    )
+
+
+def _takes(annotation: Any) -> str:
+    """What may stand in a parameter, in words; nothing where its name says it."""
+    takes = takes_of(annotation)
+    if takes is not None:
+        return _bounds(takes)
+    if annotation is bool:
+        return "true or false"
+    if list[Branch] in get_args(annotation):
+        return "(list of `condition` and `commands`)"
+    return _or(choices_of(annotation))
+
+
+def _or(choices: tuple[str, ...]) -> str:
+    *first, last = choices or ("",)
+    return f"{', '.join(first)} or {last}" if first else last
+
+
+def _bounds(takes: Takes) -> str:
+    if takes.gt is not None:
+        upper = "" if takes.le is None else f", up to {takes.le:g}"
+        return f"above {takes.gt:g}{upper} {takes.unit}".strip()
+    if takes.ge is not None and takes.le is not None:
+        return f"{takes.ge:g} to {takes.le:.0f} {takes.unit}".strip()
+    return takes.unit or takes.type
+
+
+def _without(name: str, defaults_: dict[str, Any]) -> str:
+    """What is taken where the parameter is left out."""
+    if name not in defaults_:
+        return ""
+    value = defaults_[name]
+    empty = value is None or value in ([], {})
+    shown = "none" if empty else f"{value:g}" if isinstance(value, float) else str(value).lower()
+    return f"({shown} without it)"
+
+
+def _node(sensor: Sensor) -> dict[str, Any]:
+    argument = sensor.argument
+    return {"sensor": sensor.name} | ({argument.name: argument.start} if argument else {})
+
+
+def _python(sensor: Sensor) -> str:
+    form = SENSOR_CALLS.get(sensor.name)
+    return form.example if form else f"robot.{sensor.name}"
+
+
+def _value(sensor: Sensor) -> str:
+    """What is measured, its unit, and what may be asked."""
+    measured = f"{sensor.says} ({sensor.unit})" if sensor.unit else sensor.says
+    argument = sensor.argument
+    if argument is None:
+        return measured
+    bounds = f"{argument.low:g} to {argument.high:g} {argument.unit}".strip()
+    asked = _or(tuple(f'"{one}"' for one in argument.choices)) or bounds
+    return f"{measured}; `{argument.name}` {asked}"

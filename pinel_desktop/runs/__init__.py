@@ -1,0 +1,1 @@
+"""A run as one value: its inputs, its verification, its grading."""

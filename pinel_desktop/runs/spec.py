@@ -1,0 +1,73 @@
+"""A run as one value: everything that decides what happens in it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Literal, Protocol
+
+from pinel_desktop.execution.inputs import Inputs, ScriptedInputs
+from pinel_desktop.robot import Setting, setting_from
+
+if TYPE_CHECKING:  # heavy, and the app starts without it
+    from pinel_desktop.execution.control import RunControl
+    from pinel_desktop.execution.executor import Observer
+    from pinel_desktop.program.model import Program
+
+Pace = Literal["live", "max"]
+Document = dict[str, Any] | list[Any]
+
+
+class RunInputs(Inputs, Protocol):
+    """Inputs that may also make requests: those of a recorded run bring its pauses and its Stop."""
+
+    def attach(self, control: RunControl) -> Observer | None:
+        """Called once before the run begins; returns what must observe the run, or None."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class RunSpec:
+    """What is run, on what, and where its inputs come from; `runs.start.start` executes it.
+
+    The same spec gives the same run, tick by tick, on a simulated link. Replaying a recorded run is starting its spec
+    with `RecordedInputs`.
+
+    Attributes:
+        document: the program document.
+        world: name or document of the simulator's world, or of the room that a real robot drives in.
+        link: name of the robot link (`links.LINK_NAMES`).
+        address: where the link finds its robot; None for the simulator.
+        setting: the robot, how it is simulated and what it knows of its pose.
+        seed: of the run's random numbers.
+        inputs: where results of captures and answers to questions come from.
+        pace: `live` for ticks in real time, `max` for as fast as they can; a real robot runs live only.
+        program: `document` when it has been read before, which spares `start` the reading.
+    """
+
+    document: Document
+    world: str | dict[str, Any]
+    link: str = "sim"
+    address: str | None = None
+    setting: Setting = field(default_factory=Setting)
+    seed: int = 0
+    inputs: RunInputs = field(default_factory=ScriptedInputs)
+    pace: Pace = "max"
+    program: Program | None = field(default=None, compare=False)
+
+    def as_message(self) -> dict[str, Any]:
+        """Plain JSON data for the engine's process, without the inputs, which are live there."""
+        return {
+            "document": self.document,
+            "world": self.world,
+            "link": self.link,
+            "address": self.address,
+            "setting": self.setting.as_parameters(),
+            "seed": self.seed,
+            "pace": self.pace,
+        }
+
+
+def spec_from(message: Mapping[str, Any], inputs: RunInputs) -> RunSpec:
+    """The spec of a message. Raises PinelError `run_damaged` for a setting that never was one."""
+    return RunSpec(**{**message, "setting": setting_from(message["setting"])}, inputs=inputs)

@@ -1,0 +1,92 @@
+"""The one way to execute a run: the engine, `pinel run`, verification and the activities' checker use it."""
+
+import contextlib
+import gc
+from collections.abc import Iterator
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.events.model import Event
+from pinel_desktop.execution.clock import WALL_TIME, Clock, LiveClock, MaxClock, WallTime
+from pinel_desktop.execution.control import RunControl
+from pinel_desktop.execution.executor import Observer, RunOptions, RunResult, execute
+from pinel_desktop.links import open_link
+from pinel_desktop.program.model import Program
+from pinel_desktop.program.reading import read_document
+from pinel_desktop.robot import RobotLink
+from pinel_desktop.runs.spec import RunSpec
+
+# what a person did in a recorded run takes no time when it is done again
+_NO_TIME = WallTime(now=lambda: 0.0, sleep=lambda seconds: None)
+
+
+def start(
+    spec: RunSpec,
+    observer: Observer | None = None,
+    control: RunControl | None = None,
+    *,
+    wall: WallTime = WALL_TIME,
+) -> RunResult:
+    """Executes a run to its end, on the calling thread.
+
+    Args:
+        observer: called with every event.
+        control: lets other threads pause, stop and inspect the run.
+        wall: the time of live ticks and of people.
+
+    Raises:
+        PinelError: before the robot moves, what reading the document and opening the link raise: `invalid_program`,
+            `unknown_link`, `unknown_robot`, `unknown_world`. Whatever goes wrong later is the run's outcome.
+    """
+    control = control or RunControl()
+    program = spec.program or _read(spec)
+    link = open_link(
+        spec.link, world=spec.world, setting=spec.setting, seed=spec.seed, address=spec.address
+    )
+    options = RunOptions(
+        observer=all_of(observer, spec.inputs.attach(control)),
+        clock=_clock(spec, link, control, wall),
+        control=control,
+        wall=wall if spec.inputs.is_live else _NO_TIME,
+        inputs=spec.inputs,
+        seed=spec.seed,
+        robot=spec.setting.robot,
+    )
+    with _frozen_garbage() if spec.pace == "live" else contextlib.nullcontext():
+        return execute(program, link, options)
+
+
+def _read(spec: RunSpec) -> Program:
+    reading = read_document(spec.document)
+    if reading.program is None:
+        raise PinelError("invalid_program", count=len(reading.faults))
+    return reading.program
+
+
+def _clock(spec: RunSpec, link: RobotLink, control: RunControl, wall: WallTime) -> Clock:
+    """A real robot has one speed; that of the simulator is chosen."""
+    if not link.simulated:
+        return LiveClock(wall)
+    return MaxClock() if spec.pace == "max" else LiveClock(wall, speed=lambda: control.pace)
+
+
+def all_of(*observers: Observer | None) -> Observer | None:
+    """One observer for all; None where there is none, which is faster."""
+    there = [observer for observer in observers if observer is not None]
+    if len(there) < 2:
+        return there[0] if there else None
+
+    def observe(tick: int, event: Event) -> None:
+        for observer in there:
+            observer(tick, event)
+
+    return observe
+
+
+@contextlib.contextmanager
+def _frozen_garbage() -> Iterator[None]:
+    """Keeps the garbage collector off what is there already: a search through a long program takes several ticks."""
+    gc.freeze()
+    try:
+        yield
+    finally:
+        gc.unfreeze()

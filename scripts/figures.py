@@ -1,0 +1,179 @@
+"""Prints the figures that the structure of the code is judged by, counted in the working tree.
+
+With --check: fails where a folder holds more than FOLDER_LIMIT sources, or where the page's files or folders import in
+a circle or upwards (Python's imports are import-linter's).
+"""
+
+import ast
+import json
+import re
+import subprocess
+import sys
+from collections import Counter
+from collections.abc import Iterable
+from graphlib import CycleError, TopologicalSorter
+from pathlib import Path
+from typing import Any
+
+import grimp  # comes with import-linter
+
+ROOT = Path(__file__).resolve().parents[1]
+FOLDER_LIMIT = 20
+PACKAGES = ("pinel_desktop", "sim", "storage")
+PRODUCT = re.compile(rf"(({'|'.join(PACKAGES)})/.*\.py|ui/src/(?!api/types\.ts$).*\.(tsx?|css))$")
+SOURCE = re.compile(r"(?!tests/)(?!.*\.test\.).*\.(py|mjs|tsx?)$")
+PAGE_TEST = re.compile(r".*\.test\.tsx?$")
+RAW_CONTROL = re.compile(r"<(?:button|select)\b")
+# the folders of ui/src from the lowest: none imports one that stands later
+LAYERS = (
+    "api", "i18n", "kit", "blocks", "editor", "shell", "run", "scene plots",
+    "start studio work replay versions world_editor teacher", "frame",
+)  # fmt: skip
+
+Edges = Iterable[tuple[str, str]]
+
+
+def run(*command: str) -> str:
+    return subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout
+
+
+def tree(pattern: re.Pattern[str]) -> list[str]:
+    """Files of the working tree that git does not ignore."""
+    listed = run("git", "ls-files", "--cached", "--others", "--exclude-standard").splitlines()
+    return [name for name in listed if pattern.match(name) and (ROOT / name).exists()]
+
+
+def text(name: str) -> str:
+    return (ROOT / name).read_text("utf-8")
+
+
+def n_lines(names: Iterable[str]) -> int:
+    return sum(text(name).count("\n") for name in names)
+
+
+def full_folders() -> dict[str, int]:
+    """Folders with more sources directly in them than they should hold; tests do not count."""
+    sizes = Counter(str(Path(name).parent) for name in tree(SOURCE))
+    return {folder: size for folder, size in sorted(sizes.items()) if size > FOLDER_LIMIT}
+
+
+def function_lengths() -> list[int]:
+    """Lines of each function of the product, from `def` to its end."""
+    return [
+        (node.end_lineno or 0) - node.lineno + 1
+        for name in tree(PRODUCT)
+        if name.endswith(".py")
+        for node in ast.walk(ast.parse(text(name)))
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
+    ]
+
+
+def python_imports() -> Edges:
+    """Who imports whom, as paths: those under TYPE_CHECKING and within functions too."""
+    graph = grimp.build_graph(*PACKAGES)
+    for module in graph.modules:
+        for imported in graph.find_modules_directly_imported_by(module):
+            yield module.replace(".", "/"), imported.replace(".", "/")
+
+
+def siblings(edges: Edges) -> Edges:
+    """Each import as one between the folders (or files) where the two paths part."""
+    for importer, imported in edges:
+        a, b = importer.split("/"), imported.split("/")
+        shared = next((i for i, (x, y) in enumerate(zip(a, b, strict=False)) if x != y), None)
+        if shared is not None:
+            yield "/".join(a[: shared + 1]), "/".join(b[: shared + 1])
+
+
+def circles(edges: Edges) -> list[str]:
+    """One circle after the other; an import of each is left out before the next is looked for."""
+    graph: dict[str, dict[str, None]] = {}
+    for importer, imported in sorted(edges):
+        graph.setdefault(importer, {})[imported] = None
+    found = []
+    while True:
+        try:
+            TopologicalSorter(graph).prepare()
+        except CycleError as error:
+            circle = error.args[1]
+            del graph[circle[1]][circle[0]]
+            found.append(" <- ".join(circle))
+        else:
+            return found
+
+
+def upwards(edges: Edges) -> list[str]:
+    """Imports of the page's folders that point the wrong way."""
+    level = {folder: place for place, names in enumerate(LAYERS) for folder in names.split()}
+    pairs = [
+        (importer, imported, importer.split("/")[0], imported.split("/")[0])
+        for importer, imported in edges
+    ]
+    return [
+        f"{importer} -> {imported}"
+        for importer, imported, one, other in pairs
+        if "/" in importer and level[one] < level.get(other, len(LAYERS))
+    ]
+
+
+def spread(lengths: Iterable[int]) -> str:
+    ordered = sorted(lengths)
+    median, p90 = (ordered[int((len(ordered) - 1) * part)] for part in (0.5, 0.9))
+    return f"median {median}, p90 {p90}, longest {ordered[-1]}, {len(ordered)} in all"
+
+
+def show(title: str, value: object, details: Iterable[object] = ()) -> None:
+    print(f"{title:<44} {value}")
+    for detail in details:
+        print(f"    {detail}")
+
+
+def show_circles(language: str, edges: list[tuple[str, str]]) -> int:
+    n_found = 0
+    for kind, found in (("files", circles(edges)), ("folders", circles(siblings(edges)))):
+        show(f"import circles of {kind}, {language}", len(found), found)
+        n_found += len(found)
+    return n_found
+
+
+def page_figures() -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(
+        run("sh", "-c", 'PATH="$(sh scripts/node.sh):$PATH" node scripts/figures.mjs')
+    )
+    return found
+
+
+def show_page(page: dict[str, Any]) -> None:
+    components = page["components"]
+    long = [f"{lines} {name}" for name, lines in components if lines > 60]
+    show("lines of a component", spread(lines for _, lines in components))
+    show("components of more than 60 lines", len(long), long)
+    screens = [n for n in tree(re.compile(r"ui/src/(?!kit/).*\.tsx$")) if not PAGE_TEST.match(n)]
+    show(
+        "raw buttons and selects outside kit",
+        sum(len(RAW_CONTROL.findall(text(n))) for n in screens),
+    )
+
+
+def main() -> int:
+    is_check = "--check" in sys.argv[1:]
+    full = full_folders()
+    page = page_figures()
+    if not is_check:
+        product = tree(PRODUCT)
+        page_tests = n_lines(name for name in product if PAGE_TEST.match(name))
+        show("hand-written product lines", n_lines(product))
+        show("the same without the page's tests", n_lines(product) - page_tests)
+        show("lines of a Python function", spread(function_lengths()))
+        show_circles("Python", list(python_imports()))
+        show_page(page)
+        show("lines of ARCHITECTURE.md", n_lines(["ARCHITECTURE.md"]))
+    imports = [(one, other) for one, other in page["imports"]]
+    n_circles, against = show_circles("TypeScript", imports), upwards(imports)
+    show("imports of the page that point upwards", len(against), against)
+    show(f"folders with more than {FOLDER_LIMIT} sources", len(full), full.items())
+    return int(is_check and (bool(full) or n_circles > 0 or bool(against)))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

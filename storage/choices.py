@@ -1,0 +1,44 @@
+"""Colours and pictures that a group can choose."""
+
+# told apart on a projector and by colour-blind pupils; each dark enough for white text
+COLORS = (
+    "#1f6f8b",
+    "#b3541e",
+    "#5b4b9a",
+    "#2e7d4f",
+    "#a03561",
+    "#8a6a00",
+    "#34568b",
+    "#7a3e3e",
+    "#00796b",
+    "#6d5d4b",
+    "#9c3d97",
+    "#4a6b1c",
+)
+# what pupils of any school know and tell apart at a glance; the page has a drawing of each
+PICTURES = (
+    "rocket",
+    "cat",
+    "tree",
+    "fish",
+    "star",
+    "bird",
+    "bike",
+    "sun",
+    "turtle",
+    "guitar",
+    "flower",
+    "snail",
+    "ship",
+    "rabbit",
+    "mountain",
+    "dog",
+    "umbrella",
+    "cherry",
+    "plane",
+    "crown",
+    "squirrel",
+    "anchor",
+    "apple",
+    "moon",
+)

@@ -1,0 +1,1 @@
+"""What travels between stores: bundles, merging, deletion, anonymous export, Parquet."""

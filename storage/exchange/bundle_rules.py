@@ -1,0 +1,69 @@
+"""Looking through the rows of a bundle: each value must be one that a store writes (`storage/tables/rules.py`)."""
+
+import sqlite3
+import zlib
+from collections.abc import Iterator
+from typing import Any
+
+from storage.limits import MAX_SAMPLES
+from storage.sql import column_names, tuples
+from storage.tables.columns import ReplicatedTable
+from storage.tables.replicated import REPLICATED, TELEMETRY
+
+_SAMPLE_COLUMNS = 16
+
+
+def problem_in_rows(db: sqlite3.Connection) -> str | None:
+    """The first place that holds what no store writes, as `table.column`; None when all is well."""
+    for table in REPLICATED:
+        if problem := _problem_in_table(db, table):
+            return problem
+    violation = db.execute("PRAGMA foreign_key_check").fetchone()
+    return f"{violation[0]}: {violation[2]}" if violation else _problem_in_runs(db)
+
+
+def refused_rows(
+    db: sqlite3.Connection, table: ReplicatedTable
+) -> Iterator[tuple[tuple[Any, ...], str]]:
+    """Rows of a table that break a rule: the key, and the place as `table.column`; samples are not unpacked."""
+    names = column_names(db, table.name)
+    table_rules = table.rules
+    rules = [table_rules[name] for name in names]
+    places = [names.index(name) for name in table.key]
+    for row in tuples(db, f"SELECT {', '.join(names)} FROM {table.name}"):
+        for value, rule, name in zip(row, rules, names, strict=True):
+            if not rule(value):
+                yield tuple(row[place] for place in places), f"{table.name}.{name}"
+                break
+
+
+def _problem_in_table(db: sqlite3.Connection, table: ReplicatedTable) -> str | None:
+    if not column_names(db, table.name):  # the release which wrote it did not have the table
+        return None
+    for _, problem in refused_rows(db, table):
+        return problem
+    if table is not TELEMETRY:
+        return None
+    samples = tuples(db, "SELECT data, n_rows FROM telemetry")
+    return None if all(_unpacks(*row) for row in samples) else "telemetry.data"
+
+
+def _unpacks(blob: bytes, n_rows: int) -> bool:
+    """True for telemetry of that many rows; never unpacks more than they need."""
+    largest = 4 * _SAMPLE_COLUMNS * n_rows
+    unpacking = zlib.decompressobj()
+    try:
+        octets = unpacking.decompress(blob, largest + 1)
+    except zlib.error:
+        return False
+    fits = 0 < len(octets) <= largest and len(octets) % (4 * n_rows) == 0
+    return fits and unpacking.eof and not unpacking.unused_data
+
+
+def _problem_in_runs(db: sqlite3.Connection) -> str | None:
+    """A run is read as a whole, so all its samples together are bounded too."""
+    longest = db.execute(
+        "SELECT sum(n_rows) FROM telemetry GROUP BY run_id ORDER BY 1 DESC LIMIT 1"
+    )
+    row = longest.fetchone()
+    return "telemetry.n_rows" if row and row[0] > MAX_SAMPLES else None

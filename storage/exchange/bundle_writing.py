@@ -1,0 +1,227 @@
+"""Writing bundles: one SQLite file with all of a store, or with what belongs to one class, group or program.
+
+It has the tables and views of a store, so that Datasette opens it, and one more table, `bundle`, with its origin and
+its checksum (docs/bundles.md).
+"""
+
+import logging
+import sqlite3
+from collections.abc import Callable, Iterator
+from contextlib import closing, contextmanager, suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+from storage.errors import StoreError, translated
+from storage.exchange.bundle_rules import refused_rows
+from storage.exchange.content_hash import content_hash
+from storage.exchange.scope import ALL, Scope
+from storage.file.connection import Database
+from storage.file.whole_files import numbered, whole_file
+from storage.limits import MAX_REVISION
+from storage.sql import column_names, insert, opened, row_count
+from storage.tables.columns import ReplicatedTable
+from storage.tables.migrations import migrate
+from storage.tables.replicated import REPLICATED
+from storage.text import dumped, new_id
+
+_log = logging.getLogger(__name__)
+
+FORMAT = 1
+SUFFIX = ".pinel"
+BUNDLE_TABLE = """CREATE TABLE bundle (
+    format INTEGER NOT NULL,
+    app_version TEXT NOT NULL,
+    exported_at TEXT NOT NULL,
+    computer_id TEXT NOT NULL,
+    computer_name TEXT NOT NULL,
+    content_hash TEXT NOT NULL,
+    counts TEXT NOT NULL,
+    anonymous INTEGER NOT NULL
+) STRICT"""
+Alteration = Callable[[sqlite3.Connection], None]
+
+
+@dataclass(frozen=True, slots=True)
+class BundleInfo:
+    """What a bundle says of itself.
+
+    Attributes:
+        content_hash: `content_hash.content_hash` of what it holds, as the release that wrote it counts it.
+        counts: rows by table.
+        anonymous: names and texts were left out.
+        left_out: of one just written, `table.column key` of rows that other PCs would refuse.
+    """
+
+    path: Path
+    app_version: str
+    exported_at: str
+    computer_id: str
+    computer_name: str
+    content_hash: str
+    counts: dict[str, int]
+    anonymous: bool
+    left_out: tuple[str, ...] = ()
+
+
+def export_bundle(
+    database: Database,
+    dest: Path,
+    *,
+    app_version: str,
+    computer: tuple[str, str],
+    scope: Scope = ALL,
+    alter: Alteration | None = None,
+    is_noted: bool = True,
+) -> BundleInfo:
+    """Writes what is on disk at this moment, without runs that have not ended; the file appears when it is complete.
+
+    Args:
+        dest: the file; where there is one already, the new one gets a number.
+        computer: key and name of this PC.
+        alter: changes the copy before it is finished; the bundle then counts as anonymous.
+        is_noted: whether the file is noted in `exports`; not one that is sent to a browser or deleted at once.
+
+    Raises:
+        StoreError: `classroom_not_found`, `group_not_found`, `program_not_found`; `export_failed` or `disk_full`
+            where nothing could be written.
+    """
+    with database.reading() as db:
+        scope.require(db)
+    try:
+        with (
+            _reserved(dest) as final,
+            whole_file(final) as part,
+            closing(_new_database(part)) as db,
+        ):
+            _fill(db, database.address, scope)
+            if alter is not None:
+                alter(db)
+            left_out = _leave_out(db)
+            info = BundleInfo(
+                final,
+                app_version,
+                database.now(),
+                *computer,
+                content_hash(db),
+                counts_of(db),
+                alter is not None,
+                left_out,
+            )
+            _describe(db, info)
+    except sqlite3.Error as error:
+        raise _not_written(translated(error, dest), dest) from error
+    if is_noted:
+        note_export(database, info, scope)
+    return info
+
+
+def note_export(database: Database, info: BundleInfo, scope: Scope) -> None:
+    """Notes the file in `exports`, where the store can be written: what is deleted later may be in it."""
+    content = {"checksum": info.content_hash, "of": scope.values(), "runs": info.counts["runs"]}
+    row = {
+        "id": new_id(),
+        "path": str(info.path.absolute()),
+        "made_at": info.exported_at,
+        "content": dumped(content),
+    }
+    if database.can_write:
+        database.write(lambda db: insert(db, "exports", row))
+
+
+def counts_of(db: sqlite3.Connection) -> dict[str, int]:
+    """Rows by replicated table, of those that the file has."""
+    return {
+        table.name: row_count(db, table.name)
+        for table in REPLICATED
+        if column_names(db, table.name)
+    }
+
+
+def _new_database(path: Path) -> sqlite3.Connection:
+    """Without journal: a file whose writing fails is thrown away."""
+    db = opened(path, "rwc")
+    db.execute("PRAGMA journal_mode = OFF")
+    db.execute("PRAGMA synchronous = OFF")
+    return db
+
+
+def _fill(db: sqlite3.Connection, store: str, scope: Scope) -> None:
+    migrate(db)
+    db.execute(BUNDLE_TABLE)
+    db.execute("ATTACH DATABASE ? AS store", [store])
+    db.execute("BEGIN")
+    for table, condition in scope.conditions():
+        _copy_table(db, table, condition, scope)
+    db.execute("COMMIT")
+    db.execute("DETACH DATABASE store")
+
+
+def _copy_table(
+    db: sqlite3.Connection, table: ReplicatedTable, condition: str, scope: Scope
+) -> None:
+    names = column_names(db, table.name)
+    listed = ", ".join(names)
+    db.execute(
+        f"INSERT OR IGNORE INTO main.{table.name} ({listed}) SELECT {listed} FROM store.{table.name}"
+        f" WHERE {table.condition.format(schema='store')} AND {condition} ORDER BY {', '.join(table.key)}",
+        scope.values(),
+    )
+    if "revision" in names:
+        db.execute(f"UPDATE main.{table.name} SET revision = min(revision, {MAX_REVISION})")
+
+
+def _leave_out(db: sqlite3.Connection) -> tuple[str, ...]:
+    """Deletes rows for which the whole bundle would be refused, with what belongs to them; returns which."""
+    found: list[str] = []
+    for table in REPLICATED:
+        condition = " AND ".join(f"{name} = ?" for name in table.key)
+        for key, place in list(refused_rows(db, table)):
+            db.execute(f"DELETE FROM {table.name} WHERE {condition}", key)
+            found.append(f"{place} {' '.join(map(str, key))}")
+    while found and (orphans := db.execute("PRAGMA foreign_key_check").fetchall()):
+        for table_name, rowid, *_ in orphans:
+            db.execute(f"DELETE FROM {table_name} WHERE rowid = ?", [rowid])
+    for row in found:
+        _log.warning("left out of the bundle, as other PCs would refuse it: %s", row)
+    return tuple(found)
+
+
+def _describe(db: sqlite3.Connection, info: BundleInfo) -> None:
+    row = {
+        "format": FORMAT,
+        "app_version": info.app_version,
+        "exported_at": info.exported_at,
+        "computer_id": info.computer_id,
+        "computer_name": info.computer_name,
+        "content_hash": info.content_hash,
+        "counts": dumped(info.counts),
+        "anonymous": int(info.anonymous),
+    }
+    insert(db, "bundle", row)
+    db.execute("PRAGMA journal_mode = DELETE")
+
+
+@contextmanager
+def _reserved(dest: Path) -> Iterator[Path]:
+    """A name that no file has, reserved by an empty file, which is deleted where nothing is written."""
+    try:
+        for path in numbered(dest):
+            with suppress(FileExistsError):
+                path.open("xb").close()
+                break
+        try:
+            yield path
+        except BaseException:
+            with suppress(OSError):
+                path.unlink()
+            raise
+    except OSError as error:
+        raise StoreError("export_failed", path=str(dest), problem=error.strerror) from error
+
+
+def _not_written(error: StoreError, dest: Path) -> StoreError:
+    if error.code == "disk_full":
+        return StoreError("disk_full", path=str(dest))
+    return StoreError(
+        "export_failed", path=str(dest), problem=str(error.params.get("problem", error.code))
+    )

@@ -1,0 +1,54 @@
+"""The content hash: equal for two files that hold the same replicated rows.
+
+It covers the tables of `REPLICATED`. Settings, merges and exports belong to one PC. A run that
+has not ended does not count yet, nor does a PC that nothing in the file was made on: a file that was only merged into
+has the same hash on every PC.
+"""
+
+import hashlib
+import json
+import sqlite3
+from collections.abc import Iterator
+
+from storage.sql import column_names, snapshot, tuples
+from storage.tables.columns import ReplicatedTable
+from storage.tables.replicated import REPLICATED, TELEMETRY
+
+_encode = json.JSONEncoder(separators=(",", ":")).encode
+
+
+def content_hash(db: sqlite3.Connection, schema: str = "main") -> str:
+    """SHA-256, in hex, of every replicated row, in the order of the tables and of their keys.
+
+    Of each table first a JSON array of its name and its columns, then each row as a JSON array, each followed by a
+    line feed; in place of a blob stands its length, and the blob follows the line feed. docs/bundles.md says more.
+    """
+    digest = hashlib.sha256()
+    with snapshot(db):
+        for table in REPLICATED:
+            names = column_names(db, table.name, schema)
+            if not names:  # a table that the release which wrote the file did not have
+                continue
+            digest.update(f"{_encode([table.name, *names])}\n".encode())
+            for octets in _encoded_rows(db, table, names, schema):
+                digest.update(octets)
+    return digest.hexdigest()
+
+
+def _encoded_rows(
+    db: sqlite3.Connection, table: ReplicatedTable, names: tuple[str, ...], schema: str
+) -> Iterator[bytes]:
+    rows = tuples(
+        db,
+        f"SELECT {', '.join(names)} FROM {schema}.{table.name}"
+        f" WHERE {table.condition.format(schema=schema)} ORDER BY {', '.join(table.key)}",
+    )
+    if table is not TELEMETRY:
+        for row in rows:
+            yield f"{_encode(row)}\n".encode()
+        return
+    place = names.index("data")
+    for row in rows:
+        blob = row[place]
+        head = [*row[:place], len(blob), *row[place + 1 :]]
+        yield f"{_encode(head)}\n".encode() + blob

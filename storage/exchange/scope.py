@@ -1,0 +1,97 @@
+"""What of a store goes into a bundle: all, or one class, group or program with what belongs to it."""
+
+import sqlite3
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from storage.sql import require
+from storage.tables.columns import ReplicatedTable
+from storage.tables.replicated import (
+    CLASSROOMS,
+    COMPUTERS,
+    GROUPS,
+    LESSONS,
+    PROGRAMS,
+    REPLICATED,
+    RUNS,
+    TOMBSTONES,
+)
+
+# copied last, in this order: only rows that copied rows refer to
+_REFERRED = (LESSONS, CLASSROOMS, COMPUTERS)
+_JOINED = "id IN (SELECT part_of FROM store.lessons WHERE id IN (SELECT id FROM main.lessons))"
+
+
+@dataclass(frozen=True, slots=True)
+class Scope:
+    """All, or what belongs to one class, group or program."""
+
+    classroom_id: str | None = None
+    group_id: str | None = None
+    program_id: str | None = None
+
+    @property
+    def whole(self) -> bool:
+        """All of the store."""
+        return not (self.classroom_id or self.group_id or self.program_id)
+
+    def conditions(self) -> Iterator[tuple[ReplicatedTable, str]]:
+        """Which rows are copied from the schema `store` to `main`, table by table.
+
+        A condition refers to rows that were copied before, and has places for `values`.
+        """
+        if self.whole:
+            yield from ((table, "1") for table in REPLICATED)
+            return
+        chosen = self._chosen()
+        for table in (*(table for table in REPLICATED if table not in _REFERRED), *_REFERRED):
+            yield table, chosen.get(table.name) or _belonging(table)
+            if table is LESSONS:
+                yield table, _JOINED
+
+    def values(self) -> dict[str, str | None]:
+        """Values of the places in conditions."""
+        return {"classroom": self.classroom_id, "group": self.group_id, "program": self.program_id}
+
+    def require(self, db: sqlite3.Connection) -> None:
+        """Raises StoreError `classroom_not_found`, `group_not_found` or `program_not_found`."""
+        for kind, key in self.values().items():
+            if key:
+                require(db, f"{kind}s", key)
+
+    def _chosen(self) -> dict[str, str]:
+        """Conditions by table, where they are others than `_belonging` makes."""
+        rows = {
+            TOMBSTONES.name: "0",
+            RUNS.name: """(program_id IN (SELECT id FROM main.programs)
+                OR program_id IS NULL AND group_id IN (SELECT id FROM main.groups))""",
+        }
+        if self.program_id:
+            of_program = "id IN (SELECT group_id FROM store.programs WHERE id = :program)"
+            return rows | {GROUPS.name: of_program, PROGRAMS.name: "id = :program"}
+        if self.group_id:
+            return rows | {GROUPS.name: "id = :group"}
+        return rows | {
+            TOMBSTONES.name: "1",
+            GROUPS.name: "classroom_id = :classroom",
+            LESSONS.name: f"(classroom_id = :classroom OR {_belonging(LESSONS)})",
+            CLASSROOMS.name: f"(id = :classroom OR {_belonging(CLASSROOMS)})",
+        }
+
+
+ALL = Scope()
+
+
+def _belonging(table: ReplicatedTable) -> str:
+    """Rows whose parents were copied; of `_REFERRED` those that copied rows refer to."""
+    if table not in _REFERRED:
+        return " AND ".join(
+            f"{column} IN (SELECT id FROM main.{parent})" for column, parent in table.parents
+        )
+    references = [
+        f"SELECT {column.name} FROM main.{other.name}"
+        for other in REPLICATED
+        for column in other.columns
+        if column.references == table.name and other is not table
+    ]
+    return f"id IN ({' UNION '.join(references)})"

@@ -1,0 +1,1 @@
+"""The SQLite file: connection, writer thread, opening, backups, integrity check."""

@@ -1,0 +1,24 @@
+"""What the repositories of groups, lessons, programs, runs and so on have in common."""
+
+import sqlite3
+
+from storage.file.connection import Database
+from storage.sql import not_found
+
+
+class Repository:
+    """Rows of one kind in the file."""
+
+    def __init__(self, database: Database) -> None:
+        self._database = database
+
+    def _rows(self, query: str, *values: object) -> list[sqlite3.Row]:
+        with self._database.reading() as db:
+            return db.execute(query, values).fetchall()
+
+    def _row(self, table: str, query: str, key: str) -> sqlite3.Row:
+        """The first row. Raises StoreError `KIND_not_found`, the kind being the table's name in the singular."""
+        rows = self._rows(query, key)
+        if not rows:
+            raise not_found(table, key)
+        return rows[0]

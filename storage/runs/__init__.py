@@ -1,0 +1,1 @@
+"""Runs: reading, telemetry codec, history, grading results."""

@@ -1,0 +1,122 @@
+"""Small statements that many modules need."""
+
+import sqlite3
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+from storage.errors import StoreError
+
+Stop = Callable[[], bool]
+_STEPS_BETWEEN_STOPS = 10_000
+
+
+def address(path: Path, mode: str) -> str:
+    """How SQLite is to open a file: `ro`, `rw`, `rwc` to make it, or `immutable` for one that nobody writes."""
+    uri = path.absolute().as_uri()
+    return f"{uri}?mode=ro&immutable=1" if mode == "immutable" else f"{uri}?mode={mode}"
+
+
+def opened(path: Path, mode: str) -> sqlite3.Connection:
+    """A plain connection in autocommit."""
+    return sqlite3.connect(address(path, mode), uri=True, isolation_level=None)
+
+
+def column_names(db: sqlite3.Connection, table: str, schema: str = "main") -> tuple[str, ...]:
+    """The table's columns in their order; none where there is no such table."""
+    return tuple(str(row[1]) for row in db.execute(f"PRAGMA {schema}.table_info({table})"))
+
+
+def tuples(
+    db: sqlite3.Connection, query: str, parameters: tuple[object, ...] = ()
+) -> sqlite3.Cursor:
+    """The rows as plain tuples, whatever the connection makes of rows."""
+    cursor = db.cursor()
+    cursor.row_factory = None
+    return cursor.execute(query, parameters)
+
+
+def row_count(db: sqlite3.Connection, table: str, condition: str = "1") -> int:
+    """Rows of a table that meet a condition."""
+    query = f"SELECT count(*) FROM {table} WHERE {condition}"
+    return int(db.execute(query).fetchone()[0])
+
+
+def damage(
+    db: sqlite3.Connection, check: str = "integrity_check", stop: Stop | None = None
+) -> str | None:
+    """What SQLite's check finds wrong with the file first; None when all is well.
+
+    Args:
+        stop: asked every few milliseconds; once it is true, the check ends with `sqlite3.OperationalError`.
+    """
+    db.set_progress_handler(stop, _STEPS_BETWEEN_STOPS)
+    try:
+        finding = str(db.execute(f"PRAGMA {check}(1)").fetchone()[0])
+    finally:
+        db.set_progress_handler(None, 0)
+    return None if finding == "ok" else finding
+
+
+def exists(db: sqlite3.Connection, table: str, key: str) -> bool:
+    """Whether the table has a row of that key."""
+    return db.execute(f"SELECT 1 FROM {table} WHERE id = ?", [key]).fetchone() is not None
+
+
+def require(db: sqlite3.Connection, table: str, key: str) -> None:
+    """Raises StoreError `KIND_not_found`, the kind being the table's name in the singular."""
+    if not exists(db, table, key):
+        raise not_found(table, key)
+
+
+def not_found(table: str, key: str) -> StoreError:
+    """The error of a row that is not there."""
+    return StoreError(f"{table.removesuffix('s')}_not_found", id=key)
+
+
+def insert(db: sqlite3.Connection, table: str, row: Mapping[str, object]) -> None:
+    """Adds a row; columns that it lacks get their default."""
+    marks = ", ".join(f":{name}" for name in row)
+    db.execute(f"INSERT INTO {table} ({', '.join(row)}) VALUES ({marks})", row)
+
+
+def change(
+    db: sqlite3.Connection,
+    table: str,
+    key: str,
+    values: Mapping[str, object],
+    now: str,
+    *,
+    n_revisions: int = 1,
+) -> None:
+    """Gives a row other values. The state is a later one by so many revisions, which decides where files are merged."""
+    assignments = "".join(f"{name} = :{name}, " for name in values)
+    db.execute(
+        f"UPDATE {table} SET {assignments}revision = revision + :n_revisions, changed_at = :now WHERE id = :key",
+        {**values, "n_revisions": n_revisions, "now": now, "key": key},
+    )
+
+
+def selected(record: Any, table: str, **computed: str) -> str:
+    """`SELECT` of a record's fields: columns of the table, or the SQL expressions given by the field's name."""
+    names = getattr(record, "_fields", None) or [field.name for field in fields(record)]
+    listed = ", ".join(
+        f"({computed[name]}) AS {name}" if name in computed else f"{table}.{name}" for name in names
+    )
+    return f"SELECT {listed} FROM {table}"
+
+
+@contextmanager
+def snapshot(db: sqlite3.Connection) -> Iterator[None]:
+    """All that is read within is of one moment."""
+    if db.in_transaction:
+        yield
+        return
+    db.execute("BEGIN")
+    try:
+        yield
+    finally:
+        if db.in_transaction:
+            db.execute("ROLLBACK")

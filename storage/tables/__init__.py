@@ -1,0 +1,1 @@
+"""Migrations, views, and the generated description of the tables."""

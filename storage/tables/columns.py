@@ -1,0 +1,173 @@
+"""What can be declared of a table and its columns; `storage/tables/replicated.py` declares them."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from storage.tables import rules
+from storage.tables.rules import Rule
+
+KEPT = ""  # an anonymous bundle keeps what the column holds
+
+
+class Kind(NamedTuple):
+    """A kind of column.
+
+    Attributes:
+        sql: its type in SQLite.
+        parquet: its type in docs/parquet.md.
+        rule: validation rule of columns that have none of their own; None where every column must have one.
+        anonymised: as `Column.anonymised`, with `{}` for the column's name.
+    """
+
+    sql: str
+    parquet: str
+    rule: Rule | None
+    anonymised: str | None = KEPT
+
+
+KEY = Kind("TEXT", "text", rules.key, "fresh({})")
+TEXT = Kind("TEXT", "text", None, None)
+JSON = Kind("TEXT", "text", rules.json_object, "neutral({})")
+TIME = Kind("TEXT", "time", rules.time)
+COUNT = Kind("INTEGER", "count", rules.count)
+FLAG = Kind("INTEGER", "flag", rules.flag)
+NUMBER = Kind("REAL", "number", rules.real)
+BLOB = Kind("BLOB", "blob", rules.blob)
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """A column of a table.
+
+    Attributes:
+        says: what it holds, in words for docs/.
+        rule: true of each value that a store writes; a bundle with another value is refused.
+        anonymised: SQL expression of what an anonymous bundle holds instead, or `KEPT`. A text column must tell it.
+            The expression can use `fresh` (a new key), `plain` (a neutral word), `neutral` (JSON with neutral words)
+            and `name_key`.
+        optional: the column may be NULL.
+        parquet: the Parquet export has the column.
+        references: the table whose key it holds.
+        is_parent: the row is deleted with the row that it references.
+    """
+
+    name: str
+    kind: Kind
+    says: str
+    rule: Rule | None = None
+    anonymised: str | None = None
+    optional: bool = False
+    parquet: bool = True
+    references: str = ""
+    is_parent: bool = False
+
+    def __post_init__(self) -> None:
+        if self.kind is TEXT and (self.rule is None or self.anonymised is None):
+            raise ValueError(
+                f"{self.name}: a text needs a rule, and what an anonymous bundle holds"
+            )
+
+    @property
+    def accepts(self) -> Rule:
+        """Its rule, with NULL where it may be."""
+        rule = self.rule or self.kind.rule
+        assert rule is not None
+        return rules.optional(rule) if self.optional else rule
+
+    @property
+    def anonymous(self) -> str:
+        """SQL expression of what an anonymous bundle holds, `KEPT` for the value itself."""
+        if self.anonymised is not None:
+            return self.anonymised
+        return (self.kind.anonymised or KEPT).format(self.name)
+
+
+class ParquetColumn(NamedTuple):
+    """A column of a Parquet file; `source` is the SQL expression that gives its values."""
+
+    name: str
+    type: str
+    says: str
+    source: str
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """A table.
+
+    Attributes:
+        says: its meaning in the view `about` and in docs/database.md.
+        key: columns that identify a row, in every file.
+    """
+
+    name: str
+    says: str
+    columns: tuple[Column, ...]
+    key: tuple[str, ...] = ("id",)
+
+
+@dataclass(frozen=True, slots=True)
+class ReplicatedTable(Table):
+    """A table whose rows go from PC to PC.
+
+    Attributes:
+        condition: SQL of which rows go, with `{schema}` in place of the schema's name.
+        own_tombstone: a row that is deleted with its parent gets a tombstone of its own. Rows of other tables are
+            only found below such rows, and need none.
+        deletable: False where deletions never remove a row.
+        anonymous: False where anonymous bundles have no rows.
+        parquet: the Parquet export has the table.
+        figures: further columns of the Parquet file.
+        later_by: SQL expressions that decide, before revision and values, which of two states of a row is the later
+            one, with `{side}` in place of the table's name.
+    """
+
+    condition: str = "1"
+    own_tombstone: bool = False
+    deletable: bool = True
+    anonymous: bool = True
+    parquet: bool = True
+    figures: tuple[ParquetColumn, ...] = ()
+    later_by: tuple[str, ...] = ()
+
+    @property
+    def parents(self) -> tuple[tuple[str, str], ...]:
+        """Columns with the table of the row that they belong to."""
+        return tuple(
+            (column.name, column.references) for column in self.columns if column.is_parent
+        )
+
+    @property
+    def parquet_columns(self) -> tuple[ParquetColumn, ...]:
+        """The columns of its Parquet file."""
+        declared = [
+            ParquetColumn(column.name, column.kind.parquet, column.says, column.name)
+            for column in self.columns
+            if column.parquet
+        ]
+        return (*declared, *self.figures)
+
+    @property
+    def rules(self) -> dict[str, Rule]:
+        """The rule of each column."""
+        return {column.name: column.accepts for column in self.columns}
+
+
+def parent(name: str, table: str, says: str, *, optional: bool = False) -> Column:
+    """The key of the row that a row belongs to."""
+    return Column(name, KEY, says, optional=optional, references=table, is_parent=True)
+
+
+def reference(name: str, table: str, says: str, *, optional: bool = True) -> Column:
+    """The key of a row that outlives this one and that this one outlives."""
+    return Column(name, KEY, says, optional=optional, references=table)
+
+
+def figure(name: str, says: str, sql: str) -> ParquetColumn:
+    """A count that only the Parquet export has."""
+    return ParquetColumn(name, "count", says, sql)
+
+
+def numbered(table: str, word: str) -> str:
+    """In place of a name: a word and the place of the row among those of its table."""
+    return f"'{word} ' || (SELECT count(*) FROM {table} AS other WHERE other.id <= {table}.id)"

@@ -1,0 +1,169 @@
+"""The migrations: statements by name, in their order. New ones are added at the end.
+
+A bundle is refused where a table has another definition than these statements give it, so none is ever changed, not
+even in its quotes. What a table means, and what other modules derive from it, is declared in `replicated.py`.
+
+Rows that are changed in place carry `revision`, which counts their changes, and `changed_at`: of two states of a row
+the greater one (revision, then time, then values) is kept in every merge, whichever comes first. Of groups, lessons
+and notes the revision counts the teacher's changes only: what pupils change, and what happens by itself, does not beat
+what the teacher changed elsewhere meanwhile. Rows of other tables are only ever added. A key in `tombstones` is never
+brought back.
+"""
+
+from storage.tables.views import VIEWS
+
+_FIRST_TABLES = (
+    """CREATE TABLE "groups" (
+        "id" TEXT PRIMARY KEY,
+        "name" TEXT NOT NULL,
+        "name_key" TEXT NOT NULL,
+        "color" TEXT NOT NULL,
+        "created_at" TEXT NOT NULL,
+        "used_at" TEXT NOT NULL
+    ) STRICT""",
+    'CREATE UNIQUE INDEX "idx_groups_name_key" ON "groups" ("name_key")',
+    """CREATE TABLE "programs" (
+        "id" TEXT PRIMARY KEY,
+        "group_id" TEXT NOT NULL REFERENCES "groups"("id"),
+        "name" TEXT NOT NULL,
+        "created_at" TEXT NOT NULL,
+        "updated_at" TEXT NOT NULL
+    ) STRICT""",
+    'CREATE INDEX "idx_programs_group_id_id" ON "programs" ("group_id", "id")',
+    """CREATE TABLE "versions" (
+        "id" TEXT PRIMARY KEY,
+        "program_id" TEXT NOT NULL REFERENCES "programs"("id"),
+        "number" INTEGER NOT NULL,
+        "created_at" TEXT NOT NULL,
+        "workspace" TEXT NOT NULL,
+        "document" TEXT,
+        "faults" TEXT NOT NULL
+    ) STRICT""",
+    'CREATE INDEX "idx_versions_program_id_number" ON "versions" ("program_id", "number")',
+    """CREATE TABLE "runs" (
+        "id" TEXT PRIMARY KEY,
+        "group_id" TEXT REFERENCES "groups"("id"),
+        "program_id" TEXT REFERENCES "programs"("id"),
+        "program_name" TEXT,
+        "version_id" TEXT REFERENCES "versions"("id"),
+        "document" TEXT,
+        "link" TEXT NOT NULL,
+        "world" TEXT NOT NULL,
+        "world_document" TEXT NOT NULL,
+        "seed" INTEGER NOT NULL,
+        "parameters" TEXT NOT NULL,
+        "app_version" TEXT NOT NULL,
+        "state" TEXT NOT NULL,
+        "reason" TEXT,
+        "params" TEXT,
+        "block" TEXT,
+        "started_at" TEXT NOT NULL,
+        "ended_at" TEXT,
+        "duration_s" REAL,
+        "n_executed" INTEGER,
+        "path_length_m" REAL,
+        "closing_error_m" REAL,
+        "summary" TEXT,
+        "telemetry_sha256" TEXT,
+        "path" TEXT
+    ) STRICT""",
+    'CREATE INDEX "idx_runs_group_id_id" ON "runs" ("group_id", "id")',
+    'CREATE INDEX "idx_runs_program_id" ON "runs" ("program_id")',
+    'CREATE INDEX "idx_runs_version_id" ON "runs" ("version_id")',
+    "CREATE INDEX running ON runs (state) WHERE state = 'running'",
+    """CREATE TABLE "events" (
+        "run_id" TEXT REFERENCES "runs"("id"),
+        "seq" INTEGER,
+        "tick" INTEGER NOT NULL,
+        "type" TEXT NOT NULL,
+        "data" TEXT NOT NULL,
+        PRIMARY KEY ("run_id", "seq")
+    ) STRICT""",
+    """CREATE TABLE "telemetry" (
+        "run_id" TEXT REFERENCES "runs"("id"),
+        "chunk" INTEGER,
+        "first_tick" INTEGER NOT NULL,
+        "n_rows" INTEGER NOT NULL,
+        "data" BLOB NOT NULL,
+        PRIMARY KEY ("run_id", "chunk")
+    ) STRICT""",
+    'CREATE TABLE "settings" ("key" TEXT PRIMARY KEY, "value" TEXT NOT NULL) STRICT',
+)
+_STATE = "revision INTEGER NOT NULL DEFAULT 1, changed_at TEXT NOT NULL DEFAULT ''"
+_CLASSES_AND_LESSONS = (
+    f"CREATE TABLE classrooms (id TEXT PRIMARY KEY, name TEXT NOT NULL, created_at TEXT NOT NULL, {_STATE}) STRICT",
+    f"""CREATE TABLE lessons (
+        id TEXT PRIMARY KEY,
+        classroom_id TEXT REFERENCES classrooms(id),
+        title TEXT NOT NULL,
+        activity TEXT,
+        by_itself INTEGER NOT NULL,
+        computer_id TEXT NOT NULL,
+        opened_at TEXT NOT NULL,
+        used_at TEXT NOT NULL,
+        closed_at TEXT,
+        part_of TEXT,
+        {_STATE}
+    ) STRICT""",
+    f"""CREATE TABLE notes (
+        id TEXT PRIMARY KEY,
+        run_id TEXT NOT NULL REFERENCES runs(id),
+        text TEXT NOT NULL,
+        written_at TEXT NOT NULL,
+        seen_at TEXT,
+        {_STATE}
+    ) STRICT""",
+    f"CREATE TABLE version_labels (id TEXT PRIMARY KEY REFERENCES versions(id), text TEXT NOT NULL, {_STATE}) STRICT",
+    f"CREATE TABLE computers (id TEXT PRIMARY KEY, name TEXT NOT NULL, {_STATE}) STRICT",
+    "CREATE TABLE tombstones (id TEXT PRIMARY KEY) STRICT, WITHOUT ROWID",
+    """CREATE TABLE merges (
+        id TEXT PRIMARY KEY,
+        computer_id TEXT NOT NULL,
+        computer_name TEXT NOT NULL,
+        file TEXT NOT NULL,
+        checksum TEXT NOT NULL,
+        exported_at TEXT NOT NULL,
+        merged_at TEXT NOT NULL,
+        added TEXT NOT NULL
+    ) STRICT""",
+    """CREATE TABLE exports (
+        id TEXT PRIMARY KEY, path TEXT NOT NULL, made_at TEXT NOT NULL, content TEXT NOT NULL
+    ) STRICT""",
+    "ALTER TABLE groups ADD COLUMN classroom_id TEXT REFERENCES classrooms(id)",
+    "ALTER TABLE groups ADD COLUMN picture TEXT NOT NULL DEFAULT ''",
+    *(f"ALTER TABLE groups ADD COLUMN {column}" for column in _STATE.split(", ")),
+    "ALTER TABLE programs ADD COLUMN deleted_at TEXT",  # in the bin since
+    *(f"ALTER TABLE programs ADD COLUMN {column}" for column in _STATE.split(", ")),
+    # parent_id has no foreign key: the version that was edited may be in a file that was never merged
+    *(
+        f"ALTER TABLE versions ADD COLUMN {name} TEXT"
+        for name in ("parent_id", "lesson_id", "computer_id")
+    ),
+    *(
+        f"ALTER TABLE runs ADD COLUMN {name} TEXT"
+        for name in ("lesson_id", "computer_id", "activity")
+    ),
+    "ALTER TABLE runs ADD COLUMN passed INTEGER",
+    "ALTER TABLE runs ADD COLUMN check_report TEXT",
+    # two PCs may have given one name to two groups: both are kept
+    "DROP INDEX idx_groups_name_key",
+    "CREATE INDEX groups_classroom ON groups (classroom_id)",
+    "CREATE INDEX groups_name_key ON groups (name_key)",
+    "CREATE INDEX lessons_classroom ON lessons (classroom_id, opened_at)",
+    "CREATE INDEX versions_lesson ON versions (lesson_id)",
+    "CREATE INDEX runs_lesson ON runs (lesson_id, id)",
+    "CREATE INDEX notes_run ON notes (run_id)",
+    # earlier releases made some of the views with fewer columns
+    *(f"DROP VIEW IF EXISTS {name}" for name in VIEWS),
+    *(f'CREATE VIEW "{name}" AS {select}' for name, select in VIEWS.items()),
+)
+MIGRATIONS: dict[str, tuple[str, ...]] = {
+    "first_tables": _FIRST_TABLES,
+    "first_views": (),
+    "worlds_of_versions": ('ALTER TABLE "versions" ADD COLUMN "world" TEXT',),
+    "classes_and_lessons": _CLASSES_AND_LESSONS,
+    # a page of runs is found by more than their group (storage/runs/history.py)
+    "history_index": (
+        "CREATE INDEX runs_history ON runs (id, group_id, lesson_id, activity, state, passed, started_at)",
+    ),
+}

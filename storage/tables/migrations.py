@@ -1,0 +1,61 @@
+"""Bringing the tables and views of a file up to date, by the library sqlite-utils, which notes each migration's name.
+
+Views carry plain names for people who open the file with Datasette or `sqlite-utils`; `about` says what is what, and
+every migration makes it anew.
+
+sqlite-utils (and numpy with it) takes longer to load than a group's program to be read, and most starts find the
+tables up to date: it and the declarations of the tables are imported only to change them.
+"""
+
+import sqlite3
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from storage.tables.ddl import MIGRATIONS
+
+if TYPE_CHECKING:
+    from sqlite_utils import Database
+
+# as sqlite-utils names them
+MIGRATION_SET = "pinel"
+MIGRATIONS_TABLE = "_sqlite_migrations"
+
+
+def migrate(connection: sqlite3.Connection, n_steps: int | None = None) -> None:
+    """Makes the tables, or brings them up to date, each migration in a transaction of its own.
+
+    Args:
+        n_steps: how many of the migrations a file is to have, all with None.
+    """
+    from sqlite_utils import Database  # noqa: PLC0415 - see above
+    from sqlite_utils.migrations import Migrations  # noqa: PLC0415
+
+    migrations = Migrations(MIGRATION_SET)
+    for name in list(MIGRATIONS)[:n_steps]:
+        migrations(name=name)(_step(name))
+    migrations.apply(Database(connection, execute_plugins=False))
+
+
+def _step(name: str) -> "Callable[[Database], None]":
+    def step(db: "Database") -> None:
+        for statement in (*MIGRATIONS[name], "DROP VIEW IF EXISTS about", _view_about()):
+            db.execute(statement)
+
+    return step
+
+
+def _view_about() -> str:
+    from storage.tables.replicated import TABLES  # noqa: PLC0415 - see above
+    from storage.tables.views import VIEWS  # noqa: PLC0415
+
+    meanings = {table.name: table.says for table in TABLES.values()}
+    meanings[", ".join(VIEWS)] = "The same for people: names and times instead of keys."
+    rows = " UNION ALL ".join(
+        f"SELECT {_quoted(name)} AS name, {_quoted(meaning)} AS meaning"
+        for name, meaning in meanings.items()
+    )
+    return f'CREATE VIEW "about" AS {rows}'
+
+
+def _quoted(text: str) -> str:
+    return "'" + text.replace("'", "''") + "'"

@@ -1,0 +1,157 @@
+"""Validation rules: which values a column may hold in a bundle.
+
+A file from a stick may have been made by anybody. Its values end up in lists, in the editor and in later exports:
+a key that is no key, a number that overflows with the next change or a blob that unpacks to gigabytes is refused.
+"""
+
+import math
+import re
+from collections.abc import Callable
+from datetime import datetime
+from typing import Any
+
+from storage.json_check import is_object, parsed
+from storage.limits import LAST_YEAR, MAX_COUNT, MAX_NAME
+from storage.text import LAST_FOREIGN_ID
+
+Rule = Callable[[Any], bool]
+
+_MAX_SHORT = 200
+MAX_TEXT = 10_000
+_UUID = r"[0-9a-f]{8}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{12}"
+_TIME = re.compile(r"[0-9]{4}(-[0-9]{2}){2}T[0-9]{2}(:[0-9]{2}){2}(\.[0-9]{1,6})?Z")
+# control characters, and those that turn the direction of what follows
+_UNSEEN = re.compile(r"[\x00-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
+_WORLD_PARTS = {
+    **dict.fromkeys(("size_m", "walls", "boxes", "zones", "floor"), list),
+    "start": dict,
+}
+
+
+def optional(rule: Rule) -> Rule:
+    """The same, or NULL."""
+    return lambda value: value is None or rule(value)
+
+
+def matching(pattern: str) -> Rule:
+    """Texts that match a regular expression as a whole."""
+    compiled = re.compile(pattern)
+    return lambda value: isinstance(value, str) and compiled.fullmatch(value) is not None
+
+
+def one_of(*texts: str) -> Rule:
+    """Some texts and no others."""
+    return lambda value: value in texts
+
+
+def whole(low: int, high: int) -> Rule:
+    """Integers between two limits."""
+    return lambda value: isinstance(value, int) and low <= value <= high
+
+
+def line(most: int, least: int = 0) -> Rule:
+    """One line of text, without characters that cannot be seen."""
+    return lambda value: (
+        isinstance(value, str) and least <= len(value) <= most and not _UNSEEN.search(value)
+    )
+
+
+def lines(most: int) -> Rule:
+    """Text of several lines."""
+    return lambda value: isinstance(value, str) and len(value) <= most and "\0" not in value
+
+
+def block(value: Any) -> bool:
+    """The key of a block in the editor: any text of bounded length."""
+    return isinstance(value, str) and len(value) <= MAX_TEXT
+
+
+def blob(value: Any) -> bool:
+    """Bytes."""
+    return isinstance(value, bytes)
+
+
+def real(value: Any) -> bool:
+    """A number that is finite as a float too."""
+    try:
+        return isinstance(value, int | float) and math.isfinite(value)
+    except OverflowError:
+        return False
+
+
+def key(value: Any) -> bool:
+    """A UUID. A UUIDv7 must not be so late that no later one is left for rows made afterwards."""
+    return _is_uuid(value) and not (value[14] == "7" and value >= LAST_FOREIGN_ID)
+
+
+def time(value: Any) -> bool:
+    """A moment as the store writes it, with a day to spare at both ends of the calendar for zones of time."""
+    if not isinstance(value, str) or not _TIME.fullmatch(value):
+        return False
+    try:
+        return 1 < datetime.fromisoformat(value).year <= LAST_YEAR
+    except ValueError:
+        return False
+
+
+def time_or_empty(value: Any) -> bool:
+    """A moment, or "" for a row of a release that did not note it."""
+    return value == "" or time(value)
+
+
+def json_of(kind: type, check: Callable[[Any], bool] = lambda value: True) -> Rule:
+    """JSON whose outermost value is of a kind."""
+
+    def rule(value: Any) -> bool:
+        found = parsed(value) if isinstance(value, str) else None
+        return isinstance(found, kind) and check(found)
+
+    return rule
+
+
+def workspace(value: Any) -> bool:
+    """JSON of what the editor shows, which may be nested deeper than other JSON."""
+    return isinstance(value, str) and is_object(value)
+
+
+def _are_faults(value: list[Any]) -> bool:
+    """As `records.FaultRow` is written: code, pointer, block, params."""
+    return all(
+        isinstance(fault, list)
+        and len(fault) == 4
+        and isinstance(fault[0], str)
+        and isinstance(fault[1], str)
+        and isinstance(fault[2], str | None)
+        and isinstance(fault[3], dict)
+        for fault in value
+    )
+
+
+def _are_points(value: list[Any]) -> bool:
+    return len(value) <= 1000 and all(
+        isinstance(point, list) and len(point) == 2 and all(map(real, point)) for point in value
+    )
+
+
+def _is_world(value: dict[str, Any]) -> bool:
+    """As far as it can be told without the simulator: its version, its name, and the types of its parts."""
+    return (
+        isinstance(value.get("pinel_world"), int)
+        and isinstance(value.get("name"), str)
+        and all(isinstance(value.get(part, kind()), kind) for part, kind in _WORLD_PARTS.items())
+    )
+
+
+_is_uuid = matching(_UUID)
+count = whole(0, MAX_COUNT)
+flag = whole(0, 1)
+word = matching("[a-z][a-z0-9_]{0,63}")
+color = matching("#[0-9a-f]{6}")
+sha256 = matching("[0-9a-f]{64}")
+short = line(_MAX_SHORT)
+title = line(MAX_NAME)
+name = line(MAX_NAME, least=1)
+json_object = json_of(dict)
+faults = json_of(list, _are_faults)
+points = json_of(list, _are_points)
+world = json_of(dict, _is_world)

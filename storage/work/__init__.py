@@ -1,0 +1,1 @@
+"""Repositories for classes, groups, lessons, programs, versions, notes, settings and computers."""

@@ -1,0 +1,63 @@
+"""Programs of a group; their content are versions."""
+
+import sqlite3
+
+from storage.file.repository import Repository
+from storage.records import ProgramRow
+from storage.sql import change, insert, require, selected
+from storage.text import clean_name, new_id
+from storage.work.groups import mark_used
+
+_SELECT = selected(
+    ProgramRow,
+    "programs",
+    n_versions="SELECT count(*) FROM versions WHERE program_id = programs.id",
+    n_runs="SELECT count(*) FROM runs WHERE program_id = programs.id",
+)
+
+
+class Programs(Repository):
+    """The programs of the file."""
+
+    def of_group(self, group_id: str, *, in_bin: bool = False) -> list[ProgramRow]:
+        """Newest first; with `in_bin` those in the bin. Raises StoreError `group_not_found`."""
+        which = "deleted_at IS NOT NULL" if in_bin else "deleted_at IS NULL"
+        query = f"{_SELECT} WHERE group_id = ? AND {which} ORDER BY id DESC"
+        with self._database.reading() as db:
+            require(db, "groups", group_id)
+            return [ProgramRow(**dict(row)) for row in db.execute(query, [group_id])]
+
+    def get(self, program_id: str) -> ProgramRow:
+        """Raises StoreError `program_not_found`."""
+        return ProgramRow(**dict(self._row("programs", f"{_SELECT} WHERE id = ?", program_id)))
+
+    def create(self, group_id: str, name: str) -> ProgramRow:
+        """Raises StoreError `group_not_found`, `name_empty` or `name_too_long`."""
+        clean, now = clean_name(name), self._database.now()
+        row = {"id": new_id(), "group_id": group_id, "name": clean}
+        row |= dict.fromkeys(("created_at", "updated_at", "changed_at"), now)
+
+        def write(db: sqlite3.Connection) -> None:
+            require(db, "groups", group_id)
+            insert(db, "programs", row)
+            mark_used(db, group_id, now)
+
+        self._database.write(write)
+        return self.get(row["id"])
+
+    def rename(self, program_id: str, name: str) -> ProgramRow:
+        """Raises StoreError `program_not_found`, `name_empty` or `name_too_long`."""
+        return self._change(program_id, "name", clean_name(name))
+
+    def move_to_bin(self, program_id: str) -> ProgramRow:
+        """With all its versions and runs. Raises StoreError `program_not_found`."""
+        return self._change(program_id, "deleted_at", self._database.now())
+
+    def take_from_bin(self, program_id: str) -> ProgramRow:
+        """Raises StoreError `program_not_found`."""
+        return self._change(program_id, "deleted_at", None)
+
+    def _change(self, program_id: str, column: str, value: str | None) -> ProgramRow:
+        now = self._database.now()
+        self._database.write(lambda db: change(db, "programs", program_id, {column: value}, now))
+        return self.get(program_id)

@@ -1,0 +1,145 @@
+"""The main screens with the keys of the texts for words: what reads otherwise is written into the code."""
+
+import re
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page, Route, expect
+
+from tests.e2e.app_process import AppProcess
+from tests.e2e.conftest import OpenStudio
+from tests.e2e.review_school import Past, open_door
+from tests.e2e.studio import Studio
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
+
+# the texts of a language, each instead of its words with its key between brackets and the places it leaves
+_SHOWING_KEYS = """
+import {{ {name} as real }} from "{url}?real";
+const shown = (value, path) => {{
+  if (typeof value === "function") return () => `⟦${{path}}⟧`;
+  if (typeof value === "object") {{
+    const rows = Object.entries(value).map(([key, one]) => [key, shown(one, `${{path}}.${{key}}`)]);
+    return Object.fromEntries(rows);
+  }}
+  if (!/\\p{{L}}/u.test(value)) return value;
+  return [`⟦${{path}}⟧`, ...(value.match(/%\\d/g) ?? [])].join(" ");
+}};
+export const {name} = shown(real, "{name}");
+"""
+_ATTRIBUTES = (
+    "aria-label",
+    "title",
+    "placeholder",
+    "alt",
+    "aria-description",
+    "aria-roledescription",
+)
+_SEEN = """attributes => {
+  const seen = [];
+  for (const element of document.querySelectorAll("body *")) {
+    if (element.closest("[lang]:not(html)") || !element.checkVisibility()) continue;
+    for (const name of attributes) if (element.hasAttribute(name)) seen.push(element.getAttribute(name));
+    for (const node of element.childNodes) if (node.nodeType === Node.TEXT_NODE) seen.push(node.data);
+  }
+  return seen;
+}"""
+# how the browser writes days in the language of the page
+_DAY = re.compile(r"(?i)(?:\b\w+(?:-feira|\.)?, )?\b\d\d?\sde\s\w+\.?(?:\sde\s\d{4})?")
+# the program's own name, units, and how an axis or a key is called everywhere
+_NO_WORDS = re.compile(r"PINEL|F\d+|Esc|Ctrl|Shift|Enter|Space|Tab|\b(?:m|s|cm|kg|rad|min|x|y|v)\b")
+_KEYS = re.compile(r"⟦[^⟧]*⟧")
+
+
+def _show_keys(route: Route) -> None:
+    url = route.request.url
+    name = "later" if "/later-" in url else "start"
+    if url.endswith("?real"):
+        route.continue_()
+    else:
+        body = _SHOWING_KEYS.format(name=name, url=url)
+        route.fulfill(body=body, content_type="text/javascript")
+
+
+def _hard_coded(page: Page, data: set[str]) -> set[str]:
+    """All that is on the screen and neither a key nor what a person or a world's author wrote."""
+
+    def rest(text: str) -> str:
+        text = _KEYS.sub("", text)
+        for known in sorted(filter(lambda one: len(one) > 1, data), key=len, reverse=True):
+            text = text.replace(known, "")
+        text = _NO_WORDS.sub("", _DAY.sub("", text))
+        return "" if text in data else text
+
+    seen = [str(text) for text in page.evaluate(_SEEN, _ATTRIBUTES)]
+    return {text for text in seen if re.search(r"[^\W\d_]", rest(text))}
+
+
+def _strings(value: Any) -> set[str]:
+    """All texts of an answer of the server."""
+    if isinstance(value, str):
+        return {value}
+    inside = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
+    return {text for one in inside for text in _strings(one)}
+
+
+def _told(found: dict[str, set[str]]) -> list[str]:
+    return [f"{screen}: {text}" for screen, texts in found.items() for text in sorted(texts)]
+
+
+@pytest.fixture
+def app(school: tuple[AppProcess, Past]) -> AppProcess:
+    return school[0]
+
+
+@pytest.fixture
+def keys(open_studio: OpenStudio) -> Studio:
+    studio = open_studio()
+    studio.page.route(re.compile(r"/assets/(?:start|later)-[^/]*\.js(?:\?real)?$"), _show_keys)
+    studio.page.reload()
+    expect(studio["group-name"]).to_be_visible()
+    return studio
+
+
+def test_no_text_of_a_pupil_s_screen_is_written_into_the_code(keys: Studio) -> None:
+    found: dict[str, set[str]] = {}
+
+    def look(screen: str) -> None:
+        found[screen] = _hard_coded(keys.page, _strings(keys.api("/groups")) | data)
+
+    data = _strings([keys.api("/worlds"), keys.api("/classrooms")])
+    look("start")
+    keys.enter_new_group()
+    data |= _strings(keys.api(f"/programs/{keys.program_id}"))
+    look("studio")
+    for button in ("ir-toggle", "plots-toggle", "scene-tools"):
+        keys[button].click()
+        look(button)
+    keys["open-work"].click()
+    keys["program-card"].first.wait_for()
+    look("work")
+    assert _told(found) == []
+
+
+def test_no_text_of_the_teacher_s_screens_is_written_into_the_code(
+    keys: Studio, school: tuple[AppProcess, Past]
+) -> None:
+    found: dict[str, set[str]] = {}
+    open_door(keys)
+    keys.page.reload()
+    data = set[str]()
+    for path in ("/groups", "/classrooms", "/activities", "/computer", "/worlds"):
+        data |= _strings(keys.api(path))
+    data |= _strings(keys.api(f"/lessons/{school[1].lesson}/review"))
+    for place, ready in (
+        ("teacher/lessons", "lesson-row"),
+        ("teacher/classes", "class-group"),
+        ("teacher/files", "shared-folder"),
+        ("teacher/computer", "computer-name"),
+        (f"lesson/{school[1].lesson}", "review-group"),
+        ("runs", "history-run"),
+    ):
+        keys.page.goto(f"{keys.origin}#/{place}")
+        expect(keys[ready].first).to_be_visible()
+        found[place] = _hard_coded(keys.page, data)
+    assert _told(found) == []

@@ -1,0 +1,57 @@
+"""A robot that no simulator holds: it drives on by the wall clock, whoever looks."""
+
+import math
+from typing import Any, ClassVar
+
+import pytest
+
+from pinel_desktop import links
+from pinel_desktop.execution.clock import WallTime
+from pinel_desktop.robot import STANDSTILL, Pose2D, RobotState, Sensors, Setting, Twist2D
+
+
+class ClockworkLink:
+    """A unicycle that does what it is told, at once. `address` names the wall time that it goes by."""
+
+    simulated = False
+    command_delay_s = 0.0
+    slips = False
+    walls: ClassVar[dict[str, WallTime]] = {}
+
+    def __init__(self, *, world: Any, setting: Setting, seed: int, address: str | None) -> None:
+        self.sensors = Sensors()
+        self._now = self.walls[address or ""].now
+        self._pose, self._twist, self._at_s = Pose2D(), STANDSTILL, self._now()
+
+    def connect(self) -> None:
+        self._at_s = self._now()
+
+    def read(self) -> RobotState:
+        (x, y, yaw), (v, omega) = self._pose, self._twist
+        dt, self._at_s = self._now() - self._at_s, self._now()
+        self._pose = Pose2D(
+            x + v * dt * math.cos(yaw), y + v * dt * math.sin(yaw), yaw + omega * dt
+        )
+        return RobotState(self._pose, self._twist)
+
+    def bumper(self) -> bool:
+        return False
+
+    def things(self) -> dict[int, Pose2D]:
+        return {}
+
+    def command(self, twist: Twist2D) -> None:
+        self.read()
+        self._twist = twist
+
+    def advance(self, dt_s: float) -> None:
+        """Its time passes by itself."""
+
+    def close(self) -> None:
+        self.command(STANDSTILL)
+
+
+def install(monkeypatch: pytest.MonkeyPatch, wall: WallTime) -> None:
+    """Makes it the link `clockwork` at the address `here`."""
+    monkeypatch.setitem(ClockworkLink.walls, "here", wall)
+    monkeypatch.setitem(links._BACKENDS, "clockwork", (__name__, ClockworkLink.__name__))

@@ -1,0 +1,46 @@
+import { api, del, get, of, post, put } from "./client";
+import type { Content, VersionLine, VersionMark } from "./model";
+import { reviewApi } from "./review";
+
+const PAGE = 200;
+
+function page(id: string, limit: number, before: string | null) {
+  const query = { limit, before };
+  return get("/api/programs/{id}/versions", { params: { path: { id }, query } });
+}
+
+/** What is never lost: versions, the bin, notes of the teacher. */
+export const versionsApi = {
+  /** All versions of a program, the oldest first. */
+  line: async (program: string): Promise<VersionMark[]> => {
+    const newestFirst: VersionMark[] = [];
+    let before: string | null = null;
+    do {
+      const { versions, next }: VersionLine = await page(program, PAGE, before);
+      newestFirst.push(...versions);
+      before = next;
+    } while (before);
+    return newestFirst.reverse();
+  },
+  /** The version that stands before another in the line, whatever either was made of. */
+  before: async (program: string, version: string): Promise<string | null> =>
+    (await page(program, 1, version)).versions[0]?.id ?? null,
+  version: (id: string) => get("/api/versions/{id}", of(id)),
+  difference: reviewApi.difference,
+  /** Gives a version a name; "" takes it away. */
+  label: (id: string, text: string) =>
+    put("/api/versions/{id}/label", { ...of(id), body: { text } }),
+  /** Keeps an old content once more, as the newest version. */
+  goOnFrom: (program: string, parent_id: string, content: Content) =>
+    api.saveVersion(program, { ...content, parent_id }),
+
+  bin: async (group: string) => (await get("/api/groups/{id}/bin", of(group))).programs,
+  throwAway: (program: string) => del("/api/programs/{id}", of(program)),
+  takeBack: (program: string) => post("/api/programs/{id}/take-back", of(program)),
+
+  unseenNotes: async (id: string) =>
+    (await get("/api/groups/{id}/notes", { params: { path: { id }, query: { unseen: true } } }))
+      .notes,
+  notesOfRun: reviewApi.notes,
+  seeNote: (note: string) => post("/api/notes/{id}/seen", of(note)),
+};

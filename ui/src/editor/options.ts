@@ -1,0 +1,23 @@
+import type { Level } from "../blocks/definition";
+import type { Language } from "../i18n";
+import type { Peek } from "./marks/value_bubble";
+import type { ThemeName } from "./themes";
+
+/** Settings and callbacks of an editor. */
+export interface EditorOptions {
+  container: HTMLElement;
+  language: Language;
+  theme: ThemeName;
+  /** URL of Blockly's images and cursors, with a slash at the end. */
+  mediaPath: string;
+  /** Level of the toolbox: 1 first steps, 2 explorer, 3 everything (the default). */
+  level?: Level;
+  programName?: () => string;
+  /** Called with the ids of all breakpoint blocks when they change. Without it the editor has no breakpoints. */
+  onBreakpoints?(ids: readonly string[]): void;
+  /** Evaluates an expression. Without it values are not shown. */
+  peek?: Peek;
+  /** Called when undo is requested and the undo stack of this session is empty. */
+  onNothingToUndo?(): void;
+  onChange(content: { workspace: object; document: object | null }): void;
+}

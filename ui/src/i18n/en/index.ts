@@ -1,0 +1,7 @@
+import type { LanguageRow } from "../languages";
+
+export const row: LanguageRow = {
+  name: "English",
+  start: async () => (await import("./start")).start,
+  later: async () => (await import("./later")).later,
+};

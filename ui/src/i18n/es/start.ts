@@ -1,0 +1,26 @@
+import * as blockly from "blockly/msg/es";
+import program from "../../../../pinel_desktop/messages/catalogue/es/program.json";
+import run from "../../../../pinel_desktop/messages/catalogue/es/run.json";
+import type { StartTexts } from "../texts";
+import { activity } from "./activity";
+import { blocks } from "./blocks";
+import { classes } from "./classes";
+import { editor } from "./editor";
+import { keeping } from "./keeping";
+import { page } from "./page";
+import { plots } from "./plots";
+import { programFile } from "./program_file";
+import { world } from "./world";
+
+export const start: StartTexts = {
+  ...page,
+  activity,
+  blocks,
+  classes,
+  keeping,
+  plots,
+  programFile,
+  world,
+  blockly: { ...(blockly as object), ...editor },
+  reasons: { ...program, ...run },
+};

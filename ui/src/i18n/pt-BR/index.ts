@@ -1,0 +1,5 @@
+export const row = {
+  name: "Português",
+  start: async () => (await import("./start")).start,
+  later: async () => (await import("./later")).later,
+};

@@ -1,0 +1,13 @@
+import figures from "../../../../pinel_desktop/messages/catalogue/pt-BR/review.json";
+import type { Catalogue } from "../message";
+import { exchange } from "./exchange";
+import { review } from "./review";
+import { teacher } from "./teacher";
+
+export const later = {
+  exchange,
+  /** What each number of the review counts. */
+  figures: figures as Catalogue,
+  review,
+  teacher,
+};

@@ -1,0 +1,27 @@
+import * as blockly from "blockly/msg/pt-br";
+import program from "../../../../pinel_desktop/messages/catalogue/pt-BR/program.json";
+import run from "../../../../pinel_desktop/messages/catalogue/pt-BR/run.json";
+import type { BlocklyMessages, Catalogue } from "../message";
+import { activity } from "./activity";
+import { blocks } from "./blocks";
+import { classes } from "./classes";
+import { editor } from "./editor";
+import { keeping } from "./keeping";
+import { page } from "./page";
+import { plots } from "./plots";
+import { programFile } from "./program_file";
+import { world } from "./world";
+
+export const start = {
+  ...page,
+  activity,
+  blocks,
+  classes,
+  keeping,
+  plots,
+  programFile,
+  world,
+  blockly: { ...(blockly as object), ...editor } as BlocklyMessages,
+  /** Why a run ended. */
+  reasons: { ...program, ...run } as Catalogue,
+};

@@ -1,0 +1,48 @@
+import type { Option } from "./option";
+
+interface TabAttributes {
+  title?: string;
+  [data: `data-${string}`]: string;
+}
+
+interface TabsProps<T> {
+  label: string;
+  value: T;
+  options: readonly Option<T, string, TabAttributes>[];
+  onChange(value: T): void;
+  testId?: string;
+}
+
+/** One of several panels in one place: the arrows go from tab to tab, round and round. */
+export function Tabs<T extends string>({ label, value, options, onChange, testId }: TabsProps<T>) {
+  return (
+    <div class="tabs" role="tablist" aria-label={label} onKeyDown={toOtherTab}>
+      {options.map(([option, words, more]) => (
+        <button
+          key={option}
+          {...more}
+          type="button"
+          class="tab"
+          role="tab"
+          aria-selected={option === value}
+          tabIndex={option === value ? 0 : -1}
+          data-testid={testId}
+          onClick={() => onChange(option)}
+        >
+          {words}
+        </button>
+      ))}
+    </div>
+  );
+}
+
+function toOtherTab(event: KeyboardEvent & { currentTarget: HTMLElement }): void {
+  const way = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+  if (!way) return;
+  event.stopPropagation();
+  const tabs = [...event.currentTarget.querySelectorAll<HTMLElement>("[role=tab]")];
+  const now = tabs.findIndex((tab) => tab.getAttribute("aria-selected") === "true");
+  const other = tabs.at((now + way) % tabs.length);
+  other?.focus();
+  other?.click();
+}

@@ -1,0 +1,15 @@
+import type { Problem } from "./problem";
+
+interface FaultLineProps {
+  fault: Problem | null;
+}
+
+/** An error and its remedy, below the field that it is about. */
+export function FaultLine({ fault }: FaultLineProps) {
+  if (!fault) return null;
+  return (
+    <p class="fault-line" role="alert">
+      <strong>{fault.message}</strong> {fault.remedy}
+    </p>
+  );
+}

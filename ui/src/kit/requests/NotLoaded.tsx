@@ -1,0 +1,37 @@
+import { RotateCw } from "lucide-preact";
+import type { ComponentChildren } from "preact";
+import { texts } from "../../i18n";
+import { Button } from "../Button";
+import { ToStart } from "../ToStart";
+import { KIT_TEST } from "../testids";
+
+interface NotLoadedProps {
+  /** A whole screen, or a part of one. */
+  as: "screen" | "part";
+  busy?: boolean;
+  again(): Promise<void>;
+  /** Ways on beside trying again; for a screen the way to the start unless there are others. */
+  ways?: ComponentChildren;
+}
+
+/** Stands where something could not be loaded; the line under the header says why. */
+export function NotLoaded({
+  as,
+  busy,
+  again,
+  ways = as === "screen" && <ToStart />,
+}: NotLoadedProps) {
+  const { trouble } = texts.value;
+  const Place = as === "screen" ? "main" : "div";
+  return (
+    <Place class={as === "screen" ? "screen waiting" : "waiting"}>
+      <p data-testid={KIT_TEST.notLoaded}>{trouble.notLoaded}</p>
+      <div class="waiting__ways">
+        <Button icon={RotateCw} busy={busy} testId={KIT_TEST.tryAgain} onPress={again}>
+          {trouble.tryAgain}
+        </Button>
+        {ways}
+      </div>
+    </Place>
+  );
+}

@@ -1,0 +1,84 @@
+import { Blocks, Eye } from "lucide-preact";
+import { useEffect } from "preact/hooks";
+import { texts } from "../i18n";
+import { Button } from "../kit/Button";
+import type { Playback } from "../run/playback";
+import { beep } from "../run/sound";
+import { later } from "../shell/later";
+import { cancelWaiting, isPinAsked, teacherSession } from "../shell/teacher/teacher_session";
+import { TEST } from "../shell/testids";
+import { ReplayFloor } from "./ReplayFloor";
+import { ReplayBlocks } from "./ReplayParts";
+import { RunNotes } from "./RunNotes";
+import type { Recording } from "./recording";
+import { Transport } from "./Transport";
+
+const TeacherNote = later(
+  async () => (await import("../teacher/review/notes/TeacherNote")).TeacherNote,
+);
+const SignInForm = later(async () => (await import("../teacher/sign_in/SignInForm")).SignInForm);
+
+interface ReplayProps {
+  recording: Recording;
+  onOpen(): void;
+}
+
+/** A recorded run. When saving a note requires the PIN, the sign-in form covers the replay, which keeps its state. */
+export function Replay(properties: ReplayProps) {
+  useEffect(() => cancelWaiting, []);
+  return (
+    <div class="replay-place" data-waits={isPinAsked.value || undefined}>
+      {isPinAsked.value && <SignInForm again />}
+      <Replayed {...properties} />
+    </div>
+  );
+}
+
+/** Floor, blocks and transport of a recorded run. */
+function Replayed({ recording, onOpen }: ReplayProps) {
+  const { playback, stretches } = recording;
+  useEffect(() => soundOf(playback), [playback]);
+  return (
+    <main class="screen replay">
+      <h1 class="visually-hidden">{texts.value.replay.title}</h1>
+      <ReplayProgram recording={recording} onOpen={onOpen} />
+      <ReplayFloor recording={recording} />
+      <Transport playback={playback} tracks={[stretches]} />
+    </main>
+  );
+}
+
+/** The blocks of the run and the teacher's notes about it. */
+function ReplayProgram({ recording, onOpen }: ReplayProps) {
+  const { run, playback } = recording;
+  const { replay } = texts.value;
+  const forTeacher = teacherSession.value?.is_open || isPinAsked.value;
+  return (
+    <section class="blocks" aria-label={replay.ofVersion}>
+      <div class="blocks__tools replay__tools">
+        <Eye class="icon" aria-hidden="true" />
+        <p>{run.version ? replay.readOnly : replay.noVersion}</p>
+        {run.program_id && (
+          <Button icon={Blocks} testId={TEST.replayProgram} onPress={onOpen}>
+            {replay.openProgram}
+          </Button>
+        )}
+      </div>
+      {!forTeacher && <RunNotes runId={run.id} />}
+      <ReplayBlocks run={run} view={playback.view} />
+      {forTeacher && run.group_id && <TeacherNote key={run.id} run={run.id} />}
+    </section>
+  );
+}
+
+/** Above this speed beeps are not played. */
+const LOUD_SPEED = 2;
+
+function soundOf(playback: Playback): () => void {
+  let heard = playback.view.value.output.beeps;
+  return playback.view.subscribe(({ output: { beeps } }) => {
+    const { playing, speed } = playback;
+    if (beeps > heard && playing.peek() && speed.peek() <= LOUD_SPEED) beep();
+    heard = beeps;
+  });
+}

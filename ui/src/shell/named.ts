@@ -1,0 +1,13 @@
+import { api } from "../api/client";
+import { group, program } from "./session";
+
+/** What the header names: a program and its group, asked for only where the header names others. */
+export async function nameInHeader(programId: string | null, groupId?: string | null) {
+  if (program.value?.id !== programId) {
+    program.value = programId ? await api.program(programId) : null;
+  }
+  const owner = groupId === undefined ? (program.value?.group_id ?? null) : groupId;
+  if (group.value?.id === owner) return;
+  const groups = owner ? await api.groups() : [];
+  group.value = groups.find((one) => one.id === owner) ?? null;
+}

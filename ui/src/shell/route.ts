@@ -1,0 +1,181 @@
+import { signal } from "@preact/signals";
+import type { JSX } from "preact";
+
+export const TEACHER_PARTS = ["lessons", "classes", "files", "computer"] as const;
+export type TeacherPart = (typeof TEACHER_PARTS)[number];
+
+/** A component that takes these parameters. Written out at each row: a screen's own type may depend on `Route`. */
+type Screen<Parameters = unknown> = Promise<(parameters: Parameters) => JSX.Element | null>;
+
+interface Row {
+  /** The address after `#/`: `:name` is a parameter, `:name?` one that may be missing, which is null. */
+  readonly pattern: string;
+  /** What a parameter may be; anything else is the first of them. */
+  readonly choices?: Readonly<Record<string, readonly string[]>>;
+  /** The header names the group and its program. */
+  readonly ofGroup?: true;
+  /** The parameters that make it another screen when they change; all of them without this. */
+  readonly remount?: readonly string[];
+  /** Fetches the screen; without it `frame/App` has it from the start. */
+  readonly load?: () => Screen<never>;
+}
+
+/**
+ * Every screen: its name, its address and where its component is. Its title is `titles` NAME of the texts. `Route`,
+ * `parse`, `hashOf`, the switch of screens in `frame/App` and the fetching ahead derive from it.
+ */
+const ROWS = {
+  start: { pattern: "" },
+  studio: { pattern: "program/:program", ofGroup: true },
+  work: {
+    pattern: "work/:group",
+    ofGroup: true,
+    load: async (): Screen<{ group: string }> => (await import("../work/WorkScreen")).WorkScreen,
+  },
+  replay: {
+    pattern: "run/:run",
+    ofGroup: true,
+    load: async (): Screen<{ run: string }> =>
+      (await import("../replay/ReplayScreen")).ReplayScreen,
+  },
+  versions: {
+    pattern: "versions/:program/:version?",
+    ofGroup: true,
+    remount: ["program"],
+    load: async (): Screen<{ program: string; version: string | null }> =>
+      (await import("../versions")).VersionsScreen,
+  },
+  differences: {
+    pattern: "differences/:program/:before/:after",
+    ofGroup: true,
+    load: async (): Screen<{ program: string; before: string; after: string }> =>
+      (await import("../versions")).DifferencesScreen,
+  },
+  teacher: {
+    pattern: "teacher/:part",
+    choices: { part: TEACHER_PARTS },
+    remount: [],
+    load: async (): Screen<{ part: TeacherPart }> =>
+      (await import("../teacher/TeacherScreen")).TeacherScreen,
+  },
+  lesson: {
+    pattern: "lesson/:lesson",
+    load: async (): Screen<{ lesson: string }> =>
+      (await import("../teacher/review/lesson/LessonScreen")).LessonScreen,
+  },
+  runs: {
+    pattern: "runs",
+    load: async (): Screen => (await import("../teacher/review/runs/RunsScreen")).RunsScreen,
+  },
+  compare: {
+    pattern: "compare/:first/:second",
+    load: async (): Screen<{ first: string; second: string }> =>
+      (await import("../teacher/review/compare/CompareScreen")).CompareScreen,
+  },
+} as const satisfies Record<string, Row>;
+
+type Rows = typeof ROWS;
+export type ScreenName = keyof Rows;
+
+type Named<Pattern extends string> = Pattern extends `${infer One}/${infer Rest}`
+  ? Named<One> & Named<Rest>
+  : Pattern extends `:${infer Name}?`
+    ? Record<Name, string | null>
+    : Pattern extends `:${infer Name}`
+      ? Record<Name, string>
+      : unknown;
+
+type Chosen<R> = R extends { choices: infer Choices extends Record<string, readonly string[]> }
+  ? { [Name in keyof Choices]: Choices[Name][number] }
+  : unknown;
+
+/** The parameters of a screen, as its pattern has them. */
+export type ParametersOf<Name extends ScreenName> = Named<Rows[Name]["pattern"]> &
+  Chosen<Rows[Name]>;
+
+/** A place in the page. */
+export type Route = { [Name in ScreenName]: { screen: Name } & ParametersOf<Name> }[ScreenName];
+
+/** The screens that come with the page. */
+export type FirstScreen = {
+  [Name in ScreenName]: Rows[Name] extends { load: unknown } ? never : Name;
+}[ScreenName];
+
+/** A screen of the table takes what its pattern has, or the table does not compile. */
+type Misfit = {
+  [Name in ScreenName]: Rows[Name] extends { load: () => Screen<infer Taken> }
+    ? ParametersOf<Name> extends Taken
+      ? never
+      : Name
+    : never;
+}[ScreenName];
+null as unknown as Misfit satisfies never;
+
+export const ROUTES: Readonly<Record<ScreenName, Row>> = ROWS;
+export const SCREENS = Object.keys(ROWS) as ScreenName[];
+
+type Values = Record<string, string | null>;
+
+/** The parameters of an address; null where it is not one of this pattern. */
+function read({ pattern, choices = {} }: Row, given: readonly string[]): Values | null {
+  const values: Values = {};
+  for (const [index, part] of pattern.split("/").entries()) {
+    const here = given[index] || null;
+    const name = /^:(\w+)/.exec(part)?.[1];
+    if (!name) {
+      if (part !== (here ?? "")) return null;
+    } else if (choices[name]) {
+      values[name] = choices[name].find((one) => one === here) ?? choices[name][0] ?? null;
+    } else {
+      if (!here && !part.endsWith("?")) return null;
+      values[name] = here;
+    }
+  }
+  return values;
+}
+
+/** The address after `#` is the whole state of navigation, so that Back works. An unknown one is the start. */
+export function parse(hash: string): Route {
+  const given = hash.replace(/^#\/?/, "").split("/");
+  for (const screen of SCREENS) {
+    const values = read(ROUTES[screen], given);
+    if (values) return { screen, ...values } as Route;
+  }
+  return { screen: "start" };
+}
+
+/** The parameters of a route by their names. */
+function valuesOf(to: Route): Values {
+  const { screen, ...values } = to;
+  return values;
+}
+
+export function hashOf(to: Route): string {
+  const values = valuesOf(to);
+  const parts = ROUTES[to.screen].pattern.split("/").map((part) => {
+    const name = /^:(\w+)/.exec(part)?.[1];
+    return name ? values[name] : part;
+  });
+  return `#/${parts.filter(Boolean).join("/")}`;
+}
+
+/** Two routes of the same key are the same screen, which goes on; of different keys, it begins anew. */
+export function keyOf(to: Route): string {
+  const values = valuesOf(to);
+  const names = ROUTES[to.screen].remount ?? Object.keys(values);
+  return [to.screen, ...names.map((name) => values[name])].join(" ");
+}
+
+export const route = signal<Route>(parse(location.hash));
+
+/** Nothing else can be shown now: what is on the screen stays, above all what is not saved. */
+export const staying = signal(false);
+
+window.addEventListener("hashchange", () => {
+  if (staying.peek()) history.replaceState(null, "", hashOf(route.peek()));
+  else route.value = parse(location.hash);
+});
+
+export function go(to: Route): void {
+  location.hash = hashOf(to);
+}

@@ -1,0 +1,80 @@
+import { computed, signal } from "@preact/signals";
+import { classesApi } from "../../api/classes";
+import { ApiError } from "../../api/errors";
+import type { Door } from "../../api/model";
+import { doorAtFirst } from "../first_answers";
+
+/** Whether there is a PIN and the teacher is signed in, as the server last answered; null until it has. */
+export const teacherSession = signal<Door | null>(null);
+
+/** Whether the teacher was signed in when this window was last loaded. */
+const FLAG = "pinel_teacher";
+
+const SIGNED_OUT = ["teacher_only", "pin_missing"];
+
+/** Whether the server refused because the teacher is not signed in. */
+export const isSignedOut = (error: unknown): error is ApiError =>
+  error instanceof ApiError && SIGNED_OUT.includes(error.code);
+
+export async function loadTeacherSession(): Promise<Door> {
+  teacherSession.value = await doorAtFirst();
+  return teacherSession.value;
+}
+
+/** Throws ApiError `pin_wrong`, or `pin_wait` with the seconds to wait. */
+export async function signIn(pin: string): Promise<void> {
+  teacherSession.value = await classesApi.enter(pin);
+}
+
+/** The first PIN, or another while the teacher is signed in. */
+export async function choosePin(pin: string): Promise<void> {
+  teacherSession.value = await classesApi.choosePin(pin);
+}
+
+export async function signOut(): Promise<void> {
+  teacherSession.value = await classesApi.leave();
+}
+
+/** After a reload. Asks only where the teacher was signed in: pupils' pages do not wait for it. */
+export async function restoreTeacherSession(): Promise<void> {
+  if (!teacherSession.peek() && sessionStorage.getItem(FLAG)) await loadTeacherSession();
+}
+
+const waiting = signal<readonly (() => void)[]>([]);
+
+/** Whether an action waits for the PIN. */
+export const isPinAsked = computed(() => waiting.value.length > 0);
+
+teacherSession.subscribe((now) => {
+  if (now?.is_open) sessionStorage.setItem(FLAG, "1");
+  else if (now) sessionStorage.removeItem(FLAG);
+});
+
+teacherSession.subscribe((now) => {
+  if (!now?.is_open) return;
+  const released = waiting.peek();
+  waiting.value = [];
+  for (const go of released) go();
+});
+
+/**
+ * Does what only the teacher may. If the session has ended meanwhile, the page asks for the PIN and the action goes on
+ * afterwards: nothing that was typed is lost.
+ */
+export async function asTeacher<T>(work: () => Promise<T>): Promise<T> {
+  try {
+    return await work();
+  } catch (error) {
+    if (!isSignedOut(error)) throw error;
+    teacherSession.value = { has_pin: error.code !== "pin_missing", is_open: false };
+    await new Promise<void>((resolve) => {
+      waiting.value = [...waiting.peek(), resolve];
+    });
+    return asTeacher(work);
+  }
+}
+
+/** Drops the actions that wait for the PIN: a later sign-in does not perform them. */
+export function cancelWaiting(): void {
+  waiting.value = [];
+}

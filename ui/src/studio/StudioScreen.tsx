@@ -1,0 +1,41 @@
+import { texts } from "../i18n";
+import { Loaded } from "../kit/requests/Loaded";
+import { useLoaded } from "../kit/requests/useLoaded";
+import { clear, live, liveRun } from "../run/live";
+import { isLive } from "../run/reducer";
+import { programAndGroups } from "../shell/first_answers";
+import { group, program } from "../shell/session";
+import { couldNotOpen, OpenProgram, opened, openings } from "./program/open_program";
+import { Studio } from "./Studio";
+
+/** Opens a program and puts it on the desk. */
+export function StudioScreen({ program: programId }: { program: string }) {
+  return <Opening key={`${programId} ${openings.value}`} programId={programId} />;
+}
+
+function Opening({ programId }: { programId: string }) {
+  const opening = useLoaded(programId, (signal) => open(programId, signal), {
+    onFailed: couldNotOpen,
+    release: (left) => left.close(),
+  });
+  return (
+    <Loaded of={opening} as="screen" loading={texts.value.studio.opening}>
+      {(made) => <Studio open={made} />}
+    </Loaded>
+  );
+}
+
+async function open(programId: string, signal: AbortSignal): Promise<OpenProgram> {
+  const [loaded, groups] = await programAndGroups(programId);
+  signal.throwIfAborted();
+  group.value = groups.find((one) => one.id === loaded.group_id) ?? null;
+  program.value = loaded;
+  opened.value = new OpenProgram(loaded);
+  forgetOtherRun(programId);
+  return opened.value;
+}
+
+/** The path on the floor belongs to the program that drove it. */
+function forgetOtherRun(programId: string): void {
+  if (!isLive(live.value) && liveRun.value?.program_id !== programId) clear();
+}

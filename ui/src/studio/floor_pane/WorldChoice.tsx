@@ -1,0 +1,33 @@
+import { Map as MapIcon } from "lucide-preact";
+import { OWN_WORLD, type World, worldTitle } from "../../api/model";
+import { language, texts } from "../../i18n";
+import { Select } from "../../kit/Select";
+import { TEST } from "../../shell/testids";
+
+interface WorldChoiceProps {
+  worlds: readonly World[];
+  world: string;
+  /** What the group calls the world that it has made; null while it has made none. */
+  own: string | null;
+  /** A robot on its way cannot change places. */
+  busy: boolean;
+  onWorld(name: string): void;
+}
+
+/** Where the robot drives, chosen on the floor itself. */
+export function WorldChoice({ worlds, world, own, busy, onWorld }: WorldChoiceProps) {
+  const { run } = texts.value;
+  const shipped = worlds.map((one) => [one.name, worldTitle(one, language.value)] as const);
+  return (
+    <Select
+      icon={MapIcon}
+      label={run.world}
+      tip={run.world}
+      testId={TEST.world}
+      value={world}
+      options={own === null ? shipped : [[OWN_WORLD, own], ...shipped]}
+      disabled={busy}
+      onChange={onWorld}
+    />
+  );
+}

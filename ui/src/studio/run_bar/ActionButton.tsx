@@ -1,0 +1,32 @@
+import { texts } from "../../i18n";
+import { Button, type ButtonProps } from "../../kit/Button";
+import type { StudioControl } from "../studio_control";
+import type { RunAction, RunState } from "./actions";
+
+export interface ActionsProps {
+  control: StudioControl;
+  state: RunState;
+}
+
+interface ActionButtonProps extends ActionsProps, Pick<ButtonProps, "kind" | "filled" | "class"> {
+  action: RunAction;
+}
+
+/** The button of one action. */
+export function ActionButton({ action, control, state, ...look }: ActionButtonProps) {
+  const words = texts.value;
+  return (
+    <Button
+      {...look}
+      icon={action.icon(state)}
+      tip={`${action.help?.(words) ?? action.label(words, state)} (${action.shortcut})`}
+      testId={action.testId}
+      data-does={action.name}
+      aria-keyshortcuts={action.shortcut}
+      disabled={!action.isReady(state)}
+      onPress={() => action.perform(control, state)}
+    >
+      {action.label(words, state)}
+    </Button>
+  );
+}

@@ -1,0 +1,46 @@
+import { type ReadonlySignal, useComputed } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import * as robot from "../../run/live";
+import { isLive } from "../../run/reducer";
+import { level } from "../../shell/level";
+import { connection, engine } from "../../shell/session";
+import type { StudioControl } from "../studio_control";
+import { actionFor, type RunState, STOP } from "./actions";
+import { DebugBar } from "./DebugBar";
+import { RunBar } from "./RunBar";
+
+/** Run, Stop, and from the second level on steps and speed. */
+export function Controls({ control }: { control: StudioControl }) {
+  const state = useComputed(() => stateOf(control));
+  useEffect(() => followKeys(control, state), [control, state]);
+  return (
+    <>
+      <RunBar control={control} state={state.value} />
+      {level.value > 1 && <DebugBar control={control} state={state.value} />}
+    </>
+  );
+}
+
+function stateOf(control: StudioControl): RunState {
+  const { phase, run, output } = robot.live.value;
+  const elsewhere = isLive(robot.live.value) && !control.mine.value;
+  const ready = engine.value === "ready" && connection.value === "open";
+  return {
+    phase: elsewhere && run ? "idle" : phase,
+    unable: (elsewhere && phase !== "starting") || !ready,
+    inFunction: output.calls.length > 0,
+    stepwise: level.value > 1,
+  };
+}
+
+function followKeys(control: StudioControl, state: ReadonlySignal<RunState>): () => void {
+  const onKey = (event: KeyboardEvent) => {
+    const action = event.repeat ? undefined : actionFor(event, state.peek());
+    // the world editor lies over the buttons, and has a Stop of its own
+    if (!action || (control.worlds.store.peek() && action !== STOP)) return;
+    event.preventDefault();
+    action.perform(control, state.peek());
+  };
+  window.addEventListener("keydown", onKey);
+  return () => window.removeEventListener("keydown", onKey);
+}

@@ -1,0 +1,56 @@
+import { Bot, Gauge } from "lucide-preact";
+import { language, texts } from "../../i18n";
+import { decimal } from "../../i18n/format";
+import { Select } from "../../kit/Select";
+import { isUnderWay } from "../../run/reducer";
+import { TEST } from "../../shell/testids";
+import { LIFELIKE, lifelike, SPEEDS, speed } from "../debug/debugging";
+import { ActionButton, type ActionsProps } from "./ActionButton";
+import { STEPS } from "./actions";
+
+/** One block at a time, and how fast the simulated robot is. */
+export function DebugBar(props: ActionsProps) {
+  const { debug } = texts.value;
+  return (
+    <section class="debug-bar" aria-label={debug.bar}>
+      {STEPS.filter(({ isShown }) => isShown(props.state)).map((action) => (
+        <ActionButton key={action.name} {...props} action={action} />
+      ))}
+      {!isUnderWay(props.state.phase) && <LifelikeChoice />}
+      <Select
+        class="debug-bar__speed"
+        icon={Gauge}
+        label={debug.speed}
+        tip={debug.speed}
+        testId={TEST.speed}
+        value={speed.value}
+        options={SPEEDS.map((factor) => [factor, debug.times(timesOf(factor))])}
+        onChange={(factor) => {
+          speed.value = factor;
+        }}
+      />
+    </section>
+  );
+}
+
+const timesOf = (factor: number) => decimal(factor, factor < 1 ? 2 : 0, language.value);
+
+/** How true to life the simulated robot is; chosen before a run. */
+function LifelikeChoice() {
+  const { debug } = texts.value;
+  const names = Object.keys(LIFELIKE) as (keyof typeof LIFELIKE)[];
+  return (
+    <Select
+      class="debug-bar__lifelike"
+      icon={Bot}
+      label={debug.lifelike}
+      tip={`${debug.lifelike}. ${debug[`${lifelike.value}Help`]}`}
+      testId={TEST.lifelike}
+      value={lifelike.value}
+      options={names.map((name) => [name, debug[name], { title: debug[`${name}Help`] }])}
+      onChange={(name) => {
+        lifelike.value = name;
+      }}
+    />
+  );
+}

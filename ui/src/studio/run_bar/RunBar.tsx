@@ -1,0 +1,16 @@
+import { texts } from "../../i18n";
+import { ActionButton, type ActionsProps } from "./ActionButton";
+import { RUN_PAUSE_RESUME, STOP } from "./actions";
+
+/** Run, which becomes Pause; and Stop, always there and always red. */
+export function RunBar(props: ActionsProps) {
+  const action = RUN_PAUSE_RESUME.find(({ isShown }) => isShown(props.state));
+  return (
+    <section class="run-bar" aria-label={texts.value.run.bar}>
+      {action && (
+        <ActionButton {...props} action={action} kind="main" filled class="run-bar__run" />
+      )}
+      <ActionButton {...props} action={STOP} kind="stop" filled class="run-bar__stop" />
+    </section>
+  );
+}

@@ -1,0 +1,68 @@
+import { classesApi } from "../../api/classes";
+import type { Group, GroupChanges } from "../../api/model";
+import { language, texts } from "../../i18n";
+import { GroupPicture } from "../../kit/pictures/GroupPicture";
+import { useAct } from "../../kit/requests/act";
+import { FaultLine } from "../../kit/requests/FaultLine";
+import { Select, type SelectOption } from "../../kit/Select";
+import { toldApart } from "../../shell/namesakes";
+import { asTeacher } from "../../shell/teacher/teacher_session";
+import { TEST } from "../../shell/testids";
+import { groupCounts } from "../../start/group_counts";
+import { NameField } from "../NameField";
+import type { School } from "../school";
+
+interface ClassGroupProps {
+  group: Group;
+  school: School;
+  reload(): Promise<void>;
+  onMoved(words: string): void;
+}
+
+/** A group in the list of its class: it can be renamed, and moved to another class. */
+export function ClassGroup({ group, school, reload, onMoved }: ClassGroupProps) {
+  const { classes: say } = texts.value.teacher;
+  const { fault, act } = useAct(asTeacher);
+  const others = toldApart(school.classes, language.value)
+    .filter((one) => one.id !== group.classroom_id)
+    .map(({ id, name }): SelectOption<string> => [id, name]);
+  const change = async (changes: GroupChanges) => {
+    await classesApi.changeGroup(group.id, changes);
+    await reload();
+  };
+  const move = async (id: string) => {
+    await change({ classroom_id: id });
+    onMoved(say.moved(group.name, others.find(([one]) => one === id)?.[1] ?? ""));
+  };
+  return (
+    <>
+      <span class="badge badge--middle tinted" style={{ "--group": group.color }}>
+        <GroupPicture name={group.picture} />
+      </span>
+      <NameField
+        name={group.name}
+        label={say.renameGroup}
+        testId={TEST.groupRename}
+        onRename={(name) => change({ name })}
+      >
+        <span class="class-groups__words">
+          <strong class="class-groups__name" dir="auto" data-shortened title={group.name}>
+            {group.name}
+          </strong>
+          <span class="class-groups__counts">{groupCounts(group, texts.value)}</span>
+        </span>
+      </NameField>
+      {others.length > 0 && (
+        <Select
+          class="class-groups__move"
+          label={say.moveOf(group.name)}
+          testId={TEST.moveGroup}
+          value=""
+          options={[["", say.move], ...others]}
+          onChange={(id) => id && act(() => move(id))}
+        />
+      )}
+      <FaultLine fault={fault} />
+    </>
+  );
+}

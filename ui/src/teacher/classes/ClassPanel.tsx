@@ -1,0 +1,91 @@
+import type { ComponentChildren } from "preact";
+import { useState } from "preact/hooks";
+import { classesApi } from "../../api/classes";
+import type { Removed } from "../../api/model";
+import { language, texts } from "../../i18n";
+import { groupsIn } from "../../shell/classroom";
+import { toldApart } from "../../shell/namesakes";
+import { TEST } from "../../shell/testids";
+import { AddForm } from "../AddForm";
+import { Deletion } from "../exchange/Deletion";
+import { NameField } from "../NameField";
+import type { School } from "../school";
+import { ClassGroup } from "./ClassGroup";
+
+interface ClassPanelProps {
+  /** Of the class; `NO_CLASS` for the groups without one. */
+  id: string;
+  school: School;
+  reload(): Promise<void>;
+  onDeleted(removed: Removed): Promise<void>;
+  /** What was deleted last. */
+  children: ComponentChildren;
+}
+
+/** One class: its name, its groups, and what can be done with them. */
+export function ClassPanel({ id, school, reload, onDeleted, children }: ClassPanelProps) {
+  const { classes: say } = texts.value.teacher;
+  const [moved, setMoved] = useState("");
+  const groups = groupsIn(id, school.groups);
+  const classroom = toldApart(school.classes, language.value).find((one) => one.id === id);
+  const add = async (name: string) => {
+    await classesApi.createGroup({ name, classroom_id: id });
+    await reload();
+  };
+  return (
+    <section class="panel card">
+      <PanelHead id={id} shownName={classroom?.name} school={school} reload={reload} />
+      <p class="teacher__hint" role="status">
+        {moved || (groups.length === 0 ? say.empty : say.groups(groups.length))}
+      </p>
+      <ul class="class-groups">
+        {groups.map((group) => (
+          <li key={group.id} class="class-groups__one" data-testid={TEST.classGroup}>
+            <ClassGroup group={group} school={school} reload={reload} onMoved={setMoved} />
+          </li>
+        ))}
+      </ul>
+      {classroom && (
+        <AddForm
+          label={say.newGroup}
+          placeholder={say.newGroupPlaceholder}
+          fieldId={TEST.newGroupName}
+          buttonId={TEST.makeGroup}
+          onAdd={add}
+        />
+      )}
+      {(classroom || groups.length > 0) && (
+        <Deletion classroom={classroom} groups={groups} onDone={onDeleted}>
+          {children}
+        </Deletion>
+      )}
+    </section>
+  );
+}
+
+interface PanelHeadProps extends Pick<ClassPanelProps, "id" | "school" | "reload"> {
+  /** Namesakes have a number behind their names. */
+  shownName: string | undefined;
+}
+
+function PanelHead({ id, shownName, school, reload }: PanelHeadProps) {
+  const { classes: say } = texts.value.teacher;
+  const classroom = school.classes.find((one) => one.id === id);
+  const rename = async (name: string) => {
+    await classesApi.renameClassroom(id, name);
+    await reload();
+  };
+  if (!classroom) {
+    return (
+      <>
+        <h2>{texts.value.classes.noClass}</h2>
+        <p class="teacher__hint">{say.noneHint}</p>
+      </>
+    );
+  }
+  return (
+    <NameField name={classroom.name} label={say.rename} testId={TEST.renameClass} onRename={rename}>
+      <h2>{shownName}</h2>
+    </NameField>
+  );
+}

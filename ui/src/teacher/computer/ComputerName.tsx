@@ -1,0 +1,28 @@
+import { classesApi } from "../../api/classes";
+import { texts } from "../../i18n";
+import { Field } from "../../kit/Field";
+import { TEST } from "../../shell/testids";
+import { useDraft } from "../useDraft";
+import { SettingForm, useSetting } from "./SettingForm";
+
+interface ComputerNameProps {
+  name: string;
+}
+
+/** The name of this PC, to be changed. */
+export function ComputerName({ name }: ComputerNameProps) {
+  const { computer: say } = texts.value.teacher;
+  const setting = useSetting();
+  const { draft, field } = useDraft({ name }, setting.clear);
+  return (
+    <SettingForm
+      setting={setting}
+      done={say.kept}
+      hint={say.nameHint}
+      buttonId={TEST.keepComputer}
+      onKeep={() => setting.keep(() => classesApi.renameComputer(draft.name))}
+    >
+      <Field label={say.name} maxLength={60} data-testid={TEST.computerName} {...field("name")} />
+    </SettingForm>
+  );
+}

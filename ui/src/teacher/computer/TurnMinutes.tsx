@@ -1,0 +1,34 @@
+import { texts } from "../../i18n";
+import { TEST } from "../../shell/testids";
+import { setTurnMinutes, TURN_MINUTES, turnMinutes } from "../../shell/turns";
+
+/** After how many minutes the page proposes that pupils swap places. */
+export function TurnMinutes() {
+  const { computer: say } = texts.value.teacher;
+  return (
+    <section class="panel card">
+      <fieldset class="turn-choice">
+        <legend>
+          <h2>{say.turns}</h2>
+        </legend>
+        {TURN_MINUTES.map((minutes) => (
+          <label
+            key={minutes}
+            class="turn-choice__one"
+            data-testid={TEST.swapEvery}
+            data-minutes={minutes}
+          >
+            <input
+              type="radio"
+              name="turns"
+              checked={turnMinutes.value === minutes}
+              onChange={() => setTurnMinutes(minutes)}
+            />
+            {minutes === 0 ? say.never : say.every(minutes)}
+          </label>
+        ))}
+      </fieldset>
+      <p class="labelled__hint">{say.turnsHint}</p>
+    </section>
+  );
+}

@@ -1,0 +1,80 @@
+import { Trash2 } from "lucide-preact";
+import type { ComponentChildren } from "preact";
+import { useState } from "preact/hooks";
+import { exchange } from "../../api/exchange";
+import type { Classroom, Group, Removed } from "../../api/model";
+import { texts } from "../../i18n";
+import { useAct } from "../../kit/requests/act";
+import { FaultLine } from "../../kit/requests/FaultLine";
+import { Select, type SelectOption } from "../../kit/Select";
+import { asTeacher } from "../../shell/teacher/teacher_session";
+import { TEST } from "../../shell/testids";
+import { ConfirmDeletion } from "./ConfirmDeletion";
+
+interface DeletionProps {
+  classroom: Classroom | undefined;
+  groups: readonly Group[];
+  onDone(removed: Removed): Promise<void>;
+  /** What was deleted just now. */
+  children?: ComponentChildren;
+}
+
+/** Deletes a group, or the whole class, for good: says first what will go. */
+export function Deletion({ classroom, groups, onDone, children }: DeletionProps) {
+  const [chosen, setChosen] = useState("");
+  const { fault, act } = useAct(asTeacher);
+  const { deletion } = texts.value.exchange;
+  const isClass = chosen === classroom?.id;
+  const affected = isClass ? groups : groups.filter(({ id }) => id === chosen);
+  const name = isClass ? classroom.name : (affected[0]?.name ?? "");
+  const remove = async () => {
+    const removed = await (isClass ? exchange.deleteClassroom : exchange.deleteGroup)(chosen);
+    setChosen("");
+    await onDone(removed);
+  };
+  return (
+    <details class="deletion">
+      <summary data-testid={TEST.deletionOpen}>
+        <Trash2 class="icon" aria-hidden="true" />
+        {deletion.title}
+      </summary>
+      <p class="exchange__hint">{deletion.hint}</p>
+      <Select
+        class="deletion__what"
+        label={deletion.what}
+        testId={TEST.deletionWhat}
+        value={chosen}
+        options={[
+          ["", deletion.nothing],
+          ...groups.map((one): SelectOption<string> => [one.id, deletion.group(one.name)]),
+          ...(classroom ? [[classroom.id, deletion.classroom(classroom.name)] as const] : []),
+        ]}
+        onChange={(id) => setChosen(id)}
+      />
+      {chosen && (
+        <ConfirmDeletion
+          confirm={deletion.go}
+          cancel={deletion.cancel}
+          confirmId={TEST.deletionGo}
+          onConfirm={() => act(remove)}
+          onCancel={() => setChosen("")}
+        >
+          {lossInWords(name, affected)}
+        </ConfirmDeletion>
+      )}
+      <FaultLine fault={fault} />
+      {children}
+    </details>
+  );
+}
+
+/** How many programs and runs will be lost. */
+function lossInWords(name: string, groups: readonly Group[]): string {
+  const say = texts.value.exchange;
+  const total = (count: (group: Group) => number) =>
+    groups.reduce((sum, group) => sum + count(group), 0);
+  const inBin = total((group) => group.n_in_bin);
+  const all = say.programs(total((group) => group.n_programs) + inBin);
+  const programs = inBin > 0 ? `${all} (${texts.value.start.alsoInBin(inBin)})` : all;
+  return say.deletion.goes(name, programs, say.runs(total((group) => group.n_runs)));
+}

@@ -1,0 +1,28 @@
+import type { Ref } from "preact";
+import type { Removed } from "../../api/model";
+import { texts } from "../../i18n";
+import { TEST } from "../../shell/testids";
+import { FilesLeft } from "./FilesLeft";
+
+interface DeletionDoneProps {
+  removed: Removed;
+  answer: Ref<HTMLDivElement>;
+}
+
+/** What was deleted, and which files still hold it. */
+export function DeletionDone({ removed, answer }: DeletionDoneProps) {
+  const say = texts.value.exchange;
+  const { n_groups, n_programs, n_runs } = removed;
+  return (
+    <div
+      ref={answer}
+      class="deletion__done notice-box"
+      role="status"
+      tabIndex={-1}
+      data-testid={TEST.deletionDone}
+    >
+      <p>{say.deletion.done(say.groups(n_groups), say.programs(n_programs), say.runs(n_runs))}</p>
+      <FilesLeft paths={[...removed.files.map(({ path }) => path), ...removed.backups]} />
+    </div>
+  );
+}

@@ -1,0 +1,93 @@
+import { useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import { classesApi } from "../../api/classes";
+import { exchange } from "../../api/exchange";
+import type { FolderList, Merged } from "../../api/model";
+import { texts } from "../../i18n";
+import { Loaded } from "../../kit/requests/Loaded";
+import type { Loadable } from "../../kit/requests/useLoaded";
+import { useTeacherLoaded } from "../useTeacherLoaded";
+import { KnownComputers } from "./KnownComputers";
+import { MergeBox } from "./MergeBox";
+import { SaveBox, type Saved } from "./SaveBox";
+import { SharedFolder } from "./SharedFolder";
+
+/** How often the page looks for sticks. */
+const POLL_MS = 4000;
+
+/** Sticks and the school's folder: bring work in, take work along, and whose work is here. */
+export function ExchangePanel() {
+  const places = useTeacherLoaded("places", () => exchange.folders());
+  const known = useTeacherLoaded("known", loadKnown);
+  return (
+    <section class="exchange" aria-labelledby="exchange-title">
+      <h1 id="exchange-title">{texts.value.exchange.title}</h1>
+      <p class="teacher__hint">{texts.value.exchange.intro}</p>
+      <Loaded of={places}>
+        {(found) => <Boxes found={found} places={places} known={known} />}
+      </Loaded>
+    </section>
+  );
+}
+
+type Known = Awaited<ReturnType<typeof loadKnown>>;
+
+/** The PCs whose work is here, and the classes. */
+async function loadKnown() {
+  const [computers, classes] = await Promise.all([exchange.heard(), classesApi.classrooms()]);
+  return { computers, classes };
+}
+
+interface BoxesProps {
+  found: FolderList;
+  places: Loadable<FolderList>;
+  known: Loadable<Known>;
+}
+
+function Boxes({ found: { folders, shared }, places, known }: BoxesProps) {
+  const results = useSignal<Merged[]>([]);
+  const saved = useSignal<Saved | null>(null);
+  usePolling(places);
+  const loadAll = async () => {
+    await Promise.all([places.again(), known.again()]);
+  };
+  /** Answers about one folder must not stand under another. */
+  const forgetAnswers = () => {
+    results.value = [];
+    saved.value = null;
+  };
+  const lookAgain = () => {
+    forgetAnswers();
+    return loadAll();
+  };
+  return (
+    <>
+      <MergeBox folders={folders} results={results} onMerged={loadAll} onLook={lookAgain} />
+      <Loaded of={known}>
+        {({ computers, classes }) => (
+          <>
+            <SaveBox folders={folders} classes={classes} saved={saved} onSaved={places.again} />
+            <KnownComputers computers={computers} />
+          </>
+        )}
+      </Loaded>
+      <SharedFolder
+        path={shared}
+        isReachable={!folders.some((one) => one.path === shared && !one.is_reachable)}
+        onChoose={forgetAnswers}
+        onChosen={places.set}
+      />
+    </>
+  );
+}
+
+/** A stick is noticed soon after it was plugged in. */
+function usePolling({ set }: Loadable<FolderList>): void {
+  useEffect(() => {
+    const timer = setInterval(() => {
+      // a failure was said by the first request already
+      if (!document.hidden) exchange.folders().then(set, () => {});
+    }, POLL_MS);
+    return () => clearInterval(timer);
+  }, []);
+}

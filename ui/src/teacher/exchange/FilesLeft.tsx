@@ -1,0 +1,20 @@
+import { texts } from "../../i18n";
+
+interface FilesLeftProps {
+  paths: readonly string[];
+}
+
+/** Files that still hold what was deleted: people have to delete them by hand. */
+export function FilesLeft({ paths }: FilesLeftProps) {
+  if (paths.length === 0) return null;
+  return (
+    <>
+      <p>{texts.value.exchange.deletion.left}</p>
+      <ul>
+        {paths.map((path) => (
+          <li key={path}>{path}</li>
+        ))}
+      </ul>
+    </>
+  );
+}

@@ -1,0 +1,74 @@
+import { type Signal, useSignal } from "@preact/signals";
+import { Combine, RefreshCw } from "lucide-preact";
+import type { FileFound, Folder, Merged } from "../../api/model";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { TEST } from "../../shell/testids";
+import { FolderFiles } from "./FolderFiles";
+import { MergeResult } from "./MergeResult";
+import { useMerging } from "./useMerging";
+
+interface MergeBoxProps {
+  folders: readonly Folder[];
+  results: Signal<Merged[]>;
+  onMerged(): Promise<void>;
+  /** Looks for sticks again, and for whose work is here. */
+  onLook(): Promise<void>;
+}
+
+/** Files on sticks, to be merged. All are ticked at first but those without names. */
+export function MergeBox({ folders, results, onMerged, onLook }: MergeBoxProps) {
+  const ticked = useSignal<ReadonlyMap<string, boolean>>(new Map());
+  const { progress, mergeAll, deleteToo, keep } = useMerging(results, onMerged);
+  const say = texts.value.exchange;
+  const isChosen = (file: FileFound) => ticked.value.get(file.path) ?? !file.anonymous;
+  const chosen = folders.flatMap((folder) => folder.files.filter(isChosen));
+  const toggle = (file: FileFound) => {
+    ticked.value = new Map(ticked.value).set(file.path, !isChosen(file));
+  };
+  return (
+    <section class="panel card" aria-labelledby="exchange-places">
+      <header class="button-row exchange__head">
+        <h2 id="exchange-places">{say.places}</h2>
+        <Button kind="plain" icon={RefreshCw} onPress={onLook}>
+          {say.lookAgain}
+        </Button>
+      </header>
+      {folders.length === 0 && (
+        <p>
+          <strong>{say.nowhere}</strong> {say.nowhereHint}
+        </p>
+      )}
+      {folders.map((folder) => (
+        <FolderFiles key={folder.path} folder={folder} isChosen={isChosen} onToggle={toggle} />
+      ))}
+      {chosen.length > 0 && (
+        <Button
+          kind="main"
+          class="exchange__merge"
+          icon={Combine}
+          testId={TEST.mergeFiles}
+          onPress={() => mergeAll(chosen.map(({ path }) => path))}
+        >
+          {progress.value
+            ? say.merging(progress.value.n, progress.value.of)
+            : say.merge(chosen.length)}
+        </Button>
+      )}
+      <div role="status" aria-label={say.results}>
+        {results.value.length > 0 && (
+          <ul class="exchange__results" data-testid={TEST.mergeResults}>
+            {results.value.map((one) => (
+              <MergeResult
+                key={one.path}
+                merged={one}
+                onDelete={() => deleteToo(one.path)}
+                onKeep={() => keep(one)}
+              />
+            ))}
+          </ul>
+        )}
+      </div>
+    </section>
+  );
+}

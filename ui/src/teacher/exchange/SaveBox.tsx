@@ -1,0 +1,127 @@
+import { type Signal, useSignal } from "@preact/signals";
+import { Save } from "lucide-preact";
+import { exchange } from "../../api/exchange";
+import type { Bundle, Classroom, Folder } from "../../api/model";
+import { language, texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { Select, type SelectOption } from "../../kit/Select";
+import { toldApart } from "../../shell/namesakes";
+import { asTeacher } from "../../shell/teacher/teacher_session";
+import { TEST } from "../../shell/testids";
+
+/** A file that was written, and where. */
+export interface Saved {
+  bundle: Bundle;
+  folder: Folder;
+}
+
+interface SaveBoxProps {
+  folders: readonly Folder[];
+  classes: readonly Classroom[];
+  saved: Signal<Saved | null>;
+  onSaved(): Promise<void>;
+}
+
+/** Writes the work of this PC, or of one class, to a stick. */
+export function SaveBox({ folders, classes, saved, onSaved }: SaveBoxProps) {
+  const classroom = useSignal("");
+  const anonymous = useSignal(false);
+  const say = texts.value.exchange;
+  const writable = folders.filter((folder) => folder.is_writable);
+  const save = async (folder: Folder) => {
+    saved.value = null;
+    const bundle = await asTeacher(() =>
+      exchange.write(folder.path, classroom.value || null, anonymous.value),
+    );
+    saved.value = bundle && { bundle, folder };
+    void onSaved();
+  };
+  if (writable.length === 0) return null;
+  return (
+    <section class="panel card" aria-labelledby="exchange-save">
+      <h2 id="exchange-save">{say.saveHere}</h2>
+      {classes.length > 0 && <What classes={classes} chosen={classroom} />}
+      <label class="exchange__file">
+        <input
+          type="checkbox"
+          checked={anonymous.value}
+          onChange={(event) => {
+            anonymous.value = event.currentTarget.checked;
+          }}
+        />
+        <span class="exchange__name">{say.anonymous}</span>
+        <span class="exchange__about">{say.anonymousHint}</span>
+      </label>
+      <SaveButtons folders={writable} onSave={save} />
+      <p role="status" class="exchange__saved">
+        {saved.value && savedWords(saved.value)}
+      </p>
+    </section>
+  );
+}
+
+interface WhatProps {
+  classes: readonly Classroom[];
+  chosen: Signal<string>;
+}
+
+function What({ classes, chosen }: WhatProps) {
+  const say = texts.value.exchange;
+  return (
+    <label class="button-row">
+      {say.what}
+      <Select
+        value={chosen.value}
+        options={[
+          ["", say.everything],
+          ...toldApart(classes, language.value).map(
+            ({ id, name }): SelectOption<string> => [id, say.onlyClass(name)],
+          ),
+        ]}
+        onChange={(id) => {
+          chosen.value = id;
+        }}
+      />
+    </label>
+  );
+}
+
+interface SaveButtonsProps {
+  folders: readonly Folder[];
+  onSave(folder: Folder): Promise<void>;
+}
+
+/** A button for each folder; one file is written at a time. */
+function SaveButtons({ folders, onSave }: SaveButtonsProps) {
+  const saving = useSignal<string | null>(null);
+  const say = texts.value.exchange;
+  const save = async (folder: Folder) => {
+    saving.value = folder.path;
+    await onSave(folder).finally(() => {
+      saving.value = null;
+    });
+  };
+  return (
+    <div class="button-row">
+      {folders.map((folder) => (
+        <Button
+          key={folder.path}
+          icon={Save}
+          testId={TEST.saveBundle}
+          busy={saving.value !== null}
+          onPress={() => save(folder)}
+        >
+          {saving.value === folder.path ? say.saving : say.saveIn(folder.name)}
+        </Button>
+      ))}
+    </div>
+  );
+}
+
+function savedWords({ bundle, folder }: Saved): string {
+  const { name, n_groups, n_runs, left_out } = bundle;
+  const say = texts.value.exchange;
+  const saved = say.saved(name, say.groups(n_groups), say.runs(n_runs));
+  const missing = left_out && `${left_out.message} ${left_out.remedy}`;
+  return [saved, missing, folder.is_stick && say.takeOut].filter(Boolean).join(" ");
+}

@@ -1,0 +1,39 @@
+import { type Signal, useSignal } from "@preact/signals";
+import { exchange } from "../../api/exchange";
+import type { Merged } from "../../api/model";
+import { asTeacher } from "../../shell/teacher/teacher_session";
+
+/** Merges files one after the other; `results` has an entry for each. */
+export function useMerging(results: Signal<Merged[]>, onMerged: () => Promise<void>) {
+  const progress = useSignal<{ n: number; of: number } | null>(null);
+  const replace = (merged: Merged) => {
+    results.value = results.value.map((one) => (one.path === merged.path ? merged : one));
+  };
+  const mergeAll = async (paths: readonly string[]) => {
+    results.value = [];
+    try {
+      for (const [index, path] of paths.entries()) {
+        progress.value = { n: index + 1, of: paths.length };
+        const merged = await asTeacher(() => exchange.merge(path));
+        if (merged) results.value = [...results.value, merged];
+      }
+    } finally {
+      progress.value = null;
+      void onMerged();
+    }
+  };
+  const mergeAgain = async (path: string, drop: boolean) => {
+    const merged = await asTeacher(() => exchange.merge(path, drop));
+    if (merged) replace(merged);
+  };
+  /** Deletes what was deleted on the other PC. Files that had brought nothing new may do so now. */
+  const deleteToo = async (deletedBy: string) => {
+    await mergeAgain(deletedBy, true);
+    for (const { path, nothing_new, problem } of results.value) {
+      if (path !== deletedBy && nothing_new && !problem) await mergeAgain(path, false);
+    }
+    void onMerged();
+  };
+  const keep = (merged: Merged) => replace({ ...merged, would_delete: null });
+  return { progress, mergeAll, deleteToo, keep };
+}

@@ -1,0 +1,83 @@
+import { Link2 } from "lucide-preact";
+import { useState } from "preact/hooks";
+import { classesApi } from "../../api/classes";
+import type { Lesson } from "../../api/model";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { useAct } from "../../kit/requests/act";
+import { FaultLine } from "../../kit/requests/FaultLine";
+import { asTeacher } from "../../shell/teacher/teacher_session";
+import { TEST } from "../../shell/testids";
+import { LessonRow } from "./LessonRow";
+import { titleOf, whole, withParts } from "./lessons";
+
+interface LessonListProps {
+  lessons: readonly Lesson[];
+  onChanged(): Promise<void>;
+}
+
+/** The lessons of a class, newest first; some can be marked and joined. */
+export function LessonList({ lessons, onChanged }: LessonListProps) {
+  const { lessons: say } = texts.value.teacher;
+  const [picked, setPicked] = useState<readonly string[]>([]);
+  const { fault, act } = useAct(asTeacher);
+  const groups = withParts(lessons);
+  const marked = groups.map((one) => one.lesson).filter((one) => picked.includes(one.id));
+  const join = async () => {
+    const target = whole(marked);
+    for (const one of marked.filter((other) => other !== target)) {
+      await classesApi.changeLesson(one.id, { part_of: target?.id ?? "" });
+    }
+    setPicked([]);
+    await onChanged();
+  };
+  const mark = (id: string, on: boolean) =>
+    setPicked(on ? [...picked, id] : picked.filter((one) => one !== id));
+  return (
+    <section>
+      <h2 class="lessons__title">{say.list}</h2>
+      {lessons.length === 0 && <p class="teacher__hint">{say.empty}</p>}
+      <ul class="lessons">
+        {groups.map(({ lesson, parts }) => (
+          <li key={lesson.id} class="lessons__group card">
+            <LessonRow lesson={lesson} onChanged={onChanged}>
+              {groups.length > 1 && (
+                <input
+                  type="checkbox"
+                  class="lessons__pick"
+                  aria-label={say.pick(titleOf(lesson))}
+                  checked={picked.includes(lesson.id)}
+                  data-testid={TEST.lessonPick}
+                  onChange={({ currentTarget }) => mark(lesson.id, currentTarget.checked)}
+                />
+              )}
+            </LessonRow>
+            {parts.map((part) => (
+              <LessonRow key={part.id} lesson={part} onChanged={onChanged} isPart />
+            ))}
+          </li>
+        ))}
+      </ul>
+      {groups.length > 1 && <Join n={marked.length} onJoin={() => act(join)} />}
+      <FaultLine fault={fault} />
+    </section>
+  );
+}
+
+interface JoinProps {
+  /** How many lessons are marked. */
+  n: number;
+  onJoin(): unknown;
+}
+
+function Join({ n, onJoin }: JoinProps) {
+  const { lessons: say } = texts.value.teacher;
+  return (
+    <div class="button-row lessons__join">
+      <Button icon={Link2} disabled={n < 2} testId={TEST.lessonJoin} onPress={onJoin}>
+        {say.join}
+      </Button>
+      <p class="labelled__hint">{n > 1 ? say.picked(n) : say.joinHint}</p>
+    </div>
+  );
+}

@@ -1,0 +1,44 @@
+import { BookOpen, Square } from "lucide-preact";
+import { classesApi } from "../../api/classes";
+import type { ActivityTitle, Lesson } from "../../api/model";
+import { language, texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { useAct } from "../../kit/requests/act";
+import { FaultLine } from "../../kit/requests/FaultLine";
+import { asTeacher } from "../../shell/teacher/teacher_session";
+import { TEST } from "../../shell/testids";
+import { dateAndTime } from "../time_words";
+
+interface LessonNowProps {
+  lesson: Lesson;
+  activities: readonly ActivityTitle[];
+  onClosed(): Promise<void>;
+}
+
+/** The open lesson of a class; it can be closed. */
+export function LessonNow({ lesson, activities, onClosed }: LessonNowProps) {
+  const { lessons: say } = texts.value.teacher;
+  const { fault, act } = useAct(asTeacher);
+  const activity = activities.find((one) => one.name === lesson.activity);
+  const since = say.since(dateAndTime(lesson.opened_at, language.value));
+  const close = async () => {
+    await classesApi.changeLesson(lesson.id, { closed: true });
+    await onClosed();
+  };
+  return (
+    <div class="lesson-now" data-testid={TEST.lessonNow}>
+      <BookOpen class="icon lesson-now__icon" aria-hidden="true" />
+      <p class="lesson-now__words">
+        <span>
+          {say.now} · {since}
+        </span>
+        <strong class="lesson-now__title">{lesson.title}</strong>
+        {activity && <span>{activity.title}</span>}
+      </p>
+      <Button filled icon={Square} testId={TEST.closeLesson} onPress={() => act(close)}>
+        {say.close}
+      </Button>
+      <FaultLine fault={fault} />
+    </div>
+  );
+}

@@ -1,0 +1,75 @@
+import { ArrowRight, Unlink2 } from "lucide-preact";
+import type { ComponentChildren } from "preact";
+import { classesApi } from "../../api/classes";
+import type { Lesson, LessonChanges } from "../../api/model";
+import { language, texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { LinkButton } from "../../kit/LinkButton";
+import { hashOf } from "../../shell/route";
+import { asTeacher } from "../../shell/teacher/teacher_session";
+import { TEST } from "../../shell/testids";
+import { NameField } from "../NameField";
+import { dateAndTime } from "../time_words";
+import { titleOf } from "./lessons";
+
+interface LessonRowProps {
+  lesson: Lesson;
+  onChanged(): Promise<void>;
+  /** It was joined to the lesson above it. */
+  isPart?: boolean;
+  /** Stands before the title. */
+  children?: ComponentChildren;
+}
+
+/** A lesson: its title, when and where it was, and the way to its review. */
+export function LessonRow({ lesson, onChanged, isPart = false, children }: LessonRowProps) {
+  const { lessons: say } = texts.value.teacher;
+  const title = titleOf(lesson);
+  const change = async (changes: LessonChanges) => {
+    await classesApi.changeLesson(lesson.id, changes);
+    await onChanged();
+  };
+  const facts = [
+    dateAndTime(lesson.opened_at, language.value),
+    lesson.computer,
+    say.edits(lesson.n_versions),
+    say.runs(lesson.n_runs),
+  ];
+  return (
+    <div class={`lesson-row ${isPart ? "lesson-row--part" : ""}`} data-testid={TEST.lessonRow}>
+      {children}
+      <div class="lesson-row__words">
+        <NameField
+          name={lesson.title}
+          label={say.rename}
+          onRename={(wanted) => change({ title: wanted })}
+        >
+          <span class={lesson.title ? "lesson-row__title" : "lesson-row__untitled"} title={title}>
+            {title}
+          </span>
+        </NameField>
+        <p class="lesson-row__facts">{facts.filter(Boolean).join(" · ")}</p>
+      </div>
+      {isPart ? (
+        <Button
+          kind="plain"
+          icon={Unlink2}
+          label={say.apartOf(title)}
+          testId={TEST.lessonApart}
+          onPress={() => asTeacher(() => change({ part_of: "" }))}
+        >
+          {say.apart}
+        </Button>
+      ) : (
+        <LinkButton
+          iconEnd={ArrowRight}
+          href={hashOf({ screen: "lesson", lesson: lesson.id })}
+          label={say.reviewOf(title)}
+          testId={TEST.lessonLink}
+        >
+          {say.review}
+        </LinkButton>
+      )}
+    </div>
+  );
+}

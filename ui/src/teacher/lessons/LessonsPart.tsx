@@ -1,0 +1,88 @@
+import { classesApi, NO_CLASS } from "../../api/classes";
+import { language, texts } from "../../i18n";
+import { LinkButton } from "../../kit/LinkButton";
+import { Loaded } from "../../kit/requests/Loaded";
+import { ClassChips } from "../../shell/ClassChips";
+import { classroom, groupsIn, shownClass } from "../../shell/classroom";
+import { hashOf } from "../../shell/route";
+import type { School } from "../school";
+import { useTeacherLoaded } from "../useTeacherLoaded";
+import { LessonList } from "./LessonList";
+import { LessonNow } from "./LessonNow";
+import { OpenLesson } from "./OpenLesson";
+
+interface LessonsPartProps {
+  school: School;
+}
+
+/** The open lesson of each class, and its earlier ones. */
+export function LessonsPart({ school: { classes, groups } }: LessonsPartProps) {
+  const { lessons: say } = texts.value.teacher;
+  const shown = shownClass(classroom.value, classes, groups);
+  const withNone = groupsIn(NO_CLASS, groups).length > 0;
+  if (classes.length === 0) {
+    return (
+      <>
+        <h1>{say.title}</h1>
+        <p class="teacher__hint">{say.noClasses}</p>
+        <LinkButton kind="main" href={hashOf({ screen: "teacher", part: "classes" })}>
+          {say.makeClass}
+        </LinkButton>
+        {withNone && <ClassLessons id={NO_CLASS} />}
+      </>
+    );
+  }
+  return (
+    <>
+      <h1>{say.title}</h1>
+      <ClassChips classes={classes} withNone={withNone} shown={shown} />
+      <ClassLessons key={shown} id={shown} />
+    </>
+  );
+}
+
+interface ClassLessonsProps {
+  id: string;
+}
+
+function ClassLessons({ id }: ClassLessonsProps) {
+  const { lessons: say } = texts.value.teacher;
+  const found = useTeacherLoaded(`${id} ${language.value}`, () => loadLessons(id));
+  return (
+    <Loaded of={found}>
+      {({ lessons, current, activities }) => {
+        const open = current?.by_itself === false ? current : null;
+        return (
+          <>
+            {id !== NO_CLASS && (
+              <section class="panel card">
+                {open ? (
+                  <LessonNow lesson={open} activities={activities} onClosed={found.again} />
+                ) : (
+                  <p class="teacher__hint">{current ? say.byItself : say.none}</p>
+                )}
+                <OpenLesson
+                  classroom={id}
+                  activities={activities}
+                  another={open !== null}
+                  onOpened={found.again}
+                />
+              </section>
+            )}
+            <LessonList lessons={lessons} onChanged={found.again} />
+          </>
+        );
+      }}
+    </Loaded>
+  );
+}
+
+/** The lessons of a class, the open one, and the titles of activities in the language of the page. */
+async function loadLessons(id: string) {
+  const [lessons, current, activities] = await Promise.all([
+    classesApi.lessons(id),
+    id === NO_CLASS ? null : classesApi.currentLesson(id),
+    classesApi.activities(),
+  ]);
+  return { lessons, current, activities };
+}

@@ -1,0 +1,67 @@
+import { Play } from "lucide-preact";
+import { useState } from "preact/hooks";
+import { classesApi } from "../../api/classes";
+import type { ActivityTitle } from "../../api/model";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { Field } from "../../kit/Field";
+import { Form } from "../../kit/Form";
+import { useAct } from "../../kit/requests/act";
+import { FaultLine } from "../../kit/requests/FaultLine";
+import { Select, type SelectOption } from "../../kit/Select";
+import { asTeacher } from "../../shell/teacher/teacher_session";
+import { TEST } from "../../shell/testids";
+import { useDraft } from "../useDraft";
+
+interface OpenLessonProps {
+  classroom: string;
+  activities: readonly ActivityTitle[];
+  /** There is an open lesson; opening this one closes it. */
+  another: boolean;
+  onOpened(): Promise<void>;
+}
+
+/** Opens a lesson with a title and, if wanted, an activity. */
+export function OpenLesson({ classroom, activities, another, onOpened }: OpenLessonProps) {
+  const { lessons: say } = texts.value.teacher;
+  const [activity, setActivity] = useState("");
+  const { busy, fault, act, refuse, clear } = useAct(asTeacher);
+  const { draft, field, reset } = useDraft({ title: "" }, clear);
+  const options = activities.map(({ name, title }): SelectOption<string> => [name, title]);
+  const open = async () => {
+    await classesApi.openLesson(classroom, { title: draft.title, activity: activity || null });
+    await onOpened();
+  };
+  const submit = async () => {
+    if (!draft.title.trim()) refuse(say.nameMissing);
+    else if (await act(open)) reset();
+  };
+  return (
+    <Form class="open-lesson" onSubmit={submit}>
+      <h2>{another ? say.openAnother : say.open}</h2>
+      <div class="teacher__row">
+        <Field
+          label={say.name}
+          placeholder={say.namePlaceholder}
+          maxLength={60}
+          data-testid={TEST.lessonTitle}
+          {...field("title")}
+        />
+        <label class="labelled">
+          <span class="labelled__label">{say.activity}</span>
+          <Select
+            value={activity}
+            testId={TEST.lessonActivity}
+            options={[["", say.noActivity], ...options]}
+            onChange={(name) => setActivity(name)}
+          />
+        </label>
+        <Button submit kind="main" icon={Play} busy={busy} testId={TEST.openLesson}>
+          {say.go}
+        </Button>
+      </div>
+      <FaultLine fault={fault} />
+      <p class="labelled__hint">{say.same}</p>
+    </Form>
+  );
+}

@@ -1,0 +1,31 @@
+import { RefreshCw } from "lucide-preact";
+import { language, texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { TEST } from "../../shell/testids";
+import { timeOfDay } from "../time_words";
+
+interface RefreshProps {
+  /** The time of the last load. */
+  at: Date;
+  busy: boolean;
+  onRefresh(): Promise<void>;
+}
+
+/** Loads again, and shows the time of the last load. */
+export function Refresh({ at, busy, onRefresh }: RefreshProps) {
+  const { refresh: say } = texts.value.review;
+  return (
+    <Button
+      class="refresh"
+      icon={RefreshCw}
+      tip={say.help}
+      busy={busy}
+      testId={TEST.reviewRefresh}
+      data-at={at.toISOString()}
+      onPress={onRefresh}
+    >
+      {say.again}{" "}
+      <span class="refresh__at">{say.at(timeOfDay(at.toISOString(), language.value))}</span>
+    </Button>
+  );
+}

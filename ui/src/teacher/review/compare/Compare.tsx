@@ -1,0 +1,102 @@
+import { type Signal, useComputed, useSignal } from "@preact/signals";
+import { ArrowLeft } from "lucide-preact";
+import type { Group } from "../../../api/model";
+import { texts } from "../../../i18n";
+import { Choice } from "../../../kit/Choice";
+import { LinkButton } from "../../../kit/LinkButton";
+import { Transport } from "../../../replay/Transport";
+import type { Companion } from "../../../scene/companion";
+import { Scene } from "../../../scene/Scene";
+import { hashOf } from "../../../shell/route";
+import { reviewOrigin } from "../../../shell/teacher/review_origin";
+import { TEST } from "../../../shell/testids";
+import { ComparedRun } from "./ComparedRun";
+import type { Pair } from "./pair";
+
+type View = "apart" | "together";
+
+interface CompareProps {
+  pair: Pair;
+  groups: readonly Group[];
+}
+
+/** Two runs on two floors or on one, and the controls of their clock. */
+export function Compare({ pair, groups }: CompareProps) {
+  const view = useSignal<View>("apart");
+  const isTogether = view.value === "together";
+  return (
+    <main class={`screen replay compare compare--${view.value}`} data-testid={TEST.comparePage}>
+      <Head pair={pair} view={view} />
+      {isTogether && <OneFloor pair={pair} />}
+      {pair.sides.map((side, index) => (
+        <ComparedRun
+          key={side.recording.run.id + index}
+          side={side}
+          number={index + 1}
+          groups={groups}
+          together={isTogether}
+        />
+      ))}
+      <Transport
+        playback={pair.playback}
+        tracks={pair.sides.map(({ recording }) => recording.stretches)}
+      />
+    </main>
+  );
+}
+
+interface HeadProps {
+  pair: Pair;
+  view: Signal<View>;
+}
+
+function Head({ pair, view }: HeadProps) {
+  const { compare: say } = texts.value.review;
+  const from = reviewOrigin.value ?? { screen: "runs" };
+  const back = from.screen === "runs" ? say.back : texts.value.header.backToLesson;
+  const [first, second] = pair.sides.map(({ recording }) => recording.run.world_document?.name);
+  return (
+    <div class="review-head compare__head">
+      <LinkButton icon={ArrowLeft} label={back} href={hashOf(from)} />
+      <h1>{say.title}</h1>
+      {/* on one floor the second path may lie where its own walls never stood */}
+      {view.value === "together" && first !== second && (
+        <p class="compare__elsewhere">{say.otherWorld}</p>
+      )}
+      <Choice<View>
+        class="switch"
+        label={say.view}
+        legendClass="switch__word"
+        optionClass=""
+        testId={TEST.compareView}
+        value={view.value}
+        options={[
+          ["apart", say.apart],
+          ["together", say.together],
+        ]}
+        onChange={(chosen) => {
+          view.value = chosen;
+        }}
+      />
+    </div>
+  );
+}
+
+function OneFloor({ pair: { sides } }: { pair: Pair }) {
+  const [first, second] = sides;
+  const companion = useComputed<Companion>(() => ({
+    world: second.recording.run.world_document,
+    view: second.view.value,
+    pose: second.pose,
+  }));
+  return (
+    <div class="compare__floor">
+      <Scene
+        world={first.recording.run.world_document}
+        view={first.view}
+        poseAt={first.pose}
+        companion={companion}
+      />
+    </div>
+  );
+}

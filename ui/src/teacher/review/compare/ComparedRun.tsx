@@ -1,0 +1,92 @@
+import type { Group } from "../../../api/model";
+import { language, texts } from "../../../i18n";
+import { duration } from "../../../i18n/format";
+import { GroupPicture } from "../../../kit/pictures/GroupPicture";
+import { ReplayWords } from "../../../replay/ReplayParts";
+import { Readout } from "../../../run/panels/Readout";
+import { Scene } from "../../../scene/Scene";
+import { TEST } from "../../../shell/testids";
+import { outcomeOf } from "../model";
+import { OutcomeSign } from "../OutcomeSign";
+import type { Side } from "./pair";
+import { SideBlocks } from "./SideBlocks";
+
+interface ComparedRunProps {
+  side: Side;
+  number: number;
+  groups: readonly Group[];
+  together: boolean;
+}
+
+/** One of two runs: its group, floor, blocks, and where the robot is. */
+export function ComparedRun({ side, number, groups, together }: ComparedRunProps) {
+  const { compare } = texts.value.review;
+  const { run } = side.recording;
+  const group = groups.find(({ id }) => id === run.group_id);
+  const title = [group?.name, run.program_name].filter(Boolean).join(" · ");
+  return (
+    <section
+      class={`compare__side compare__side--${number} tinted`}
+      style={group ? { "--group": group.color } : {}}
+      aria-label={`${number}: ${title}`}
+      data-testid={TEST.compareSide}
+      data-phase={side.view.value.phase}
+      data-tick={side.view.value.tick}
+    >
+      <RunHead side={side} group={group} number={number} swatch={together} />
+      {!together && (
+        <div class="compare__scene">
+          <Scene world={run.world_document} view={side.view} poseAt={side.pose} />
+        </div>
+      )}
+      <ReplayWords run={run} view={side.view} />
+      <div class="compare__blocks">
+        <SideBlocks
+          key={String(together)}
+          side={side}
+          number={number}
+          label={compare.blocksOf(`${number}: ${title}`)}
+        />
+      </div>
+      <div class="floor__foot card" title={compare.pathOf(title)}>
+        <Readout view={side.view} />
+      </div>
+    </section>
+  );
+}
+
+interface RunHeadProps {
+  side: Side;
+  group: Group | undefined;
+  number: number;
+  /** Shows how its path is drawn on the one floor. */
+  swatch: boolean;
+}
+
+function RunHead({ side, group, number, swatch }: RunHeadProps) {
+  const { outcomes, runs } = texts.value.review;
+  const { run } = side.recording;
+  const outcome = outcomeOf(run);
+  const took = run.duration_s === null ? "" : ` · ${duration(run.duration_s, language.value)}`;
+  return (
+    <h2 class="compare__title">
+      <GroupPicture name={group?.picture ?? ""} class="compare__picture" />
+      <span class="compare__name">{group?.name ?? runs.commandLine}</span>
+      <span class="compare__program">{run.program_name}</span>
+      <span class="compare__outcome">
+        <OutcomeSign outcome={outcome} />
+        {outcomes[outcome]}
+        {took}
+      </span>
+      {swatch && (
+        <svg
+          class={`compare__swatch compare__swatch--${number}`}
+          viewBox="0 0 36 8"
+          aria-hidden="true"
+        >
+          <path d="M2 4h32" />
+        </svg>
+      )}
+    </h2>
+  );
+}

@@ -1,0 +1,28 @@
+import type { BlockCount } from "../../../api/model";
+import { language, texts } from "../../../i18n";
+import { categoryOfType, hueOf } from "../marks/block_kinds";
+import { blockName } from "../marks/difference_words";
+
+interface BlockChipsProps {
+  blocks: readonly BlockCount[];
+}
+
+/** Every type of block in use, with its words. */
+export function BlockChips({ blocks }: BlockChipsProps) {
+  const { detail } = texts.value.review;
+  if (blocks.length === 0) return <p class="detail__none">{detail.noBlocks}</p>;
+  return (
+    <ul class="chips">
+      {blocks.map(({ type, count, loose }) => {
+        const category = categoryOfType(type);
+        const more = loose > 0 ? ` (${detail.loose(loose)})` : "";
+        return (
+          <li key={type} class="chip" style={category ? hueOf(category) : {}}>
+            {blockName(type, language.value)} <b>{count}</b>
+            {more}
+          </li>
+        );
+      })}
+    </ul>
+  );
+}

@@ -1,0 +1,34 @@
+import type { GroupReview } from "../../../api/model";
+import { texts } from "../../../i18n";
+import { TEST } from "../../../shell/testids";
+import type { MarkBook } from "../marks/mark_words";
+import { BlockChips } from "./BlockChips";
+import { RunLine } from "./RunLine";
+
+interface GroupDetailProps {
+  review: GroupReview;
+  book: MarkBook;
+}
+
+/** The runs of a group in words, and the blocks that it used. */
+export function GroupDetail({ review, book }: GroupDetailProps) {
+  const { detail } = texts.value.review;
+  const runs = review.marks.filter(({ kind }) => kind === "run");
+  return (
+    <div class="detail" data-testid={TEST.reviewDetail}>
+      <div class="detail__runs">
+        <h2 class="detail__title">{detail.runs}</h2>
+        {runs.length === 0 && <p class="detail__none">{detail.noRuns}</p>}
+        <ol>
+          {runs.map((mark) => (
+            <RunLine key={mark.run_id} mark={mark} book={book} />
+          ))}
+        </ol>
+      </div>
+      <div class="detail__blocks">
+        <h2 class="detail__title">{detail.blocks}</h2>
+        <BlockChips blocks={review.blocks} />
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,76 @@
+import type { ComponentChildren } from "preact";
+import { useEffect } from "preact/hooks";
+import { language, texts } from "../../../i18n";
+import { Loaded } from "../../../kit/requests/Loaded";
+import { useScrollPlace } from "../../../kit/scroll_place";
+import { TEST } from "../../../shell/testids";
+import { RequireTeacher } from "../../sign_in/RequireTeacher";
+import { useTeacherLoaded } from "../../useTeacherLoaded";
+import { EmptyList } from "../EmptyList";
+import { TipBubble } from "../marks/TipBubble";
+import { Refresh } from "../Refresh";
+import { Explanations } from "./Explanations";
+import { GroupList } from "./GroupList";
+import { Legend } from "./Legend";
+import { LessonHead } from "./LessonHead";
+import { placeOf } from "./lesson_place";
+import { type LessonPage, loadLesson } from "./load_lesson";
+
+/** The review of a lesson: a timeline for each group. */
+export function LessonScreen({ lesson }: { lesson: string }) {
+  return (
+    <RequireTeacher>
+      <LoadedLesson lessonId={lesson} />
+    </RequireTeacher>
+  );
+}
+
+function LoadedLesson({ lessonId }: { lessonId: string }) {
+  const page = useTeacherLoaded(`${lessonId} ${language.value}`, () => loadLesson(lessonId));
+  useEffect(() => {
+    document.documentElement.dataset.page = "lesson"; // for print.css
+    return () => {
+      delete document.documentElement.dataset.page;
+    };
+  }, []);
+  return (
+    <Loaded of={page} as="screen" loading={texts.value.review.lesson.opening}>
+      {(value, { at, busy }) => (
+        <Lesson page={value} refresh={<Refresh at={at} busy={busy} onRefresh={page.again} />} />
+      )}
+    </Loaded>
+  );
+}
+
+interface LessonProps {
+  page: LessonPage;
+  refresh: ComponentChildren;
+}
+
+function Lesson({ page, refresh }: LessonProps) {
+  const { lesson: say } = texts.value.review;
+  const { groups, lesson } = page.review;
+  const place = placeOf(lesson.id);
+  const main = useScrollPlace(place, true);
+  const hasRuns = groups.some(({ figures }) => figures.n_runs > 0);
+  return (
+    <main class="screen lesson" ref={main} data-testid={TEST.lessonPage}>
+      <LessonHead page={page} timeOf={place.timeOf} refresh={refresh} />
+      {groups.length === 0 ? (
+        <EmptyList title={say.emptyTitle} text={say.empty} testId={TEST.lessonEmpty} />
+      ) : (
+        <>
+          <Legend />
+          {!hasRuns && (
+            <p class="review-empty review-empty--low">
+              <strong>{say.noRunsTitle}.</strong> {say.noRuns}
+            </p>
+          )}
+          <GroupList review={page.review} place={place} />
+          <Explanations />
+        </>
+      )}
+      <TipBubble />
+    </main>
+  );
+}

@@ -1,0 +1,78 @@
+import { GitCompareArrows, Play } from "lucide-preact";
+import type { ReviewMark } from "../../../api/model";
+import { reviewApi } from "../../../api/review";
+import { texts } from "../../../i18n";
+import { LinkButton } from "../../../kit/LinkButton";
+import { Loaded } from "../../../kit/requests/Loaded";
+import { useLoaded } from "../../../kit/requests/useLoaded";
+import { hashOf } from "../../../shell/route";
+import { TEST } from "../../../shell/testids";
+import { changesInWords, facts, type MarkBook, runTitle } from "../marks/mark_words";
+import { differenceOf } from "../marks/version_differences";
+import { outcomeOf } from "../model";
+import { OutcomeSign } from "../OutcomeSign";
+
+interface RunLineProps {
+  mark: ReviewMark;
+  book: MarkBook;
+}
+
+/** A run in words: how it ended, what was changed to repair another, its notes, and the ways to look at it. */
+export function RunLine({ mark, book }: RunLineProps) {
+  const { detail } = texts.value.review;
+  const outcome = outcomeOf(mark);
+  if (!mark.run_id) return null;
+  return (
+    <li class="run-line" data-testid={TEST.reviewRun} data-outcome={outcome}>
+      <OutcomeSign outcome={outcome} />
+      <div class="run-line__words">
+        <p>
+          <b>{runTitle(mark, book)}</b> <span class="run-line__facts">{facts(mark, book)}</span>
+        </p>
+        {mark.message && outcome !== "stopped" && <p>{mark.message}</p>}
+        <Repair mark={mark} book={book} />
+        <Notes run={mark.run_id} />
+      </div>
+      <div class="run-line__links">
+        {mark.repairs && (
+          <LinkButton
+            icon={GitCompareArrows}
+            label={detail.compare(book.numberOf(mark.repairs))}
+            href={hashOf({ screen: "compare", first: mark.repairs, second: mark.run_id })}
+          />
+        )}
+        <LinkButton icon={Play} href={hashOf({ screen: "replay", run: mark.run_id })}>
+          {detail.replay}
+        </LinkButton>
+      </div>
+    </li>
+  );
+}
+
+/** What was changed between the run that failed and this one. */
+function Repair({ mark, book }: RunLineProps) {
+  const { line } = texts.value.review;
+  if (!mark.repairs) return null;
+  const changes = changesInWords(mark, differenceOf(mark));
+  return (
+    <p class="run-line__repair" data-testid={TEST.reviewRepair}>
+      {line.repairs(book.numberOf(mark.repairs))}{" "}
+      {changes.length > 0 && `${line.between} ${changes.join("; ")}.`}
+    </p>
+  );
+}
+
+function Notes({ run }: { run: string }) {
+  const notes = useLoaded(run, () => reviewApi.notes(run));
+  return (
+    <Loaded of={notes}>
+      {(found) =>
+        found.map((note) => (
+          <p key={note.id} class="run-line__note">
+            <b>{texts.value.review.detail.note}:</b> {note.text}
+          </p>
+        ))
+      }
+    </Loaded>
+  );
+}

@@ -1,0 +1,35 @@
+import { classesApi, NO_CLASS } from "../../../api/classes";
+import type { LessonReview } from "../../../api/model";
+import { reviewApi } from "../../../api/review";
+import { language } from "../../../i18n";
+import { toldApart } from "../../../shell/namesakes";
+
+/** A lesson with those that were joined to it. */
+export interface LessonPage {
+  review: LessonReview;
+  /** Its name; null for groups without a class. */
+  classroom: string | null;
+  /** Their titles. */
+  activities: readonly string[];
+}
+
+/** The review of a lesson, with names in the language of the page. */
+export async function loadLesson(id: string): Promise<LessonPage> {
+  const review = await reviewApi.lesson(id);
+  const { id: whole, classroom_id } = review.lesson;
+  const [classrooms, activities, lessons] = await Promise.all([
+    classesApi.classrooms(),
+    classesApi.activities(),
+    classesApi.lessons(classroom_id ?? NO_CLASS),
+  ]);
+  const parts = lessons.filter((one) => one.part_of === whole);
+  const named = [review.lesson, ...parts].flatMap(({ activity }) => activity ?? []);
+  const classroom = toldApart(classrooms, language.value).find((one) => one.id === classroom_id);
+  return {
+    review,
+    classroom: classroom?.name ?? null,
+    activities: [...new Set(named)].map(
+      (name) => activities.find((one) => one.name === name)?.title ?? name,
+    ),
+  };
+}

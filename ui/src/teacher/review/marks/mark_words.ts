@@ -1,0 +1,111 @@
+import type { ReviewMark, VersionDifference } from "../../../api/model";
+import { language, texts } from "../../../i18n";
+import { duration } from "../../../i18n/format";
+import { roundDuration, timeOfDay } from "../../time_words";
+import { shortDay } from "../days";
+import { outcomeOf } from "../model";
+import { countsInWords, differenceInWords } from "./difference_words";
+
+/** The marks of a group, with the numbers of its runs and which run repaired which. */
+export class MarkBook {
+  private readonly numbers = new Map<string, number>();
+  private readonly repairedBy = new Map<string, ReviewMark>();
+
+  /** `withDays`: the lesson went on over several days, so times of day need their day. */
+  constructor(
+    readonly marks: readonly ReviewMark[],
+    readonly withDays = false,
+  ) {
+    for (const mark of marks) {
+      if (mark.run_id) this.numbers.set(mark.run_id, this.numbers.size + 1);
+      if (mark.repairs) this.repairedBy.set(mark.repairs, mark);
+    }
+  }
+
+  /** The number of a run within its group, from 1. */
+  numberOf(run: string | null): number {
+    return this.numbers.get(run ?? "") ?? 0;
+  }
+
+  /** The run that repaired this one, if there is one. */
+  repairOf(mark: ReviewMark): ReviewMark | null {
+    return (mark.run_id && this.repairedBy.get(mark.run_id)) || null;
+  }
+
+  /** The mark whose versions tell what was changed: for a failing run the run that repaired it. */
+  changeOf(mark: ReviewMark): ReviewMark | null {
+    const telling = this.repairOf(mark) ?? mark;
+    return telling.changes ? telling : null;
+  }
+}
+
+/** What a mark is, in words. */
+export interface MarkWords {
+  readonly title: string;
+  readonly lines: readonly string[];
+}
+
+/** `difference`: between the versions that `book.changeOf(mark)` names, null while it is not known. */
+export function wordsOf(
+  mark: ReviewMark,
+  book: MarkBook,
+  difference: VersionDifference | null,
+): MarkWords {
+  const isRun = mark.kind === "run";
+  const changed = book.changeOf(mark);
+  const changes = changed ? changesInWords(changed, difference).join("; ") : "";
+  const begin = `${texts.value.review.line.between} `;
+  return {
+    title: isRun ? runTitle(mark, book) : editsTitle(mark),
+    lines: [
+      ...(isRun ? aboutRun(mark, book) : [facts(mark, book)]),
+      changes && `${isRun ? begin + changes : capital(changes)}.`,
+    ].filter(Boolean),
+  };
+}
+
+/** The number of a run and how it ended. */
+export function runTitle(mark: ReviewMark, book: MarkBook): string {
+  const { line, outcomes } = texts.value.review;
+  return `${line.run(book.numberOf(mark.run_id))}: ${outcomes[outcomeOf(mark)]}`;
+}
+
+function editsTitle(mark: ReviewMark): string {
+  const { line } = texts.value.review;
+  const took = mark.until ? (Date.parse(mark.until) - Date.parse(mark.at)) / 1000 : 0;
+  const edits = line.edits(mark.n_edits ?? 0);
+  return took >= 1 ? `${edits} ${line.within(roundDuration(took, language.value))}` : edits;
+}
+
+function aboutRun(mark: ReviewMark, book: MarkBook): string[] {
+  const { line } = texts.value.review;
+  const repair = book.repairOf(mark);
+  return [
+    mark.message ?? "",
+    facts(mark, book),
+    mark.repairs ? line.repairs(book.numberOf(mark.repairs)) : "",
+    repair ? line.repairedBy(book.numberOf(repair.run_id)) : "",
+  ];
+}
+
+/** Program, when it was and how long the robot took. */
+export function facts(mark: ReviewMark, book: MarkBook): string {
+  const time = texts.value.review.detail.at(timeOfDay(mark.at, language.value));
+  const day = shortDay(Date.parse(mark.at) / 1000, language.value);
+  return [
+    mark.program_name,
+    book.withDays ? `${day} ${time}` : time,
+    mark.duration_s ? duration(mark.duration_s, language.value) : null,
+  ]
+    .filter(Boolean)
+    .join(" · ");
+}
+
+/** What was changed before a mark: block by block where `difference` is known, else how many blocks. */
+export function changesInWords(mark: ReviewMark, difference: VersionDifference | null): string[] {
+  const { review } = texts.value;
+  if (difference && mark.since) return differenceInWords(difference, review, language.value);
+  return mark.changes ? countsInWords(mark.changes, review) : [];
+}
+
+const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);

@@ -1,0 +1,30 @@
+import { type Signal, signal } from "@preact/signals";
+import type { ReviewMark, VersionDifference } from "../../../api/model";
+import { reviewApi } from "../../../api/review";
+import { report } from "../../../kit/report";
+
+const cache = new Map<string, Signal<VersionDifference | null>>();
+
+/** What was changed up to a mark; null where it changed nothing, and until the server has answered. */
+export function differenceOf(mark: ReviewMark | null): VersionDifference | null {
+  return mark?.since && mark.version_id ? between(mark.since, mark.version_id).value : null;
+}
+
+/** Versions never change: the difference of two is asked for once. */
+function between(from: string, to: string): Signal<VersionDifference | null> {
+  const key = `${from}/${to}`;
+  const known = cache.get(key);
+  if (known) return known;
+  const found = signal<VersionDifference | null>(null);
+  cache.set(key, found);
+  reviewApi.difference(from, to).then(
+    (difference) => {
+      found.value = difference;
+    },
+    (error) => {
+      cache.delete(key);
+      report(error);
+    },
+  );
+  return found;
+}

@@ -1,0 +1,120 @@
+import { useSignal } from "@preact/signals";
+import { Check, StickyNote, Trash2, X } from "lucide-preact";
+import { useEffect, useRef } from "preact/hooks";
+import { texts } from "../../../i18n";
+import { Button } from "../../../kit/Button";
+import { Form } from "../../../kit/Form";
+import { TEST } from "../../../shell/testids";
+import { type NoteEditor, stateInWords } from "./note_editor";
+
+/** As in the database. */
+const LONGEST = 1000;
+
+interface NoteFormProps {
+  editor: NoteEditor;
+}
+
+/** The field for a note, and what can be done with it. */
+export function NoteForm({ editor }: NoteFormProps) {
+  const { note: say } = texts.value.review;
+  const { text, state, open, changed } = editor;
+  const field = useRef<HTMLTextAreaElement>(null);
+  const isDeleting = useSignal(false);
+  const close = () => {
+    open.value = false;
+  };
+  const endDeleting = () => {
+    isDeleting.value = false;
+    field.current?.focus();
+  };
+  return (
+    <Form
+      class="note"
+      testId={TEST.note}
+      data-state={changed ? "changed" : state.value}
+      onSubmit={editor.save}
+    >
+      <label class="note__title" for="teacher-note">
+        <StickyNote class="icon" aria-hidden="true" />
+        {say.title}
+      </label>
+      <Button kind="plain" class="note__close" icon={X} label={say.close} onPress={close} />
+      <textarea
+        ref={field}
+        id="teacher-note"
+        class="note__text"
+        rows={4}
+        maxLength={LONGEST}
+        placeholder={say.placeholder}
+        aria-describedby="teacher-note-help"
+        value={text.value}
+        data-testid={TEST.noteText}
+        onInput={(event) => editor.write(event.currentTarget.value)}
+      />
+      <p class="note__help" id="teacher-note-help" role="status">
+        {isDeleting.value ? say.deleteHelp : stateInWords(editor)}
+      </p>
+      {isDeleting.value ? (
+        <ConfirmDelete onConfirm={() => editor.remove().then(endDeleting)} onCancel={endDeleting} />
+      ) : (
+        <NoteButtons
+          editor={editor}
+          onDelete={() => {
+            isDeleting.value = true;
+          }}
+        />
+      )}
+    </Form>
+  );
+}
+
+interface NoteButtonsProps extends NoteFormProps {
+  onDelete(): void;
+}
+
+function NoteButtons({ editor, onDelete }: NoteButtonsProps) {
+  const { note: say } = texts.value.review;
+  const { note, text, state, changed } = editor;
+  const busy = state.value === "saving";
+  return (
+    <div class="note__buttons">
+      {note.value && (
+        <Button icon={Trash2} busy={busy} testId={TEST.noteDelete} onPress={onDelete}>
+          {say.delete}
+        </Button>
+      )}
+      <Button
+        submit
+        kind="main"
+        icon={Check}
+        busy={busy}
+        disabled={!changed || !text.value.trim()}
+        testId={TEST.noteSave}
+      >
+        {note.value ? say.change : say.save}
+      </Button>
+    </div>
+  );
+}
+
+interface ConfirmDeleteProps {
+  onConfirm(): Promise<void>;
+  onCancel(): void;
+}
+
+/** A deleted note cannot be restored: deleting takes two presses. */
+function ConfirmDelete({ onConfirm, onCancel }: ConfirmDeleteProps) {
+  const { note: say } = texts.value.review;
+  const cancel = useRef<HTMLButtonElement>(null);
+  useEffect(() => cancel.current?.focus(), []);
+  return (
+    <div class="note__buttons">
+      <Button elementRef={cancel} onPress={onCancel}>
+        {say.keep}
+      </Button>
+      <Button kind="stop" icon={Trash2} testId={TEST.noteDeleteSure} onPress={onConfirm}>
+        {say.deleteSure}
+      </Button>
+    </div>
+  );
+}

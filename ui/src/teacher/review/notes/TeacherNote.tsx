@@ -1,0 +1,45 @@
+import { StickyNote } from "lucide-preact";
+import type { Note } from "../../../api/model";
+import { reviewApi } from "../../../api/review";
+import { texts } from "../../../i18n";
+import { Button } from "../../../kit/Button";
+import { Loaded } from "../../../kit/requests/Loaded";
+import { useLoaded } from "../../../kit/requests/useLoaded";
+import { TEST } from "../../../shell/testids";
+import { NoteForm } from "./NoteForm";
+import { useNoteEditor } from "./note_editor";
+
+interface TeacherNoteProps {
+  run: string;
+}
+
+/** The teacher's note about a run: written, changed, deleted. The group reads it the next time it comes in. */
+export function TeacherNote({ run }: TeacherNoteProps) {
+  const notes = useLoaded(run, () => reviewApi.notes(run));
+  return (
+    <Loaded of={notes}>
+      {(found) => <LastNote key={run} run={run} last={found.at(-1) ?? null} />}
+    </Loaded>
+  );
+}
+
+interface LastNoteProps extends TeacherNoteProps {
+  last: Note | null;
+}
+
+function LastNote({ run, last }: LastNoteProps) {
+  const { note: say } = texts.value.review;
+  const editor = useNoteEditor(run, last);
+  const { open, text, changed } = editor;
+  const show = () => {
+    open.value = true;
+  };
+  if (open.value) return <NoteForm editor={editor} />;
+  return (
+    <div class="note note--shut">
+      <Button icon={StickyNote} testId={TEST.noteOpen} onPress={show}>
+        {changed && text.value.trim() ? say.unsent : say.title}
+      </Button>
+    </div>
+  );
+}

@@ -1,0 +1,40 @@
+import type { Signal } from "@preact/signals";
+import { Columns2, X } from "lucide-preact";
+import type { HistoryRun } from "../../../api/model";
+import { texts } from "../../../i18n";
+import { Button } from "../../../kit/Button";
+import { LinkButton } from "../../../kit/LinkButton";
+import { hashOf } from "../../../shell/route";
+import { TEST } from "../../../shell/testids";
+
+interface ChosenRunsProps {
+  chosen: Signal<readonly HistoryRun[]>;
+}
+
+/** The runs chosen for side by side, at the bottom of the screen. */
+export function ChosenRuns({ chosen }: ChosenRunsProps) {
+  const { runs: say } = texts.value.review;
+  const [first, second] = chosen.value;
+  const forget = () => {
+    chosen.value = [];
+  };
+  if (!first) return null;
+  return (
+    <div class="runs__chosen card" role="status">
+      <span>{second ? say.twoChosen : say.oneChosen}</span>
+      <Button icon={X} onPress={forget}>
+        {say.forget}
+      </Button>
+      {second && (
+        <LinkButton
+          kind="main"
+          icon={Columns2}
+          href={hashOf({ screen: "compare", first: first.id, second: second.id })}
+          testId={TEST.compareOpen}
+        >
+          {say.compare}
+        </LinkButton>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,118 @@
+import type { Signal } from "@preact/signals";
+import { FilterX } from "lucide-preact";
+import { NO_CLASS } from "../../../api/classes";
+import type { RunFilter } from "../../../api/review";
+import { language, texts } from "../../../i18n";
+import { Button } from "../../../kit/Button";
+import { Select, type SelectOption } from "../../../kit/Select";
+import { toldApart } from "../../../shell/namesakes";
+import { TEST } from "../../../shell/testids";
+import { type FilterChoices, NO_FILTER } from "./run_list";
+
+const OUTCOMES = ["passed", "not_passed", "finished", "stopped", "failed"] as const;
+
+type Options = readonly SelectOption<string>[];
+
+interface RunFiltersProps {
+  filter: Signal<RunFilter>;
+  choices: FilterChoices;
+}
+
+/** Class, group, activity, day and outcome. */
+export function RunFilters({ filter, choices }: RunFiltersProps) {
+  const { runs: say } = texts.value.review;
+  const props = { filter, all: say.all };
+  const clear = () => {
+    filter.value = NO_FILTER;
+  };
+  return (
+    <div class="filters">
+      <SelectFilter {...props} name="classroom" options={classOptions(choices)} />
+      <SelectFilter
+        {...props}
+        name="group"
+        all={say.allGroups}
+        options={groupOptions(choices, filter.value.classroom)}
+      />
+      <SelectFilter
+        {...props}
+        name="activity"
+        options={choices.activities.map(({ name, title }) => [name, title])}
+      />
+      <DayFilter filter={filter} />
+      <SelectFilter
+        {...props}
+        name="outcome"
+        all={say.allGroups}
+        options={OUTCOMES.map((name) => [name, say.outcomes[name]])}
+      />
+      {Object.values(filter.value).some(Boolean) && (
+        <Button icon={FilterX} onPress={clear}>
+          {say.clear}
+        </Button>
+      )}
+    </div>
+  );
+}
+
+const classOptions = ({ classes }: FilterChoices): Options => [
+  ...toldApart(classes, language.value).map(({ id, name }) => [id, name] as const),
+  [NO_CLASS, texts.value.review.lesson.noClass],
+];
+
+function groupOptions({ groups }: FilterChoices, classroom: string): Options {
+  return groups
+    .filter(({ classroom_id }) => !classroom || (classroom_id ?? NO_CLASS) === classroom)
+    .map(({ id, name }) => [id, name] as const)
+    .sort(([, a], [, b]) => a.localeCompare(b, language.value, { numeric: true }));
+}
+
+interface SelectFilterProps {
+  filter: Signal<RunFilter>;
+  name: Exclude<keyof RunFilter, "day">;
+  /** The words for no choice. */
+  all: string;
+  options: Options;
+}
+
+function SelectFilter({ filter, name, all, options }: SelectFilterProps) {
+  const value = filter.value[name];
+  return (
+    <label class="filters__one">
+      <span>{texts.value.review.runs[name]}</span>
+      <Select
+        class="filters__select"
+        value={value}
+        options={[["", all], ...options]}
+        testId={TEST.historyFilter}
+        data-name={name}
+        data-on={value !== ""}
+        onChange={(chosen) => {
+          // groups are those of the class
+          const group = name === "classroom" ? { group: "" } : {};
+          filter.value = { ...filter.value, ...group, [name]: chosen };
+        }}
+      />
+    </label>
+  );
+}
+
+function DayFilter({ filter }: Pick<RunFiltersProps, "filter">) {
+  const { day } = filter.value;
+  return (
+    <label class="filters__one">
+      <span>{texts.value.review.runs.day}</span>
+      <input
+        type="date"
+        class="filters__day"
+        value={day}
+        data-testid={TEST.historyFilter}
+        data-name="day"
+        data-on={day !== ""}
+        onChange={(event) => {
+          filter.value = { ...filter.value, day: event.currentTarget.value };
+        }}
+      />
+    </label>
+  );
+}

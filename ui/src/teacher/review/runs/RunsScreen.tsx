@@ -1,0 +1,83 @@
+import { language, texts } from "../../../i18n";
+import { Button } from "../../../kit/Button";
+import { Loaded } from "../../../kit/requests/Loaded";
+import { useScrollPlace } from "../../../kit/scroll_place";
+import { TEST } from "../../../shell/testids";
+import { RequireTeacher } from "../../sign_in/RequireTeacher";
+import { useTeacherLoaded } from "../../useTeacherLoaded";
+import { BackToLessons } from "../BackToLessons";
+import { EmptyList } from "../EmptyList";
+import { Refresh } from "../Refresh";
+import { ChosenRuns } from "./ChosenRuns";
+import { HistoryCard } from "./HistoryCard";
+import { RunFilters } from "./RunFilters";
+import { chosen, filter, left, loadFilterChoices, type RunPage, useRunList } from "./run_list";
+
+/** Runs of all groups, newest first. */
+export function RunsScreen() {
+  return (
+    <RequireTeacher>
+      <Runs />
+    </RequireTeacher>
+  );
+}
+
+function Runs() {
+  const { runs: say } = texts.value.review;
+  const { list, older } = useRunList();
+  const choices = useTeacherLoaded(language.value, loadFilterChoices);
+  const main = useScrollPlace(left, list.status === "ready");
+  return (
+    <main class="screen runs" ref={main} data-testid={TEST.historyPage}>
+      <div class="review-head runs__head">
+        <BackToLessons />
+        <h1>{say.title}</h1>
+        <p>{say.help}</p>
+        {list.status === "ready" && (
+          <Refresh at={list.at} busy={list.busy} onRefresh={list.again} />
+        )}
+      </div>
+      <Loaded of={choices}>{(found) => <RunFilters filter={filter} choices={found} />}</Loaded>
+      <Loaded of={list}>
+        {(page, { busy }) => <RunCards page={page} busy={busy} onOlder={older} />}
+      </Loaded>
+      <ChosenRuns chosen={chosen} />
+    </main>
+  );
+}
+
+interface RunCardsProps {
+  page: RunPage;
+  busy: boolean;
+  onOlder(): Promise<void>;
+}
+
+function RunCards({ page: { runs, next }, busy, onOlder }: RunCardsProps) {
+  const { runs: say } = texts.value.review;
+  if (runs.length === 0) {
+    const isFiltered = Object.values(filter.value).some(Boolean);
+    return (
+      <EmptyList
+        title={isFiltered ? say.emptyTitle : say.noneTitle}
+        text={isFiltered ? say.empty : say.none}
+        testId={TEST.historyEmpty}
+      />
+    );
+  }
+  return (
+    <>
+      <ul class="work__cards runs__cards" aria-busy={busy}>
+        {runs.map((run) => (
+          <li key={run.id}>
+            <HistoryCard run={run} chosen={chosen} />
+          </li>
+        ))}
+      </ul>
+      {next && (
+        <Button class="work__older" testId={TEST.historyOlder} onPress={onOlder}>
+          {say.older}
+        </Button>
+      )}
+    </>
+  );
+}

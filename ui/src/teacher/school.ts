@@ -1,0 +1,14 @@
+import { classesApi } from "../api/classes";
+import { api } from "../api/client";
+import type { Classroom, Group } from "../api/model";
+
+/** Classes and groups of the database. */
+export interface School {
+  classes: readonly Classroom[];
+  groups: readonly Group[];
+}
+
+export async function loadSchool(): Promise<School> {
+  const [classes, groups] = await Promise.all([classesApi.classrooms(), api.groups()]);
+  return { classes, groups };
+}

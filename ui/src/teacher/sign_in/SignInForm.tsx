@@ -1,0 +1,98 @@
+import { ArrowLeft, DoorOpen } from "lucide-preact";
+import { useEffect, useRef, useState } from "preact/hooks";
+import { ApiError } from "../../api/errors";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { PinField } from "../../kit/Field";
+import { Form } from "../../kit/Form";
+import { LinkButton } from "../../kit/LinkButton";
+import { useAct } from "../../kit/requests/act";
+import { FaultLine } from "../../kit/requests/FaultLine";
+import { signIn } from "../../shell/teacher/teacher_session";
+import { TEST } from "../../shell/testids";
+
+interface SignInFormProps {
+  /** The teacher was signed in before. */
+  again: boolean;
+}
+
+/** Asks for the PIN; after too many wrong ones counts down the seconds to wait. */
+export function SignInForm({ again }: SignInFormProps) {
+  const { door: say } = texts.value.teacher;
+  const place = useRef<HTMLElement>(null);
+  const focusField = () => place.current?.querySelector("input")?.focus();
+  const { pin, write, left, busy, fault, enter } = useSignIn(focusField);
+  useEffect(focusField, []);
+  return (
+    <main ref={place} class="screen sign-in">
+      <Form class="sign-in__form card" onSubmit={enter}>
+        <h1>{say.title}</h1>
+        <p class="teacher__hint">{again ? say.again : say.hint}</p>
+        <PinField
+          label={say.pin}
+          value={pin}
+          data-testid={TEST.pin}
+          aria-invalid={fault !== null}
+          onText={write}
+        />
+        <FaultLine fault={fault} />
+        {left > 0 && (
+          <p class="notice-box" role="timer" data-testid={TEST.pinWait}>
+            {say.wait(left)}
+          </p>
+        )}
+        <div class="button-row">
+          <Button
+            submit
+            kind="main"
+            icon={DoorOpen}
+            busy={busy}
+            disabled={left > 0}
+            testId={TEST.enterDoor}
+          >
+            {say.enter}
+          </Button>
+          <LinkButton kind="plain" icon={ArrowLeft} href="#/">
+            {say.back}
+          </LinkButton>
+        </div>
+        <p class="labelled__hint">{say.forgotten}</p>
+      </Form>
+    </main>
+  );
+}
+
+/** A PIN that is typed and sent; `onRefused` is called when another try is needed. */
+function useSignIn(onRefused: () => void) {
+  const [pin, setPin] = useState("");
+  const [left, setLeft] = useCountdown();
+  const { busy, fault, act, refuse, clear } = useAct();
+  const startWaiting = (error: unknown) => {
+    const seconds = error instanceof ApiError ? Number(error.params.seconds) : 0;
+    if (!(seconds > 0)) throw error;
+    setLeft(seconds);
+  };
+  const enter = async () => {
+    if (left > 0) return;
+    if (!pin) return refuse(texts.value.teacher.door.empty);
+    await act(() => signIn(pin).catch(startWaiting));
+    setPin("");
+    onRefused();
+  };
+  const write = (text: string) => {
+    setPin(text);
+    clear();
+  };
+  return { pin, write, left, busy, fault, enter };
+}
+
+/** Seconds that run down to 0. */
+function useCountdown() {
+  const [left, setLeft] = useState(0);
+  useEffect(() => {
+    if (left === 0) return;
+    const timer = setTimeout(() => setLeft(left - 1), 1000);
+    return () => clearTimeout(timer);
+  }, [left]);
+  return [left, setLeft] as const;
+}

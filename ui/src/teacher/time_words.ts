@@ -1,0 +1,34 @@
+import type { Language } from "../i18n";
+
+/** Day of the week, day and time, by the clock of this PC; the year unless it is this year. */
+export function dateAndTime(iso: string, language: Language): string {
+  const date = new Date(iso);
+  return date.toLocaleString(language, {
+    weekday: "short",
+    day: "numeric",
+    month: "short",
+    hour: "2-digit",
+    minute: "2-digit",
+    ...(date.getFullYear() !== new Date().getFullYear() && { year: "numeric" }),
+  });
+}
+
+/** The time of day, by the clock of this PC. */
+export function timeOfDay(iso: string, language: Language): string {
+  return new Date(iso).toLocaleTimeString(language, { hour: "numeric", minute: "2-digit" });
+}
+
+/** A duration without fractions of a second: "40 s", "2 min 05 s", "1 h 10 min". */
+export function roundDuration(seconds: number, language: Language): string {
+  const whole = Math.round(seconds);
+  if (whole < 60) return `${whole}\u00a0s`;
+  const minutes = Math.floor(whole / 60);
+  if (minutes < 60) {
+    const rest = whole % 60;
+    return rest && minutes < 10
+      ? `${minutes}\u00a0min ${String(rest).padStart(2, "0")}\u00a0s`
+      : `${minutes}\u00a0min`;
+  }
+  const hours = Math.floor(minutes / 60);
+  return `${hours.toLocaleString(language)}\u00a0h ${String(minutes % 60).padStart(2, "0")}\u00a0min`;
+}

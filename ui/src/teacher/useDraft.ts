@@ -1,0 +1,14 @@
+import { useState } from "preact/hooks";
+
+/** The texts typed into a form. `field(name)` gives the props of a `Field`; typing calls `onTyped` too. */
+export function useDraft<Name extends string>(initial: Record<Name, string>, onTyped: () => void) {
+  const [draft, setDraft] = useState(initial);
+  const field = (name: Name) => ({
+    value: draft[name],
+    onText: (text: string) => {
+      onTyped();
+      setDraft((now) => ({ ...now, [name]: text }));
+    },
+  });
+  return { draft, field, reset: () => setDraft(initial) };
+}

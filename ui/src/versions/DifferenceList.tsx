@@ -1,0 +1,111 @@
+import { ArrowLeft, ChevronDown, ChevronUp } from "lucide-preact";
+import { useEffect, useRef } from "preact/hooks";
+import type { Difference } from "../editor/reader/difference_sign";
+import { texts } from "../i18n";
+import { Button } from "../kit/Button";
+import { LinkButton } from "../kit/LinkButton";
+import { hashOf } from "../shell/route";
+import { TEST } from "../shell/testids";
+import type { ComparedBlocks } from "./compared_blocks";
+import type { Differing } from "./differences";
+import { Sign } from "./Sign";
+
+interface DifferenceListProps {
+  sides: ComparedBlocks;
+  programId: string;
+}
+
+/** The differences, block by block, and the buttons that step through them. */
+export function DifferenceList({ sides, programId }: DifferenceListProps) {
+  const words = texts.value.keeping;
+  const list = sides.list.value;
+  const history = hashOf({
+    screen: "versions",
+    program: programId,
+    version: sides.compared.before.id,
+  });
+  return (
+    <section class="differences__list">
+      <div class="differences__head">
+        <LinkButton icon={ArrowLeft} label={words.backToHistory} href={history} />
+        <h2 data-testid={TEST.differenceCount}>{words.differences(list.length)}</h2>
+        <Button
+          icon={ChevronUp}
+          label={words.previous}
+          disabled={list.length === 0}
+          testId={TEST.differencePrevious}
+          onPress={() => sides.step(-1)}
+        />
+        <Button
+          icon={ChevronDown}
+          label={words.next}
+          disabled={list.length === 0}
+          testId={TEST.differenceNext}
+          onPress={() => sides.step(1)}
+        />
+      </div>
+      {list.length === 0 && sides.drawn.value > 0 && (
+        <p class="differences__none">
+          <strong>{words.nothingDiffers}</strong> {words.nothingDiffersHow}
+        </p>
+      )}
+      <ol class="differences__lines" data-scrolls>
+        {list.map((one, index) => (
+          <DifferenceLine
+            key={`${one.kinds[0]} ${one.block}`}
+            one={one}
+            text={sides.lines.value[index] ?? ""}
+            current={sides.chosen.value === index}
+            onChoose={() => {
+              sides.chosen.value = index;
+            }}
+          />
+        ))}
+      </ol>
+      {list.length > 1 && <p class="differences__keys">{words.keys}</p>}
+    </section>
+  );
+}
+
+interface DifferenceLineProps {
+  one: Differing;
+  text: string;
+  current: boolean;
+  onChoose(): void;
+}
+
+function DifferenceLine({ one, text, current, onChoose }: DifferenceLineProps) {
+  const { kinds } = texts.value.keeping;
+  const line = useRef<HTMLButtonElement>(null);
+  useEffect(() => {
+    if (current) line.current?.scrollIntoView({ block: "nearest" });
+  }, [current]);
+  return (
+    <li>
+      <Button
+        kind="bare"
+        class="differences__line"
+        elementRef={line}
+        current={current}
+        testId={TEST.difference}
+        data-kind={one.kinds[0]}
+        onPress={onChoose}
+      >
+        <span class="differences__signs">
+          {one.kinds.map((kind) => (
+            <Sign key={kind} kind={kind} />
+          ))}
+        </span>
+        <span class="differences__words">
+          <strong>{kindsInWords(one, kinds)}</strong>
+          <span>{text}</span>
+        </span>
+      </Button>
+    </li>
+  );
+}
+
+function kindsInWords(one: Differing, words: Readonly<Record<Difference, string>>): string {
+  const [first = "", ...more] = one.kinds.map((kind) => words[kind]);
+  return [first, ...more.map((word) => word.toLowerCase())].join(", ");
+}

@@ -1,0 +1,81 @@
+import { computed, effect, signal } from "@preact/signals";
+import type { BlocksReader } from "../editor/reader/reader";
+import { texts } from "../i18n";
+import { problem } from "../shell/session";
+import { differenceWords } from "./difference_words";
+import { type Compared, type Differing, differing, kindsOf } from "./differences";
+
+/** The drawn blocks of two versions, their differences, and the selected difference. */
+export class ComparedBlocks {
+  readonly before = signal<BlocksReader | null>(null);
+  readonly after = signal<BlocksReader | null>(null);
+  /** Counts how often both sides were drawn. */
+  readonly drawn = signal(0);
+  /** Index in `list`. */
+  readonly chosen = signal<number | null>(null);
+  /** Sorted from top to bottom of the blocks. */
+  readonly list = computed<Differing[]>(() => {
+    const [first, second] = [this.before.value, this.after.value];
+    if (this.drawn.value === 0 || !first || !second) return [];
+    const height = ({ block, kinds }: Differing) =>
+      (kinds.includes("removed") ? first : second).heightOf(block);
+    return differing(this.compared.difference).sort((one, other) => height(one) - height(other));
+  });
+  /** Text of each difference, read from the blocks, which are redrawn when the language changes. */
+  readonly lines = computed<string[]>(() => {
+    const [first, second] = [this.before.value, this.after.value];
+    const words = texts.value;
+    if (this.drawn.value === 0 || !first || !second) return [];
+    return this.list.value.map((one) => differenceWords(one, first, second, words));
+  });
+  private readonly stopEffects = [effect(() => this.draw()), effect(() => this.point())];
+
+  constructor(readonly compared: Compared) {}
+
+  step(by: number): void {
+    const n = this.list.value.length;
+    if (n === 0) return;
+    const now = this.chosen.peek();
+    this.chosen.value = now === null ? (by > 0 ? 0 : n - 1) : (now + by + n) % n;
+  }
+
+  /** Reads the blocks' texts again. */
+  redraw(): void {
+    this.drawn.value += 1;
+  }
+
+  dispose(): void {
+    for (const stop of this.stopEffects) stop();
+  }
+
+  private draw(): void {
+    const [before, after] = [this.before.value, this.after.value];
+    if (!before || !after) return;
+    const { compared } = this;
+    fill(before, compared.before.workspace);
+    fill(after, compared.after.workspace);
+    // the same scale on both sides
+    const scale = Math.min(before.fittingScale(), after.fittingScale());
+    before.showFromTheStart(scale);
+    after.showFromTheStart(scale);
+    before.mark(new Map(kindsOf(compared.difference, "before")));
+    after.mark(new Map(kindsOf(compared.difference, "after")));
+    this.drawn.value = this.drawn.peek() + 1;
+  }
+
+  private point(): void {
+    const { value: place } = this.chosen;
+    const block = place === null ? null : (this.list.value[place]?.block ?? null);
+    this.before.value?.point(block);
+    this.after.value?.point(block);
+  }
+}
+
+function fill(blocks: BlocksReader, workspace: object): void {
+  try {
+    blocks.load(workspace);
+  } catch {
+    blocks.load({});
+    problem.value = { message: texts.peek().keeping.unreadable, remedy: "" };
+  }
+}

@@ -1,0 +1,124 @@
+import { Check, X } from "lucide-preact";
+import { useState } from "preact/hooks";
+import { classesApi } from "../api/classes";
+import { api } from "../api/client";
+import type { Group } from "../api/model";
+import { texts } from "../i18n";
+import { Button } from "../kit/Button";
+import { Form } from "../kit/Form";
+import { GroupPicture } from "../kit/pictures/GroupPicture";
+import { PictureChoice } from "../kit/pictures/PictureChoice";
+import { COLORS } from "../kit/pictures/pictures";
+import { useAct } from "../kit/requests/act";
+import { FaultLine } from "../kit/requests/FaultLine";
+import { valueIn } from "../kit/requests/load_state";
+import { useLoaded } from "../kit/requests/useLoaded";
+import { group as inHeader } from "../shell/session";
+import { TEST } from "../shell/testids";
+
+const LONGEST = 60;
+
+type Look = Pick<Group, "name" | "color" | "picture">;
+
+/** A group's name, colour and drawing, to be changed. */
+export function GroupForm({ group, onDone }: { group: Group; onDone(): void }) {
+  const { classes, start } = texts.value;
+  const [look, setLook] = useState<Look>(group);
+  const { busy, fault, act, refuse, clear } = useAct();
+  const change = (changes: Partial<Look>) => {
+    clear();
+    setLook({ ...look, ...changes });
+  };
+  const save = async () => {
+    const { name, color, picture } = look;
+    if (!name.trim()) return refuse(start.nameMissing);
+    const done = await act(async () => {
+      const changes = { name, color, ...(picture && { picture }) };
+      inHeader.value = await classesApi.changeGroup(group.id, changes);
+    });
+    if (done) onDone();
+  };
+  return (
+    <Form
+      class="group-form card tinted"
+      style={{ "--group": look.color }}
+      onSubmit={save}
+      onKeyDown={(event) => event.key === "Escape" && onDone()}
+    >
+      <div class="group-form__who">
+        <span class="badge group-head__badge">
+          <GroupPicture name={look.picture} />
+        </span>
+        <NameInput name={look.name} onName={(name) => change({ name })} />
+        <Button submit kind="main" icon={Check} busy={busy} testId={TEST.groupSave}>
+          {classes.save}
+        </Button>
+        <Button kind="plain" icon={X} onPress={onDone}>
+          {classes.cancel}
+        </Button>
+      </div>
+      <FaultLine fault={fault} />
+      <Looks group={group} look={look} onChange={change} />
+    </Form>
+  );
+}
+
+function NameInput({ name, onName }: { name: string; onName(name: string): void }) {
+  return (
+    <input
+      class="field group-form__name"
+      aria-label={texts.value.start.nameLabel}
+      maxLength={LONGEST}
+      autocomplete="off"
+      spellcheck={false}
+      value={name}
+      data-testid={TEST.groupName}
+      onInput={(event) => onName(event.currentTarget.value)}
+    />
+  );
+}
+
+interface LooksProps {
+  group: Group;
+  look: Look;
+  onChange(changes: Partial<Look>): void;
+}
+
+function Looks({ group, look, onChange }: LooksProps) {
+  const groups = useLoaded(group.id, () => api.groups());
+  const taken = (valueIn(groups) ?? [])
+    .filter((one) => one.id !== group.id && one.classroom_id === group.classroom_id)
+    .map((one) => one.picture);
+  return (
+    <div class="group-form__looks">
+      <PictureChoice
+        chosen={look.picture}
+        taken={taken}
+        onChoose={(picture) => onChange({ picture })}
+      />
+      <ColorChoice chosen={look.color} onChoose={(color) => onChange({ color })} />
+    </div>
+  );
+}
+
+function ColorChoice({ chosen, onChoose }: { chosen: string; onChoose(color: string): void }) {
+  const { classes } = texts.value;
+  return (
+    <fieldset class="pictures group-form__colors">
+      <legend class="visually-hidden">{classes.color}</legend>
+      {COLORS.map((one, index) => (
+        <label key={one} class="pictures__one" data-testid={TEST.groupColor} data-color={one}>
+          <input
+            type="radio"
+            class="visually-hidden"
+            name="group-color"
+            aria-label={classes.colorNumber(index + 1)}
+            checked={one === chosen}
+            onChange={() => onChoose(one)}
+          />
+          <span class="group-form__color" style={{ background: one }} />
+        </label>
+      ))}
+    </fieldset>
+  );
+}

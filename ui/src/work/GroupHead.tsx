@@ -1,0 +1,31 @@
+import { Pencil } from "lucide-preact";
+import { useState } from "preact/hooks";
+import type { Group } from "../api/model";
+import { texts } from "../i18n";
+import { Button } from "../kit/Button";
+import { GroupPicture } from "../kit/pictures/GroupPicture";
+import { TEST } from "../shell/testids";
+import { GroupForm } from "./GroupForm";
+
+/** Who this work is by; the pencil changes name, colour and drawing. */
+export function GroupHead({ group }: { group: Group }) {
+  const [editing, setEditing] = useState(false);
+  if (editing) return <GroupForm group={group} onDone={() => setEditing(false)} />;
+  return (
+    <div class="group-head tinted" style={{ "--group": group.color }}>
+      <span class="badge group-head__badge">
+        <GroupPicture name={group.picture} />
+      </span>
+      <span class="group-head__name" dir="auto" data-shortened title={group.name}>
+        {group.name}
+      </span>
+      <Button
+        kind="plain"
+        icon={Pencil}
+        label={texts.value.classes.change}
+        testId={TEST.groupEdit}
+        onPress={() => setEditing(true)}
+      />
+    </div>
+  );
+}

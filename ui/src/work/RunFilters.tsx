@@ -1,0 +1,46 @@
+import { CircleCheck, CircleStop, CircleX } from "lucide-preact";
+import type { Program } from "../api/model";
+import { texts } from "../i18n";
+import { Button } from "../kit/Button";
+import { Select } from "../kit/Select";
+import { TEST } from "../shell/testids";
+import { OUTCOMES, type RunList } from "./run_list";
+
+const ICONS = { finished: CircleCheck, stopped: CircleStop, failed: CircleX } as const;
+
+/** Which runs are shown: how they ended, and of which program. */
+export function RunFilters({ list, programs }: { list: RunList; programs: readonly Program[] }) {
+  const { keeping } = texts.value;
+  const { value: outcome } = list.outcome;
+  const { value: program } = list.program;
+  return (
+    <fieldset class="run-filters">
+      <legend class="visually-hidden">{keeping.filters}</legend>
+      {([null, ...OUTCOMES] as const).map((one) => (
+        <Button
+          key={one}
+          icon={one && ICONS[one]}
+          pressed={outcome === one}
+          testId={TEST.runFilter}
+          data-outcome={one ?? "all"}
+          onPress={() => list.choose(one, program)}
+        >
+          {one ? keeping.outcomes[one] : keeping.allRuns}
+        </Button>
+      ))}
+      {programs.length > 1 && (
+        <Select
+          class="run-filters__program"
+          label={keeping.ofProgram}
+          testId={TEST.runProgram}
+          value={program}
+          options={[
+            [null, keeping.allPrograms],
+            ...programs.map(({ id, name }) => [id, name] as const),
+          ]}
+          onChange={(chosen) => list.choose(outcome, chosen)}
+        />
+      )}
+    </fieldset>
+  );
+}
