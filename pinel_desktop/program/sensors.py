@@ -6,11 +6,11 @@
 | type of its value | `expression_checks.py` |
 | Python form, both ways | `python_text/forms.py` |
 | reading it in a run, bounds, cost | `execution/expressions/`, `sensing.py` and `evaluation.py` |
-| block, generator, loader | `ui/src/blocks/table/sensor_rows.ts`, by `python -m pinel_desktop.program.reference` |
+| block, generator, loader | `ui/src/blocks/table/sensor_rows.ts`, by `python -m scripts.reference` |
 | rows of docs/program-document.md and docs/python-text.md, `schema.json` | the same command |
 
 A link reads it by a method of its name on its `robot.Sensors`, in SI units and radians; a link without the method fails
-the run with `sensor_missing`. Its words on the page are in `ui/src/blocks/texts/`.
+the run with `sensor_missing`. Its words on the page are in `ui/src/i18n/LANG/blocks.ts`.
 """
 
 import math

@@ -3,13 +3,13 @@ from typing import Any
 import jsonschema_rs
 import pytest
 
-from pinel_desktop.program.reference.schema import schema
+from scripts.reference import schemas
 from tests.program.test_language import COMMANDS, document
 
 
 @pytest.fixture(scope="module")
 def validator() -> jsonschema_rs.Draft202012Validator:
-    return jsonschema_rs.Draft202012Validator(schema())
+    return jsonschema_rs.Draft202012Validator(schemas.of_programs())
 
 
 def test_the_schema_takes_what_the_models_take(

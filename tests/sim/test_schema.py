@@ -1,28 +1,19 @@
-"""The published schema of worlds: current, and of one mind with the reader."""
+"""The published schema of worlds is of one mind with the reader."""
 
-from pathlib import Path
 from typing import Any
 
 import jsonschema_rs
 import pytest
 
+from scripts.reference import schemas
 from sim.reading import read_world
-from sim.schema import schema, schema_text
 from sim.world import list_worlds
 from tests.sim.test_reading import BOX, DISC, world
-
-FILE = Path(__file__).parents[2] / "sim" / "world.schema.json"
-
-
-def test_the_published_schema_is_that_of_the_models() -> None:
-    assert FILE.read_text("utf-8") == schema_text(), (
-        "run python -m sim.schema > sim/world.schema.json"
-    )
 
 
 @pytest.fixture(scope="module")
 def validator() -> jsonschema_rs.Draft202012Validator:
-    return jsonschema_rs.Draft202012Validator(schema())
+    return jsonschema_rs.Draft202012Validator(schemas.of_worlds())
 
 
 @pytest.mark.parametrize("document", [*list_worlds(), world()], ids=lambda d: d["name"])

@@ -6,7 +6,7 @@ from typing import Any
 from pinel_desktop.events.model import StreamEvent as Declared
 from pinel_desktop.events.types import APP_EVENTS, RUN_EVENTS
 from pinel_desktop.web.models.events import RunEvent, StreamEvent
-from pinel_desktop.web.reference.schema_words import field_table
+from scripts.reference.schema_words import field_table
 
 _HEAD = """\
 # Events
@@ -15,7 +15,7 @@ What happens is told as events: by the engine to the app, by the app to all open
 store to whoever replays a run (`GET /api/runs/{id}/events`). Live and recorded events are the same objects, and the
 page has one reducer for both.
 
-This page is made from `pinel_desktop/events/model.py` and `app_events.py` by `python -m pinel_desktop.web.reference`.
+This page is made from `pinel_desktop/events/model.py` and `app_events.py` by `python -m scripts.reference`.
 An event is declared there once: wire model, OpenAPI schema and the page's type are derived from the declaration. What
 a recorded run holds keeps its name for ever.
 

@@ -7,7 +7,7 @@ from typing import Any
 from pinel_desktop.program.sensors import SENSORS, Argument, Sensor
 
 _HEAD = """\
-// Made by `python -m pinel_desktop.program.reference` from pinel_desktop/program/sensors.py. Do not edit.
+// Made by `python -m scripts.reference` from pinel_desktop/program/sensors.py. Do not edit.
 
 /** The blocks that read sensors; those with several sensors let one of them be chosen. */
 export const SENSOR_ROWS = [

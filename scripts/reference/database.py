@@ -1,12 +1,7 @@
-"""The generated parts of docs/database.md and docs/parquet.md; a test holds them current.
-
-`python -m storage.tables.description` writes them, from the repository's root: all that follows the mark.
-"""
+"""The generated parts of docs/database.md and docs/parquet.md."""
 
 import sqlite3
-from collections.abc import Callable
 from contextlib import closing
-from pathlib import Path
 
 from storage.sql import column_names
 from storage.tables.columns import JSON, Column, Table
@@ -14,10 +9,8 @@ from storage.tables.migrations import migrate
 from storage.tables.replicated import REPLICATED, TABLES
 from storage.tables.views import VIEWS
 
-MARK = "<!-- what follows is made by `python -m storage.tables.description` -->\n"
 
-
-def database_page() -> str:
+def tables_and_views() -> str:
     """Views and tables, as a fresh file has them."""
     with closing(sqlite3.connect(":memory:", isolation_level=None)) as db:
         migrate(db)
@@ -26,7 +19,7 @@ def database_page() -> str:
     return "\n".join(["## Views\n", *views, "\n## Tables\n", *tables]).rstrip() + "\n"
 
 
-def parquet_page() -> str:
+def parquet_columns() -> str:
     """The columns of all files."""
     lines = ["| table | column | type | what it says |", "|---|---|---|---|"]
     for table in REPLICATED:
@@ -34,14 +27,6 @@ def parquet_page() -> str:
             first = "" if n else f"`{table.name}` "
             lines.append(f"| {first}| `{column.name}` | {column.type} | {column.says} |")
     return "\n".join(lines) + "\n"
-
-
-PAGES: dict[str, Callable[[], str]] = {"database": database_page, "parquet": parquet_page}
-
-
-def page(name: str, current: str) -> str:
-    """A page of docs/ with its generated part made anew."""
-    return current.split(MARK, maxsplit=1)[0] + MARK + "\n" + PAGES[name]()
 
 
 def _view(name: str, columns: tuple[str, ...]) -> str:
@@ -64,9 +49,3 @@ def _column(column: Column, key: tuple[str, ...]) -> str:
     ]
     told = ", ".join(note for note in notes if note)
     return f"| `{column.name}` | {column.kind.sql} | {told} | {column.says} |"
-
-
-if __name__ == "__main__":
-    for name in PAGES:
-        path = Path("docs") / f"{name}.md"
-        path.write_text(page(name, path.read_text("utf-8")), "utf-8")

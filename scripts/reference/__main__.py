@@ -1,8 +1,8 @@
-"""Writes the files: `python -m pinel_desktop.program.reference`, from the repository's root."""
+"""Writes the files: `python -m scripts.reference`, from the repository's root."""
 
 from pathlib import Path
 
-from pinel_desktop.program.reference.files import files
+from scripts.reference.files import files
 
 if __name__ == "__main__":
     for name, text in files(Path.cwd()).items():

@@ -6,9 +6,9 @@ from typing import Any
 from pinel_desktop.messages import describe
 from pinel_desktop.web.api import TEACHER, WRITES
 from pinel_desktop.web.models.runs import RunEvents
-from pinel_desktop.web.reference.schema_words import field_table, kind
 from pinel_desktop.web.responses import MAX_FAULTS, STATUS
 from pinel_desktop.web.routes import description
+from scripts.reference.schema_words import field_table, kind
 
 _HEAD = f"""\
 # HTTP interface
@@ -18,8 +18,8 @@ Ids are UUIDv7 text. Times are ISO 8601 text in UTC, of the clock of the PC wher
 have `next`: what to ask for as `before`; null at the end. Unknown keys of a body or a query are refused.
 
 This text and the page's TypeScript types are made from the handlers and pydantic models in `pinel_desktop/web`.
-The app gives out the same description as OpenAPI 3.1 at `/api/openapi.json`. `python -m pinel_desktop.web.reference`
-writes this text.
+`python -m scripts.reference` writes this text. The app gives out the same description as OpenAPI 3.1 at
+`/api/openapi.json`.
 
 ## Who may ask
 

@@ -1,0 +1,45 @@
+"""The files that are written: whole, between two marks, or from a mark to the end."""
+
+from pathlib import Path
+
+from scripts.reference import database, events_page, http_page, language_tables, schemas
+from scripts.reference.sensor_rows import sensor_rows
+
+_TABLES = {
+    "docs/program-document.md": {
+        "commands": language_tables.commands_of_the_document,
+        "sensors": language_tables.sensors_of_the_document,
+    },
+    "docs/python-text.md": {
+        "commands": language_tables.commands_in_python,
+        "sensors": language_tables.sensors_in_python,
+    },
+}
+_ENDS = {"docs/database.md": database.tables_and_views, "docs/parquet.md": database.parquet_columns}
+_MARK = "<!-- what follows is made by `python -m scripts.reference` -->\n"
+
+
+def files(root: Path) -> dict[str, str]:
+    """The text of each file, by its path from the repository's root; of pages, with what a person wrote in them."""
+    pages = {name: (root / name).read_text("utf-8") for name in (*_TABLES, *_ENDS)}
+    for name, made in _TABLES.items():
+        for mark, rows in made.items():
+            pages[name] = _with_rows(pages[name], mark, rows())
+    for name, end in _ENDS.items():
+        pages[name] = f"{pages[name].partition(_MARK)[0]}{_MARK}\n{end()}"
+    return {
+        "pinel_desktop/program/schema.json": schemas.as_text(schemas.of_programs()),
+        "sim/world.schema.json": schemas.as_text(schemas.of_worlds()),
+        "ui/src/blocks/table/sensor_rows.ts": sensor_rows(),
+        "docs/http-api.md": http_page.text(),
+        "docs/events.md": events_page.text(),
+        **pages,
+    }
+
+
+def _with_rows(page: str, mark: str, rows: list[str]) -> str:
+    """The page with these lines between the two marks, which are comments."""
+    begin, end = f"<!-- {mark} -->\n", f"<!-- end of {mark} -->"
+    before, _, rest = page.partition(begin)
+    _, _, after = rest.partition(end)
+    return f"{before}{begin}" + "".join(f"{row}\n" for row in rows) + f"{end}{after}"
