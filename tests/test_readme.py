@@ -1,6 +1,7 @@
 """What the README and CONTRIBUTING name exists: targets, commands, options, files, links."""
 
 import re
+from itertools import pairwise
 from pathlib import Path
 
 import click
@@ -11,6 +12,7 @@ from pinel_desktop.execution.executor import execute
 from pinel_desktop.links import open_link
 from pinel_desktop.program.python_text import read_python
 from pinel_desktop.program.reading import read_document
+from scripts.figures import python_imports
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = ("README.md", "README.pt-BR.md", "CONTRIBUTING.md")
@@ -81,6 +83,47 @@ def test_every_path_that_the_architecture_names_exists() -> None:
         pattern = re.sub(r"\b[A-Z]{2,}\b", "*", path).rstrip("/")
         roots = (ROOT, ROOT / "pinel_desktop", ROOT / "ui" / "src")
         assert any(any(root.glob(pattern)) for root in roots), path
+
+
+def arrows(diagram: str) -> set[tuple[str, str]]:
+    """The arrows of a Mermaid flowchart, from one name in it to another."""
+    found = set()
+    for line in diagram.splitlines():
+        ends = [re.findall(r"(?:^|& )(\w+)", end.strip()) for end in re.split(r" -+> ", line)]
+        found |= {(one, other) for left, right in pairwise(ends) for one in left for other in right}
+    return found
+
+
+def folders_of_the_diagram(diagram: str) -> dict[str, str]:
+    """Each folder or file named in a box, and the name of the box."""
+    return {
+        folder.removesuffix(".py"): box
+        for box, label in re.findall(r'(\w+)\["(.*?)"\]', diagram)
+        for folder in re.findall(r"([a-z]+)(?:/|\.py)", label)
+    }
+
+
+def reachable(edges: set[tuple[str, str]]) -> set[tuple[str, str]]:
+    """Each pair of which the second is met by following arrows from the first."""
+    longer = edges | {(a, d) for a, b in edges for c, d in edges if b == c}
+    return edges if longer == edges else reachable(longer)
+
+
+def test_the_diagram_of_imports_is_what_the_code_does() -> None:
+    """Every arrow is an import, and every import follows arrows; what serves all folders is not drawn."""
+    diagram = re.findall(r"```mermaid\nflowchart TD\n(.*?)```", text_of("ARCHITECTURE.md"), re.S)[0]
+    boxes = folders_of_the_diagram(diagram)
+    assert len(boxes) > 15
+
+    def box(path: str) -> str | None:
+        top, _, rest = path.partition("/")
+        return boxes.get(rest.partition("/")[0] if top == "pinel_desktop" else top)
+
+    imports = {(box(one), box(other)) for one, other in python_imports()}
+    known = {(one, other) for one, other in imports if one and other and one != other}
+    drawn = arrows(diagram)
+    assert drawn <= known
+    assert known <= reachable(drawn)
 
 
 def test_the_architecture_is_short() -> None:
