@@ -82,7 +82,7 @@ export default defineConfig({
   server: { fs: { allow: [here("..")] } },
   test: {
     environment: "jsdom",
-    setupFiles: ["src/i18n/all_languages.ts"],
+    setupFiles: ["src/i18n/testing/all_languages.ts"],
     include: ["src/**/*.test.ts", "src/**/*.test.tsx", "test/**/*.test.ts"],
   },
 });

@@ -7,7 +7,7 @@ import { registerBlocks } from "..";
 import { generateDocument } from "../generator";
 import { setBlockLanguage } from "../words";
 import { commandCount, workspaceOf } from ".";
-import { RandomPrograms } from "./random_programs";
+import { RandomPrograms } from "./testing/random_programs";
 
 const FILE = process.env.PINEL_EXCHANGE;
 

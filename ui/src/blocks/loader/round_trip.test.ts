@@ -7,7 +7,7 @@ import type { Branch, Command, ProgramDocument } from "../generator/document";
 import { setBlockLanguage } from "../words";
 import { workspaceOf } from ".";
 import { parseCondition } from "./conditions";
-import { RandomPrograms } from "./random_programs";
+import { RandomPrograms } from "./testing/random_programs";
 
 beforeAll(() => {
   setBlockLanguage("pt-BR");

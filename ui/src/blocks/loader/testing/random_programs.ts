@@ -5,8 +5,8 @@ import type {
   FunctionDefinition,
   Literal,
   ProgramDocument,
-} from "../generator/document";
-import { SENSOR_ROWS } from "../table/sensor_rows";
+} from "../../generator/document";
+import { SENSOR_ROWS } from "../../table/sensor_rows";
 
 /** Draws documents without faults that use all of the language: the same ones for the same seed. */
 export class RandomPrograms {
