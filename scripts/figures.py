@@ -25,10 +25,9 @@ GENERATED = ("ui/src/api/types.ts", "ui/src/blocks/table/sensor_rows.ts")
 PAGE_TEST = re.compile(r"ui/src/.*(\.test\.|/testing/)")  # testing/ holds what only tests import
 SOURCE = re.compile(r"(?!tests/)(?!.*\.test\.).*\.(py|mjs|tsx?)$")
 RAW_CONTROL = re.compile(r"<(?:button|select)\b")
-# the folders of ui/src from the lowest: none imports one that stands later
+# the folders of ui/src from the lowest: none imports one that stands later; a folder not named holds a screen
 LAYERS = (
-    "api", "i18n", "kit", "blocks", "editor", "shell", "run", "scene plots",
-    "start studio work replay versions world_editor teacher", "frame",
+    "api", "i18n", "kit", "blocks", "editor", "shell", "run", "scene plots", "screens", "frame",
 )  # fmt: skip
 
 Edges = Iterable[tuple[str, str]]
@@ -110,7 +109,12 @@ def circles(edges: Edges) -> list[str]:
 
 def upwards(edges: Edges) -> list[str]:
     """Imports of the page's folders that point the wrong way."""
-    level = {folder: place for place, names in enumerate(LAYERS) for folder in names.split()}
+    named = {folder: place for place, names in enumerate(LAYERS) for folder in names.split()}
+
+    def level(folder: str) -> int:
+        """Files directly in ui/src (`main.tsx`, the lists of style sheets) stand above all folders."""
+        return len(LAYERS) if "." in folder else named.get(folder, named["screens"])
+
     pairs = [
         (importer, imported, importer.split("/")[0], imported.split("/")[0])
         for importer, imported in edges
@@ -118,7 +122,7 @@ def upwards(edges: Edges) -> list[str]:
     return [
         f"{importer} -> {imported}"
         for importer, imported, one, other in pairs
-        if "/" in importer and level[one] < level.get(other, len(LAYERS))
+        if level(one) < level(other)
     ]
 
 

@@ -32,5 +32,15 @@ def test_an_import_from_a_lower_folder_of_the_page_points_upwards() -> None:
     ]
 
 
+def test_a_folder_of_the_page_that_the_order_does_not_name_holds_a_screen() -> None:
+    edges = [
+        ("about/x.tsx", "run/y.ts"),
+        ("frame/App.tsx", "about/x.tsx"),
+        ("about/x.ts", "work/y.ts"),
+    ]
+    assert figures.upwards(edges) == []
+    assert figures.upwards([("run/y.ts", "about/x.tsx")]) == ["run/y.ts -> about/x.tsx"]
+
+
 def test_the_longest_and_the_middle_of_lengths_are_told() -> None:
     assert figures.spread(range(1, 11)) == "median 5, p90 9, longest 10, 10 in all"

@@ -23,8 +23,15 @@ describe("a route", () => {
     expect(hashOf(route)).toBe(hash);
   });
 
-  test("is there for every screen, with a title in every language", () => {
-    expect(new Set(PLACES.map(([, { screen }]) => screen))).toEqual(new Set(SCREENS));
+  test.each(SCREENS)("of the screen %s is read as it is written", (screen) => {
+    const { pattern, choices = {} } = ROUTES[screen];
+    const names = [...pattern.matchAll(/:(\w+)/g)].map(([, name]) => name ?? "");
+    const values = names.map((name) => [name, choices[name]?.at(-1) ?? `a-${name}`]);
+    const to = { screen, ...Object.fromEntries(values) } as Route;
+    expect(parse(hashOf(to))).toEqual(to);
+  });
+
+  test("has a title in every language, whichever its screen", () => {
     for (const language of LANGUAGES) {
       expect(Object.keys(textsOf(language).titles).sort()).toEqual([...SCREENS].sort());
     }
