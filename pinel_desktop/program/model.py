@@ -12,68 +12,27 @@ from typing import Annotated, Any, Literal
 from pydantic import AliasChoices, BeforeValidator, Field, TypeAdapter, field_validator
 from pydantic_core import PydanticCustomError
 
-from pinel_desktop.program.base import Model, annotations
-from pinel_desktop.program.conditions import ConditionError, parse_condition
-from pinel_desktop.program.expressions import AnyNode, Expression, Name, Takes, Text
-from pinel_desktop.program.faults import writable
-from pinel_desktop.program.limits import (
-    MAX_ANGLE_DEG,
-    MAX_COMMANDS,
-    MAX_DISTANCE_M,
-    MAX_REPEATS,
-    MAX_WAIT_S,
+from pinel_desktop.program.base import Model
+from pinel_desktop.program.command import (
+    Angle,
+    AnyCommand,
+    AnyNumber,
+    Color,
+    Condition,
+    Count,
+    DegreesPerSecond,
+    Distance,
+    MetresPerSecond,
+    Place,
+    Seconds,
+    Speed,
+    Timeout,
+    TurningSpeed,
+    Words,
+    action_of,
 )
-
-Number = float | AnyNode
-Words = str | AnyNode
-_Distance = Annotated[Number, Takes("number", ge=0, le=MAX_DISTANCE_M, unit="m")]
-_Place = Annotated[Number, Takes("number", ge=-MAX_DISTANCE_M, le=MAX_DISTANCE_M, unit="m")]
-_Angle = Annotated[Number, Takes("number", ge=-MAX_ANGLE_DEG, le=MAX_ANGLE_DEG, unit="degrees")]
-_AnyNumber = Annotated[Number, Takes("number")]
-_MetresPerSecond = Annotated[Number, Takes("number", unit="m/s")]
-_DegreesPerSecond = Annotated[Number, Takes("number", unit="degrees/s")]
-_Speed = Annotated[Number, Takes("number", gt=0, unit="m/s")]
-_TurningSpeed = Annotated[Number, Takes("number", gt=0, unit="degrees/s")]
-_Seconds = Annotated[Number, Takes("number", ge=0, le=MAX_WAIT_S, unit="s")]
-_Timeout = Annotated[Number, Takes("number", gt=0, le=MAX_WAIT_S, unit="s")]
-_Words = Annotated[Words, Takes("text")]
-
-Color = Literal["black", "red", "orange", "yellow", "green", "blue", "purple", "white"]
-
-
-def _no_boolean(value: Any) -> Any:
-    return None if isinstance(value, bool) else value  # True == 1 in Python
-
-
-def _parsed(condition: Any) -> Any:
-    if not isinstance(condition, str):
-        return condition
-    try:
-        return parse_condition(condition)
-    except ConditionError as error:
-        raise PydanticCustomError(
-            "condition_syntax",
-            "condition",
-            {"position": error.position, "found": writable(error.found)},
-        ) from error
-
-
-# a tree, or a string in the original's grammar
-_Condition = Annotated[Expression, BeforeValidator(_parsed)]
-
-
-class AnyCommand(Model):
-    """What every command may carry besides its parameters.
-
-    The docstring of a command says what the robot does, for docs/program-document.md and docs/python-text.md.
-
-    Attributes:
-        python: an example of the command in Python text. A command `robot.NAME(...)` is read and written by its fields.
-    """
-
-    python = ""
-    block: Text | None = None
-    comment: Text | None = None
+from pinel_desktop.program.expressions import Expression, Name, Text
+from pinel_desktop.program.limits import MAX_COMMANDS
 
 
 class MoveForward(AnyCommand):
@@ -81,7 +40,7 @@ class MoveForward(AnyCommand):
 
     python = "robot.move_forward(1.0)"
     action: Literal["move_forward"]
-    distance: _Distance
+    distance: Distance
 
 
 class MoveBackward(AnyCommand):
@@ -89,7 +48,7 @@ class MoveBackward(AnyCommand):
 
     python = "robot.move_backward(1.0)"
     action: Literal["move_backward"]
-    distance: _Distance
+    distance: Distance
 
 
 class Turn(AnyCommand):
@@ -97,7 +56,7 @@ class Turn(AnyCommand):
 
     python = "robot.turn(90)"
     action: Literal["turn"]
-    angle: _Angle
+    angle: Angle
 
 
 class Stop(AnyCommand):
@@ -112,8 +71,8 @@ class Drive(AnyCommand):
 
     python = "robot.drive(0.2, 30)"
     action: Literal["drive"]
-    linear: _MetresPerSecond
-    angular: _DegreesPerSecond
+    linear: MetresPerSecond
+    angular: DegreesPerSecond
 
 
 class Arc(AnyCommand):
@@ -121,8 +80,8 @@ class Arc(AnyCommand):
 
     python = "robot.arc(1.0, 90)"
     action: Literal["arc"]
-    radius: _Place
-    angle: _Angle
+    radius: Place
+    angle: Angle
 
 
 class SetSpeed(AnyCommand):
@@ -130,8 +89,8 @@ class SetSpeed(AnyCommand):
 
     python = "robot.set_speed(linear=0.3, angular=45)"
     action: Literal["set_speed"]
-    linear: _Speed | None = None
-    angular: _TurningSpeed | None = None
+    linear: Speed | None = None
+    angular: TurningSpeed | None = None
 
     def __post_init__(self) -> None:
         if self.linear is None and self.angular is None:
@@ -143,8 +102,8 @@ class GoTo(AnyCommand):
 
     python = "robot.go_to(2.0, 1.0, avoid=True)"
     action: Literal["go_to"]
-    x: _Place
-    y: _Place
+    x: Place
+    y: Place
     avoid: bool = False
 
 
@@ -153,7 +112,7 @@ class Wait(AnyCommand):
 
     python = "robot.wait(2)"
     action: Literal["wait"]
-    seconds: _Seconds
+    seconds: Seconds
 
 
 class WaitUntil(AnyCommand):
@@ -161,8 +120,8 @@ class WaitUntil(AnyCommand):
 
     python = "robot.wait_until(robot.bumper, timeout=5)"
     action: Literal["wait_until"]
-    condition: _Condition
-    timeout: _Timeout | None = None
+    condition: Condition
+    timeout: Timeout | None = None
 
 
 class Pen(AnyCommand):
@@ -179,7 +138,7 @@ class Ask(AnyCommand):
 
     python = 'name = robot.ask("What is your name?")'
     action: Literal["ask"]
-    question: _Words
+    question: Words
     variable: Name
 
 
@@ -211,7 +170,7 @@ class ClassifyGestures(AnyCommand):
 
     python = "robot.classify_gestures(timeout=10)"
     action: Literal["classify_gestures", "classificar_gestos"]
-    timeout: _Timeout = 10.0
+    timeout: Timeout = 10.0
 
     @field_validator("action", mode="after")
     @classmethod
@@ -224,7 +183,7 @@ class SetGestureResult(AnyCommand):
 
     python = 'robot.set_gesture_result("B")'
     action: Literal["set_gesture_result"]
-    result: Annotated[_Words, Field(validation_alias=AliasChoices("result", "resultado"))]
+    result: Annotated[Words, Field(validation_alias=AliasChoices("result", "resultado"))]
 
 
 class SetVariable(AnyCommand):
@@ -242,7 +201,7 @@ class ChangeVariable(AnyCommand):
     python = "x += 1"
     action: Literal["change_variable"]
     name: Name
-    by: _AnyNumber
+    by: AnyNumber
 
 
 class Append(AnyCommand):
@@ -259,7 +218,7 @@ class Repeat(AnyCommand):
 
     python = "for _ in range(4):"
     action: Literal["repeat"]
-    times: Annotated[Number, Takes("number", ge=0, le=MAX_REPEATS, whole=True)]
+    times: Count
     commands: list["Command"]
 
 
@@ -268,7 +227,7 @@ class While(AnyCommand):
 
     python = "while x < 3:"
     action: Literal["while"]
-    condition: _Condition
+    condition: Condition
     commands: list["Command"]
 
 
@@ -277,7 +236,7 @@ class Until(AnyCommand):
 
     python = "while not robot.bumper:"
     action: Literal["until"]
-    condition: _Condition
+    condition: Condition
     commands: list["Command"]
 
 
@@ -287,9 +246,9 @@ class For(AnyCommand):
     python = "for i in steps(1, 10, 2):"
     action: Literal["for"]
     variable: Name
-    from_: Annotated[_AnyNumber, Field(alias="from")]
-    to: _AnyNumber
-    by: _AnyNumber = 1.0
+    from_: Annotated[AnyNumber, Field(alias="from")]
+    to: AnyNumber
+    by: AnyNumber = 1.0
     commands: list["Command"]
 
 
@@ -318,7 +277,7 @@ class Continue(AnyCommand):
 class Branch(Model):
     """An `elif`."""
 
-    condition: _Condition
+    condition: Condition
     commands: list["Command"]
 
 
@@ -327,7 +286,7 @@ class ConditionalExecution(AnyCommand):
 
     python = "if x == 1:"
     action: Literal["conditional_execution"]
-    condition: _Condition
+    condition: Condition
     commands: list["Command"]
     elif_: Annotated[list[Branch], Field(alias="elif")] = field(default_factory=list)
     else_: Annotated[list["Command"], Field(alias="else")] = field(default_factory=list)
@@ -396,6 +355,10 @@ class Function(Model):
     comment: Text | None = None
 
 
+def _no_boolean(value: Any) -> Any:
+    return None if isinstance(value, bool) else value  # True == 1 in Python
+
+
 class Program(Model):
     """A whole document."""
 
@@ -409,17 +372,6 @@ class Program(Model):
 def documents() -> TypeAdapter[Program]:
     """Pydantic's way from documents to programs and back, made when it is first needed."""
     return TypeAdapter(Program)
-
-
-def parameters_of(model: type[AnyCommand]) -> dict[str, Any]:
-    """The parameters of a command, with what may stand in each."""
-    of_all = {"action", *annotations(AnyCommand)}
-    return {key: kind for key, kind in annotations(model).items() if key not in of_all}
-
-
-def action_of(model: type[AnyCommand]) -> str:
-    """The action that a model of COMMANDS stands for."""
-    return str(annotations(model)["action"].__args__[0])
 
 
 def action_names() -> list[str]:

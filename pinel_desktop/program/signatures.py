@@ -4,8 +4,9 @@ from dataclasses import dataclass, field
 from typing import Any, Literal, get_args, get_origin
 
 from pinel_desktop.program.base import Model, annotations
+from pinel_desktop.program.command import action_of
 from pinel_desktop.program.expressions import READINGS, Takes
-from pinel_desktop.program.model import COMMANDS, action_of
+from pinel_desktop.program.model import COMMANDS
 from pinel_desktop.program.operators import ValueType
 
 # the type that a parameter's expression must have; None is any

@@ -4,8 +4,9 @@ import json
 from typing import Any, get_args
 
 from pinel_desktop.program.base import defaults
+from pinel_desktop.program.command import AnyCommand, action_of, parameters_of
 from pinel_desktop.program.expressions import Takes
-from pinel_desktop.program.model import COMMANDS, AnyCommand, Branch, action_of, parameters_of
+from pinel_desktop.program.model import COMMANDS, Branch
 from pinel_desktop.program.python_text.forms import SENSOR_CALLS
 from pinel_desktop.program.sensors import SENSORS, Sensor
 from pinel_desktop.program.signatures import choices_of, takes_of

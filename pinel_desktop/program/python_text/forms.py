@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from pinel_desktop.program.base import defaults
+from pinel_desktop.program.command import AnyCommand, action_of, parameters_of
 from pinel_desktop.program.model import COMMANDS as COMMAND_MODELS
-from pinel_desktop.program.model import AnyCommand, action_of, parameters_of
 from pinel_desktop.program.operators import OPERATORS
 from pinel_desktop.program.sensors import SENSORS, Argument
 from pinel_desktop.program.signatures import choices_of, takes_of

@@ -1,0 +1,73 @@
+"""What the commands of `model.py` are made of: their base, and the types, bounds and units of parameters.
+
+Each parameter takes a literal or an expression.
+"""
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator
+from pydantic_core import PydanticCustomError
+
+from pinel_desktop.program.base import Model, annotations
+from pinel_desktop.program.conditions import ConditionError, parse_condition
+from pinel_desktop.program.expressions import AnyNode, Expression, Takes, Text
+from pinel_desktop.program.faults import writable
+from pinel_desktop.program.limits import MAX_ANGLE_DEG, MAX_DISTANCE_M, MAX_REPEATS, MAX_WAIT_S
+
+Number = float | AnyNode
+Distance = Annotated[Number, Takes("number", ge=0, le=MAX_DISTANCE_M, unit="m")]
+Place = Annotated[Number, Takes("number", ge=-MAX_DISTANCE_M, le=MAX_DISTANCE_M, unit="m")]
+Angle = Annotated[Number, Takes("number", ge=-MAX_ANGLE_DEG, le=MAX_ANGLE_DEG, unit="degrees")]
+AnyNumber = Annotated[Number, Takes("number")]
+MetresPerSecond = Annotated[Number, Takes("number", unit="m/s")]
+DegreesPerSecond = Annotated[Number, Takes("number", unit="degrees/s")]
+Speed = Annotated[Number, Takes("number", gt=0, unit="m/s")]
+TurningSpeed = Annotated[Number, Takes("number", gt=0, unit="degrees/s")]
+Seconds = Annotated[Number, Takes("number", ge=0, le=MAX_WAIT_S, unit="s")]
+Timeout = Annotated[Number, Takes("number", gt=0, le=MAX_WAIT_S, unit="s")]
+Count = Annotated[Number, Takes("number", ge=0, le=MAX_REPEATS, whole=True)]
+Words = Annotated[str | AnyNode, Takes("text")]
+
+Color = Literal["black", "red", "orange", "yellow", "green", "blue", "purple", "white"]
+
+
+def _parsed(condition: Any) -> Any:
+    if not isinstance(condition, str):
+        return condition
+    try:
+        return parse_condition(condition)
+    except ConditionError as error:
+        raise PydanticCustomError(
+            "condition_syntax",
+            "condition",
+            {"position": error.position, "found": writable(error.found)},
+        ) from error
+
+
+# a tree, or a string in the original's grammar
+Condition = Annotated[Expression, BeforeValidator(_parsed)]
+
+
+class AnyCommand(Model):
+    """What every command may carry besides its parameters.
+
+    The docstring of a command says what the robot does, for docs/program-document.md and docs/python-text.md.
+
+    Attributes:
+        python: an example of the command in Python text. A command `robot.NAME(...)` is read and written by its fields.
+    """
+
+    python = ""
+    block: Text | None = None
+    comment: Text | None = None
+
+
+def parameters_of(model: type[AnyCommand]) -> dict[str, Any]:
+    """The parameters of a command, with what may stand in each."""
+    of_all = {"action", *annotations(AnyCommand)}
+    return {key: kind for key, kind in annotations(model).items() if key not in of_all}
+
+
+def action_of(model: type[AnyCommand]) -> str:
+    """The action that a model of COMMANDS stands for."""
+    return str(annotations(model)["action"].__args__[0])
