@@ -12,7 +12,8 @@ from typing import Any, BinaryIO, Literal, cast
 from pinel_desktop.engine.commands import Command, Evaluate
 from pinel_desktop.engine.protocol import Message, read_messages, write_message
 from pinel_desktop.errors import PinelError
-from pinel_desktop.events.model import SCHEMA_VERSION
+from pinel_desktop.events.model import EventStamp, RunEnded
+from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.processes import own_command
 from pinel_desktop.runs.spec import RunSpec
 
@@ -212,7 +213,8 @@ class EngineClient:
             process.stdin.close()
         _log.error("the engine died (run: %s)", lost_run)
         if lost_run is not None:
-            self._on_event(_engine_lost(lost_run, seq, tick))
+            ended = RunEnded.cut_off("engine_lost", tick / TICK_HZ)
+            self._on_event(EventStamp(lost_run, seq).wire(tick, ended))
         self._n_short_lives = self._n_short_lives + 1 if short_life else 0
         if self._n_short_lives >= _SHORT_LIVES:
             self._state = "lost"
@@ -225,24 +227,3 @@ def _pipe(pipe: Any) -> BinaryIO:
     if pipe is None:
         raise OSError("the process has no pipe")
     return cast(BinaryIO, pipe)
-
-
-def _engine_lost(run_id: str, seq: int, tick: int) -> dict[str, Any]:
-    """The closing event that the engine could not send; what only it knew is null."""
-    return {
-        "v": SCHEMA_VERSION,
-        "type": "run_ended",
-        "run": run_id,
-        "seq": seq,
-        "tick": tick,
-        "state": "failed",
-        "reason": "engine_lost",
-        "params": {},
-        "block": None,
-        "n_executed": None,
-        "duration_s": tick / 30,
-        "path_length_m": None,
-        "closing_error_m": None,
-        "pose": None,
-        "telemetry_sha256": None,
-    }

@@ -5,8 +5,8 @@ keeps or drops events asks them (`types.py`). Runs are recorded with these names
 A field with a default is absent from runs that earlier releases recorded.
 """
 
-from dataclasses import asdict, dataclass, field
-from typing import Annotated, Any, ClassVar, Final, Literal, TypedDict
+from dataclasses import asdict, dataclass, fields
+from typing import Annotated, Any, ClassVar, Final, Literal, Self, TypedDict
 
 SCHEMA_VERSION = 1
 
@@ -373,13 +373,20 @@ class RunEnded(Event):
     pose: Pose | None
     telemetry_sha256: Annotated[str, _CutOff]
 
+    @classmethod
+    def cut_off(cls, reason: str, duration_s: float) -> Self:
+        """The end of a run that nobody saw: what is known without it, null for the rest."""
+        unknown: dict[str, Any] = dict.fromkeys(one.name for one in fields(cls))
+        known = {"state": "failed", "reason": reason, "params": {}, "duration_s": duration_s}
+        return cls(**(unknown | known))
+
 
 @dataclass(slots=True)
 class EventStamp:
-    """Turns the events of one run into wire objects, numbering them."""
+    """Turns the events of one run into wire objects, numbering them from `next_seq`."""
 
     run: str
-    _next: int = field(default=0)
+    next_seq: int = 0
 
     def wire(self, tick: int, event: Event) -> dict[str, Any]:
         """The event as the flat JSON object of docs/events.md."""
@@ -387,8 +394,8 @@ class EventStamp:
             "v": SCHEMA_VERSION,
             "type": event.type,
             "run": self.run,
-            "seq": self._next,
+            "seq": self.next_seq,
             "tick": tick,
         }
-        self._next += 1
+        self.next_seq += 1
         return {**head, **asdict(event)}

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pinel_desktop.events.model import EventStamp, RunEnded
 from pinel_desktop.events.types import KEPT, URGENT
 from storage import GroupRow, Recorder, RunRow, RunStart, Store, StoreError, VersionRow
 from storage.exchange.deletion import remove_keys
@@ -188,6 +189,13 @@ def test_an_interrupted_run_is_closed_with_what_was_recorded(
         89,
         "interrupted",
     )
+
+
+def test_the_end_of_an_interrupted_run_has_the_fields_of_every_end(
+    run: RunRow, opened: Callable[..., Store]
+) -> None:
+    (end,) = opened(close_interrupted=True).runs.events(run.id)
+    assert end == EventStamp(run.id).wire(0, RunEnded.cut_off("interrupted", 0.0))
 
 
 def test_another_program_that_opens_the_file_leaves_live_runs_alone(
