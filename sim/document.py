@@ -1,6 +1,6 @@
-"""What a world document may hold, as models: types, names and limits. What a place must be to another is `reading`'s.
+"""Models of world documents: types, names and limits. `placement` checks the geometry.
 
-Metres, degrees and kilograms. pydantic takes longer to load than all worlds: import this only to read a document.
+Metres, degrees and kilograms. Import this only to read a document: pydantic takes longer to load than all worlds.
 """
 
 import re
@@ -20,26 +20,26 @@ from pydantic_core import PydanticCustomError, PydanticKnownError
 from sim.floor import MAX_NAME, Color
 from sim.world import (
     DEFAULT_BOX_MASS_KG,
-    LEAST_PUSHED_KG,
-    LEAST_PUSHED_SIDE_M,
-    MOST_PUSHED_KG,
+    MAX_MOVABLE_KG,
+    MIN_MOVABLE_KG,
+    MIN_MOVABLE_SIDE_M,
 )
 
 MAX_BYTES = 256 * 1024
 MAX_WALLS, MAX_BOXES, MAX_AREAS = 500, 200, 200
 MAX_TITLE = 60
-LONGEST_FLOOR_M = 50.0
+MAX_FLOOR_M = 50.0
 WORLD_NAME = r"^[a-z0-9_]{1,64}$"
-_SEEN = r"\S"  # a name of spaces only is none
+_NOT_BLANK = r"\S"
 
 _Metres = Annotated[float, Field(ge=-1000.0, le=1000.0)]
 _Degrees = Annotated[float, Field(ge=-360.0, le=360.0)]
-_Side = Annotated[float, Field(ge=0.02, le=LONGEST_FLOOR_M)]
-_FloorSide = Annotated[float, Field(ge=1.0, le=LONGEST_FLOOR_M)]
-_Radius = Annotated[float, Field(ge=0.01, le=LONGEST_FLOOR_M / 2)]
+_Side = Annotated[float, Field(ge=0.02, le=MAX_FLOOR_M)]
+_FloorSide = Annotated[float, Field(ge=1.0, le=MAX_FLOOR_M)]
+_Radius = Annotated[float, Field(ge=0.01, le=MAX_FLOOR_M / 2)]
 _Pair = Field(min_length=2, max_length=2)
 _Point = Annotated[list[_Metres], _Pair]
-_Text = Annotated[str, Field(max_length=MAX_TITLE, pattern=_SEEN)]
+_Text = Annotated[str, Field(max_length=MAX_TITLE, pattern=_NOT_BLANK)]
 
 
 _TAG = re.compile(r"^[a-z]{2,3}(-[A-Za-z0-9]{2,8})*$")
@@ -95,31 +95,31 @@ class _Rectangle(_Part):
 class _Disc(_Part):
     center: _Point
     radius: _Radius
-    heading_deg: _Degrees = 0.0  # of no consequence, and no fault
+    heading_deg: _Degrees = 0.0  # without effect; accepted so that every area may have it
 
 
-_PUSHED = {
+_MOVABLE_LIMITS = {
     "if": {"properties": {"movable": {"const": True}}, "required": ["movable"]},
     "then": {
         "properties": {
-            "size": {"items": {"minimum": LEAST_PUSHED_SIDE_M}},
-            "mass_kg": {"minimum": LEAST_PUSHED_KG, "maximum": MOST_PUSHED_KG},
+            "size": {"items": {"minimum": MIN_MOVABLE_SIDE_M}},
+            "mass_kg": {"minimum": MIN_MOVABLE_KG, "maximum": MAX_MOVABLE_KG},
         }
     },
 }
 
 
 class Box(_Rectangle):
-    """A box on the floor; a movable one of `mass_kg` can be pushed, within limits that `placement` looks at."""
+    """A box on the floor. The robot can push a movable one, whose sides and mass have limits."""
 
-    model_config = ConfigDict(json_schema_extra=_PUSHED)  # type: ignore[typeddict-item] # plain JSON
+    model_config = ConfigDict(json_schema_extra=_MOVABLE_LIMITS)  # type: ignore[typeddict-item] # plain JSON
 
     movable: bool = False
     mass_kg: Annotated[float, Field(ge=0.1, le=100.0)] = DEFAULT_BOX_MASS_KG
 
 
 class _Named(_Part):
-    name: Annotated[str, Field(max_length=MAX_NAME, pattern=_SEEN)]
+    name: Annotated[str, Field(max_length=MAX_NAME, pattern=_NOT_BLANK)]
 
 
 class _Painted(_Part):
@@ -147,14 +147,15 @@ def _shape(area: Any) -> str:
     return "disc" if is_disc else "rectangle"
 
 
-def _way(title: Any) -> str | None:
+def _title_form(title: Any) -> str | None:
     if isinstance(title, str):
         return "text"
     return "languages" if isinstance(title, dict | Languages) else None
 
 
 _Title = Annotated[
-    Annotated[_Text, Tag("text")] | Annotated[Languages, Tag("languages")], Discriminator(_way)
+    Annotated[_Text, Tag("text")] | Annotated[Languages, Tag("languages")],
+    Discriminator(_title_form),
 ]
 _Zone = Annotated[
     Annotated[RectangularZone, Tag("rectangle")] | Annotated[RoundZone, Tag("disc")],
@@ -166,20 +167,20 @@ _Paint = Annotated[
 ]
 
 
-def _number(version: Any) -> Any:
-    """Python takes true for 1; the format does not."""
+def _not_boolean(version: Any) -> Any:
+    """Refuses booleans: pydantic takes `true` for 1."""
     if isinstance(version, bool):
         raise PydanticCustomError("world_version_unknown", "true and false are no numbers")
     return version
 
 
 class WorldDocument(_Part):
-    """A floor with its middle at (0, 0), what stands and what is drawn on it, and where the robot starts.
+    """A floor centred at (0, 0), its obstacles and painted areas, and the robot's start pose.
 
-    `title` is one text, or one in each language. Of zones and floor the last is on top.
+    `title` is one text, or one in each language. Later zones and paints cover earlier ones.
     """
 
-    pinel_world: Annotated[Literal[1], BeforeValidator(_number)]
+    pinel_world: Annotated[Literal[1], BeforeValidator(_not_boolean)]
     name: Annotated[str, Field(pattern=WORLD_NAME)]
     title: _Title
     size_m: Annotated[list[_FloorSide], _Pair]

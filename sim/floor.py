@@ -1,4 +1,4 @@
-"""What lies on a floor: named zones and painted areas, and which of them is at a point."""
+"""The floor: named zones and painted areas, and look-up by point."""
 
 import math
 from collections.abc import Sequence
@@ -9,37 +9,37 @@ Color = Literal["black", "red", "orange", "yellow", "green", "blue", "purple", "
 COLORS: tuple[Color, ...] = get_args(Color)
 BARE_FLOOR = "white"
 MAX_NAME = 64
-_FARTHEST_M = 10_000.0
+_MAX_COORDINATE_M = 10_000.0
 
 
 class Shape(Protocol):
-    """A part of the floor, in metres, in the world's frame."""
+    """An area of the floor, in metres, in the world's frame."""
 
-    def holds(self, x_m: float, y_m: float) -> bool:
-        """Whether the point is in it or on its edge."""
+    def contains(self, x_m: float, y_m: float) -> bool:
+        """Whether the point is inside or on the edge."""
         ...
 
 
 @dataclass(frozen=True, slots=True)
 class Disc:
-    """A circle with its inside."""
+    """A filled circle; `radius` in metres."""
 
     center: tuple[float, float]
     radius: float
 
-    def holds(self, x_m: float, y_m: float) -> bool:
+    def contains(self, x_m: float, y_m: float) -> bool:
         return math.hypot(x_m - self.center[0], y_m - self.center[1]) <= self.radius
 
 
 @dataclass(frozen=True, slots=True)
 class Rectangle:
-    """A rectangle of width and height `size`, turned by `angle_rad`."""
+    """A filled rectangle of width and height `size` (m), rotated by `angle_rad`."""
 
     center: tuple[float, float]
     size: tuple[float, float]
     angle_rad: float = 0.0
 
-    def holds(self, x_m: float, y_m: float) -> bool:
+    def contains(self, x_m: float, y_m: float) -> bool:
         dx, dy = x_m - self.center[0], y_m - self.center[1]
         cos, sin = math.cos(self.angle_rad), math.sin(self.angle_rad)
         ahead, left = cos * dx + sin * dy, cos * dy - sin * dx
@@ -48,7 +48,7 @@ class Rectangle:
 
 @dataclass(frozen=True, slots=True)
 class Zone:
-    """A named part of the floor, such as a cell of a board."""
+    """A named area of the floor, such as a cell of a board."""
 
     name: str
     shape: Shape
@@ -56,20 +56,22 @@ class Zone:
 
 @dataclass(frozen=True, slots=True)
 class Paint:
-    """A part of the floor with a colour of COLORS."""
+    """A painted area of the floor; `color` is one of COLORS."""
 
     color: str
     shape: Shape
 
 
 def zone_at(zones: Sequence[Zone], x_m: float, y_m: float) -> str:
-    """The name of the zone at a point, the last one where several overlap; "" outside of all."""
-    return next((zone.name for zone in reversed(zones) if zone.shape.holds(x_m, y_m)), "")
+    """Name of the zone at a point (m, world's frame), the last one where several overlap; "" outside all zones."""
+    return next((zone.name for zone in reversed(zones) if zone.shape.contains(x_m, y_m)), "")
 
 
 def color_at(paints: Sequence[Paint], x_m: float, y_m: float) -> str:
-    """The colour at a point, that of the last area where several overlap; white where nothing is painted."""
-    return next((area.color for area in reversed(paints) if area.shape.holds(x_m, y_m)), BARE_FLOOR)
+    """Colour at a point (m, world's frame), of the last area where several overlap; white where nothing is painted."""
+    return next(
+        (area.color for area in reversed(paints) if area.shape.contains(x_m, y_m)), BARE_FLOOR
+    )
 
 
 def zone_from_document(entry: dict[str, Any]) -> Zone:
@@ -81,7 +83,7 @@ def zone_from_document(entry: dict[str, Any]) -> Zone:
 
 
 def paint_from_document(entry: dict[str, Any]) -> Paint:
-    """Reads `{"color", ...}` with a shape like a zone's. Raises ValueError."""
+    """Reads `{"color", ...}` with the shape keys of a zone. Raises ValueError."""
     color = entry["color"]
     if color not in COLORS:
         raise ValueError(f"{color!r} is not one of {', '.join(COLORS)}")
@@ -105,9 +107,9 @@ def _length(value: Any) -> float:
 
 
 def point(pair: Any) -> tuple[float, float]:
-    """A pair of numbers that physics can bear. Raises ValueError or TypeError."""
+    """A pair of coordinates (m) of at most 10 km. Raises ValueError or TypeError."""
     x, y = pair
     x, y = float(x), float(y)
-    if not (abs(x) <= _FARTHEST_M and abs(y) <= _FARTHEST_M):  # so is what is no number
+    if not (abs(x) <= _MAX_COORDINATE_M and abs(y) <= _MAX_COORDINATE_M):  # NaN fails as well
         raise ValueError(f"{pair} is not a point")
     return x, y

@@ -1,4 +1,4 @@
-"""How walls and boxes lie to each other and to a point, many at once. Metres and radians."""
+"""Crossings, overlaps and distances of segments and rectangles, vectorised. Metres."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,9 +8,9 @@ Pairs = NDArray[np.intp]
 
 
 def crossings(segments: Array, slack_m: float) -> Pairs:
-    """Which segments of (n, 2, 2) cross: pairs of indices (k, 2), the smaller first.
+    """Pairs of indices (k, 2), the smaller first, of the segments (n, 2, 2) that cross.
 
-    What ends at another, or reaches at most `slack_m` beyond it, does not cross it.
+    A segment that ends on another, or reaches at most `slack_m` beyond it, does not cross it.
     """
     left_of_start, left_of_end = (_offsets(segments, segments[:, end]) for end in (0, 1))
     low, high = np.minimum(left_of_start, left_of_end), np.maximum(left_of_start, left_of_end)
@@ -20,7 +20,7 @@ def crossings(segments: Array, slack_m: float) -> Pairs:
 
 
 def _offsets(segments: Array, points: Array) -> Array:
-    """How far to the left of segment i, made infinitely long, point j lies: (n, m)."""
+    """Signed distance (n, m) of point j from the line through segment i, positive to its left."""
     starts, along = segments[:, 0], segments[:, 1] - segments[:, 0]
     normals = np.stack([-along[:, 1], along[:, 0]], axis=1)
     normals /= np.maximum(np.hypot(*along.T), 1e-12)[:, None]
@@ -29,7 +29,7 @@ def _offsets(segments: Array, points: Array) -> Array:
 
 
 def distances_to_segments(point: Array, segments: Array) -> Array:
-    """From a point to each segment of (n, 2, 2)."""
+    """Distance (n) from a point (2) to each segment (n, 2, 2)."""
     starts, along = segments[:, 0], segments[:, 1] - segments[:, 0]
     length2 = np.maximum(np.einsum("ik,ik->i", along, along), 1e-24)
     share = np.clip(np.einsum("ik,ik->i", point - starts, along) / length2, 0.0, 1.0)
@@ -39,7 +39,7 @@ def distances_to_segments(point: Array, segments: Array) -> Array:
 
 
 def distances_to_boxes(point: Array, corners: Array) -> Array:
-    """From a point to each rectangle of (n, 4, 2) corners in their order; 0 inside."""
+    """Distance (n) from a point (2) to each rectangle (n, 4, 2), corners in order; 0 inside."""
     centers, axes = corners.mean(axis=1), _axes(corners)
     halves = np.hypot(*np.moveaxis(corners[:, 1:3] - corners[:, 0:2], 2, 0)) / 2
     beyond = np.abs(np.einsum("ik,iak->ia", point - centers, axes)) - halves
@@ -48,9 +48,9 @@ def distances_to_boxes(point: Array, corners: Array) -> Array:
 
 
 def overlaps(ones: Array, others: Array, slack_m: float) -> Pairs:
-    """Which rectangles (n, 4, 2) lie more than `slack_m` into which rectangles or segments (m, 4 or 2, 2).
+    """Pairs of indices (k, 2): rectangles (n, 4, 2) that overlap shapes (m, 4 or 2, 2) by more than `slack_m`.
 
-    Two convex shapes are apart when the normal of one of their edges tells them apart.
+    Separating axis theorem: two convex shapes are disjoint when the normal of one of their edges separates them.
     """
     near = np.argwhere(_may_touch(ones, others, max(0.0, -slack_m)))
     one, other = ones[near[:, 0]], others[near[:, 1]]
@@ -68,14 +68,14 @@ def _may_touch(ones: Array, others: Array, gap_m: float) -> NDArray[np.bool_]:
 
 
 def _reach(shapes: Array) -> Array:
-    """From the middle of each shape to its farthest corner."""
+    """Circumradius (n) of each shape about the mean of its corners."""
     spread = shapes - shapes.mean(axis=1, keepdims=True)
     reach: Array = np.hypot(spread[..., 0], spread[..., 1]).max(axis=1)
     return reach
 
 
 def _axes(shapes: Array) -> Array:
-    """Directions of the first edge of each shape and across it: (n, 2, 2)."""
+    """Unit vectors along and across the first edge of each shape: (n, 2, 2)."""
     along = shapes[:, 1] - shapes[:, 0]
     along = along / np.maximum(np.hypot(*along.T), 1e-12)[:, None]
     axes: Array = np.stack([along, np.stack([-along[:, 1], along[:, 0]], axis=1)], axis=1)
@@ -83,7 +83,7 @@ def _axes(shapes: Array) -> Array:
 
 
 def _shared(axes: Array, one: Array, other: Array, slack_m: float) -> NDArray[np.bool_]:
-    """Whether the shadows of both shapes on every axis overlap by more than the slack."""
+    """Whether the projections of both shapes on every axis overlap by more than the slack."""
     shadow = np.einsum("iak,ick->iac", axes, one)
     other_shadow = np.einsum("iak,ick->iac", axes, other)
     depth = np.minimum(

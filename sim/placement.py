@@ -1,7 +1,4 @@
-"""Where things of a world must not be: across each other, off the floor, in the robot's place at the start.
-
-And what a box must be that the robot can push.
-"""
+"""Geometric checks of a world: crossing walls, parts outside the floor, a blocked start, movable boxes."""
 
 import math
 from collections import Counter
@@ -13,23 +10,23 @@ import numpy as np
 from sim.floor import Disc, Paint, Rectangle, Shape, Zone
 from sim.geometry import Array, crossings, distances_to_boxes, distances_to_segments, overlaps
 from sim.world import (
-    LEAST_PUSHED_KG,
-    LEAST_PUSHED_SIDE_M,
-    MOST_PUSHED_KG,
+    MAX_MOVABLE_KG,
+    MIN_MOVABLE_KG,
+    MIN_MOVABLE_SIDE_M,
     WALL_RADIUS_M,
     Box,
     Wall,
 )
-from sim.world_faults import Placed, placed, pointer
+from sim.world_faults import LocatedFault, located, pointer
 
 SHORTEST_WALL_M = 0.01
 _ROUNDING_M = 1e-6
-_PRESSED_M = 1e-3  # a box to push may touch a wall, but not stand in it
+_OVERLAP_M = 1e-3  # a movable box may touch a wall, but not overlap it
 
 
 @dataclass(frozen=True, slots=True)
 class Parts:
-    """The parts of a world that are sound in themselves; those of lists by their index in the document."""
+    """The valid elements of a world document; elements of lists by their index in the document."""
 
     size_m: tuple[float, float] | None = None
     start: tuple[float, float] | None = None
@@ -39,47 +36,47 @@ class Parts:
     floor: Mapping[int, Paint] = field(default_factory=dict)
 
 
-def misplaced(parts: Parts, robot_radius_m: float) -> Iterator[Placed]:
-    """Everything that is not where it may be, list by list."""
+def placement_faults(parts: Parts, robot_radius_m: float) -> Iterator[LocatedFault]:
+    """All faults of placement; lengths in metres."""
     if parts.size_m is not None:
-        yield from _off_the_floor(parts, parts.size_m, robot_radius_m)
+        yield from _outside_the_floor(parts, parts.size_m, robot_radius_m)
     yield from _short_walls(parts)
     yield from _crossing_walls(parts)
-    yield from _boxes_that_cannot_be_pushed(parts)
-    yield from _pressed_boxes(parts)
-    yield from _same_names(parts)
+    yield from _unpushable_boxes(parts)
+    yield from _overlapping_boxes(parts)
+    yield from _duplicate_zones(parts)
     if parts.start is not None:
-        yield from _robot_without_room(parts, parts.start, robot_radius_m)
+        yield from _blocked_start(parts, parts.start, robot_radius_m)
 
 
-def _off_the_floor(
+def _outside_the_floor(
     parts: Parts, size_m: tuple[float, float], robot_radius_m: float
-) -> Iterator[Placed]:
+) -> Iterator[LocatedFault]:
     half_width, half_height = size_m[0] / 2 + _ROUNDING_M, size_m[1] / 2 + _ROUNDING_M
-    for points, fault in _reaches(parts, robot_radius_m):
+    for points, fault in _extents(parts, robot_radius_m):
         if any(abs(x) > half_width or abs(y) > half_height for x, y in points):
             yield fault
 
 
-def _reaches(
+def _extents(
     parts: Parts, robot_radius_m: float
-) -> Iterator[tuple[Sequence[tuple[float, float]], Placed]]:
-    """How far everything reaches, with the fault that it is where that is too far."""
+) -> Iterator[tuple[Sequence[tuple[float, float]], LocatedFault]]:
+    """Extreme points of every part, each with the fault to report if they lie outside the floor."""
     if parts.start is not None:
         robot = Disc(parts.start, robot_radius_m)
-        yield _extremes(robot), placed(("start",), "start_off_floor", min=robot_radius_m)
+        yield _extremes(robot), located(("start",), "start_off_floor", min=robot_radius_m)
     for i, wall in parts.walls.items():
-        yield (wall.start, wall.end), placed(("walls", i), "wall_off_floor", wall=i + 1)
+        yield (wall.start, wall.end), located(("walls", i), "wall_off_floor", wall=i + 1)
     for i, box in parts.boxes.items():
-        yield box.corners(), placed(("boxes", i), "box_off_floor", box=i + 1)
+        yield box.corners(), located(("boxes", i), "box_off_floor", box=i + 1)
     for i, zone in parts.zones.items():
-        yield _extremes(zone.shape), placed(("zones", i), "zone_off_floor", name=zone.name)
+        yield _extremes(zone.shape), located(("zones", i), "zone_off_floor", name=zone.name)
     for i, paint in parts.floor.items():
-        yield _extremes(paint.shape), placed(("floor", i), "paint_off_floor", paint=i + 1)
+        yield _extremes(paint.shape), located(("floor", i), "paint_off_floor", paint=i + 1)
 
 
 def _extremes(shape: Shape) -> Sequence[tuple[float, float]]:
-    """Points that are on a floor of straight edges just when the whole shape is."""
+    """Points that lie on a rectangular floor if and only if the whole shape does."""
     if isinstance(shape, Rectangle):
         return Box(shape.center, shape.size, shape.angle_rad).corners()
     assert isinstance(shape, Disc)
@@ -87,73 +84,75 @@ def _extremes(shape: Shape) -> Sequence[tuple[float, float]]:
     return [(x - r, y - r), (x + r, y + r)]
 
 
-def _short_walls(parts: Parts) -> Iterator[Placed]:
+def _short_walls(parts: Parts) -> Iterator[LocatedFault]:
     for i, wall in parts.walls.items():
         if math.dist(wall.start, wall.end) < SHORTEST_WALL_M:
-            yield placed(("walls", i), "wall_too_short", wall=i + 1, min=SHORTEST_WALL_M)
+            yield located(("walls", i), "wall_too_short", wall=i + 1, min=SHORTEST_WALL_M)
 
 
-def _crossing_walls(parts: Parts) -> Iterator[Placed]:
+def _crossing_walls(parts: Parts) -> Iterator[LocatedFault]:
     indices = list(parts.walls)
     for one, other in crossings(_segments(parts), WALL_RADIUS_M):
         i, j = indices[one], indices[other]
         walls = {"wall": j + 1, "other": i + 1, "other_pointer": pointer(("walls", i))}
-        yield placed(("walls", j), "walls_cross", **walls)
+        yield located(("walls", j), "walls_cross", **walls)
 
 
-def _boxes_that_cannot_be_pushed(parts: Parts) -> Iterator[Placed]:
+def _unpushable_boxes(parts: Parts) -> Iterator[LocatedFault]:
     for i, box in parts.boxes.items():
-        if box.movable and min(box.size) < LEAST_PUSHED_SIDE_M:
-            yield placed(("boxes", i, "size"), "box_too_thin", box=i + 1, min=LEAST_PUSHED_SIDE_M)
-        if box.movable and not LEAST_PUSHED_KG <= box.mass_kg <= MOST_PUSHED_KG:
-            limits = {"min": LEAST_PUSHED_KG, "max": MOST_PUSHED_KG}
+        if box.movable and min(box.size) < MIN_MOVABLE_SIDE_M:
+            yield located(("boxes", i, "size"), "box_too_thin", box=i + 1, min=MIN_MOVABLE_SIDE_M)
+        if box.movable and not MIN_MOVABLE_KG <= box.mass_kg <= MAX_MOVABLE_KG:
+            limits = {"min": MIN_MOVABLE_KG, "max": MAX_MOVABLE_KG}
             place = ("boxes", i, "mass_kg")
-            yield placed(place, "box_mass_wrong", box=i + 1, value=box.mass_kg, **limits)
+            yield located(place, "box_mass_wrong", box=i + 1, value=box.mass_kg, **limits)
 
 
-def _pressed_boxes(parts: Parts) -> Iterator[Placed]:
-    """Boxes to push that stand in a wall or another box: the physics would throw them out at the start."""
+def _overlapping_boxes(parts: Parts) -> Iterator[LocatedFault]:
+    """Movable boxes that overlap a wall or another box: the physics would eject them at the start."""
     indices, movable = list(parts.boxes), [i for i, box in parts.boxes.items() if box.movable]
     corners = _corners(parts)
     loose = corners[[indices.index(i) for i in movable]]
     walls = list(parts.walls)
-    for one, other in overlaps(loose, _thick_walls(parts), _PRESSED_M):
-        yield _pressed(movable[one], ("walls", walls[other]), "box_in_wall")
-    for one, other in overlaps(loose, corners, _PRESSED_M):
+    for one, other in overlaps(loose, _thick_walls(parts), _OVERLAP_M):
+        yield _overlap_fault(movable[one], ("walls", walls[other]), "box_in_wall")
+    for one, other in overlaps(loose, corners, _OVERLAP_M):
         i, j = movable[one], indices[other]
-        if i != j and not (j in movable and j > i):  # two movable ones: the later is at fault
-            yield _pressed(i, ("boxes", j), "box_in_box")
+        if i != j and not (
+            j in movable and j > i
+        ):  # of two movable boxes the fault is the later one's
+            yield _overlap_fault(i, ("boxes", j), "box_in_box")
 
 
-def _pressed(box: int, other: tuple[str, int], code: str) -> Placed:
+def _overlap_fault(box: int, other: tuple[str, int], code: str) -> LocatedFault:
     numbers = {"box": box + 1, "other": other[1] + 1, "other_pointer": pointer(other)}
-    return placed(("boxes", box), code, **numbers)
+    return located(("boxes", box), code, **numbers)
 
 
-def _same_names(parts: Parts) -> Iterator[Placed]:
+def _duplicate_zones(parts: Parts) -> Iterator[LocatedFault]:
     seen: Counter[str] = Counter()
     for i, zone in parts.zones.items():
         if seen[zone.name]:
-            yield placed(("zones", i, "name"), "duplicate_zone", name=zone.name)
+            yield located(("zones", i, "name"), "duplicate_zone", name=zone.name)
         seen[zone.name] += 1
 
 
-def _robot_without_room(
+def _blocked_start(
     parts: Parts, start: tuple[float, float], robot_radius_m: float
-) -> Iterator[Placed]:
+) -> Iterator[LocatedFault]:
     here = np.array(start)
     to_walls = distances_to_segments(here, _segments(parts)) - WALL_RADIUS_M
     for i, distance in zip(parts.walls, to_walls, strict=True):
         if distance < robot_radius_m:
-            yield _in_the_way(("walls", i), "start_in_wall", robot_radius_m + WALL_RADIUS_M)
+            yield _start_fault(("walls", i), "start_in_wall", robot_radius_m + WALL_RADIUS_M)
     to_boxes = distances_to_boxes(here, _corners(parts))
     for i, distance in zip(parts.boxes, to_boxes, strict=True):
         if distance < robot_radius_m:
-            yield _in_the_way(("boxes", i), "start_in_box", robot_radius_m)
+            yield _start_fault(("boxes", i), "start_in_box", robot_radius_m)
 
 
-def _in_the_way(other: tuple[str, int], code: str, needed_m: float) -> Placed:
-    return placed(
+def _start_fault(other: tuple[str, int], code: str, needed_m: float) -> LocatedFault:
+    return located(
         ("start",),
         code,
         other=other[1] + 1,
@@ -168,7 +167,7 @@ def _segments(parts: Parts) -> Array:
 
 
 def _thick_walls(parts: Parts) -> Array:
-    """The walls as rectangles, which reach beyond their ends as far as to their sides."""
+    """The walls as rectangles, extended at both ends by the wall's radius."""
     walls = (_thick(*wall.start, *wall.end) for wall in parts.walls.values())
     return np.array([wall.corners() for wall in walls], dtype=np.float64).reshape(-1, 4, 2)
 

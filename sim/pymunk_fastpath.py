@@ -1,8 +1,8 @@
-"""The few calls of Chipmunk for which pymunk's Python around them takes longer than the work itself.
+"""Fast paths to the Chipmunk calls for which pymunk's Python wrapper costs more than the call itself.
 
-They go through pymunk's own cffi binding with structs that are kept: a step takes two thirds of the time of
-`Space.step`, a ray a sixth of `Space.segment_query_first`; the numbers are the same to the bit. The rest of `sim` uses
-pymunk as it is meant. pymunk's version is pinned, and a test compares both ways.
+They use pymunk's cffi binding with preallocated structs: a step takes two thirds of the time of `Space.step`, a ray a
+sixth of `Space.segment_query_first`; results are bit-identical. The rest of `sim` uses pymunk's public interface.
+pymunk's version is pinned, and a test compares both paths.
 """
 
 import math
@@ -18,7 +18,7 @@ _SIZE_AND_ALPHA = (
 
 
 class Stepper:
-    """Lets steps of so many seconds pass in a space. No shape may be added or removed in a callback."""
+    """Steps a space by `seconds` at a time. No callback may add or remove a shape."""
 
     def __init__(self, space: pymunk.Space, seconds: float) -> None:
         self._space, self._handle = space, space._space
@@ -26,47 +26,47 @@ class Stepper:
         self._step = lib.cpSpaceStep
 
     def steps(self, number: int) -> None:
-        """So many of them."""
+        """Advances the space by `number` steps."""
         step, handle, seconds = self._step, self._handle, self._seconds
         for _ in range(number):
             step(handle, seconds)
 
 
 class BodyAccess:
-    """Reads and drives one body."""
+    """Reads the state of one body and sets its velocity."""
 
     def __init__(self, body: pymunk.Body) -> None:
         self._body, self._handle = body, body._body
         self._velocity = ffi.new("cpVect *")
 
     def position(self) -> tuple[float, float]:
-        """Where it is, in m."""
+        """Position in m, in the world's frame."""
         point = lib.cpBodyGetPosition(self._handle)
         return point.x, point.y
 
     def angle(self) -> float:
-        """Its yaw in rad, not wrapped."""
+        """Yaw in rad, not wrapped."""
         return float(lib.cpBodyGetAngle(self._handle))
 
     def velocity(self) -> tuple[float, float, float]:
-        """Along x and y in m/s, and around in rad/s."""
+        """Velocity along x and y in m/s, angular velocity in rad/s."""
         handle = self._handle
         moves = lib.cpBodyGetVelocity(handle)
         return moves.x, moves.y, lib.cpBodyGetAngularVelocity(handle)
 
-    def move(self, vx_mps: float, vy_mps: float) -> None:
+    def set_velocity(self, vx_mps: float, vy_mps: float) -> None:
         """Sets the velocity of a kinematic body."""
         velocity = self._velocity
         velocity.x, velocity.y = vx_mps, vy_mps
         lib.cpBodySetVelocity(self._handle, velocity[0])
 
-    def turn(self, omega_radps: float) -> None:
-        """Sets the turning speed of a kinematic body."""
+    def set_omega(self, omega_radps: float) -> None:
+        """Sets the angular velocity of a kinematic body."""
         lib.cpBodySetAngularVelocity(self._handle, omega_radps)
 
 
 class Rays:
-    """Rays in a space: how far along a segment the first shape is that `shape_filter` lets through."""
+    """Casts rays in a space against the shapes that `shape_filter` accepts."""
 
     def __init__(self, space: pymunk.Space, shape_filter: pymunk.ShapeFilter) -> None:
         self._space, self._handle = space, space._space
@@ -76,15 +76,15 @@ class Rays:
         self._filter = ffi.new("cpShapeFilter *", tuple(shape_filter))
 
     def fraction(self, x: float, y: float, end_x: float, end_y: float) -> float:
-        """Of the way from (x, y) to (end_x, end_y), in m: what lies before the first shape; 1 when nothing is there."""
+        """Fraction of the segment from (x, y) to (end_x, end_y), in m, before the first shape; 1 without a hit."""
         start, end = self._start, self._end
         start.x, start.y, end.x, end.y = x, y, end_x, end_y
         self._query(self._handle, start[0], end[0], 0.0, self._filter[0], self._hit)
-        return float(self._hit.alpha)  # Chipmunk sets it to 1 where it has hit nothing
+        return float(self._hit.alpha)  # 1 without a hit
 
 
 class Fan:
-    """A few rays from the middle of a body, given by their ends in its frame, in m."""
+    """A few rays from the centre of a body; `beams` are their ends in the body's frame, in m."""
 
     def __init__(
         self,
@@ -98,16 +98,16 @@ class Fan:
         self._filter[0] = tuple(shape_filter)
         self._ends = ffi.new("cpVect[]", len(beams))
         self._hits = ffi.new("cpSegmentQueryInfo[]", len(beams))
-        # each beam with the places from which Chipmunk reads its end and to which it writes what it has hit
+        # each beam with the structs from which Chipmunk reads its end and to which it writes the hit
         self._beams = [(*beam, self._ends[i], self._hits + i) for i, beam in enumerate(beams)]
         numbers = memoryview(ffi.buffer(self._hits)).cast("d")
         whole, alpha = (n // numbers.itemsize for n in _SIZE_AND_ALPHA)
         self._fractions = numbers[alpha::whole]
 
     def fractions(self, x: float, y: float, yaw: float) -> "memoryview[float]":
-        """The same as `Rays.fraction` along each, from a body at (x, y) that looks at `yaw`.
+        """`Rays.fraction` of each beam for a body at (x, y) in m with yaw in rad.
 
-        What it gives is good until the next call.
+        The returned buffer is overwritten by the next call.
         """
         cos, sin = math.cos(yaw), math.sin(yaw)
         self._start.x, self._start.y = x, y

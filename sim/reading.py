@@ -1,4 +1,4 @@
-"""Reading a world document: all of its faults, or the world. Never raises for what a document contains."""
+"""Reads world documents: returns the world, or all faults. No content of a document raises an error."""
 
 import json
 import re
@@ -11,9 +11,9 @@ from pydantic import ValidationError
 
 from sim.document import MAX_BYTES, MAX_TITLE, WorldDocument
 from sim.floor import paint_from_document, zone_from_document
-from sim.placement import Parts, misplaced
+from sim.placement import Parts, placement_faults
 from sim.world import World, box_from_document, wall_from_document, world_from_document
-from sim.world_faults import Path, Placed, WorldFault, placed, placed_error
+from sim.world_faults import LocatedFault, Path, WorldFault, fault_of_error, located
 
 T = TypeVar("T")
 MAX_FAULTS = 100
@@ -27,9 +27,9 @@ class WorldReading:
     """Outcome of reading a world document.
 
     Attributes:
-        world: what the simulator needs, None with faults.
-        document: the document in its normal form (defaults filled in, keys in one order), None with faults.
-        faults: what is wrong, in the order of the document; the first hundred.
+        world: the world for the simulator, None with faults.
+        document: the document in normal form (defaults filled in, keys in a fixed order), None with faults.
+        faults: the first hundred faults, in the order of the document.
     """
 
     world: World | None
@@ -38,24 +38,24 @@ class WorldReading:
 
 
 def read_world(source: Any, *, robot_radius_m: float) -> WorldReading:
-    """Reads a document given as JSON text, as bytes or as parsed data; a robot of that radius must fit its start."""
+    """Reads a document given as JSON text, bytes or parsed data. A robot of `robot_radius_m` must fit at the start."""
     if isinstance(source, str | bytes):
         source = _parsed(source)
     elif isinstance(source, dict):
-        source = _of_bearable_size(source)
+        source = _within_size(source)
     if isinstance(source, WorldFault):
         return WorldReading(None, None, (source,))
     if not isinstance(source, dict):
         return WorldReading(None, None, (WorldFault("not_a_world"),))
-    source, odd = _with_known_keys(source)
+    source, unknown_keys = _with_known_keys(source)
     document = _without_nulls(source)
-    model, unsound = _validated(document)
-    unsound = [*odd, *unsound]
-    if len(unsound) > MAX_FAULTS:
-        return WorldReading(None, None, _in_order(unsound))
-    parts = _sound_parts(document, {path[:2] for path, _ in unsound if path})
-    # there may be as many as pairs of walls
-    found = [*unsound, *islice(misplaced(parts, robot_radius_m), MAX_FAULTS)]
+    model, invalid = _validated(document)
+    invalid = [*unknown_keys, *invalid]
+    if len(invalid) > MAX_FAULTS:
+        return WorldReading(None, None, _in_order(invalid))
+    parts = _valid_parts(document, {path[:2] for path, _ in invalid if path})
+    # limited: there may be as many faults as pairs of walls
+    found = [*invalid, *islice(placement_faults(parts, robot_radius_m), MAX_FAULTS)]
     if found or model is None:
         return WorldReading(None, None, _in_order(found))
     normal = model.model_dump(mode="json", by_alias=True)
@@ -72,18 +72,18 @@ def _parsed(text: str | bytes) -> Any:
     except (
         ValueError,
         RecursionError,
-    ):  # not UTF-8, a number of thousands of digits, or a nest of brackets
+    ):  # not UTF-8, a number of thousands of digits, or deep nesting
         return WorldFault("world_syntax", params={"line": 1, "column": 1})
 
 
-def _of_bearable_size(document: dict[Any, Any]) -> Any:
+def _within_size(document: dict[Any, Any]) -> Any:
     try:
         size = len(json.dumps(document, separators=(",", ":")))
     except (
         TypeError,
         ValueError,
         RecursionError,
-    ):  # no JSON, or a nest: told by what is wrong with its parts
+    ):  # not JSON, or deep nesting: the validation of its parts names the fault
         return document
     return document if size <= MAX_BYTES else _too_large(size)
 
@@ -92,11 +92,13 @@ def _too_large(size: int) -> WorldFault:
     return WorldFault("world_too_large", params={"value": size, "max": MAX_BYTES})
 
 
-def _with_known_keys(document: dict[Any, Any]) -> tuple[dict[str, Any], list[Placed]]:
-    """The document without keys that are no text, for which nothing else of it would be looked at."""
+def _with_known_keys(document: dict[Any, Any]) -> tuple[dict[str, Any], list[LocatedFault]]:
+    """The document without keys that are not strings: pydantic would stop at them."""
     kept = {key: value for key, value in document.items() if _is_text(key)}
-    odd = [repr(key)[:MAX_TITLE] for key in document if not _is_text(key)]
-    return kept, [placed((), "world_unknown_key", name=name) for name in odd[: MAX_FAULTS + 1]]
+    unknown_keys = [repr(key)[:MAX_TITLE] for key in document if not _is_text(key)]
+    return kept, [
+        located((), "world_unknown_key", name=name) for name in unknown_keys[: MAX_FAULTS + 1]
+    ]
 
 
 def _is_text(key: Any) -> bool:
@@ -104,7 +106,7 @@ def _is_text(key: Any) -> bool:
 
 
 def _without_nulls(document: dict[str, Any]) -> dict[str, Any]:
-    """The document and its entries without keys that are null: those say as much as if they were absent."""
+    """The document and its entries without null values: null means absent."""
     kept = {key: value for key, value in document.items() if value is not None}
     for name in _LISTS:
         if isinstance(kept.get(name), list):
@@ -118,30 +120,30 @@ def _entry(entry: Any) -> Any:
     return {key: value for key, value in entry.items() if value is not None}
 
 
-def _validated(document: dict[str, Any]) -> tuple[WorldDocument | None, list[Placed]]:
+def _validated(document: dict[str, Any]) -> tuple[WorldDocument | None, list[LocatedFault]]:
     try:
         return WorldDocument.model_validate(document), []
     except ValidationError as error:
         errors = error.errors(include_url=False)[: MAX_FAULTS + 1]
-        return None, [placed_error(document, found) for found in errors]
+        return None, [fault_of_error(document, found) for found in errors]
 
 
-def _sound_parts(document: dict[str, Any], unsound: set[Path]) -> Parts:
-    """What is sound in itself, so that faults of places are told beside those of other parts."""
+def _valid_parts(document: dict[str, Any], invalid: set[Path]) -> Parts:
+    """The valid elements, so that faults of placement are reported together with those of invalid elements."""
 
-    def is_sound(name: str) -> bool:
-        return name in document and not any(path[0] == name for path in unsound)
+    def is_valid(name: str) -> bool:
+        return name in document and not any(path[0] == name for path in invalid)
 
     def entries(name: str, read: Callable[[dict[str, Any]], T]) -> dict[int, T]:
-        if name not in document or (name,) in unsound:
+        if name not in document or (name,) in invalid:
             return {}
         listed = enumerate(document[name])
-        return {i: read(entry) for i, entry in listed if (name, i) not in unsound}
+        return {i: read(entry) for i, entry in listed if (name, i) not in invalid}
 
     start = document.get("start")
     return Parts(
-        size_m=tuple(document["size_m"]) if is_sound("size_m") else None,
-        start=(start["x_m"], start["y_m"]) if start and is_sound("start") else None,
+        size_m=tuple(document["size_m"]) if is_valid("size_m") else None,
+        start=(start["x_m"], start["y_m"]) if start and is_valid("start") else None,
         walls=entries("walls", wall_from_document),
         boxes=entries("boxes", box_from_document),
         zones=entries("zones", zone_from_document),
@@ -149,13 +151,13 @@ def _sound_parts(document: dict[str, Any], unsound: set[Path]) -> Parts:
     )
 
 
-def _in_order(found: Iterable[Placed]) -> tuple[WorldFault, ...]:
-    in_order = sorted(found, key=lambda placed: _rank(placed[0]))
+def _in_order(found: Iterable[LocatedFault]) -> tuple[WorldFault, ...]:
+    in_order = sorted(found, key=lambda fault: _rank(fault[0]))
     return tuple(fault for _, fault in in_order[:MAX_FAULTS])
 
 
 def _rank(path: Path) -> tuple[int, int]:
-    """What is missing as a whole comes first, keys that no world has last."""
+    """Order of faults: missing top-level keys first, unknown keys last."""
     if not path:
         return -1, -1
     first = _ORDER.index(path[0]) if path[0] in _ORDER else len(_ORDER)

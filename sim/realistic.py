@@ -1,6 +1,6 @@
-"""What sets a real robot apart from an ideal one: slip, lag, latency, odometry that drifts, sensors that err.
+"""Imperfections of a real robot: wheel slip, lag, latency, odometry drift, sensor noise.
 
-All of it depends on the run's seed and the tick only (`sim.noise`): who reads which sensor changes nothing.
+They depend only on the run's seed and the tick (`sim.noise`): reading a sensor changes nothing.
 """
 
 import math
@@ -11,21 +11,21 @@ from sim.noise import Noise
 from sim.simulator import SUBSTEP_S, SUBSTEPS, TICK_S, Simulator
 
 _LEFT, _RIGHT, _BIAS, _POSE, _SONAR, _LIDAR = range(1, 7)
-_STANDS_MPS = 1e-3  # a wheel that is told to stand is held by its friction from here on
+_STANDSTILL_MPS = 1e-3  # below this speed friction stops a wheel whose command is zero
 
 
 @dataclass(frozen=True, slots=True)
 class Realism:
-    """How far from ideal. Standard deviations where it says noise or bias.
+    """Parameters of the imperfections; noises and biases are standard deviations.
 
     Attributes:
-        wheel_bias: how much farther a wheel rolls than it is told, over the whole run, as a part of the way.
-        wheel_noise: the same, anew at every tick.
-        lag_s: time constant with which a wheel follows its command.
-        latency_s: from the command to the wheel, a whole number of substeps.
-        pose_noise_m, pose_noise_rad: of a pose that is measured from outside, in x and in y, and in yaw.
-        sonar_noise: as a part of the distance.
-        lidar_noise_m: the same at every distance.
+        wheel_bias: relative error of a wheel's distance, constant over the run.
+        wheel_noise: relative error of a wheel's distance, drawn at every tick.
+        lag_s: time constant of the wheel's first-order response.
+        latency_s: time from the command to the wheel, a whole number of substeps.
+        pose_noise_m, pose_noise_rad: error of an externally measured pose, in x and y, and in yaw.
+        sonar_noise: relative error of a distance.
+        lidar_noise_m: error at every distance.
     """
 
     wheel_bias: float
@@ -39,19 +39,19 @@ class Realism:
 
     @property
     def delay_s(self) -> float:
-        """How late a velocity is there on the average: a wheel that lags is late by its time constant."""
+        """Mean delay of a velocity: latency plus the time constant of the lag."""
         return self.latency_s + self.lag_s
 
 
 REALISTIC = Realism(
-    # Wheels of a class's Pioneer differ by about half a per cent (tyres, load); the rest is chosen so that a square
-    # of 1 m driven by odometry misses its start by some centimetres, as J. Borenstein and L. Feng measured for such
-    # robots ("Measurement and correction of systematic odometry errors", 1996).
+    # The wheels of a Pioneer in use differ by about 0.5 % (tyres, load). The rest is chosen so that a square of 1 m
+    # driven by odometry ends some centimetres from its start, as J. Borenstein and L. Feng measured for such robots
+    # ("Measurement and correction of systematic odometry errors in mobile robots", 1996).
     wheel_bias=0.005,
     wheel_noise=0.02,
     lag_s=0.06,
     latency_s=0.05,
-    # a marker under a camera that looks down on a floor of some metres
+    # a marker seen by a camera above a floor of some metres
     pose_noise_m=0.001,
     pose_noise_rad=math.radians(0.1),
     sonar_noise=0.01,  # Polaroid 6500 module: 1 % of the distance
@@ -62,15 +62,15 @@ Pose = tuple[float, float, float]
 
 
 class RealisticDrive:
-    """Wheels between the command and the simulated body, and the odometry that they give.
+    """Wheels between the command and the simulated body, and their odometry.
 
-    Encoders count how far the wheels have turned: the body's way without the slip that they cannot see. Wheels that are
-    blocked stand, and so does the count.
+    Encoders measure the rotation of the wheels: the body's motion without slip, which they cannot measure. Blocked
+    wheels stand still, and so does the count.
 
     Attributes:
-        odometry: x and y (m) and yaw (rad, not wrapped) as the wheels tell, from the true start on.
-        speed: v (m/s) and omega (rad/s) as the wheels tell, the mean of the last tick.
-        tick_number: of the last tick.
+        odometry: x and y (m) and yaw (rad, not wrapped) in the world's frame, integrated from the true start.
+        speed: v (m/s) and omega (rad/s) from the wheels, mean of the last tick.
+        tick_number: number of the last tick.
     """
 
     def __init__(
@@ -80,8 +80,8 @@ class RealisticDrive:
         self._noises = Noise(seed, _LEFT), Noise(seed, _RIGHT)
         bias = Noise(seed, _BIAS)
         self._biases = tuple(1.0 + realism.wheel_bias * bias.normal(0, side) for side in (0, 1))
-        self._on_its_way = deque([(0.0, 0.0)] * round(realism.latency_s / SUBSTEP_S))
-        self._nearer = 1.0 - math.exp(-SUBSTEP_S / realism.lag_s)
+        self._in_transit = deque([(0.0, 0.0)] * round(realism.latency_s / SUBSTEP_S))
+        self._response = 1.0 - math.exp(-SUBSTEP_S / realism.lag_s)
         self._left = self._right = 0.0
         self.tick_number = 0
         self._pose: Pose = simulator.state()[:3]
@@ -89,29 +89,29 @@ class RealisticDrive:
         self.speed = (0.0, 0.0)
 
     def tick(self, v_mps: float, omega_radps: float) -> None:
-        """Lets one tick pass with that command."""
+        """Advances by one tick with the given command."""
         self.tick_number += 1
         turn = omega_radps * self._half_track
         command = (v_mps - turn, v_mps + turn)
         slips = self._slips()
         for _ in range(SUBSTEPS):
-            self._on_its_way.append(command)
-            self._follow(*self._on_its_way.popleft())
+            self._in_transit.append(command)
+            self._respond(*self._in_transit.popleft())
             left, right = self._left * slips[0], self._right * slips[1]
             self._simulator.substep((left + right) / 2.0, (right - left) / 2.0 / self._half_track)
         self._count(slips)
 
-    def _follow(self, left: float, right: float) -> None:
-        """One substep, in which the wheels come nearer to what they are told."""
-        self._left += (left - self._left) * self._nearer
-        self._right += (right - self._right) * self._nearer
-        if left == 0.0 and abs(self._left) < _STANDS_MPS:
+    def _respond(self, left: float, right: float) -> None:
+        """One substep of the wheels' first-order response to their command (m/s)."""
+        self._left += (left - self._left) * self._response
+        self._right += (right - self._right) * self._response
+        if left == 0.0 and abs(self._left) < _STANDSTILL_MPS:
             self._left = 0.0
-        if right == 0.0 and abs(self._right) < _STANDS_MPS:
+        if right == 0.0 and abs(self._right) < _STANDSTILL_MPS:
             self._right = 0.0
 
     def _slips(self) -> tuple[float, float]:
-        """How far each wheel moves the body for each metre that it turns, left and right."""
+        """Distance that the left and the right wheel move the body per metre of rotation."""
         noise, number = self._realism.wheel_noise, self.tick_number
         left, right = (
             bias + noise * source.normal(number)
@@ -120,7 +120,7 @@ class RealisticDrive:
         return left, right
 
     def _count(self, slips: tuple[float, float]) -> None:
-        """Adds to the odometry what the wheels have turned since the last tick."""
+        """Adds the rotation of the wheels since the last tick to the odometry."""
         x0, y0, yaw0 = self._pose
         x, y, yaw = self._pose = self._simulator.state()[:3]
         middle, turned = (yaw0 + yaw) / 2.0, yaw - yaw0
@@ -138,8 +138,8 @@ class RealisticDrive:
         self.speed = (ahead / TICK_S, turned / TICK_S)
 
 
-class Measuring:
-    """The errors of what is measured, at each tick others."""
+class MeasurementNoise:
+    """Adds noise to measurements, drawn anew at every tick."""
 
     def __init__(self, seed: int, realism: Realism = REALISTIC) -> None:
         self._realism = realism
@@ -148,7 +148,7 @@ class Measuring:
         )
 
     def pose(self, tick: int, pose: Pose) -> Pose:
-        """A pose as it is measured from outside. At the start the robot stands on its mark, which is known."""
+        """An externally measured pose (m, rad). At tick 0 it is exact: the robot stands on a known mark."""
         if tick == 0:
             return pose
         x, y, yaw = pose
@@ -160,10 +160,10 @@ class Measuring:
         )
 
     def sonar(self, tick: int, index: int, distance_m: float) -> float:
-        """A distance as sonar `index` measures it; may lie beyond its range."""
+        """A distance (m) as sonar `index` measures it; may exceed its range."""
         return distance_m * (1.0 + self._realism.sonar_noise * self._sonar.normal(tick, index))
 
     def lidar(self, tick: int, angle_rad: float, distance_m: float) -> float:
-        """A distance as the scanner measures it at an angle, told apart to half a degree."""
+        """A distance (m) as the scanner measures it at an angle; angles have noise of their own every half degree."""
         beam = round(math.degrees(angle_rad) * 2.0) % 720
         return distance_m + self._realism.lidar_noise_m * self._lidar.normal(tick, beam)

@@ -1,7 +1,7 @@
-"""All beams of a scanner at once: numpy against the edges of what stands around.
+"""All beams of a scanner at once: vectorised ray casting against the edges of walls and boxes.
 
-One ray at a time costs more than all of them this way as long as a world has less than some hundred edges. Of the round
-ends of walls, which are 2 cm thick, the corners are cut: a beam there differs from a ray by less than 2 mm.
+Up to some hundred edges this is faster than casting the rays one by one. The round ends of walls, which are 2 cm
+thick, are polygons here: distances differ from those of a ray by less than 2 mm.
 """
 
 import math
@@ -15,17 +15,17 @@ from sim.world import Box, Wall
 Array = NDArray[np.float64]
 Point = tuple[float, float]
 Side = tuple[float, float, float, float]
-_MANY = 60  # shapes; among more, finding the covered sides would take longer than they ever cost
+_MANY = 60  # shapes; with more, finding covered sides costs more than it saves
 _ROUNDING_M = 1e-6
-_ROWS = 5  # that tell of an edge
+_ROWS = 5  # rows of the matrix per edge
 
 
 class Scan:
-    """Beams against the edges of fixed walls and boxes, and of boxes where they are now.
+    """Casts beams against the edges of fixed walls and boxes, and of movable boxes at their current poses.
 
-    All that a beam needs to know of an edge is linear in a few numbers of the robot's pose, so one product of matrices
-    gives it for all edges, and another one meets all beams with all edges that look at the robot. What is left are few
-    calls of numpy, each of which costs more than its arithmetic.
+    The coefficients of an edge are linear in a few terms of the robot's pose: one matrix product computes them for all
+    edges, and another intersects all beams with all edges that face the robot. Few calls of numpy remain; each costs
+    more than its arithmetic.
     """
 
     def __init__(
@@ -43,7 +43,7 @@ class Scan:
     def ranges(
         self, x: float, y: float, yaw: float, length_m: float, movable: Sequence[Box] = ()
     ) -> list[float]:
-        """Distance to what is nearest along each beam from a pose; at most `length_m`."""
+        """Distance (m) to the nearest edge along each beam from a pose (m, rad); at most `length_m`."""
         edges = self._fixed
         if movable:
             moved = _edges([side for box in movable for side in _sides(box.corners())])
@@ -52,10 +52,11 @@ class Scan:
         seen = edges.dot((c, s, c * x + s * y, s * x - c * y, x, y, 1.0)).reshape(-1, _ROWS)
         gap = seen[:, 4]
         seen = seen.take(((gap < 0.0) & (gap > -length_m)).nonzero()[0], axis=0)
-        # in single precision (a micrometre at 8 m), for speed
+        # single precision for speed: a micrometre at 8 m
         rows = (seen[:, :4] / seen[:, 4:]).astype(np.float32)
-        # How near the edge's line is along each beam, in 1/m; and how far from the edge's middle they meet, in halves
-        # of the edge, times the same. Where a beam leads away from an edge, near is below 0: no aside is smaller.
+        # near: 1 / distance along each beam to the edge's line, in 1/m, negative where the beam leads away from it.
+        # aside: distance of the intersection from the edge's middle, in half edges, times near. A beam meets the edge
+        # itself where near >= |aside|.
         near, aside = rows[:, :2].dot(self._beams), rows[:, 2:].dot(self._beams)
         near *= near >= np.abs(aside, out=aside)
         nearest = np.maximum.reduce(near, axis=0, initial=1.0 / length_m)
@@ -64,11 +65,11 @@ class Scan:
 
 
 def _edges(sides: Sequence[Side]) -> Array:
-    """Five rows for each side of a shape, to be multiplied by (c, s, cx + sy, sx - cy, x, y, 1) of a pose x, y, yaw.
+    """Matrix (5 n, 7) of n sides, to be multiplied by (c, s, cx + sy, sx - cy, x, y, 1) of a pose x, y, yaw.
 
-    They give, c and s being the yaw's cosine and sine: the outward normal in the robot's frame (2); the middle from
-    there, turned left by 90 degrees and divided by half the side's length (2); how far the side's line is beyond the
-    robot along the normal, below 0 where the side looks at it.
+    c and s are the cosine and sine of yaw. The five rows of a side give: its outward normal in the robot's frame (2);
+    its middle in that frame, rotated left by 90 degrees and divided by half the side's length (2); the signed distance
+    of its line from the robot along the normal, negative where the side faces the robot (1).
     """
     ax, ay, bx, by = np.array(sides, dtype=np.float64).reshape(-1, 4).T
     half = np.hypot(bx - ax, by - ay) / 2.0
@@ -86,12 +87,12 @@ def _edges(sides: Sequence[Side]) -> Array:
 
 
 def _sides(ring: Sequence[Point]) -> list[Side]:
-    """From each corner to the next; the corners go around counterclockwise."""
+    """The sides of a polygon whose corners are in counterclockwise order."""
     return [(*a, *b) for a, b in zip(ring, [*ring[1:], ring[0]], strict=True)]
 
 
 def _uncovered(rings: Sequence[Sequence[Point]]) -> list[Side]:
-    """The sides of all shapes but those that lie inside another, such as the ends of walls that meet in a corner."""
+    """The sides of all shapes, without those inside another shape, such as wall ends that meet in a corner."""
     shapes = [_sides(ring) for ring in rings]
     sides = [side for shape in shapes for side in shape]
     if not 1 < len(shapes) <= _MANY:
@@ -101,9 +102,9 @@ def _uncovered(rings: Sequence[Sequence[Point]]) -> list[Side]:
     depths = _edges(sides)[4::_ROWS, 4:].dot(np.column_stack((points, np.ones(len(points)))).T)
     sizes = [len(shape) for shape in shapes]
     starts = np.cumsum([0, *sizes[:-1]])
-    # how deep each point lies in each shape, in m: a, b and middle of each side
+    # depth of each side's ends a, b and middle in each shape, in m
     a, b, middle = np.split(np.minimum.reduceat(depths, starts, axis=0), 3, axis=1)
-    # on its edge or inside, and not along its edge
+    # inside or on the edge, but not along the edge
     covered = (middle > _ROUNDING_M) & (a > -_ROUNDING_M) & (b > -_ROUNDING_M)
     own = np.repeat(np.arange(len(shapes)), sizes)
     covered[own, np.arange(len(sides))] = False
@@ -111,7 +112,7 @@ def _uncovered(rings: Sequence[Sequence[Point]]) -> list[Side]:
 
 
 def _ring(wall: Wall, radius: float) -> list[Point]:
-    """The wall's outline, counterclockwise: two long sides and at each end three short ones for the half circle."""
+    """The wall's outline, counterclockwise: two long sides, and three short ones for the half circle at each end."""
     (x0, y0), (x1, y1) = wall.start, wall.end
     length = math.hypot(x1 - x0, y1 - y0)
     ux, uy = (x1 - x0) / length * radius, (y1 - y0) / length * radius

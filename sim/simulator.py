@@ -1,13 +1,12 @@
-"""Physics of one differential robot in a world, on pymunk (Chipmunk 2D).
+"""Physics of one differential-drive robot in a world, on pymunk (Chipmunk 2D).
 
-The robot is a dynamic circle. A kinematic body, moved with the commanded velocity, pulls it through a pivot and
-a gear joint whose forces are limited like those of wheels: the robot follows commands exactly on free floor and
-stalls at a wall. Setting the circle's own velocity instead would drive it straight through walls.
+The robot is a dynamic circle. A kinematic body with the commanded velocity pulls it through a pivot joint and a gear
+joint. Their forces are limited like those of wheels: the robot follows commands exactly on free floor and stalls at a
+wall. Setting the velocity of the circle itself would drive it through walls.
 
-A movable box is a dynamic body held to the floor in the same way, by what friction can hold: it slides when it is
-pushed harder, and stands as soon as nobody pushes. Where there are such boxes steps are half as long, so that what a
-box that is whipped about sinks into a wall is halved, too; `sim.tunnelling_guard` keeps
-every box from passing through a wall.
+A movable box is a dynamic body joined to the floor in the same way, with the friction force as the limit. In worlds
+with movable boxes the physics step is halved, which halves how deep a fast box penetrates a wall; `TunnellingGuard`
+keeps boxes from passing through walls.
 """
 
 import math
@@ -24,7 +23,7 @@ from sim.world import WALL_RADIUS_M, Box, World
 TICK_S = 1.0 / 30.0
 SUBSTEPS = 8
 SUBSTEP_S = TICK_S / SUBSTEPS
-# Chipmunk's default of 0.1 would let things sink 10 cm into each other, as the unit here is the metre.
+# Chipmunk's default of 0.1 would let shapes overlap by 10 cm: lengths are in metres here.
 COLLISION_SLOP_M = 0.0005
 BOX_FRICTION = 0.4  # cardboard and wood on a school's floor: 0.3 to 0.5
 GRAVITY_MPS2 = 9.81
@@ -36,7 +35,7 @@ _ALL_BUT_ROBOT = pymunk.ShapeFilter(mask=pymunk.ShapeFilter.ALL_MASKS() ^ _ROBOT
 
 
 class RobotBody(Protocol):
-    """The measures the physics needs, in SI units; the application's robot records have them."""
+    """Dimensions and limits of the robot, in SI units; `RobotModel` of the application has these attributes."""
 
     @property
     def radius_m(self) -> float: ...
@@ -54,8 +53,8 @@ class Simulator:
     The same sequence of calls gives the same numbers to the bit, in any process, on one build and platform.
 
     Attributes:
-        delay_s: a velocity takes effect so long after the tick it was set for begins: a substep or, with movable boxes,
-            three quarters of one.
+        delay_s: time from the beginning of a tick until its velocity takes effect: one substep, or three quarters with
+            movable boxes.
     """
 
     def __init__(self, world: World, robot: RobotBody) -> None:
@@ -65,21 +64,21 @@ class Simulator:
         self._movable: dict[int, pymunk.Body] = {}
         self._add_obstacles(world)
         self._steps_each = STEPS_WITH_MOVABLE if self._movable else 1
-        # a jump of the velocity that is made in halves takes effect a step and a half late
+        # with movable boxes a velocity is reached in two half jumps: one and a half steps late on average
         self.delay_s = SUBSTEP_S if self._steps_each == 1 else 1.5 * SUBSTEP_S / self._steps_each
         self._body = self._add_robot(world, robot)
         self.wheels = self._add_wheels(robot)
         self._yaw, self._omega = world.start[2], 0.0
-        self._rolls = False
-        self._before = (0.0, 0.0, 0.0)  # what the wheels were told before
+        self._translating = False
+        self._last_command = (0.0, 0.0, 0.0)  # vx, vy, omega of the wheels
         self._robot, self._drive = BodyAccess(self._body), BodyAccess(self.wheels)
         self._steps = Stepper(self.space, SUBSTEP_S / self._steps_each).steps
-        self._pass: Callable[[int], None] = self._steps
+        self._advance: Callable[[int], None] = self._steps
         self._rays = Rays(self.space, _ALL_BUT_ROBOT)
         if self._movable:
             self.space.iterations = ITERATIONS_WITH_MOVABLE
-            hold = TunnellingGuard(self.space, list(self._movable.values()), self._body)
-            self._pass = hold.around(self._steps_from_halfway)
+            guard = TunnellingGuard(self.space, list(self._movable.values()), self._body)
+            self._advance = guard.wrap(self._steps_from_halfway)
 
     def _add_obstacles(self, world: World) -> None:
         static = self.space.static_body
@@ -133,47 +132,51 @@ class Simulator:
         return wheels
 
     def tick(self, v_mps: float, omega_radps: float) -> None:
-        """Lets one tick pass with the given velocity."""
+        """Advances by one tick with the given velocity."""
         self._set_velocity(v_mps, omega_radps, TICK_S)
-        self._pass(SUBSTEPS * self._steps_each)
+        self._advance(SUBSTEPS * self._steps_each)
         self._yaw = self._robot.angle()
 
     def substep(self, v_mps: float, omega_radps: float) -> None:
-        """Lets one substep pass with the given velocity; a tick is `SUBSTEPS` of them."""
+        """Advances by one substep with the given velocity; a tick has `SUBSTEPS`."""
         self._set_velocity(v_mps, omega_radps, SUBSTEP_S)
-        self._pass(self._steps_each)
+        self._advance(self._steps_each)
         self._yaw = self._robot.angle()
 
     def _steps_from_halfway(self, number: int) -> None:
-        """A new velocity in halves: at once would take the wheels, in so short a step, more force than they have."""
+        """Reaches a new velocity in two half jumps: one jump in a half step exceeds the force of the wheels."""
         (vx, vy), omega = self.wheels.velocity, self.wheels.angular_velocity
-        was_vx, was_vy, was_omega = self._before
-        self._before = vx, vy, omega
+        was_vx, was_vy, was_omega = self._last_command
+        self._last_command = vx, vy, omega
         if (vx, vy, omega) != (was_vx, was_vy, was_omega):
-            self._drive.move((vx + was_vx) / 2.0, (vy + was_vy) / 2.0)
-            self._drive.turn((omega + was_omega) / 2.0)
+            self._drive.set_velocity((vx + was_vx) / 2.0, (vy + was_vy) / 2.0)
+            self._drive.set_omega((omega + was_omega) / 2.0)
             self._steps(1)
-            self._drive.move(vx, vy)
-            self._drive.turn(omega)
+            self._drive.set_velocity(vx, vy)
+            self._drive.set_omega(omega)
             number -= 1
         self._steps(number)
 
     def _set_velocity(self, v_mps: float, omega_radps: float, time_s: float) -> None:
-        """The arc of that time is driven as its chord: along the heading in the middle of the time in which the
-        velocity holds, which starts late, and shortened by the sinc of half the angle.
+        """Replaces the arc driven in `time_s` by its chord.
+
+        The chord lies along the heading at the middle of the interval, which begins `delay_s` late, and is shortened by
+        the sinc of half the angle.
         """
         half_angle = omega_radps * time_s / 2.0
         heading = self._yaw + self._omega * self.delay_s + half_angle
         chord = v_mps if half_angle == 0.0 else v_mps * math.sin(half_angle) / half_angle
-        if chord != 0.0 or self._rolls:  # telling pymunk takes longer than a substep
-            self._drive.move(chord * math.cos(heading), chord * math.sin(heading))
-            self._rolls = chord != 0.0
+        if (
+            chord != 0.0 or self._translating
+        ):  # setting a velocity in pymunk costs more than a substep
+            self._drive.set_velocity(chord * math.cos(heading), chord * math.sin(heading))
+            self._translating = chord != 0.0
         if omega_radps != self._omega:
             self._omega = omega_radps
-            self._drive.turn(omega_radps)
+            self._drive.set_omega(omega_radps)
 
     def state(self) -> tuple[float, float, float, float, float]:
-        """True x and y (m), yaw (rad, not wrapped), speed ahead (m/s) and turning speed (rad/s); world's frame."""
+        """True x, y (m), yaw (rad, not wrapped), forward speed (m/s), angular speed (rad/s), in the world's frame."""
         yaw = self._yaw
         x, y = self._robot.position()
         vx, vy, omega = self._robot.velocity()
@@ -191,23 +194,32 @@ class Simulator:
         return touched
 
     def ray(self, angle_rad: float, length_m: float) -> float:
-        """Distance from the robot's centre to what is nearest at an angle from its heading; at most `length_m`."""
+        """Distance (m) from the robot's centre to the nearest shape in a direction, at most `length_m`.
+
+        The angle is relative to the heading, in rad, positive to the left.
+        """
         x, y = self._robot.position()
         angle = self._yaw + angle_rad
         end_x, end_y = x + length_m * math.cos(angle), y + length_m * math.sin(angle)
         return self._rays.fraction(x, y, end_x, end_y) * length_m
 
     def fan(self, beams: Sequence[tuple[float, float]]) -> Callable[[], Sequence[float]]:
-        """What gives the same for a few beams, given by their ends in the robot's frame (m), as parts of their length.
+        """A function that casts a few rays and returns the free fraction of each, 0 to 1.
 
-        What it gives is good until it is called again.
+        Args:
+            beams: end of each ray in the robot's frame, in m.
+
+        The returned buffer is overwritten by the next call.
         """
         fractions = Fan(self.space, _ALL_BUT_ROBOT, beams).fractions
         position = self._robot.position
         return lambda: fractions(*position(), self._yaw)
 
     def scanner(self, angles_rad: Sequence[float]) -> Callable[[float], list[float]]:
-        """What gives, for a length, the same as `ray` at all these angles, within 2 mm and much faster for many."""
+        """A function from a length (m) to the distances (m) of `ray` at all these angles.
+
+        They agree with `ray` within 2 mm; for many angles it is much faster.
+        """
         from sim.scan import Scan  # noqa: PLC0415 - numpy, which takes longer to load than the rest
 
         boxes = self._world.boxes
@@ -224,7 +236,7 @@ class Simulator:
         return ranges
 
     def boxes(self) -> dict[int, tuple[float, float, float]]:
-        """Where the movable boxes are: by index, x and y of the centre (m) and yaw (rad) in the world's frame."""
+        """Poses of the movable boxes by index: x and y of the centre (m) and yaw (rad), in the world's frame."""
         return {index: (*body.position, body.angle) for index, body in self._movable.items()}
 
     def zone(self) -> str:
@@ -237,5 +249,5 @@ class Simulator:
 
 
 def _mean_radius(size: tuple[float, float]) -> float:
-    """Mean distance of a rectangle's points from its centre, within 5 %: the lever at which friction resists a turn."""
+    """Mean distance of a rectangle's points from its centre, within 5 %: the lever arm of friction against rotation."""
     return 0.26 * math.hypot(*size)

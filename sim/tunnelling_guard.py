@@ -1,9 +1,9 @@
-"""No box is ever pushed through a wall, however it is squeezed, whipped or thrown.
+"""Keeps movable boxes from tunnelling through walls.
 
-The physics resolves contacts step by step, and a light box between strong wheels and a thin wall may be pressed deeper
-at each step until its middle is past the wall, from where it is pushed out on the other side. So after every call the
-way of each box's centre is looked at: where it leads through something fixed, all that can move is put back to where it
-was and stands, as it would if nothing gave way.
+The solver allows some penetration at each step. A light box between strong wheels and a thin wall can be pressed
+deeper step by step until its centre is past the wall, and is then pushed out on the far side. Therefore the path of
+each box's centre is checked after every call: if it crosses a fixed shape, all movable bodies return to their previous
+poses with zero velocity.
 """
 
 from collections.abc import Callable, Sequence
@@ -12,13 +12,13 @@ import pymunk
 
 from sim.pymunk_fastpath import BodyAccess, Rays
 
-FIXED, MOVABLE = 0b0100, 0b1000  # categories of what never moves, and of boxes
+FIXED, MOVABLE = 0b0100, 0b1000  # shape categories: fixed obstacles, movable boxes
 _FIXED_ONLY = pymunk.ShapeFilter(mask=FIXED)
 _STANDSTILL = (0.0, 0.0)
 
 
 class TunnellingGuard:
-    """Watches over the movable boxes of a space, and over the robot that pushes them."""
+    """Checks the movable boxes of a space after each call of its stepping function."""
 
     def __init__(
         self, space: pymunk.Space, boxes: Sequence[pymunk.Body], robot: pymunk.Body
@@ -28,22 +28,22 @@ class TunnellingGuard:
         self._all = (*boxes, robot)
         self._rays = Rays(space, _FIXED_ONLY)
 
-    def around(self, steps: Callable[[int], None]) -> Callable[[int], None]:
-        """The same steps, after which no box is where it cannot have come to."""
+    def wrap(self, steps: Callable[[int], None]) -> Callable[[int], None]:
+        """Wraps a stepping function: undoes its steps when a box has tunnelled."""
 
         def guarded(number: int) -> None:
             places = [box.position() for box in self._boxes]
             before = [(body, body.position, body.angle) for body in self._all]
             steps(number)
-            if any(map(self._came_through, self._boxes, places)):
+            if any(map(self._has_tunnelled, self._boxes, places)):
                 for body, place, angle in before:
                     self._put_back(body, place, angle)
 
         return guarded
 
-    def _came_through(self, box: BodyAccess, before: tuple[float, float]) -> bool:
+    def _has_tunnelled(self, box: BodyAccess, before: tuple[float, float]) -> bool:
         now = box.position()
-        # what is no number came from nowhere
+        # written as "not >=" so that NaN counts as tunnelled
         return now != before and not self._rays.fraction(*before, *now) >= 1.0
 
     def _put_back(self, body: pymunk.Body, place: pymunk.Vec2d, angle: float) -> None:

@@ -1,4 +1,4 @@
-"""Worlds: walls, boxes and a start, as JSON. Metres and degrees in the file, in the world's own frame."""
+"""Worlds: walls, boxes, zones, painted floor and the start pose. World frame; files in metres and degrees."""
 
 import json
 import math
@@ -14,14 +14,14 @@ DEFAULT_WORLD = "empty_room"
 _LESSONS = (DEFAULT_WORLD, "tic_tac_toe", "obstacles", "slalom", "maze", "lines", "pushing")
 DEFAULT_BOX_MASS_KG = 2.0
 WALL_RADIUS_M = 0.01
-# of boxes to push: what is thinner or lighter would sink into walls and robots too deep to look right
-LEAST_PUSHED_SIDE_M = 0.05
-LEAST_PUSHED_KG, MOST_PUSHED_KG = 0.5, 20.0
+# limits of movable boxes: thinner or lighter ones would visibly penetrate walls and the robot
+MIN_MOVABLE_SIDE_M = 0.05
+MIN_MOVABLE_KG, MAX_MOVABLE_KG = 0.5, 20.0
 _NAME = re.compile(r"[a-z0-9_]{1,64}\Z")
 
 
 class WorldError(Exception):
-    """A world that cannot be used: `code` and `params` choose the words shown."""
+    """A world that cannot be used; `code` selects the message, `params` fill it."""
 
     def __init__(self, code: str, **params: object) -> None:
         super().__init__(f"{code} {params}")
@@ -39,7 +39,7 @@ class Wall:
 
 @dataclass(frozen=True, slots=True)
 class Box:
-    """A rectangular obstacle: centre and size in metres, turned by `angle_rad`; a movable one can be pushed."""
+    """A rectangular obstacle: centre and size in metres, rotated by `angle_rad`; the robot can push a movable one."""
 
     center: tuple[float, float]
     size: tuple[float, float]
@@ -57,7 +57,7 @@ class Box:
 
 @dataclass(frozen=True, slots=True)
 class World:
-    """What surrounds the robot. `start` is (x in m, y in m, yaw in rad); of zones and floor the last is on top."""
+    """What surrounds the robot. `start` is (x in m, y in m, yaw in rad); later zones and paints cover earlier ones."""
 
     name: str
     walls: tuple[Wall, ...]
@@ -70,8 +70,8 @@ class World:
 def world_from_document(document: dict[str, Any]) -> World:
     """Reads a world document. Raises WorldError `world_invalid` naming the element.
 
-    Optional besides walls, boxes and start: `zones`, named parts of the floor that the sensor `cell` knows, and
-    `floor`, painted areas that the sensor `floor` sees. Each is a rectangle or a circle:
+    Optional: `zones`, named areas for the sensor `cell`, and `floor`, painted areas for the sensor `floor`. Each is a
+    rectangle or a circle:
 
         {"name": "A", "center": [x, y], "size": [w, h], "heading_deg": 0}
         {"color": "green", "center": [x, y], "radius": r}
@@ -116,7 +116,7 @@ def _documents() -> dict[str, dict[str, Any]]:
 
 
 def list_worlds() -> list[dict[str, Any]]:
-    """The documents of all worlds that ship, from those for first steps to those for projects."""
+    """The documents of all worlds shipped with the program: the lessons in their order, then the others by name."""
     return sorted(_documents().values(), key=lambda document: _rank(document["name"]))
 
 
@@ -125,12 +125,12 @@ def _rank(name: str) -> tuple[int, str]:
 
 
 def world_document(name: str) -> dict[str, Any]:
-    """The document of that world. Raises WorldError `unknown_world`, which lists the names there are."""
+    """The document of a shipped world. Raises WorldError `unknown_world`, which lists the known names."""
     if not _NAME.match(name) or name not in _documents():
         raise WorldError("unknown_world", value=name, allowed=[d["name"] for d in list_worlds()])
     return _documents()[name]
 
 
 def load_world(name: str) -> World:
-    """The world of that name, read. Raises WorldError `unknown_world` or `world_invalid`."""
+    """A shipped world by its name. Raises WorldError `unknown_world` or `world_invalid`."""
     return world_from_document(world_document(name))

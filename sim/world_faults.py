@@ -1,4 +1,4 @@
-"""What is wrong with a world document, as data, and how pydantic's errors become that."""
+"""Faults of world documents as data, and their translation from pydantic's errors."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -14,12 +14,12 @@ Params = dict[str, object]
 
 @dataclass(frozen=True, slots=True)
 class WorldFault:
-    """One thing wrong with a world document.
+    """One fault of a world document.
 
     Attributes:
-        code: chooses the words; they are the application's.
-        pointer: JSON pointer (RFC 6901) to the place.
-        params: what fills the words; elements of lists count from 1, as people do.
+        code: selects the message; the application has the texts.
+        pointer: JSON pointer (RFC 6901) to the element.
+        params: values of the message's placeholders; list elements count from 1.
     """
 
     code: str
@@ -27,32 +27,32 @@ class WorldFault:
     params: Params = field(default_factory=dict, hash=False)
 
 
-Placed = tuple[Path, WorldFault]
+LocatedFault = tuple[Path, WorldFault]
 
 
-def placed(path: Path, code: str, **params: object) -> Placed:
-    """A fault with its place."""
+def located(path: Path, code: str, **params: object) -> LocatedFault:
+    """A fault together with its path."""
     return path, WorldFault(code, pointer(path), params)
 
 
 def pointer(path: Path) -> str:
-    """The JSON pointer of a path of keys and indices."""
+    """The JSON pointer (RFC 6901) of a path of keys and indices."""
     return "".join("/" + str(part).replace("~", "~0").replace("/", "~1") for part in path)
 
 
-def placed_error(document: Any, error: ErrorDetails) -> Placed:
-    """The fault for one of pydantic's errors."""
+def fault_of_error(document: Any, error: ErrorDetails) -> LocatedFault:
+    """Translates one error of pydantic."""
     path = _path(document, error)
     name = next((part for part in reversed(path) if isinstance(part, str)), "")
     kind = error["type"]
     if kind in _CODES:
-        return placed(path, _CODES[kind], name=name)
+        return located(path, _CODES[kind], name=name)
     code, params = _SPECIAL.get(kind, _otherwise)(error, name)
-    return placed(path, code, **params)
+    return located(path, code, **params)
 
 
 def _path(document: Any, error: ErrorDetails) -> Path:
-    """The error's place: pydantic's location without the names of ways that it holds, and without what is missing."""
+    """The error's path in the document: pydantic's location without union tags and without missing keys."""
     path: list[str | int] = []
     value = document
     for part in error["loc"]:
@@ -82,7 +82,7 @@ def _name(error: ErrorDetails, name: str) -> tuple[str, Params]:
 
 
 def _otherwise(error: ErrorDetails, name: str) -> tuple[str, Params]:
-    """pydantic has a hundred kinds of errors and gets more; none may be a crash."""
+    """Fallback: pydantic has about a hundred kinds of errors, and new releases add more."""
     return "world_value_wrong", {"name": name, "value": _shown(error["input"])}
 
 

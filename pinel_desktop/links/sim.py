@@ -17,7 +17,7 @@ from pinel_desktop.robot import (
     wrap_angle,
 )
 from pinel_desktop.robot.sensors import SCAN_RAD, missing
-from sim.realistic import REALISTIC, Measuring, RealisticDrive
+from sim.realistic import REALISTIC, MeasurementNoise, RealisticDrive
 from sim.simulator import TICK_S, Simulator
 from sim.world import World, WorldError, load_world, world_from_document
 
@@ -87,7 +87,7 @@ class RealisticSensors(SimSensors):
         robot: RobotModel,
         world: World,
         drive: RealisticDrive,
-        measuring: Measuring,
+        measuring: MeasurementNoise,
     ) -> None:
         super().__init__(simulator, robot, world)
         self._drive, self._measuring = drive, measuring
@@ -155,7 +155,7 @@ class SimLink:
 
     def _make_realistic(self, robot: RobotModel, setting: Setting, seed: int) -> None:
         self._drive = RealisticDrive(self.simulator, robot.track_m, seed)
-        self._measuring = Measuring(seed)
+        self._measuring = MeasurementNoise(seed)
         self._believes_wheels = setting.feedback == "odometry"
         self.command_delay_s += REALISTIC.delay_s
         self.sensors = RealisticSensors(

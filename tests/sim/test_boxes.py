@@ -5,7 +5,7 @@ import pytest
 
 from pinel_desktop.robot import PIONEER_3DX
 from sim.simulator import BOX_FRICTION, GRAVITY_MPS2, Simulator
-from sim.world import LEAST_PUSHED_KG, LEAST_PUSHED_SIDE_M, MOST_PUSHED_KG
+from sim.world import MAX_MOVABLE_KG, MIN_MOVABLE_KG, MIN_MOVABLE_SIDE_M
 from tests.sim.rooms import (
     box,
     boxes_depth_m,
@@ -76,8 +76,8 @@ def test_ray_sees_a_box_where_it_is_now() -> None:
     assert sim.ray(0.0, 5.0) == pytest.approx(sim.boxes()[0][0] - 0.2 - x, abs=1e-3)
 
 
-@pytest.mark.parametrize("size", [(0.4, 0.4), (0.1, 0.4), (LEAST_PUSHED_SIDE_M, 0.3)])
-@pytest.mark.parametrize("mass_kg", [LEAST_PUSHED_KG, 1.0, 5.0, MOST_PUSHED_KG])
+@pytest.mark.parametrize("size", [(0.4, 0.4), (0.1, 0.4), (MIN_MOVABLE_SIDE_M, 0.3)])
+@pytest.mark.parametrize("mass_kg", [MIN_MOVABLE_KG, 1.0, 5.0, MAX_MOVABLE_KG])
 def test_box_between_robot_and_wall_keeps_both_out(
     mass_kg: float, size: tuple[float, float]
 ) -> None:
@@ -109,15 +109,15 @@ def wild_drives(n_drives: int, seed: int) -> tuple[float, float]:
     draw, robots, boxes = random.Random(seed), 0.0, 0.0
     for _ in range(n_drives // 50):
         world = room(
-            box(1.2, 0.0, movable=True, mass_kg=draw.uniform(LEAST_PUSHED_KG, MOST_PUSHED_KG)),
+            box(1.2, 0.0, movable=True, mass_kg=draw.uniform(MIN_MOVABLE_KG, MAX_MOVABLE_KG)),
             box(
                 -1.2,
                 0.6,
                 (0.1, 0.6),
                 movable=True,
-                mass_kg=draw.uniform(LEAST_PUSHED_KG, MOST_PUSHED_KG),
+                mass_kg=draw.uniform(MIN_MOVABLE_KG, MAX_MOVABLE_KG),
             ),
-            box(0.0, -1.2, (0.5, 0.05), movable=True, mass_kg=draw.uniform(LEAST_PUSHED_KG, 5.0)),
+            box(0.0, -1.2, (0.5, 0.05), movable=True, mass_kg=draw.uniform(MIN_MOVABLE_KG, 5.0)),
             box(0.0, 1.3, (0.3, 0.3)),
             start=(0.0, 0.0, draw.uniform(-180, 180)),
         )

@@ -18,11 +18,11 @@ BARE: dict[str, Any] = {
 
 
 def test_points_are_inside_up_to_the_edge() -> None:
-    assert Disc((1, 0), 0.5).holds(1.5, 0)
-    assert not Disc((1, 0), 0.5).holds(1.4, 0.4)
+    assert Disc((1, 0), 0.5).contains(1.5, 0)
+    assert not Disc((1, 0), 0.5).contains(1.4, 0.4)
     box = Rectangle((0, 0), (2, 1), math.radians(90))
-    assert box.holds(0.5, 1)
-    assert not box.holds(1, 0.5)
+    assert box.contains(0.5, 1)
+    assert not box.contains(1, 0.5)
 
 
 def test_last_of_overlapping_areas_is_on_top() -> None:
