@@ -1,4 +1,4 @@
-"""Driving to a point around what stands in the way: what the map shows, and what the sensors see on the way."""
+"""Drives to a point around obstacles: those of the map, and those that sensors detect on the way."""
 
 import math
 from collections.abc import Generator
@@ -15,19 +15,19 @@ from pinel_desktop.control.planning import (
 )
 from pinel_desktop.errors import PinelError
 from pinel_desktop.execution.context import RunContext, RunFailureError
-from pinel_desktop.execution.motion import drive_to, stand_first
+from pinel_desktop.execution.motion import drive_to, rest_first
 from pinel_desktop.execution.requests import Preempt, Routine
 from pinel_desktop.robot import Pose2D
 
 _SCAN_TICKS = 3  # ten scans a second
 _BEAMS_RAD = tuple(math.radians(angle) for angle in range(-90, 91, 3))
-_KNOWN_M = 0.12  # what is so near to something on the map is that
-_NEAR = 0.98  # of a sensor's range: at the rest of it nothing is there
+_KNOWN_M = 0.12  # a detected point this near to a mapped obstacle belongs to it
+_NEAR = 0.98  # of a sensor's range; a longer measurement means no obstacle
 _MAX_PLANS = 60
 
 
 class Obstacles:
-    """What is known to stand in the way, in the start frame: the map, and what was scanned since."""
+    """The known obstacles in the start frame (m): the map, and points scanned since."""
 
     def __init__(self, context: RunContext) -> None:
         self._context, self._robot = context, context.robot
@@ -38,19 +38,19 @@ class Obstacles:
         self._sees = True
 
     def obstacles(self) -> Array:
-        """Everything there is to avoid."""
+        """All obstacles, mapped and scanned."""
         points = as_array([(*point, *point) for point in self._seen.values()])
         return points if not len(self._map) else as_array([*self._map, *points])
 
     def blocks(self, path: list[Point]) -> bool:
-        """Scans, and says whether something new is so near to the path that the robot would touch it."""
+        """Scans; returns whether a new point is near enough to the path for the robot to touch it."""
         new = self.scan()
         if not len(new):
             return False
         return path_clearance(path, new) < self._robot.radius_m + TIGHT_M / 2.0
 
     def scan(self) -> Array:
-        """Scans the surroundings; gives the points that were not known before."""
+        """Scans the surroundings; returns the new points."""
         hits = self._hits()
         if not hits:
             return as_array([])
@@ -62,7 +62,7 @@ class Obstacles:
         return as_array([(*point, *point) for point in fresh.values()])
 
     def _hits(self) -> list[tuple[float, float, float, float]]:
-        """Where the beams end on something: those of the scanner, of the sonars without one, or none."""
+        """Where beams hit: those of the scanner, or of the sonars without a scanner; empty without both."""
         if not self._sees:
             return []
         x, y, yaw = self._context.pose
@@ -72,7 +72,7 @@ class Obstacles:
                 px = x + distance * math.cos(yaw + angle)
                 py = y + distance * math.sin(yaw + angle)
                 hits.append((px, py, px, py))
-        except PinelError:  # a robot that sees nothing has only its map
+        except PinelError:  # a robot without range sensors has only the map
             self._sees = False
         return hits
 
@@ -88,14 +88,14 @@ class Obstacles:
 
 
 def drive_around(context: RunContext, x_m: float, y_m: float) -> Routine:
-    """Drives to a point of the start frame around obstacles; plans anew when something else turns up.
+    """Drives to a point of the start frame (m) around obstacles; plans a new path when a new obstacle is detected.
 
-    Raises RunFailureError `no_way` when nothing is known that leads there.
+    Raises RunFailureError `no_way` without a path.
     """
     known, goal = Obstacles(context), (x_m, y_m)
     known.scan()
     for _ in range(_MAX_PLANS):
-        yield from stand_first(context)
+        yield from rest_first(context)
         here = context.pose if context.reference_lost else context.reference
         path = yield from _planned(known, here, goal, context.robot.radius_m)
         if path is None:
@@ -120,7 +120,7 @@ def _planned(
 
 
 def _follow(context: RunContext, known: Obstacles, path: list[Point]) -> Routine:
-    """Drives the legs one after the other; ends early, at rest and without a reference, when one is not free."""
+    """Drives the legs in turn; ends early, at rest and without a reference, when the path is blocked."""
     for i, (x, y) in enumerate(path):
 
         def interrupted(rest: list[Point] = path[i:]) -> bool:

@@ -1,4 +1,4 @@
-"""How ticks follow each other: at the pace of the wall clock, or as fast as they can."""
+"""Tick clocks: real time, or as fast as possible."""
 
 import time
 from collections.abc import Callable
@@ -6,12 +6,12 @@ from typing import NamedTuple, Protocol
 
 TICK_HZ = 30
 TICK_S = 1.0 / 30.0
-# A PC that froze for a moment goes on from now: it does not rush through the ticks it missed.
+# After a freeze of the PC the schedule restarts from now: missed ticks are not caught up.
 _MAX_LATENESS_S = 5 * TICK_S
 
 
 class WallTime(NamedTuple):
-    """The PC's time in s, and how to let some of it pass; tests bring one of their own."""
+    """The PC's time in s, and its sleep function; injected by tests."""
 
     now: Callable[[], float] = time.monotonic
     sleep: Callable[[float], None] = time.sleep
@@ -21,7 +21,7 @@ WALL_TIME = WallTime()
 
 
 class Clock(Protocol):
-    """Decides when the next tick may begin."""
+    """Paces the ticks."""
 
     def wait_for_tick(self) -> None:
         """Returns when the next tick is due."""
@@ -35,10 +35,10 @@ class MaxClock:
 
 
 class LiveClock:
-    """30 ticks a second on absolute deadlines, so that lateness does not add up.
+    """30 ticks a second on absolute deadlines, so that delays do not accumulate.
 
-    `speed` tells how many times faster than that they are to come. In slow motion it is asked again while a tick is
-    waited for, so that another speed takes effect at once.
+    `speed` returns the factor by which ticks come faster. It is polled during a wait, so that a new speed takes effect
+    at once in slow motion.
     """
 
     def __init__(

@@ -1,4 +1,4 @@
-"""What is to be done for one command of a program: its primitive, and how to get the values of its parameters."""
+"""Commands compiled for execution: the primitive, and the evaluation of its parameters."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ Values = tuple[Value | None, ...]
 
 @dataclass(frozen=True, slots=True)
 class CompiledCommand:
-    """How to perform one command, made when it is first met.
+    """A command ready for execution; compiled when first executed.
 
     Attributes:
-        primitive: what it does.
-        values: gives the values of its parameters at once; None where that is not possible.
-        in_steps: does the whole command, asking for what its parameters need first, where `values` is None.
+        primitive: the implementation.
+        values: computes all parameter values at once; None where that is not possible.
+        in_steps: evaluates the parameters in steps and then runs the command; used where `values` is None.
     """
 
     primitive: Primitive
@@ -32,7 +32,7 @@ class CompiledCommand:
 
 
 class _Parameter:
-    """One parameter of one command; `command` has None where it was left out."""
+    """One parameter of one command; an omitted parameter is None in `command`."""
 
     def __init__(self, command: Any, name: str, context: RunContext) -> None:
         expression = getattr(command, name)
@@ -47,7 +47,7 @@ class _Parameter:
         return self._compiled is None or self._compiled.simple is not None
 
     def value(self) -> Value | None:
-        """The value, where it is simple. Raises RunFailureError."""
+        """The value of a simple parameter. Raises RunFailureError."""
         if self._compiled is None or self._compiled.simple is None:
             return None
         return checked(self._bounds, self._compiled.simple())

@@ -1,4 +1,4 @@
-"""All that a primitive may touch while a program runs."""
+"""The state of a run that primitives may use."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ START = Pose2D()
 
 @dataclass(frozen=True, slots=True)
 class Sources:
-    """Where a run gets from what its program does not say.
+    """External inputs of a run.
 
     Attributes:
         gestures: results of captures.
         answers: answers to questions.
-        sensors: of the link.
-        random: the run's own random numbers, made from its seed.
+        sensors: sensors of the link.
+        random: the run's random generator, seeded with its seed.
     """
 
     gestures: InputSource
@@ -42,33 +42,33 @@ class RunContext:
     """State of one run, shared by the executor and its primitives.
 
     Attributes:
-        robot: measures and limits of the robot.
-        command_delay_s: how late a commanded velocity takes effect on this link.
-        gains: of the controller.
-        trim: what the controller has learned of the wheels.
-        sources: where the run gets gestures, answers, measurements and random numbers from.
+        robot: dimensions and limits of the robot.
+        command_delay_s: delay (s) of a commanded velocity on this link.
+        gains: gains of the controller.
+        trim: wheel correction learned by the controller.
+        sources: gestures, answers, measurements and random numbers.
         emit: reports an event.
-        observed: whether anybody reads `setpoint` and `done`; otherwise they need not be kept.
-        tick: number of the tick that comes next; the first is 1.
-        origin: the start frame in the link's.
+        observed: whether `setpoint` and `done` are read; otherwise primitives need not set them.
+        tick: number of the next tick; the first is 1.
+        origin: pose of the start frame in the link's frame.
         pose, twist: newest measurement, in the start frame.
-        command: what the robot is told at the next tick; a primitive sets it.
-        driving: the velocity that `drive` has set, until the next motion command; None without one.
-        max_v_mps, max_omega_radps: limits of the motions to come.
-        reference: where the program has brought the robot, ideally: the goal of the last motion. Each motion
-            begins there and not at the measured pose, so that errors do not add up.
-        reference_lost: whether the robot has moved otherwise since: by `drive`, or by somebody during a pause.
+        command: velocity for the next tick, set by primitives.
+        driving: velocity set by `drive`, until the next motion command; None without one.
+        max_v_mps, max_omega_radps: velocity limits of the next motions.
+        reference: ideal pose, the goal of the last motion. Each motion begins there and not at the measured pose, so
+            that errors do not accumulate.
+        reference_lost: whether the robot has moved otherwise since: by `drive`, or by hand during a pause.
         setpoint: the moving set-point, for the records.
-        done: how much of the running motion's amount is done.
+        done: completed part of the running motion's amount, in its unit.
         variables: the program's variables.
-        output: what the program has said, marked and drawn.
-        gesture_result: the last result of a capture, or what a block has set.
-        unreported: which of "result" and "pen" a block has set since they were last reported: a loop without motion
-            may set them a thousand times a tick, and they are reported once.
-        n_evaluated: how many parts of expressions were evaluated, which counts as work.
-        waited_s: how much real time has passed while the program waited for a person or a camera.
-        n_resumed: how often the run went on after a pause: a motion plans the rest of its way anew.
-        evaluator: computes expressions.
+        output: texts, marks, beeps, questions and pen of the program.
+        gesture_result: the last result of a capture, or the value set by a block.
+        unreported: those of "result" and "pen" set since the last report: a loop without motion may set them a
+            thousand times a tick, and they are reported once.
+        n_evaluated: evaluated parts of expressions, which count as work.
+        waited_s: real time spent waiting for a person or a camera.
+        n_resumed: number of resumes after a pause; a motion then plans its remainder anew.
+        evaluator: evaluates expressions.
     """
 
     robot: RobotModel
@@ -107,10 +107,10 @@ class RunContext:
 
     @property
     def sensors(self) -> Sensors:
-        """What the robot can sense."""
+        """The sensors of the link."""
         return self.sources.sensors
 
     @property
     def random(self) -> Random:
-        """The run's own random numbers."""
+        """The run's random generator."""
         return self.sources.random

@@ -1,4 +1,4 @@
-"""Runs a program on a link: commands until one needs time, then a tick of 1/30 s, until it is over."""
+"""Runs a program on a link: commands until one needs time, then a tick of 1/30 s, and so on to the end."""
 
 import math
 from collections.abc import Callable
@@ -25,7 +25,7 @@ from pinel_desktop.program.model import Program
 from pinel_desktop.robot import PIONEER_3DX, STANDSTILL, Pose2D, RobotLink, RobotModel, RobotState
 
 Outcome = Literal["finished", "stopped", "failed"]
-# (tick, event): ticks count from 0, which is before the first
+# (tick, event); 0 is the time before the first tick
 Observer = Callable[[int, Event], None]
 
 _MAX_TICKS = round(MAX_RUN_S * TICK_HZ)
@@ -34,13 +34,13 @@ _MOVED_BY_HAND_M = 0.02
 _NOWHERE = (None, None, None)
 
 
-class _Stopped(Exception):  # noqa: N818 - not an error: Stop was pressed
-    """Stop was asked for."""
+class _Stopped(Exception):  # noqa: N818 - not an error
+    """Stop was requested."""
 
 
 @dataclass(frozen=True, slots=True)
 class RunResult:
-    """How a run ended: the closing event and what `pinel run` prints beyond it; variables as JSON data."""
+    """Outcome of a run: the closing event, and further values that `pinel run` prints; variables as JSON data."""
 
     ended: RunEnded
     telemetry: Recorder
@@ -52,17 +52,17 @@ class RunResult:
 
 @dataclass(frozen=True, slots=True)
 class RunOptions:
-    """How a run is to be executed; the defaults are those of a headless run without observer.
+    """Options of a run; the defaults suit a headless run without observer.
 
     Attributes:
-        observer: is called with every event. Without one no events are made, which is faster.
-        clock: decides when ticks follow.
-        control: lets another thread pause and stop the run.
-        wall: the time in which people answer.
+        observer: called with every event; without one no events are created, which is faster.
+        clock: paces the ticks.
+        control: requests of other threads.
+        wall: wall-clock time, for inputs of people.
         inputs: results of captures, answers to questions.
-        seed: what the run's random numbers are made from.
-        robot: measures and limits of the robot.
-        gains: of the controller; None for those that suit the link.
+        seed: seed of the run's random generator.
+        robot: dimensions and limits of the robot.
+        gains: gains of the controller; None for the link's defaults.
     """
 
     observer: Observer | None = None
@@ -76,10 +76,10 @@ class RunOptions:
 
 
 def execute(program: Program, link: RobotLink, options: RunOptions | None = None) -> RunResult:
-    """Runs `program` to its end on `link`, which is connected first and closed last.
+    """Runs `program` to its end on `link`; connects the link first and closes it last.
 
-    The robot is told to stand still on every way out. Whatever goes wrong becomes the outcome `failed` with a
-    reason; nothing is raised but errors of the observer at the closing event.
+    Every exit path commands zero velocity. Errors become the outcome `failed` with a reason; only errors of the
+    observer at the closing event are raised.
     """
     return _Run(program, link, options or RunOptions()).to_the_end()
 
@@ -107,7 +107,7 @@ class _Run:
         self._sensor_stream: SensorStream | None = None
         self._debugger = Debugger(options.control, lambda: len(self._stack.calls))
         if observed:
-            self._stack.holds = self._debugger.holds
+            self._stack.should_pause = self._debugger.should_pause
 
     def _emit(self, event: Event) -> None:
         if self._observer is not None:
@@ -121,7 +121,7 @@ class _Run:
         self._stack.close()
         reason, params = self._stand_still(reason, params)
         if self._sensor_stream is not None:
-            self._sensor_stream.report_things()
+            self._sensor_stream.report_boxes()
         self._link.close()
         if reason is not None and state == "finished":
             state = "failed"
@@ -134,7 +134,7 @@ class _Run:
             context.gesture_result,
             context.output.said,
             context.output.marks,
-            context.variables.everybodys(),
+            context.variables.global_values(),
         )
 
     def _outcome(self) -> tuple[Outcome, str | None, dict[str, Any]]:
@@ -145,7 +145,9 @@ class _Run:
             return "stopped", "stopped_by_person", {"tick": self._tick}
         except PinelError as error:
             return "failed", error.code, error.params
-        except Exception as error:  # a defect of ours must end the run, not the robot's guard
+        except (
+            Exception
+        ) as error:  # even a defect of the program must lead to the zero velocity below
             return "failed", "internal_error", {"detail": f"{type(error).__name__}: {error}"}
         return "finished", None, {}
 
@@ -154,19 +156,19 @@ class _Run:
         start = self._link.read()
         self._origin = None if start.pose == Pose2D() else start.pose
         self._context.origin = start.pose
-        self._take(start)
+        self._update_state(start)
         self._emit(RunState("running"))
         if self._observer is not None:
             self._sensor_stream = SensorStream(self._context, self._link, self._control)
 
-    def _take(self, state: RobotState) -> None:
+    def _update_state(self, state: RobotState) -> None:
         pose = state.pose
         self._context.pose = pose if self._origin is None else pose.relative_to(self._origin)
         self._context.twist = state.twist
 
     def _run(self) -> None:
         control, stack, clock = self._control, self._stack, self._clock
-        context, watcher, stop_wanted = self._context, self._watcher, self._stop_wanted
+        context, watcher, stop_wanted = self._context, self._watcher, self._stop_requested
         while True:
             if control.pause_requested:
                 self._pause()
@@ -177,8 +179,8 @@ class _Run:
                 watcher.report()
             if control.stop_requested:
                 raise _Stopped
-            if stack.is_held:
-                continue  # the debugger has asked for a pause
+            if stack.is_paused:
+                continue  # the debugger has requested a pause
             if stack.awaits_person:
                 self._await_person()
             elif time_needed:
@@ -187,11 +189,11 @@ class _Run:
             elif stack.finished:
                 return
 
-    def _stop_wanted(self) -> bool:
+    def _stop_requested(self) -> bool:
         return self._control.stop_requested
 
     def _report(self) -> None:
-        """Reports what a loop without motion may change a thousand times a tick."""
+        """Reports, once a tick, values that a loop without motion may change a thousand times."""
         context = self._context
         if "pen" in context.unreported:
             context.output.report_pen()
@@ -218,9 +220,9 @@ class _Run:
         context.pose, context.twist = pose, twist
         self._recorder.add((tick, *pose, *twist, *command))
         if self._observer is not None:
-            self._tell_tick(true_pose)
+            self._emit_tick(true_pose)
 
-    def _tell_tick(self, true_pose: Pose2D | None) -> None:
+    def _emit_tick(self, true_pose: Pose2D | None) -> None:
         context = self._context
         if true_pose is not None and self._origin is not None:
             true_pose = true_pose.relative_to(self._origin)
@@ -239,7 +241,7 @@ class _Run:
             self._sensor_stream.report()
 
     def _await_person(self) -> None:
-        """Lets a moment of real time pass. In a simulator robot time stands still; a real robot's ticks go on."""
+        """Waits for a moment of real time. In a simulator robot time stands still; a real robot's ticks continue."""
         self._watch()
         if self._control.pause_requested:
             return
@@ -254,7 +256,7 @@ class _Run:
         self._context.waited_s += self._wall.now() - began_s
 
     def _pause(self) -> None:
-        """Holds the robot until resume or stop. In a simulator robot time stands still once the robot is at rest."""
+        """Stops the robot until resume or stop. In a simulator robot time stands still once the robot is at rest."""
         context = self._context
         self._watch()
         self._debugger.paused()
@@ -271,7 +273,7 @@ class _Run:
             self._link.command(STANDSTILL)
             if not self._link.simulated:
                 self._link.advance(TICK_S)
-                self._take(self._link.read())
+                self._update_state(self._link.read())
         if self._control.stop_requested:
             raise _Stopped
         if context.pose.distance_to(before) > _MOVED_BY_HAND_M:
@@ -292,7 +294,7 @@ class _Run:
     def _stand_still(
         self, reason: str | None, params: dict[str, Any]
     ) -> tuple[str | None, dict[str, Any]]:
-        """Zero twist at the end of every run, also of one that never began to move."""
+        """Commands zero velocity at the end of every run, even before the first motion."""
         self._context.command = STANDSTILL
         try:
             self._link.command(STANDSTILL)

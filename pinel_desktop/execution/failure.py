@@ -1,7 +1,7 @@
-"""What ends a run before its time."""
+"""The error that ends a run."""
 
 from pinel_desktop.errors import PinelError
 
 
 class RunFailureError(PinelError):
-    """The run cannot go on: its code is the run's reason."""
+    """The run cannot continue; the code is the reason of the outcome `failed`."""

@@ -1,4 +1,4 @@
-"""Limits that only a run can cross; those of the document are in `program/limits.py`."""
+"""Limits checked at run time; limits of the document are in `program/limits.py`."""
 
 MAX_MEMORY = 10_000_000  # characters and items in all variables and parameters together
 MAX_SAID = 1_000

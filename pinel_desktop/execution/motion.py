@@ -1,4 +1,4 @@
-"""Driving lines and arcs and turning on the spot, closed loop: what the motion primitives have in common."""
+"""Closed-loop lines, arcs and turns on the spot, shared by the motion primitives."""
 
 import math
 from collections.abc import Callable
@@ -15,7 +15,7 @@ _BLOCKED_TICKS = 2 * TICK_HZ
 _MOVE_STEP_M = 0.01
 _TURN_STEP_RAD = math.radians(1.0)
 _NEARLY_DONE_RAD = math.radians(5.0)
-_BESIDE_M = 0.05  # the end of an arc; what is less the next motion corrects
+_BESIDE_M = 0.05  # cross-track error at the end of an arc; the next motion corrects less
 _ALREADY_THERE_M = 1e-6
 _SLOWEST = 1e-6  # m/s, rad/s; such a motion ends as blocked
 _LONGEST_S = MAX_RUN_S + 60.0
@@ -27,13 +27,13 @@ def _never() -> bool:
 
 
 class _Setpoints:
-    """The moving set-point of one motion, one step a tick, planned anew from where the robot is after a pause."""
+    """The moving set-point of one motion, advanced every tick; planned anew from the robot's position after a pause."""
 
     def __init__(
         self, context: RunContext, goal: float, plan: Callable[[float], tuple[float, ...]]
     ) -> None:
         self._context, self._goal, self._plan = context, goal, plan
-        # A command acts a moment late: at a tick the robot is expected that much behind the set-point.
+        # Commands take effect late: the robot is expected behind the set-point by the delay.
         late = context.command_delay_s / TICK_S
         self._late_ticks = int(late)
         self._late_part = late - self._late_ticks
@@ -48,7 +48,7 @@ class _Setpoints:
         self._before = self._now = 0.0
 
     def next(self, done: float) -> tuple[float, float, int]:
-        """Where the robot is expected now, how fast it is to go until the next tick, ticks past the end."""
+        """Expected position of the robot now, speed until the next tick, ticks since the end (negative before)."""
         if self._n_resumed != self._context.n_resumed:
             self._start(done)
         index, self._index = self._index, self._index + 1
@@ -64,7 +64,7 @@ class _Setpoints:
         return expected, (upcoming - now) * TICK_HZ, late - self._last
 
     def _at(self, index: int) -> float:
-        """The set-point at a tick; it stands before its start and after its end."""
+        """The set-point at a tick, constant before its start and after its end."""
         return self._points[min(max(index, 0), self._last)]
 
 
@@ -73,7 +73,8 @@ def drive_straight(
 ) -> Routine:
     """Drives from the reference along its heading, backwards for a negative distance; closed loop.
 
-    Ends early, at rest and without a reference, when `interrupted`, which is asked at every tick.
+    Ends early, at rest and without a reference, when `interrupted()`, which is polled at every tick, is true.
+    Raises RunFailureError `blocked`.
     """
     line = Line(_begin(context), context.gains, context.trim)
     robot = context.robot
@@ -103,8 +104,11 @@ def drive_straight(
 
 
 def turn_on_the_spot(context: RunContext, angle_rad: float) -> Routine:
-    """Turns by the whole angle in its sign's direction, also beyond a full circle; closed loop."""
-    yield from stand_first(context)
+    """Turns by the angle, left if positive, also by more than a full circle; closed loop.
+
+    Raises RunFailureError `blocked`.
+    """
+    yield from rest_first(context)
     start = _begin(context)
     robot, gains = context.robot, context.gains
 
@@ -124,7 +128,7 @@ def turn_on_the_spot(context: RunContext, angle_rad: float) -> Routine:
             break
         if progress.stuck(turned, context.tick):
             raise _blocked_turn(turned, angle_rad)
-        # wheels that do not slip turn on the spot by themselves
+        # wheels without slip need no correction of the position
         v = hold_place(start, context.pose, gains) if gains.learn else 0.0
         context.command = Twist2D(v, speed + gains.yaw * (expected - turned))
         if context.observed:
@@ -136,13 +140,13 @@ def turn_on_the_spot(context: RunContext, angle_rad: float) -> Routine:
 
 
 def drive_arc(context: RunContext, radius_m: float, angle_rad: float) -> Routine:
-    """Drives a circular arc until the heading has changed by the whole angle; closed loop.
+    """Drives a circular arc until the heading has changed by the angle; closed loop.
 
-    The centre is on the left for a positive angle, on the right for a negative one, and the other way round for a
-    negative radius, which is driven backwards. The set-point's speed follows an S-curve along the arc, within the
-    limits of both velocities.
+    The centre is on the left for a positive angle and on the right for a negative one. A negative radius is driven
+    backwards, with the centre on the other side. The set-point's speed follows an S-curve within the limits of both
+    velocities. Raises RunFailureError `blocked` or `blocked_beside`.
     """
-    yield from stand_first(context)
+    yield from rest_first(context)
     arc = Arc(_begin(context), radius_m, angle_rad, context.gains, context.trim)
     robot, length = context.robot, abs(radius_m)
 
@@ -181,8 +185,11 @@ def drive_arc(context: RunContext, radius_m: float, angle_rad: float) -> Routine
 def drive_to(
     context: RunContext, x_m: float, y_m: float, interrupted: Callable[[], bool] = _never
 ) -> Routine:
-    """Turns towards a point of the start frame by the smaller angle, and drives to it; `interrupted` as above."""
-    yield from stand_first(context)
+    """Turns by the smaller angle towards a point of the start frame (m), and drives there.
+
+    `interrupted` and errors as for `drive_straight`.
+    """
+    yield from rest_first(context)
     here = _begin(context)
     distance = math.hypot(x_m - here.x_m, y_m - here.y_m)
     if distance < _ALREADY_THERE_M:
@@ -197,8 +204,8 @@ def _direction(here: Pose2D, x_m: float, y_m: float) -> float:
     return math.atan2(y_m - here.y_m, x_m - here.x_m)
 
 
-def drive_on(context: RunContext, twist: Twist2D) -> None:
-    """Sets a velocity that lasts until the next motion, within the limits that were set."""
+def set_velocity(context: RunContext, twist: Twist2D) -> None:
+    """Sets a velocity, clamped to the limits of the run, until the next motion."""
     v, omega = context.max_v_mps, context.max_omega_radps
     context.driving = Twist2D(
         min(max(twist.v_mps, -v), v), min(max(twist.omega_radps, -omega), omega)
@@ -208,7 +215,7 @@ def drive_on(context: RunContext, twist: Twist2D) -> None:
 
 
 def come_to_rest(context: RunContext) -> Routine:
-    """Commands standstill until the robot is measured to stand, for at most two seconds."""
+    """Commands zero velocity until the measured velocity is zero, for at most two seconds."""
     context.driving = None
     for waited in range(_BLOCKED_TICKS):
         context.command = STANDSTILL
@@ -221,26 +228,26 @@ def come_to_rest(context: RunContext) -> Routine:
 def _profile(
     rest: float, speed: float, acceleration: float, smoothing_s: float
 ) -> tuple[float, ...]:
-    """The S-curve over what is left of a motion, or over as much of it as a run has time for.
+    """The S-curve of the rest of a motion, cut to the longest duration of a run.
 
-    A profile is computed in one go, and Stop must not wait for it: 100 m at a snail's pace must not take seconds.
+    Stop has to wait while a profile is computed, so a long slow motion must not take seconds to plan.
     """
     speed = max(speed, _SLOWEST)
     longest = speed * _LONGEST_S
-    # long plans are not kept: they are large and rarely driven twice
+    # long plans are not cached: they are large and rarely repeated
     curve = s_curve if abs(rest) < speed * _KEPT_S else s_curve.__wrapped__
     return curve(min(max(rest, -longest), longest), speed, acceleration, smoothing_s, TICK_S)
 
 
-def stand_first(context: RunContext) -> Routine:
-    """After `drive` a motion begins where the robot has come to rest: it would slide off its reference."""
+def rest_first(context: RunContext) -> Routine:
+    """After `drive`, stops the robot before the next motion: moving, it would leave its reference."""
     if context.reference_lost:
         yield from come_to_rest(context)
     return None
 
 
 def _begin(context: RunContext) -> Pose2D:
-    """Where the next motion begins: the goal of the last one, or where the robot is measured if it was lost."""
+    """Start of the next motion: the goal of the last one, or the measured pose if the reference was lost."""
     context.driving = None
     if context.reference_lost:
         context.reference_lost = False
@@ -261,7 +268,7 @@ def _blocked_turn(turned_rad: float, angle_rad: float) -> RunFailureError:
 def _blocked_arc(
     context: RunContext, arc: Arc, done_rad: float, angle_rad: float
 ) -> RunFailureError:
-    """One whose angle is nearly done may have been pushed off its circle: then the distance to its end says more."""
+    """An arc whose angle is nearly done but whose end is far was pushed off its circle: reports that distance."""
     away_m = context.pose.distance_to(arc.point(angle_rad))
     if abs(angle_rad - done_rad) > _NEARLY_DONE_RAD or away_m <= _BESIDE_M:
         return _blocked_turn(done_rad, angle_rad)

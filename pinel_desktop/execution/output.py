@@ -1,4 +1,4 @@
-"""What a program gives out besides motion: said, marked, beeped, drawn, asked; each at most so often a run."""
+"""A program's output besides motion: texts, marks, beeps, pen, questions; each limited per run."""
 
 from collections.abc import Callable
 from typing import Literal
@@ -11,10 +11,10 @@ DEFAULT_COLOR = "blue"
 
 
 class Output:
-    """Keeps what was said and marked, for the end of the run, and reports everything as events.
+    """Reports output as events, and collects texts and marks for the end of the run.
 
-    A loop without motion may give out a thousand things a tick. What people read is limited: more than that fails the
-    run. The pen is reported once a tick, as only motion draws.
+    A loop without motion may produce a thousand outputs a tick: exceeding a limit fails the run. The pen is reported
+    once a tick, because only motion draws.
     """
 
     def __init__(self, emit: Callable[[Event], None]) -> None:
@@ -28,21 +28,21 @@ class Output:
         self._pen_block: str | None = None
 
     def say(self, block: str | None, text: str) -> None:
-        """Raises RunFailureError `too_many_said`."""
+        """Shows a text. Raises RunFailureError `too_many_said`."""
         if len(self.said) >= MAX_SAID:
             raise RunFailureError("too_many_said", max=MAX_SAID)
         self.said.append(text)
         self._emit(Said(block, text))
 
     def mark(self, block: str | None, symbol: Literal["X", "O"], x_m: float, y_m: float) -> None:
-        """A mark on the floor, in the start frame. Raises RunFailureError `too_many_marks`."""
+        """Marks a point of the floor, in the start frame. Raises RunFailureError `too_many_marks`."""
         if len(self.marks) >= MAX_MARKS:
             raise RunFailureError("too_many_marks", max=MAX_MARKS)
         self.marks.append(Marked(block, symbol, x_m, y_m))
         self._emit(self.marks[-1])
 
     def beep(self, block: str | None) -> None:
-        """Raises RunFailureError `too_many_beeps`."""
+        """Beeps. Raises RunFailureError `too_many_beeps`."""
         if self._n_beeps >= MAX_BEEPS:
             raise RunFailureError("too_many_beeps", max=MAX_BEEPS)
         self._n_beeps += 1
@@ -55,11 +55,11 @@ class Output:
         self._n_questions += 1
 
     def pen(self, block: str | None, *, down: bool, color: str | None) -> None:
-        """Puts the pen down or up."""
+        """Lowers or raises the pen; reported with the next tick."""
         self._pen, self._pen_block = (down, color or DEFAULT_COLOR), block
 
     def report_pen(self) -> None:
-        """Reports the pen if it has changed; called before a tick passes."""
+        """Reports a changed pen; called before each tick."""
         if self._pen != self._reported_pen:
             self._reported_pen = self._pen
             self._emit(Pen(self._pen_block, *self._pen))

@@ -1,4 +1,4 @@
-"""What a run leaves behind in numbers: rows of telemetry, their hash, the length of the path."""
+"""Telemetry of a run: rows, their hash, path length."""
 
 import hashlib
 import math
@@ -11,10 +11,10 @@ from pinel_desktop.robot import Pose2D
 
 
 class Recorder:
-    """Keeps one row of float64 a tick: tick, x, y, yaw, v, w, commanded v, commanded w (start frame, SI).
+    """Collects one row of float64 per tick: tick, x, y, yaw, v, w, commanded v, commanded w (start frame, SI).
 
     Attributes:
-        add: appends a row, given as a tuple; the array's own method, because it is called at every tick.
+        add: appends a row given as a tuple; the array's bound method, for speed.
     """
 
     NAMES = (
@@ -34,12 +34,12 @@ class Recorder:
         self.add: Callable[[tuple[float, ...]], None] = self.rows.extend
 
     def path_length_m(self) -> float:
-        """Length of the path from the start through all positions."""
+        """Length of the path through the start and all recorded positions."""
         xs, ys = (array("d", [0.0]) + self.rows[column :: self.COLUMNS] for column in (1, 2))
         return sum(map(math.hypot, map(sub, xs[1:], xs), map(sub, ys[1:], ys)))
 
     def last_pose(self) -> Pose2D:
-        """Pose of the newest row; the start without one."""
+        """Pose of the newest row; the start without rows."""
         return Pose2D(*self.rows[-7:-4]) if self.rows else Pose2D()
 
     def sha256(self) -> str:

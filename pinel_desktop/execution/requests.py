@@ -1,6 +1,6 @@
-"""What a running command may ask of the stack, by yielding it.
+"""Requests that a running command yields to the stack.
 
-None lets a tick pass; `Pending.PERSON` waits for a person or a camera, in real time.
+None requests a tick; `Pending.PERSON` waits for a person or a camera, in real time.
 """
 
 from collections.abc import Generator
@@ -15,21 +15,21 @@ __all__ = ["Body", "Invoke", "Jump", "Leave", "Preempt", "Returned", "Routine"]
 
 
 class Body(NamedTuple):
-    """Commands that a control-flow command wants run next; `path` is their place inside it, as a pointer."""
+    """Commands for the stack to run next; `path` is their JSON pointer relative to the requesting command."""
 
     commands: list[Any]
     path: str
 
 
 class Leave(Enum):
-    """A command is over and takes bodies around it with it."""
+    """Jump out of enclosing bodies: out of the loop, or to the loop's next iteration."""
 
     LOOP = "break"
     ROUND = "continue"
 
 
 class Returned(NamedTuple):
-    """A command is over, and so is the function around it."""
+    """Jump out of the enclosing function, with its value."""
 
     value: Value | None
 

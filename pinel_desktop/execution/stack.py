@@ -1,6 +1,6 @@
-"""Where a program is: the running command inside the bodies and functions around it. Stepping never blocks.
+"""The execution stack of a program: frames of bodies and functions. Stepping never blocks.
 
-Functions are frames on this stack and not calls of Python, so that their depth is the language's business.
+Functions are frames of this stack, not Python calls, so that the language sets the depth of recursion.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ from pinel_desktop.program.limits import MAX_RECURSION
 from pinel_desktop.program.model import Program
 
 _REPORT_TICKS = TICK_HZ // 5
-_PARTS_A_STEP = 20  # parts of expressions that take about as long as one command
+_PARTS_A_STEP = 20  # expression parts that take about as long as one command
 
 
 class _Entry(NamedTuple):
-    """A command that has begun. `reported` tells whether its end is reported as its beginning was."""
+    """A command that has begun; `reported` whether its beginning was reported, and its end will be."""
 
     command: Any
     pointer: str
@@ -33,15 +33,15 @@ class _Entry(NamedTuple):
 
 
 class _Frame:
-    """A body that is run: of a command that is under way, of a function, or of the whole program.
+    """A running body: of a command, of a function, or of the whole program.
 
     Attributes:
-        entry, routine: the command and what it still has to do; None for functions and the program.
-        is_loop: whether `break` and `continue` end here.
-        function: name of the function whose body this is.
-        outer: the parameters of who called the function.
-        commands, index, pointer: the body, the next command in it, its place in the document.
-        value: what the routine is to be given: the value of the function it has called.
+        entry, routine: the command and its generator; None for functions and the program.
+        is_loop: whether `break` and `continue` refer to this body.
+        function: name of the function, for its body.
+        outer: parameters of the caller, for the body of a function.
+        commands, index, pointer: the body, the index of its next command, its JSON pointer.
+        value: value of a called function, to be sent to the routine.
     """
 
     __slots__ = (
@@ -75,8 +75,13 @@ class _Frame:
 class ProgramStack:
     """Steps through a program.
 
-    A command that takes no time is reported at most five times a second for each of its places in the program, so that
-    a loop without motion cannot flood those who watch.
+    Commands that take no time are reported at most five times a second per place in the program, so that a loop
+    without motion cannot flood the observer.
+
+    Attributes:
+        should_pause: called before each command; None without an observer.
+        is_paused: whether the run pauses before the next command.
+        awaits_person: whether the running command waits for a person or a camera.
     """
 
     def __init__(self, program: Program, context: RunContext) -> None:
@@ -88,13 +93,12 @@ class ProgramStack:
         self._frames = [_Frame(program.commands, "/commands")]
         self._beginning: Any = None
         self._timed: Routine | None = None
-        # asked before each command; says whether the run is to be held there
-        self.holds: Callable[[Any], bool] | None = None
-        self.is_held = False
+        self.should_pause: Callable[[Any], bool] | None = None
+        self.is_paused = False
         self.awaits_person = False
         self._reported: set[str] = set()
         self._forget_at = _REPORT_TICKS
-        # by identity: the program is there as long as the run, and is frozen
+        # keyed by identity: the program is frozen and outlives the run
         self._compiled: dict[int, CompiledCommand] = {}
         self.calls: list[StackEntry] = []
         self.n_calls = 0
@@ -102,7 +106,7 @@ class ProgramStack:
 
     @property
     def block(self) -> str | None:
-        """Id of the innermost block that is running."""
+        """Id of the innermost running block."""
         if self._beginning is not None:
             return _block(self._beginning)
         inside = (frame.entry for frame in reversed(self._frames))
@@ -110,8 +114,8 @@ class ProgramStack:
 
     @property
     def next_block(self) -> str | None:
-        """Id of the block that begins next where the run is held, else of the one that is running."""
-        if not self.is_held:
+        """Id of the next block while the run is paused before it, otherwise of the running block."""
+        if not self.is_paused:
             return self.block
         frame = self._frames[-1]
         return _block(frame.commands[frame.index])
@@ -121,18 +125,20 @@ class ProgramStack:
         return not self._frames
 
     def run_until_time(self, max_steps: int, stop: Callable[[], bool]) -> bool:
-        """Runs commands until a tick has to pass, or `max_steps` are done; False when the program is over before.
+        """Runs commands until a tick is needed or `max_steps` are done; False when the program has ended.
 
-        It returns True as well where a command is held (`is_held`), when no tick has to pass, and where one waits for
-        a person or a camera (`awaits_person`). Long expressions count as more than one step; `stop` is asked between
-        steps, and ends them too.
+        Also returns True, without need of a tick, before a command at which the run pauses (`is_paused`) and while one
+        waits for a person or a camera (`awaits_person`). Long expressions count as several steps; `stop` is polled
+        between steps and ends them.
         """
         if self._reported and self._context.tick >= self._forget_at:
             self._reported.clear()
             self._forget_at = self._context.tick + _REPORT_TICKS
-        self.is_held = self.awaits_person = False
+        self.is_paused = self.awaits_person = False
         timed = self._timed
-        if timed is not None:  # what let the last tick pass mostly needs the next one too
+        if (
+            timed is not None
+        ):  # fast path: the command that needed the last tick mostly needs the next one
             self._timed = None
             if self._go_on(self._frames[-1], timed):
                 return True
@@ -150,19 +156,19 @@ class ProgramStack:
         return True
 
     def close(self) -> None:
-        """Ends everything that is under way, so that it can give back what it holds."""
+        """Closes all running routines, so that they release their resources."""
         while self._frames:
             routine = self._frames.pop().routine
             if routine is not None:
                 routine.close()
 
     def _step(self) -> bool:
-        """Does one step; True when the running command needs a tick to pass."""
+        """Does one step; True when the running command needs a tick."""
         frame = self._frames[-1]
         if frame.index < len(frame.commands):
             index = frame.index
-            if self.holds is not None and self.holds(frame.commands[index]):
-                self.is_held = True
+            if self.should_pause is not None and self.should_pause(frame.commands[index]):
+                self.is_paused = True
                 return True
             frame.index = index + 1
             self._begin(frame.commands[index], f"{frame.pointer}/{index}")
@@ -173,7 +179,7 @@ class ProgramStack:
         return self._go_on(frame, frame.routine)
 
     def _go_on(self, frame: _Frame, routine: Routine) -> bool:
-        """Lets the command of a frame do its next part; True when it needs time to pass."""
+        """Resumes the routine of a frame; True when it needs time to pass."""
         value, frame.value = frame.value, None
         try:
             wanted = routine.send(value)
@@ -197,7 +203,7 @@ class ProgramStack:
         return False
 
     def _pop(self, frame: _Frame) -> None:
-        """The frame's command is over."""
+        """Removes a frame whose command has ended."""
         self._frames.pop()
         self._context.done = 0.0
         if frame.entry is not None:
@@ -271,7 +277,7 @@ class ProgramStack:
         self._frames.append(frame)
 
     def _finish_function(self, value: Value | None) -> None:
-        """The function or the program is over; the command that called it gets the value."""
+        """Ends the function or the program; passes the value to the calling command."""
         frame = self._frames.pop()
         if frame.function is None:
             return
@@ -292,7 +298,7 @@ class ProgramStack:
         self._context.emit(BlockStarted(command.block, entry.pointer, command.action, entry.amount))
 
     def _report_late(self) -> None:
-        """Something takes time after all: its beginning, and what is around it, is reported now."""
+        """Reports the beginnings of running commands that were withheld, once one of them takes time."""
         for frame in self._frames:
             entry = frame.entry
             if entry is not None and not entry.reported:

@@ -1,4 +1,4 @@
-"""The object that `pinel run --json` prints (docs/program-document.md), from how a run ended."""
+"""The object that `pinel run --json` prints (docs/program-document.md)."""
 
 from typing import Any
 
@@ -6,7 +6,7 @@ from pinel_desktop.execution.executor import RunResult
 
 
 def run_object(result: RunResult, run_id: str | None, message: str | None) -> dict[str, Any]:
-    """The object for a run that was executed; `message` is the reason in words."""
+    """The object for an executed run; `message` is the reason as text."""
     ended = result.ended
     return {
         "state": ended.state,
@@ -29,7 +29,7 @@ def run_object(result: RunResult, run_id: str | None, message: str | None) -> di
 def unbegun_object(
     reason: str, message: str, faults: list[dict[str, Any]] | None = None
 ) -> dict[str, Any]:
-    """The object for a run that could not begin, such as one in a world that does not exist."""
+    """The object for a run that could not begin, for example without its world."""
     return {
         "state": "failed",
         "reason": reason,
@@ -49,5 +49,5 @@ def unbegun_object(
 
 
 def faulty_object(faults: list[dict[str, Any]], message: str) -> dict[str, Any]:
-    """The object for a document that has faults or cannot be read."""
+    """The object for a document with faults, or that cannot be read."""
     return unbegun_object("invalid_program", message, faults)

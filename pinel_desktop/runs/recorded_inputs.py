@@ -135,7 +135,7 @@ class RecordedInputs:
             return
         request = self._requests[0]
         if request.what == "hold":
-            self._control.hold_at = (request.at, request.cause)
+            self._control.pause_at = (request.at, request.cause)
         elif request.when in ("running", "paused") and self.tick >= request.at:
             self.pause_or_stop()
 

@@ -1,1 +1,1 @@
-"""Breakpoints, steps, inspection of a paused run, and what observers see of a run."""
+"""Breakpoints, steps, inspection of a paused run, and reports to observers."""

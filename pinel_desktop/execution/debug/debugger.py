@@ -1,4 +1,4 @@
-"""Where a run holds: at a breakpoint, or after a step."""
+"""Pauses a run at breakpoints and after steps."""
 
 from collections.abc import Callable
 from typing import Any
@@ -8,17 +8,17 @@ from pinel_desktop.execution.control import RunControl
 
 
 class Debugger:
-    """Asked before each command; says whether the run is to pause there.
+    """Decides before each command whether the run pauses there.
 
-    A step ends at the next command that begins: `into` anywhere, `over` not inside of functions that are called
-    from here, `out` after the function that runs. The command at which the run was held begins when it goes on.
+    A step ends at the next command that begins: with `into` anywhere, with `over` outside functions called from here,
+    with `out` after the running function. The command before which the run paused begins on resume.
 
     Args:
-        depth: how many functions run at this moment.
+        depth: number of functions on the stack.
 
     Attributes:
-        cause: why the run holds, or will with the next pause.
-        n_begun: how many commands have begun.
+        cause: cause of the current or next pause.
+        n_begun: number of commands that have begun.
     """
 
     def __init__(self, control: RunControl, depth: Callable[[], int]) -> None:
@@ -28,33 +28,33 @@ class Debugger:
         self.cause: PauseCause = "person"
         self.n_begun = 0
 
-    def holds(self, command: Any) -> bool:
-        """Whether the run pauses before this command; asks the control for the pause."""
+    def should_pause(self, command: Any) -> bool:
+        """Whether the run pauses before this command; if so, requests the pause."""
         control = self._control
         if (
             self._is_held
-            or control.stop_requested  # wins over a pause; a replay, which has no breakpoints, does the same
-            or (control.step is None and not control.breakpoints and control.hold_at is None)
+            or control.stop_requested  # has priority; a replay, which has no breakpoints, behaves the same
+            or (control.step is None and not control.breakpoints and control.pause_at is None)
         ):
             self._is_held = False
             self.n_begun += 1
             return False
-        if control.hold_at is not None and self.n_begun == control.hold_at[0]:
-            cause, control.hold_at = control.hold_at[1], None
-            self._hold(cause)
+        if control.pause_at is not None and self.n_begun == control.pause_at[0]:
+            cause, control.pause_at = control.pause_at[1], None
+            self._request_pause(cause)
         elif command.block is not None and command.block in control.breakpoints:
-            self._hold("breakpoint")
+            self._request_pause("breakpoint")
         elif self._step_is_over():
-            self._hold("step")
+            self._request_pause("step")
         self.n_begun += not self._is_held
         return self._is_held
 
     def paused(self) -> None:
-        """The run stands: steps are counted from here."""
+        """The run has paused: the next step begins here."""
         self._depth_of_pause = self._depth()
 
     def resumed(self) -> None:
-        """The run goes on; the next pause is a person's unless a command holds it."""
+        """The run has resumed; the next pause is a person's unless a command causes it."""
         self.cause = "person"
 
     def _step_is_over(self) -> bool:
@@ -67,7 +67,7 @@ class Debugger:
                 return self._depth() < self._depth_of_pause
         return False
 
-    def _hold(self, cause: PauseCause) -> None:
+    def _request_pause(self, cause: PauseCause) -> None:
         self._is_held = True
         self.cause = cause
         self._control.step = None

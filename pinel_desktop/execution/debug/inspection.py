@@ -1,4 +1,4 @@
-"""The values of expressions in a paused run."""
+"""Evaluation of expressions in a paused run."""
 
 from queue import Empty
 from typing import Any
@@ -16,7 +16,7 @@ from pinel_desktop.program.reading import read_document
 
 
 def answer_evaluations(control: RunControl, context: RunContext) -> None:
-    """Evaluates what has been asked since the last time. Called by the run's own thread while it is paused."""
+    """Evaluates the requests since the last call. Called on the run's thread while it is paused."""
     while True:
         try:
             request = control.evaluations.get_nowait()
@@ -29,10 +29,10 @@ def answer_evaluations(control: RunControl, context: RunContext) -> None:
 
 
 def inspect(expression: Any, context: RunContext) -> Any:
-    """The value of an expression at this moment, as plain data; nothing in the run is changed.
+    """The current value of an expression, as plain data, without side effects on the run.
 
-    Raises PinelError `peek_invalid` for what is no expression, `peek_not_possible` for what would have to run
-    (functions) or would draw a random number, and what evaluating it raises.
+    Raises PinelError `peek_invalid` for an invalid expression, `peek_not_possible` for one that calls a function or
+    draws a random number, and the errors of evaluation.
     """
     command = {"action": "set_variable", "name": "value", "value": expression}
     reading = read_document([command])
@@ -47,12 +47,12 @@ def inspect(expression: Any, context: RunContext) -> Any:
     worked = context.n_evaluated
     try:
         while True:
-            next(evaluating)  # yields Preempt only: the expression calls no function
+            next(evaluating)  # yields only Preempt: the expression calls no function
     except StopIteration as end:
         return cut_value(end.value)
     finally:
         context.n_evaluated = (
-            worked  # an inspection is no work of the program: its ticks stay as they are
+            worked  # inspection must not count as work of the program: it would change the ticks
         )
 
 

@@ -1,4 +1,4 @@
-"""Reports of what surrounds the robot: boxes that were pushed, and measurements of the sensors subscribed to."""
+"""Reports the poses of pushed boxes and the measurements of subscribed sensors."""
 
 from collections.abc import Callable
 
@@ -21,21 +21,21 @@ class SensorStream:
         self._subscribed: frozenset[str] = frozenset()
 
     def report(self) -> None:
-        """To be called at every tick; reports when it is time."""
+        """Called at every tick; reports when due."""
         if self._context.tick % _PAUSE_TICKS:
             return
         if self._poses:
-            self.report_things()
+            self.report_boxes()
         if self._control.subscriptions:
             self._report_ranges()
 
     def report_new_subscriptions(self) -> None:
-        """To be called while robot time stands still; reports once what has been subscribed to since."""
+        """Called while robot time stands still; reports new subscriptions once."""
         if self._subscribed != self._control.subscriptions:
             self._report_ranges()
 
-    def report_things(self) -> None:
-        """The boxes that have moved since the last time, where there are any."""
+    def report_boxes(self) -> None:
+        """Reports the boxes that have moved since the last report."""
         poses = self._link.things()
         moved = {
             str(index): (
@@ -66,7 +66,7 @@ def _close(pose: Pose2D, other: Pose2D) -> bool:
 
 
 def _rounded(measure: Callable[[], list[float]]) -> list[float] | None:
-    """What a ring of sensors measures; None where the robot has none."""
+    """Measurements of a ring of sensors (m); None if the robot has no such ring."""
     try:
         return [round(distance, _DIGITS) for distance in measure()]
     except PinelError:

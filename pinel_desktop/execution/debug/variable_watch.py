@@ -1,4 +1,4 @@
-"""Reports of the variables, the function calls and the gesture result of a run."""
+"""Reports the variables, the call stack and the gesture result of a run."""
 
 from typing import Any
 
@@ -16,7 +16,7 @@ _CUT = "…"
 
 
 class VariableWatch:
-    """Reports changes at most five times a second, and on demand; for runs with an observer."""
+    """Reports changes, at most five times a second or on demand; for runs with an observer."""
 
     def __init__(self, context: RunContext, stack: ProgramStack) -> None:
         self._context, self._stack = context, stack
@@ -28,7 +28,7 @@ class VariableWatch:
         return context.variables.version, self._stack.n_calls, context.gesture_result
 
     def report(self, *, now: bool = False) -> None:
-        """Reports what has changed since the last time, when it is time or `now`."""
+        """Reports changes since the last report, when due or `now`."""
         context = self._context
         if (context.tick < self._due and not now) or (state := self._state()) == self._seen:
             return
@@ -38,7 +38,7 @@ class VariableWatch:
 
 
 def _cut(variables: dict[str, Value]) -> dict[str, Any]:
-    """The variables for people: long texts and lists end in an ellipsis, and so does what is too much altogether."""
+    """The variables for display; long texts and lists, and a long total, end in an ellipsis."""
     room = _MOST_LETTERS
     shown: dict[str, Any] = {}
     for name, value in variables.items():
@@ -48,7 +48,7 @@ def _cut(variables: dict[str, Value]) -> dict[str, Any]:
 
 
 def cut_value(value: Value) -> Any:
-    """A value for people, as plain data: long texts and lists end in an ellipsis."""
+    """A value for display, as plain data; long texts and lists end in an ellipsis."""
     if isinstance(value, str):
         return value if len(value) <= _LONGEST_TEXT else value[:_LONGEST_TEXT] + _CUT
     if isinstance(value, list):

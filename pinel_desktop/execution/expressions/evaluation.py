@@ -1,8 +1,8 @@
-"""The values of expressions while a program runs.
+"""Evaluation of expressions while a program runs.
 
-An expression is compiled once a run. Short ones without calls become one function, which computes the value at once.
-Calls may contain motion, and an expression may be a megabyte long: those become generators, which ask the stack to
-run a function, or yield `Preempt`. What was evaluated is counted in `n_evaluated` and is work like commands.
+An expression is compiled once per run. A short one without calls becomes one function, which computes the value at
+once. Function calls may contain motion, and an expression may be a megabyte long: such ones become generators, which
+yield `Invoke` and `Preempt`. Evaluated parts are counted in `n_evaluated` and are work like commands.
 """
 
 from collections.abc import Callable, Generator, Mapping, Sequence
@@ -31,23 +31,21 @@ from pinel_desktop.program.sensors import SENSORS
 
 Simple = Callable[[], Value]
 
-_LONGEST_AT_ONCE = (
-    500  # parts; takes less than a millisecond for all but texts of thousands of letters
-)
+_LONGEST_AT_ONCE = 500  # parts; less than a millisecond, except with texts of thousands of letters
 _JOINED = ("and", "or")
 _COMPARISONS = ("==", "!=", "<", "<=", ">", ">=")
-# parts of an expression that take about as long as a list
-_MAYBE_LISTS = 10  # nobody knows beforehand how long they are
+# expression parts that take about as long as copying a list
+_MAYBE_LISTS = 10  # their length is unknown at compile time
 _ITEM_WORK = {"==": 0.25, "!=": 0.25, "join": 4.0}
 
 
 class Compiled(NamedTuple):
-    """An expression ready to be evaluated.
+    """A compiled expression.
 
     Attributes:
-        weight: how many parts it has, which is how much work it is.
+        weight: number of its parts, a measure of work.
         simple: computes the value at once; None where that is not possible.
-        steps: computes it with whatever it has to ask for, where `simple` is None.
+        steps: evaluates in steps; used where `simple` is None.
     """
 
     weight: int
@@ -56,13 +54,13 @@ class Compiled(NamedTuple):
 
 
 class Evaluator:
-    """Compiles the expressions of one run, each once."""
+    """Compiles and evaluates the expressions of one run."""
 
     def __init__(self, context: EvaluationContext) -> None:
         self._context = context
         self._compute = computations(context.random)
         self._last_preempted = 0
-        # by identity: the document is there as long as the run, and is frozen
+        # keyed by identity: the document is frozen and outlives the run
         self._compiled: dict[int, Compiled] = {}
         self._compilers: dict[type, Callable[[Any], Compiled]] = {
             Operation: self._operation,
@@ -96,14 +94,14 @@ class Evaluator:
     def arguments(
         self, arguments: Mapping[str, Any]
     ) -> Generator[Invoke | Preempt, Value | None, dict[str, Value]]:
-        """Evaluates the arguments of a call, in their order."""
+        """Evaluates the arguments of a call, in order."""
         values: dict[str, Value] = {}
         for name, argument in arguments.items():
             values[name] = self._own((yield from self.evaluated(self.compiled(argument))))
         return values
 
     def evaluated(self, part: Compiled) -> Evaluation:
-        """Evaluates a compiled expression, and preempts after much work."""
+        """Evaluates a compiled expression; preempts after much work."""
         if part.steps is not None:
             return (yield from part.steps())
         assert part.simple is not None
@@ -116,7 +114,7 @@ class Evaluator:
         return value
 
     def _own(self, value: Value) -> Value:
-        """A value that no later `append` changes."""
+        """A copy of a list, so that no later `append` changes it; other values as they are."""
         if isinstance(value, list):
             self._context.n_evaluated += len(value) // 2
             return value.copy()
@@ -143,7 +141,7 @@ class Evaluator:
         return Compiled(weight, joined)
 
     def _computation(self, node: Operation) -> tuple[Compute, int]:
-        """What an operation computes from the values of its arguments, and how much work that alone is."""
+        """The function of an operation on its arguments' values, and its own weight."""
         op = node.op
         if op in _COMPARISONS:
             of_gesture = any(isinstance(arg, GestureResult) for arg in node.args)
@@ -155,7 +153,7 @@ class Evaluator:
         return compute, 1
 
     def _counted(self, compute: Compute, work: float) -> Compute:
-        """The same function, which counts the items of lists as work."""
+        """Wraps a function: list items count as work."""
 
         def counted(*values: Value) -> Value:
             for value in values:
@@ -166,7 +164,7 @@ class Evaluator:
         return counted
 
     def _in_steps(self, op: str, compute: Compute, args: Sequence[Any]) -> Callable[[], Evaluation]:
-        """The long way; arguments are compiled when they are met, as compiling them is work too."""
+        """Evaluation in steps; arguments are compiled when reached, as compiling is work too."""
 
         def steps() -> Evaluation:
             values: list[Value] = []
@@ -196,7 +194,7 @@ class Evaluator:
         return self._measured(lambda value: read(bounds.checked(value)), asked, weight)
 
     def _measured(self, measure: Compute, asked: Any, cost_of_reading: int) -> Compiled:
-        """What a sensor measures that is asked a number."""
+        """Reading of a sensor with a numeric argument."""
         weight, simple, _ = self.compiled(asked)
         weight += cost_of_reading
         if simple is None:
@@ -215,7 +213,7 @@ class Evaluator:
 
 
 def _is_long(node: Operation) -> bool:
-    """Whether there is so much in an operation that compiling it takes its time; stops counting there."""
+    """Whether an operation has so many parts that compiling it takes noticeable time; stops counting at the limit."""
     count, waiting = 0, [node]
     while waiting and count <= _LONGEST_AT_ONCE:
         args = waiting.pop().args
@@ -225,12 +223,12 @@ def _is_long(node: Operation) -> bool:
 
 
 def _is_plain(expression: Any) -> bool:
-    """Whether it is a literal that is quickly compared."""
+    """Whether an expression is a literal that is quick to compare."""
     return expression.__class__ in (bool, float, str)
 
 
 def _nothing(*_values: Value) -> Value:
-    """What `and` and `or` would compute from values; they take them one by one."""
+    """Placeholder: `and` and `or` evaluate their arguments one by one."""
     raise NotImplementedError
 
 

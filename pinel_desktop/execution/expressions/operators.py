@@ -1,6 +1,6 @@
-"""What the operators of expressions compute. What they may take is in `program/operators.py`.
+"""The functions of the operators; their argument types are in `program/operators.py`.
 
-Short-circuiting `and` and `or` are no functions of values: they are in `evaluation.py`.
+The short-circuiting `and` and `or` are in `evaluation.py`.
 """
 
 import math
@@ -9,12 +9,12 @@ from operator import add, ge, gt, le, lt, mul, sub
 from random import Random
 from typing import Any
 
-from pinel_desktop.execution.expressions.values import Value, folded, join, same
+from pinel_desktop.execution.expressions.values import Value, fold_case, join, same
 from pinel_desktop.execution.failure import RunFailureError
 
-# takes the values of the arguments
+# from the argument values
 Compute = Callable[..., Value]
-# 360 is what the remainder of a tiny negative angle is rounded to
+# the remainder of a tiny negative angle rounds to 360
 _QUARTERS = {
     0.0: (0.0, 1.0),
     90.0: (1.0, 0.0),
@@ -25,7 +25,7 @@ _QUARTERS = {
 
 
 def computations(random: Random) -> dict[str, Compute]:
-    """Every operator's function; `random` is the run's own, made from its seed."""
+    """The function of each operator; `random` is the run's generator."""
 
     def random_int(low: Value, high: Value) -> Value:
         ends = sorted((_whole("random_int", low), _whole("random_int", high)))
@@ -35,11 +35,11 @@ def computations(random: Random) -> dict[str, Compute]:
 
 
 def comparison(op: str, *, of_gesture: bool) -> Compute:
-    """The function of a comparison; with the gesture result it ignores case."""
+    """The function of a comparison; ignores case if the gesture result is compared."""
     compare = _COMPUTATIONS[op]
     if not of_gesture:
         return compare
-    return lambda left, right: compare(folded(left), folded(right))
+    return lambda left, right: compare(fold_case(left), fold_case(right))
 
 
 def _numbers(op: str, values: tuple[Value, ...]) -> None:
@@ -92,7 +92,7 @@ def _square_root(value: float) -> float:
 
 
 def _sine_cosine(degrees: float) -> tuple[float, float]:
-    """Exact at multiples of 90 degrees, where the radians are not."""
+    """Sine and cosine, exact at multiples of 90 degrees."""
     turn = degrees % 360.0
     radians = math.radians(turn)
     return _QUARTERS.get(turn) or (math.sin(radians), math.cos(radians))

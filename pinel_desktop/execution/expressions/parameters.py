@@ -1,4 +1,4 @@
-"""Types and ranges of parameters at run time: those of the document's models, with the codes of reading faults."""
+"""Run-time checks of parameters: types and ranges of the document models, codes of the reader's faults."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from pinel_desktop.execution.failure import RunFailureError
 from pinel_desktop.program.expressions import Takes
 from pinel_desktop.program.signatures import TAKES, range_code
 
-# attributes of models that are called otherwise in the document
+# model attributes whose name in the document differs
 _KEYS = {"from_": "from"}
 
 
 @dataclass(frozen=True, slots=True)
 class Bounds:
-    """What a parameter takes. Only a run can check what a document computes."""
+    """Bounds of a numeric parameter, for values that only a run computes."""
 
     name: str
     takes: Takes
@@ -25,11 +25,11 @@ class Bounds:
     @staticmethod
     @cache
     def of(kind: str, name: str) -> Bounds:
-        """Those of a parameter of an action or a sensor."""
+        """The bounds of a parameter of an action or a sensor."""
         return Bounds(name, TAKES[kind, name])
 
     def checked(self, value: Value) -> float:
-        """The value, if it is a number that may stand here. Raises RunFailureError."""
+        """Returns the value if it is a number within the bounds. Raises RunFailureError."""
         takes = self.takes
         if not isinstance(value, float):
             raise RunFailureError("wrong_type_number", name=self.name)
@@ -45,20 +45,20 @@ class Bounds:
         return value
 
     def text(self, value: Value) -> str:
-        """The value, if it is a text. Raises RunFailureError `wrong_type_text`."""
+        """Returns the value if it is a text. Raises RunFailureError `wrong_type_text`."""
         if not isinstance(value, str):
             raise RunFailureError("wrong_type_text", name=self.name)
         return value
 
 
 def checked(bounds: Bounds | None, value: Value) -> Value:
-    """The value of a parameter, which may be anything where it has no bounds."""
+    """Checks the value of a parameter; without bounds any value passes. Raises RunFailureError."""
     if bounds is None:
         return value
     return bounds.text(value) if bounds.takes.type == "text" else bounds.checked(value)
 
 
 def bounds_of(command: Any, attribute: str) -> Bounds | None:
-    """The bounds of a command's parameter; None where it takes anything."""
+    """The bounds of a command's parameter; None where any value is allowed."""
     key = _KEYS.get(attribute, attribute)
     return Bounds.of(command.action, key) if (command.action, key) in TAKES else None

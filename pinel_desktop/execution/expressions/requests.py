@@ -1,4 +1,4 @@
-"""What the evaluation of an expression may ask of the stack, by yielding it, and what it may touch of the run."""
+"""Requests that evaluation yields to the stack, and the part of the run that it may use."""
 
 from collections.abc import Generator
 from enum import Enum
@@ -11,14 +11,14 @@ from pinel_desktop.robot import Pose2D, RobotModel, Sensors
 
 
 class Invoke(NamedTuple):
-    """A function that is to run; the yield gives its value, None where it returned none."""
+    """Runs a function; the yield returns its value, None without one."""
 
     function: str
     arguments: dict[str, Value]
 
 
 class Preempt(Enum):
-    """A long calculation lets others have a look, such as for Stop: the step ends, the tick goes on."""
+    """Ends the step within the tick, so that a long calculation reacts to Stop."""
 
     TAKEN = 0
 
@@ -27,7 +27,7 @@ Evaluation = Generator[Invoke | Preempt, Value | None, Value]
 
 
 class EvaluationContext(Protocol):
-    """The part of `RunContext` that expressions read; they change `n_evaluated` only."""
+    """The part of `RunContext` that expressions use; they write only `n_evaluated`."""
 
     robot: RobotModel
     pose: Pose2D

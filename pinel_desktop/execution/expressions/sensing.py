@@ -1,4 +1,4 @@
-"""Reading sensors into the language's units: metres, degrees, seconds, in the start frame."""
+"""Sensor readings in the language's units: metres, degrees, seconds; start frame."""
 
 import math
 from collections.abc import Callable
@@ -14,9 +14,9 @@ _ROUNDING_DEG = 1e-9
 
 
 def reader(context: EvaluationContext, name: str) -> Callable[..., Value]:
-    """The function that reads a sensor; it takes the value of the argument where the sensor has one.
+    """The function that reads a sensor, with the value of the sensor's argument if it has one.
 
-    Calling it raises PinelError `sensor_missing` where the robot lacks the sensor.
+    The function raises PinelError `sensor_missing` if the robot lacks the sensor.
     """
     if name in _OF_THE_RUN:
         read = _OF_THE_RUN[name]
@@ -29,13 +29,13 @@ def reader(context: EvaluationContext, name: str) -> Callable[..., Value]:
 
 
 def cost(context: EvaluationContext, name: str, asked: Any) -> int:
-    """How many parts of an expression reading a sensor takes as long as."""
+    """Weight of a sensor reading, in expression parts."""
     n_readings = len(context.robot.distance_sonars[asked]) if name == "distance" else 1
     return SENSORS[name].cost * n_readings
 
 
 def _asked(read: Callable[..., Value], argument: Argument) -> Callable[..., Value]:
-    """The same function, with an argument in the language's units."""
+    """Wraps a function: converts its argument from the language's units."""
     if argument.whole:
         return lambda value: read(int(value))
     if argument.unit == DEGREES:
@@ -48,7 +48,7 @@ def _in_degrees(read: Callable[..., Any]) -> Callable[..., Value]:
 
 
 def _distance(context: EvaluationContext, direction: str) -> Value:
-    """How much room there is in a direction, in m: what the nearest of its sonars measures."""
+    """Smallest measurement (m) of the sonars in a direction."""
     indices = context.robot.distance_sonars[direction]  # type: ignore[index]
     if not indices:
         missing("distance")
@@ -56,12 +56,12 @@ def _distance(context: EvaluationContext, direction: str) -> Value:
 
 
 def _heading_deg(yaw_rad: float) -> float:
-    """In (-180, 180]: straight back is 180, also where rounding has put it a hair beyond."""
+    """Heading in (-180, 180]; snaps values next to -180 to 180."""
     degrees = math.degrees(yaw_rad)
     return degrees if degrees > -180.0 + _ROUNDING_DEG else 180.0
 
 
-# sensors that are worked out of the run's state or of other sensors; a link has no method for them
+# derived from the run's state or other sensors; links have no method for them
 _OF_THE_RUN: dict[str, Callable[..., Value]] = {
     "x": lambda context: context.pose.x_m,
     "y": lambda context: context.pose.y_m,

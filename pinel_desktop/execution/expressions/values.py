@@ -1,4 +1,4 @@
-"""The values a program works with: numbers (always doubles), texts, booleans, and lists of those."""
+"""Values of the language: numbers (always doubles), texts, booleans, and lists of these."""
 
 import math
 import re
@@ -12,19 +12,19 @@ Value = bool | float | str | list[Any]
 
 _KINDS: dict[type, ValueType] = {bool: "boolean", float: "number", str: "text", list: "list"}
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)\Z")
-# up to here a double holds every whole number
+# doubles represent every integer up to here
 _EXACT = 2.0**53
 _DIGITS, _ALL_DIGITS = 12, 16
 _PLAIN_FROM = 1e-6
 
 
 def kind(value: Value) -> ValueType:
-    """The type of a value, by the name it has in the language."""
+    """Name of a value's type in the language."""
     return _KINDS[value.__class__]
 
 
 def literal(value: Any) -> Value:
-    """A literal of a document as a value: whole numbers become doubles, lists are copied."""
+    """The value of a document's literal: integers become doubles, lists are copied."""
     if value.__class__ is int:
         return float(value)
     if value.__class__ is list:
@@ -34,7 +34,7 @@ def literal(value: Any) -> Value:
 
 
 def same(left: Value, right: Value) -> bool:
-    """Equality of the language: between different types always false, in lists too."""
+    """Equality of the language: false between different types, in lists too."""
     if left.__class__ is not right.__class__:
         return False
     if isinstance(left, list) and isinstance(right, list):
@@ -47,39 +47,39 @@ def _is(left: type, right: type) -> bool:
     return left is right
 
 
-def folded(value: Value) -> Value:
-    """Gesture results are compared without regard to case: "b" is B."""
+def fold_case(value: Value) -> Value:
+    """The value for comparison with a gesture result, which ignores case."""
     return value.casefold() if isinstance(value, str) else value
 
 
-def shown(value: Value, name: str) -> str:
-    """A value as people read it, in every language the same: 3, 0.5, true, 1, 2, 3 for a list.
+def display_text(value: Value, name: str) -> str:
+    """A value as text, equal in all human languages: `3`, `0.5`, `true`, `1, 2, 3` for a list.
 
-    Raises RunFailureError `text_too_long`, naming `name`.
+    Raises RunFailureError `text_too_long` with `name`.
     """
     if isinstance(value, list):
         return join(value, name, between=", ")
     if isinstance(value, bool):
         return "true" if value else "false"
-    return value if isinstance(value, str) else shown_number(value)
+    return value if isinstance(value, str) else number_text(value)
 
 
 def join(values: list[Any], name: str, between: str = "") -> str:
-    """The shown values one after the other. Raises RunFailureError `text_too_long`, naming `name`."""
+    """The concatenated texts of values. Raises RunFailureError `text_too_long` with `name`."""
     parts: list[str] = []
     room = MAX_TEXT
     for value in values:
-        parts.append(shown(value, name))
+        parts.append(display_text(value, name))
         room -= len(parts[-1]) + (len(between) if len(parts) > 1 else 0)
         if room < 0:
             raise RunFailureError("text_too_long", name=name, max=MAX_TEXT)
     return between.join(parts)
 
 
-def shown_number(value: float) -> str:
-    """A number in 12 digits (16 where it has more before the point), without trailing zeros.
+def number_text(value: float) -> str:
+    """A number with 12 digits (16 if it has more before the point), without trailing zeros.
 
-    Exponents are for the huge and the tiny only.
+    Only huge and tiny numbers have exponents.
     """
     if value.is_integer() and abs(value) < _EXACT:
         return str(int(value))
@@ -93,8 +93,8 @@ def shown_number(value: float) -> str:
 
 
 def from_answer(text: str) -> Value:
-    """What a person typed: a number if it reads as one, with a point or a comma, else the text."""
-    text = text.encode("utf-8", "replace").decode("utf-8")  # lone surrogates cannot be kept
+    """Converts typed text: a number if it has the form of one, with a point or a comma, otherwise a text."""
+    text = text.encode("utf-8", "replace").decode("utf-8")  # lone surrogates cannot be stored
     trimmed = text.strip()
     if not _NUMBER.match(trimmed):
         return text
@@ -103,7 +103,7 @@ def from_answer(text: str) -> Value:
 
 
 def plain(value: Value) -> Any:
-    """A value for JSON: whole numbers without a decimal point."""
+    """A value as JSON data: integers without a decimal point."""
     if isinstance(value, list):
         return [plain(item) for item in value]
     if isinstance(value, float) and value.is_integer() and abs(value) < _EXACT:
@@ -112,7 +112,7 @@ def plain(value: Value) -> Any:
 
 
 def size(value: Value) -> int:
-    """How much memory a value counts as: a text by its characters, a list by its items and their characters."""
+    """Memory that a value counts as: characters of a text; items of a list and their characters."""
     if isinstance(value, str):
         return len(value)
     if isinstance(value, list):

@@ -1,4 +1,4 @@
-"""The variables of a run: those of everybody, and the parameters of the function that is running."""
+"""The variables of a run: globals, and the parameters of the running function."""
 
 from typing import Any
 
@@ -11,11 +11,11 @@ Names = dict[str, Value]
 
 
 class Variables:
-    """Names and their values; a list belongs to one name only and is copied when it gets another.
+    """Names and their values. Lists have value semantics: assignment copies them.
 
     Attributes:
-        parameters: of the running function, empty outside of all; they hide variables of the same name.
-        version: counts changes, for those who watch.
+        parameters: those of the running function, empty outside functions; they hide globals of the same name.
+        version: counts changes, for observers.
     """
 
     def __init__(self) -> None:
@@ -25,7 +25,7 @@ class Variables:
         self._memory = 0
 
     def get(self, name: str) -> Value:
-        """The value of a name; a list itself and no copy. Raises RunFailureError `unset_variable`."""
+        """The value of a name; a list without copying. Raises RunFailureError `unset_variable`."""
         names = self.parameters if name in self.parameters else self._everybodys
         try:
             return names[name]
@@ -33,7 +33,7 @@ class Variables:
             raise RunFailureError("unset_variable", name=name) from None
 
     def set(self, name: str, value: Value) -> None:
-        """Gives a name a value. Raises RunFailureError `too_many_variables` or `memory_full`."""
+        """Assigns a value. Raises RunFailureError `too_many_variables` or `memory_full`."""
         names = self.parameters if name in self.parameters else self._everybodys
         old = names.get(name)
         if old is None and len(names) >= MAX_VARIABLES:
@@ -44,7 +44,7 @@ class Variables:
         self.version += 1
 
     def append(self, name: str, value: Value) -> None:
-        """Adds to the list of that name.
+        """Appends to a list.
 
         Raises RunFailureError `unset_variable`, `wrong_type_list`, `list_in_list`, `list_too_long`, `memory_full`.
         """
@@ -60,14 +60,14 @@ class Variables:
         self.version += 1
 
     def number(self, name: str) -> float:
-        """The value of a name that must be a number. Raises RunFailureError `wrong_type_number`."""
+        """The number of that name. Raises RunFailureError `unset_variable` or `wrong_type_number`."""
         value = self.get(name)
         if not isinstance(value, float):
             raise RunFailureError("wrong_type_number", name=name)
         return value
 
     def enter(self, parameters: Names) -> Names:
-        """A function begins; returns the parameters of the one that called it, for `leave`."""
+        """Enters a function; returns the caller's parameters, for `leave`."""
         outer, own = self.parameters, {}
         for name, value in parameters.items():
             self._grow(size(value))
@@ -77,17 +77,17 @@ class Variables:
         return outer
 
     def leave(self, outer: Names) -> None:
-        """The function is over: its parameters are forgotten."""
+        """Leaves the function: restores the caller's parameters."""
         self._memory -= sum(map(size, self.parameters.values()))
         self.parameters = outer
         self.version += 1
 
-    def everybodys(self) -> dict[str, Any]:
-        """The variables of everybody as JSON data."""
+    def global_values(self) -> dict[str, Any]:
+        """The globals as JSON data."""
         return {name: plain(value) for name, value in self._everybodys.items()}
 
     def visible(self) -> Names:
-        """All names and their values as they are seen at this moment; not to be changed."""
+        """All visible names and their values; not to be modified."""
         return {**self._everybodys, **self.parameters}
 
     def _grow(self, more: int) -> None:

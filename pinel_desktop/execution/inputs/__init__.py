@@ -1,4 +1,4 @@
-"""Where a run gets the results of captures and the answers to questions from."""
+"""Sources of capture results and answers."""
 
 from pinel_desktop.execution.inputs.sources import (
     Inputs,

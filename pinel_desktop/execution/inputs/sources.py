@@ -1,4 +1,4 @@
-"""Sources of inputs: a person or a camera in real time, a list, or the record of a run (`runs/recorded_inputs.py`)."""
+"""Input sources: a person or a camera in real time, or a list; for recorded runs see `runs/recorded_inputs.py`."""
 
 from collections.abc import Callable, Iterable
 from enum import Enum
@@ -8,7 +8,7 @@ from pinel_desktop.execution.failure import RunFailureError
 
 
 class Pending(Enum):
-    """There is no input yet: what has to pass before the source is asked again.
+    """No input yet: the kind of time to let pass before the next poll.
 
     TICK: a tick of robot time.
     PERSON: real time. In a simulator robot time stands still; a real robot's ticks go on.
@@ -19,26 +19,26 @@ class Pending(Enum):
 
 
 class InputSource(Protocol):
-    """Gives one input at a time: the result of a capture, or the answer to a question."""
+    """Provides one input at a time: the result of a capture, or the answer to a question."""
 
     def begin(self, question: str) -> None:
-        """The program waits from now on; earlier inputs are forgotten. `question` is "" for a capture."""
+        """Begins a wait and discards earlier inputs. `question` is "" for a capture."""
 
     def poll(self) -> str | Pending:
-        """The input, or what has to pass before the next poll. May raise RunFailureError."""
+        """The input, or `Pending`. May raise RunFailureError."""
         ...
 
     def cancel(self) -> None:
-        """The program waits no longer, answered or not."""
+        """Ends the wait, answered or not."""
 
 
 class Inputs(Protocol):
     """All inputs of one run.
 
     Attributes:
-        is_live: whether a person or a camera gives them, which takes real time.
-        gestures: results of captures; "" where nothing was recognised.
-        answers: answers to questions, as they were typed.
+        is_live: whether a person or a camera provides them, in real time.
+        gestures: results of captures; "" if nothing was recognised.
+        answers: answers to questions, as typed.
     """
 
     is_live: bool
@@ -51,10 +51,10 @@ class Inputs(Protocol):
 
 
 class Script:
-    """Inputs given beforehand, one for each wait, on the next tick.
+    """A list of inputs, one for each wait, given on the next tick.
 
     Args:
-        at_end: what is given when they run out, from the question.
+        at_end: returns the input for a question after the end of the list.
     """
 
     def __init__(self, inputs: Iterable[str], at_end: Callable[[str], str]) -> None:
@@ -76,7 +76,7 @@ class Script:
 
 
 class ScriptedInputs:
-    """Inputs of a run without a person: a capture too many gives "", a question too many fails the run."""
+    """Inputs of a run without a person; past the end a capture gives "" and a question fails the run."""
 
     is_live = False
 
@@ -85,7 +85,7 @@ class ScriptedInputs:
         self.answers = Script(answers, _missing)
 
     def attach(self, control: object) -> None:
-        """It needs nothing of the run."""
+        """Does nothing: these inputs do not depend on the run."""
 
 
 def _missing(question: str) -> str:
@@ -93,23 +93,23 @@ def _missing(question: str) -> str:
 
 
 class PersonInput:
-    """Inputs given by a person or a camera while the program waits; safe to answer from another thread."""
+    """Input of a person or a camera while the program waits; thread-safe."""
 
     def __init__(self) -> None:
         self._is_open = False
         self._given: str | None = None
         self._has_waited = False
 
-    def begin(self, question: str) -> None:  # the page knows the question from the event
+    def begin(self, question: str) -> None:  # the event carries the question to the page
         self._given, self._has_waited, self._is_open = None, False, True
 
     def answer(self, given: str) -> None:
-        """Answers the running capture or the open question; without one it does nothing."""
+        """Answers the current capture or question; without effect if there is none."""
         if self._is_open:
             self._given = given
 
     def poll(self) -> str | Pending:
-        """Waits at least once, so that a replay can do the same."""
+        """Waits at least once, so that a replay can reproduce the wait."""
         if self._given is None or not self._has_waited:
             self._has_waited = True
             return Pending.PERSON
@@ -120,7 +120,7 @@ class PersonInput:
 
 
 class LiveInputs:
-    """Inputs that a person or a camera gives while the run waits."""
+    """Inputs of a person or a camera during the run."""
 
     is_live = True
 
@@ -128,4 +128,4 @@ class LiveInputs:
         self.gestures, self.answers = PersonInput(), PersonInput()
 
     def attach(self, control: object) -> None:
-        """It needs nothing of the run."""
+        """Does nothing: these inputs do not depend on the run."""

@@ -1,4 +1,4 @@
-"""Drawing on the floor: the pen that follows the robot, marks where it stands."""
+"""The pen and marks on the floor."""
 
 from pinel_desktop.execution.context import RunContext
 from pinel_desktop.execution.primitives.base import instant

@@ -1,4 +1,4 @@
-"""Waiting, repeating, deciding."""
+"""Waiting, loops and conditions."""
 
 import math
 
@@ -19,7 +19,7 @@ from pinel_desktop.program.model import (
     While,
 )
 
-# so much of a step may be missing at the last round of `for`: 0.1 three times is more than 0.3
+# tolerance, in steps, of the last iteration of `for`: three times 0.1 is more than 0.3
 _ROUNDING = 1e-9
 
 
@@ -33,7 +33,7 @@ def wait(context: RunContext, _command: Wait, seconds: float) -> Routine:
 
 @timed("wait_until", "timeout")
 def wait_until(context: RunContext, command: WaitUntil, timeout: float | None) -> Routine:
-    """Evaluates the condition once a tick, the first time at once."""
+    """Evaluates the condition immediately and then at every tick; ends after the timeout (s)."""
     first = context.tick
     ticks = math.inf if timeout is None else max(1, round(timeout * TICK_HZ))
     while not (yield from context.evaluator.truth(command.condition)):
@@ -69,7 +69,10 @@ def until(context: RunContext, command: Until) -> Routine:
 
 @flow("for", "from_", "to", "by", loop=True)
 def for_(context: RunContext, command: For, start: float, end: float, by: float) -> Routine:
-    """Counts from the start by whole steps, so that their errors do not add up; the end is part of it."""
+    """Inclusive of `end`. Each value is `start + step * by`, so that rounding errors do not accumulate.
+
+    Raises RunFailureError `step_is_zero` or `not_finite_result`.
+    """
     if by == 0.0:
         raise RunFailureError("step_is_zero", variable=command.variable)
     body = Body(command.commands, "/commands")

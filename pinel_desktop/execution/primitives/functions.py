@@ -1,4 +1,4 @@
-"""Calling functions, returning from them."""
+"""Function calls and `return`."""
 
 from pinel_desktop.execution.context import RunContext
 from pinel_desktop.execution.expressions.values import Value
@@ -9,7 +9,7 @@ from pinel_desktop.program.model import Call, Return
 
 @flow("call")
 def call(context: RunContext, command: Call) -> Routine:
-    """Runs a function; what it returns is dropped."""
+    """Runs a function and discards its value."""
     arguments = yield from context.evaluator.arguments(command.arguments)
     yield Invoke(command.function, arguments)
     return None

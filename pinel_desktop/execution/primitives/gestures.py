@@ -1,4 +1,4 @@
-"""Capturing a gesture, setting its result."""
+"""Gesture captures and the gesture result."""
 
 from pinel_desktop.events.model import CaptureStarted, GestureResult
 from pinel_desktop.execution.context import RunContext
@@ -10,7 +10,7 @@ from pinel_desktop.program.model import ClassifyGestures, SetGestureResult
 
 @timed("classify_gestures", "timeout")
 def classify_gestures(context: RunContext, command: ClassifyGestures, timeout: float) -> Routine:
-    """Waits for a result; "" after the timeout."""
+    """Waits for the result of a capture; "" after the timeout (s)."""
     announcement = CaptureStarted(command.block, timeout)
     source = context.sources.gestures
     result = yield from wait_for_input(context, source, announcement, timeout_s=timeout)

@@ -1,4 +1,4 @@
-"""Moving, turning, curves, velocities, stopping."""
+"""Lines, turns, arcs, velocities and stopping; distances in m, angles in degrees."""
 
 import math
 
@@ -6,9 +6,9 @@ from pinel_desktop.execution.context import RunContext, RunFailureError
 from pinel_desktop.execution.motion import (
     come_to_rest,
     drive_arc,
-    drive_on,
     drive_straight,
     drive_to,
+    set_velocity,
     turn_on_the_spot,
 )
 from pinel_desktop.execution.primitives.base import instant, timed
@@ -62,14 +62,17 @@ def stop(context: RunContext, _command: Stop) -> Routine:
 
 @instant("drive", "linear", "angular")
 def drive(context: RunContext, _command: Drive, linear: float, angular: float) -> None:
-    drive_on(context, Twist2D(linear, math.radians(angular)))
+    set_velocity(context, Twist2D(linear, math.radians(angular)))
 
 
 @instant("set_speed", "linear", "angular")
 def set_speed(
     context: RunContext, _command: SetSpeed, linear: float | None, angular: float | None
 ) -> None:
-    """What is left out stays as it is. Raises RunFailureError `speed_out_of_range` above the robot's maxima."""
+    """Limits later motions, in m/s and degrees/s; None keeps a limit.
+
+    Raises RunFailureError `speed_out_of_range` above the robot's limits.
+    """
     robot = context.robot
     if linear is not None:
         if linear > robot.max_v_mps:

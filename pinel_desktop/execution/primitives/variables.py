@@ -1,4 +1,4 @@
-"""Setting and changing variables, filling lists."""
+"""Variables and lists."""
 
 import math
 
@@ -11,7 +11,7 @@ from pinel_desktop.program.model import Append, ChangeVariable, SetVariable
 @instant("set_variable", "value")
 def set_variable(context: RunContext, command: SetVariable, value: Value) -> None:
     if isinstance(value, list):
-        context.n_evaluated += len(value)  # it is copied
+        context.n_evaluated += len(value)  # copying a list is work
     context.variables.set(command.name, value)
 
 

@@ -1,4 +1,4 @@
-"""Waiting for an input, as captures and questions do."""
+"""Waiting for the input of a capture or a question."""
 
 import math
 from collections.abc import Generator
@@ -8,7 +8,7 @@ from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.execution.context import RunContext
 from pinel_desktop.execution.inputs.sources import InputSource, Pending
 
-_TOLD_HZ = 5
+_COUNTDOWN_HZ = 5
 
 Waiting = Generator[Pending | None, None, str | None]
 
@@ -21,9 +21,9 @@ def wait_for_input(
     question: str = "",
     timeout_s: float = math.inf,
 ) -> Waiting:
-    """Announces that the program waits, and gives the input; None after the timeout.
+    """Emits `announcement`, then waits; returns the input, None after the timeout.
 
-    The timeout counts what the source needs: real time for a person or a camera, without pauses, else robot time.
+    The timeout counts real time without pauses for a person or a camera, otherwise robot time.
     """
     source.begin(question)  # before the announcement: an answer may come at once
     context.emit(announcement)
@@ -34,9 +34,9 @@ def wait_for_input(
 
 
 def _polled(context: RunContext, source: InputSource, timeout_s: float) -> Waiting:
-    n_ticks, began_s, told = 0, context.waited_s, math.inf
-    while isinstance(given := source.poll(), Pending):
-        if given is Pending.TICK:
+    n_ticks, began_s, reported = 0, context.waited_s, math.inf
+    while isinstance(input_ := source.poll(), Pending):
+        if input_ is Pending.TICK:
             if n_ticks >= max(1, _ticks(timeout_s)):
                 return None
             n_ticks += 1
@@ -45,11 +45,11 @@ def _polled(context: RunContext, source: InputSource, timeout_s: float) -> Waiti
         left_s = began_s + timeout_s - context.waited_s
         if left_s <= 0.0:
             return None
-        if math.isfinite(left_s) and math.ceil(left_s * _TOLD_HZ) < told:
-            told = math.ceil(left_s * _TOLD_HZ)
+        if math.isfinite(left_s) and math.ceil(left_s * _COUNTDOWN_HZ) < reported:
+            reported = math.ceil(left_s * _COUNTDOWN_HZ)
             context.emit(Countdown(round(left_s, 2)))
-        yield given
-    return given
+        yield input_
+    return input_
 
 
 def _ticks(timeout_s: float) -> float:

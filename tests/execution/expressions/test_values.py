@@ -1,4 +1,4 @@
-"""How values are shown and compared, beyond what expressions in tests reach."""
+"""How values are display_text and compared, beyond what expressions in tests reach."""
 
 import math
 
@@ -6,7 +6,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pinel_desktop.execution.expressions.values import from_answer, plain, same, shown, shown_number
+from pinel_desktop.execution.expressions.values import (
+    display_text,
+    from_answer,
+    number_text,
+    plain,
+    same,
+)
 
 
 @pytest.mark.parametrize(
@@ -29,12 +35,12 @@ from pinel_desktop.execution.expressions.values import from_answer, plain, same,
     ],
 )
 def test_numbers_are_shown_as_pupils_write_them(number: float, text: str) -> None:
-    assert shown_number(number) == text
+    assert number_text(number) == text
 
 
 @given(st.floats(allow_nan=False, allow_infinity=False))
 def test_shown_number_is_the_number_and_has_no_trailing_zeros(number: float) -> None:
-    text = shown_number(number)
+    text = number_text(number)
     assert math.isclose(float(text), number, rel_tol=1e-11, abs_tol=1e-320)
     if "e" not in text and "." in text:
         assert text[-1] not in "0."
@@ -44,14 +50,14 @@ def test_shown_number_is_the_number_and_has_no_trailing_zeros(number: float) -> 
 
 @given(st.floats(-1e6, 1e6))
 def test_what_is_shown_reads_as_the_same_number(number: float) -> None:
-    read = from_answer(shown_number(number))
+    read = from_answer(number_text(number))
     if abs(number) >= 1e-6:
         assert read == pytest.approx(number, rel=1e-11)
 
 
 def test_booleans_are_shown_as_words_and_lists_with_commas() -> None:
-    assert shown(True, "say") == "true"
-    assert shown([1.0, "a", False], "say") == "1, a, false"
+    assert display_text(True, "say") == "true"
+    assert display_text([1.0, "a", False], "say") == "1, a, false"
 
 
 def test_equality_looks_at_types_inside_lists_too() -> None:
