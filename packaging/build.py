@@ -1,4 +1,4 @@
-"""Builds the package: dist/pinel-desktop, with the notices of everything that ships in it."""
+"""Builds the package, dist/pinel-desktop, with the licence notices of all its third-party parts."""
 
 import shutil
 import subprocess
@@ -21,7 +21,7 @@ def size_of(folder: Path) -> int:
 
 
 def build() -> None:
-    """Runs PyInstaller; its output is kept and shown when it fails."""
+    """Runs PyInstaller; prints its output only if it fails."""
     shutil.rmtree(FOLDER, ignore_errors=True)
     log = ROOT / "build" / "pyinstaller.log"
     log.parent.mkdir(exist_ok=True)

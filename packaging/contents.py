@@ -1,4 +1,4 @@
-"""What goes into the package and what stays out; used by pinel.spec."""
+"""Selects the contents of the package; used by pinel.spec."""
 
 import json
 import sys
@@ -15,11 +15,11 @@ DATA_FOLDERS = {
     "sim/worlds": "sim/worlds",
     "LICENSE": ".",
 }
-# Their versions are printed by --self-check, or they ask for their own.
+# --self-check prints their versions, or they read their own metadata.
 METADATA = ("pywebview", "flask", "werkzeug", "pydantic", "pymunk", "numpy", "sqlite-utils")
 
 _PYTHON_EXTRAS = "tkinter _tkinter turtle idlelib lib2to3 ensurepip venv pydoc_data test pip setuptools pkg_resources"
-# found on the machine that builds, wanted by optional parts of libraries that are not used
+# imported by unused optional parts of libraries, and present on some build machines
 _OPTIONAL = (
     "cryptography yaml rich pygments markdown_it IPython pandas scipy cv2 pygame pyglet "
     "pytest _pytest hypothesis mypy numpy.f2py numpy.testing numpy.distutils "
@@ -27,7 +27,7 @@ _OPTIONAL = (
 )
 _GPL = "readline"
 EXCLUDED = [*_PYTHON_EXTRAS.split(), *_OPTIONAL.split(), *_GPL.split()]
-# Analysing gi.repository would collect the whole desktop; gi finds it on the system when it is imported.
+# Analysing gi.repository would collect the whole desktop; gi loads the system's at import.
 _GTK = (
     "Atk Gdk GdkPixbuf Gio GLib GModule GObject Gtk HarfBuzz JavaScriptCore Pango Soup WebKit2 cairo freetype2 xlib "
     "GIRepository Gst Keybinder IBus"
@@ -42,8 +42,8 @@ EXCLUDED_ON_LINUX = [
 _SYSTEM_FOLDERS = ("/usr/lib", "/lib", "/usr/lib64", "/lib64")
 
 
-def strangers() -> list[str]:
-    """Modules that happen to be installed on the machine that builds, beside the environment: none but gi ships."""
+def system_modules() -> list[str]:
+    """Modules of the build machine outside the environment, to exclude; only gi ships."""
     environment = [Path(folder) for folder in sys.path if "site-packages" in folder]
     system = [Path(folder) for folder in sys.path if "dist-packages" in folder]
     ours = {entry.name.partition(".")[0] for folder in environment for entry in folder.glob("*")}
@@ -52,8 +52,8 @@ def strangers() -> list[str]:
 
 
 def without_gtk(binaries: Iterable[Entry]) -> list[Entry]:
-    """The binaries less the system's libraries that only GTK's bindings asked for."""
-    from PyInstaller.depend import bindepend  # noqa: PLC0415 - here while a package is being built only
+    """The binaries without the system libraries that only GTK's bindings need."""
+    from PyInstaller.depend import bindepend  # noqa: PLC0415 - installed only where packages are built
 
     entries = list(binaries)
     by_file = {Path(file).resolve(): file for _, file, _ in entries}
@@ -71,13 +71,13 @@ def without_gtk(binaries: Iterable[Entry]) -> list[Entry]:
 
 
 def _is_root(name: str, file: str) -> bool:
-    """Whether it ships for its own sake: what Python imports, and Python itself, which the bootloader loads."""
+    """Whether a binary ships for itself: an extension module, or Python, which the bootloader loads."""
     from_system = file.startswith(_SYSTEM_FOLDERS) and "/python3" not in file
     return name.startswith("libpython") or not (from_system or name.startswith("gi/"))
 
 
 def write_manifest(file: Path, analysis: Any) -> None:
-    """What was packed, for the notices: modules, and where each binary came from."""
+    """Writes what was packed, for the notices: modules, and the origin of each binary."""
     manifest = {
         "modules": sorted(name for name, _, _ in analysis.pure),
         "binaries": sorted([name, source] for name, source, _ in analysis.binaries),

@@ -1,15 +1,14 @@
-"""Where the packaged program starts."""
+"""Entry point of the packaged program."""
 
 import multiprocessing
 import os
 import sys
 
 
-def _give_children_the_system_s_libraries() -> None:
-    """Undoes what the bootloader did to LD_LIBRARY_PATH.
+def _restore_library_path() -> None:
+    """Restores LD_LIBRARY_PATH, which the bootloader has pointed at the package's libraries.
 
-    It points at the libraries of the package. This process has read it; WebKit's helpers and the browsers that
-    we start belong to the system and must find the system's own.
+    This process has already read it. WebKit's helper processes and browsers that it starts need the system's libraries.
     """
     original = os.environ.pop("LD_LIBRARY_PATH_ORIG", None)
     os.environ.pop("LD_LIBRARY_PATH", None)
@@ -18,11 +17,11 @@ def _give_children_the_system_s_libraries() -> None:
 
 
 if sys.platform == "linux":
-    _give_children_the_system_s_libraries()
+    _restore_library_path()
 
-from pinel_desktop.__main__ import main  # noqa: E402 - after the environment is in order
+from pinel_desktop.__main__ import main  # noqa: E402 - after the environment is restored
 
-# a process that checks programs beside others starts here too, and goes its own way
+# worker processes of multiprocessing also start here; this call does not return in them
 multiprocessing.freeze_support()
 
 main()

@@ -1,7 +1,7 @@
-"""The licences of everything of others that ships in the package; nothing under GPL or AGPL may.
+"""Licence notices of all third-party parts of the package; refuses GPL and AGPL.
 
-Three sources: Python distributions (their metadata), npm packages of the page (ui/package-lock.json), and shared
-libraries of the system, whose licences are listed here because their packages do not tell them apart.
+Sources: metadata of the Python distributions, npm packages of the page (ui/package-lock.json), and shared libraries of
+the system, whose licences are listed here because system packages do not state them per file.
 """
 
 import json
@@ -15,9 +15,9 @@ from typing import Any
 
 _TEXTS = re.compile(r"(^|/)(licen[cs]e|copying|notice|authors)[^/]*$", re.IGNORECASE)
 _FORBIDDEN = re.compile(r"(?<![A-Z])A?GPL|GNU (AFFERO )?GENERAL PUBLIC")
-# Blockly names it for programs without a browser; a browser needs none, and the page holds none.
+# A dependency of Blockly for use without a browser; the page does not contain it.
 NOT_IN_THE_PAGE = ("jsdom",)
-# Shared libraries that Python's own modules need, by the beginning of their file's name.
+# Shared libraries needed by Python's own modules, by file name prefix.
 SYSTEM_LIBRARIES = {
     "libpython3": ("Python", "PSF-2.0"),
     "libssl": ("OpenSSL", "Apache-2.0"),
@@ -47,7 +47,7 @@ SYSTEM_LIBRARIES = {
 
 @dataclass(frozen=True, order=True)
 class Notice:
-    """One thing of others that ships."""
+    """Licence notice of one third-party part."""
 
     name: str
     version: str
@@ -56,11 +56,11 @@ class Notice:
 
 
 class LicenceError(Exception):
-    """Something must not ship, or nobody knows whether it may."""
+    """A part must not ship, or its licence is unknown."""
 
 
 def collect(root: Path) -> str:
-    """The text of the notices for the package that was just built. Raises LicenceError."""
+    """The text of the notices for the package just built. Raises LicenceError."""
     manifest = json.loads((root / "build" / "package-contents.json").read_text("utf-8"))
     found = [
         *python_notices(manifest["modules"]),
@@ -72,7 +72,7 @@ def collect(root: Path) -> str:
 
 
 def check(found: list[Notice]) -> None:
-    """Raises LicenceError for what is under GPL or AGPL, and for what says nothing."""
+    """Raises LicenceError for parts under GPL or AGPL, or without a licence."""
     wrong = [notice for notice in found if not notice.licence or not may_ship(notice.licence)]
     if wrong:
         raise LicenceError(
@@ -81,13 +81,13 @@ def check(found: list[Notice]) -> None:
 
 
 def may_ship(licence: str) -> bool:
-    """Whether one of the choices of a licence expression is neither GPL nor AGPL (exceptions for runtimes allowed)."""
+    """Whether an alternative of a licence expression is neither GPL nor AGPL; runtime exceptions are allowed."""
     choices = re.split(r"\bOR\b", licence)
     return any(not _FORBIDDEN.search(choice.upper()) or "exception" in choice for choice in choices)
 
 
 def python_notices(modules: list[str]) -> Iterator[Notice]:
-    """The distributions to which the packed modules belong."""
+    """Notices of the distributions of the packed modules."""
     owners = metadata.packages_distributions()
     names = {owner for module in modules for owner in owners.get(module.partition(".")[0], ())}
     yield Notice("Python", ".".join(map(str, sys.version_info[:3])), "PSF-2.0")
@@ -107,7 +107,7 @@ def python_notices(modules: list[str]) -> Iterator[Notice]:
 
 
 def _licence_of(told: Any) -> str:
-    """The expression, else the classifiers, else the first line of the free text."""
+    """The licence expression, else the classifiers, else the first line of the free text."""
     if expression := told.get("License-Expression"):
         return str(expression)
     classifiers = [line for line in told.get_all("Classifier", ()) if line.startswith("License ::")]
@@ -126,7 +126,7 @@ def _texts_of(distribution: metadata.Distribution) -> Iterator[str]:
 
 
 def npm_notices(ui: Path) -> Iterator[Notice]:
-    """The packages of the page: what it depends on, and what these depend on."""
+    """Notices of the page's npm packages, transitive dependencies included."""
     packages = json.loads((ui / "package-lock.json").read_text("utf-8"))["packages"]
     waiting, seen = list(packages[""]["dependencies"]), set(NOT_IN_THE_PAGE)
     while waiting:
@@ -152,7 +152,7 @@ def _npm_texts(folder: Path) -> Iterator[str]:
 
 
 def system_notices(binaries: list[list[str]]) -> Iterator[Notice]:
-    """The shared libraries that came from the system rather than from a distribution."""
+    """Notices of the shared libraries of the system."""
     found = set()
     for name, source in binaries:
         file = Path(name).name
@@ -166,7 +166,7 @@ def system_notices(binaries: list[list[str]]) -> Iterator[Notice]:
 
 
 def as_text(found: list[Notice]) -> str:
-    """The list, then the texts of the licences, each once."""
+    """The list of parts, then each licence text once."""
     lines = ["PINEL Desktop ships the following works of others, with thanks.", ""]
     lines += [
         f"{notice.name} {notice.version}".strip() + f": {notice.licence}"

@@ -1,8 +1,8 @@
-"""Tries the package as a school would: another folder, an ordinary user, a bare environment, no network.
+"""Smoke test of the package: in another folder, as an ordinary user, with an empty environment, without a network.
 
-Copies dist/pinel-desktop into a folder whose name has spaces and accents, runs its `--self-check` there, and
-checks the JSON that it prints. As root it becomes the user `nobody` and cuts off the network beyond this PC; as an
-ordinary user it stays what it is, and says that it could not.
+Copies dist/pinel-desktop to a folder whose name has spaces and accents, runs `--self-check` there and checks the JSON
+output. As root it switches to the user `nobody` in a network namespace with loopback only; as an ordinary user it
+reports that it could not.
 """
 
 import json
@@ -19,7 +19,7 @@ ROOT = Path(__file__).resolve().parents[1]
 PACKAGE = ROOT / "dist" / "pinel-desktop"
 _NOBODY = 65534
 _TIMEOUT_S = 180
-# In a network of its own, in which 127.0.0.1 works and nothing else, as an ordinary user.
+# as an ordinary user in a network namespace with loopback only
 _LOCKED_UP = """
 import fcntl, os, socket, struct, sys
 with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as any_socket:
@@ -31,14 +31,14 @@ os.execv(sys.argv[2], sys.argv[2:])
 
 
 def copy_to(folder: Path) -> Path:
-    """The program, in its new place."""
+    """Copies the package; returns the path of the program."""
     target = folder / "Laboratório de Robótica 1" / "PINEL (cópia)"
     shutil.copytree(PACKAGE, target, symlinks=True)
     return target / "pinel"
 
 
 def command_for(program: Path, home: Path) -> list[str]:
-    """The call that runs the program's self-check with nothing around it."""
+    """Command line of the self-check with an empty environment."""
     check = [str(program), "--self-check"]
     bare = ["/usr/bin/env", "-i", f"HOME={home}", "LANG=pt_BR.UTF-8"]
     if os.geteuid() != 0:
@@ -50,7 +50,7 @@ def command_for(program: Path, home: Path) -> list[str]:
 
 
 def faults_of(found: dict[str, Any]) -> list[str]:
-    """What is wrong with the object that the program printed."""
+    """Faults found in the JSON object that the program printed."""
     expected = {
         "ok": found.get("ok") is True,
         "window.backend": found.get("window", {}).get("backend") == "gtk",
@@ -64,7 +64,7 @@ def faults_of(found: dict[str, Any]) -> list[str]:
 
 
 def files_of(folder: Path) -> dict[str, int]:
-    """Every file below a folder, with its size."""
+    """Sizes in bytes of all files below a folder, by path."""
     return {str(file): file.stat().st_size for file in folder.rglob("*") if file.is_file()}
 
 

@@ -1,7 +1,7 @@
-"""Prints the figures that the structure of the code is judged by, counted in the working tree.
+"""Prints structural figures of the code in the working tree.
 
-With --check: fails where a folder holds more than FOLDER_LIMIT sources, or where the page's files or folders import in
-a circle or upwards (Python's imports are import-linter's).
+With --check: fails on folders of more than FOLDER_LIMIT sources, and on import circles or upward imports of the page
+(import-linter checks those of Python).
 """
 
 import ast
@@ -22,10 +22,10 @@ FOLDER_LIMIT = 20
 PACKAGES = ("pinel_desktop", "sim", "storage")
 CODE = re.compile(rf"(({'|'.join(PACKAGES)})/.*\.py|ui/src/.*\.(tsx?|css))$")
 GENERATED = ("ui/src/api/types.ts", "ui/src/blocks/table/sensor_rows.ts")
-PAGE_TEST = re.compile(r"ui/src/.*(\.test\.|/testing/)")  # testing/ holds what only tests import
+PAGE_TEST = re.compile(r"ui/src/.*(\.test\.|/testing/)")  # testing/: imported only by tests
 SOURCE = re.compile(r"(?!tests/)(?!.*\.test\.).*\.(py|mjs|tsx?)$")
 RAW_CONTROL = re.compile(r"<(?:button|select)\b")
-# the folders of ui/src from the lowest: none imports one that stands later; a folder not named holds a screen
+# folders of ui/src in order of layers, lowest first: none imports a later one; "screens" are all others
 LAYERS = (
     "api", "i18n", "kit", "blocks", "editor", "shell", "run", "scene plots", "screens", "frame",
 )  # fmt: skip
@@ -38,7 +38,7 @@ def run(*command: str) -> str:
 
 
 def tree(pattern: re.Pattern[str]) -> list[str]:
-    """Files of the working tree that git does not ignore."""
+    """Files of the working tree that match and that git does not ignore."""
     listed = run("git", "ls-files", "--cached", "--others", "--exclude-standard").splitlines()
     return [name for name in listed if pattern.match(name) and (ROOT / name).exists()]
 
@@ -57,13 +57,13 @@ def product() -> list[str]:
 
 
 def full_folders() -> dict[str, int]:
-    """Folders with more sources directly in them than they should hold; tests do not count."""
+    """Number of sources, without tests, of each folder that exceeds FOLDER_LIMIT."""
     sizes = Counter(str(Path(name).parent) for name in tree(SOURCE))
     return {folder: size for folder, size in sorted(sizes.items()) if size > FOLDER_LIMIT}
 
 
 def function_lengths() -> list[int]:
-    """Lines of each function of the product, from `def` to its end."""
+    """Length in lines of each Python function of the product."""
     return [
         (node.end_lineno or 0) - node.lineno + 1
         for name in product()
@@ -74,7 +74,7 @@ def function_lengths() -> list[int]:
 
 
 def python_imports() -> Edges:
-    """Who imports whom, as paths: those under TYPE_CHECKING and within functions too."""
+    """Imports as pairs of paths, including those under TYPE_CHECKING and in functions."""
     graph = grimp.build_graph(*PACKAGES)
     for module in graph.modules:
         for imported in graph.find_modules_directly_imported_by(module):
@@ -82,7 +82,7 @@ def python_imports() -> Edges:
 
 
 def siblings(edges: Edges) -> Edges:
-    """Each import as one between the folders (or files) where the two paths part."""
+    """Each import as one between the sibling folders or files where the two paths diverge."""
     for importer, imported in edges:
         a, b = importer.split("/"), imported.split("/")
         shared = next((i for i, (x, y) in enumerate(zip(a, b, strict=False)) if x != y), None)
@@ -91,7 +91,7 @@ def siblings(edges: Edges) -> Edges:
 
 
 def circles(edges: Edges) -> list[str]:
-    """One circle after the other; an import of each is left out before the next is looked for."""
+    """Import circles; one import of each is removed before the search for the next."""
     graph: dict[str, dict[str, None]] = {}
     for importer, imported in sorted(edges):
         graph.setdefault(importer, {})[imported] = None
@@ -108,7 +108,7 @@ def circles(edges: Edges) -> list[str]:
 
 
 def upwards(edges: Edges) -> list[str]:
-    """Imports of the page's folders that point the wrong way."""
+    """Imports of a higher layer of the page by a lower one."""
     named = {folder: place for place, names in enumerate(LAYERS) for folder in names.split()}
 
     def level(folder: str) -> int:

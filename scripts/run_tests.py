@@ -1,8 +1,7 @@
-"""Runs every check of the repository, one after the other, and ends with the sums.
+"""Runs every check of the repository in sequence and prints the totals.
 
-Nothing stops at the first failure: who reads the log of a build wants to see all that is broken.
-Each step's output is shown as it comes and kept in build/test-logs. The last line is
-`N passed, N failed, N skipped` over all test runners.
+Continues after failures, so that the log shows all of them. The output of each step is shown live and written to
+build/test-logs. The last line is `N passed, N failed, N skipped` over all test runners.
 """
 
 import argparse
@@ -17,7 +16,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 LOGS = ROOT / "build" / "test-logs"
 PYTEST = (sys.executable, "-m", "pytest", "-q")
-# one process for each core, up to where robots that drive in real time would be late
+# one process per core, limited because robots that drive in real time would run late
 SIDE_BY_SIDE = ("-n", "logical", "--maxprocesses", "4", "--dist", "worksteal")
 _COLOURS = re.compile(r"\x1b\[[0-9;]*m")
 # pytest: "3 passed, 1 skipped in 0.5s", between = without -q; vitest: "Tests  3 passed (3)"
@@ -39,7 +38,7 @@ _SUM_OF = {
 
 @dataclass(frozen=True)
 class Step:
-    """One command; `counts` says that it is a test runner, whose closing line is read."""
+    """One command; `counts` marks a test runner, whose summary line is parsed."""
 
     name: str
     group: str
@@ -48,7 +47,7 @@ class Step:
 
 
 def npm(*arguments: str) -> tuple[str, ...]:
-    """A call of npm in ui/ with the Node.js that suits the page."""
+    """Command line of npm in ui/, with a Node.js new enough for the page."""
     script = 'PATH="$(sh scripts/node.sh):$PATH" && cd ui && exec npm "$@"'
     return ("sh", "-c", script, "npm", *arguments)
 
@@ -83,18 +82,18 @@ class Outcome:
 
     @property
     def closing(self) -> str:
-        """The runner's own last word, or "" where it had none."""
+        """The runner's summary line, or "" without one."""
         lines = _CLOSING.findall(self.output)
         return lines[-1].strip() if lines else ""
 
     @property
     def failed(self) -> bool:
-        """A runner that closed without having run anything has failed as well."""
+        """Whether the step failed; a runner that ran no test counts as failed."""
         return self.status != 0 or (self.step.counts and not _COUNT.search(self.closing))
 
 
 def run(step: Step) -> Outcome:
-    """Runs one step, showing its output and keeping it."""
+    """Runs one step; shows its output and writes it to the log."""
     print(f"\n--- {step.name}: {' '.join(step.command[-4:])}", flush=True)
     started = time.monotonic()
     lines = []
@@ -118,7 +117,7 @@ def run(step: Step) -> Outcome:
 
 
 def sums(outcomes: Sequence[Outcome]) -> dict[str, int]:
-    """Tests passed, failed and skipped over all runners; a step that broke off is one failure."""
+    """Tests passed, failed and skipped over all runners; an aborted step counts as one failure."""
     total = {"passed": 0, "failed": 0, "skipped": 0}
     for outcome in outcomes:
         before = total["failed"]
@@ -131,7 +130,7 @@ def sums(outcomes: Sequence[Outcome]) -> dict[str, int]:
 
 
 def report(outcomes: Sequence[Outcome]) -> None:
-    """One line per step, and the sums as the very last line."""
+    """Prints one line per step, then the totals."""
     print("\n--- summary")
     for outcome in outcomes:
         mark = "FAILED" if outcome.failed else "ok"

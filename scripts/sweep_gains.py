@@ -1,10 +1,10 @@
-"""Finds the controller's gains again: one is varied at a time, and all closed figures are driven by a realistic robot.
+"""Sweeps the controller's gains one at a time, over all closed figures driven by a realistic robot.
 
     .venv/bin/python scripts/sweep_gains.py
 
-For each value it prints how far from the start and how much turned the figures end (95th percentile over the seeds and
-figures), how far from its line the robot is on the way (root of the mean square), and how restless its commands are
-(the same of their change from tick to tick). The value in use is marked. docs/control.md tells how they were chosen.
+Prints for each value the distance and the heading error at the end (95th percentile over seeds and figures), the
+cross-track error (root mean square) and the change of the commanded speed from tick to tick (root mean square). The
+value in use is marked. docs/control.md explains the choice.
 """
 
 import itertools
@@ -32,7 +32,7 @@ VALUES = {
 
 
 class Quality(NamedTuple):
-    """Of one run: where it ends, how it went."""
+    """Errors of one run at its end and on the way."""
 
     end_m: float
     heading_rad: float
@@ -63,7 +63,7 @@ def drive(figure: str, gains: Gains, seed: int) -> Quality:
 
 
 def _true(value: float | None) -> float:
-    assert value is not None  # a simulator knows
+    assert value is not None  # a simulator always has it
     return value
 
 

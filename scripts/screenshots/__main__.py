@@ -1,10 +1,10 @@
-"""Takes a picture of every screen of the page from the real app, at several sizes, themes and languages.
+"""Takes screenshots of every screen of the real app, in several sizes, themes and languages.
 
-    python -m scripts.screenshots FOLDER            every screen, for looking at
+    python -m scripts.screenshots FOLDER            every screen, for inspection
     python -m scripts.screenshots FOLDER --quick    Portuguese, light, 1366 x 768 only
     python -m scripts.screenshots docs/images --readme   the pictures of the README
 
-The app runs on throw-away data folders with groups, programs and runs made for the pictures.
+The app runs on temporary data folders with generated groups, programs and runs.
 """
 
 import argparse
@@ -26,7 +26,7 @@ from scripts.screenshots.camera import (
 
 
 def pupils_screens(browser: Browser, folder: Path, looks: list[Look]) -> None:
-    """A first day, and a class at work; without looks the pictures of the README."""
+    """Screens of pupils: an empty app, and a class at work; without looks the pictures of the README."""
     with tempfile.TemporaryDirectory() as home, application(Path(home)) as address:
         camera = Photographer(browser, address, folder)
         camera.of("group-name").wait_for()
@@ -41,7 +41,7 @@ def pupils_screens(browser: Browser, folder: Path, looks: list[Look]) -> None:
 
 
 def lesson_screens(browser: Browser, folder: Path, looks: list[Look]) -> None:
-    """A lesson that is over; without looks the picture of the README."""
+    """Screens of the lesson review; without looks the picture of the README."""
     with tempfile.TemporaryDirectory() as home, tempfile.TemporaryDirectory() as stick:
         past = lesson.play(Path(home))
         with application(Path(home)) as address:

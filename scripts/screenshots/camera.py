@@ -1,4 +1,4 @@
-"""The app on a folder of its own, a browser that looks at it, and how it looks."""
+"""The app on a temporary data folder, a browser page, and the variants of its appearance."""
 
 import os
 import re
@@ -29,7 +29,7 @@ PIN = "314159"
 
 
 class Look(NamedTuple):
-    """How one round of pictures looks."""
+    """Size, theme and language of one round of pictures."""
 
     size: str
     theme: str
@@ -52,7 +52,7 @@ ALL = [
 
 @contextmanager
 def application(home: Path) -> Iterator[str]:
-    """The app on its own data folder; gives the address that opens the page once."""
+    """Runs the app on a data folder; yields the one-time address of the page."""
     command = [sys.executable, "-m", "pinel_desktop", "serve", "--port", "0"]
     environment = {**os.environ, "PINEL_HOME": str(home)}
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment) as process:
@@ -72,7 +72,7 @@ def address_in(process: "subprocess.Popen[str]") -> str:
 
 
 class Photographer:
-    """Leads one page through the app and takes its pictures."""
+    """Navigates one page through the app and takes screenshots."""
 
     def __init__(self, browser: Browser, address: str, folder: Path) -> None:
         self.context = browser.new_context(viewport={"width": 1366, "height": 768}, locale="pt-BR")

@@ -1,4 +1,4 @@
-"""What the teacher sees of a lesson that is over, and where its work goes to and comes from."""
+"""Screenshots of the teacher's part: the review of a finished lesson, export and import of work."""
 
 from pathlib import Path
 from typing import NamedTuple
@@ -11,7 +11,7 @@ FAR: list[Step] = [("move_forward", 9)]
 
 
 class Past(NamedTuple):
-    """What the pictures are of."""
+    """The generated lesson."""
 
     lesson: str
     program: str
@@ -20,7 +20,7 @@ class Past(NamedTuple):
 
 
 def play(home: Path) -> Past:
-    """Five groups, in a file that no app has opened yet."""
+    """Writes a lesson of five groups to a new database."""
     with past_lesson(home) as lesson:
         first = _group(lesson, "Capivaras", 2, [FAR, TRIED, SQUARE])
         _group(lesson, "Tatus", 4, [TRIED, SQUARE])
@@ -35,7 +35,7 @@ def play(home: Path) -> Past:
 def _group(
     lesson: PastLesson, name: str, minute: float, tries: list[list[Step]]
 ) -> tuple[list[str], list[str]]:
-    """Each try is an edit, and some minutes later a run; only the square fulfils the activity."""
+    """Each attempt is an edit and, minutes later, a run; only the square passes the activity."""
     group = lesson.group(name)
     versions, runs = [], []
     for place, steps in enumerate(tries):
@@ -48,7 +48,7 @@ def _group(
 
 
 def photograph(camera: Photographer, past: Past, stick: Path) -> None:
-    """Every screen of the review in the look that is on."""
+    """Takes every screen of the review in the current look."""
     _enter(camera)
     camera.go(f"#/lesson/{past.lesson}")
     camera.of("review-group").first.wait_for()
@@ -75,7 +75,7 @@ def photograph(camera: Photographer, past: Past, stick: Path) -> None:
 
 
 def files(camera: Photographer, stick: Path) -> None:
-    """A folder with the work of this PC, brought in again."""
+    """Exports the work of this PC to a folder and imports it again."""
     camera.call("PUT", "/api/folders/shared", {"path": str(stick)})
     if not any(stick.iterdir()):
         camera.call("POST", "/api/bundles", {"folder": str(stick)})
@@ -90,7 +90,7 @@ def files(camera: Photographer, stick: Path) -> None:
 
 
 def readme(camera: Photographer, past: Past) -> None:
-    """The lesson, as the README shows it."""
+    """Takes the picture of the lesson for the README."""
     _enter(camera)
     camera.go(f"#/lesson/{past.lesson}")
     camera.of("review-group").first.wait_for()
@@ -98,7 +98,7 @@ def readme(camera: Photographer, past: Past) -> None:
 
 
 def _enter(camera: Photographer) -> None:
-    """Chooses the PIN, or gives it."""
+    """Sets the PIN, or enters it."""
     if camera.call("GET", "/api/teacher")["has_pin"]:
         camera.call("POST", "/api/teacher/enter", {"pin": PIN})
     else:

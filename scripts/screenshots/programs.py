@@ -1,4 +1,4 @@
-"""Programs for the pictures, as Blockly keeps them."""
+"""Programs for the screenshots, in Blockly's serialised form."""
 
 from typing import Any
 
@@ -6,7 +6,7 @@ Block = dict[str, Any]
 
 
 def chain(*blocks: Block) -> Block:
-    """Blocks one below the other, as Blockly keeps them."""
+    """Connects blocks to a stack."""
     first, *others = blocks
     return {**first, "next": {"block": chain(*others)}} if others else first
 

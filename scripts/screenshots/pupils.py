@@ -1,4 +1,4 @@
-"""What pupils see, and the doors of the teacher."""
+"""Screenshots of the pupils' screens and of the teacher's sign-in."""
 
 from typing import Any, NamedTuple
 
@@ -7,7 +7,7 @@ from scripts.screenshots.programs import FAULTY, SIGNS, SQUARE, STAR, TRIANGLE, 
 
 
 class Seed(NamedTuple):
-    """What was made for the pictures."""
+    """The generated data."""
 
     group: str
     empty: str
@@ -16,7 +16,7 @@ class Seed(NamedTuple):
 
 
 def seed(camera: Photographer) -> Seed:
-    """A class with its lesson, groups, programs and runs."""
+    """Creates a class with a lesson, groups, programs and runs."""
     camera.call("PUT", "/api/teacher/pin", {"pin": PIN})
     classroom = camera.call("POST", "/api/classrooms", {"name": "9º A"})["id"]
     lesson = {"title": "Quadrados", "activity": "square"}
@@ -50,7 +50,7 @@ def seed(camera: Photographer) -> Seed:
 
 
 def save(camera: Photographer, group: str, name: str, blocks: dict[str, Any]) -> str:
-    """Opened once in the editor, which makes the document that the robot gets."""
+    """Stores a program and opens it in the editor once, which generates its document."""
     program: str = camera.call("POST", f"/api/groups/{group}/programs", {"name": name})["id"]
     content = {"workspace": blocks, "document": None}
     camera.call("POST", f"/api/programs/{program}/versions", content)
@@ -69,7 +69,7 @@ def drive(camera: Photographer, program: str, seconds: int) -> None:
 
 
 def photograph(camera: Photographer, seeded: Seed) -> None:
-    """Every screen in the look that is on."""
+    """Takes every screen in the current look."""
     camera.go("#/")
     camera.of("group-card").first.wait_for()
     camera.page.wait_for_timeout(500)
@@ -92,7 +92,7 @@ def photograph(camera: Photographer, seeded: Seed) -> None:
 
 
 def teacher(camera: Photographer) -> None:
-    """The door, and each part behind it."""
+    """The teacher's sign-in, and each screen of the teacher's part."""
     camera.go("#/teacher")
     camera.of("pin").wait_for()
     camera.round("teacher-door")
@@ -132,7 +132,7 @@ def studio_sign(camera: Photographer, program: str) -> None:
 
 
 def world_editor(camera: Photographer, program: str) -> None:
-    """The group's own world: empty, full, and with a fault."""
+    """The editor of a world: empty, filled, and with a fault."""
     camera.open_program(program)
     camera.of("world").select_option("empty_room")
     camera.of("world-change").click()
@@ -164,7 +164,7 @@ def replay(camera: Photographer, run: str) -> None:
 
 
 def readme(camera: Photographer, seeded: Seed) -> None:
-    """The three pictures of the README."""
+    """Takes the three pictures of the README."""
     camera.go("#/")
     camera.of("group-card").first.wait_for()
     camera.page.wait_for_timeout(500)
