@@ -1,5 +1,5 @@
-"""The committed files that are made from the code's declarations: JSON Schemas, parts of docs/, rows for the page.
+"""Generates the committed files derived from declarations: JSON Schemas, parts of docs/, sensor rows of the page.
 
-`python -m scripts.reference`, from the repository's root, writes all of them; `tests/scripts/test_reference.py` holds
-them current.
+`python -m scripts.reference`, run in the repository's root, writes all of them; `tests/scripts/test_reference.py`
+keeps them current.
 """

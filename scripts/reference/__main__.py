@@ -1,4 +1,4 @@
-"""Writes the files: `python -m scripts.reference`, from the repository's root."""
+"""Writes the files: `python -m scripts.reference`, run in the repository's root."""
 
 from pathlib import Path
 

@@ -11,7 +11,7 @@ from storage.tables.views import VIEWS
 
 
 def tables_and_views() -> str:
-    """Views and tables, as a fresh file has them."""
+    """Views and tables of a new database."""
     with closing(sqlite3.connect(":memory:", isolation_level=None)) as db:
         migrate(db)
         views = [_view(name, column_names(db, name)) for name in sorted(VIEWS)]
@@ -20,7 +20,7 @@ def tables_and_views() -> str:
 
 
 def parquet_columns() -> str:
-    """The columns of all files."""
+    """Columns of all Parquet files."""
     lines = ["| table | column | type | what it says |", "|---|---|---|---|"]
     for table in REPLICATED:
         for n, column in enumerate(table.parquet_columns if table.parquet else ()):

@@ -49,7 +49,7 @@ _COMMON = ("type", *RunEvent.model_fields)
 
 
 def text() -> str:
-    """The page."""
+    """The whole page as Markdown."""
     schemas = StreamEvent.model_json_schema(mode="serialization")["$defs"]
     of_runs = [_section(cls, schemas, _COMMON) for cls in RUN_EVENTS.values()]
     of_app = [_section(cls, schemas, ("type",)) for cls in APP_EVENTS.values()]

@@ -1,4 +1,4 @@
-"""The files that are written: whole, between two marks, or from a mark to the end."""
+"""The generated files: whole, between two marks, or from a mark to the end."""
 
 from pathlib import Path
 
@@ -20,7 +20,7 @@ _MARK = "<!-- what follows is made by `python -m scripts.reference` -->\n"
 
 
 def files(root: Path) -> dict[str, str]:
-    """The text of each file, by its path from the repository's root; of pages, with what a person wrote in them."""
+    """Text of each file by its path from the repository's root; includes the hand-written parts of pages."""
     pages = {name: (root / name).read_text("utf-8") for name in (*_TABLES, *_ENDS)}
     for name, made in _TABLES.items():
         for mark, rows in made.items():
@@ -38,7 +38,7 @@ def files(root: Path) -> dict[str, str]:
 
 
 def _with_rows(page: str, mark: str, rows: list[str]) -> str:
-    """The page with these lines between the two marks, which are comments."""
+    """The page with these lines between its two marks, which are HTML comments."""
     begin, end = f"<!-- {mark} -->\n", f"<!-- end of {mark} -->"
     before, _, rest = page.partition(begin)
     _, _, after = rest.partition(end)

@@ -51,7 +51,7 @@ _NOT_OBJECTS = ("ErrorAnswer", "ErrorBody", "ValidationErrorModel")
 
 
 def text() -> str:
-    """The page."""
+    """The whole page as Markdown."""
     document = description()
     parts = [_HEAD, *_errors_anywhere(), "## Routes\n"]
     for tag in document["tags"]:
@@ -124,7 +124,7 @@ def _content(holder: Mapping[str, Any], schemas: Mapping[str, Any]) -> str:
 
 
 def _signature(schema: Mapping[str, Any]) -> str:
-    """The names of the fields, with ? where one may be left out."""
+    """Names of the fields, with ? for optional ones."""
     needed = schema.get("required", ())
     names = [name if name in needed else f"{name}?" for name in schema.get("properties", {})]
     return f"`{{{', '.join(names)}}}`" if names else ""

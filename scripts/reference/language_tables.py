@@ -1,4 +1,4 @@
-"""Rows of the tables of docs/program-document.md and docs/python-text.md."""
+"""Tables of commands and sensors of docs/program-document.md and docs/python-text.md."""
 
 import json
 from typing import Any, get_args
@@ -13,7 +13,7 @@ from pinel_desktop.program.signatures import choices_of, takes_of
 
 
 def commands_of_the_document() -> list[str]:
-    """Action, parameters with their bounds, what the robot does."""
+    """Columns: action, parameters with bounds, meaning."""
     return _table(
         ("action", "parameters", "what the robot does"),
         [(f"`{action_of(one)}`", _parameters(one), _says(one)) for one in COMMANDS],
@@ -21,7 +21,7 @@ def commands_of_the_document() -> list[str]:
 
 
 def commands_in_python() -> list[str]:
-    """Python form, action, what it does."""
+    """Columns: Python form, action, meaning."""
     return _table(
         ("Python", "command", "what it does"),
         [(f"`{one.python}`", f"`{action_of(one)}`", _in_python(one)) for one in COMMANDS],
@@ -29,7 +29,7 @@ def commands_in_python() -> list[str]:
 
 
 def sensors_of_the_document() -> list[str]:
-    """Form in a document, value."""
+    """Columns: form in a document, value."""
     return _table(
         ("form", "value"),
         [(f"`{json.dumps(_node(one))}`", _value(one)) for one in SENSORS.values()],
@@ -37,7 +37,7 @@ def sensors_of_the_document() -> list[str]:
 
 
 def sensors_in_python() -> list[str]:
-    """Python form, sensor, value."""
+    """Columns: Python form, sensor, value."""
     return _table(
         ("Python", "expression", "what it is"),
         [(f"`{_python(one)}`", f"`{one.name}`", _value(one)) for one in SENSORS.values()],
@@ -50,7 +50,7 @@ def _table(titles: tuple[str, ...], rows: list[tuple[str, ...]]) -> list[str]:
 
 
 def _says(model: type[AnyCommand]) -> str:
-    """The docstring as a part of a sentence."""
+    """The docstring as a sentence fragment."""
     says = (model.__doc__ or "").strip().removesuffix(".")
     return says[:1].lower() + says[1:]
 
@@ -70,7 +70,7 @@ def _parameters(model: type[AnyCommand]) -> str:
 
 
 def _takes(annotation: Any) -> str:
-    """What may stand in a parameter, in words; nothing where its name says it."""
+    """Type of a parameter as text; "" where its name implies it."""
     takes = takes_of(annotation)
     if takes is not None:
         return _bounds(takes)
@@ -96,7 +96,7 @@ def _bounds(takes: Takes) -> str:
 
 
 def _without(name: str, defaults_: dict[str, Any]) -> str:
-    """What is taken where the parameter is left out."""
+    """Default of a parameter, as text."""
     if name not in defaults_:
         return ""
     value = defaults_[name]
@@ -116,7 +116,7 @@ def _python(sensor: Sensor) -> str:
 
 
 def _value(sensor: Sensor) -> str:
-    """What is measured, its unit, and what may be asked."""
+    """Description, unit and argument of a sensor."""
     measured = f"{sensor.says} ({sensor.unit})" if sensor.unit else sensor.says
     argument = sensor.argument
     if argument is None:

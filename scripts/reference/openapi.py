@@ -1,4 +1,4 @@
-"""Prints the OpenAPI description; `npm run types` in ui/ makes the page's TypeScript types from it."""
+"""Prints the OpenAPI description, from which `npm run types` in ui/ generates the page's types."""
 
 from pinel_desktop.web.routes import description_text
 

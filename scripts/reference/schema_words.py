@@ -1,4 +1,4 @@
-"""JSON schemas in words, for tables of Markdown."""
+"""JSON schemas as text, for Markdown tables."""
 
 import json
 from collections.abc import Callable, Mapping, Sequence
@@ -17,10 +17,10 @@ _PLAIN = {
 
 
 def kind(schema: Schema, link: Link) -> str:
-    """The type of a value.
+    """Type of a value as text.
 
     Args:
-        link: what stands for a schema that has a name.
+        link: returns the text for a named schema.
     """
     if "$ref" in schema:
         return link(schema["$ref"].rpartition("/")[2])
@@ -56,7 +56,7 @@ def _object(schema: Schema, link: Link) -> str:
 
 
 def field_table(schema: Schema, link: Link, leaving_out: Sequence[str] = ()) -> list[str]:
-    """The fields of an object as the lines of a table; none where it has no fields."""
+    """Table of an object's fields, as lines; empty without fields."""
     needed = schema.get("required", ())
     rows = [
         f"| `{name}`{'' if name in needed else ' (optional)'} | {kind(field, link)} | {about(field)} |"
@@ -67,7 +67,7 @@ def field_table(schema: Schema, link: Link, leaving_out: Sequence[str] = ()) -> 
 
 
 def about(field: Schema) -> str:
-    """What is said of a field: meaning, limits, and the value it has when it is left out."""
+    """Description, limits and default of a field."""
     limits = [] if "prefixItems" in field else [_limit(field, name) for name in _LIMITS]
     given = field.get("default")
     default = [f"{_literal(given)} when left out"] if given is not None else []

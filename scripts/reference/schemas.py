@@ -1,7 +1,7 @@
-"""The JSON Schemas of program and world documents, made from the models.
+"""The JSON Schemas of program and world documents, generated from the models.
 
-What no schema can say is in docs/program-document.md (types of expressions, calls, jumps, depth) and docs/worlds.md
-(what crosses, what lies off the floor, whether the robot has room).
+Rules that a schema cannot express are in docs/program-document.md (types of expressions, calls, jumps, depth) and
+docs/worlds.md (crossing walls, parts outside the floor, a blocked start).
 """
 
 import json
@@ -26,5 +26,5 @@ def of_worlds() -> dict[str, Any]:
 
 
 def as_text(schema: dict[str, Any]) -> str:
-    """A schema as text, the same for the same models."""
+    """A schema as JSON text; deterministic."""
     return json.dumps(schema, indent=2, sort_keys=True, ensure_ascii=False) + "\n"
