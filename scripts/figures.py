@@ -21,7 +21,9 @@ ROOT = Path(__file__).resolve().parents[1]
 FOLDER_LIMIT = 20
 PACKAGES = ("pinel_desktop", "sim", "storage")
 CODE = re.compile(rf"(({'|'.join(PACKAGES)})/.*\.py|ui/src/.*\.(tsx?|css))$")
-GENERATED = ("ui/src/api/types.ts", "ui/src/blocks/table/sensor_rows.ts")
+GENERATED = tuple(
+    f"ui/src/{name}.ts" for name in ("api/limits", "api/types", "blocks/table/sensor_rows")
+)
 PAGE_TEST = re.compile(r"ui/src/.*(\.test\.|/testing/)")  # testing/: imported only by tests
 SOURCE = re.compile(r"(?!tests/)(?!.*\.test\.).*\.(py|mjs|tsx?)$")
 RAW_CONTROL = re.compile(r"<(?:button|select)\b")

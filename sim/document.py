@@ -28,14 +28,14 @@ from sim.world import (
 MAX_BYTES = 256 * 1024
 MAX_WALLS, MAX_BOXES, MAX_AREAS = 500, 200, 200
 MAX_TITLE = 60
-MAX_FLOOR_M = 50.0
+MIN_FLOOR_M, MAX_FLOOR_M = 1.0, 50.0
 WORLD_NAME = r"^[a-z0-9_]{1,64}$"
 _NOT_BLANK = r"\S"
 
 _Metres = Annotated[float, Field(ge=-1000.0, le=1000.0)]
 _Degrees = Annotated[float, Field(ge=-360.0, le=360.0)]
 _Side = Annotated[float, Field(ge=0.02, le=MAX_FLOOR_M)]
-_FloorSide = Annotated[float, Field(ge=1.0, le=MAX_FLOOR_M)]
+_FloorSide = Annotated[float, Field(ge=MIN_FLOOR_M, le=MAX_FLOOR_M)]
 _Radius = Annotated[float, Field(ge=0.01, le=MAX_FLOOR_M / 2)]
 _Pair = Field(min_length=2, max_length=2)
 _Point = Annotated[list[_Metres], _Pair]

@@ -1,6 +1,7 @@
 import { ArrowRight, UserRoundPlus } from "lucide-preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { classesApi } from "../api/classes";
+import { STORE_LIMITS } from "../api/limits";
 import type { Group } from "../api/model";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
@@ -12,8 +13,6 @@ import { useAct } from "../kit/requests/act";
 import { FaultLine } from "../kit/requests/FaultLine";
 import { TEST } from "../shell/testids";
 import { enterGroup } from "../work/entering";
-
-const LONGEST = 60;
 
 interface NewGroupProps {
   classroomId: string | null;
@@ -61,7 +60,7 @@ export function NewGroup({ classroomId, others, first = false }: NewGroupProps) 
           aria-label={start.nameLabel}
           aria-invalid={fault !== null}
           placeholder={start.namePlaceholder}
-          maxLength={LONGEST}
+          maxLength={STORE_LIMITS.MAX_NAME}
           autocomplete="off"
           spellcheck={false}
           onInput={clear}

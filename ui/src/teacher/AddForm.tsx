@@ -1,5 +1,6 @@
 import { Plus } from "lucide-preact";
 import { useState } from "preact/hooks";
+import { STORE_LIMITS } from "../api/limits";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Form } from "../kit/Form";
@@ -7,7 +8,6 @@ import { useAct } from "../kit/requests/act";
 import { FaultLine } from "../kit/requests/FaultLine";
 import { asTeacher } from "../shell/teacher/teacher_session";
 import type { TEST } from "../shell/testids";
-import { LONGEST_NAME } from "../studio/program/rename";
 
 type TestId = (typeof TEST)[keyof typeof TEST];
 
@@ -37,7 +37,7 @@ export function AddForm({ label, placeholder, fieldId, buttonId, onAdd }: AddFor
         class="field"
         aria-label={label}
         placeholder={placeholder}
-        maxLength={LONGEST_NAME}
+        maxLength={STORE_LIMITS.MAX_NAME}
         autocomplete="off"
         spellcheck={false}
         value={name}

@@ -1,6 +1,7 @@
 import { Check, Pencil, X } from "lucide-preact";
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
+import { STORE_LIMITS } from "../api/limits";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Form } from "../kit/Form";
@@ -8,7 +9,6 @@ import { useAct } from "../kit/requests/act";
 import { FaultLine } from "../kit/requests/FaultLine";
 import { asTeacher } from "../shell/teacher/teacher_session";
 import { TEST } from "../shell/testids";
-import { LONGEST_NAME } from "../studio/program/rename";
 
 interface NameFieldProps {
   name: string;
@@ -56,7 +56,7 @@ export function NameField({ name, label, testId, onRename, children }: NameField
         ref={input}
         class="field name-field__input"
         aria-label={label}
-        maxLength={LONGEST_NAME}
+        maxLength={STORE_LIMITS.MAX_NAME}
         value={draft}
         spellcheck={false}
         data-testid={TEST.nameField}

@@ -1,9 +1,9 @@
 import { Check } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
+import { STORE_LIMITS } from "../api/limits";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { TEST } from "../shell/testids";
-import { LONGEST_NAME } from "../studio/program/rename";
 
 interface NameFormProps {
   now: string;
@@ -30,7 +30,7 @@ export function NameForm({ now, onKeep, onLeave }: NameFormProps) {
         class="field"
         aria-label={words.nameLabel}
         placeholder={words.namePlaceholder}
-        maxLength={LONGEST_NAME}
+        maxLength={STORE_LIMITS.MAX_NAME}
         defaultValue={now}
         data-testid={TEST.versionName}
       />

@@ -2,6 +2,7 @@ import { Check, X } from "lucide-preact";
 import { useState } from "preact/hooks";
 import { classesApi } from "../api/classes";
 import { api } from "../api/client";
+import { STORE_LIMITS } from "../api/limits";
 import type { Group } from "../api/model";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
@@ -15,8 +16,6 @@ import { valueIn } from "../kit/requests/load_state";
 import { useLoaded } from "../kit/requests/useLoaded";
 import { group as inHeader } from "../shell/session";
 import { TEST } from "../shell/testids";
-
-const LONGEST = 60;
 
 type Look = Pick<Group, "name" | "color" | "picture">;
 
@@ -68,7 +67,7 @@ function NameInput({ name, onName }: { name: string; onName(name: string): void 
     <input
       class="field group-form__name"
       aria-label={texts.value.start.nameLabel}
-      maxLength={LONGEST}
+      maxLength={STORE_LIMITS.MAX_NAME}
       autocomplete="off"
       spellcheck={false}
       value={name}

@@ -1,4 +1,5 @@
 import { Copy, Layers, Trash2 } from "lucide-preact";
+import { WORLD_LIMITS } from "../api/limits";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Choice } from "../kit/Choice";
@@ -6,7 +7,6 @@ import { NumberField } from "../kit/NumberField";
 import { TEST } from "../shell/testids";
 import type { EditorStore } from "./editor_store";
 import { clean, FINE, GRID } from "./geometry";
-import { LONGEST, NAME_MOST, PUSHED_LEAST_KG, PUSHED_MOST_KG, SHORTEST } from "./limits";
 import {
   type Area,
   type AreaThing,
@@ -19,6 +19,8 @@ import {
 } from "./plan";
 import { Swatches } from "./Toolbox";
 import { nameOf } from "./words";
+
+const { MAX_NAME, MAX_FLOOR_M, MIN_MOVABLE_SIDE_M, MIN_MOVABLE_KG, MAX_MOVABLE_KG } = WORLD_LIMITS;
 
 interface PanelProps<T> {
   store: EditorStore;
@@ -129,7 +131,8 @@ function AreaFields({ store, plan, thing }: PanelProps<AreaThing>) {
       <div class="numbers">
         {number("x", words.x, reach(plan.width))}
         {number("y", words.y, reach(plan.depth))}
-        {thing.radius !== null && number("radius", words.radius, { ...SIDE, most: LONGEST / 2 })}
+        {thing.radius !== null &&
+          number("radius", words.radius, { ...SIDE, most: MAX_FLOOR_M / 2 })}
         {thing.radius === null && number("width", words.width, SIDE)}
         {thing.radius === null && number("depth", words.depth, SIDE)}
         {thing.radius === null && number("heading", words.heading, TURN)}
@@ -144,9 +147,9 @@ interface Range {
   most: number;
   step: number;
 }
-const SIDE: Range = { least: SHORTEST, most: LONGEST, step: GRID };
+const SIDE: Range = { least: MIN_MOVABLE_SIDE_M, most: MAX_FLOOR_M, step: GRID };
 const TURN: Range = { least: -360, most: 360, step: 5 };
-const MASS: Range = { least: PUSHED_LEAST_KG, most: PUSHED_MOST_KG, step: 0.5 };
+const MASS: Range = { least: MIN_MOVABLE_KG, most: MAX_MOVABLE_KG, step: 0.5 };
 /** Mass of a box without a given mass, kilograms. */
 const USUAL_MASS = 2;
 
@@ -180,7 +183,7 @@ function OwnFields({ store, thing }: PanelProps<AreaThing>) {
         <input
           class="field"
           value={thing.name}
-          maxLength={NAME_MOST}
+          maxLength={MAX_NAME}
           data-testid={TEST.worldZoneName}
           onInput={({ currentTarget: { value } }) =>
             store.alter({ ...thing, name: value }, `name ${thing.id}`)

@@ -1,5 +1,6 @@
 import { Download, FolderOpen, Trash2 } from "lucide-preact";
 import { useRef } from "preact/hooks";
+import { WORLD_LIMITS } from "../api/limits";
 import { worldTitle } from "../api/model";
 import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
@@ -9,7 +10,6 @@ import { worlds } from "../shell/session";
 import { TEST } from "../shell/testids";
 import type { EditorStore } from "./editor_store";
 import { GRID } from "./geometry";
-import { FLOOR_LEAST, LONGEST, TITLE_MOST } from "./limits";
 import type { Plan } from "./plan";
 
 interface WorldPanelProps {
@@ -28,8 +28,8 @@ export function WorldPanel({ store, plan, onForget, onExport, onFile }: WorldPan
     <NumberField
       label={label}
       value={plan[key]}
-      least={FLOOR_LEAST}
-      most={LONGEST}
+      least={WORLD_LIMITS.MIN_FLOOR_M}
+      most={WORLD_LIMITS.MAX_FLOOR_M}
       step={GRID}
       testId={`world-floor-${key}`}
       onNumber={(value) => store.resize({ width: plan.width, depth: plan.depth, [key]: value })}
@@ -42,7 +42,7 @@ export function WorldPanel({ store, plan, onForget, onExport, onFile }: WorldPan
         <input
           class="field"
           value={worldTitle(store.world.value, language.value)}
-          maxLength={TITLE_MOST}
+          maxLength={WORLD_LIMITS.MAX_TITLE}
           data-testid={TEST.worldName}
           onInput={({ currentTarget: { value } }) => store.rename(value)}
         />

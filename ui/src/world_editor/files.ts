@@ -1,8 +1,8 @@
 import { api } from "../api/client";
+import { WORLD_LIMITS } from "../api/limits";
 import type { Fault, World } from "../api/model";
 import { fileName, saveFile } from "../shell/save_file";
 import { planOf } from "./document";
-import { FILE_MOST_BYTES } from "./limits";
 
 /** Why a file was rejected: the server's faults. An empty list means that the file was too large to be read. */
 export interface Refusal {
@@ -11,7 +11,7 @@ export interface Refusal {
 
 /** The world in a file, or why it was rejected. A faulty world that can be drawn is accepted. */
 export async function worldIn(file: File): Promise<World | Refusal> {
-  if (file.size > FILE_MOST_BYTES) return { faults: [] };
+  if (file.size > WORLD_LIMITS.MAX_BYTES) return { faults: [] };
   const text = await file.text();
   const world = parsed(text);
   const faults = await api.checkWorld(world ?? text);

@@ -1,4 +1,7 @@
+import { PROGRAM_LIMITS } from "../../api/limits";
 import type { Limits, ValueType } from "../definition";
+
+const { MAX_ANGLE_DEG, MAX_DISTANCE_M, MAX_REPEATS, MAX_WAIT_S } = PROGRAM_LIMITS;
 
 /** Variables, calls and items of lists may be anything; what is written on a block itself they are not. */
 const ANYTHING: readonly ValueType[] = ["Number", "String", "Boolean", "Array"];
@@ -8,14 +11,14 @@ export const NUMBER_LITERAL: readonly ValueType[] = ["Number", "Literal"];
 export const TEXT_LITERAL: readonly ValueType[] = ["String", "Literal"];
 export const BOOLEAN_LITERAL: readonly ValueType[] = ["Boolean", "Literal"];
 
-export const DISTANCE: Limits = { min: 0, max: 100, precision: 0.01 };
-export const PLACE: Limits = { min: -100, max: 100, precision: 0.01 };
+export const DISTANCE: Limits = { min: 0, max: MAX_DISTANCE_M, precision: 0.01 };
+export const PLACE: Limits = { min: -MAX_DISTANCE_M, max: MAX_DISTANCE_M, precision: 0.01 };
 /** The side is chosen beside it. */
-export const ANGLE: Limits = { min: 0, max: 3600, precision: 0.1 };
-export const SECONDS: Limits = { min: 0, max: 600, precision: 0.1 };
-export const TIMEOUT: Limits = { min: 0.1, max: 600, precision: 0.1 };
+export const ANGLE: Limits = { min: 0, max: MAX_ANGLE_DEG, precision: 0.1 };
+export const SECONDS: Limits = { min: 0, max: MAX_WAIT_S, precision: 0.1 };
+export const TIMEOUT: Limits = { min: 0.1, max: MAX_WAIT_S, precision: 0.1 };
 export const SPEED: Limits = { min: 0.01, precision: 0.01 };
-export const TIMES: Limits = { min: 0, max: 100_000, precision: 1 };
+export const TIMES: Limits = { min: 0, max: MAX_REPEATS, precision: 1 };
 
 /** A hole for a number, with one in it to begin with. */
 export function numberInput(name: string, key: string, start: number, limits: Limits = {}) {

@@ -1,10 +1,11 @@
 import { Pencil } from "lucide-preact";
 import { useRef, useState } from "preact/hooks";
+import { STORE_LIMITS } from "../../api/limits";
 import { texts } from "../../i18n";
 import { route } from "../../shell/route";
 import { program } from "../../shell/session";
 import { TEST } from "../../shell/testids";
-import { LONGEST_NAME, renameProgram } from "../../studio/program/rename";
+import { renameProgram } from "../../studio/program/rename";
 
 /** The program's name, changed where it stands: type, then Enter or go elsewhere; Escape takes it back. */
 export function ProgramName() {
@@ -29,7 +30,7 @@ export function ProgramName() {
         class="program-name__input"
         data-testid={TEST.programName}
         aria-label={header.programName}
-        maxLength={LONGEST_NAME}
+        maxLength={STORE_LIMITS.MAX_NAME}
         spellcheck={false}
         value={draft ?? now.name}
         onFocus={(event) => event.currentTarget.select()}

@@ -1,13 +1,11 @@
 import { api } from "../../api/client";
+import { STORE_LIMITS } from "../../api/limits";
 import { program, report } from "../../shell/session";
-
-/** No program has a longer name. */
-export const LONGEST_NAME = 60;
 
 /** Gives the program in the header another name; without one, or with the same, it keeps its own. */
 export async function renameProgram(wanted: string): Promise<void> {
   const { value: now } = program;
-  const name = wanted.trim().slice(0, LONGEST_NAME).trim();
+  const name = wanted.trim().slice(0, STORE_LIMITS.MAX_NAME).trim();
   if (!now || !name || name === now.name) return;
   program.value = { ...now, name };
   try {

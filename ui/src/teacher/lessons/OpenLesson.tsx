@@ -1,6 +1,7 @@
 import { Play } from "lucide-preact";
 import { useState } from "preact/hooks";
 import { classesApi } from "../../api/classes";
+import { STORE_LIMITS } from "../../api/limits";
 import type { ActivityTitle } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
@@ -43,7 +44,7 @@ export function OpenLesson({ classroom, activities, another, onOpened }: OpenLes
         <Field
           label={say.name}
           placeholder={say.namePlaceholder}
-          maxLength={60}
+          maxLength={STORE_LIMITS.MAX_NAME}
           data-testid={TEST.lessonTitle}
           {...field("title")}
         />

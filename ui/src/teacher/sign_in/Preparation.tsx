@@ -1,5 +1,6 @@
 import { ArrowLeft, ArrowRight } from "lucide-preact";
 import { classesApi } from "../../api/classes";
+import { STORE_LIMITS } from "../../api/limits";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { Field, PinField } from "../../kit/Field";
@@ -69,14 +70,14 @@ function PreparationForm({ known, onDone }: PreparationProps & { known: Known })
         <Field
           label={say.className}
           hint={say.classHint}
-          maxLength={60}
+          maxLength={STORE_LIMITS.MAX_NAME}
           data-testid={TEST.className}
           {...field("name")}
         />
         <Field
           label={say.computer}
           hint={say.computerHint}
-          maxLength={60}
+          maxLength={STORE_LIMITS.MAX_NAME}
           data-testid={TEST.computerName}
           {...field("computer")}
         />

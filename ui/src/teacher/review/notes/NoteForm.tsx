@@ -1,14 +1,12 @@
 import { useSignal } from "@preact/signals";
 import { Check, StickyNote, Trash2, X } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
+import { STORE_LIMITS } from "../../../api/limits";
 import { texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
 import { Form } from "../../../kit/Form";
 import { TEST } from "../../../shell/testids";
 import { type NoteEditor, stateInWords } from "./note_editor";
-
-/** As in the database. */
-const LONGEST = 1000;
 
 interface NoteFormProps {
   editor: NoteEditor;
@@ -44,7 +42,7 @@ export function NoteForm({ editor }: NoteFormProps) {
         id="teacher-note"
         class="note__text"
         rows={4}
-        maxLength={LONGEST}
+        maxLength={STORE_LIMITS.MAX_NOTE}
         placeholder={say.placeholder}
         aria-describedby="teacher-note-help"
         value={text.value}
