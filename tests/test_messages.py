@@ -5,13 +5,19 @@ from pathlib import Path
 import pytest
 
 import pinel_desktop
-from pinel_desktop.messages import FIRST, LANGUAGES, catalogue, describe, language_of_system
+from pinel_desktop.messages import (
+    LANGUAGES,
+    SOURCE_LANGUAGE,
+    catalogue,
+    describe,
+    language_of_system,
+)
 from pinel_desktop.program.signatures import TAKES, range_code
 from pinel_desktop.program.translation import WRONG_TYPE
 
 PACKAGE = Path(pinel_desktop.__file__).parent
 FOLDER = PACKAGE / "messages" / "catalogue"
-AREAS = sorted(file.name for file in (FOLDER / FIRST).iterdir())
+AREAS = sorted(file.name for file in (FOLDER / SOURCE_LANGUAGE).iterdir())
 PLACEHOLDER = re.compile(r"\{(\w+)\}")
 
 NOTHING = re.compile(r"(?!)")
@@ -45,11 +51,11 @@ def area(language: str, name: str) -> dict[str, dict[str, str]]:
 def test_every_language_has_the_same_areas_with_the_same_codes_in_the_same_order(name: str) -> None:
     for language in LANGUAGES:
         assert sorted(file.name for file in (FOLDER / language).iterdir()) == AREAS
-        assert list(area(language, name)) == list(area(FIRST, name))
+        assert list(area(language, name)) == list(area(SOURCE_LANGUAGE, name))
 
 
 def test_no_code_stands_in_two_areas() -> None:
-    codes = [code for name in AREAS for code in area(FIRST, name)]
+    codes = [code for name in AREAS for code in area(SOURCE_LANGUAGE, name)]
     assert sorted(codes) == sorted(set(codes))
 
 
@@ -59,7 +65,7 @@ def test_a_code_stands_on_one_line() -> None:
         assert len(lines) == len(json.loads("\n".join(lines))) + 2, file
 
 
-@pytest.mark.parametrize("code", sorted(catalogue(FIRST)))
+@pytest.mark.parametrize("code", sorted(catalogue(SOURCE_LANGUAGE)))
 def test_every_code_has_words_in_every_language_with_the_same_values(code: str) -> None:
     entry = {language: catalogue(language)[code] for language in LANGUAGES}
     assert all(words["message"].strip() for words in entry.values())
@@ -98,14 +104,14 @@ def test_every_code_that_the_program_raises_has_words() -> None:
     assert (
         "distance_out_of_range" not in codes
     )  # made from the parameter's name, so it is checked below
-    assert codes - set(catalogue(FIRST)) == set()
-    assert [code for code in codes if not catalogue(FIRST)[code]["remedy"]] == []
+    assert codes - set(catalogue(SOURCE_LANGUAGE)) == set()
+    assert [code for code in codes if not catalogue(SOURCE_LANGUAGE)[code]["remedy"]] == []
 
 
 def test_every_range_in_the_language_has_words() -> None:
     codes = {range_code(name, takes) for (_, name), takes in TAKES.items() if takes.is_bounded}
     codes |= {f"wrong_type_{kind}" for kind in WRONG_TYPE.values()}
-    assert codes <= set(catalogue(FIRST))
+    assert codes <= set(catalogue(SOURCE_LANGUAGE))
 
 
 def test_values_are_put_in_literally_whatever_they_hold() -> None:

@@ -1,11 +1,11 @@
-"""Every message a person can meet, by code, in every language.
+"""Messages for people: by code, in every language.
 
-`catalogue/LANGUAGE/AREA.json` maps a code to its words in one language, a code on each line:
+`catalogue/LANGUAGE/AREA.json` maps codes to messages in one language, a code on each line:
 
     "distance_out_of_range": {"message": "...{value}...", "remedy": "..."},
 
-The folders are the languages there are. The page reads the same files. Placeholders such as `{value}` are replaced
-one by one, never through a format string, because their values come out of pupils' programs.
+The folders of `catalogue` define which languages exist. The page reads the same files. Placeholders such as `{value}`
+are replaced one by one, never by a format string, because their values come from pupils' programs.
 """
 
 import json
@@ -18,31 +18,34 @@ from importlib import resources
 from typing import Protocol
 
 _CATALOGUE = resources.files(__name__) / "catalogue"
-# the one that every other is translated from, and that a missing word is taken from
-FIRST = "pt-BR"
-LANGUAGES = (FIRST, *sorted({folder.name for folder in _CATALOGUE.iterdir()} - {FIRST}))
+# the other languages are translated from it; it is the fallback for a missing code
+SOURCE_LANGUAGE = "pt-BR"
+LANGUAGES = (
+    SOURCE_LANGUAGE,
+    *sorted({folder.name for folder in _CATALOGUE.iterdir()} - {SOURCE_LANGUAGE}),
+)
 _PLACEHOLDER = re.compile(r"\{(\w+)\}")
-_LONGEST = 80
-# of a file the end is what tells it from others, and a person may have to type it
-_PLACES = frozenset({"file", "files", "folder", "path"})
-_LONGEST_PLACE = 1000
+_MAX_LENGTH = 80
+# paths are cut later than other values: their end tells them apart, and a person may have to type them
+_PATH_PARAMS = frozenset({"file", "files", "folder", "path"})
+_MAX_PATH_LENGTH = 1000
 
 
 @dataclass(frozen=True, slots=True)
-class Words:
-    """What went wrong and what to do about it, in one language."""
+class LocalizedMessage:
+    """A message in one language: what went wrong, and what to do about it."""
 
     message: str
     remedy: str
 
     @property
     def line(self) -> str:
-        """Both on one line."""
+        """Message and remedy on one line."""
         return f"{self.message} {self.remedy}".strip()
 
 
 class Problem(Protocol):
-    """A code and what fills its words: a PinelError, a StoreError, a fault or a notice of the store."""
+    """A code with the values of its placeholders: PinelError, StoreError, a fault, or a notice of the store."""
 
     @property
     def code(self) -> str: ...
@@ -61,47 +64,47 @@ def catalogue(language: str) -> dict[str, dict[str, str]]:
 
 
 def language_of_system() -> str:
-    """The language of PINEL_LANG or of the locale; Portuguese where neither is one of ours."""
+    """The language of PINEL_LANG, else of the locale, else Portuguese."""
     for variable in ("PINEL_LANG", "LC_ALL", "LC_MESSAGES", "LANG"):
         for language in LANGUAGES:
             if os.environ.get(variable, "").lower().startswith(language[:2]):
                 return language
-    return FIRST
+    return SOURCE_LANGUAGE
 
 
 def decimal_sign(language: str) -> str:
-    """What stands before the decimals of a number."""
+    """The decimal separator: "," or "."."""
     return catalogue(language)["decimal_sign"]["message"]
 
 
-def describe(code: str, params: Mapping[str, object], language: str) -> Words:
-    """The words for `code` with its placeholders filled; an unknown code is shown as it is."""
+def describe(code: str, params: Mapping[str, object], language: str) -> LocalizedMessage:
+    """The message for `code` with its placeholders filled; for an unknown code, the code itself."""
     unknown = {"message": code, "remedy": ""}
-    words = catalogue(language).get(code) or catalogue(FIRST).get(code) or unknown
+    words = catalogue(language).get(code) or catalogue(SOURCE_LANGUAGE).get(code) or unknown
 
     def fill(match: re.Match[str]) -> str:
         name = match[1]
-        return _show(params[name], language, name in _PLACES) if name in params else match[0]
+        return _show(params[name], language, name in _PATH_PARAMS) if name in params else match[0]
 
-    return Words(
+    return LocalizedMessage(
         message=_PLACEHOLDER.sub(fill, words["message"]),
         remedy=_PLACEHOLDER.sub(fill, words.get("remedy", "")),
     )
 
 
-def explain(problem: Problem, language: str | None = None) -> Words:
-    """The words for a problem, in that language or the system's."""
+def explain(problem: Problem, language: str | None = None) -> LocalizedMessage:
+    """The message for a problem; `language` defaults to the system's."""
     return describe(problem.code, problem.params, language or language_of_system())
 
 
-def _show(value: object, language: str, is_place: bool = False) -> str:
+def _show(value: object, language: str, is_path: bool = False) -> str:
     if isinstance(value, bool) or value is None:
         return json.dumps(value)
     if isinstance(value, float | int):
         text = f"{value:.10g}" if abs(value) < 1e300 else str(value)[:20]
         return text.replace(".", decimal_sign(language))
     if isinstance(value, list | tuple):
-        return ", ".join(_show(item, language, is_place) for item in value)
+        return ", ".join(_show(item, language, is_path) for item in value)
     text = str(value)
-    longest = _LONGEST_PLACE if is_place else _LONGEST
+    longest = _MAX_PATH_LENGTH if is_path else _MAX_LENGTH
     return text if len(text) <= longest else text[: longest - 1] + "…"

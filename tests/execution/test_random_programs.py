@@ -18,7 +18,7 @@ from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.executor import RunOptions, RunResult, execute
 from pinel_desktop.execution.inputs import ScriptedInputs
 from pinel_desktop.links import open_link
-from pinel_desktop.messages import FIRST, catalogue
+from pinel_desktop.messages import SOURCE_LANGUAGE, catalogue
 from pinel_desktop.program.reading import read_document
 from tests.strategies import LETTERS, programs
 
@@ -53,7 +53,7 @@ def test_run_ends_once_at_rest_with_a_reason_in_words_and_the_same_again_to_the_
     assert ended.state in ("finished", "failed")
     assert ended.reason != "internal_error", ended.params
     assert (ended.reason is None) == (ended.state == "finished")
-    assert ended.reason is None or ended.reason in catalogue(FIRST)
+    assert ended.reason is None or ended.reason in catalogue(SOURCE_LANGUAGE)
     assert [event for _, event in log if isinstance(event, RunEnded)] == [log[-1][1]]
     assert isinstance(log[0][1], RunState)
     telemetry = [event for _, event in log if isinstance(event, Telemetry)]

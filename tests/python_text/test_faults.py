@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from pinel_desktop.messages import FIRST, LANGUAGES, catalogue, describe
+from pinel_desktop.messages import LANGUAGES, SOURCE_LANGUAGE, catalogue, describe
 from pinel_desktop.program import python_text
 from pinel_desktop.program.limits import MAX_BYTES
 from pinel_desktop.program.python_text import read_python
@@ -202,7 +202,10 @@ def codes() -> set[str]:
 
 def test_every_fault_has_words_and_every_word_a_fault() -> None:
     elsewhere = {"python_not_utf8", "python_at"}
-    assert codes() == {code for code in catalogue(FIRST) if code.startswith("python_")} - elsewhere
+    assert (
+        codes()
+        == {code for code in catalogue(SOURCE_LANGUAGE) if code.startswith("python_")} - elsewhere
+    )
 
 
 def test_every_fault_is_provoked_above() -> None:

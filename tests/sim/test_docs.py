@@ -4,7 +4,7 @@ import json
 import re
 from pathlib import Path
 
-from pinel_desktop.messages import FIRST, catalogue
+from pinel_desktop.messages import SOURCE_LANGUAGE, catalogue
 from sim import document, placement
 from sim.document import WorldDocument
 from sim.floor import COLORS
@@ -36,7 +36,7 @@ def test_every_key_has_a_row_with_its_limits() -> None:
 
 def test_every_fault_between_parts_is_told() -> None:
     source = Path(placement.__file__).read_text("utf-8")
-    codes = set(re.findall(r'"([a-z]+(?:_[a-z]+)+)"', source)) & set(catalogue(FIRST))
+    codes = set(re.findall(r'"([a-z]+(?:_[a-z]+)+)"', source)) & set(catalogue(SOURCE_LANGUAGE))
     assert len(codes) >= 10
     assert codes <= set(re.findall(r"`(\w+)`", PAGE))
 
