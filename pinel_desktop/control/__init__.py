@@ -8,7 +8,7 @@ from pinel_desktop.control.tracking import (
     Arc,
     Gains,
     Line,
-    hold_place,
+    hold_position,
 )
 from pinel_desktop.control.trim import Trim
 
@@ -21,6 +21,6 @@ __all__ = [
     "Line",
     "ProgressCheck",
     "Trim",
-    "hold_place",
+    "hold_position",
     "s_curve",
 ]

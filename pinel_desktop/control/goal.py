@@ -1,26 +1,27 @@
-"""When a motion has arrived, and when it is stuck: kept apart from the controller, which knows neither."""
+"""Goal and progress checks: whether a motion has arrived, and whether it is stuck. Independent of the controller."""
 
 import math
 from dataclasses import dataclass
 
 from pinel_desktop.robot.geometry import Twist2D
 
-# A robot that measures its pose with noise goes on correcting it: it trembles at this speed and never stands.
+# A controller with a noisy pose never stops correcting; up to these speeds the robot counts as standing.
 _AT_REST_MPS, _AT_REST_RADPS = 1e-3, 2e-3
 _TREMBLES_MPS, _TREMBLES_RADPS = 0.02, 0.04
 
 
 def at_rest(twist: Twist2D) -> bool:
-    """Whether a measured twist is standstill."""
+    """True if the measured twist is that of a robot at standstill."""
     return abs(twist.v_mps) < _AT_REST_MPS and abs(twist.omega_radps) < _AT_REST_RADPS
 
 
 @dataclass(frozen=True, slots=True)
 class GoalCheck:
-    """Whether the set-point's end has been reached, in the unit of the motion (m or rad), and the robot stands there.
+    """Decides whether the robot stands at the end of the motion. Tolerances in the unit of the motion (m or rad).
 
-    A simulated robot gets within `fine`. A real one, whose pose is noisy, is given `patience` ticks to come within
-    `near`, and twice as many to come within `coarse`; it may tremble.
+    During the first `patience` ticks after the end of the set-points the error must be within `fine`, which a robot
+    with exact poses reaches. After that `near` suffices, after `2 * patience` ticks `coarse`; slight motion is then
+    accepted, for robots with noisy poses.
     """
 
     fine: float
@@ -29,6 +30,7 @@ class GoalCheck:
     patience: int = 15
 
     def arrived(self, error: float, twist: Twist2D, ticks_past_end: int) -> bool:
+        """`error` in the unit of the motion; `ticks_past_end` counts ticks since the last set-point."""
         if ticks_past_end <= self.patience:
             return abs(error) <= self.fine and at_rest(twist)
         tolerance = self.near if ticks_past_end <= 2 * self.patience else self.coarse
@@ -41,7 +43,7 @@ TURN_GOAL = GoalCheck(fine=math.radians(0.003), near=math.radians(0.15), coarse=
 
 
 class ProgressCheck:
-    """Notices a motion that has not come `step` further (m or rad) within `patience` ticks."""
+    """Detects a motion that progresses by less than `step` (m or rad) in `patience` ticks."""
 
     def __init__(self, step: float, patience: int) -> None:
         self._step, self._patience = step, patience
@@ -49,7 +51,7 @@ class ProgressCheck:
         self._due = 0
 
     def stuck(self, done: float, tick: int) -> bool:
-        """`done` is how far the motion has come, its sign ignored; `tick` the number of the tick."""
+        """`done` is the progress of the motion in m or rad, of either sign; `tick` is the current tick's number."""
         if self._mark is None or abs(done - self._mark) >= self._step:
             self._mark, self._due = done, tick + self._patience
         return tick >= self._due

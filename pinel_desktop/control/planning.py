@@ -1,4 +1,4 @@
-"""A way around obstacles: A* on a grid that prefers to keep its distance, pulled straight where it can be. PURE."""
+"""Path planning around obstacles: A* on a grid with clearance costs, then string pulling. PURE."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ import numpy as np
 import numpy.typing as npt
 
 Point = tuple[float, float]
-Segment = tuple[
-    float, float, float, float
-]  # x1, y1, x2, y2 in m; a point has both ends in one place
+Segment = tuple[float, float, float, float]  # x1, y1, x2, y2 in m; a point has two equal ends
 Array = npt.NDArray[np.float64]
 
 CELL_M = 0.05
-# a way may pass this close to what the robot must not touch, and would rather be that far from it
+# clearance between hull and obstacles: the least allowed, and the one beyond which a cell costs no more
 TIGHT_M, COMFORTABLE_M = 0.02, 0.15
-_MARGIN_M = 1.5  # around everything known, to go around the outside of it
+_MARGIN_M = 1.5  # of the grid around all obstacles, so that a path can pass outside of them
 _MAX_CELLS = 250_000
-_SLICE = 500  # cells looked at between two yields: some milliseconds
-_LEAVING_M = 0.3  # so near its start a robot may be closer than tight: it stands there already
+_CELLS_PER_YIELD = 500  # some milliseconds
+_START_ZONE_M = (
+    0.3  # this near the start, less clearance is allowed: the robot may already stand too close
+)
 _SAMPLE_M = 0.03
 _STEPS = tuple(
     (dx, dy, math.hypot(dx, dy)) for dx in (-1, 0, 1) for dy in (-1, 0, 1) if (dx, dy) != (0, 0)
@@ -30,7 +30,7 @@ _STEPS = tuple(
 
 
 def clearances(points: Array, obstacles: Array) -> Array:
-    """Distance in m from each of the points (n, 2) to the nearest of the obstacles (m, 4); inf without any."""
+    """Distance in m from each point (n, 2) to the nearest obstacle (m, 4), shape (n,); inf without obstacles."""
     nearest = np.full(len(points), np.inf)
     for x1, y1, x2, y2 in obstacles:
         dx, dy = x2 - x1, y2 - y1
@@ -42,25 +42,26 @@ def clearances(points: Array, obstacles: Array) -> Array:
 
 
 def path_clearance(path: Sequence[Point], obstacles: Array) -> float:
-    """The smallest distance in m between a path of straight legs and the obstacles; inf without any."""
+    """Smallest distance in m between a polyline and the obstacles (m, 4); inf without obstacles."""
     return float(clearances(_sampled(path), obstacles).min(initial=np.inf))
 
 
 def as_array(obstacles: Sequence[Segment]) -> Array:
-    """Obstacles as rows x1, y1, x2, y2, in m."""
+    """Obstacles as an array (m, 4) with rows x1, y1, x2, y2 in m."""
     return np.array(obstacles, dtype=np.float64).reshape(-1, 4)
 
 
 def plan_path(
     obstacles: Array, start: Point, goal: Point, radius_m: float
 ) -> Generator[None, None, list[Point] | None]:
-    """A path of straight legs for a round robot from `start` to `goal`, the start left out; None when there is none.
+    """A polyline for a round robot from `start` to `goal`, without the start; None if there is no path.
 
-    Yields now and then, so that a caller can do something else in between; what it returns does not depend on that.
+    All points are in m, in one frame of the caller's choice. Yields every few milliseconds so that the caller can do
+    other work; the result does not depend on it.
 
     A* (P. Hart, N. Nilsson, B. Raphael, "A formal basis for the heuristic determination of minimum cost paths", 1968)
-    on a grid of 5 cm, where cells near obstacles cost up to twice as much; then each leg is pulled straight over as
-    many cells as it can without coming nearer to anything than they did.
+    on a grid of 5 cm, where cells near obstacles cost up to twice as much. String pulling then replaces runs of cells
+    by straight legs that keep the clearance of those cells.
     """
     if path_clearance([start, goal], obstacles) >= radius_m + COMFORTABLE_M:
         return [goal]
@@ -69,11 +70,11 @@ def plan_path(
     if cells is None:
         return None
     points = [start, *(grid.center(cell) for cell in cells[1:-1]), goal]
-    return (yield from _pulled_straight(points, obstacles, radius_m))
+    return (yield from _pull_string(points, obstacles, radius_m))
 
 
 class _Grid:
-    """Cells around start and goal with their distance to what is nearest."""
+    """Grid over start, goal and obstacles; each cell has a cost by its clearance."""
 
     def __init__(self, obstacles: Array, start: Point, goal: Point, radius_m: float) -> None:
         corners = np.vstack([obstacles[:, :2], obstacles[:, 2:], [start, goal]])
@@ -84,7 +85,7 @@ class _Grid:
         self._n_rows = math.ceil(height / self._cell) + 1
         self._n_columns = math.ceil(width / self._cell) + 1
         self._start, self._goal = self._index(start), self._index(goal)
-        self._price = self._prices(obstacles, start, radius_m)
+        self._cell_cost = self._cell_costs(obstacles, start, radius_m)
 
     def _index(self, point: Point) -> int:
         column = round((point[0] - self._x) / self._cell)
@@ -92,29 +93,31 @@ class _Grid:
         return row * self._n_columns + column
 
     def center(self, index: int) -> Point:
-        """Where a cell is, in m."""
+        """Centre of a cell, in m."""
         row, column = divmod(index, self._n_columns)
         return self._x + column * self._cell, self._y + row * self._cell
 
-    def _prices(self, obstacles: Array, start: Point, radius_m: float) -> list[float]:
-        """What a metre in each cell costs: 1 where there is room, up to 2, infinity where the robot does not fit."""
+    def _cell_costs(self, obstacles: Array, start: Point, radius_m: float) -> list[float]:
+        """Cost per metre in each cell, row by row: 1 in free space, up to 2 near obstacles, inf where closed."""
         xs: Array = self._x + self._cell * np.arange(self._n_columns, dtype=np.float64)
         ys: Array = self._y + self._cell * np.arange(self._n_rows, dtype=np.float64)
         wide, tight = radius_m + COMFORTABLE_M, radius_m + TIGHT_M
         room = np.full((self._n_rows, self._n_columns), wide)
         for obstacle in obstacles:
-            self._lower(room, obstacle, xs, ys, wide)
-        leaving = np.hypot(xs[None, :] - start[0], ys[:, None] - start[1]) < _LEAVING_M
+            self._add_obstacle(room, obstacle, xs, ys, wide)
+        near_start = np.hypot(xs[None, :] - start[0], ys[:, None] - start[1]) < _START_ZONE_M
         here = float(clearances(np.array([start]), obstacles)[0])
-        closed = np.where(leaving, room < min(tight, here - self._cell), room < tight)
-        price = np.where(closed, np.inf, 1.0 + np.clip((wide - room) / (wide - tight), 0.0, 1.0))
-        price[0, :] = price[-1, :] = price[:, 0] = price[:, -1] = np.inf
-        prices: list[float] = price.ravel().tolist()
-        prices[self._start] = prices[self._start] if prices[self._start] < math.inf else 2.0
-        return prices
+        closed = np.where(near_start, room < min(tight, here - self._cell), room < tight)
+        cost = np.where(closed, np.inf, 1.0 + np.clip((wide - room) / (wide - tight), 0.0, 1.0))
+        cost[0, :] = cost[-1, :] = cost[:, 0] = cost[:, -1] = np.inf
+        costs: list[float] = cost.ravel().tolist()
+        costs[self._start] = costs[self._start] if costs[self._start] < math.inf else 2.0
+        return costs
 
-    def _lower(self, room: Array, obstacle: Array, xs: Array, ys: Array, reach: float) -> None:
-        """Takes one obstacle into account in the cells that it is near to."""
+    def _add_obstacle(
+        self, room: Array, obstacle: Array, xs: Array, ys: Array, reach: float
+    ) -> None:
+        """Lowers `room`, the clearance of each cell, to the distance of one obstacle, within `reach` of it."""
         x1, y1, x2, y2 = obstacle
         left, right = np.searchsorted(xs, (min(x1, x2) - reach, max(x1, x2) + reach))
         bottom, top = np.searchsorted(ys, (min(y1, y2) - reach, max(y1, y2) + reach))
@@ -124,9 +127,13 @@ class _Grid:
         np.minimum(part, clearances(points, obstacle[None, :]).reshape(part.shape), out=part)
 
     def search(self, estimate: float = 1.0) -> Generator[None, None, list[int] | None]:
-        """Cells from start to goal, or None; an `estimate` of 0 of what is left makes it Dijkstra's algorithm."""
-        price, width, cell, goal = self._price, self._n_columns, self._cell, self._goal
-        if price[goal] == math.inf:
+        """Indices of the cells from start to goal, or None.
+
+        Args:
+            estimate: factor of the heuristic; 1 is A*, 0 is Dijkstra's algorithm.
+        """
+        cell_cost, width, cell, goal = self._cell_cost, self._n_columns, self._cell, self._goal
+        if cell_cost[goal] == math.inf:
             return None
         goal_row, goal_column = divmod(goal, width)
         steps = [(dy * width + dx, length * cell / 2.0) for dx, dy, length in _STEPS]
@@ -135,16 +142,16 @@ class _Grid:
         while waiting:
             _, here = heapq.heappop(waiting)
             if here == goal:
-                return self._traced(came_from)
+                return self._path(came_from)
             if here in done:
                 continue
             done.add(here)
             n_seen += 1
-            if n_seen % _SLICE == 0:
+            if n_seen % _CELLS_PER_YIELD == 0:
                 yield
             for offset, half in steps:
                 there = here + offset
-                so_far = cost[here] + half * (price[here] + price[there])
+                so_far = cost[here] + half * (cell_cost[here] + cell_cost[there])
                 if so_far < cost.get(there, math.inf):
                     cost[there], came_from[there] = so_far, here
                     row, column = divmod(there, width)
@@ -153,23 +160,23 @@ class _Grid:
                     heapq.heappush(waiting, (so_far + estimate * rest * cell, there))
         return None
 
-    def _traced(self, came_from: dict[int, int]) -> list[int]:
+    def _path(self, came_from: dict[int, int]) -> list[int]:
         cells = [self._goal]
         while cells[-1] != self._start:
             cells.append(came_from[cells[-1]])
         return cells[::-1]
 
 
-def _pulled_straight(
+def _pull_string(
     points: list[Point], obstacles: Array, radius_m: float
 ) -> Generator[None, None, list[Point]]:
-    """The corners of the path that are needed."""
+    """String pulling: the corners that remain when each leg skips as many points as its clearance allows."""
     room = np.minimum(clearances(np.array(points), obstacles), radius_m + COMFORTABLE_M)
     tight = float(min(radius_m + TIGHT_M, room.min()))
     path, here = [], 0
     while here < len(points) - 1:
         there = here + 1
-        # doubling the leg, then halving the step, finds its end in few looks
+        # galloping search for the end of the leg: the step doubles, then halves
         step = 1
         while step:
             further = min(there + step, len(points) - 1)

@@ -8,15 +8,14 @@ from functools import lru_cache
 def s_curve(
     distance: float, speed: float, acceleration: float, smoothing_s: float, dt_s: float
 ) -> tuple[float, ...]:
-    """Set-points every `dt_s` seconds, from 0 to exactly `distance` (its sign is kept).
+    """Set-points every `dt_s` seconds, from 0 to `distance`, which may be negative.
 
-    A trapezoidal velocity profile, averaged over a window of `smoothing_s`: the acceleration is then continuous
-    and the jerk is at most `2 * acceleration / smoothing_s` (the method is that of FIR-filtered trajectories,
-    L. Biagiotti and C. Melchiorri, "FIR filters for online trajectory planning", 2012). Any unit of length will
-    do, as long as speed and acceleration use it.
+    A trapezoidal velocity profile, averaged over a window of `smoothing_s`: the acceleration is continuous and the
+    jerk is at most `2 * acceleration / smoothing_s`. Method: L. Biagiotti and C. Melchiorri, "FIR filters for online
+    trajectory planning", 2012. `distance`, `speed` and `acceleration` share one unit of length or angle.
 
     Returns:
-        The positions at 0, dt, 2 dt, ...; the first is 0 and the last is `distance`.
+        Positions at 0, dt, 2 dt, ...; the first is 0 and the last is exactly `distance`.
     """
     length = abs(distance)
     if length == 0.0:
@@ -33,7 +32,7 @@ def s_curve(
 
 
 class _Trapezoid:
-    """Speeds up for `ramp_s`, keeps `peak` for `cruise_s`, slows down for `ramp_s`."""
+    """Velocity profile: accelerates for `ramp_s`, keeps `peak` for `cruise_s`, decelerates for `ramp_s`."""
 
     def __init__(
         self, acceleration: float, peak: float, ramp_s: float, cruise_s: float, length: float

@@ -1,25 +1,22 @@
-"""What a controller learns of the wheels while it drives: the I of the PID, kept over the whole program."""
+"""Integral control of the cross-track error, whose state lasts for the whole program."""
 
-_MOST_PER_M = 0.05  # rad/m: wheels that differ by 1.5 % on a track of 0.33 m
-_FARTHEST_M = (
-    0.02  # beyond, somebody pushed the robot, or it is stuck: nothing is learned of the wheels
-)
+_MAX_TRIM_RAD_PER_M = 0.05  # wheels that differ by 1.5 % on a track of 0.33 m
+_MAX_ERROR_M = 0.02  # a larger error means that the robot is stuck or was pushed
 
 
 class Trim:
-    """By how much the robot is to turn for each metre that it drives, so that it drives straight.
+    """The turn per metre driven, in rad/m, that compensates wheels of unequal size.
 
-    Wheels of unequal size turn the robot a little all the time. Proportional control alone would let it run beside its
-    line, just as far as it takes to steer against that. The integral of the way beside the line finds the turn that is
-    missing. It is bounded and stands still when the robot is far from the line or does not drive, so that it cannot
-    wind up.
+    Such wheels turn the robot constantly. Proportional control alone leaves a constant cross-track error; its integral
+    over the distance driven removes it. Against wind-up, the trim is bounded and does not change while the robot
+    stands or is far from its line.
     """
 
     def __init__(self) -> None:
         self.per_m = 0.0
 
     def learn(self, across_m: float, way_m: float, gain: float) -> None:
-        """Takes in that the robot was `across_m` to the left of its line over `way_m`; `gain` in rad/m per m²."""
-        if abs(across_m) <= _FARTHEST_M:
+        """Integrates an error of `across_m` (left of the line) over `way_m` driven; `gain` in rad/m per m²."""
+        if abs(across_m) <= _MAX_ERROR_M:
             learned = self.per_m - gain * across_m * abs(way_m)
-            self.per_m = min(max(learned, -_MOST_PER_M), _MOST_PER_M)
+            self.per_m = min(max(learned, -_MAX_TRIM_RAD_PER_M), _MAX_TRIM_RAD_PER_M)

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable
 
-from pinel_desktop.control import Arc, Line, ProgressCheck, hold_place, s_curve
+from pinel_desktop.control import Arc, Line, ProgressCheck, hold_position, s_curve
 from pinel_desktop.control.goal import MOVE_GOAL, TURN_GOAL, at_rest
 from pinel_desktop.execution.clock import TICK_HZ, TICK_S
 from pinel_desktop.execution.context import RunContext, RunFailureError
@@ -129,7 +129,7 @@ def turn_on_the_spot(context: RunContext, angle_rad: float) -> Routine:
         if progress.stuck(turned, context.tick):
             raise _blocked_turn(turned, angle_rad)
         # wheels without slip need no correction of the position
-        v = hold_place(start, context.pose, gains) if gains.learn else 0.0
+        v = hold_position(start, context.pose, gains) if gains.integral else 0.0
         context.command = Twist2D(v, speed + gains.yaw * (expected - turned))
         if context.observed:
             context.setpoint = start._replace(yaw_rad=wrap_angle(start.yaw_rad + expected))

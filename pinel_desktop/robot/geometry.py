@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 
 def wrap_angle(angle_rad: float) -> float:
-    """The same direction in (-pi, pi]."""
+    """The equivalent angle in (-pi, pi]."""
     if -math.pi < angle_rad <= math.pi:
         return angle_rad
     wrapped = math.remainder(angle_rad, math.tau)
@@ -13,14 +13,14 @@ def wrap_angle(angle_rad: float) -> float:
 
 
 class Pose2D(NamedTuple):
-    """Where something is and where it looks: x and y in metres, yaw in radians, in (-pi, pi]."""
+    """Position and heading: x and y in metres, yaw in radians, in (-pi, pi]."""
 
     x_m: float = 0.0
     y_m: float = 0.0
     yaw_rad: float = 0.0
 
     def compose(self, local: "Pose2D") -> "Pose2D":
-        """The pose `local`, given in this pose's frame, in the frame this pose is given in."""
+        """Transforms `local` from the frame of this pose into the frame in which this pose is given."""
         cos, sin = math.cos(self.yaw_rad), math.sin(self.yaw_rad)
         return Pose2D(
             self.x_m + cos * local.x_m - sin * local.y_m,

@@ -1,4 +1,4 @@
-"""What the rest of the program knows about a robot: read its state, command a velocity."""
+"""The protocol of all robots: read the state, command a velocity."""
 
 from typing import NamedTuple, Protocol
 
@@ -10,9 +10,9 @@ class RobotState(NamedTuple):
     """One reading of a robot.
 
     Attributes:
-        pose: where the robot believes it is, in the link's own frame (world or odometry).
+        pose: estimated pose in the link's frame (world or odometry).
         twist: measured velocity in the robot's frame.
-        true_pose: where it really is, where that is known (a simulator); else None.
+        true_pose: exact pose in the same frame; None where only the estimate is known, as on real robots.
     """
 
     pose: Pose2D
@@ -21,15 +21,15 @@ class RobotState(NamedTuple):
 
 
 class RobotLink(Protocol):
-    """A robot that can be driven; one implementation per backend in `links/`.
+    """A robot that can be driven; `links/` has one implementation per backend.
 
     Every link stops its robot when commands go stale, when its odometry goes silent and when it is closed.
 
     Attributes:
-        simulated: True when time stands still between calls of `advance`.
-        command_delay_s: how much later than `command` a velocity takes effect on the average, in seconds.
-        slips: whether wheels roll more or less far than they are told, which a controller can learn.
-        sensors: what the robot can sense besides its own state.
+        simulated: True if time passes only in `advance`.
+        command_delay_s: mean time from `command` until the velocity takes effect, in seconds.
+        slips: True if wheels roll more or less far than commanded; the controller then uses integral control.
+        sensors: the sensors besides those of the robot's own state.
     """
 
     simulated: bool
@@ -38,25 +38,25 @@ class RobotLink(Protocol):
     sensors: Sensors
 
     def connect(self) -> None:
-        """Makes the robot ready. Raises PinelError with what is missing and what to do."""
+        """Makes the robot ready. Raises PinelError that says what is missing and what to do."""
 
     def read(self) -> RobotState:
-        """The newest state. Raises PinelError `link_lost` when the robot has gone silent."""
+        """The latest state. Raises PinelError `link_lost` when the robot no longer reports."""
         ...
 
     def bumper(self) -> bool:
-        """True while the robot touches something, for those who watch; False where the robot cannot tell."""
+        """True while the robot touches something, for telemetry; False if it has no bumper."""
         ...
 
     def things(self) -> dict[int, Pose2D]:
-        """Where movable boxes are, by their place in the world's list and in its frame; empty where nobody knows."""
+        """Poses of movable boxes in the world's frame, by index in the world's list; empty if unknown."""
         ...
 
     def command(self, twist: Twist2D) -> None:
-        """Sets the velocity from now on, limited to what the robot can do."""
+        """Sets the velocity from now on, limited to the robot's maximum."""
 
     def advance(self, dt_s: float) -> None:
-        """Lets `dt_s` seconds pass in a simulator; a real robot needs nothing done."""
+        """Advances a simulator by `dt_s` seconds; does nothing for a real robot."""
 
     def close(self) -> None:
-        """Stops the robot and gives everything back; safe to call twice."""
+        """Stops the robot and releases all resources; safe to call twice."""

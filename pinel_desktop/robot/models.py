@@ -1,4 +1,4 @@
-"""Robots as records: measures and limits in one place, handed to `sim` and to `execution`."""
+"""Robot models: the dimensions and limits that `sim` and `execution` use."""
 
 import math
 from dataclasses import dataclass
@@ -9,26 +9,26 @@ Direction = Literal["front", "left", "right", "back"]
 
 @dataclass(frozen=True, slots=True)
 class RobotModel:
-    """Measures and limits of one kind of robot, in SI units.
+    """Dimensions and limits of one robot model, in SI units.
 
     Attributes:
         name: key of the record.
         title: name for people.
-        radius_m: radius of the circle that holds the body.
+        radius_m: radius of the circle around the body.
         track_m: distance between the middles of the two wheels.
         mass_kg: mass without payload.
         max_force_n: largest force with which the wheels push the body.
         max_torque_nm: largest torque with which the wheels turn the body.
-        max_v_mps, max_omega_radps: what the robot can do at most.
+        max_v_mps, max_omega_radps: physical limits.
         start_v_mps, start_omega_radps: limits of motion commands until a program sets others.
         acceleration_mps2, angular_acceleration_radps2: of planned motions.
         smoothing_s: time over which an acceleration builds up, the S of the S-curve.
-        sonar_angles_rad: where the sonars look, by index, from the heading; each sits on the hull in its direction,
+        sonar_angles_rad: direction of each sonar from the heading, by index; a sonar is on the hull in its direction,
             `radius_m` from the centre.
-        sonar_range_m: what a sonar measures when nothing is near.
-        distance_sonars: the sonars of each direction, none where it has none; the nearest of them is the distance in
-            that direction.
-        lidar_range_m: what the laser scanner in the robot's centre measures when nothing is near; 0 without one.
+        sonar_range_m: reading of a sonar with nothing in range.
+        distance_sonars: indices of the sonars of each direction, possibly none; their smallest reading is the
+            distance in that direction.
+        lidar_range_m: reading of the laser scanner, in the robot's centre, with nothing in range; 0 without a scanner.
     """
 
     name: str
@@ -51,9 +51,9 @@ class RobotModel:
     lidar_range_m: float
 
 
-# Angles of SonarUnit 0 to 15 in ARIA's parameter file p3dx.p (Adept MobileRobots): a ring of eight in front, 0 on the
-# left, and one of eight behind, 8 on the right. ARIA's positions are up to 0.27 m from the centre, as the real hull
-# is longer behind; the simulated hull is a circle, and its ring sits on that.
+# Angles of SonarUnit 0 to 15 in ARIA's parameter file p3dx.p (Adept MobileRobots): eight in front, 0 on the left, and
+# eight behind, 8 on the right. ARIA's positions are up to 0.27 m from the centre, because the real hull is longer
+# behind; here all sonars are on the simulated hull, a circle.
 _PIONEER_SONARS_DEG = (90, 50, 30, 10, -10, -30, -50, -90, -90, -130, -150, -170, 170, 150, 130, 90)
 
 PIONEER_3DX = RobotModel(
@@ -77,7 +77,7 @@ PIONEER_3DX = RobotModel(
     sonar_angles_rad=tuple(math.radians(angle) for angle in _PIONEER_SONARS_DEG),
     # Pioneer 3 Operations Manual: sensitivity from 10 cm to 5 m
     sonar_range_m=5.0,
-    # a quarter of the ring each: wide enough for whatever the hull would hit
+    # a quarter of the ring each, which covers everything that the hull could hit
     distance_sonars={
         "front": (2, 3, 4, 5),
         "left": (14, 15, 0, 1),
@@ -89,8 +89,8 @@ PIONEER_3DX = RobotModel(
 )
 
 SMALL_ROBOT = RobotModel(
-    # No product: the measures are chosen, those of a robot that a class builds on a round base of 16 cm with two gear
-    # motors and three HC-SR04 sonars, which look 45 degrees apart and reach 4 m by their datasheet.
+    # Not a product: chosen as a robot that a class can build on a round base of 16 cm with two gear motors and three
+    # HC-SR04 sonars, 45 degrees apart, with a range of 4 m by their datasheet.
     name="small_robot",
     title="Mini 16",
     radius_m=0.08,

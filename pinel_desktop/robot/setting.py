@@ -1,4 +1,4 @@
-"""How a simulated run is set up besides its world and seed: which robot, how true to life, what the robot knows."""
+"""The robot setting of a simulated run: model, realism, pose feedback."""
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
@@ -15,12 +15,12 @@ FEEDBACKS: tuple[Feedback, ...] = get_args(Feedback)
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """Part of what makes a run: kept with it, so that it can be run again.
+    """The robot setting of a run; recorded with the run, so that verification can repeat it.
 
     Attributes:
         model: name of the robot's record in ROBOTS.
         preset: noise, slip and latency of the simulator.
-        feedback: whether the robot knows its true pose, as from a camera above, or only what its wheels tell.
+        feedback: source of the robot's pose: exact, as from a camera above the floor, or wheel odometry.
     """
 
     model: str = PIONEER_3DX.name
@@ -35,14 +35,14 @@ class Setting:
         return ROBOTS[self.model]
 
     def as_parameters(self) -> dict[str, Any]:
-        """Plain JSON data, for the run's record and the engine's message."""
+        """Plain JSON data for the run's record and the engine's messages."""
         return asdict(self)
 
 
 def setting_from(parameters: Mapping[str, Any]) -> Setting:
-    """The setting in a run's parameters; what they do not tell is as it was before there was a choice.
+    """The setting in a run's parameters; missing ones have the values of releases that had no choice.
 
-    Raises PinelError `run_damaged` for what no setting ever was.
+    Raises PinelError `run_damaged` for invalid parameters.
     """
     known = {name: parameters[name] for name in Setting.__slots__ if name in parameters}
     setting = Setting(**known)

@@ -2,7 +2,7 @@ import math
 
 import pytest
 
-from pinel_desktop.control import Arc, Gains, GoalCheck, Line, ProgressCheck, Trim, hold_place
+from pinel_desktop.control import Arc, Gains, GoalCheck, Line, ProgressCheck, Trim, hold_position
 from pinel_desktop.robot import STANDSTILL, Pose2D, Twist2D
 
 
@@ -46,7 +46,7 @@ def test_robot_that_still_drives_has_not_arrived_and_one_that_trembles_has_after
 
 
 def test_trim_learns_from_the_way_beside_the_line_and_turns_against_it() -> None:
-    gains, trim = Gains(learn=10.0), Trim()
+    gains, trim = Gains(integral=10.0), Trim()
     left_of_it = Pose2D(0.4, 0.01, 0)
     line = Line(Pose2D(), gains, trim)
     first = line.correct(left_of_it, 0.0, 0.5).omega_radps
@@ -58,7 +58,7 @@ def test_trim_learns_from_the_way_beside_the_line_and_turns_against_it() -> None
 
 
 def test_trim_is_bounded_and_learns_nothing_far_from_the_line() -> None:
-    gains, trim = Gains(learn=10.0), Trim()
+    gains, trim = Gains(integral=10.0), Trim()
     for _ in range(1000):
         Line(Pose2D(), gains, trim).correct(Pose2D(0.4, 0.5, 0), 0.0, 0.5)
     assert trim.per_m == 0.0
@@ -71,11 +71,11 @@ def test_trim_is_bounded_and_learns_nothing_far_from_the_line() -> None:
 def test_robot_that_turns_on_the_spot_drives_towards_the_spot_when_it_is_ahead(yaw: float) -> None:
     start = Pose2D(1.0, 1.0, 0.0)
     behind = Pose2D(1.0 - 0.002 * math.cos(yaw), 1.0 - 0.002 * math.sin(yaw), yaw)
-    assert hold_place(start, behind, Gains()) == pytest.approx(0.008)
+    assert hold_position(start, behind, Gains()) == pytest.approx(0.008)
 
 
 def test_robot_that_was_pushed_off_its_spot_only_creeps_back_and_may_arrive() -> None:
-    creeping = Twist2D(hold_place(Pose2D(1.0, 0.0, 0.0), Pose2D(), Gains()), 0.0)
+    creeping = Twist2D(hold_position(Pose2D(1.0, 0.0, 0.0), Pose2D(), Gains()), 0.0)
     assert creeping.v_mps > 0.0
     assert GoalCheck(fine=0.01, near=0.01, coarse=0.01).arrived(0.0, creeping, ticks_past_end=16)
 
