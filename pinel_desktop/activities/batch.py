@@ -1,4 +1,4 @@
-"""Many programs at once, on all cores."""
+"""Checks many programs in parallel processes."""
 
 import contextlib
 import multiprocessing
@@ -10,7 +10,7 @@ from multiprocessing.connection import Connection, wait
 from multiprocessing.context import SpawnContext
 
 from pinel_desktop.activities.checking import Report, check_program
-from pinel_desktop.activities.faults import make_sure
+from pinel_desktop.activities.faults import require_fulfillable
 from pinel_desktop.activities.model import Activity
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.limits import MAX_BYTES
@@ -21,18 +21,18 @@ from pinel_desktop.program.sources import read_source
 def check_files(
     activity: Activity, files: Sequence[str], *, n_processes: int | None = None
 ) -> Iterator[tuple[int, Report]]:
-    """Checks program files (documents, bare lists, Python texts), each in one of several processes.
+    """Checks program files (documents, bare lists, Python texts) in several processes.
 
-    Gives (index of the file, report) as they become ready. What goes wrong with one program stands in its report, also
-    when its process dies; the others go on. When the caller stops asking, all processes end at once.
+    Yields (index of the file, report) in order of completion. An error in one program, even the death of its process,
+    is in its report and does not affect the others. Closing the generator kills all processes.
 
     Args:
-        n_processes: how many work at once; as many as this PC has cores when not told.
+        n_processes: number of processes; None is one per core.
 
     Raises:
-        PinelError: the activity cannot be used.
+        ActivityError: no program could pass the activity.
     """
-    make_sure(activity)  # before anybody begins
+    require_fulfillable(activity)  # before any process starts
     n_wanted = n_processes or os.cpu_count() or 1
     if len(files) == 1 or n_wanted == 1:
         for i, file in enumerate(files):
@@ -46,55 +46,52 @@ def check_files(
 
 
 class _Workers:
-    """Processes that are given one file after the other.
-
-    A fresh interpreter each: what this process holds, such as threads and files, is not copied.
-    """
+    """A pool of processes, each a fresh interpreter, which inherits no threads and files."""
 
     def __init__(self, activity: Activity, files: Sequence[str], n_wanted: int) -> None:
         self._activity, self._files = activity, files
         self._waiting = list(reversed(range(len(files))))
         self._context = multiprocessing.get_context("spawn")
-        self._at_work: dict[Connection, tuple[_Worker, int]] = {}
+        self._busy: dict[Connection, tuple[_Worker, int]] = {}
         for _ in range(min(n_wanted, len(files))):
-            self._give(_Worker(self._context, self._activity))
+            self._assign(_Worker(self._context, self._activity))
 
     def reports(self) -> Iterator[tuple[int, Report]]:
-        """All of them, whoever is ready first."""
-        while self._at_work:
-            for ready in wait(list(self._at_work)):
+        """Yields (index of the file, report) in order of completion."""
+        while self._busy:
+            for ready in wait(list(self._busy)):
                 assert isinstance(ready, Connection)
-                worker, index = self._at_work.pop(ready)
+                worker, index = self._busy.pop(ready)
                 report = worker.report()
                 if report is None:
                     worker.end()
-                    report = _lost(self._files[index], worker.exit_code)
+                    report = _lost_process_report(self._files[index], worker.exit_code)
                     if self._waiting:
                         worker = _Worker(self._context, self._activity)
-                self._give(worker)
+                self._assign(worker)
                 yield index, report
 
-    def _give(self, worker: "_Worker") -> None:
+    def _assign(self, worker: "_Worker") -> None:
         if not self._waiting:
             worker.end()
             return
         index = self._waiting.pop()
-        self._at_work[worker.connection] = worker, index
+        self._busy[worker.connection] = worker, index
         worker.begin(self._files[index])
 
     def end(self) -> None:
-        """Ends those that still work."""
-        for worker, _ in self._at_work.values():
+        """Kills the busy processes."""
+        for worker, _ in self._busy.values():
             worker.end()
 
 
 class _Worker:
-    """One process and the way to talk to it."""
+    """One process of the pool and the pipe to it."""
 
     def __init__(self, context: SpawnContext, activity: Activity) -> None:
         self.connection, theirs = context.Pipe()
         self._process = context.Process(target=_work, args=(theirs, activity), daemon=True)
-        with _deaf_to_interrupts():
+        with _ignoring_interrupts():
             self._process.start()
         theirs.close()
 
@@ -103,11 +100,11 @@ class _Worker:
         return self._process.exitcode
 
     def begin(self, file: str) -> None:
-        with contextlib.suppress(OSError):  # it has died: told by what it does not report
+        with contextlib.suppress(OSError):  # the process has died: `report` will return None
             self.connection.send(file)
 
     def report(self) -> Report | None:
-        """None when it has died."""
+        """Waits for the report; None if the process has died."""
         try:
             report = self.connection.recv()
         except (EOFError, OSError):
@@ -122,8 +119,8 @@ class _Worker:
 
 
 @contextlib.contextmanager
-def _deaf_to_interrupts() -> Iterator[None]:
-    """A process that is started meanwhile never hears of Ctrl-C, not even while it is loading: its parent ends it."""
+def _ignoring_interrupts() -> Iterator[None]:
+    """A process started in this context ignores Ctrl-C from its first moment; its parent ends it."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -141,8 +138,8 @@ def _work(connection: Connection, activity: Activity) -> None:
             connection.send(_check_file(activity, connection.recv()))
 
 
-def _lost(file: str, exit_code: int | None) -> Report:
-    """The report of a program whose process has died: killed by the system for memory, say, or by a person."""
+def _lost_process_report(file: str, exit_code: int | None) -> Report:
+    """The report of a program whose process has died, for example for lack of memory."""
     return Report(file, (Fault("check_process_lost", params={"value": exit_code}),), ())
 
 

@@ -1,9 +1,9 @@
-"""Whether a program fulfils an activity: each of its cases is run, and every check looked at."""
+"""Whether a program passes an activity: runs each case and evaluates every check."""
 
 from dataclasses import dataclass
 from typing import Any
 
-from pinel_desktop.activities.checks import Evidence, Witness, holds
+from pinel_desktop.activities.checks import Evidence, RunObserver, holds
 from pinel_desktop.activities.faults import world_of
 from pinel_desktop.activities.model import Activity, Case
 from pinel_desktop.events.model import Event
@@ -20,7 +20,7 @@ from sim.world import world_from_document
 
 @dataclass(frozen=True, slots=True)
 class CheckReport:
-    """One check: `kind` and `params` choose the words."""
+    """Result of one check; `kind` and `params` select the message."""
 
     kind: str
     params: dict[str, Any]
@@ -29,7 +29,7 @@ class CheckReport:
 
 @dataclass(frozen=True, slots=True)
 class CaseReport:
-    """One run of the program; `reason` is `too_long` where the activity's limit ended it."""
+    """One run of the program; `reason` is `too_long` if the activity's time limit ended it."""
 
     state: str
     reason: str | None
@@ -41,7 +41,7 @@ class CaseReport:
 
 @dataclass(frozen=True, slots=True)
 class Report:
-    """What came of a program. One that has faults is not run."""
+    """Result of one program. A program with faults is not run and has no cases."""
 
     program: str
     faults: tuple[Fault, ...]
@@ -49,15 +49,19 @@ class Report:
 
     @property
     def passed(self) -> bool:
-        """Whether it fulfils the activity."""
+        """True if the program passes the activity."""
         checks = [check for case in self.cases for check in case.checks]
         return not self.faults and bool(checks) and all(check.holds for check in checks)
 
 
 def check_program(activity: Activity, reading: Reading, program: str = "") -> Report:
-    """Runs a program, read before, in each case of the activity; `program` is what the report calls it.
+    """Runs a program in each case of the activity.
 
-    Raises PinelError where the activity itself cannot be used: what `world_of` raises, `unknown_robot`.
+    Args:
+        program: its name in the report.
+
+    Raises:
+        PinelError: `unknown_robot`, or what `world_of` raises.
     """
     if reading.program is None:
         return Report(program, reading.faults, ())
@@ -76,17 +80,17 @@ def _case(activity: Activity, case: Case, reading: Reading) -> CaseReport:
         inputs=ScriptedInputs(case.gestures, case.answers),
         program=reading.program,
     )
-    witness = Witness(world_from_document(document))
+    observed = RunObserver(world_from_document(document))
     control, last_tick = RunControl(), round(activity.limit_s * TICK_HZ)
 
     def observe(tick: int, event: Event) -> None:
-        witness.observe(event)
+        observed.observe(event)
         if tick >= last_tick:
             control.stop()
 
     result = start(spec, observe, control)
     ended = result.ended
-    evidence = Evidence(reading.document, result, witness)
+    evidence = Evidence(reading.document, result, observed)
     checks = [
         CheckReport(check.check, check.model_dump(exclude={"check"}), holds(check, evidence))
         for check in (*activity.checks, *case.checks)

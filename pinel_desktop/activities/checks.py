@@ -1,4 +1,4 @@
-"""Whether one thing holds after a run: a function for each kind of check."""
+"""Evaluation of checks after a run: one function for each kind of check."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -14,14 +14,14 @@ from sim.world import World
 
 
 @dataclass(slots=True)
-class Witness:
-    """What is seen of a run; `observe` is to be called with all of its events.
+class RunObserver:
+    """Collects from the events of a run what checks need; `observe` must receive all of them.
 
     Attributes:
-        pose: where the robot truly was last, in the world's frame.
-        zones: names of the zones that it came through, each entry once.
-        touched: whether it ever touched something.
-        boxes: where boxes have been pushed to.
+        pose: latest true pose of the robot, in the world's frame.
+        zones: names of the zones that the robot entered, in order, one for each entry.
+        touched: True once the robot has touched something.
+        boxes: centres of pushed boxes in the world's frame, in m, by index in the world's list.
     """
 
     world: World
@@ -44,11 +44,11 @@ class Witness:
             self.boxes |= {int(i): (place[0], place[1]) for i, place in event.boxes.items()}
 
     def zone_of(self, x_m: float, y_m: float) -> str:
-        """The zone at a point of the world, "" where there is none."""
+        """Name of the zone at a point in the world's frame; "" outside of all zones."""
         return zone_at(self.world.zones, x_m, y_m)
 
     def to_world(self, x_m: float, y_m: float) -> tuple[float, float]:
-        """A point of the start frame in the world's."""
+        """Transforms a point from the start frame to the world's frame."""
         pose = self._start.compose(Pose2D(x_m, y_m))
         return pose.x_m, pose.y_m
 
@@ -65,15 +65,15 @@ class Witness:
 
 @dataclass(frozen=True, slots=True)
 class Evidence:
-    """All that checks look at."""
+    """The input of all checks."""
 
     document: dict[str, Any]
     result: RunResult
-    witness: Witness
+    observed: RunObserver
 
 
 def holds(check: Any, evidence: Evidence) -> bool:
-    """Whether a check of an activity holds."""
+    """True if a check of an activity holds."""
     return _CHECKS[type(check)](check, evidence)
 
 
@@ -82,22 +82,22 @@ def _finished(_check: model.Finished, evidence: Evidence) -> bool:
 
 
 def _ends_at(check: model.EndsAt, evidence: Evidence) -> bool:
-    pose = evidence.witness.local_pose
+    pose = evidence.observed.local_pose
     return math.hypot(pose.x_m - check.x_m, pose.y_m - check.y_m) <= check.within_m
 
 
 def _ends_heading(check: model.EndsHeading, evidence: Evidence) -> bool:
-    heading = math.degrees(evidence.witness.local_pose.yaw_rad)
+    heading = math.degrees(evidence.observed.local_pose.yaw_rad)
     return abs(math.remainder(heading - check.heading_deg, 360.0)) <= check.within_deg
 
 
 def _ends_in(check: model.EndsIn, evidence: Evidence) -> bool:
-    witness = evidence.witness
-    return witness.zone_of(witness.pose.x_m, witness.pose.y_m) == check.zone
+    observed = evidence.observed
+    return observed.zone_of(observed.pose.x_m, observed.pose.y_m) == check.zone
 
 
 def _visits(check: model.Visits, evidence: Evidence) -> bool:
-    zones = evidence.witness.zones
+    zones = evidence.observed.zones
     if not check.ordered:
         return set(check.zones) <= set(zones)
     rest = iter(zones)
@@ -105,15 +105,15 @@ def _visits(check: model.Visits, evidence: Evidence) -> bool:
 
 
 def _touches_nothing(_check: model.TouchesNothing, evidence: Evidence) -> bool:
-    return not evidence.witness.touched
+    return not evidence.observed.touched
 
 
 def _pushed(check: model.Pushed, evidence: Evidence) -> bool:
-    witness = evidence.witness
-    if check.box >= len(witness.world.boxes):
+    observed = evidence.observed
+    if check.box >= len(observed.world.boxes):
         return False
-    x, y = witness.boxes.get(check.box, witness.world.boxes[check.box].center)
-    return witness.zone_of(x, y) == check.zone
+    x, y = observed.boxes.get(check.box, observed.world.boxes[check.box].center)
+    return observed.zone_of(x, y) == check.zone
 
 
 def _uses(check: model.Uses, evidence: Evidence) -> bool:
@@ -122,13 +122,13 @@ def _uses(check: model.Uses, evidence: Evidence) -> bool:
 
 
 def _marks(check: model.Marks, evidence: Evidence) -> bool:
-    witness = evidence.witness
+    observed = evidence.observed
     places = (
-        witness.to_world(mark.x_m, mark.y_m)
+        observed.to_world(mark.x_m, mark.y_m)
         for mark in evidence.result.marks
         if mark.symbol == check.symbol
     )
-    return any(witness.zone_of(*place) == check.zone for place in places)
+    return any(observed.zone_of(*place) == check.zone for place in places)
 
 
 def _says(check: model.Says, evidence: Evidence) -> bool:

@@ -1,4 +1,4 @@
-"""What is wrong with an activity: its form, and what no program could ever fulfil in its world."""
+"""Faults of an activity: of its schema, and checks that no program could pass in its world."""
 
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -22,7 +22,7 @@ Params = dict[str, object]
 
 
 class ActivityError(PinelError):
-    """An activity that cannot be used, with everything that is wrong with it."""
+    """An activity that cannot be used, with all its faults."""
 
     def __init__(self, path: str, faults: tuple[Fault, ...]) -> None:
         super().__init__("activity_invalid", path=path, count=len(faults))
@@ -30,21 +30,24 @@ class ActivityError(PinelError):
 
 
 def world_of(activity: Activity) -> dict[str, Any]:
-    """The document of its world. Raises PinelError `unknown_world`, or the first fault of a document of its own."""
+    """The world document of an activity.
+
+    Raises PinelError `unknown_world`, or the first fault of a world that the activity itself contains.
+    """
     document, faults = _world(activity)
     if document is None:
         raise PinelError(faults[0].code, **faults[0].params)
     return document
 
 
-def make_sure(activity: Activity) -> None:
-    """Raises ActivityError where no program could fulfil it."""
-    if faults := unfulfillable(activity):
+def require_fulfillable(activity: Activity) -> None:
+    """Raises ActivityError if no program could pass the activity."""
+    if faults := semantic_faults(activity):
         raise ActivityError(activity.name, faults)
 
 
-def faults_of_form(document: Any, error: ValidationError) -> tuple[Fault, ...]:
-    """pydantic's errors as faults with their places in the document, each place once."""
+def schema_faults(document: Any, error: ValidationError) -> tuple[Fault, ...]:
+    """pydantic's errors as faults with JSON pointers, at most one for each place."""
     found: dict[Path, Fault] = {}
     for one in error.errors(include_url=False):
         path = path_of_error(document, one)
@@ -61,10 +64,10 @@ def _code_and_params(error: ErrorDetails, path: Path) -> tuple[str, Params]:
         return "wrong_type_object", {"name": name}
     if kind in WRONG_TYPE:
         return f"wrong_type_{WRONG_TYPE[kind]}", {"name": name}
-    return _KINDS.get(kind, _otherwise)(error, name)
+    return _KINDS.get(kind, _other_error)(error, name)
 
 
-def _otherwise(error: ErrorDetails, name: str) -> tuple[str, Params]:
+def _other_error(error: ErrorDetails, name: str) -> tuple[str, Params]:
     value = error["input"]
     shown = value if isinstance(value, str | int | float) else type(value).__name__
     return "activity_value_wrong", {"name": name, "value": shown}
@@ -99,8 +102,8 @@ _KINDS: dict[str, Callable[[ErrorDetails, str], tuple[str, Params]]] = {
 }
 
 
-def unfulfillable(activity: Activity) -> tuple[Fault, ...]:
-    """What is of sound form, but in vain: unknown zones, boxes and commands, limits that cross, nothing to check."""
+def semantic_faults(activity: Activity) -> tuple[Fault, ...]:
+    """Faults beyond the schema: unknown robots, zones, boxes and commands, crossed limits, cases without checks."""
     faults: list[Fault] = []
     if activity.model not in ROBOTS:
         params: Params = {"value": activity.model, "allowed": list(ROBOTS)}
@@ -109,7 +112,7 @@ def unfulfillable(activity: Activity) -> tuple[Fault, ...]:
     faults += found
     world = world_from_document(document) if document else None
     for place, check in _checks(activity):
-        for path, code, params in _in_vain(check, world):
+        for path, code, params in _faults_of_check(check, world):
             faults.append(Fault(code, pointer((*place, *path)), None, params))
     faults += _nothing_to_check(activity)
     return tuple(faults)
@@ -135,7 +138,7 @@ def _checks(activity: Activity) -> Iterator[tuple[Path, model.Check]]:
 
 
 def _nothing_to_check(activity: Activity) -> Iterator[Fault]:
-    """A case without any check would be passed by every program."""
+    """A fault for each case without any check, which every program would pass."""
     if activity.checks:
         return
     for i, case in enumerate(activity.cases):
@@ -143,7 +146,7 @@ def _nothing_to_check(activity: Activity) -> Iterator[Fault]:
             yield Fault("activity_without_checks", pointer(("cases", i)), None, {"case": i + 1})
 
 
-def _in_vain(check: model.Check, world: World | None) -> Iterator[tuple[Path, str, Params]]:
+def _faults_of_check(check: model.Check, world: World | None) -> Iterator[tuple[Path, str, Params]]:
     match check:
         case model.EndsIn() | model.Marks():
             yield from _zone(("zone",), check.zone, world)

@@ -1,4 +1,4 @@
-"""What an activity may hold: a world, what is given to the program, and what has to be so in the end.
+"""The models of an activity: its world, the inputs of its cases, and its checks.
 
 Every kind of check is a model here with its tag, a function in `checks.py`, words in
 `messages/catalogue/LANGUAGE/activities.json` and a row in docs/activities.md.
@@ -23,13 +23,13 @@ class _Model(BaseModel):
 
 
 class Finished(_Model):
-    """The program ends by itself and without a failure."""
+    """The run ends by itself and without a failure."""
 
     check: Literal["finished"]
 
 
 class EndsAt(_Model):
-    """The robot stands near a point of the start frame in the end."""
+    """At the end the robot is within `within_m` of a point of the start frame."""
 
     check: Literal["ends_at"]
     x_m: _Metres
@@ -38,7 +38,7 @@ class EndsAt(_Model):
 
 
 class EndsHeading(_Model):
-    """The robot looks in a direction of the start frame in the end."""
+    """At the end the robot has a heading in the start frame, within `within_deg`."""
 
     check: Literal["ends_heading"]
     heading_deg: Annotated[float, Field(ge=-360, le=360)]
@@ -46,14 +46,14 @@ class EndsHeading(_Model):
 
 
 class EndsIn(_Model):
-    """The robot's centre is in a zone of the world in the end."""
+    """At the end the robot's centre is in a zone of the world."""
 
     check: Literal["ends_in"]
     zone: _Name
 
 
 class Visits(_Model):
-    """The robot's centre comes through zones of the world, in this order when `ordered`."""
+    """The robot's centre passes through zones of the world, in this order if `ordered`."""
 
     check: Literal["visits"]
     zones: Annotated[list[_Name], Field(min_length=1, max_length=_MOST)]
@@ -67,7 +67,7 @@ class TouchesNothing(_Model):
 
 
 class Pushed(_Model):
-    """The centre of a box of the world, counted from 0, is in a zone in the end."""
+    """At the end the centre of a box, by its index in the world, is in a zone."""
 
     check: Literal["pushed"]
     box: Annotated[int, Field(ge=0, lt=1000)]
@@ -75,7 +75,7 @@ class Pushed(_Model):
 
 
 class Uses(_Model):
-    """The program has so many commands of a kind, wherever they stand."""
+    """The program has from `at_least` to `at_most` commands of a kind, at any level of nesting."""
 
     check: Literal["uses"]
     action: _Name
@@ -92,14 +92,14 @@ class Marks(_Model):
 
 
 class Says(_Model):
-    """The program says something that contains a text; capitals do not matter."""
+    """The program says something that contains a text, ignoring case."""
 
     check: Literal["says"]
     text: Annotated[str, Field(min_length=1, max_length=1000)]
 
 
 class PathLength(_Model):
-    """The way that was driven is so long, in metres."""
+    """The length of the path driven is within limits, in metres."""
 
     check: Literal["path_length"]
     at_least_m: Annotated[float, Field(ge=0, le=10_000)] = 0.0
@@ -123,7 +123,7 @@ Check = Annotated[
 
 
 class Case(_Model):
-    """What is given to the program in one of its runs."""
+    """One run of the program: its seed, the gestures and answers it receives, and checks of this run alone."""
 
     seed: Annotated[int, Field(ge=0, le=2**53 - 1)] = 0
     gestures: list[str] = Field(default_factory=list, max_length=_MOST)
@@ -132,7 +132,7 @@ class Case(_Model):
 
 
 class Title(_Model):
-    """One text in each language."""
+    """A title in each language."""
 
     model_config = ConfigDict(extra="allow", populate_by_name=True)
 
@@ -143,18 +143,18 @@ class Title(_Model):
 
 
 def _number(version: Any) -> Any:
-    """Python takes true for 1; the format does not."""
+    """Refuses `true`, which Python takes for 1."""
     if isinstance(version, bool):
         raise PydanticCustomError("activity_value_wrong", "true and false are no numbers")
     return version
 
 
 class Activity(_Model):
-    """A mission: every case is run, and its own checks and those of the activity have to hold.
+    """A mission. A program passes if in every case the checks of the case and those of the activity hold.
 
     Attributes:
-        world: the name of one that ships, or a world document.
-        limit_s: robot time after which a run is stopped, which fails it.
+        world: name of a shipped world, or a world document.
+        limit_s: robot time after which a run is stopped and fails.
     """
 
     pinel_activity: Annotated[Literal[1], BeforeValidator(_number)]

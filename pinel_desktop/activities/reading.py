@@ -1,4 +1,4 @@
-"""Activities that ship, and those of a file."""
+"""Reads activities: those shipped with the app, and files."""
 
 import json
 import os
@@ -9,10 +9,10 @@ from pathlib import Path
 
 from pydantic import ValidationError
 
-from pinel_desktop.activities.faults import ActivityError, faults_of_form, unfulfillable
+from pinel_desktop.activities.faults import ActivityError, schema_faults, semantic_faults
 from pinel_desktop.activities.model import Activity
 from pinel_desktop.errors import PinelError
-from pinel_desktop.messages import FIRST
+from pinel_desktop.messages import SOURCE_LANGUAGE
 from pinel_desktop.program.duplicates import duplicate_key_faults
 from pinel_desktop.program.faults import Fault
 from sim.world import list_worlds
@@ -29,18 +29,18 @@ def _shipped() -> dict[str, Activity]:
 
 
 def activity_names() -> list[str]:
-    """Names of the activities that ship, in alphabetical order."""
+    """Names of the shipped activities, in alphabetical order."""
     return list(_shipped())
 
 
 def activity_titles(language: str) -> dict[str, str]:
-    """What each activity that ships is called in a language, by its name."""
+    """Titles of the shipped activities in a language, by name."""
     titles = {name: one.title.model_dump(by_alias=True) for name, one in _shipped().items()}
-    return {name: title.get(language, title[FIRST]) for name, title in titles.items()}
+    return {name: title.get(language, title[SOURCE_LANGUAGE]) for name, title in titles.items()}
 
 
 def shipped_texts() -> list[str]:
-    """Names of worlds and activities that ship, and all texts of those worlds: they tell nothing of who used them."""
+    """Names of shipped worlds and activities, and all texts of those worlds. Anonymous exports may keep them."""
     return sorted({*_texts_in(list_worlds()), *activity_names()})
 
 
@@ -53,7 +53,7 @@ def _texts_in(value: object) -> Iterator[str]:
 
 
 def choose_activity(name_or_file: str) -> Activity:
-    """The activity of that name, or of that file.
+    """The shipped activity of that name, or the activity in that file.
 
     Raises:
         PinelError: `unknown_activity`, `file_unreadable`.
@@ -75,22 +75,22 @@ def choose_activity(name_or_file: str) -> Activity:
 
 
 def read_activity(text: str | bytes) -> tuple[Activity | None, tuple[Fault, ...]]:
-    """The activity that a JSON text holds, or None; and everything that is wrong with it."""
+    """The activity in a JSON text, or None, and all its faults."""
     try:
         document = json.loads(text)
     except json.JSONDecodeError as error:
         params: dict[str, object] = {"line": error.lineno, "column": error.colno}
         return None, (Fault("activity_syntax", params=params),)
-    except (ValueError, RecursionError):  # not UTF-8, a number of thousands of digits, or a nest
+    except (ValueError, RecursionError):  # not UTF-8, thousands of digits, or too deep
         return None, (Fault("activity_syntax", params={"line": 1, "column": 1}),)
     doubled = duplicate_key_faults(text)
     try:
         activity = Activity.model_validate(document)
     except ValidationError as error:
-        return None, (*doubled, *faults_of_form(document, error))
-    return activity, (*doubled, *unfulfillable(activity))
+        return None, (*doubled, *schema_faults(document, error))
+    return activity, (*doubled, *semantic_faults(activity))
 
 
 def is_file(name_or_file: str) -> bool:
-    """Whether a file is meant: by its ending, or because there is one."""
+    """True for a name that ends in .json or is an existing file."""
     return name_or_file.lower().endswith(".json") or os.path.isfile(name_or_file)

@@ -18,7 +18,7 @@ from pinel_desktop.activities import (
 from pinel_desktop.activities.model import Check
 from pinel_desktop.activities.reading import read_activity
 from pinel_desktop.errors import PinelError
-from pinel_desktop.messages import FIRST, LANGUAGES, catalogue, describe
+from pinel_desktop.messages import LANGUAGES, SOURCE_LANGUAGE, catalogue, describe
 from pinel_desktop.program.reading import read_document
 from sim.world import world_document
 
@@ -139,7 +139,7 @@ def test_without_any_check_nothing_is_passed() -> None:
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_kind_has_words_and_a_row_in_the_docs(kind: str) -> None:
-    assert f"check_{kind}" in catalogue(FIRST)
+    assert f"check_{kind}" in catalogue(SOURCE_LANGUAGE)
     assert f"| `{kind}` |" in DOCS.read_text("utf-8")
 
 
@@ -164,7 +164,7 @@ def faults_of(tmp_path: Path, **change: Any) -> list[tuple[str, str]]:
     for fault in faults:
         for language in LANGUAGES:
             words = describe(fault.code, fault.params, language)
-            assert fault.code in catalogue(FIRST)
+            assert fault.code in catalogue(SOURCE_LANGUAGE)
             assert "{" not in words.message + words.remedy
     return [(fault.code, fault.pointer) for fault in faults]
 
