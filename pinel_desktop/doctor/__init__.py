@@ -1,1 +1,1 @@
-"""What this PC has and lacks (`pinel doctor`)."""
+"""The diagnosis of this PC (`pinel doctor`)."""

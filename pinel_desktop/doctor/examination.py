@@ -1,6 +1,6 @@
-"""What this PC has and lacks, as findings with a code; the command `doctor` puts them into words.
+"""Diagnosis of this PC as findings with codes, which the command `doctor` prints as messages.
 
-Nothing here writes to the database, opens a window or a camera, or needs a network.
+Nothing here writes to the database, opens a window or a camera, or uses the network.
 """
 
 import getpass
@@ -33,7 +33,7 @@ _ROS_FOLDER = Path("/opt/ros")
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """One line of the report: what was looked at, how it is, and the words for it."""
+    """One line of the report: the subject, its level, and the code and parameters of the message."""
 
     about: str
     level: Level
@@ -42,7 +42,7 @@ class Finding:
 
 
 def examine(database: Path, pc: Pc | None = None) -> Iterator[Finding]:
-    """Looks at everything, in the order in which a person would ask; each finding comes when it is known."""
+    """Yields the findings one by one, the most important subjects first."""
     yield _version()
     yield from _page()
     yield from _window(pc or Pc())
@@ -55,7 +55,7 @@ def examine(database: Path, pc: Pc | None = None) -> Iterator[Finding]:
 
 
 def size_words(n_bytes: int) -> str:
-    """A size as people say it, without decimals, which each language writes in its own way: 1500 MB, 83 GB."""
+    """A size such as 1500 MB or 83 GB; without decimals, whose sign depends on the language."""
     for unit, factor in (("GB", 10**9), ("MB", 10**6), ("kB", 10**3)):
         if n_bytes >= 10 * factor:
             return f"{n_bytes // factor} {unit}"
@@ -75,7 +75,7 @@ def _system_name() -> str:
 
 
 def _page() -> Iterator[Finding]:
-    """A wheel or package always has its page; a fresh clone may not."""
+    """Missing only in a fresh clone; wheels and packages contain the page."""
     if (resources.files("pinel_desktop.web") / "static" / "index.html").is_file():
         yield Finding("page", "ok", "doctor_page_ok")
     else:
@@ -83,7 +83,7 @@ def _page() -> Iterator[Finding]:
 
 
 def _window(pc: Pc) -> Iterator[Finding]:
-    """The way the window will take, and what is missing for the better ones."""
+    """The backend that the window will use, and what is missing for better ones."""
     if not pc.has_screen:
         yield Finding("window", "warn", "doctor_window_none")
         return
@@ -121,7 +121,7 @@ def _engine() -> Finding:
 
 
 def _disk(folder: Path) -> Iterator[Finding]:
-    """Free space and the right to write, at the first folder above that exists."""
+    """Free space and write permission of the folder, or of its nearest existing parent."""
     while not folder.exists():
         folder = folder.parent
     free = shutil.disk_usage(folder).free
@@ -146,32 +146,32 @@ def _database(path: Path) -> Finding:
         return Finding("database", "fail", "doctor_database_damaged", params | {"problem": problem})
     if not os.access(path, os.W_OK):
         return Finding("database", "fail", "doctor_database_read_only", params)
-    if n_rows := _asked(path, "SELECT count(*) FROM pragma_foreign_key_check"):
+    if n_rows := _query(path, "SELECT count(*) FROM pragma_foreign_key_check"):
         params |= {"n_rows": n_rows}
         return Finding("database", "warn", "doctor_database_inconsistent", params)
     return Finding("database", "ok", "doctor_database_ok", params)
 
 
 def _damage(path: Path) -> str | None:
-    """What SQLite finds wrong with the file, read only; None when all is well."""
+    """Result of SQLite's integrity check, read-only; None if the file is sound."""
     try:
-        verdict = str(_asked(path, "PRAGMA integrity_check(1)"))
+        verdict = str(_query(path, "PRAGMA integrity_check(1)"))
     except sqlite3.Error as error:
         return str(error)
     return None if verdict == "ok" else verdict
 
 
-def _asked(path: Path, question: str) -> object:
-    # A file in WAL mode in a closed folder can only be read as one that nobody changes.
+def _query(path: Path, sql: str) -> object:
+    # in a read-only folder, a file in WAL mode can only be opened as immutable
     mode = "mode=ro" if os.access(path.parent, os.W_OK) else "mode=ro&immutable=1"
     address = f"{path.absolute().as_uri()}?{mode}"
     with closing(sqlite3.connect(address, uri=True)) as connection:
-        found: object = connection.execute(question).fetchone()[0]
+        found: object = connection.execute(sql).fetchone()[0]
         return found
 
 
 def _backups(path: Path) -> Finding:
-    """How many there are, whether the newest is sound, and whether they keep up with the work."""
+    """The number of backups, whether the newest is sound, and whether it is recent."""
     found = list_backups(path)
     params: dict[str, object] = {"n_backups": len(found), "folder": str(folder_of(path))}
     if not found:
@@ -180,7 +180,7 @@ def _backups(path: Path) -> Finding:
     params |= {"time": f"{newest.made_at.astimezone():%Y-%m-%d %H:%M}", "name": newest.path.name}
     if damage_of(newest.path) is not None:
         return Finding("backups", "warn", "doctor_backups_bad", params)
-    # against the last work, not against today: nobody is to be warned after the holidays
+    # compared with the last change, not with today: holidays are no cause for a warning
     behind_s = path.stat().st_mtime - newest.made_at.timestamp() if path.exists() else 0.0
     if behind_s > _BACKUPS_BEHIND_S:
         return Finding("backups", "warn", "doctor_backups_old", params)
@@ -209,7 +209,7 @@ def _ros(
     folder: Path,
     find: Callable[[str], object | None] = importlib.util.find_spec,
 ) -> Finding:
-    """ROS of this terminal, ROS on the disk, or the DDS library that does without."""
+    """ROS of this terminal, a ROS installation on the disk, or the DDS library, which needs no ROS."""
     found = []
     if find("rclpy") is not None:
         found.append(f"ROS 2 {environ.get('ROS_DISTRO', '')}".strip())

@@ -1,4 +1,4 @@
-"""One file per backend that can drive a robot; `open_link()` opens one by name, importing it only then."""
+"""Robot links: one module for each backend, which `open_link` imports by name."""
 
 import importlib
 from typing import Any, cast
@@ -8,24 +8,25 @@ from pinel_desktop.robot import RobotLink, Setting
 
 _BACKENDS = {"sim": ("pinel_desktop.links.sim", "SimLink")}
 LINK_NAMES = tuple(_BACKENDS)
-_AS_IT_COMES = Setting()
+_DEFAULT_SETTING = Setting()
 
 
 def open_link(
     name: str,
     *,
     world: str | dict[str, Any],
-    setting: Setting = _AS_IT_COMES,
+    setting: Setting = _DEFAULT_SETTING,
     seed: int = 0,
     address: str | None = None,
 ) -> RobotLink:
-    """A link of the backend `name`, not yet connected.
+    """A new link of the backend `name`, not yet connected.
 
     Args:
-        world: the name of one that ships, or a document.
-        address: where the robot is to be found, for backends that need one.
+        world: name of a shipped world, or a world document.
+        address: address of the robot, for backends that need one.
 
-    Raises PinelError `unknown_link`, `unknown_robot`, and what the backend itself has to say (`unknown_world`).
+    Raises:
+        PinelError: `unknown_link`, `unknown_robot`, and errors of the backend such as `unknown_world`.
     """
     if name not in _BACKENDS:
         raise PinelError("unknown_link", value=name, allowed=list(LINK_NAMES))

@@ -23,7 +23,7 @@ from sim.world import World, WorldError, load_world, world_from_document
 
 
 class SimSensors(Sensors):
-    """Everything a program can ask for, computed from the world by rays and areas."""
+    """Exact sensors of the simulated robot, computed by ray casting and point-in-area tests."""
 
     def __init__(self, simulator: Simulator, robot: RobotModel, world: World) -> None:
         self._simulator, self._robot, self._world = simulator, robot, world
@@ -37,15 +37,15 @@ class SimSensors(Sensors):
         robot = self._robot
         if index >= len(robot.sonar_angles_rad):
             missing("sonar")
-        # A ray from the centre: one from the hull could begin inside the wall that the hull touches.
-        seen = self._simulator.ray(robot.sonar_angles_rad[index], self._reach)
-        return max(0.0, min(seen - robot.radius_m, robot.sonar_range_m))
+        # cast from the centre: a ray from the hull could begin inside a wall that the hull touches
+        distance = self._simulator.ray(robot.sonar_angles_rad[index], self._reach)
+        return max(0.0, min(distance - robot.radius_m, robot.sonar_range_m))
 
     def sonars(self) -> list[float]:
         robot = self._robot
         reach, hull, longest = self._reach, robot.radius_m, robot.sonar_range_m
         return [
-            0.0 if (seen := part * reach - hull) < 0.0 else longest if seen > longest else seen
+            0.0 if (found := part * reach - hull) < 0.0 else longest if found > longest else found
             for part in self._sonar_parts()
         ]
 
@@ -71,7 +71,7 @@ class SimSensors(Sensors):
         return self._simulator.zone()
 
     def obstacles(self) -> tuple[Segment, ...]:
-        """Walls and edges of boxes; those that may be pushed about are on no map."""
+        """Walls and edges of fixed boxes; movable boxes are not on the map."""
         walls = [(*wall.start, *wall.end) for wall in self._world.walls]
         rings = [box.corners() for box in self._world.boxes if not box.movable]
         edges = [(*a, *b) for ring in rings for a, b in zip(ring, ring[1:] + ring[:1], strict=True)]
@@ -79,7 +79,7 @@ class SimSensors(Sensors):
 
 
 class RealisticSensors(SimSensors):
-    """The same with the errors of real ones."""
+    """`SimSensors` with the measurement errors of real sensors."""
 
     def __init__(
         self,
@@ -123,8 +123,8 @@ class RealisticSensors(SimSensors):
 class SimLink:
     """Drives the simulated robot; time passes only in `advance`, one tick of 1/30 s at a time.
 
-    With the preset `realistic` there are wheels that slip, lag and hear late between command and body, and what is
-    measured has errors; an ideal robot measures what is, by whatever feedback.
+    With the preset `realistic`, wheels slip, lag and respond with latency, and measurements have errors. With the
+    preset `ideal`, measurements are exact for either feedback.
     """
 
     simulated = True
@@ -156,24 +156,24 @@ class SimLink:
     def _make_realistic(self, robot: RobotModel, setting: Setting, seed: int) -> None:
         self._drive = RealisticDrive(self.simulator, robot.track_m, seed)
         self._measuring = MeasurementNoise(seed)
-        self._believes_wheels = setting.feedback == "odometry"
+        self._uses_odometry = setting.feedback == "odometry"
         self.command_delay_s += REALISTIC.delay_s
         self.sensors = RealisticSensors(
             self.simulator, robot, self._world, self._drive, self._measuring
         )
 
     def connect(self) -> None:
-        """Nothing to do: the simulator is there."""
+        """Does nothing: the simulator is ready once constructed."""
 
     def read(self) -> RobotState:
         x, y, yaw, v, omega = self.simulator.state()
         pose = Pose2D(x, y, wrap_angle(yaw))
         if self._drive is None:
             return RobotState(pose, Twist2D(v, omega), pose)
-        return RobotState(self._believed(self._drive), Twist2D(*self._drive.speed), pose)
+        return RobotState(self._estimate(self._drive), Twist2D(*self._drive.speed), pose)
 
-    def _believed(self, drive: RealisticDrive) -> Pose2D:
-        if self._believes_wheels:
+    def _estimate(self, drive: RealisticDrive) -> Pose2D:
+        if self._uses_odometry:
             x, y, yaw = drive.odometry
         else:
             x, y, yaw = self._measuring.pose(drive.tick_number, self.simulator.state()[:3])
@@ -197,7 +197,7 @@ class SimLink:
         self._twist = twist
 
     def advance(self, dt_s: float) -> None:
-        """Steps the simulator by one tick; `dt_s` must be that tick."""
+        """Steps the simulator by one tick. Raises ValueError unless `dt_s` is `TICK_S`."""
         if dt_s != TICK_S:
             raise ValueError(f"the simulator steps in ticks of {TICK_S} s, not {dt_s}")
         v, omega = self._twist
