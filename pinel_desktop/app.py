@@ -17,7 +17,7 @@ from pinel_desktop.events.types import KEPT, URGENT
 from pinel_desktop.instance import Instance
 from pinel_desktop.messages import LANGUAGES, Problem, describe, language_of_system
 from pinel_desktop.school.grading import Grader
-from pinel_desktop.school.teacher import TeacherDoor
+from pinel_desktop.school.teacher import TeacherSessions
 from pinel_desktop.web.application import create_app
 from pinel_desktop.web.early_server import EarlyServer
 from pinel_desktop.web.services import DatabaseState, Engine, ReadDocument, Services
@@ -139,7 +139,10 @@ class App:
         self._recorder = Recorder(self._store, self._tell_recording, kept=KEPT, urgent=URGENT)
         undo.callback(self._end_recording)
         self._grader = Grader(
-            self._store, self._keep_up, self._hub.publish, lambda: self._preferences.language
+            self._store,
+            self._flush_recording,
+            self._hub.publish,
+            lambda: self._preferences.language,
         )
         undo.callback(self._grader.close)
         self._maintenance = Maintenance(self._store, self._tell_keeping)
@@ -179,13 +182,13 @@ class App:
             hub=self._hub,
             guard=self._guard,
             preferences=self._preferences,
-            teacher=TeacherDoor(self._store.settings),
+            teacher=TeacherSessions(self._store.settings),
             read_document=self._read,
             read_world=_read_world,
             worlds=self._worlds,
             database_state=self._database_state,
             show_window=self._on_show,
-            keep_up=self._keep_up,
+            flush_recording=self._flush_recording,
         )
 
     def _take(self, event: Event) -> None:
@@ -195,7 +198,7 @@ class App:
         if event["type"] == "run_ended":
             self._grader.grade(event["run"])
 
-    def _keep_up(self) -> None:
+    def _flush_recording(self) -> None:
         with contextlib.suppress(StoreError, TimeoutError):
             self._recorder.flush().result(_PATIENCE_S)
 

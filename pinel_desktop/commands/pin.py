@@ -1,4 +1,4 @@
-"""`pinel pin`: the way out for a teacher who has forgotten the PIN."""
+"""`pinel pin`: sets or removes the teacher's PIN, for a teacher who has forgotten it."""
 
 from collections.abc import Sequence
 
@@ -8,29 +8,29 @@ from pinel_desktop.commands.database import opened_store
 from pinel_desktop.commands.options import chosen_database, database_option
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, language_of_system
-from pinel_desktop.school.teacher import TeacherDoor, check_format
+from pinel_desktop.school.teacher import TeacherSessions, check_format
 
 
 @click.command()
-@click.option("--forget", is_flag=True, help="Take the PIN away; the page asks for another.")
+@click.option("--forget", is_flag=True, help="Remove the PIN; the page then asks for a new one.")
 @database_option
 @click.pass_context
 def command(ctx: click.Context, forget: bool) -> None:
-    """Choose another PIN for the teacher; the old one is not asked for.
+    """Set a new PIN for the teacher, without the old one.
 
-    It works while PINEL is open. Whoever may write the database file may choose the PIN (docs/teacher.md).
+    Works while PINEL is open. Anybody who may write the database file can set the PIN (docs/teacher.md).
     """
     with opened_store(chosen_database(ctx), may_be_new=True) as store:
-        door = TeacherDoor(store.settings)
+        sessions = TeacherSessions(store.settings)
         if forget:
-            door.forget()
+            sessions.remove_pin()
         else:
-            door.choose(_asked())
+            sessions.set_pin(_asked())
     click.echo("\n".join(_words("pin_taken_away" if forget else "pin_chosen")))
 
 
 def _asked() -> str:
-    """A PIN typed twice. Raises PinelError `pin_format` or `pin_different`."""
+    """Prompts for a PIN twice. Raises PinelError `pin_format` or `pin_different`."""
     first = click.prompt(_words("pin_prompt")[0], hide_input=True)
     check_format(first)
     again = click.prompt(_words("pin_prompt_again")[0], hide_input=True)

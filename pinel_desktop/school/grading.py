@@ -1,7 +1,7 @@
-"""After a run of a lesson with an activity: whether its program fulfils it.
+"""Grades the runs of lessons with an activity.
 
-A run passes when it came to its end and its program holds in every case of the activity, which are run again without
-anybody watching. That takes a fraction of a second; it happens on a thread of its own after the run.
+A run passes if it finished and its program passes every case of the activity. The cases are run again in the
+simulator after the run, on a thread of their own, which takes a fraction of a second.
 """
 
 import contextlib
@@ -23,11 +23,11 @@ _log = logging.getLogger(__name__)
 
 
 class Grader:
-    """Grades runs that have ended, one after the other; to be closed at the end.
+    """Grades ended runs one after the other on a thread; must be closed.
 
     Args:
-        settle: returns when all that is known of a run can be read from the store.
-        publish: tells the page what came of a run.
+        settle: waits until everything recorded of a run is in the store.
+        publish: sends an event to the page.
     """
 
     def __init__(
@@ -42,18 +42,20 @@ class Grader:
         self._worker = ThreadPoolExecutor(1, thread_name_prefix="grader")
 
     def grade(self, run_id: str) -> None:
-        """Grades a run that has just ended, if its lesson has an activity."""
-        with contextlib.suppress(RuntimeError):  # the app is closing: the next start does it
+        """Queues a run that has ended; does nothing for a run without an activity."""
+        with contextlib.suppress(
+            RuntimeError
+        ):  # the app is closing: `catch_up` of the next start grades it
             self._worker.submit(self._grade, run_id)
 
     def catch_up(self) -> None:
-        """Grades the runs that were still waiting when the app was closed."""
+        """Queues the runs that were not yet graded when the app was closed."""
         with contextlib.suppress(StoreError):
             for run_id in self._store.checks.pending():
                 self.grade(run_id)
 
     def close(self) -> None:
-        """Leaves for the next start what has not begun yet."""
+        """Drops the queue, which `catch_up` of the next start restores."""
         self._worker.shutdown(cancel_futures=True)
 
     def _grade(self, run_id: str) -> None:
@@ -72,7 +74,7 @@ class Grader:
             _log.warning("run %s was not graded: %s", run_id, error)
 
     def _missing(self, report: "Report") -> str | None:
-        """In words the first thing that does not hold, None where all of it does."""
+        """Message of the first check that fails; None if all hold."""
         for case in report.cases:
             if case.reason is not None:
                 return describe(case.reason, case.params, self._language()).message

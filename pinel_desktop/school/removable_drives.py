@@ -1,4 +1,4 @@
-"""Folders that files come from and go to: USB sticks that are plugged in, and a shared folder of the school."""
+"""Folders for files that are exchanged between PCs: removable drives, and folders chosen by the teacher."""
 
 import os
 import sys
@@ -9,14 +9,14 @@ from typing import Any
 
 import psutil
 
-# where desktops of Linux and macOS put what is plugged in
-_PLUGGED_IN = ("/media/", "/run/media/", "/mnt/", "/Volumes/")
+# where desktops of Linux and macOS mount removable drives
+_MOUNT_POINTS = ("/media/", "/run/media/", "/mnt/", "/Volumes/")
 _SUBFOLDER = "PINEL"
 
 
 @dataclass(frozen=True, slots=True)
 class FileFound:
-    """A file that somebody has exported."""
+    """An exported file in a folder."""
 
     path: Path
     size_bytes: int
@@ -25,17 +25,17 @@ class FileFound:
 
 @dataclass(frozen=True, slots=True)
 class Folder:
-    """A place for files, with those that it holds.
+    """A folder for exchanged files, with the files in it.
 
     Attributes:
-        is_stick: whether it is a drive that was plugged in.
-        is_reachable: False for a folder that was chosen and does not answer now: a network that is down.
-        free_bytes: None where nobody can tell.
+        is_removable: True for a removable drive.
+        is_reachable: False for a chosen folder that cannot be read now, such as a share whose server is down.
+        free_bytes: None if unknown.
     """
 
     path: Path
     name: str
-    is_stick: bool
+    is_removable: bool
     is_reachable: bool
     is_writable: bool
     free_bytes: int | None
@@ -48,14 +48,14 @@ def folders(
     *,
     partitions: Callable[[], Sequence[Any]] | None = None,
 ) -> list[Folder]:
-    """Sticks, and the folders that were chosen; each with its files of that ending, the newest first.
+    """Removable drives, then the chosen folders; each with its files that end in `suffix`, newest first.
 
-    A file counts that lies in the folder itself or in its folder `PINEL`. Sticks that cannot be read are left out.
+    Files are searched in the folder and in its subfolder `PINEL`. Drives that cannot be read are left out.
     """
-    found = [Path(one.mountpoint) for one in (partitions or _partitions)() if _is_stick(one)]
-    sticks = [_folder(path, True, suffix) for path in found if _is_folder(path)]
+    found = [Path(one.mountpoint) for one in (partitions or _partitions)() if _is_removable(one)]
+    drives = [_folder(path, True, suffix) for path in found if _is_folder(path)]
     others = [path for path in chosen if path not in found]
-    return sticks + [
+    return drives + [
         _folder(path, False, suffix) if _is_folder(path) else _unreachable(path) for path in others
     ]
 
@@ -64,25 +64,25 @@ def _partitions() -> Sequence[Any]:
     return psutil.disk_partitions(all=False)
 
 
-def _is_stick(partition: Any) -> bool:
+def _is_removable(partition: Any) -> bool:
     if sys.platform == "win32":
         return "removable" in partition.opts.split(",")
-    return str(partition.mountpoint).startswith(_PLUGGED_IN)
+    return str(partition.mountpoint).startswith(_MOUNT_POINTS)
 
 
 def _is_folder(path: Path) -> bool:
     try:
         return path.is_dir()
-    except OSError:  # a share whose server is gone
+    except OSError:  # a share whose server does not answer
         return False
 
 
-def _folder(path: Path, is_stick: bool, suffix: str) -> Folder:
+def _folder(path: Path, is_removable: bool, suffix: str) -> Folder:
     found = [file for place in (path, path / _SUBFOLDER) for file in _files(place, suffix)]
     return Folder(
         path,
         path.name or str(path),
-        is_stick,
+        is_removable,
         True,
         os.access(path, os.W_OK),
         _free_bytes(path),

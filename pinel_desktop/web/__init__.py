@@ -1,5 +1,5 @@
-"""The HTTP interface: page, API and event stream. Gets all it works with from `app` as `Services`.
+"""The HTTP interface: page, API and event stream. Its dependencies are injected by `app` as `Services`.
 
-Import what you need from its modules: `page`, `guard` and `server` are light, `application` is not, and the page is
-served before the rest has been imported (`early_server`).
+Import from its modules, not from here: `early_server` serves the page with the light ones (`page`, `guard`, `server`)
+while `application`, which is heavy, is still being imported.
 """

@@ -1,4 +1,4 @@
-"""Puts routes, guard and error shape together."""
+"""The WSGI application: routes, guard, error responses and headers."""
 
 import json
 from typing import Any
@@ -12,15 +12,15 @@ from pinel_desktop.web import errors
 from pinel_desktop.web.api.exchange import LARGEST_FILE, TAKES_FILES
 from pinel_desktop.web.page import PagePath, page
 from pinel_desktop.web.protection import add_headers, check_guard
-from pinel_desktop.web.routes import bare_app, description_text
+from pinel_desktop.web.routes import app_with_routes, description_text
 from pinel_desktop.web.services import Services
 
 MAX_BODY = 4 * 2**20  # a document of 1 MiB and its workspace
 
 
 def create_app(parts: Services) -> OpenAPI:
-    """The WSGI application over the given services."""
-    app = bare_app()
+    """Builds the WSGI application on the given services."""
+    app = app_with_routes()
     app.extensions["pinel"] = parts
     app.json = _StrictJson(app)
     app.config["MAX_CONTENT_LENGTH"] = MAX_BODY
@@ -35,7 +35,7 @@ def create_app(parts: Services) -> OpenAPI:
 
 
 class _StrictJson(DefaultJSONProvider):
-    """JSON as the standard has it: NaN and Infinity are none, and nesting without end is refused."""
+    """Standard JSON only: refuses NaN, Infinity, numbers beyond doubles and excessive nesting."""
 
     def loads(self, s: str | bytes, **kwargs: Any) -> Any:
         try:
@@ -56,7 +56,10 @@ def _finite(text: str) -> float:
 
 
 def _check_body() -> None:
-    """Says what is wrong with a body that is no JSON; the models would only miss an object. Files are no JSON."""
+    """Raises PinelError `invalid_json` for a body that is not JSON, for a better message than the models give.
+
+    Requests that take a file are exempt and get a larger limit.
+    """
     if request.path in TAKES_FILES and request.mimetype == "application/octet-stream":
         request.max_content_length = LARGEST_FILE
         return

@@ -1,6 +1,6 @@
-"""The server from its first moment: gives out the page while the rest of the app is still being imported.
+"""Serves the page while the rest of the app is still being imported.
 
-A browser needs as long to load and evaluate the page's code as Python does to import what answers its questions.
+The browser loads and evaluates the page's code meanwhile, which takes about as long as the imports.
 """
 
 import threading
@@ -22,7 +22,7 @@ _PATIENCE_S = 60.0
 
 
 class EarlyServer:
-    """Server and guard of one app; answers for the page at once, for the API after `open`.
+    """Server and guard of one app; serves the page at once, the API after `open`.
 
     Raises:
         PinelError: `port_taken`.
@@ -38,17 +38,17 @@ class EarlyServer:
         self._server.start(self)
 
     def open(self, app: Wsgi) -> None:
-        """From now on `app` answers everything."""
+        """Lets `app` answer all requests from now on."""
         self._app = app
         self._decided.set()
 
-    def give_up(self) -> None:
-        """There will be no app: who waits for it is told so."""
+    def abandon(self) -> None:
+        """Ends waiting requests with status 503, because the app cannot start."""
         self._decided.set()
 
     def close(self) -> None:
-        """Ends the server. Streams end with the hub, which is to be closed first."""
-        self.give_up()
+        """Ends the server. Close the hub first, which ends the streams."""
+        self.abandon()
         self._server.close()
 
     def __call__(self, environ: dict[str, Any], start_response: Any) -> Iterable[bytes]:
@@ -60,7 +60,7 @@ class EarlyServer:
         return answer(environ, start_response)
 
     def _is_for_page(self, asked: Request) -> bool:
-        """Whether it is a file of the page, asked for by who may; all else is for the app, refusals too."""
+        """True for an authorised request for a file of the page; all others, also refusals, wait for the app."""
         if asked.method != "GET" or asked.path.partition("/api")[0] == "":
             return False
         try:
@@ -73,7 +73,7 @@ class EarlyServer:
 
 
 class _EarlyPreferences:
-    """The language before the store is open: the page keeps it in a cookie too."""
+    """The language before the store is open, from the page's cookie."""
 
     @property
     def language(self) -> str:
@@ -83,7 +83,7 @@ class _EarlyPreferences:
 
 @dataclass(frozen=True, slots=True)
 class _PageServices:
-    """What the page's files need of `Services`."""
+    """The part of `Services` that serving the page needs."""
 
     guard: Guard
     preferences: _EarlyPreferences

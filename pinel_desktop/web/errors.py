@@ -1,4 +1,4 @@
-"""Every error becomes the one shape: ours, the store's, pydantic's, Werkzeug's, and what nobody foresaw."""
+"""Error handlers: every exception, expected or not, becomes the same JSON error shape."""
 
 import logging
 from typing import Any
@@ -12,7 +12,7 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.web.invalid import first_problem
 from pinel_desktop.web.models.errors import Fault
 from pinel_desktop.web.page import message_page
-from pinel_desktop.web.responses import error_answer, showable
+from pinel_desktop.web.responses import error_answer, json_safe
 from pinel_desktop.web.services import services
 from storage import StoreError
 
@@ -20,7 +20,7 @@ _log = logging.getLogger(__name__)
 
 
 class InvalidProgramError(PinelError):
-    """A version that cannot run, with the faults that say why."""
+    """A version with faults, which cannot run."""
 
     def __init__(self, faults: list[Fault]) -> None:
         super().__init__("invalid_program", count=len(faults))
@@ -28,7 +28,7 @@ class InvalidProgramError(PinelError):
 
 
 class InvalidWorldError(PinelError):
-    """A world that no robot can be put into, with the faults that say why."""
+    """A world document with faults."""
 
     def __init__(self, faults: list[Fault]) -> None:
         super().__init__("invalid_world", count=len(faults))
@@ -36,7 +36,7 @@ class InvalidWorldError(PinelError):
 
 
 def install(app: OpenAPI) -> None:
-    """Registers the handlers that give every error its shape."""
+    """Registers the error handlers."""
     app.register_error_handler(PinelError, _known)
     app.register_error_handler(StoreError, _known)
     app.register_error_handler(HTTPException, _of_http)
@@ -44,7 +44,7 @@ def install(app: OpenAPI) -> None:
 
 
 def invalid_request(error: ValidationError) -> Response:
-    """A body or a query that does not fit: names the first place and says what is wrong with it."""
+    """The answer to an invalid body or query, with a message about its first error."""
     words, params = first_problem(error)
     return _answer("invalid_request", params, words=words)
 
@@ -88,4 +88,4 @@ def _answer(
     answer = error_answer(code, params, language, faults=faults or (), status=status, words=words)
     if request.path.startswith("/api"):
         return answer
-    return message_page(words or code, showable(params), language, answer.status_code)
+    return message_page(words or code, json_safe(params), language, answer.status_code)

@@ -1,8 +1,8 @@
-"""Who may talk to the server: the page we opened, and nobody else on this PC or in another tab.
+"""Access control of the server: only the page that the app opened may use it.
 
-Bound to 127.0.0.1. A one-time key in the first address sets an HttpOnly SameSite=Strict cookie; every request
-must carry it and come from our own origin. What a web page elsewhere can make a browser send is refused by
-Host (DNS rebinding), Origin and Sec-Fetch-Site (forged requests), whether or not the cookie comes along.
+The server is bound to 127.0.0.1. A one-time key in the first address sets an HttpOnly SameSite=Strict cookie; every
+request must carry it and come from our own origin. Requests that a foreign web page makes a browser send are refused
+by Host (DNS rebinding), Origin and Sec-Fetch-Site (forged requests), even with the cookie.
 """
 
 import hmac
@@ -15,11 +15,11 @@ from pinel_desktop.errors import PinelError
 
 SECRET_HEADER = "X-Pinel-Secret"
 _OWN_SITE = ("same-origin", "none")  # none: typed, from a bookmark, or opened by another program
-_KEYS_KEPT = 16
+_MAX_KEYS = 16
 
 
 class Headers(Protocol):
-    """Headers of a request, whatever case they are written in."""
+    """Headers of a request, case-insensitive."""
 
     def get(self, key: str, /) -> str | None: ...
 
@@ -39,7 +39,7 @@ class Guard:
         self._lock = threading.Lock()
 
     def bind(self, host: str, port: int) -> None:
-        """Says where the server listens; nothing is answered before."""
+        """Sets the server's address; until then every request is refused."""
         self._authority = f"{host}:{port}"
 
     @property
@@ -49,18 +49,18 @@ class Guard:
 
     @property
     def cookie_name(self) -> str:
-        """Cookies do not tell ports apart, so the name does: two apps on one PC keep their own."""
+        """Contains the port, because cookies are shared by all ports: two apps on one PC each have their own."""
         return f"pinel_{self._authority.rpartition(':')[2]}"
 
     def fresh_link(self) -> str:
-        """An address that opens the page once."""
+        """A new address that opens the page once."""
         key = secrets.token_urlsafe(24)
         with self._lock:
-            self._keys = [*self._keys[1 - _KEYS_KEPT :], key]
+            self._keys = [*self._keys[1 - _MAX_KEYS :], key]
         return f"{self.origin}/?key={key}"
 
     def redeem(self, key: str) -> bool:
-        """True once for each key given out."""
+        """Consumes a one-time key; True if it was valid."""
         with self._lock:
             found = [
                 kept for kept in self._keys if hmac.compare_digest(kept.encode(), key.encode())
@@ -69,7 +69,7 @@ class Guard:
         return bool(found)
 
     def check_origin(self, headers: Headers) -> None:
-        """Refuses what was not sent by our own page."""
+        """Refuses requests from other origins. Raises PinelError `host_wrong`, `origin_wrong` or `cross_site`."""
         host = headers.get("Host") or ""
         if not self._authority or host != self._authority:
             raise PinelError("host_wrong", host=host, expected=self._authority)
@@ -81,13 +81,13 @@ class Guard:
             raise PinelError("cross_site", site=site)
 
     def check_cookie(self, cookies: Mapping[str, str]) -> None:
-        """Refuses who never came with a key."""
+        """Refuses requests without our cookie. Raises PinelError `key_missing`."""
         given = cookies.get(self.cookie_name, "")
         if not hmac.compare_digest(given.encode(), self.cookie_value.encode()):
             raise PinelError("key_missing")
 
     def check_secret(self, headers: Headers) -> None:
-        """Refuses who cannot read the instance file."""
+        """Refuses requests without the secret of the instance file. Raises PinelError `secret_wrong`."""
         given = headers.get(SECRET_HEADER) or ""
         if not hmac.compare_digest(given.encode(), self.secret.encode()):
             raise PinelError("secret_wrong")

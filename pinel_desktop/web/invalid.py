@@ -1,4 +1,4 @@
-"""What pydantic says of a body or a query, as something a person can act on."""
+"""Translates pydantic's validation errors of bodies and queries into messages for people."""
 
 from collections.abc import Iterable
 from typing import get_args
@@ -29,7 +29,7 @@ _KINDS = {
 
 
 def first_problem(error: ValidationError) -> tuple[str, dict[str, object]]:
-    """The code of the words for the first thing that is wrong, and what fills them."""
+    """Code and parameters of the message for the first validation error."""
     first = error.errors(include_url=False, include_input=False)[0]
     loc = first["loc"]
     if first["type"].startswith("union_tag"):
@@ -37,11 +37,11 @@ def first_problem(error: ValidationError) -> tuple[str, dict[str, object]]:
     if not loc:
         return "invalid_request_body", {"where": ""}
     model = _models().get(error.title)
-    if error.title == LiveCommand.__name__:  # the place begins with the command's name
+    if error.title == LiveCommand.__name__:  # its locations begin with the command's name
         model, loc = COMMANDS[str(loc[0])], loc[1:]
     where = str(loc[0])
     params: dict[str, object] = {"where": where, "problem": first["type"]}
-    # a place within the value is a member of a union: the one field that takes an object or a list
+    # a longer location lies in a union of object and list, which only `document` is
     kind = "document" if len(loc) > 1 else _KINDS.get(first["type"])
     field = model.model_fields.get(where) if model else None
     if field is not None:
@@ -54,7 +54,7 @@ def _models() -> dict[str, type[BaseModel]]:
 
 
 def _limits(field: FieldInfo) -> dict[str, object]:
-    """Least and greatest value or length, and the allowed values, of those that the field has."""
+    """The field's limits of value or length, and its allowed values, if any."""
     found = {
         "min": _first(getattr(limit, "ge", None) for limit in field.metadata),
         "max": _first(
@@ -66,7 +66,7 @@ def _limits(field: FieldInfo) -> dict[str, object]:
 
 
 def _exact(value: object) -> object:
-    """Large whole numbers as text, for words that would round them."""
+    """Converts large integers to text, because messages would round them."""
     return str(value) if isinstance(value, int) and abs(value) >= 10**10 else value
 
 

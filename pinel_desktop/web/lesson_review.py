@@ -1,4 +1,4 @@
-"""The review of a lesson, read from the store and put into the shapes of the answers."""
+"""Reads the review of a lesson from the store and converts it to answers."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -28,7 +28,7 @@ class ReadLesson:
     """A lesson with its review.
 
     Attributes:
-        reasons: why runs ended, in words of the language, by run.
+        reasons: messages why runs ended, by run id.
     """
 
     lesson: LessonRow
@@ -38,7 +38,7 @@ class ReadLesson:
     language: str
 
     def model(self) -> shapes.LessonReview:
-        """As the page gets it."""
+        """The answer for the page."""
         heads = {group.id: shapes.GroupHead.of(group) for group in self.lines.groups}
         groups = [
             shapes.GroupReview(
@@ -53,12 +53,12 @@ class ReadLesson:
         return shapes.LessonReview(lesson=lesson, groups=groups)
 
     def table(self) -> str:
-        """As a spreadsheet opens it."""
+        """The marks as CSV text."""
         return mark_table(self.review, self.lines.computers, self.reasons, self.language)
 
 
 def read_lesson(lesson_id: str, parts: Services) -> ReadLesson:
-    """The lesson with all that were joined to it; workspaces are read of one group at a time.
+    """Reads a lesson with all lessons joined to it; the workspaces of one group at a time, to save memory.
 
     Raises:
         StoreError: `lesson_not_found`.
@@ -77,7 +77,7 @@ def read_lesson(lesson_id: str, parts: Services) -> ReadLesson:
 
 
 def _one_activity(store: Store, lessons: list[str]) -> str | None:
-    """What all the lessons that were joined were about; None where they were about several things."""
+    """The common activity of all joined lessons; None if they differ or have none."""
     named = {store.lessons.get(one).activity for one in lessons} - {None, ""}
     return named.pop() if len(named) == 1 else None
 
@@ -124,7 +124,7 @@ def _of_run(run: Run | None, words: dict[str, str]) -> dict[str, Any]:
 
 
 def _blocks(use: BlocksInUse) -> list[shapes.BlockCount]:
-    """Types in alphabetical order: how often one is used says nothing about what it is good for."""
+    """Types in alphabetical order, because an order by count would be a ranking."""
     return [
         shapes.BlockCount(type=kind, count=use.attached.get(kind, 0), loose=use.loose.get(kind, 0))
         for kind in sorted({*use.attached, *use.loose})

@@ -1,4 +1,4 @@
-"""The marks of a lesson as a table for spreadsheets, in words of the language."""
+"""The marks of a lesson as a CSV table, with headings and values in the given language."""
 
 from collections.abc import Mapping
 from datetime import datetime
@@ -35,7 +35,7 @@ def mark_table(
 
     Args:
         computers: names of PCs by their key.
-        reasons: why runs ended, in words, by run.
+        reasons: messages why runs ended, by run id.
     """
 
     from pinel_desktop.activities import activity_titles  # noqa: PLC0415 - heavy
@@ -78,7 +78,7 @@ _YES_NO = {True: "passed_yes", False: "passed_no"}
 
 
 def _local(time: str) -> str:
-    """The time on the wall of this PC, as spreadsheets read it; what is no time stays as it is."""
+    """A time in the time zone of this PC, in a form that spreadsheets read; invalid text is unchanged."""
     try:
         return f"{datetime.fromisoformat(time).astimezone():%Y-%m-%d %H:%M:%S}"
     except (ValueError, OverflowError):

@@ -1,4 +1,4 @@
-"""The page: static files built from `ui/`, and a page-shaped message where there is none."""
+"""Serves the page's static files, built from `ui/`, and error messages as HTML pages."""
 
 from html import escape
 from pathlib import Path
@@ -28,7 +28,7 @@ h1 {{ font-size: 1.75rem; line-height: 1.25 }}
 
 
 def message_page(code: str, params: dict[str, object], language: str, status: int) -> Response:
-    """A page that says in words what is wrong and what to do."""
+    """An HTML page with a message and its remedy."""
     words = describe(code, params, language)
     html = _MESSAGE.format(
         language=escape(language), message=escape(words.message), remedy=escape(words.remedy)
@@ -38,9 +38,9 @@ def message_page(code: str, params: dict[str, object], language: str, status: in
 
 @page.get("/")
 def index() -> BaseResponse:
-    """The page with the texts of the chosen language, built by `ui/vite.config.ts`.
+    """The page with the texts of the chosen language; `ui/vite.config.ts` builds one file for each language.
 
-    With a one-time key first the cookie and a redirect, so that the key leaves the address.
+    A request with a one-time key gets the cookie and a redirect that removes the key from the address.
     """
     if "key" in request.args:
         return _signed_in(redirect("/"))
@@ -50,14 +50,14 @@ def index() -> BaseResponse:
 
 
 class PagePath(PathConverter):
-    """A path outside `/api`: there, an unknown address is no file that is missing."""
+    """A path outside `/api`, where an unknown address must not be reported as a missing file."""
 
     regex = r"(?!api(?:/|$))[^/].*?"
 
 
 @page.get("/<page_path:name>")
 def asset(name: str) -> BaseResponse:
-    """A file of the page; a name under `assets/` carries a hash of its content and never changes."""
+    """A file of the page. Names under `assets/` contain a hash of the content, so those files never change."""
     answer = _file(name)
     if name.startswith("assets/") and answer.status_code == 200:
         answer.headers["Cache-Control"] = "private, max-age=31536000, immutable"
@@ -66,7 +66,7 @@ def asset(name: str) -> BaseResponse:
 
 def _file(name: str) -> BaseResponse:
     answer = send_from_directory(STATIC, name, conditional=True)
-    # read now: where the browser goes away in the middle, the server would leave the file open
+    # read at once: the server would leave the file open if the browser disconnected during the transfer
     close = getattr(answer.response, "close", lambda: None)
     answer.direct_passthrough = False
     answer.freeze()

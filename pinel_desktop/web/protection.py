@@ -1,4 +1,4 @@
-"""What every request must show, and what every answer carries."""
+"""Applies the guard to every request, and security headers to every answer."""
 
 from flask import Response, request
 
@@ -22,14 +22,14 @@ _HEADERS = {
     "X-Content-Type-Options": "nosniff",
     "Cross-Origin-Resource-Policy": "same-origin",
 }
-_FOR_OTHER_STARTS = "/api/instance/"
+_INSTANCE_ROUTES = "/api/instance/"
 
 
 def check_guard() -> None:
-    """Refuses what did not come from our own page, or from a second start of the app."""
+    """Refuses requests that come neither from our page nor from a second start of the app. Raises PinelError."""
     guard = services().guard
     guard.check_origin(request.headers)
-    if request.path.startswith(_FOR_OTHER_STARTS):
+    if request.path.startswith(_INSTANCE_ROUTES):
         guard.check_secret(request.headers)
         return
     try:
@@ -40,7 +40,7 @@ def check_guard() -> None:
 
 
 def add_headers(answer: Response) -> Response:
-    """Keeps the page to itself, and answers of the API out of every cache."""
+    """Adds security headers, and disables caching for answers of the API."""
     answer.headers.update(_HEADERS)
     if request.path.startswith("/api"):
         answer.headers["Cache-Control"] = "no-store"

@@ -1,4 +1,4 @@
-"""From models to answers, and from errors to the one error shape."""
+"""HTTP answers from models, and error answers from codes."""
 
 import json
 import re
@@ -50,25 +50,23 @@ STATUS = {
     "run_damaged": 500,
     "internal_error": 500,
 }
-_OTHERWISE = (
-    422  # what is left is about the body: a name too long, a world unknown, a program with faults
-)
+_DEFAULT_STATUS = 422  # all other codes concern the body, such as a name that is too long
 
 
 def status_of(code: str) -> int:
-    """The HTTP status of an error."""
-    return STATUS.get(code, _OTHERWISE)
+    """The HTTP status of an error code."""
+    return STATUS.get(code, _DEFAULT_STATUS)
 
 
 MAX_FAULTS = 100
 _LONE_SURROGATE = re.compile("[\ud800-\udfff]")
-_LARGEST = 10**300
+_MAX_MAGNITUDE = 10**300
 
 
 def plain(value: object) -> object:
     """JSON data of a model.
 
-    Not pydantic's dump: that refuses what nests deeper than 255, and Blockly nests each block in the one before.
+    pydantic's own dump refuses nesting beyond 255, which workspaces exceed: Blockly nests each block in the previous.
     """
     if isinstance(value, BaseModel):
         aliases = {name: field.alias or name for name, field in type(value).model_fields.items()}
@@ -79,50 +77,50 @@ def plain(value: object) -> object:
 
 
 def answer(model: BaseModel, status: int = 200) -> Response:
-    """The model as JSON."""
+    """A JSON answer with the model."""
     text = json.dumps(plain(model), ensure_ascii=False, separators=(",", ":"), allow_nan=False)
-    return Response(writable(text), status=status, mimetype="application/json")
+    return Response(encodable(text), status=status, mimetype="application/json")
 
 
-def writable(text: str) -> str:
-    """The text with a mark in place of lone surrogates, which no encoding can write."""
+def encodable(text: str) -> str:
+    """Replaces lone surrogates, which UTF-8 cannot encode, by U+FFFD."""
     return _LONE_SURROGATE.sub("\ufffd", text)
 
 
-def showable(value: object) -> Any:
-    """A value that words and JSON can hold, whatever a document or a request put into it."""
+def json_safe(value: object) -> Any:
+    """Converts any value from a document or a request into one that JSON and messages can hold."""
     match value:
         case str():
-            return writable(value)
-        case int() if abs(value) > _LARGEST:
+            return encodable(value)
+        case int() if abs(value) > _MAX_MAGNITUDE:
             return f"{'-' if value < 0 else ''}1e{int(value.bit_length() * log10(2))}"
         case float() if not isfinite(value):
             return str(value)
         case Mapping():
-            return {writable(str(name)): showable(item) for name, item in value.items()}
+            return {encodable(str(name)): json_safe(item) for name, item in value.items()}
         case list() | tuple():
-            return [showable(item) for item in value]
+            return [json_safe(item) for item in value]
     return value if value is None or isinstance(value, bool | int | float) else str(value)
 
 
 def notice(code: str, params: Mapping[str, object], language: str) -> Notice:
-    """Something that a person should know, in words of the language."""
-    words = describe(code, showable(params), language)
+    """A message for a person, in the given language."""
+    words = describe(code, json_safe(params), language)
     return Notice(code=code, message=words.message, remedy=words.remedy)
 
 
-def faults_in_words(problems: Iterable[Any], language: str) -> list[Fault]:
-    """The first faults of a document with their words: nobody reads more, and each takes its time and place."""
-    return [_in_words(problem, language) for problem in islice(problems, MAX_FAULTS)]
+def describe_faults(problems: Iterable[Any], language: str) -> list[Fault]:
+    """The first `MAX_FAULTS` faults of a document with their messages; more would take time and nobody reads them."""
+    return [_describe(problem, language) for problem in islice(problems, MAX_FAULTS)]
 
 
-def _in_words(problem: Any, language: str) -> Fault:
-    params = showable(problem.params)
+def _describe(problem: Any, language: str) -> Fault:
+    params = json_safe(problem.params)
     words = describe(problem.code, params, language)
     return Fault(
         code=problem.code,
-        pointer=writable(problem.pointer),
-        block=None if problem.block is None else writable(problem.block),
+        pointer=encodable(problem.pointer),
+        block=None if problem.block is None else encodable(problem.block),
         message=words.message,
         remedy=words.remedy,
         params=params,
@@ -138,17 +136,18 @@ def error_answer(
     status: int | None = None,
     words: str | None = None,
 ) -> Response:
-    """The one error shape, in words of the language; the status follows from the code.
+    """An error answer with its message in the given language.
 
     Args:
-        words: code of the words, where they say more than those of the code itself.
+        status: HTTP status; None is that of the code.
+        words: code of a more specific message; None is that of `code`.
     """
-    shown = showable(params)
-    said = describe(words or code, shown, language)
+    shown = json_safe(params)
+    text = describe(words or code, shown, language)
     body = ErrorBody(
         code=code,
-        message=said.message,
-        remedy=said.remedy,
+        message=text.message,
+        remedy=text.remedy,
         params=shown,
         faults=list(faults),
     )

@@ -1,7 +1,7 @@
-"""All routes of the API, and the OpenAPI 3.1 description made from them.
+"""All routes of the API, and their OpenAPI 3.1 description.
 
-flask-openapi3 makes the description from the very models that validate the bodies, so that it cannot differ
-from the code. It was chosen over apiflask (marshmallow first) and spectree (no OpenAPI 3.1).
+flask-openapi3 derives the description from the models that validate the bodies, so it cannot differ from the code. It
+was chosen over apiflask (marshmallow first) and spectree (no OpenAPI 3.1).
 """
 
 import json
@@ -58,8 +58,8 @@ _RESOURCES = (
 _REFERENCE = "#/components/schemas/{model}"
 
 
-def bare_app() -> OpenAPI:
-    """The routes without services, guard or page: enough for the description."""
+def app_with_routes() -> OpenAPI:
+    """A Flask app with the routes only, without services, guard and page; sufficient for the description."""
     app = OpenAPI(
         __name__,
         info=Info(title="PINEL Desktop", version=__version__),
@@ -76,31 +76,31 @@ def bare_app() -> OpenAPI:
 
 
 def description() -> dict[str, Any]:
-    """The description as data."""
+    """The OpenAPI description as a dict."""
     for module in _RESOURCES:
         module.api.describe()
-    document: dict[str, Any] = bare_app().api_doc
+    document: dict[str, Any] = app_with_routes().api_doc
     document["components"]["schemas"] |= _schemas(stream.MODELS)
     return document
 
 
 def _register(app: OpenAPI, api: Resource) -> None:
-    """The library puts a path that two files have in place of the earlier one: what was told of it stays."""
+    """Registers a resource. Merges paths shared by two resources, of which the library would keep only the last."""
     before = {path: item.model_copy() for path, item in app.paths.items()}
     app.register_api(api)
     for path in before.keys() & app.paths.keys():
-        told = {name: value for name, value in app.paths[path] if value is not None}
-        app.paths[path] = before[path].model_copy(update=told)
+        added = {name: value for name, value in app.paths[path] if value is not None}
+        app.paths[path] = before[path].model_copy(update=added)
 
 
 @cache
 def description_text() -> str:
-    """The description as JSON text, the same for the same code."""
+    """The OpenAPI description as JSON text, deterministic."""
     return json.dumps(description(), indent=2, sort_keys=True, ensure_ascii=False) + "\n"
 
 
 def _schemas(models: tuple[type[BaseModel], ...]) -> dict[str, Any]:
-    """Schemas of models that no ordinary answer mentions."""
+    """Schemas of models that no JSON answer refers to, such as stream events."""
     found: dict[str, Any] = {}
     for model in models:
         schema = model.model_json_schema(ref_template=_REFERENCE, mode="serialization")

@@ -1,4 +1,4 @@
-"""Werkzeug's threaded server on 127.0.0.1: streams stay open beside requests, and it ends cleanly."""
+"""Werkzeug's threaded server on 127.0.0.1: a thread per request, so that streams do not block, and a clean end."""
 
 import logging
 import socket
@@ -13,17 +13,17 @@ from pinel_desktop.errors import PinelError
 
 HOST = "127.0.0.1"
 _POLL_S = 0.05
-# Blockly nests each block in the one above it, two levels of JSON a block, and Python's parser recurses: room
-# for a column of thousands of blocks.
+# Blockly nests each block in the one above it, two levels of JSON per block, and Python's JSON parser recurses;
+# this is enough for a stack of thousands of blocks.
 _RECURSION_LIMIT = 10_000
-_STACK_BYTES = 16 * 2**20  # address space, not memory, until it is used
+_STACK_BYTES = 16 * 2**20  # address space; memory only where used
 
 _log = logging.getLogger(__name__)
 Wsgi = Callable[..., Any]
 
 
 class Server:
-    """A listening socket from the start; answers after `start`.
+    """The HTTP server: listens once constructed, answers after `start`.
 
     Raises:
         PinelError: `port_taken`.
@@ -36,7 +36,7 @@ class Server:
         self._thread: threading.Thread | None = None
 
     def start(self, app: Wsgi) -> None:
-        """Answers requests on threads of their own until `close`."""
+        """Answers requests, each on its own thread, until `close`."""
         sys.setrecursionlimit(max(sys.getrecursionlimit(), _RECURSION_LIMIT))
         threading.stack_size(_STACK_BYTES)
         self._server = make_server(
@@ -53,7 +53,7 @@ class Server:
         self._thread.start()
 
     def close(self) -> None:
-        """Stops listening. Streams end with the hub, which is to be closed first."""
+        """Stops the server. Close the hub first, which ends the streams."""
         if self._server is not None and self._thread is not None:
             self._server.shutdown()
             self._thread.join()
@@ -62,7 +62,7 @@ class Server:
 
 
 class _QuietHandler(WSGIRequestHandler):
-    """Keeps requests out of the terminal: a one-time key stands in the address of the first."""
+    """Does not log addresses, because the first contains a one-time key."""
 
     def log(self, type: str, message: str, *args: Any) -> None:
         _log.debug("%s: request", type)
@@ -70,7 +70,7 @@ class _QuietHandler(WSGIRequestHandler):
 
 def _listening(port: int) -> socket.socket:
     listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
-    if sys.platform == "win32":  # there, SO_REUSEADDR would let another program take the port over
+    if sys.platform == "win32":  # where SO_REUSEADDR would let another program take over the port
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_EXCLUSIVEADDRUSE, 1)
     else:
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)

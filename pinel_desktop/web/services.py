@@ -1,4 +1,4 @@
-"""What the handlers work with; `app` makes it, handlers ask for it with `services()`."""
+"""The dependencies of the handlers: `app` constructs them, `services()` returns them."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from flask import current_app
 from pinel_desktop.messages import Problem
 from pinel_desktop.web.guard import Guard
 
-if TYPE_CHECKING:  # heavy, and the page is served without them
+if TYPE_CHECKING:  # heavy, and not needed to serve the page
     from pinel_desktop.engine.commands import Command
     from pinel_desktop.events.hub import Hub
     from pinel_desktop.program.faults import Fault
     from pinel_desktop.program.reading import Reading
     from pinel_desktop.runs.spec import RunSpec
-    from pinel_desktop.school.teacher import TeacherDoor
+    from pinel_desktop.school.teacher import TeacherSessions
     from storage import Store
 
 ReadDocument = Callable[[dict[str, object] | list[object]], "Reading"]
@@ -31,13 +31,13 @@ class ReadWorld(Protocol):
     ) -> tuple[dict[str, Any] | None, Sequence[Fault]]:
         """
         Args:
-            robot: which one must have room at the start; the largest when not told.
+            robot: name of the model that must fit at the start pose; None is the largest.
         """
         ...
 
 
 class Engine(Protocol):
-    """What the handlers need of `engine.client.EngineClient`."""
+    """The part of `engine.client.EngineClient` that handlers use."""
 
     @property
     def state(self) -> Literal["starting", "ready", "lost"]: ...
@@ -51,14 +51,14 @@ class Engine(Protocol):
 
 
 class Preferences(Protocol):
-    """What a person chose; it outlives the app where the database can be written."""
+    """Choices of the person; persistent if the database is writable."""
 
     language: str
 
 
 @dataclass(frozen=True, slots=True)
 class DatabaseState:
-    """Where the work is kept, whether it is, and what a person should know about that."""
+    """The path of the database, whether it can be written, and a message about it for people."""
 
     path: str
     writable: bool
@@ -67,11 +67,11 @@ class DatabaseState:
 
 @dataclass(frozen=True, slots=True)
 class Services:
-    """Everything the handlers may touch.
+    """All dependencies of the handlers.
 
     Attributes:
-        keep_up: writes what the live run has done so far; returns when it can be read, or cannot be written.
-        show_window: brings the window forward; does nothing where there is none.
+        flush_recording: writes the pending events of the live run; returns once they can be read, or if that fails.
+        show_window: brings the window forward; does nothing without a window.
     """
 
     app_version: str
@@ -80,13 +80,13 @@ class Services:
     hub: Hub
     guard: Guard
     preferences: Preferences
-    teacher: TeacherDoor
+    teacher: TeacherSessions
     read_document: ReadDocument
     read_world: ReadWorld
     worlds: Sequence[dict[str, Any]]
     database_state: Callable[[], DatabaseState]
     show_window: Callable[[], None]
-    keep_up: Callable[[], None]
+    flush_recording: Callable[[], None]
 
 
 def services() -> Services:

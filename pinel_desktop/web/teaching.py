@@ -1,4 +1,4 @@
-"""What only the teacher may do: a cookie of its own says that the PIN was given."""
+"""The teacher's session on a request: its cookie, and the check for requests that only the teacher may make."""
 
 from flask import Response, request
 
@@ -7,28 +7,28 @@ from pinel_desktop.web.services import services
 
 
 def require_teacher() -> None:
-    """Raises PinelError `pin_missing` where there is no PIN yet, else `teacher_only` while the door is shut."""
-    door = services().teacher
-    if not door.has_pin:
+    """Raises PinelError `pin_missing` before a PIN is set, else `teacher_only` outside of a teacher's session."""
+    sessions = services().teacher
+    if not sessions.has_pin:
         raise PinelError("pin_missing")
     if not is_teacher():
         raise PinelError("teacher_only")
 
 
 def is_teacher() -> bool:
-    """Whether the one who asks has given the PIN, not too long ago."""
-    return services().teacher.is_open(request.cookies.get(_cookie()))
+    """True if the request belongs to a teacher's session."""
+    return services().teacher.is_signed_in(request.cookies.get(_cookie()))
 
 
-def let_in(answer: Response, token: str) -> Response:
-    """Hands the token to the page; gone when the window is closed."""
+def set_session_cookie(answer: Response, token: str) -> Response:
+    """Adds the session's cookie, which the browser deletes when its window closes."""
     answer.set_cookie(_cookie(), token, httponly=True, samesite="Strict", path="/api")
     return answer
 
 
-def show_out(answer: Response) -> Response:
-    """Takes the token back."""
-    services().teacher.leave(request.cookies.get(_cookie()))
+def end_session(answer: Response) -> Response:
+    """Ends the session and deletes its cookie."""
+    services().teacher.sign_out(request.cookies.get(_cookie()))
     answer.delete_cookie(_cookie(), path="/api")
     return answer
 

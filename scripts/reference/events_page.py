@@ -1,4 +1,4 @@
-"""docs/events.md, made from the declarations in `pinel_desktop/events`."""
+"""Generates docs/events.md from the declarations in `pinel_desktop/events`."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -11,13 +11,13 @@ from scripts.reference.schema_words import field_table
 _HEAD = """\
 # Events
 
-What happens is told as events: by the engine to the app, by the app to all open pages (`GET /api/stream`), and by the
-store to whoever replays a run (`GET /api/runs/{id}/events`). Live and recorded events are the same objects, and the
-page has one reducer for both.
+The engine sends events to the app, and the app sends them to all open pages (`GET /api/stream`). The page replays a run
+from its recorded events (`GET /api/runs/{id}/events`). Live and recorded events are the same objects, and the page has
+one reducer for both.
 
 This page is made from `pinel_desktop/events/model.py` and `app_events.py` by `python -m scripts.reference`.
-An event is declared there once: wire model, OpenAPI schema and the page's type are derived from the declaration. What
-a recorded run holds keeps its name for ever.
+Each event is declared there once: wire model, OpenAPI schema and the page's type derive from the declaration. Names in
+recorded runs never change.
 
 ## Events of a run
 
@@ -26,23 +26,23 @@ run without gaps. `tick` is the 30 Hz tick; the time in s is tick / 30. Poses ar
 radians, unless the field says otherwise. `block` is the id of a block, null where the document has none.
 
 Exactly one `run_ended` closes every run. A run that was cut off by a power cut or a kill is closed at the next start of
-the app: `run_ended` with state `failed`, reason `interrupted`, and null for the figures that nobody knows. When the
-engine dies, the app closes the run at once, with reason `engine_lost`.
+the app: `run_ended` with state `failed`, reason `interrupted`, and null for unknown figures. When the engine dies, the
+app closes the run at once, with reason `engine_lost`.
 
-What is done with events follows from three attributes of their declaration:
+Three attributes of a declaration decide how its events are handled:
 
 - **kept**: stored, merged between PCs, and compared when a run is verified. The recorder writes batches once a second;
   what it cannot write, for example on a full disk, it keeps in memory and tries again every 1.5 s.
 - **lossy**: the hub may drop it for a page that reads too slowly. It drops nothing else and adds nothing.
-- **urgent**: written to the disk at once, since nothing may follow it for long.
+- **urgent**: written to the disk at once, because the next event may come much later.
 
 "Optional" fields are absent from runs that earlier releases recorded.
 """
 _APP_HEAD = """\
 ## Events of the app
 
-They are told on the stream only: they carry neither `seq` nor `tick`, and are not stored. Comment lines keep the
-stream alive while nothing happens.
+They occur on the stream only, have neither `seq` nor `tick`, and are not stored. Comment lines keep the stream open
+while no event occurs.
 """
 _SHAPES = {"StackEntry": "`{function, block}`", "Pose": "`{x_m, y_m, yaw_rad}`"}
 _COMMON = ("type", *RunEvent.model_fields)

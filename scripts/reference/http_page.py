@@ -1,4 +1,4 @@
-"""docs/http-api.md, made from the OpenAPI description."""
+"""Generates docs/http-api.md from the OpenAPI description."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
@@ -13,30 +13,30 @@ from scripts.reference.schema_words import field_table, kind
 _HEAD = f"""\
 # HTTP interface
 
-What the page asks of the app. JSON under `/api`; a body is JSON of at most 4 MiB, a program's file of at most 64 MiB.
-Ids are UUIDv7 text. Times are ISO 8601 text in UTC, of the clock of the PC where something happened. Lists that go on
-have `next`: what to ask for as `before`; null at the end. Unknown keys of a body or a query are refused.
+The interface between the page and the app: JSON under `/api`. A body has at most 4 MiB, a program's file at most
+64 MiB. Ids are UUIDv7 text. Times are ISO 8601 text in UTC, by the clock of the PC that recorded them. Paged lists have
+`next`, the value of `before` for the next page, null at the end. Unknown keys of a body or a query are refused.
 
-This text and the page's TypeScript types are made from the handlers and pydantic models in `pinel_desktop/web`.
-`python -m scripts.reference` writes this text. The app gives out the same description as OpenAPI 3.1 at
-`/api/openapi.json`.
+This text and the page's TypeScript types are generated from the handlers and pydantic models in `pinel_desktop/web`.
+The app serves the same description as OpenAPI 3.1 at `/api/openapi.json`. `python -m scripts.reference` writes this
+text.
 
-## Who may ask
+## Access
 
 The server is bound to 127.0.0.1. A one-time key in the first address (`/?key=...`) sets an HttpOnly, SameSite=Strict
-cookie and redirects to `/`; the cookie is called `pinel_PORT`, as cookies do not tell ports apart. Every request must
-carry it and come from our own page. A strict Content-Security-Policy goes with every answer; nothing is loaded from
-elsewhere. Routes under `/api/instance` are for a second start of the app on the same data: the header `X-Pinel-Secret`
-stands in for the cookie.
+cookie and redirects to `/`. The cookie is called `pinel_PORT`, because cookies are shared by all ports. Every request
+must carry it and come from our own page. Every answer has a strict Content-Security-Policy; nothing is loaded from
+elsewhere. Routes under `/api/instance` are for a second start of the app on the same data; they need the header
+`X-Pinel-Secret` instead of the cookie.
 
-**For the teacher** says that a route also needs the cookie that the teacher's PIN gives
-(`pinel_desktop/school/teacher.py`); without it 403 `teacher_only`, or `pin_missing` where no PIN was chosen yet.
+Routes marked **For the teacher** also need the cookie of a teacher's session (`pinel_desktop/school/teacher.py`);
+without it they answer 403 `teacher_only`, or `pin_missing` before a PIN is set.
 
 ## Errors
 
-Every answer with a status of 400 and above has one shape, `{{"error": {{"code", "message", "remedy", "params",
-"faults"}}}}`, with words in the chosen language. `faults` names what is wrong with a document, each with its place; an
-answer holds at most the first {MAX_FAULTS}.
+Every answer with a status of 400 and above is `{{"error": {{"code", "message", "remedy", "params", "faults"}}}}`, with
+the message in the chosen language. `faults` lists the faults of a document with their places, at most the first
+{MAX_FAULTS}.
 
 Any route may answer:
 """
@@ -86,8 +86,8 @@ def _routes(document: Mapping[str, Any], tag: str) -> Iterator[str]:
 def _route(method: str, path: str, operation: Mapping[str, Any], schemas: Mapping[str, Any]) -> str:
     codes = [*_codes(operation["responses"])]
     lines = [f"#### `{method} {path}`", "", operation["summary"]]
-    if told := operation.get("description", "").replace("<br/>", "\n").strip():
-        lines += ["", told]
+    if details := operation.get("description", "").replace("<br/>", "\n").strip():
+        lines += ["", details]
     lines.append("")
     query = [one for one in operation.get("parameters", ()) if one["in"] == "query"]
     if query:

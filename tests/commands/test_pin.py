@@ -7,7 +7,7 @@ from click.testing import CliRunner, Result
 
 from pinel_desktop.cli import main
 from pinel_desktop.errors import PinelError
-from pinel_desktop.school.teacher import TeacherDoor
+from pinel_desktop.school.teacher import TeacherSessions
 from storage import open_store
 
 
@@ -20,7 +20,7 @@ def english(monkeypatch: pytest.MonkeyPatch) -> None:
 def database(tmp_path: Path) -> Path:
     path = tmp_path / "pinel.db"
     with open_store(path) as store:
-        TeacherDoor(store.settings).choose("1111")
+        TeacherSessions(store.settings).set_pin("1111")
     return path
 
 
@@ -31,7 +31,7 @@ def pin(database: Path, *arguments: str, typed: str = "") -> Result:
 def opens(database: Path, digits: str) -> bool:
     with open_store(database) as store:
         try:
-            TeacherDoor(store.settings).enter(digits)
+            TeacherSessions(store.settings).sign_in(digits)
         except PinelError:
             return False
         return True
@@ -65,16 +65,16 @@ def test_forgetting_takes_it_away_and_says_what_that_means(database: Path) -> No
     assert done.exit_code == 0, done.output
     assert "anybody can choose it" in done.output
     with open_store(database) as store:
-        assert not TeacherDoor(store.settings).has_pin
+        assert not TeacherSessions(store.settings).has_pin
 
 
 def test_it_works_while_the_app_has_the_file_open(database: Path) -> None:
     with open_store(database) as store:
-        door = TeacherDoor(store.settings)
-        token = door.enter("1111")
+        sessions = TeacherSessions(store.settings)
+        token = sessions.sign_in("1111")
         assert pin(database, typed="2718\n2718\n").exit_code == 0
-        assert not door.is_open(token)
-        assert door.is_open(door.enter("2718"))
+        assert not sessions.is_signed_in(token)
+        assert sessions.is_signed_in(sessions.sign_in("2718"))
 
 
 def test_a_pin_may_come_before_the_first_start(tmp_path: Path) -> None:

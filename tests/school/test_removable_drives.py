@@ -1,4 +1,4 @@
-"""Sticks and folders with the files that they hold."""
+"""Removable drives and chosen folders, with their files."""
 
 import os
 import sys
@@ -24,7 +24,7 @@ def test_a_folder_shows_its_files_and_those_of_its_folder_pinel(tmp_path: Path) 
     (tmp_path / "e.pinel").mkdir()
     (found,) = folders(".pinel", [tmp_path], partitions=list)
     assert [file.path.name for file in found.files] == ["b.pinel", "d.pinel", "a.pinel"]
-    assert (found.is_stick, found.is_writable, found.name) == (False, True, tmp_path.name)
+    assert (found.is_removable, found.is_writable, found.name) == (False, True, tmp_path.name)
     assert found.free_bytes is not None
     assert found.files[0].size_bytes == len("PINEL/b.pinel")
 
@@ -44,10 +44,10 @@ def test_a_stick_is_found_where_desktops_put_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(
-        "pinel_desktop.school.removable_drives._PLUGGED_IN", (f"{tmp_path.parent}/",)
+        "pinel_desktop.school.removable_drives._MOUNT_POINTS", (f"{tmp_path.parent}/",)
     )
     (found,) = folders(".pinel", [tmp_path], partitions=lambda: [partition(str(tmp_path))])
-    assert (found.is_stick, found.files) == (True, ())
+    assert (found.is_removable, found.files) == (True, ())
 
 
 def test_a_folder_that_cannot_be_read_shows_nothing(tmp_path: Path) -> None:

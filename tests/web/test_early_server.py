@@ -100,6 +100,6 @@ def test_an_app_that_never_comes_leaves_nobody_waiting(
 
     asking = threading.Thread(target=ask)
     asking.start()
-    server.give_up()
+    server.abandon()
     asking.join(20)
     assert seen == [503]

@@ -69,7 +69,7 @@ def test_what_could_not_be_judged_is_judged_at_the_next_start(
     run = begin()
     app._grader.close()
     engine.send(ended(run, 0, 0))
-    app._keep_up()
+    app._flush_recording()
     assert app._store.checks.pending() == [run]
     again = type(app._grader)(app._store, lambda: None, lambda event: None, lambda: "en")
     again.catch_up()

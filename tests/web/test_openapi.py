@@ -16,7 +16,7 @@ from schemathesis.specs.openapi.checks import (
 
 from pinel_desktop.app import App
 from pinel_desktop.messages import catalogue
-from pinel_desktop.web.routes import bare_app, description, description_text
+from pinel_desktop.web.routes import app_with_routes, description, description_text
 from tests.web.browser import Browser
 
 STREAM = "/api/stream"
@@ -47,7 +47,7 @@ def test_the_app_answers_with_its_own_description(browser: Browser) -> None:
 def test_every_route_is_described_with_all_its_methods() -> None:
     routes = {
         (rule.rule.replace("<", "{").replace(">", "}"), method.lower())
-        for rule in bare_app().url_map.iter_rules()
+        for rule in app_with_routes().url_map.iter_rules()
         for method in (rule.methods or set()) - {"HEAD", "OPTIONS"}
         if rule.rule.startswith("/api/")
     }

@@ -27,7 +27,7 @@ def test_a_deleted_group_is_nowhere_and_does_not_come_back(
     tmp_path: Path,
 ) -> None:
     engine.send(ended(run["id"], 0, 0))
-    app._keep_up()
+    app._flush_recording()
     store = app._store
     make_backup(store.path, store._database._clock())
     kept = teacher.post("/api/bundles", {"folder": str(tmp_path)}).data

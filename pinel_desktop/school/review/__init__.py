@@ -1,4 +1,4 @@
-"""How a group thought: what changed between two versions, what happened in a lesson. PURE: no IO, thread or clock."""
+"""Review of a group's work: differences of two versions, events of a lesson. PURE: no IO, thread or clock."""
 
 from pinel_desktop.school.review.blocks import BlocksInUse, blocks_in_use
 from pinel_desktop.school.review.difference import (

@@ -1,6 +1,7 @@
-"""A workspace as Blockly keeps it, laid out flat: its blocks, where each stands and what was set on it.
+"""Flattens a workspace as Blockly serialises it: its blocks, with position and values of each.
 
-Pupils nest deeply and old files hold anything: nothing here recurses, and what is no block is passed over.
+Workspaces may be nested deeply and old files may hold anything: nothing here recurses, and anything that is not a
+block is ignored.
 """
 
 from collections import Counter
@@ -9,9 +10,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 START = "program_start"
-# what runs hangs below one of these; all else lies loose on the sheet (ui/src/editor/start_block.ts)
+# blocks attached to one of these run; all others are loose (ui/src/editor/start_block.ts)
 _ROOTS = (START, "function_def")
-# set by the editor on loose blocks: says where a block stands, not that somebody switched it off
+# the reason with which the editor disables loose blocks; a person did not disable them
 _LOOSE = "pinel_loose"
 
 Socket = tuple[str, str]
@@ -20,7 +21,7 @@ Tokens = tuple[object, ...]
 
 @dataclass(frozen=True, slots=True)
 class Value:
-    """Something that was set on a block; equal where the JSON is."""
+    """A value set on a block; two are equal if their JSON is."""
 
     tokens: Tokens
     kept: Any = field(compare=False)
@@ -28,13 +29,13 @@ class Value:
 
 @dataclass(frozen=True, slots=True)
 class Block:
-    """A block that a person put there; shadows are values of the block in which they stand.
+    """A block; shadow blocks are values of their parent instead.
 
     Attributes:
-        socket: key of the block that holds it and the name of the input; ("", key of the head) of a stack on the sheet.
+        socket: (key of the parent block, name of the input), or ("", key of the first block) in a top-level stack.
         values: by name: fields, inputs with a shadow, "extraState.KEY", "disabled", "comment".
-        covered: inputs in which a block stands, so that the value beneath is not seen.
-        in_program: whether it hangs below the start or a function.
+        covered: inputs that hold a block, which hides the value of their shadow.
+        in_program: True if attached to the start block or a function.
     """
 
     id: str
@@ -46,8 +47,13 @@ class Block:
 
 
 @dataclass(slots=True)
-class Sheet:
-    """All blocks by key (the block's id, made up where there is none) and the sequence in each socket."""
+class FlatWorkspace:
+    """All blocks of a workspace.
+
+    Attributes:
+        blocks: by key, in the order of the program; the key is the block's id, generated if it has none.
+        sequences: keys of the blocks in each socket, in order.
+    """
 
     blocks: dict[str, Block] = field(default_factory=dict)
     sequences: dict[Socket, list[str]] = field(default_factory=dict)
@@ -55,11 +61,11 @@ class Sheet:
 
 @dataclass(frozen=True, slots=True)
 class BlocksInUse:
-    """How many blocks of each type there are; the start block and shadows, which are always there, do not count.
+    """Numbers of blocks by type, without the start block and shadow blocks.
 
     Attributes:
-        attached: that hang below the start or a function, and hence run.
-        loose: that lie on the sheet and do not run.
+        attached: blocks attached to the start block or a function, which run.
+        loose: all other blocks, which do not run.
     """
 
     attached: dict[str, int]
@@ -68,32 +74,32 @@ class BlocksInUse:
 
 def blocks_in_use(workspace: object) -> BlocksInUse:
     """Counts the blocks of a workspace by type, types in alphabetical order."""
-    return blocks_of_sheet(read_sheet(workspace))
+    return blocks_in_flat(flatten(workspace))
 
 
-def blocks_of_sheet(sheet: Sheet) -> BlocksInUse:
-    """The same for a workspace that was read already."""
+def blocks_in_flat(flat: FlatWorkspace) -> BlocksInUse:
+    """As `blocks_in_use`, for a flattened workspace."""
     counts: tuple[Counter[str], Counter[str]] = (Counter(), Counter())
-    for block in sheet.blocks.values():
+    for block in flat.blocks.values():
         if block.type != START:
             counts[block.in_program][block.type] += 1
     loose, attached = (dict(sorted(count.items())) for count in counts)
     return BlocksInUse(attached, loose)
 
 
-def read_sheet(workspace: object) -> Sheet:
-    """The blocks of a workspace in the order of the program; none where it holds none."""
-    sheet = Sheet()
+def flatten(workspace: object) -> FlatWorkspace:
+    """Flattens a workspace; the result is empty if `workspace` holds no blocks."""
+    flat = FlatWorkspace()
     todo: list[tuple[dict[str, Any], Socket | None, bool]] = [
         (top, None, top.get("type") in _ROOTS) for top in reversed(_tops(workspace))
     ]
     while todo:
         state, socket, in_program = todo.pop()
-        key = _key(state, sheet)
+        key = _key(state, flat)
         socket = socket or ("", key)
         values, inside = _values(state)
-        sheet.sequences.setdefault(socket, []).append(key)
-        sheet.blocks[key] = Block(
+        flat.sequences.setdefault(socket, []).append(key)
+        flat.blocks[key] = Block(
             id=_text(state.get("id")),
             type=_text(state.get("type")),
             socket=socket,
@@ -105,7 +111,7 @@ def read_sheet(workspace: object) -> Sheet:
         if isinstance(below, dict):
             todo.append((below, socket, in_program))
         todo.extend((block, (key, name), in_program) for name, block in reversed(inside))
-    return sheet
+    return flat
 
 
 def _tops(workspace: object) -> list[dict[str, Any]]:
@@ -113,22 +119,22 @@ def _tops(workspace: object) -> list[dict[str, Any]]:
     return [top for top in tops if isinstance(top, dict)] if isinstance(tops, list) else []
 
 
-def _key(state: dict[str, Any], sheet: Sheet) -> str:
+def _key(state: dict[str, Any], flat: FlatWorkspace) -> str:
     kind, name = _text(state.get("type")), _text(state.get("id"))
-    # there is one start block, whatever a loader called it
+    # the start block has a fixed key: there is only one, whatever its id
     first = f"\0{START}" if kind == START else name or f"\0{kind}"
     key, count = first, 1
-    while key in sheet.blocks:
+    while key in flat.blocks:
         count += 1
         key = f"{first}\0{count}"
     return key
 
 
 def _values(state: dict[str, Any]) -> tuple[dict[str, Value], list[tuple[str, dict[str, Any]]]]:
-    """What was set on a block, also in its shadows; and the blocks that stand in its inputs, by input."""
+    """Values of a block and its shadows, by name; and the blocks in its inputs, as (input, block)."""
     values = dict(_settings(state, "", alone=False))
     inside: list[tuple[str, dict[str, Any]]] = []
-    if _is_off(state):
+    if _is_disabled(state):
         values["disabled"] = _value(True)
     comment = _of(_of(state.get("icons")).get("comment")).get("text")
     if comment:
@@ -147,7 +153,7 @@ def _values(state: dict[str, Any]) -> tuple[dict[str, Value], list[tuple[str, di
 
 
 def _settings(state: dict[str, Any], name: str, *, alone: bool) -> Iterator[tuple[str, Value]]:
-    """Fields and shape; the one field of a shadow goes by the name of the input."""
+    """Fields and extra state by name; the only field of a shadow has the name of its input."""
     fields = _of(state.get("fields"))
     prefix = f"{name}." if name else ""
     for field_name, value in fields.items():
@@ -161,7 +167,7 @@ def _settings(state: dict[str, Any], name: str, *, alone: bool) -> Iterator[tupl
         yield f"{prefix}extraState", _value(shape)
 
 
-def _is_off(state: dict[str, Any]) -> bool:
+def _is_disabled(state: dict[str, Any]) -> bool:
     reasons = state.get("disabledReasons")
     if isinstance(reasons, list):
         return any(reason != _LOOSE for reason in reasons)
@@ -169,7 +175,7 @@ def _is_off(state: dict[str, Any]) -> bool:
 
 
 def _value(kept: object) -> Value:
-    """With its tokens, which are equal for equal JSON only: Python takes `True` and `1` for the same."""
+    """A value with tokens that are equal only for equal JSON; in Python `True == 1`."""
     found: list[object] = []
     todo = [kept]
     while todo:

@@ -1,15 +1,15 @@
-"""Times of a PC's clock as numbers, and how long nothing may happen before it counts as a pause."""
+"""Clock times as numbers, and the limits beyond which inactivity counts as a pause."""
 
 from datetime import datetime
 
-# who does nothing for longer is talking, thinking or away: nobody can tell
+# longer inactivity ends a burst of edits and does not count as active time
 PAUSE_S = 300.0
-# who does nothing for longer has left the room: a break, the end of a day
+# longer inactivity means that the group was away: a break, the end of a day
 AWAY_S = 3600.0
 
 
 def seconds_of(time: str) -> float:
-    """Seconds of a clock; a time that is none, in a file of somebody else's, is the beginning of all times."""
+    """ISO 8601 text as seconds since the epoch; 0 for invalid text, which a merged file may hold."""
     try:
         return datetime.fromisoformat(time).timestamp()
     except (ValueError, OverflowError):

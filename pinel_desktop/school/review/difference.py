@@ -1,4 +1,4 @@
-"""What differs between two versions of a program, block by block."""
+"""The difference of two versions of a program, block by block."""
 
 from bisect import bisect_left
 from collections import Counter
@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from pinel_desktop.school.review.blocks import START, Block, Sheet, Socket, read_sheet
+from pinel_desktop.school.review.blocks import START, Block, FlatWorkspace, Socket, flatten
 
-# more than any workspace has blocks: the stack of one start is the same stack, whatever hangs below it now
-_OF_A_ROOT = 10**9
+# exceeds any number of blocks: stacks with the same root always match
+_ROOT_WEIGHT = 10**9
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,11 +22,10 @@ class BlockMark:
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """One thing that was set on a block, as it was and as it is; None where there was or is nothing.
+    """A changed value of a block; `before` or `after` is None if the value was or is absent.
 
     Attributes:
-        name: of the field or of the input with its value; "extraState.KEY" (the block's shape), "type", "disabled",
-            "comment".
+        name: a field, an input with a value, "extraState.KEY" (the block's shape), "type", "disabled" or "comment".
     """
 
     name: str
@@ -36,7 +35,7 @@ class Change:
 
 @dataclass(frozen=True, slots=True)
 class ChangedBlock:
-    """A block that is in both versions, with all that was set anew on it."""
+    """A block of both versions with its changed values."""
 
     block: str
     type: str
@@ -45,7 +44,7 @@ class ChangedBlock:
 
 @dataclass(frozen=True, slots=True)
 class Counts:
-    """How many blocks; one that was both moved and changed counts in both."""
+    """Numbers of blocks; a block that was moved and changed counts twice."""
 
     added: int = 0
     removed: int = 0
@@ -55,10 +54,10 @@ class Counts:
 
 @dataclass(frozen=True, slots=True)
 class Difference:
-    """Blocks that came, that went, that were set anew, and that stand elsewhere.
+    """Blocks that were added, removed, changed and moved.
 
-    A block is moved when another block holds it, when it is in another input, or when it has changed places with
-    others of its sequence; not when others came or went before it, nor when a loose stack lies elsewhere on the sheet.
+    A block counts as moved if its parent or input differs, or its order relative to other blocks of its sequence. It
+    does not if blocks were only added or removed before it, or if its whole loose stack has another position.
     """
 
     added: tuple[BlockMark, ...] = ()
@@ -68,21 +67,22 @@ class Difference:
 
     @property
     def summary(self) -> Counts:
-        """How many of each."""
+        """The number of each."""
         return Counts(len(self.added), len(self.removed), len(self.changed), len(self.moved))
 
 
 def difference(before: object, after: object) -> Difference:
-    """Compares two workspaces as Blockly saves them, by the ids of their blocks; shadows are values of their parents.
+    """Compares two workspaces as Blockly serialises them, by the ids of their blocks.
 
-    Takes whatever there is: what is no block is passed over. The start block, which every program has, never counts
-    as added, removed or moved. With the two changed round, what was added is removed, and the same blocks are moved.
+    Accepts any object and ignores what is not a block. Shadow blocks are values of their parents. The start block
+    never counts as added, removed or moved. With the arguments swapped, added and removed blocks are swapped and the
+    moved blocks are the same.
     """
-    return difference_of_sheets(read_sheet(before), read_sheet(after))
+    return difference_of_flat(flatten(before), flatten(after))
 
 
-def difference_of_sheets(old: Sheet, new: Sheet) -> Difference:
-    """The same for workspaces that were read already."""
+def difference_of_flat(old: FlatWorkspace, new: FlatWorkspace) -> Difference:
+    """As `difference`, for flattened workspaces."""
     moved = _moved(old, new)
     return Difference(
         added=_marks(new, (key for key in new.blocks if key not in old.blocks)),
@@ -92,12 +92,12 @@ def difference_of_sheets(old: Sheet, new: Sheet) -> Difference:
     )
 
 
-def _marks(sheet: Sheet, keys: Iterator[str]) -> tuple[BlockMark, ...]:
-    blocks = (sheet.blocks[key] for key in keys)
+def _marks(flat: FlatWorkspace, keys: Iterator[str]) -> tuple[BlockMark, ...]:
+    blocks = (flat.blocks[key] for key in keys)
     return tuple(BlockMark(block.id, block.type) for block in blocks if block.type != START)
 
 
-def _changed(old: Sheet, new: Sheet) -> Iterator[ChangedBlock]:
+def _changed(old: FlatWorkspace, new: FlatWorkspace) -> Iterator[ChangedBlock]:
     for key, block in new.blocks.items():
         was = old.blocks.get(key)
         what = tuple(_changes(was, block)) if was else ()
@@ -115,7 +115,7 @@ def _changes(was: Block, block: Block) -> Iterator[Change]:
         if (first is None and _is_covered(name, was)) or (
             then is None and _is_covered(name, block)
         ):
-            continue  # a block was put over the value or taken off it, which is told of that block
+            continue  # a block was inserted over the value or removed; that block reports it
         if first != then:
             yield Change(name, first and first.kept, then and then.kept)
 
@@ -124,23 +124,23 @@ def _is_covered(name: str, block: Block) -> bool:
     return any(name == socket or name.startswith(f"{socket}.") for socket in block.covered)
 
 
-def _moved(old: Sheet, new: Sheet) -> set[str]:
-    """Keys of the blocks that stand elsewhere; the fewest that explain both orders."""
-    twins = _stacks_that_stayed(old, new)
+def _moved(old: FlatWorkspace, new: FlatWorkspace) -> set[str]:
+    """Keys of the moved blocks: the smallest set that explains both orders."""
+    matches = _matching_stacks(old, new)
     moved: set[str] = set()
     for socket, keys in new.sequences.items():
-        twin = twins.get(socket) if socket[0] == "" else socket
+        match = matches.get(socket) if socket[0] == "" else socket
         common = [key for key in keys if key in old.blocks]
-        here = [key for key in common if old.blocks[key].socket == twin]
+        here = [key for key in common if old.blocks[key].socket == match]
         moved.update(common)
-        if here and twin:
-            place = {key: index for index, key in enumerate(old.sequences[twin])}
-            moved.difference_update(_in_order(here, [place[key] for key in here]))
+        if here and match:
+            place = {key: index for index, key in enumerate(old.sequences[match])}
+            moved.difference_update(_longest_kept_order(here, [place[key] for key in here]))
     return moved
 
 
-def _stacks_that_stayed(old: Sheet, new: Sheet) -> dict[Socket, Socket]:
-    """Which stack on the new sheet is which on the old: those with one head of a program, then those most alike."""
+def _matching_stacks(old: FlatWorkspace, new: FlatWorkspace) -> dict[Socket, Socket]:
+    """Maps top-level stacks, new to old: first stacks with the same root, then those that share most blocks."""
     shared: Counter[tuple[Socket, Socket]] = Counter()
     smallest: dict[tuple[Socket, Socket], str] = {}
     for key, block in new.blocks.items():
@@ -148,20 +148,20 @@ def _stacks_that_stayed(old: Sheet, new: Sheet) -> dict[Socket, Socket]:
         if was and block.socket[0] == was.socket[0] == "":
             pair = (block.socket, was.socket)
             is_root = block.in_program and was.in_program and block.socket == was.socket
-            shared[pair] += _OF_A_ROOT if is_root and block.socket[1] == key else 1
+            shared[pair] += _ROOT_WEIGHT if is_root and block.socket[1] == key else 1
             smallest[pair] = min(key, smallest.get(pair, key))
-    twins: dict[Socket, Socket] = {}
-    # no two pairs have a block in common, so that the order is the same from either side
+    matches: dict[Socket, Socket] = {}
+    # pairs share no blocks, so the sort order is the same if old and new are swapped
     taken: set[Socket] = set()
     for now, then in sorted(shared, key=lambda pair: (-shared[pair], smallest[pair])):
-        if now not in twins and then not in taken:
-            twins[now] = then
+        if now not in matches and then not in taken:
+            matches[now] = then
             taken.add(then)
-    return twins
+    return matches
 
 
-def _in_order(keys: Sequence[str], places: Sequence[int]) -> list[str]:
-    """The longest part of the sequence that was in this order before; of several the same from either side."""
+def _longest_kept_order(keys: Sequence[str], places: Sequence[int]) -> list[str]:
+    """The longest subsequence with increasing places; among several, the choice is symmetric in old and new."""
     length = _chain_lengths(places)
     by_length: dict[int, list[int]] = {}
     for index, count in enumerate(length):
@@ -180,7 +180,7 @@ def _in_order(keys: Sequence[str], places: Sequence[int]) -> list[str]:
 
 
 def _chain_lengths(places: Sequence[int]) -> list[int]:
-    """For each place the length of the longest rising chain that begins with it."""
+    """For each index the length of the longest increasing subsequence that begins there."""
     ends: list[int] = []
     lengths = [0] * len(places)
     for index in range(len(places) - 1, -1, -1):

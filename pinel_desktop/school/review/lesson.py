@@ -1,6 +1,6 @@
-"""A lesson as its groups went through it. The numbers say what they count; nothing here compares pupils.
+"""The review of a lesson: events and figures of each group. Nothing here compares groups.
 
-The words in which a page says what each number counts are in `messages/catalogue/LANGUAGE/review.json`, `figure_NAME`.
+What each figure counts is explained to people by `figure_NAME` in `messages/catalogue/LANGUAGE/review.json`.
 """
 
 import re
@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from unicodedata import combining, normalize
 
-from pinel_desktop.school.review.blocks import BlocksInUse, Sheet, blocks_of_sheet, read_sheet
+from pinel_desktop.school.review.blocks import BlocksInUse, FlatWorkspace, blocks_in_flat, flatten
 from pinel_desktop.school.review.clock import AWAY_S, PAUSE_S, seconds_of
 from pinel_desktop.school.review.marks import NOTHING, Mark, marks_of, with_changes
 from pinel_desktop.school.review.order import lines_of
@@ -19,18 +19,18 @@ from pinel_desktop.school.review.records import Edit, Event, GroupWork, Run
 
 @dataclass(frozen=True, slots=True)
 class Figures:
-    """What was counted of a group in one lesson.
+    """Figures of a group in one lesson.
 
     Attributes:
-        n_edits: versions that were saved, one for each change of blocks.
-        n_runs: runs that were begun, also those that were stopped.
-        n_failed: runs that broke off with an error; stopping by hand and not passing the activity are no errors.
-        time_to_first_run_s: from the first edit to the first run after it, by the clock of the PC, without hours in
-            which nothing was done; None where there was none, where the lesson began with a run, or where clocks
-            cannot tell.
-        attempts_until_passed: runs of the activity that have ended, up to and with the first that passed; None while
-            none has passed. The activity is the lesson's, else that of the first run that passed.
-        active_s: time with edits and runs; pauses of more than five minutes between them are left out.
+        n_edits: saved versions, one for each change of blocks.
+        n_runs: runs begun, including stopped ones.
+        n_failed: runs that ended with an error; a stop by hand or a failed activity is not an error.
+        time_to_first_run_s: from the first edit to the first run after it, by the clock of the PC, without absences
+            of more than an hour; None without such a run, if the lesson began with a run, or if the clocks of two PCs
+            are involved.
+        attempts_until_passed: ended runs of the activity, up to and including the first that passed; None if none
+            passed. The activity is the lesson's, else that of the first run that passed.
+        active_s: time with edits and runs, without pauses of more than five minutes.
     """
 
     n_edits: int
@@ -43,7 +43,7 @@ class Figures:
 
 @dataclass(frozen=True, slots=True)
 class GroupReview:
-    """A group's line of marks, its figures, and the blocks of its programs as they were left at the end."""
+    """A group's marks, its figures, and the blocks of its programs at the end of the lesson."""
 
     id: str
     name: str
@@ -54,13 +54,13 @@ class GroupReview:
 
 @dataclass(frozen=True, slots=True)
 class LessonReview:
-    """All groups that worked in the lesson, by name."""
+    """All groups that worked in the lesson, ordered by name."""
 
     groups: tuple[GroupReview, ...]
 
 
 def versions_needed(work: GroupWork) -> frozenset[str]:
-    """The few versions whose workspaces `review_group` looks into: before and after each burst, and the last ones."""
+    """Ids of the versions whose workspaces `review_group` needs: before and after each burst, and the last ones."""
     marks = marks_of(work)
     compared = {key for mark in marks if mark.since is not None for key in _compared(mark)}
     return frozenset(compared.union(_last_versions(marks)) - {NOTHING})
@@ -69,25 +69,25 @@ def versions_needed(work: GroupWork) -> frozenset[str]:
 def review_group(
     work: GroupWork, workspaces: Mapping[str, object], activity: str | None = None
 ) -> GroupReview:
-    """One group's part of the review.
+    """The review of one group.
 
     Args:
-        workspaces: of the versions that are needed, by version; what is missing is told as unknown.
-        activity: what the lesson was about, None where everybody did something else.
+        workspaces: by version id, for `versions_needed`; changes of missing ones are unknown (None).
+        activity: the activity of the lesson, None without one.
     """
-    sheets = {NOTHING: Sheet(), **{key: read_sheet(one) for key, one in workspaces.items()}}
-    marks = tuple(with_changes(mark, sheets) for mark in marks_of(work))
-    uses = [blocks_of_sheet(sheets[key]) for key in _last_versions(marks) if key in sheets]
+    flat = {NOTHING: FlatWorkspace(), **{key: flatten(one) for key, one in workspaces.items()}}
+    marks = tuple(with_changes(mark, flat) for mark in marks_of(work))
+    uses = [blocks_in_flat(flat[key]) for key in _last_versions(marks) if key in flat]
     return GroupReview(work.id, work.name, marks, _figures(work, marks, activity), _sum(uses))
 
 
 def review_lesson(groups: Iterable[GroupReview]) -> LessonReview:
-    """The groups by name: any other order would be a ranking."""
+    """Orders the groups by name; any other order would be a ranking."""
     return LessonReview(tuple(sorted(groups, key=lambda group: (_by_name(group.name), group.id))))
 
 
 def _by_name(name: str) -> list[tuple[int, str]]:
-    """As people order names: without accents and case, 2 before 10."""
+    """Sort key that ignores accents and case and puts 2 before 10."""
     letters = (char for char in normalize("NFKD", name) if not combining(char))
     parts = re.split(r"([0-9]+)", "".join(letters).casefold())
     return [(int(part) if re.fullmatch("[0-9]{1,18}", part) else 0, part) for part in parts]
@@ -98,7 +98,7 @@ def _compared(mark: Mark) -> tuple[str, str]:
 
 
 def _last_versions(marks: Iterable[Mark]) -> list[str]:
-    """Of each program the version that it was left in."""
+    """Id of the last version of each program."""
     return list({mark.program_id: mark.version_id for mark in marks if mark.version_id}.values())
 
 
@@ -134,7 +134,7 @@ def _time_to_first_run(marks: tuple[Mark, ...]) -> float | None:
 
 
 def _away(before: tuple[Mark, ...], first_run: Mark) -> float:
-    """Seconds without anybody there: lessons that were joined are days apart."""
+    """Seconds in which the group was away; joined lessons are days apart."""
     pauses = (
         seconds_of(after.at) - seconds_of(mark.until or mark.at)
         for mark, after in pairwise((*before, first_run))
@@ -153,20 +153,20 @@ def _attempts(runs: list[Run], activity: str | None) -> int | None:
 
 
 def _active(line: Iterable[Event]) -> float:
-    """Seconds in which something happened on a PC, with the short pauses in between."""
+    """Seconds of activity on one PC, including short pauses."""
     active_s = 0.0
     last = reached = None
     for event in line:
         begin, end = _span(event)
         if last is None or reached is None or begin < last or begin - reached > PAUSE_S:
-            reached = begin  # the first, or the clock was set back, or a long pause
+            reached = begin  # first event, clock set back, or long pause
         active_s += max(0.0, end - reached)
         last, reached = begin, max(reached, end)
     return active_s
 
 
 def _span(event: Event) -> tuple[float, float]:
-    """Beginning and end in s; a run that was left paused counts as long as the robot took."""
+    """Begin and end in s; a run counts with robot time at most, so that a forgotten pause does not."""
     begin = seconds_of(event.at)
     if isinstance(event, Edit):
         return begin, begin

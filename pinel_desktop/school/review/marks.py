@@ -1,33 +1,33 @@
-"""A group's line of marks: bursts of edits, which end at a run or a long pause, runs, and which run repaired which."""
+"""Marks on a group's timeline: bursts of edits, which end at a run or a long pause; runs; repairs of failed runs."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from pinel_desktop.school.review.blocks import Sheet
+from pinel_desktop.school.review.blocks import FlatWorkspace
 from pinel_desktop.school.review.clock import PAUSE_S, seconds_of
-from pinel_desktop.school.review.difference import Counts, difference_of_sheets
+from pinel_desktop.school.review.difference import Counts, difference_of_flat
 from pinel_desktop.school.review.order import lines_of
 from pinel_desktop.school.review.records import Edit, Event, GroupWork, Run
 
-# in place of a version: the program began with this burst
+# in place of a version id: the empty program, with which a burst may begin
 NOTHING = ""
 
 
 @dataclass(frozen=True, slots=True)
 class Mark:
-    """One mark on the line.
+    """A mark on the timeline: a burst of edits or a run.
 
     Attributes:
-        version_id: of edits the last one saved, of a run what ran.
-        at, until: its beginning and end by the clock of that PC; `until` None while a run goes on.
-        number: of that version in its program.
-        n_edits: how many versions were saved in the burst; 0 for a run.
+        version_id: the last version saved in a burst, or the version that ran.
+        at, until: begin and end by the clock of the PC; `until` is None while a run is live.
+        number: number of that version in its program.
+        n_edits: number of versions saved in the burst; 0 for a run.
         run: None for edits.
-        since: the version that `changes` counts from: the one before the burst, or the one whose run is repaired;
-            "" for the empty program, None where nobody knows.
-        changes: what differs between `since` and `version_id`; what was put there and taken away again in between
-            does not count. None for a run that repairs nothing, and where a version is not at hand.
-        repairs: id of the failing run that this one made good.
+        since: the version with which `changes` compares: the one before the burst, or the one whose run is repaired;
+            "" for the empty program, None if unknown.
+        changes: difference from `since` to `version_id`, without changes undone in between. None for a run that
+            repairs nothing, and if a version is missing.
+        repairs: id of the failed run that this run repairs.
     """
 
     at: str
@@ -50,33 +50,33 @@ class Mark:
 
 
 def marks_of(work: GroupWork) -> tuple[Mark, ...]:
-    """The marks in the order in which they happened, without `changes`."""
+    """The marks in chronological order, without `changes`."""
     marks: list[Mark] = []
-    seen: dict[str, str] = {}  # program -> the version that it was last seen in
+    seen: dict[str, str] = {}  # program -> its latest version so far
     for line in lines_of(work):
         marks.extend(_marks_of_line(line, seen))
     return tuple(_with_repairs(marks))
 
 
-def with_changes(mark: Mark, known: Mapping[str, Sheet]) -> Mark:
-    """The mark with what changed, where both versions are known; `NOTHING` is to be among them."""
+def with_changes(mark: Mark, known: Mapping[str, FlatWorkspace]) -> Mark:
+    """The mark with its `changes`, if both versions are in `known`, which must contain `NOTHING`."""
     if (
         mark.since is None
         or mark.version_id is None
         or not {mark.since, mark.version_id} <= known.keys()
     ):
         return mark
-    changes = difference_of_sheets(known[mark.since], known[mark.version_id]).summary
+    changes = difference_of_flat(known[mark.since], known[mark.version_id]).summary
     return replace(mark, changes=changes)
 
 
 def is_failing(run: Run) -> bool:
-    """Whether it broke off with an error, or ended without passing the activity."""
+    """True if the run ended with an error or did not pass the activity."""
     return run.state == "failed" or run.passed is False
 
 
 def is_repair(run: Run, failing: Run) -> bool:
-    """Whether it did what the failing one did not: pass where that did not pass, else come to its end."""
+    """True if the run passed where the failing one did not pass, or finished where it did not finish."""
     if failing.passed is False:
         return run.passed is True and run.activity == failing.activity
     return run.passed is True or (run.state == "finished" and run.passed is None)
@@ -129,7 +129,7 @@ def _mark(of: Edit | Run, at: str, until: str | None) -> Mark:
 
 
 def _with_repairs(marks: Iterable[Mark]) -> Iterator[Mark]:
-    """The first good run of a program after a failing one, with the last that failed before it."""
+    """Sets `repairs` on the first good run of a program after a failed one: the last failed run before it."""
     failing: dict[str, Run] = {}
     for mark in marks:
         run, program = mark.run, mark.program_id or ""

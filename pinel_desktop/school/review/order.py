@@ -1,7 +1,7 @@
-"""The order in which things happened on each PC.
+"""The order of events on each PC.
 
-Keys made on one PC rise with time until its clock is set back; numbers of a program's versions rise always. So keys
-tell the order, and where they contradict the numbers, the numbers are right. Clocks of two PCs are not compared.
+Keys made on one PC grow with time unless its clock is set back; version numbers of a program always grow. Events are
+ordered by key, except where the numbers contradict the keys. Clocks of two PCs are never compared.
 """
 
 from collections import defaultdict
@@ -14,7 +14,7 @@ _Rank = tuple[str, int, bool, str]
 
 
 def lines_of(work: GroupWork) -> list[list[Event]]:
-    """What happened on each PC in its order; a PC comes after those whose versions were edited there."""
+    """The events of each PC in order; a PC follows those whose versions were edited on it."""
     by_computer: dict[str, list[Event]] = defaultdict(list)
     events: list[Event] = [*work.edits, *work.runs]
     for event in events:
@@ -32,13 +32,13 @@ def _line(events: list[Event]) -> list[Event]:
 
 
 def _ranked(events: list[Event]) -> list[tuple[_Rank, Event]]:
-    """Each event of a program with its rank among all events of the PC."""
+    """The events of one program, each with its rank among all events of the PC."""
     found: list[tuple[_Rank, Event]] = []
     reached = latest = ""
     for event in sorted(events, key=_by_number):
         key = key_of(event)
         if isinstance(event, Edit):
-            # set back: it came after all that was done with the versions before it
+            # if the clock was set back, the edit still follows all events of earlier versions
             reached = key if key > reached else latest
         rank = max(key, reached)
         latest = max(latest, rank)
@@ -57,7 +57,7 @@ def _after_their_parents(lines: list[list[Event]]) -> list[list[Event]]:
     while len(ordered) < len(lines):
         left = [index for index in range(len(lines)) if index not in ordered]
         free = [index for index in left if before[index].issubset(ordered)]
-        ordered.append((free or left)[0])  # two PCs that took turns have no such order
+        ordered.append((free or left)[0])  # no order exists if two PCs edited each other's versions
     return [lines[index] for index in ordered]
 
 

@@ -1,14 +1,14 @@
-"""What a lesson leaves behind, as plain records. Times are ISO 8601 text of the PC's own clock, which may be wrong."""
+"""Records of a lesson's events. Times are ISO 8601 text of the PC's clock, which may be wrong."""
 
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
 class Edit:
-    """A version that was saved.
+    """A saved version.
 
     Attributes:
-        number: counts the versions of a program.
+        number: of the version in its program.
         computer_id: the PC's key; only times of one PC can be compared.
         parent_id: the version that was edited.
     """
@@ -24,13 +24,13 @@ class Edit:
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """A run; what is not known before its end is None until then.
+    """A run; values known only at its end are None until then.
 
     Attributes:
         number: of the version, None for a run without one.
-        state: "running", "finished", "stopped" or "failed"; `reason` why.
-        passed: whether the activity was passed; None where there was none to pass.
-        duration_s: time of the robot, which may run slower or faster than the clock.
+        state: "running", "finished", "stopped" or "failed"; `reason` is the cause.
+        passed: True if the activity was passed; None without an activity.
+        duration_s: robot time, which may be slower or faster than wall time.
     """
 
     id: str
@@ -50,7 +50,7 @@ class Run:
 
 @dataclass(frozen=True, slots=True)
 class GroupWork:
-    """What a group did in a lesson, in any order."""
+    """All edits and runs of a group in a lesson, in any order."""
 
     id: str
     name: str
@@ -62,5 +62,5 @@ Event = Edit | Run
 
 
 def key_of(event: Event) -> str:
-    """UUIDv7 text: within one start of the app each is greater than the one before, whatever the clock does."""
+    """The event's id, UUIDv7 text: within one start of the app each is greater than the one before."""
     return event.version_id if isinstance(event, Edit) else event.id

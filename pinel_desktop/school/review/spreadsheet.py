@@ -1,4 +1,4 @@
-"""Tables as the spreadsheets of a language open them with a double click."""
+"""CSV files that spreadsheet programs open correctly by a double click."""
 
 import csv
 import io
@@ -6,18 +6,18 @@ from collections.abc import Iterable, Sequence
 
 from pinel_desktop.messages import decimal_sign
 
-# spreadsheets read a file without this as if it were written in another century's letters
+# without it, spreadsheets assume a legacy character set
 _BYTE_ORDER_MARK = "\ufeff"
-# what a spreadsheet takes for a formula, which a pupil may have written into a name; some take wide signs too
+# first characters of formulas, which a name may begin with; some spreadsheets accept full-width signs too
 _BEGINS_FORMULA = ("=", "+", "-", "@", "\t", "\r", "\uff1d", "\uff0b", "\uff0d", "\uff20")
 
 Cell = str | int | float | bool | None
 
 
 def spreadsheet(header: Sequence[str], rows: Iterable[Sequence[Cell]], language: str) -> str:
-    """CSV with semicolons where the language writes decimal commas, as in Portuguese, and commas elsewhere.
+    """CSV text, separated by semicolons if the language has decimal commas, else by commas.
 
-    Texts that a spreadsheet would take for a formula are written with an apostrophe before them, and stay texts.
+    A text that a spreadsheet would take for a formula gets an apostrophe in front, so that it stays text.
     """
     point = decimal_sign(language)
     text = io.StringIO()

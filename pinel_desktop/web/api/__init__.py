@@ -17,17 +17,17 @@ _ERROR = {"application/json": {"schema": {"$ref": "#/components/schemas/ErrorAns
 TEACHER = ("teacher_only", "pin_missing")
 """Codes of a route that only the teacher may call; its handler begins with `require_teacher`."""
 WRITES = ("database_locked", "database_read_only", "disk_full")
-"""Codes of a route that writes to the database."""
+"""Error codes of routes that write to the database."""
 OCTETS = {
     "content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}}
 }
-"""An answer that is a file."""
+"""An answer with a file."""
 
 
 class Resource(APIBlueprint):
-    """A blueprint whose operations are described when somebody asks.
+    """A blueprint that builds its OpenAPI description on demand.
 
-    The schemas of all answers cost as much time as the rest of the app's start, and the page never asks.
+    Building all schemas takes as long as the rest of the app's start, and the page does not need them.
     """
 
     def __init__(self, *args: Any, **options: Any) -> None:
@@ -35,7 +35,7 @@ class Resource(APIBlueprint):
         self._undescribed: list[Callable[[], object]] = []
 
     def describe(self) -> None:
-        """Makes the descriptions of all operations; the second time there is nothing left to do."""
+        """Builds the descriptions of all operations; does nothing on later calls."""
         while self._undescribed:
             self._undescribed.pop(0)()
 
@@ -48,7 +48,7 @@ class Resource(APIBlueprint):
 
 
 def resource(name: str, about: str, import_name: str) -> Resource:
-    """A blueprint under `/api` whose operations are described with the errors that any route may answer."""
+    """A blueprint under `/api`; all its operations declare the errors that any route may answer."""
     return Resource(
         name,
         import_name,
@@ -60,16 +60,16 @@ def resource(name: str, about: str, import_name: str) -> Resource:
 
 
 def _camel_case(**operation: Any) -> str:
-    """`create_group` -> `createGroup`: the name of the page's function."""
+    """Operation id of a handler: `create_group` -> `createGroup`."""
     first, *others = str(operation["name"]).split("_")
     return first + "".join(word.capitalize() for word in others)
 
 
 def answers(good: type[BaseModel] | dict[str, Any], *codes: str) -> ResponseDict:
-    """Descriptions of the good answer, and of the errors of this route besides those of every route.
+    """Declares a route's successful answer and its own errors.
 
     Args:
-        codes: codes of these errors; the status of each follows from its code.
+        codes: error codes of this route, besides those of all routes; each code has a fixed status.
     """
     by_status: dict[int, list[str]] = {}
     for code in codes:

@@ -1,4 +1,4 @@
-"""Classes of the school, their lessons, and what lessons are about."""
+"""Classes of the school, their lessons, and activities for lessons."""
 
 from flask import Response
 
@@ -34,7 +34,7 @@ def list_classrooms() -> Response:
 
 @api.post("/classrooms", responses=answers(Classroom, *TEACHER, "classroom_exists", *WRITES))
 def create_classroom(body: ClassroomName) -> Response:
-    """Makes a class; its name must be free. For the teacher."""
+    """Creates a class with a unique name. For the teacher."""
     require_teacher()
     return answer(_classroom(services().store.classrooms.create(body.name)))
 
@@ -44,14 +44,14 @@ def create_classroom(body: ClassroomName) -> Response:
     responses=answers(Classroom, *TEACHER, "classroom_not_found", "classroom_exists", *WRITES),
 )
 def rename_classroom(path: IdPath, body: ClassroomName) -> Response:
-    """Gives a class another name. For the teacher."""
+    """Renames a class. For the teacher."""
     require_teacher()
     return answer(_classroom(services().store.classrooms.rename(path.id, body.name)))
 
 
 @api.get("/classrooms/<id>/lesson", responses=answers(CurrentLesson, "classroom_not_found"))
 def get_current_lesson(path: IdPath) -> Response:
-    """The lesson that the work of the class belongs to now, on this PC."""
+    """The lesson to which work of the class on this PC belongs now."""
     store = services().store
     row = store.lessons.current(store.classrooms.get(path.id).id)
     return answer(CurrentLesson(lesson=None if row is None else _lesson(row)))
@@ -59,7 +59,7 @@ def get_current_lesson(path: IdPath) -> Response:
 
 @api.get("/classrooms/<id>/lessons", responses=answers(LessonList, *TEACHER, "classroom_not_found"))
 def list_lessons(path: IdPath) -> Response:
-    """Lessons of the class on all PCs, newest first; those of no class with `none`. For the teacher."""
+    """Lessons of the class on all PCs, newest first; `none` selects those without a class. For the teacher."""
     require_teacher()
     store = services().store
     classroom_id = None if path.id == "none" else store.classrooms.get(path.id).id
@@ -71,7 +71,7 @@ def list_lessons(path: IdPath) -> Response:
     "/classrooms/<id>/lessons", responses=answers(Lesson, *TEACHER, "classroom_not_found", *WRITES)
 )
 def open_lesson(path: IdPath, body: NewLesson) -> Response:
-    """Opens a lesson; another that is open for the class on this PC is closed. For the teacher."""
+    """Opens a lesson and closes any other open lesson of the class on this PC. For the teacher."""
     require_teacher()
     _require_activity(body.activity)
     row = services().store.lessons.open(path.id, body.title, body.activity)
@@ -80,19 +80,19 @@ def open_lesson(path: IdPath, body: NewLesson) -> Response:
 
 @api.patch("/lessons/<id>", responses=answers(Lesson, *TEACHER, "lesson_not_found", *WRITES))
 def change_lesson(path: IdPath, body: LessonChanges) -> Response:
-    """Gives a lesson a title or an activity, joins it to another, or closes it. For the teacher."""
+    """Sets a lesson's title or activity, joins it to another, or closes it. For the teacher."""
     require_teacher()
     lessons = services().store.lessons
     _require_activity(body.activity or None)
     told = body.model_dump(exclude_none=True, exclude={"closed"})
-    # "" takes it away
+    # "" removes the value
     row = lessons.change(path.id, {name: value or None for name, value in told.items()})
     return answer(_lesson(lessons.close(path.id) if body.closed else row))
 
 
 @api.get("/activities", responses=answers(ActivityList))
 def list_activities() -> Response:
-    """The missions that a lesson may be about."""
+    """The activities that a lesson may have."""
     from pinel_desktop.activities import activity_titles  # noqa: PLC0415 - heavy
 
     titles = activity_titles(services().preferences.language).items()
@@ -110,7 +110,7 @@ def _classroom(row: ClassroomRow) -> Classroom:
 
 
 def _require_activity(name: str | None) -> None:
-    """One that ships: a file of this PC is no business of a lesson."""
+    """Refuses all but shipped activities: a lesson must not name a file of this PC."""
     if name is None:
         return
     from pinel_desktop.activities import activity_names  # noqa: PLC0415 - heavy

@@ -1,4 +1,4 @@
-"""Work that goes from PC to PC: sticks, shared folders, and one program as a file."""
+"""Transfer of work between PCs: removable drives, shared folders, and one program as a file."""
 
 import re
 import tempfile
@@ -17,14 +17,14 @@ from pinel_desktop.web.api import OCTETS, TEACHER, WRITES, answers, resource
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.errors import Notice
 from pinel_desktop.web.models.exchange import (
-    BroughtProgram,
     Bundle,
     BundlesToMerge,
     FileFound,
     Folder,
     FolderList,
-    HeardComputer,
-    HeardList,
+    ImportedProgram,
+    KnownComputer,
+    KnownComputerList,
     Merged,
     MergedCounts,
     MergeList,
@@ -33,18 +33,18 @@ from pinel_desktop.web.models.exchange import (
     PendingDeletion,
     SharedFolder,
 )
-from pinel_desktop.web.responses import answer, notice, showable
+from pinel_desktop.web.responses import answer, json_safe, notice
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
 from storage import StoreError
 
-if TYPE_CHECKING:  # needed when files go or come, not when the page is drawn
+if TYPE_CHECKING:  # imported when a file is read or written, not at the app's start
     from pinel_desktop.school.removable_drives import FileFound as FileOnDisk
     from pinel_desktop.school.removable_drives import Folder as FolderOnDisk
     from storage.exchange.bundle_writing import BundleInfo
     from storage.exchange.merging import MergeReport
 
-api = resource("exchange", "Work from PC to PC.", __name__)
+api = resource("exchange", "Transfer of work between PCs.", __name__)
 
 _FOLDER = "shared_folder"
 TAKES_FILES = ("/api/programs/file",)
@@ -53,14 +53,14 @@ LARGEST_FILE = 64 * 2**20
 
 @api.get("/folders", responses=answers(FolderList, *TEACHER))
 def list_folders() -> Response:
-    """Sticks and the shared folder, each with its bundles, the newest first. For the teacher."""
+    """Removable drives and the shared folder, each with its bundles, newest first. For the teacher."""
     require_teacher()
     return _folders()
 
 
 @api.put("/folders/shared", responses=answers(FolderList, *TEACHER, "folder_missing", *WRITES))
 def choose_shared_folder(body: SharedFolder) -> Response:
-    """Remembers the school's shared folder. For the teacher."""
+    """Sets the school's shared folder. For the teacher."""
     require_teacher()
     if body.path and not _is_folder(body.path):
         raise PinelError("folder_missing", path=body.path)
@@ -75,7 +75,7 @@ def choose_shared_folder(body: SharedFolder) -> Response:
     ),
 )
 def write_bundle(body: NewBundle) -> Response:
-    """Writes all work, or that of a class or group, into a folder. For the teacher."""
+    """Writes a bundle of all work, or of one class or group, into a folder. For the teacher."""
     from pinel_desktop.activities import shipped_texts  # noqa: PLC0415 - see above
     from storage.exchange.bundle_writing import SUFFIX  # noqa: PLC0415
     from storage.exchange.scope import Scope  # noqa: PLC0415
@@ -103,23 +103,23 @@ def write_bundle(body: NewBundle) -> Response:
 
 @api.post("/bundles/merge", responses=answers(MergeList, *TEACHER))
 def merge_bundles(body: BundlesToMerge) -> Response:
-    """Brings files in; one that is refused does not keep the others out. For the teacher."""
+    """Merges bundles; a refused one does not stop the others. For the teacher."""
     require_teacher()
     merged = [_merged(Path(path), delete=body.delete) for path in body.paths]
     return answer(MergeList(merged=merged, content_hash=services().store.exchange.content_hash()))
 
 
-@api.get("/bundles/heard", responses=answers(HeardList, *TEACHER))
-def list_heard() -> Response:
-    """PCs whose work is here, and when it came. For the teacher."""
+@api.get("/bundles/heard", responses=answers(KnownComputerList, *TEACHER))
+def list_known_computers() -> Response:
+    """PCs whose work was merged into this one, with times. For the teacher."""
     require_teacher()
     heard = services().store.exchange.known_computers()
-    return answer(HeardList(computers=[HeardComputer.of(one) for one in heard]))
+    return answer(KnownComputerList(computers=[KnownComputer.of(one) for one in heard]))
 
 
 @api.get("/programs/<id>/file", responses=answers(OCTETS, "program_not_found", *WRITES))
 def get_program_file(path: IdPath) -> Response:
-    """A program with its group, versions and runs as a file, so that the group can go on at another PC."""
+    """A program with its group, versions and runs as a file, to continue on another PC."""
     from storage.exchange.bundle_writing import SUFFIX  # noqa: PLC0415 - see above
     from storage.exchange.scope import Scope  # noqa: PLC0415
 
@@ -138,7 +138,7 @@ def get_program_file(path: IdPath) -> Response:
 
 
 class ProgramFile(RawModel):
-    """The file of a program as the body of a request."""
+    """A request body with the file of a program."""
 
     mimetypes = ["application/octet-stream"]  # noqa: RUF012 - the library's name and type
 
@@ -146,22 +146,22 @@ class ProgramFile(RawModel):
 @api.post(
     "/programs/file",
     responses=answers(
-        BroughtProgram, "program_not_found", "body_too_large", "bundle_not_program", *WRITES
+        ImportedProgram, "program_not_found", "body_too_large", "bundle_not_program", *WRITES
     ),
 )
 def read_program_file(query: NameOfFile, raw: ProgramFile) -> Response:
-    """Brings in a file that `GET /programs/{id}/file` gave on another PC. The body is the file."""
+    """Imports a file from `GET /programs/{id}/file` of another PC. The body is the file."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "upload"
         with path.open("wb") as file:
             while chunk := raw.stream.read(2**20):
                 file.write(chunk)
-        with _called(path, query.name or path.name):
+        with _naming_file(path, query.name or path.name):
             report, program_id = services().store.exchange.merge_program(path)
-    # one that was deleted here stays away: program_not_found
+    # raises program_not_found if the program was deleted here for good
     program = services().store.programs.get(program_id)
     return answer(
-        BroughtProgram(
+        ImportedProgram(
             program_id=program.id,
             group_id=program.group_id,
             classroom_id=services().store.groups.get(program.group_id).classroom_id,
@@ -171,8 +171,8 @@ def read_program_file(query: NameOfFile, raw: ProgramFile) -> Response:
 
 
 @contextmanager
-def _called(path: Path, name: str) -> Iterator[None]:
-    """A refusal names the file as the person does who has just chosen it."""
+def _naming_file(path: Path, name: str) -> Iterator[None]:
+    """Replaces the temporary path in errors by the name of the file that the person chose."""
     try:
         yield
     except StoreError as error:
@@ -182,7 +182,7 @@ def _called(path: Path, name: str) -> Iterator[None]:
 
 
 def _is_folder(path: str) -> bool:
-    """False too for what can be the name of none: empty, too long, or with signs that no name has."""
+    """True for an existing folder; False also for invalid paths: empty, too long, with forbidden characters."""
     try:
         return bool(path) and Path(path).is_dir()
     except (OSError, ValueError):
@@ -195,14 +195,14 @@ def _folders() -> Response:
 
     kept = services().store.settings.get(_FOLDER)
     found = folders(SUFFIX, [Path(kept)] if kept else [])
-    return answer(FolderList(folders=[_folder(one) for one in found], shared=showable(kept or "")))
+    return answer(FolderList(folders=[_folder(one) for one in found], shared=json_safe(kept or "")))
 
 
 def _folder(folder: "FolderOnDisk") -> Folder:
     return Folder(
-        path=showable(str(folder.path)),
-        name=showable(folder.name),
-        is_stick=folder.is_stick,
+        path=json_safe(str(folder.path)),
+        name=json_safe(folder.name),
+        is_removable=folder.is_removable,
         is_reachable=folder.is_reachable,
         is_writable=folder.is_writable,
         free_bytes=folder.free_bytes,
@@ -214,8 +214,8 @@ def _file(file: "FileOnDisk") -> FileFound:
     from storage.exchange.bundle_reading import says_anonymous  # noqa: PLC0415 - see above
 
     return FileFound(
-        path=showable(str(file.path)),
-        name=showable(file.path.name),
+        path=json_safe(str(file.path)),
+        name=json_safe(file.path.name),
         size_bytes=file.size_bytes,
         anonymous=says_anonymous(file.path, file.size_bytes, file.modified_s),
         modified_at=datetime.fromtimestamp(file.modified_s, UTC).isoformat(),
@@ -223,7 +223,7 @@ def _file(file: "FileOnDisk") -> FileFound:
 
 
 def _file_name(name: str) -> str:
-    """What every file system takes as the name of a file."""
+    """Converts a name to a file name that is valid on every file system."""
     return re.sub(r"[^\w -]", "", name).strip()[:60] or "PINEL"
 
 
@@ -248,7 +248,7 @@ def _left_out(count: int) -> Notice | None:
 def _merged(path: Path, *, delete: bool) -> Merged:
     parts = services()
     try:
-        with _called(path, path.name):
+        with _naming_file(path, path.name):
             return _report(path, parts.store.exchange.merge(path, delete=delete))
     except StoreError as error:
         problem = notice(error.code, error.params, parts.preferences.language)
@@ -267,7 +267,7 @@ def _report(path: Path, report: "MergeReport") -> Merged:
         held_back=_counts(report.skipped) if report.skipped else None,
         removed=_counts(report.removed) if report.removed else None,
         would_delete=_pending_deletion(report),
-        left_in=[showable(path) for path in report.left_in],
+        left_in=[json_safe(path) for path in report.left_in],
     )
 
 

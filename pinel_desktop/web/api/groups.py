@@ -14,14 +14,14 @@ api = resource("groups", "Groups of pupils.", __name__)
 
 @api.get("/groups", responses=answers(GroupList))
 def list_groups() -> Response:
-    """All groups, newest use first."""
+    """All groups, most recently used first."""
     rows = services().store.groups.all()
     return answer(GroupList(groups=[Group.of(row) for row in rows]))
 
 
 @api.post("/groups", responses=answers(Group, "classroom_not_found", "group_exists", *WRITES))
 def create_group(body: NewGroup) -> Response:
-    """Makes a group; its name must be free in its class, whatever the case and the spaces."""
+    """Creates a group; its name must be unique in its class, ignoring case and spaces."""
     groups = services().store.groups
     row = groups.create(body.name, classroom_id=body.classroom_id, picture=body.picture)
     return answer(Group.of(row))
@@ -34,7 +34,7 @@ def create_group(body: NewGroup) -> Response:
     ),
 )
 def change_group(path: IdPath, body: GroupChanges) -> Response:
-    """Gives a group another name, colour, picture or class; another class is for the teacher."""
+    """Changes a group's name, colour, picture or class; the class is for the teacher."""
     changes = body.model_dump(exclude_none=True)
     if "classroom_id" in changes:
         require_teacher()

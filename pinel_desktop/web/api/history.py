@@ -14,7 +14,7 @@ from storage import HistoryLine, RunFilter
 
 api = resource("history", "Runs of all groups.", __name__)
 
-# what time zones are known for
+# years for which time zone data are reliable
 _FIRST_YEAR, _LAST_YEAR = 1971, 2200
 
 
@@ -41,7 +41,7 @@ def _filter(query: HistoryPage) -> RunFilter:
 
 
 def _bounds(day: date) -> tuple[str, str]:
-    """Times in UTC between which the day of this PC lies."""
+    """Begin and end in UTC of a day in the time zone of this PC."""
     if not _FIRST_YEAR <= day.year <= _LAST_YEAR:
         return day.isoformat(), f"{day.isoformat()}~"
     midnights = (datetime.combine(day + timedelta(days=more), time()) for more in (0, 1))

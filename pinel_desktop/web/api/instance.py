@@ -1,4 +1,4 @@
-"""What a second start of the app asks of the first; both prove themselves with the secret of the instance file."""
+"""Requests of a second start of the app to the first, authorised by the secret of the instance file."""
 
 from flask import Response
 from pydantic import BaseModel, ConfigDict, Field
@@ -13,7 +13,7 @@ api = resource("instance", "For a second start of the app on the same data.", __
 
 
 class Secret(BaseModel):
-    """The header that stands in for the cookie; the guard has checked it before the handler runs."""
+    """The header used instead of the cookie; the guard checks it before the handler runs."""
 
     model_config = ConfigDict(populate_by_name=True)
 
@@ -22,7 +22,7 @@ class Secret(BaseModel):
 
 @api.post("/instance/link", responses=answers(InstanceLink))
 def create_instance_link(header: Secret) -> Response:
-    """A fresh address that opens the page once."""
+    """A new address that opens the page once."""
     return answer(InstanceLink(url=services().guard.fresh_link()))
 
 

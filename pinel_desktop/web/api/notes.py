@@ -1,4 +1,4 @@
-"""What the teacher writes about runs."""
+"""The teacher's notes about runs."""
 
 from flask import Response
 
@@ -29,21 +29,21 @@ def list_notes_of_run(path: IdPath) -> Response:
 
 @api.post("/runs/<id>/notes", responses=answers(Note, *TEACHER, "run_not_found", *WRITES))
 def write_note(path: IdPath, body: NoteText) -> Response:
-    """Writes a note; its group sees it next time. For the teacher."""
+    """Writes a note, which the group sees on its next visit. For the teacher."""
     require_teacher()
     return answer(_note(services().store.notes.write(path.id, body.text)))
 
 
 @api.patch("/notes/<id>", responses=answers(Note, *TEACHER, "note_not_found", *WRITES))
 def rewrite_note(path: IdPath, body: NoteText) -> Response:
-    """Writes another text, which is new to the group again. For the teacher."""
+    """Changes a note and marks it as unread. For the teacher."""
     require_teacher()
     return answer(_note(services().store.notes.rewrite(path.id, body.text)))
 
 
 @api.post("/notes/<id>/seen", responses=answers(Note, "note_not_found", *WRITES))
-def see_note(path: IdPath) -> Response:
-    """The group has read it."""
+def mark_note_read(path: IdPath) -> Response:
+    """Marks a note as read by the group."""
     return answer(_note(services().store.notes.mark_seen(path.id)))
 
 

@@ -24,7 +24,7 @@ from pinel_desktop.web.models.work import (
     VersionPage,
 )
 from pinel_desktop.web.models.worlds import World
-from pinel_desktop.web.responses import MAX_FAULTS, answer, faults_in_words, showable
+from pinel_desktop.web.responses import MAX_FAULTS, answer, describe_faults, json_safe
 from pinel_desktop.web.services import Services, services
 from storage import FaultRow, ProgramRow, VersionRow
 from storage import VersionMark as MarkRow
@@ -48,7 +48,7 @@ def _programs(rows: list[ProgramRow]) -> Response:
 
 @api.post("/groups/<id>/programs", responses=answers(Program, "group_not_found", *WRITES))
 def create_program(path: IdPath, body: ProgramName) -> Response:
-    """Makes an empty program."""
+    """Creates an empty program."""
     row = services().store.programs.create(path.id, body.name)
     return answer(Program.of(row))
 
@@ -71,7 +71,7 @@ def get_program(path: IdPath) -> Response:
 
 @api.patch("/programs/<id>", responses=answers(Program, "program_not_found", *WRITES))
 def rename_program(path: IdPath, body: ProgramName) -> Response:
-    """Gives a program another name."""
+    """Renames a program."""
     row = services().store.programs.rename(path.id, body.name)
     return answer(Program.of(row))
 
@@ -83,10 +83,10 @@ def rename_program(path: IdPath, body: ProgramName) -> Response:
     ),
 )
 def save_version(path: IdPath, body: NewVersion) -> Response:
-    """Stores what the editor holds; on disk when answered.
+    """Saves the editor's content as a new version, which is on disk when answered.
 
-    The server reads the document, and stores null while it has faults. A world with faults is refused. The content of
-    the newest version is not stored again: the answer is that version.
+    The server reads the document and stores null if it has faults. A world with faults is refused. Content equal to
+    that of the newest version is not stored again; the answer is then that version.
     """
     parts = services()
     document, faults = None, []
@@ -117,14 +117,14 @@ def _tell_windows(program: ProgramRow, version: str | None = None) -> None:
 
 
 def _world_to_keep(program_id: str, world: Json, parts: Services) -> Json:
-    """The world in its normal form. One that was kept before is kept again, whatever rules have come since."""
+    """The world in its normal form. A world saved before is accepted unchanged, even if later rules would refuse it."""
     newest = parts.store.versions.newest(program_id)
     return world if newest is not None and world == newest.world else sound_world(world)
 
 
 @api.get("/programs/<id>/versions", responses=answers(VersionLine, "program_not_found"))
 def list_versions(path: IdPath, query: VersionPage) -> Response:
-    """The line of a program's versions, newest first, a page at a time."""
+    """The versions of a program, newest first, a page at a time."""
     store = services().store
     rows = store.versions.line_of(
         store.programs.get(path.id).id, before=query.before, limit=query.limit
@@ -136,28 +136,28 @@ def list_versions(path: IdPath, query: VersionPage) -> Response:
 
 @api.put("/versions/<id>/label", responses=answers(Empty, "version_not_found", *WRITES))
 def label_version(path: IdPath, body: VersionLabel) -> Response:
-    """Gives a version a name, so that it is found again."""
+    """Labels a version."""
     services().store.versions.label(path.id, body.text)
     return answer(Empty())
 
 
 @api.get("/groups/<id>/bin", responses=answers(ProgramList, "group_not_found"))
 def list_bin(path: IdPath) -> Response:
-    """Programs of a group that were thrown away, newest first."""
+    """Programs of a group in the bin, newest first."""
     return _programs(services().store.programs.of_group(path.id, in_bin=True))
 
 
 @api.delete("/programs/<id>", responses=answers(Program, "program_not_found", *WRITES))
-def throw_program_away(path: IdPath) -> Response:
-    """Puts a program into the bin; its versions and runs stay."""
+def delete_program(path: IdPath) -> Response:
+    """Moves a program to the bin; its versions and runs stay."""
     row = services().store.programs.move_to_bin(path.id)
     _tell_windows(row)
     return answer(Program.of(row))
 
 
 @api.post("/programs/<id>/take-back", responses=answers(Program, "program_not_found", *WRITES))
-def take_program_back(path: IdPath) -> Response:
-    """Takes a program out of the bin."""
+def restore_program(path: IdPath) -> Response:
+    """Restores a program from the bin."""
     row = services().store.programs.take_from_bin(path.id)
     _tell_windows(row)
     return answer(Program.of(row))
@@ -165,27 +165,27 @@ def take_program_back(path: IdPath) -> Response:
 
 @api.post("/check", responses=answers(CheckedDocument, "body_too_large"))
 def check_document(body: DocumentToCheck) -> Response:
-    """All faults of a document, in words."""
+    """All faults of a document, with messages."""
     parts = services()
     faults = parts.read_document(body.document).faults
-    return answer(CheckedDocument(faults=faults_in_words(faults, parts.preferences.language)))
+    return answer(CheckedDocument(faults=describe_faults(faults, parts.preferences.language)))
 
 
 def version_model(row: VersionRow) -> Version:
-    """A stored version with its faults in the words of the language."""
+    """The answer for a stored version, with messages for its faults."""
     language = services().preferences.language
     return Version(
         id=row.id,
         created_at=row.created_at,
         workspace=row.workspace,
         document=row.document,
-        faults=faults_in_words(row.faults, language),
+        faults=describe_faults(row.faults, language),
         world=None if row.world is None else _readable_world(row.world),
     )
 
 
 def _readable_world(document: Json) -> World | None:
-    """None for what is no world: the program came in a file, and its blocks can be opened all the same."""
+    """The version's world; None if invalid, so that the blocks of a program from a file can still be opened."""
     try:
         return World.model_validate(document)
     except ValidationError:
@@ -194,5 +194,5 @@ def _readable_world(document: Json) -> World | None:
 
 def _fault_row(fault: Fault) -> FaultRow:
     return FaultRow(
-        code=fault.code, pointer=fault.pointer, block=fault.block, params=showable(fault.params)
+        code=fault.code, pointer=fault.pointer, block=fault.block, params=json_safe(fault.params)
     )

@@ -1,4 +1,4 @@
-"""The program as Python text, both ways. Nothing of it is ever executed."""
+"""Conversion between documents and Python text. The text is never executed."""
 
 from flask import Response
 
@@ -10,7 +10,7 @@ from pinel_desktop.web.models.python import (
     ReadPython,
     WrittenPython,
 )
-from pinel_desktop.web.responses import answer, faults_in_words
+from pinel_desktop.web.responses import answer, describe_faults
 from pinel_desktop.web.services import services
 
 api = resource("python", "Programs as Python text.", __name__)
@@ -18,14 +18,14 @@ api = resource("python", "Programs as Python text.", __name__)
 
 @api.post("/python", responses=answers(WrittenPython, "body_too_large"))
 def write(body: DocumentToWrite) -> Response:
-    """The text of a document."""
-    # the page is drawn before anybody looks at Python
+    """Converts a document to Python text."""
+    # not needed at the app's start
     from pinel_desktop.program.python_text import write_python  # noqa: PLC0415
 
     parts = services()
     reading = parts.read_document(body.document)
     if reading.document is None:
-        faults = faults_in_words(reading.faults, parts.preferences.language)
+        faults = describe_faults(reading.faults, parts.preferences.language)
         return answer(WrittenPython(text=None, lines=[], faults=faults))
     written = write_python(reading.document)
     lines = [
@@ -37,10 +37,10 @@ def write(body: DocumentToWrite) -> Response:
 
 @api.post("/python/read", responses=answers(ReadPython, "body_too_large"))
 def read(body: PythonSource) -> Response:
-    """The document of a text, or all of its faults."""
+    """Converts Python text to a document, or lists all its faults."""
     from pinel_desktop.program.python_text import read_python  # noqa: PLC0415 - see above
 
     language = services().preferences.language
     reading = read_python(body.text)
-    faults = faults_in_words(reading.faults, language)
+    faults = describe_faults(reading.faults, language)
     return answer(ReadPython(document=reading.document, faults=faults))

@@ -1,15 +1,15 @@
-"""Deleting for good: groups and classes, everywhere that this PC can reach."""
+"""Permanent deletion of groups, classes and notes, from the database and its backups."""
 
 from flask import Response
 
 from pinel_desktop.web.api import TEACHER, WRITES, answers, resource
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.exchange import Removed, WrittenFile
-from pinel_desktop.web.responses import answer, showable
+from pinel_desktop.web.responses import answer, json_safe
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
 
-api = resource("removal", "Deleting for good.", __name__)
+api = resource("removal", "Permanent deletion.", __name__)
 
 
 @api.delete(
@@ -17,7 +17,7 @@ api = resource("removal", "Deleting for good.", __name__)
     responses=answers(Removed, *TEACHER, "group_not_found", "run_in_progress", *WRITES),
 )
 def delete_group(path: IdPath) -> Response:
-    """Deletes a group with all that it made, also from the backups; no file brings it back. For the teacher."""
+    """Deletes a group with all its work, also from the backups; merging cannot restore it. For the teacher."""
     return _delete("group", path.id)
 
 
@@ -26,13 +26,13 @@ def delete_group(path: IdPath) -> Response:
     responses=answers(Removed, *TEACHER, "classroom_not_found", "run_in_progress", *WRITES),
 )
 def delete_classroom(path: IdPath) -> Response:
-    """Deletes a class with its groups and lessons in the same way. For the teacher."""
+    """Deletes a class with its groups and lessons, as for a group. For the teacher."""
     return _delete("classroom", path.id)
 
 
 @api.delete("/notes/<id>", responses=answers(Removed, *TEACHER, "note_not_found", *WRITES))
 def delete_note(path: IdPath) -> Response:
-    """Takes a note back, everywhere. For the teacher."""
+    """Deletes a note, as for a group. For the teacher."""
     return _delete("note", path.id)
 
 
@@ -44,9 +44,10 @@ def _delete(kind: str, key: str) -> Response:
             n_groups=removal.counts.get("groups", 0),
             n_programs=removal.counts.get("programs", 0),
             n_runs=removal.counts.get("runs", 0),
-            backups=[showable(str(path)) for path in removal.still_in],
+            backups=[json_safe(str(path)) for path in removal.still_in],
             files=[
-                WrittenFile(path=showable(one.path), made_at=one.made_at) for one in removal.exports
+                WrittenFile(path=json_safe(one.path), made_at=one.made_at)
+                for one in removal.exports
             ],
         )
     )

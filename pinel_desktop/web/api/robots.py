@@ -1,4 +1,4 @@
-"""Robots that the simulator has."""
+"""Robot models of the simulator."""
 
 from flask import Response
 
@@ -7,12 +7,12 @@ from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.models.robots import Robot, RobotList
 from pinel_desktop.web.responses import answer
 
-api = resource("robots", "Robots that the simulator has.", __name__)
+api = resource("robots", "Robot models of the simulator.", __name__)
 
 
 @api.get("/robots", responses=answers(RobotList))
 def list_robots() -> Response:
-    """All robots with what is needed to draw them; the usual one first."""
+    """All robot models, the default first."""
     return answer(RobotList(robots=[_model(robot) for robot in ROBOTS.values()]))
 
 

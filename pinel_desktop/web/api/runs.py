@@ -1,4 +1,4 @@
-"""Runs: begin one, steer it, read recorded ones back."""
+"""Runs: begin, command, list, read events and telemetry."""
 
 import json
 
@@ -25,7 +25,7 @@ from pinel_desktop.web.models.runs import (
     RunWithVersion,
 )
 from pinel_desktop.web.models.worlds import Start, World
-from pinel_desktop.web.responses import answer, faults_in_words
+from pinel_desktop.web.responses import answer, describe_faults
 from pinel_desktop.web.services import Services, services
 from storage import RunLine, RunRow, StoreError, VersionRow
 
@@ -60,7 +60,7 @@ def list_runs(path: IdPath, query: RunPage) -> Response:
 def begin_run(body: NewRun) -> Response:
     """Begins a live run of a version.
 
-    A start where the robot has no room is refused with 422 and the reason, such as `start_in_wall`.
+    A start pose where the robot does not fit is refused with 422 and the reason, such as `start_in_wall`.
     """
     parts = services()
     version = parts.store.versions.get(body.version_id)
@@ -81,7 +81,7 @@ def begin_run(body: NewRun) -> Response:
 
 def _runnable(version: VersionRow, parts: Services) -> dict[str, object]:
     if version.document is None:
-        raise InvalidProgramError(faults_in_words(version.faults, parts.preferences.language))
+        raise InvalidProgramError(describe_faults(version.faults, parts.preferences.language))
     return version.document
 
 
@@ -101,14 +101,14 @@ def _first_commands(body: NewRun) -> list[Command]:
 
 def _setting(body: NewRun) -> Setting:
     setting = Setting(body.model, body.preset, body.feedback)
-    _ = setting.robot  # an unknown one is refused before anything is kept
+    _ = setting.robot  # raises unknown_robot before anything is stored
     return setting
 
 
 def _moved(
     world: dict[str, object], start: Start, robot: str, parts: Services
 ) -> dict[str, object]:
-    """The world with another start; the error is the first thing that is wrong with that. The rest was kept before."""
+    """The world with another start pose. Raises PinelError with the first fault of the start; all else was checked."""
     moved = {**world, "start": start.model_dump()}
     _, faults = parts.read_world(moved, robot=robot)
     for fault in faults:
@@ -132,7 +132,7 @@ def _world(version: VersionRow, name: str, parts: Services) -> dict[str, object]
 def command_run(path: IdPath, body: LiveCommand) -> Response:
     """Sends a command to the live run.
 
-    The engine gets it before the database is asked: Stop must work whatever has become of the database.
+    The engine receives it before the database is read, so that Stop works with a damaged or locked database.
     """
     parts = services()
     try:
@@ -146,7 +146,7 @@ def command_run(path: IdPath, body: LiveCommand) -> Response:
 
 
 def _why_not_live(run_id: str, error: PinelError) -> PinelError | StoreError:
-    """That there is no such run, where the database says so; else that it is not live."""
+    """The error `run_not_found` if the database has no such run, else `error`."""
     try:
         services().store.runs.get(run_id)
     except StoreError as unknown:
@@ -157,7 +157,7 @@ def _why_not_live(run_id: str, error: PinelError) -> PinelError | StoreError:
 
 @api.get("/runs/<id>", responses=answers(RunWithVersion, "run_not_found"))
 def get_run(path: IdPath) -> Response:
-    """A run with the version and the world it ran in."""
+    """A run with its version and world."""
     store = services().store
     row = store.runs.get(path.id)
     version = store.versions.get(row.version_id) if row.version_id else None
@@ -179,8 +179,8 @@ def _world_of(row: RunRow) -> World:
 
 @api.get("/runs/<id>/events", responses=answers(RunEvents, "run_not_found"))
 def get_run_events(path: IdPath) -> Response:
-    """Events of a run without telemetry, as they were on the stream."""
-    _keep_up(path.id)
+    """Events of a run as on the stream, without telemetry."""
+    _flush_recording(path.id)
     events = services().store.runs.events(path.id)
     return Response(
         json.dumps({"events": events}, separators=(",", ":")), mimetype="application/json"
@@ -189,27 +189,27 @@ def get_run_events(path: IdPath) -> Response:
 
 @api.get("/runs/<id>/telemetry", responses=answers(OCTETS, "run_not_found"))
 def get_run_telemetry(path: IdPath) -> Response:
-    """Telemetry of a run as columns of numbers; all little-endian.
+    """Telemetry of a run as binary columns, little-endian.
 
-    First the length of the header (uint32), then the header: JSON, padded with spaces to a multiple of 4,
-    `{"columns": [...], "rows": N, "rate_hz": 30}`; then float32 columns, one after the other. The columns are `tick`
-    and the fields of the event `telemetry`; NaN stands for null.
+    The length of the header (uint32); the header, JSON padded with spaces to a multiple of 4,
+    `{"columns": [...], "rows": N, "rate_hz": 30}`; then one float32 array for each column. The columns are `tick` and
+    the fields of the event `telemetry`; NaN is null.
     """
-    _keep_up(path.id)
+    _flush_recording(path.id)
     return Response(
         services().store.runs.telemetry(path.id).to_wire(), mimetype="application/octet-stream"
     )
 
 
-def _keep_up(run_id: str) -> None:
-    """A page that comes in the middle of a run is told everything up to now."""
+def _flush_recording(run_id: str) -> None:
+    """Writes pending events of a live run, so that a page opened during the run receives all of them."""
     parts = services()
     if parts.engine.live_run == run_id:
-        parts.keep_up()
+        parts.flush_recording()
 
 
 def run_model(row: RunRow | RunLine) -> Run:
-    """A run as it is answered, its reason in the words of the language."""
+    """The answer for a run, with a message for its reason."""
     language = services().preferences.language
     words = describe(row.reason, row.params, language) if row.reason else None
     return Run.of(

@@ -1,4 +1,4 @@
-"""State of the app and what a person may choose."""
+"""State of the app, and settings."""
 
 from flask import Response
 
@@ -34,6 +34,6 @@ def _database(parts: Services) -> DatabaseStatus:
 
 @api.put("/settings", responses=answers(Settings))
 def put_settings(body: Settings) -> Response:
-    """Chooses the language of page and messages."""
+    """Sets the language of page and messages."""
     services().preferences.language = body.language
     return answer(body)

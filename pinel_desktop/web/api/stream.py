@@ -1,4 +1,4 @@
-"""The one event stream: browsers allow about six connections to a host, so everything comes through it."""
+"""The event stream. There is one for all events, because browsers allow only about six connections to a host."""
 
 import json
 from collections.abc import Iterator
@@ -23,9 +23,9 @@ _EVENTS = {
 
 @api.get("/stream", responses=answers(_EVENTS))
 def stream_events() -> Response:
-    """All events as they happen, after a first `hello`.
+    """All events as they occur, after a first `hello`.
 
-    Comment lines keep the stream alive while nothing happens.
+    Comment lines keep the stream open while no event occurs.
     """
     parts = services()
     subscription = parts.hub.subscribe()

@@ -1,57 +1,60 @@
-"""The teacher's door, and what this PC is called."""
+"""The teacher's sessions, and the name of this PC."""
 
 from flask import Response
 
 from pinel_desktop.web.api import TEACHER, WRITES, answers, resource
-from pinel_desktop.web.models.classes import Computer, ComputerName, Door, Pin
+from pinel_desktop.web.models.classes import Computer, ComputerName, Pin, TeacherSession
 from pinel_desktop.web.responses import answer
 from pinel_desktop.web.services import services
-from pinel_desktop.web.teaching import is_teacher, let_in, require_teacher, show_out
+from pinel_desktop.web.teaching import end_session, is_teacher, require_teacher, set_session_cookie
 
-api = resource("teacher", "The teacher's door.", __name__)
-
-
-@api.get("/teacher", responses=answers(Door))
-def get_door() -> Response:
-    """Whether there is a PIN, and whether the door is open."""
-    return answer(Door(has_pin=services().teacher.has_pin, is_open=is_teacher()))
+api = resource("teacher", "The teacher's session.", __name__)
 
 
-@api.put("/teacher/pin", responses=answers(Door, *TEACHER, *WRITES))
+@api.get("/teacher", responses=answers(TeacherSession))
+def get_session() -> Response:
+    """Tells whether a PIN is set and whether the teacher is signed in."""
+    return answer(TeacherSession(has_pin=services().teacher.has_pin, is_open=is_teacher()))
+
+
+@api.put("/teacher/pin", responses=answers(TeacherSession, *TEACHER, *WRITES))
 def choose_pin(body: Pin) -> Response:
-    """Chooses the PIN and opens the door. The first one is anybody's to choose, another one is for the teacher."""
-    door = services().teacher
-    if door.has_pin:
+    """Sets the PIN and signs the teacher in. The first PIN may be set by anybody, a new one is for the teacher."""
+    sessions = services().teacher
+    if sessions.has_pin:
         require_teacher()
-    door.choose(body.pin)
-    return let_in(answer(Door(has_pin=True, is_open=True)), door.enter(body.pin))
+    sessions.set_pin(body.pin)
+    return set_session_cookie(
+        answer(TeacherSession(has_pin=True, is_open=True)), sessions.sign_in(body.pin)
+    )
 
 
 @api.post(
-    "/teacher/enter", responses=answers(Door, "pin_missing", "pin_wrong", "pin_wait", *WRITES)
+    "/teacher/enter",
+    responses=answers(TeacherSession, "pin_missing", "pin_wrong", "pin_wait", *WRITES),
 )
 def enter(body: Pin) -> Response:
-    """Opens the door; wrong PINs make the next try wait."""
-    token = services().teacher.enter(body.pin)
-    return let_in(answer(Door(has_pin=True, is_open=True)), token)
+    """Signs the teacher in. After several wrong PINs the next attempt must wait."""
+    token = services().teacher.sign_in(body.pin)
+    return set_session_cookie(answer(TeacherSession(has_pin=True, is_open=True)), token)
 
 
-@api.post("/teacher/leave", responses=answers(Door))
+@api.post("/teacher/leave", responses=answers(TeacherSession))
 def leave() -> Response:
-    """Shuts the door."""
-    return show_out(answer(Door(has_pin=services().teacher.has_pin, is_open=False)))
+    """Signs the teacher out."""
+    return end_session(answer(TeacherSession(has_pin=services().teacher.has_pin, is_open=False)))
 
 
 @api.get("/computer", responses=answers(Computer, *WRITES))
 def get_computer() -> Response:
-    """What this PC is called."""
+    """The key and name of this PC."""
     key, name = services().store.computers.this()
     return answer(Computer(id=key, name=name))
 
 
 @api.patch("/computer", responses=answers(Computer, *TEACHER, *WRITES))
 def rename_computer(body: ComputerName) -> Response:
-    """Gives this PC a name that people know it by. For the teacher."""
+    """Renames this PC. For the teacher."""
     require_teacher()
     computers = services().store.computers
     computers.rename(body.name)

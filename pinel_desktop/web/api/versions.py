@@ -1,4 +1,4 @@
-"""Single versions, and what differs between two."""
+"""Single versions, and differences of two."""
 
 from flask import Response
 
@@ -13,12 +13,12 @@ from pinel_desktop.web.models.review import (
 from pinel_desktop.web.responses import answer
 from pinel_desktop.web.services import services
 
-api = resource("versions", "Single versions, and what differs between two.", __name__)
+api = resource("versions", "Single versions, and differences of two.", __name__)
 
 
 @api.get("/versions/<id>", responses=answers(VersionOfProgram, "version_not_found"))
 def get_version(path: IdPath) -> Response:
-    """A version with its place in the line of its program."""
+    """A version with its number, label and parent."""
     row = services().store.versions.get(path.id)
     version = version_model(row)
     return answer(
@@ -34,11 +34,11 @@ def get_version(path: IdPath) -> Response:
 
 @api.get("/versions/<id>/difference", responses=answers(VersionDifference, "version_not_found"))
 def get_difference(path: IdPath, query: DifferenceTo) -> Response:
-    """What differs in a later version, block by block.
+    """Differences to a later version, block by block.
 
     Blocks are compared by their ids; shadow blocks count as values of their parents.
     """
-    # the page is drawn before anybody compares
+    # not needed at the app's start
     from pinel_desktop.school.review import difference  # noqa: PLC0415
 
     versions = services().store.versions

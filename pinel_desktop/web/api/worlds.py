@@ -1,4 +1,4 @@
-"""Worlds a run can take place in."""
+"""Worlds for runs."""
 
 from typing import Any
 
@@ -7,32 +7,32 @@ from flask import Response
 from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.errors import InvalidWorldError
 from pinel_desktop.web.models.worlds import CheckedWorld, World, WorldList, WorldToCheck
-from pinel_desktop.web.responses import answer, faults_in_words
+from pinel_desktop.web.responses import answer, describe_faults
 from pinel_desktop.web.services import services
 
-api = resource("worlds", "Worlds a run can take place in.", __name__)
+api = resource("worlds", "Worlds for runs.", __name__)
 
 
 @api.get("/worlds", responses=answers(WorldList))
 def list_worlds() -> Response:
-    """All worlds with their walls and boxes."""
+    """All world documents."""
     return answer(WorldList(worlds=[_model(world) for world in services().worlds]))
 
 
 @api.post("/worlds/check", responses=answers(CheckedWorld, "body_too_large"))
 def check_world(body: WorldToCheck) -> Response:
-    """All faults of a world, in words."""
+    """All faults of a world, with messages."""
     parts = services()
     _, faults = parts.read_world(body.world)
-    return answer(CheckedWorld(faults=faults_in_words(faults, parts.preferences.language)))
+    return answer(CheckedWorld(faults=describe_faults(faults, parts.preferences.language)))
 
 
 def sound_world(document: dict[str, Any]) -> dict[str, Any]:
-    """The document in its normal form. Raises InvalidWorldError with its faults in words."""
+    """The world document in its normal form. Raises InvalidWorldError with its faults."""
     parts = services()
     sound, faults = parts.read_world(document)
     if sound is None:
-        raise InvalidWorldError(faults_in_words(faults, parts.preferences.language))
+        raise InvalidWorldError(describe_faults(faults, parts.preferences.language))
     return sound
 
 

@@ -1,4 +1,4 @@
-"""Shapes of every body and every answer of the HTTP interface; the OpenAPI description is made from them."""
+"""Models of all bodies and answers of the HTTP interface; the OpenAPI description is generated from them."""
 
 from typing import Annotated, Any, Self
 
@@ -6,7 +6,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
 
 def _writable(text: str) -> str:
-    """A lone surrogate can stand in JSON, but no store can be asked for it."""
+    """Refuses lone surrogates, which JSON can hold but SQLite cannot."""
     text.encode()
     return text
 
@@ -16,14 +16,14 @@ Time = Annotated[str, Field(description="ISO 8601 in UTC")]
 Json = Annotated[dict[str, Any], Field(description="any JSON object")]
 
 
-# Whoever starts the app waits for this module, and needs few of its models: each is built when it is first used.
-LATER = ConfigDict(defer_build=True)
+# The app's start imports this module and needs few of its models: each is built when it is first used.
+DEFERRED = ConfigDict(defer_build=True)
 
 
 class Shape(BaseModel):
-    """Base of all answers. A field with a default is there in every answer."""
+    """Base of all answers. Fields with a default are present in every answer."""
 
-    model_config = LATER | ConfigDict(
+    model_config = DEFERRED | ConfigDict(
         extra="forbid", json_schema_serialization_defaults_required=True
     )
 
@@ -32,28 +32,25 @@ class Shape(BaseModel):
         """The answer for a row of the store, whose fields have the same names.
 
         Args:
-            more: fields that the row does not have, or has in another form.
+            more: fields that the row lacks or has in another form.
         """
         own = {name: getattr(row, name) for name in cls.model_fields if name not in more}
         return cls.model_validate({**own, **more}, from_attributes=True)
 
 
 class Body(BaseModel):
-    """Base of all that is sent, bodies and queries.
+    """Base of all bodies and queries. Unknown keys are refused, so that typing mistakes are noticed."""
 
-    Unknown keys are refused, so that a typing mistake does not pass unseen.
-    """
-
-    model_config = LATER | ConfigDict(extra="forbid")
+    model_config = DEFERRED | ConfigDict(extra="forbid")
 
 
 class IdPath(BaseModel):
-    """The `{id}` of an address."""
+    """The `{id}` in a path."""
 
-    model_config = LATER
+    model_config = DEFERRED
 
     id: Id
 
 
 class Empty(Shape):
-    """`{}`: it was done."""
+    """`{}`: success without a value."""

@@ -1,4 +1,4 @@
-"""Classes, lessons, notes, the teacher's door."""
+"""Classes, lessons, notes, the teacher's session."""
 
 from typing import Annotated
 
@@ -9,7 +9,7 @@ from pinel_desktop.web.models.work import Name
 
 
 class Classroom(Shape):
-    """A class of the school; `computer` is where its first lesson was, which tells classes of one name apart."""
+    """A class of the school; `computer` is the PC of its first lesson and tells classes of equal name apart."""
 
     id: Id
     name: str
@@ -31,9 +31,9 @@ class ClassroomName(Body):
 
 
 class Lesson(Shape):
-    """A meeting of a class; `title` is "" where it opened by itself, `part_of` the lesson that it was joined to.
+    """A lesson of a class; `title` is "" if it opened by itself, `part_of` is the lesson that it was joined to.
 
-    Times are those of the PC where it was opened, whose clock may be wrong.
+    Times are by the clock of the PC where it was opened, which may be wrong.
     """
 
     id: Id
@@ -57,20 +57,20 @@ class LessonList(Shape):
 
 
 class CurrentLesson(Shape):
-    """What the work of a class belongs to now, null when a lesson would open by itself."""
+    """The lesson to which work of a class belongs now; null if the next work would open one."""
 
     lesson: Lesson | None
 
 
 class NewLesson(Body):
-    """A lesson of one title is one lesson on all PCs where it is opened."""
+    """A lesson opened with the same title on several PCs is one lesson."""
 
     title: Name
     activity: Annotated[str | None, Field(max_length=100, description="a name")] = None
 
 
 class LessonChanges(Body):
-    """What is to change; what is not told stays."""
+    """Changes of a lesson; omitted fields stay."""
 
     title: Name | None = None
     activity: Annotated[str | None, Field(max_length=100, description='a name, "" for none')] = None
@@ -81,7 +81,7 @@ class LessonChanges(Body):
 
 
 class Note(Shape):
-    """What the teacher has written about a run; `seen_at` is when the group has read it."""
+    """The teacher's note about a run; `seen_at` is when the group read it."""
 
     id: Id
     run_id: Id
@@ -99,26 +99,26 @@ class NoteList(Shape):
 
 
 class NotePage(Body):
-    """Which of a group's notes."""
+    """Selects notes of a group."""
 
     unseen: bool = False
 
 
 class NoteText(Body):
-    """What the group is to read."""
+    """The text of a note."""
 
     text: Annotated[str, Field(max_length=5000)]
 
 
-class Door(Shape):
-    """Whether there is a PIN, and whether the one who asks has given it."""
+class TeacherSession(Shape):
+    """Whether a PIN is set, and whether the request belongs to a teacher's session."""
 
     has_pin: bool
     is_open: bool
 
 
 class Pin(Body):
-    """Digits."""
+    """A PIN: 4 to 12 digits."""
 
     pin: Annotated[str, Field(max_length=100)]
 
@@ -131,19 +131,19 @@ class Computer(Shape):
 
 
 class ComputerName(Body):
-    """What people call this PC."""
+    """A name for this PC."""
 
     name: Name
 
 
 class ActivityTitle(Shape):
-    """A mission, by name, with its title in the language of the page."""
+    """An activity with its title in the language of the page."""
 
     name: str
     title: str
 
 
 class ActivityList(Shape):
-    """The missions that ship."""
+    """The shipped activities."""
 
     activities: list[ActivityTitle]

@@ -1,10 +1,10 @@
-"""The one shape of every error, and faults of documents."""
+"""Error answers, and faults of documents."""
 
 from pinel_desktop.web.models import Json, Shape
 
 
 class Fault(Shape):
-    """One thing wrong with a document, with its place and its words."""
+    """One fault of a document: its place as a JSON pointer, the block there, and a message."""
 
     code: str
     pointer: str
@@ -15,7 +15,7 @@ class Fault(Shape):
 
 
 class Notice(Shape):
-    """Something a person should know, and what to do about it."""
+    """A message for a person, and what to do."""
 
     code: str
     message: str
@@ -23,7 +23,7 @@ class Notice(Shape):
 
 
 class ErrorBody(Shape):
-    """What went wrong; `faults` is empty unless a document is at fault."""
+    """An error; `faults` is empty unless a document has faults."""
 
     code: str
     message: str

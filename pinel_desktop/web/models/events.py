@@ -1,4 +1,4 @@
-"""Events as they are on the wire, derived from their declarations in `pinel_desktop/events`."""
+"""Wire models of events, derived from their declarations in `pinel_desktop/events`."""
 
 import inspect
 import re
@@ -24,11 +24,11 @@ from pydantic_core import CoreSchema
 from pinel_desktop.events.model import StreamEvent as Declared
 from pinel_desktop.events.model import UnknownWhenCutOff
 from pinel_desktop.events.types import APP_EVENTS, RUN_EVENTS
-from pinel_desktop.web.models import LATER, Id, Shape
+from pinel_desktop.web.models import DEFERRED, Id, Shape
 
 
 class RunEvent(Shape):
-    """What every event of a run carries; time in s is tick / 30. Fields with a default may be absent from a record."""
+    """Fields of every event of a run; time in s is tick / 30. Recorded events may lack fields that have a default."""
 
     model_config = ConfigDict(json_schema_serialization_defaults_required=False)
 
@@ -39,7 +39,7 @@ class RunEvent(Shape):
 
 
 def described(declaration: type) -> tuple[str, dict[str, str]]:
-    """The docstring of an event without its `Attributes`, and the meaning of each of these."""
+    """The docstring of an event without its `Attributes`, and the descriptions of these by name."""
     about, _, attributes = (inspect.getdoc(declaration) or "").partition("\n\nAttributes:\n")
     found = re.findall(r"^    (\w+): (.+(?:\n     .+)*)", attributes, re.M)
     return about, {name: " ".join(text.split()) for name, text in found}
@@ -54,7 +54,7 @@ def _model(declaration: type, name: str, base: type[Shape], **head: Any) -> type
             continue
         described_as: dict[str, Any] = {"description": meanings.get(field)}
         if field in declared and declared[field].default is not MISSING:
-            # may be absent; not a default, which the page's types would take for a promise
+            # optional without a default value: with one, the page's types would not be optional
             described_as["default_factory"] = lambda: None
         told[field] = (_wire(hint), Field(**described_as))
     return create_model(name, __base__=base, __doc__=about, __module__=__name__, **told)
@@ -66,7 +66,7 @@ def _object(declaration: type) -> type[Shape]:
 
 
 def _wire(hint: Any) -> Any:
-    """The type of a field: dicts with known keys become models, and what a cut-off run leaves unknown may be null."""
+    """The wire type of a field: TypedDicts become models, and values unknown after a cut-off run may be null."""
     if is_typeddict(hint):
         return _object(hint)
     origin, parts = get_origin(hint), get_args(hint)
@@ -78,9 +78,9 @@ def _wire(hint: Any) -> Any:
 
 
 class _OneOf:
-    """Stands for the union of the models of declared events, which are made when they are first asked for.
+    """A lazy union of the models of declared events.
 
-    Only the description and the tests ask; whoever starts the app would wait for them.
+    They are built when the schema is first needed, by the description and the tests, and not at the app's start.
     """
 
     def __init__(self, *declared: dict[str, Any]) -> None:
@@ -102,18 +102,18 @@ def _event(declaration: type[Declared]) -> type[Shape]:
     return _model(declaration, name, base, type=(Literal[declaration.type], ...))
 
 
-# A type in the brackets of RootModel would be built at once, whatever the configuration says.
+# RootModel[SomeType] would be built at once, in spite of `defer_build`.
 class Event(RootModel[Any]):
     """One event of a run."""
 
-    model_config = LATER
+    model_config = DEFERRED
 
     root: Annotated[Any, _OneOf(RUN_EVENTS)]
 
 
 class StreamEvent(RootModel[Any]):
-    """What one `data:` line of the stream holds."""
+    """The content of one `data:` line of the stream."""
 
-    model_config = LATER
+    model_config = DEFERRED
 
     root: Annotated[Any, _OneOf(RUN_EVENTS, APP_EVENTS)]

@@ -1,4 +1,4 @@
-"""Bundles: files that carry work from PC to PC."""
+"""Bundles: files that transfer work between PCs."""
 
 from typing import Annotated
 
@@ -11,9 +11,9 @@ _Path = Annotated[str, Field(max_length=4000)]
 
 
 class FileFound(Shape):
-    """A bundle that lies in a folder; `modified_at` by the clock of the PC that wrote it.
+    """A bundle in a folder; `modified_at` is by the clock of the PC that wrote it.
 
-    From one that is `anonymous` groups come a second time where they are already, as "Grupo 1" and so on.
+    Merging an `anonymous` bundle adds its groups again as "Grupo 1" and so on, even if the store has them.
     """
 
     path: str
@@ -24,14 +24,14 @@ class FileFound(Shape):
 
 
 class Folder(Shape):
-    """A stick that is plugged in, or the school's shared folder; `free_bytes` null where nobody can tell.
+    """A removable drive, or the school's shared folder; `free_bytes` is null if unknown.
 
-    The shared folder is told while it does not answer too, then with `is_reachable` false.
+    The shared folder is listed even if it cannot be read, then with `is_reachable` false.
     """
 
     path: str
     name: str
-    is_stick: bool
+    is_removable: bool
     is_reachable: bool
     is_writable: bool
     free_bytes: int | None
@@ -39,7 +39,7 @@ class Folder(Shape):
 
 
 class FolderList(Shape):
-    """Sticks first; `shared` is the path of the shared folder, "" for none."""
+    """Removable drives first; `shared` is the path of the shared folder, "" for none."""
 
     folders: list[Folder]
     shared: str
@@ -52,7 +52,7 @@ class SharedFolder(Body):
 
 
 class NewBundle(Body):
-    """Where to, and of what: all, or one class or group."""
+    """The target folder, and the content: all work, or that of one class or group."""
 
     folder: _Path
     classroom_id: Id | None = None
@@ -61,7 +61,7 @@ class NewBundle(Body):
 
 
 class Bundle(Shape):
-    """A bundle that was written; `left_out` says how much of this PC's work other PCs would refuse."""
+    """A written bundle; `left_out` is a message about work of this PC that other PCs would refuse."""
 
     path: str
     name: str
@@ -73,14 +73,14 @@ class Bundle(Shape):
 
 
 class BundlesToMerge(Body):
-    """Files to bring in, one after the other."""
+    """Files to merge, in this order."""
 
     paths: Annotated[list[_Path], Field(min_length=1, max_length=500)]
-    delete: Annotated[bool, Field(description="delete here too what was deleted there")] = False
+    delete: Annotated[bool, Field(description="also apply deletions of the other PC")] = False
 
 
 class MergedCounts(Shape):
-    """How many came, went or were held back."""
+    """Numbers of rows."""
 
     groups: int
     programs: int
@@ -89,7 +89,7 @@ class MergedCounts(Shape):
 
 
 class PendingDeletion(Shape):
-    """What was deleted for good on another PC and is here still, until the teacher says so too."""
+    """Work deleted for good on another PC that this PC still has, until the teacher confirms the deletion."""
 
     groups: int
     programs: int
@@ -98,13 +98,13 @@ class PendingDeletion(Shape):
 
 
 class Merged(Shape):
-    """What came of one file: what it brought, or why it was refused.
+    """The result of merging one file: the rows `added`, or the `problem` for which it was refused.
 
-    `held_back` is what stays out as it was deleted for good, `removed` what went now; null where there is none, and all
-    numbers 0 where it is neither group, program, version nor run.
+    `held_back` counts rows not added because they were deleted for good here, `removed` counts rows deleted by this
+    merge. Both are null if there are none; all numbers are 0 if only rows of other kinds are concerned.
 
-    `would_delete` is what it says was deleted elsewhere: it stays until the file is merged with `delete`. The files
-    `left_in` may still hold it then: they were written on this PC, or are backups that could not be written anew.
+    `would_delete` is work that was deleted elsewhere; it stays until the file is merged with `delete`. After that the
+    files in `left_in` may still hold it: bundles written on this PC, and backups that could not be rewritten.
     """
 
     path: str
@@ -122,20 +122,20 @@ class Merged(Shape):
 
 
 class MergeList(Shape):
-    """In the order of the files; `content_hash` is the same on every PC that holds the same work."""
+    """Results in the order of the files; `content_hash` is equal on all PCs with the same work."""
 
     merged: list[Merged]
     content_hash: str
 
 
 class NameOfFile(Body):
-    """What the file is called where it was chosen, for the words about it."""
+    """The name of the chosen file, for messages."""
 
     name: Annotated[str, Field(max_length=1000)] = ""
 
 
-class BroughtProgram(Shape):
-    """A program that came as a file, and whose it is."""
+class ImportedProgram(Shape):
+    """A program imported from a file, with its group and class."""
 
     program_id: Id
     group_id: Id
@@ -143,8 +143,8 @@ class BroughtProgram(Shape):
     nothing_new: bool
 
 
-class HeardComputer(Shape):
-    """A PC whose work is here: when it wrote what came last, and when that came."""
+class KnownComputer(Shape):
+    """A PC whose work was merged; `exported_at` and `merged_at` are those of its latest bundle."""
 
     computer_id: Id
     name: str
@@ -153,23 +153,23 @@ class HeardComputer(Shape):
     n_runs: int
 
 
-class HeardList(Shape):
-    """The one heard of last first."""
+class KnownComputerList(Shape):
+    """The most recently merged first."""
 
-    computers: list[HeardComputer]
+    computers: list[KnownComputer]
 
 
 class WrittenFile(Shape):
-    """A bundle that was written on this PC, and when."""
+    """A bundle written on this PC."""
 
     path: str
     made_at: Time
 
 
 class Removed(Shape):
-    """What was deleted for good, from the file and its backups.
+    """Numbers of rows deleted for good from the database and its backups.
 
-    These may still hold it: `backups` that could not be written anew, `files` that were written on this PC.
+    Some files may still hold them: `backups` that could not be rewritten, and bundles written on this PC (`files`).
     """
 
     n_groups: int

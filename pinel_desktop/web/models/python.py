@@ -1,4 +1,4 @@
-"""A program as Python text, and such a text as a program."""
+"""Programs as Python text."""
 
 from typing import Annotated, Any
 
@@ -9,7 +9,7 @@ from pinel_desktop.web.models.errors import Fault
 
 
 class PythonLine(Shape):
-    """What a line of the text stands for; lines count from 1."""
+    """The command that a line of the text belongs to; lines count from 1."""
 
     line: int
     pointer: str
@@ -17,7 +17,7 @@ class PythonLine(Shape):
 
 
 class WrittenPython(Shape):
-    """The text, null where the document has faults, and which command each line is."""
+    """The text with the command of each line; null if the document has faults."""
 
     text: str | None
     lines: list[PythonLine]
@@ -25,13 +25,13 @@ class WrittenPython(Shape):
 
 
 class PythonSource(Body):
-    """Python text as the page holds it."""
+    """Python text of a program."""
 
     text: Annotated[str, Field(max_length=2**20)]
 
 
 class ReadPython(Shape):
-    """The document, null where the text has faults; those tell `line` and `column` in `params`."""
+    """The document; null if the text has faults, which have `line` and `column` in `params`."""
 
     document: Json | None
     faults: list[Fault]

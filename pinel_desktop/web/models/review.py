@@ -1,4 +1,4 @@
-"""How groups thought: lessons, differences between versions, the history of runs."""
+"""Review of lessons, differences between versions, the history of runs."""
 
 from datetime import date
 from typing import Annotated, Any, Literal
@@ -12,7 +12,7 @@ from pinel_desktop.web.models.work import Version
 
 
 class GroupHead(Shape):
-    """A group as its pupils know it."""
+    """A group with its name, colour and picture."""
 
     id: Id
     name: str
@@ -21,7 +21,7 @@ class GroupHead(Shape):
 
 
 class ChangeCounts(Shape):
-    """How many blocks; one that was both moved and changed counts in both."""
+    """Numbers of blocks; one that was both moved and changed counts twice."""
 
     added: int
     removed: int
@@ -30,10 +30,10 @@ class ChangeCounts(Shape):
 
 
 class ReviewMark(Shape):
-    """A burst of edits between two runs, or a run; times are of the PC's own clock.
+    """A burst of edits between two runs, or a run; times are by the clock of that PC.
 
-    `changes` counts what differs between the versions `since` and `version_id`: of edits since the mark before, of a
-    run that `repairs` another since that one. `since` is "" where the program began with it.
+    `changes` counts differences from version `since` to `version_id`. For edits, `since` is the version before the
+    burst, "" for an empty program; for a run that `repairs` another, it is the version of that run.
     """
 
     kind: Literal["edit", "run"]
@@ -54,11 +54,11 @@ class ReviewMark(Shape):
     activity: str | None
     passed: bool | None
     duration_s: float | None
-    repairs: Annotated[Id | None, Field(description="the failing run that this one made good")]
+    repairs: Annotated[Id | None, Field(description="the failed run that this run repairs")]
 
 
 class Figures(Shape):
-    """What was counted of a group; the catalogue says in words what each number counts, as `figure_NAME`."""
+    """Figures of a group; messages `figure_NAME` explain what each counts."""
 
     n_edits: int
     n_runs: int
@@ -69,7 +69,7 @@ class Figures(Shape):
 
 
 class BlockCount(Shape):
-    """Blocks of a type at the end of the lesson: `count` of them hang in a program, `loose` lie beside it."""
+    """Blocks of one type at the end of the lesson: `count` attached to programs, `loose` not attached."""
 
     type: str
     count: int
@@ -77,7 +77,7 @@ class BlockCount(Shape):
 
 
 class GroupReview(Shape):
-    """A group's line of marks in their order, and what was counted of it."""
+    """A group's marks in chronological order, its figures, and its blocks."""
 
     group: GroupHead
     marks: list[ReviewMark]
@@ -86,14 +86,14 @@ class GroupReview(Shape):
 
 
 class LessonReview(Shape):
-    """All groups that worked in the lesson, by name."""
+    """All groups that worked in the lesson, ordered by name."""
 
     lesson: Lesson
     groups: list[GroupReview]
 
 
 class VersionOfProgram(Version):
-    """A version with its place in the line of its program."""
+    """A version with its number, label and parent."""
 
     program_id: Id
     number: int
@@ -102,7 +102,7 @@ class VersionOfProgram(Version):
 
 
 class DifferenceTo(Body):
-    """Which version to compare with: the later one."""
+    """The later version to compare with."""
 
     to: Id
 
@@ -115,7 +115,7 @@ class DifferentBlock(Shape):
 
 
 class BlockChange(Shape):
-    """A field, an input with its value, "extraState.KEY", "type", "disabled" or "comment"; null where there is none."""
+    """A change of a field, an input's value, "extraState.KEY", "type", "disabled" or "comment"; null if absent."""
 
     name: str
     before: Any
@@ -123,13 +123,13 @@ class BlockChange(Shape):
 
 
 class ChangedBlock(DifferentBlock):
-    """A block on which something was set anew."""
+    """A block with changed values."""
 
     what: list[BlockChange]
 
 
 class VersionDifference(Shape):
-    """What differs, block by block; a block that was moved and changed is in both lists."""
+    """Differences by block; a block that was moved and changed is in both lists."""
 
     added: list[DifferentBlock]
     removed: list[DifferentBlock]
@@ -138,7 +138,7 @@ class VersionDifference(Shape):
 
 
 class HistoryPage(Body):
-    """Which runs, and which part of the list; what is not told does not choose."""
+    """Filters and page of the list of runs; omitted filters select all."""
 
     classroom: Annotated[str | None, Field(description="a class, `none` for groups without")] = None
     group: Id | None = None
@@ -153,13 +153,13 @@ class HistoryPage(Body):
 
 
 class HistoryRun(Run):
-    """A run with its group, null for runs of the command line."""
+    """A run with its group; null for runs of the command line."""
 
     group: GroupHead | None
 
 
 class History(Shape):
-    """Newest first; `next` is what to ask for as `before` to go on, null at the end."""
+    """Newest first; `next` is the value of `before` for the next page, null at the end."""
 
     runs: list[HistoryRun]
     next: Id | None

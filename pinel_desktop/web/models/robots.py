@@ -8,9 +8,9 @@ from pinel_desktop.web.models import Shape
 
 
 class Robot(Shape):
-    """What is needed to draw a robot and what it senses; angles from its heading, counterclockwise."""
+    """Dimensions and sensors of a robot model; angles are from its heading, counterclockwise."""
 
-    name: Annotated[str, Field(description="what a run asks for as its `model`")]
+    name: Annotated[str, Field(description="the `model` of a run")]
     title: str
     radius_m: float
     max_v_mps: float
@@ -21,6 +21,6 @@ class Robot(Shape):
 
 
 class RobotList(Shape):
-    """Every robot that a run can be made with in the simulator."""
+    """All robot models of the simulator."""
 
     robots: list[Robot]

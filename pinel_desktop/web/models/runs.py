@@ -1,4 +1,4 @@
-"""Runs: begun, live, recorded."""
+"""Live and recorded runs."""
 
 from typing import Annotated, Any, Literal
 
@@ -15,7 +15,7 @@ Point = tuple[float, float]
 
 
 class Run(Shape):
-    """One execution of one version; figures are null until it has ended."""
+    """One execution of a version; figures are null until the run has ended."""
 
     id: Id
     program_id: Id | None
@@ -47,21 +47,21 @@ class Run(Shape):
 
 
 class RunWithVersion(Run):
-    """A run with all that a replay needs; `version` is null for runs of the command line."""
+    """A run with the data for its replay; `version` is null for runs of the command line."""
 
     version: Version | None
     world_document: World | None
 
 
 class RunList(Shape):
-    """Newest first; `next` is what to ask for as `before` to go on, null at the end."""
+    """Newest first; `next` is the value of `before` for the next page, null at the end."""
 
     runs: list[Run]
     next: Id | None
 
 
 class RunPage(Body):
-    """Which part of the list."""
+    """A page of the list."""
 
     before: Id | None = None
     limit: Annotated[int, Field(ge=1, le=200)] = 50
@@ -71,7 +71,7 @@ RobotName = Annotated[str, Field(json_schema_extra={"enum": list(ROBOTS)})]
 
 
 class NewRun(Body):
-    """What to run, and where."""
+    """A version to run, with world, robot and debugging options."""
 
     version_id: Id
     world: Annotated[str, Field(max_length=100, description="a name, or `own`: the version's")]
@@ -86,13 +86,13 @@ class NewRun(Body):
 
 
 class CommandAnswer(Shape):
-    """What a command gave: the value of `evaluate`, or in words why there is none; null for all others."""
+    """The value of `evaluate`, or a message why it has none; null for all other commands."""
 
     value: Any
     problem: str | None
 
 
 class RunEvents(Shape):
-    """All events of a run but telemetry, in their order."""
+    """All events of a run except telemetry, in order."""
 
     events: list[Event]

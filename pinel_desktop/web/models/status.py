@@ -13,7 +13,7 @@ else:
 
 
 class DatabaseStatus(Shape):
-    """Where the work is kept, and whether it can be kept now."""
+    """The path of the database, and whether it can be written."""
 
     path: str
     writable: bool
@@ -21,7 +21,7 @@ class DatabaseStatus(Shape):
 
 
 class Status(Shape):
-    """What the page asks for first."""
+    """State of app, engine and database; the page's first request."""
 
     app_version: str
     engine: Literal["starting", "ready", "lost"]
@@ -31,12 +31,12 @@ class Status(Shape):
 
 
 class Settings(Body):
-    """What a person may choose."""
+    """Settings of the page."""
 
     language: Language
 
 
 class InstanceLink(Shape):
-    """A fresh address that opens the page once."""
+    """A new address that opens the page once."""
 
     url: str

@@ -15,7 +15,7 @@ Color = Annotated[str, Field(pattern="^#[0-9a-f]{6}$")]
 
 
 class Group(Shape):
-    """Pupils who work together; `n_programs` without those in the bin, which are `n_in_bin`."""
+    """Pupils who work together; `n_programs` excludes programs in the bin, which `n_in_bin` counts."""
 
     id: Id
     name: str
@@ -31,13 +31,13 @@ class Group(Shape):
 
 
 class GroupList(Shape):
-    """Newest use first."""
+    """Most recently used first."""
 
     groups: list[Group]
 
 
 class NewGroup(Body):
-    """A group needs a name only; a picture that few have is chosen where none is told."""
+    """A new group; without `picture`, one that few groups use is chosen."""
 
     name: Name
     classroom_id: Id | None = None
@@ -45,7 +45,7 @@ class NewGroup(Body):
 
 
 class GroupChanges(Body):
-    """What is to change; what is not told stays. Only the teacher moves a group to another class."""
+    """Changes of a group; omitted fields stay. Only the teacher may change the class."""
 
     name: Name | None = None
     color: Color | None = None
@@ -54,7 +54,7 @@ class GroupChanges(Body):
 
 
 class Program(Shape):
-    """Saved blocks of a group; its content are its versions."""
+    """A program of a group, without its versions."""
 
     id: Id
     name: str
@@ -79,9 +79,9 @@ class ProgramName(Body):
 
 
 class Version(Shape):
-    """One state of a program, never overwritten; `document` is null while it has faults.
+    """One state of a program, never overwritten; `document` is null if the blocks have faults.
 
-    `world` is the group's own, null where the program runs in one chosen by name.
+    `world` is the group's own world; null if the program runs in a world chosen by name.
     """
 
     id: Id
@@ -93,9 +93,9 @@ class Version(Shape):
 
 
 class VersionMark(Shape):
-    """A version in the line of its program; `parent_id` is the one that was edited.
+    """A version in the history of its program; `parent_id` is the version that was edited.
 
-    Two of one number came of edits on two PCs: both are kept.
+    Two versions of equal number come from edits on two PCs; both are kept.
     """
 
     id: Id
@@ -113,7 +113,7 @@ class VersionMark(Shape):
 class ProgramWithVersion(Program):
     """A program with its newest version.
 
-    `elsewhere` is the last version that another PC made of an older one at the same time, null where there is none.
+    `elsewhere` is the latest version of a parallel branch, made on another PC from an older version; null without one.
     """
 
     version: Version | None
@@ -121,27 +121,27 @@ class ProgramWithVersion(Program):
 
 
 class VersionLine(Shape):
-    """Newest first; `next` is what to ask for as `before` to go on, null at the end."""
+    """Newest first; `next` is the value of `before` for the next page, null at the end."""
 
     versions: list[VersionMark]
     next: Id | None
 
 
 class VersionPage(Body):
-    """Which part of the line."""
+    """A page of the history."""
 
     before: Id | None = None
     limit: Annotated[int, Field(ge=1, le=500)] = 200
 
 
 class VersionLabel(Body):
-    """A name for a version worth keeping; "" takes it away."""
+    """A label for a version; "" removes it."""
 
     text: Name
 
 
 class NewVersion(Body):
-    """What the editor holds; `document` is null where no document could be made of it."""
+    """The content of the editor; `document` is null if the blocks cannot be converted to one."""
 
     workspace: Json
     document: dict[str, Any] | list[Any] | None
@@ -152,9 +152,9 @@ class NewVersion(Body):
 
 
 class SavedVersion(Shape):
-    """On disk when this answer arrives.
+    """A version that is now on disk.
 
-    `before` is the version that was the newest until then: where the page does not know it, another window made it.
+    `before` is the previous newest version; if the page does not know it, another window saved it.
     """
 
     id: Id

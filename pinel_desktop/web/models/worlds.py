@@ -1,4 +1,4 @@
-"""World documents as `sim/worlds/NAME.json` holds them."""
+"""World documents (`sim/worlds/NAME.json`)."""
 
 from typing import Annotated, Any, Literal
 
@@ -11,7 +11,7 @@ Metres2 = tuple[float, float]
 
 
 class Title(Shape):
-    """One text in each language."""
+    """A title in each language."""
 
     model_config = ConfigDict(extra="allow", populate_by_name=True)
 
@@ -22,7 +22,7 @@ class Title(Shape):
 
 
 class Start(Shape):
-    """Pose of the robot at the start, in the world's frame."""
+    """Start pose of the robot, in the world's frame."""
 
     x_m: float
     y_m: float
@@ -39,7 +39,7 @@ class Wall(Shape):
 
 
 class Box(Shape):
-    """A box that stands on the floor."""
+    """A box on the floor."""
 
     center: Metres2
     size: Metres2
@@ -49,7 +49,7 @@ class Box(Shape):
 
 
 class Area(Shape):
-    """A part of the floor: a disc with `radius`, or a rectangle with `size`; metres."""
+    """An area of the floor: a disc with `radius`, or a rectangle with `size`; in metres."""
 
     center: Metres2
     size: Metres2 | None = None
@@ -58,19 +58,19 @@ class Area(Shape):
 
 
 class Zone(Area):
-    """A named part of the floor, such as a cell of a board."""
+    """A named area of the floor, such as a cell of a board."""
 
     name: str
 
 
 class Paint(Area):
-    """A coloured part of the floor."""
+    """A coloured area of the floor."""
 
     color: str
 
 
 class World(Shape):
-    """A floor with what stands on it and what is drawn on it."""
+    """A floor with walls, boxes, zones and colours."""
 
     pinel_world: Literal[1]
     name: str
@@ -84,18 +84,18 @@ class World(Shape):
 
 
 class WorldToCheck(Body):
-    """A world document, or what is meant to be one."""
+    """A world document that may have faults."""
 
     world: Any
 
 
 class CheckedWorld(Shape):
-    """All faults; an empty list means that it can be run in."""
+    """All faults; an empty list means that runs can use the world."""
 
     faults: list[Fault]
 
 
 class WorldList(Shape):
-    """Every world a run can take place in."""
+    """All worlds for runs."""
 
     worlds: list[World]

@@ -4,7 +4,7 @@ import type { GroupChanges, LessonChanges, NewGroup, NewLesson } from "./model";
 /** Where the lessons of groups without a class are asked for. */
 export const NO_CLASS = "none";
 
-/** Classes, groups, lessons and the teacher's door. */
+/** Classes, groups, lessons and the teacher's session. */
 export const classesApi = {
   createGroup: (body: NewGroup) => post("/api/groups", { body }),
   changeGroup: (id: string, body: GroupChanges) => patch("/api/groups/{id}", { ...of(id), body }),
@@ -24,7 +24,7 @@ export const classesApi = {
     patch("/api/lessons/{id}", { ...of(id), body }),
   activities: async () => (await get("/api/activities")).activities,
 
-  door: () => get("/api/teacher"),
+  teacherSession: () => get("/api/teacher"),
   choosePin: (pin: string) => put("/api/teacher/pin", { body: { pin } }),
   enter: (pin: string) => post("/api/teacher/enter", { body: { pin } }),
   leave: () => post("/api/teacher/leave"),

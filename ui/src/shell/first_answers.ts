@@ -1,6 +1,6 @@
 import { classesApi } from "../api/classes";
 import { api } from "../api/client";
-import type { Classroom, Door, Group, ProgramWithVersion, Status } from "../api/model";
+import type { Classroom, Group, ProgramWithVersion, Status, TeacherSession } from "../api/model";
 import { fetchTexts } from "../i18n";
 import { isLanguage } from "../i18n/languages";
 import { route } from "./route";
@@ -11,7 +11,7 @@ type StartAnswer = Promise<[Group[], Classroom[]]>;
 let firstStatus: Promise<Status> | null = null;
 let firstProgram: { id: string; answer: ProgramAnswer } | null = null;
 let firstStart: StartAnswer | null = null;
-let firstDoor: Promise<Door> | null = null;
+let firstSession: Promise<TeacherSession> | null = null;
 
 function askProgram(id: string): ProgramAnswer {
   return Promise.all([api.program(id), api.groups()]);
@@ -34,12 +34,13 @@ export function askFirst(): void {
   const now = route.peek();
   if (now.screen === "studio") firstProgram = { id: now.program, answer: askProgram(now.program) };
   if (now.screen === "start") firstStart = askStart();
-  if (now.screen === "start" || now.screen === "teacher") firstDoor = classesApi.door();
+  if (now.screen === "start" || now.screen === "teacher")
+    firstSession = classesApi.teacherSession();
   for (const answer of asked()) answer?.catch(() => {});
 }
 
 function asked() {
-  return [firstStatus, firstProgram?.answer, firstStart, firstDoor];
+  return [firstStatus, firstProgram?.answer, firstStart, firstSession];
 }
 
 /** Resolves when all that was asked for first is there, or has failed. */
@@ -68,9 +69,9 @@ export function groupsAndClasses(): StartAnswer {
   return early ?? askStart();
 }
 
-/** How the teacher's door is; what was asked for at the start is handed out once. */
-export function doorAtFirst(): Promise<Door> {
-  const early = firstDoor;
-  firstDoor = null;
-  return early ?? classesApi.door();
+/** The state of the teacher's session; what was asked for at the start is handed out once. */
+export function sessionAtFirst(): Promise<TeacherSession> {
+  const early = firstSession;
+  firstSession = null;
+  return early ?? classesApi.teacherSession();
 }

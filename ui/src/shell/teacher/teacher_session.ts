@@ -1,11 +1,11 @@
 import { computed, signal } from "@preact/signals";
 import { classesApi } from "../../api/classes";
 import { ApiError } from "../../api/errors";
-import type { Door } from "../../api/model";
-import { doorAtFirst } from "../first_answers";
+import type { TeacherSession } from "../../api/model";
+import { sessionAtFirst } from "../first_answers";
 
 /** Whether there is a PIN and the teacher is signed in, as the server last answered; null until it has. */
-export const teacherSession = signal<Door | null>(null);
+export const teacherSession = signal<TeacherSession | null>(null);
 
 /** Whether the teacher was signed in when this window was last loaded. */
 const FLAG = "pinel_teacher";
@@ -16,8 +16,8 @@ const SIGNED_OUT = ["teacher_only", "pin_missing"];
 export const isSignedOut = (error: unknown): error is ApiError =>
   error instanceof ApiError && SIGNED_OUT.includes(error.code);
 
-export async function loadTeacherSession(): Promise<Door> {
-  teacherSession.value = await doorAtFirst();
+export async function loadTeacherSession(): Promise<TeacherSession> {
+  teacherSession.value = await sessionAtFirst();
   return teacherSession.value;
 }
 

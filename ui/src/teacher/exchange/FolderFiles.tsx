@@ -15,12 +15,12 @@ interface FolderFilesProps {
 /** The files on a stick or in the school's folder, with check boxes. */
 export function FolderFiles({ folder, isChosen, onToggle }: FolderFilesProps) {
   const say = texts.value.exchange;
-  const Icon = folder.is_stick ? Usb : HardDrive;
+  const Icon = folder.is_removable ? Usb : HardDrive;
   return (
     <fieldset class="exchange__folder">
       <legend>
         <Icon class="icon" aria-hidden="true" />
-        {folder.is_stick ? say.stick(folder.name) : say.folder(folder.name)}
+        {folder.is_removable ? say.stick(folder.name) : say.folder(folder.name)}
         <FolderState folder={folder} />
       </legend>
       {folder.is_reachable && folder.files.length === 0 && (

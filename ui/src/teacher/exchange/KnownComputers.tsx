@@ -1,10 +1,10 @@
-import type { HeardComputer } from "../../api/model";
+import type { KnownComputer } from "../../api/model";
 
 import { language, texts } from "../../i18n";
 import { when } from "../../i18n/format";
 
 interface KnownComputersProps {
-  computers: readonly HeardComputer[];
+  computers: readonly KnownComputer[];
 }
 
 /** The PCs whose work is here, and when it came. */

@@ -123,5 +123,5 @@ function savedWords({ bundle, folder }: Saved): string {
   const say = texts.value.exchange;
   const saved = say.saved(name, say.groups(n_groups), say.runs(n_runs));
   const missing = left_out && `${left_out.message} ${left_out.remedy}`;
-  return [saved, missing, folder.is_stick && say.takeOut].filter(Boolean).join(" ");
+  return [saved, missing, folder.is_removable && say.takeOut].filter(Boolean).join(" ");
 }
