@@ -1,9 +1,9 @@
-"""`pinel app`: web server, store and engine behind a window. Started by the window's process, not by people.
+"""`pinel app`: the process with web server, store and engine client, started by the window's process.
 
-JSON lines over pipes. The window says `{"do": "start"}` once it has the lock on the database; it gets one address at
-once, and more for `{"do": "address"}`. The app says `{"type": "address", "address": ...}`,
-`{"type": "ready", "language": ...}` when everything works, `{"type": "show"}` when a second start wants the window
-forward, or `{"type": "failed", "code": ..., "params": ...}`. It ends when its input does.
+Both exchange JSON lines over pipes. The window sends `{"do": "start"}` once it holds the lock on the database, and
+`{"do": "address"}` for each further address. The app sends `{"type": "address", "address": ...}` (the first one
+without a request), `{"type": "ready", "language": ...}` when it has started, `{"type": "show"}` when a second start
+asks to bring the window forward, or `{"type": "failed", "code": ..., "params": ...}`. It exits at the end of its input.
 """
 
 import contextlib
@@ -37,11 +37,11 @@ _ENGINE_AFTER_S = 1.0
 @click.option("--db", type=click.Path(dir_okay=False), required=True)
 def command(db: str) -> None:
     """Run the app for a window: messages on standard input and output."""
-    # Ctrl+C in a terminal reaches the whole group; the window decides when the app goes, by ending its pipe.
+    # Ctrl+C in a terminal reaches the whole process group; the window ends the app by closing its pipe.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    # The end of a person's session reaches everybody at once: put everything in order, as at the end of the pipe.
+    # The end of the desktop session sends SIGTERM to all processes: exit in order, as at the end of the pipe.
     signal.signal(signal.SIGTERM, lambda number, frame: sys.exit())
-    # What a library prints by accident must not land among the messages.
+    # Standard output goes to standard error, so that prints of libraries do not corrupt the messages.
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)
     with answers:
@@ -51,7 +51,7 @@ def command(db: str) -> None:
 def _serve(db: str, messages: Iterator[Message], send: Callable[..., None]) -> None:
     if next(messages, None) != {"do": "start"}:
         return
-    # the page first: the window loads it while the rest is being imported
+    # the server first: the window loads the page while the rest is being imported
     with _loading():
         server = EarlyServer()
         send(type="address", address=server.guard.fresh_link())
@@ -62,9 +62,9 @@ def _serve(db: str, messages: Iterator[Message], send: Callable[..., None]) -> N
 
 @contextlib.contextmanager
 def _loading() -> Iterator[None]:
-    """Importing gives up the interpreter ten times as often, for the server's threads, and collects no garbage.
+    """Speeds up the imports: shorter switch interval for the server's threads, no garbage collection.
 
-    What is imported stays: collecting among it takes a tenth of the start and finds nothing, then or later.
+    Imported objects are permanent; collecting them takes a tenth of the start and frees nothing, so they are frozen.
     """
     usual_s = sys.getswitchinterval()
     sys.setswitchinterval(usual_s / 10)
@@ -124,6 +124,6 @@ def _sender(answers: TextIO) -> Callable[..., None]:
                 answers.write(json.dumps(message, ensure_ascii=False, default=str) + "\n")
                 answers.flush()
             except OSError:
-                pass  # the window's process is gone; the end of the input says so
+                pass  # the window's process has ended; so will the input
 
     return send

@@ -1,4 +1,4 @@
-"""`pinel check ACTIVITY FILE...`: whether programs fulfil an activity, many at once."""
+"""`pinel check ACTIVITY FILE...`: checks in parallel whether programs pass an activity."""
 
 import json
 import sys
@@ -15,7 +15,7 @@ from pinel_desktop.activities import (
     choose_activity,
 )
 from pinel_desktop.commands.printing import print_problem
-from pinel_desktop.commands.program_file import place_of, say_faults
+from pinel_desktop.commands.program_file import place_of, print_faults
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, explain, language_of_system
 
@@ -31,17 +31,17 @@ _PASSED, _NOT_PASSED, _UNUSABLE, _INTERRUPTED = 0, 1, 2, 130
 @click.option(
     "--processes",
     type=click.IntRange(1, 256),
-    help="How many work at once; as many as this PC has cores when left out.",
+    help="Number of parallel processes; one per core by default.",
 )
 @click.pass_context
 def command(
     ctx: click.Context, activity: str, files: tuple[str, ...], as_json: bool, processes: int | None
 ) -> None:
-    """Check whether programs fulfil an activity.
+    """Check whether programs pass an activity.
 
-    ACTIVITY is the name of one that ships, or a file (.json). FILE is a program document, a bare list or Python text.
-    Exit status: 0 all of them do, 1 not all, 2 the activity cannot be used, 130 ended by Ctrl-C: what was ready by then
-    is printed.
+    ACTIVITY is the name of a shipped activity, or a file (.json). FILE is a program document, a bare list or Python
+    text. Exit status: 0 all pass, 1 not all pass, 2 the activity cannot be used, 130 ended by Ctrl-C; the reports that
+    were ready are then printed.
     """
     language = language_of_system()
     try:
@@ -67,13 +67,13 @@ def command(
 def _say(error: PinelError, language: str) -> None:
     print_problem(error, language)
     if isinstance(error, ActivityError):
-        say_faults(error.faults[:_MOST_FAULTS_OF_ACTIVITY], language)
+        print_faults(error.faults[:_MOST_FAULTS_OF_ACTIVITY], language)
 
 
 def _checked(
     activity: Activity, files: tuple[str, ...], processes: int | None
 ) -> tuple[list[Report], bool]:
-    """The reports in the order of the files, and whether they are all; progress goes to standard error."""
+    """The reports in the order of the files, and whether they are complete. Prints progress on standard error."""
     reports: dict[int, Report] = {}
     with click.progressbar(length=len(files), file=sys.stderr) as progress:
         try:
@@ -81,7 +81,7 @@ def _checked(
                 reports[i] = report
                 progress.update(1)
         except KeyboardInterrupt:
-            pass  # what is ready is told
+            pass  # the reports that are ready are printed
     return [reports[i] for i in sorted(reports)], len(reports) == len(files)
 
 
@@ -98,7 +98,7 @@ def _as_object(report: Report, language: str) -> dict[str, Any]:
 
 
 def _lines(report: Report, language: str) -> list[str]:
-    """What came of one program, for people: only what does not hold is told."""
+    """The report of one program as text: only the checks that fail."""
     lines = [f"{'+' if report.passed else '-'} {report.program}"]
     for fault in report.faults[:_MOST_FAULTS]:
         place = place_of(fault.pointer, fault.params, language)

@@ -1,4 +1,4 @@
-"""The database as commands use it, also while the app has it open; what goes wrong with it is told in words."""
+"""Opens the database for commands, even while the app uses it; errors become `Failure`."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -11,7 +11,7 @@ from storage import Store, StoreError, open_for_reading, open_store
 
 @contextmanager
 def opened_for_reading(path: Path) -> Iterator[Store]:
-    """The store of a file that is there, to be read only."""
+    """The store of an existing file, read-only."""
     with _failures():
         _require(path)
         with open_for_reading(path) as store:
@@ -20,9 +20,10 @@ def opened_for_reading(path: Path) -> Iterator[Store]:
 
 @contextmanager
 def opened_store(path: Path, *, may_be_new: bool) -> Iterator[Store]:
-    """The store of a file that is as it should be.
+    """The store of a sound file. Refuses a damaged one, which only the app repairs.
 
-    A damaged file is not touched: the app, when it opens it, sets it aside and says so.
+    Args:
+        may_be_new: create the file if it does not exist.
     """
     with _failures():
         if _has_content(path):

@@ -1,4 +1,4 @@
-"""`pinel doctor`: says what this PC has and lacks."""
+"""`pinel doctor`: prints the diagnosis of this PC."""
 
 import json
 from typing import Any
@@ -18,9 +18,9 @@ _COLOURS: dict[Level, str] = {"ok": "green", "warn": "yellow", "fail": "red"}
 @database_option
 @click.pass_context
 def command(ctx: click.Context, as_json: bool) -> None:
-    """Say what this PC has and lacks.
+    """Diagnose this PC: what PINEL needs, and what is missing.
 
-    Exit status: 0 when PINEL can work here, 1 when something that it needs is missing.
+    Exit status: 0 if PINEL can work here, 1 if something necessary is missing.
     """
     language = language_of_system()
     if not as_json:

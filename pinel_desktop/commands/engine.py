@@ -1,4 +1,4 @@
-"""`pinel engine`: the process for live runs. Started by the app, not by people."""
+"""`pinel engine`: the process for live runs, started by the app."""
 
 import logging
 import os
@@ -14,9 +14,9 @@ from pinel_desktop.engine.server import Engine
 def command() -> None:
     """Execute live runs for the app: messages on standard input, events on standard output."""
     logging.basicConfig(stream=sys.stderr, level=logging.INFO)
-    # Ctrl+C in a terminal reaches the whole group; the app decides when the engine goes, by ending its pipe.
+    # Ctrl+C in a terminal reaches the whole process group; the app ends the engine by closing its pipe.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    # What a library prints by accident must not land among the events.
+    # Standard output goes to standard error, so that prints of libraries do not corrupt the events.
     events = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
     with events:

@@ -1,4 +1,4 @@
-"""`pinel export`: one file with everybody's work, or a part of it, for other PCs."""
+"""`pinel export`: writes a bundle of all work, or a part of it, for other PCs."""
 
 import json
 import platform
@@ -32,7 +32,7 @@ from storage.text import name_key, new_id
 @click.option(
     "--anonymous",
     is_flag=True,
-    help="Leave out all names and texts (docs/bundles.md says what stays).",
+    help="Leave out all names and texts (docs/bundles.md lists what stays).",
 )
 @click.option("--parquet", is_flag=True, help="Write a folder of Parquet files (docs/parquet.md).")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
@@ -46,9 +46,9 @@ def command(
     as_json: bool,
     **wanted: str | None,
 ) -> None:
-    """Write all work into one file for another PC (`pinel merge` reads it).
+    """Write all work into one file for another PC, which reads it with `pinel merge`.
 
-    DEST is a folder or a file name; a file that is there already is kept, and the new one gets a number.
+    DEST is a folder or a file name. An existing file is not replaced; the new one gets a number.
     """
     named = [name for name in wanted.values() if name is not None]
     if len(named) > 1:
@@ -67,7 +67,7 @@ def command(
             scope=scope,
             anonymous=shipped_texts() if anonymous else None,
         )
-    click.echo(json.dumps(_as_object(info), ensure_ascii=False) if as_json else _in_words(info))
+    click.echo(json.dumps(_as_object(info), ensure_ascii=False) if as_json else _as_text(info))
 
 
 class _Named(Protocol):
@@ -99,7 +99,7 @@ def _found(wanted: str, rows: Sequence[_Named]) -> str:
 
 
 def _computer(store: Store) -> tuple[str, str]:
-    """Key and name of this PC, or of none where they cannot be kept."""
+    """Key and name of this PC; placeholders if the database cannot store them."""
     try:
         return store.computers.this()
     except StoreError:
@@ -117,7 +117,7 @@ def _as_object(info: BundleInfo) -> dict[str, Any]:
     return {**asdict(info), "path": str(info.path)}
 
 
-def _in_words(info: BundleInfo) -> str:
+def _as_text(info: BundleInfo) -> str:
     language = language_of_system()
     words = describe("exported", {"path": str(info.path), **info.counts}, language).message
     if not info.left_out:

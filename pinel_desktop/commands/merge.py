@@ -1,4 +1,4 @@
-"""`pinel merge`: the work of other PCs, from files that they have exported."""
+"""`pinel merge`: merges work exported on other PCs."""
 
 import json
 from collections import Counter
@@ -33,22 +33,22 @@ class _Outcome:
 @click.option(
     "--delete",
     is_flag=True,
-    help="Delete here too, for good, what was deleted on the PCs that the files are from.",
+    help="Also delete here, permanently, what was deleted on the PCs of the files.",
 )
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @click.pass_context
 def command(ctx: click.Context, files: tuple[Path, ...], delete: bool, as_json: bool) -> None:
-    """Bring in the work of other PCs; FILES were written by `pinel export`, or are folders of such files.
+    """Merge the work of other PCs. FILES are files written by `pinel export`, or folders of such files.
 
-    The order does not matter, and what was merged before changes nothing. Ends with 2 when a file was refused; the
-    others are merged all the same.
+    The order does not matter, and merging a file again changes nothing. Exit status: 0, or 2 if a file was refused;
+    the others are merged nevertheless.
     """
     with opened_store(chosen_database(ctx), may_be_new=True) as store:
         outcomes = []
         for file in _all(files):
             outcomes.append(_merged(store, file, delete=delete))
             if not as_json:
-                click.echo(_in_words(outcomes[-1]))
+                click.echo(_as_text(outcomes[-1]))
         found = store.exchange.content_hash()
     click.echo(
         json.dumps(_as_object(outcomes, found), ensure_ascii=False)
@@ -59,7 +59,7 @@ def command(ctx: click.Context, files: tuple[Path, ...], delete: bool, as_json: 
 
 
 def _all(files: Iterable[Path]) -> Iterator[Path]:
-    """In folders, every bundle; a folder without any stands for itself."""
+    """The files, and all bundles of folders; a folder without bundles yields itself and is later refused."""
     for file in files:
         found = sorted(file.glob(f"*{SUFFIX}")) if file.is_dir() else []
         yield from found or [file]
@@ -74,7 +74,7 @@ def _merged(store: Store, file: Path, *, delete: bool) -> _Outcome:
         return _Outcome(file, None, error)
 
 
-def _in_words(outcome: _Outcome) -> str:
+def _as_text(outcome: _Outcome) -> str:
     report, error = outcome.report, outcome.error
     if error is not None:
         words = explain(error)
@@ -118,9 +118,9 @@ def _of_file(outcome: _Outcome) -> dict[str, Any]:
     if report is None:
         assert error is not None
         words = explain(error)
-        told = {"code": error.code, "message": words.message, "remedy": words.remedy}
-        detail = error.params.get("problem")  # what the library or the check found, untranslated
-        return {"file": str(outcome.file), "error": {**told, "detail": detail}}
+        text = {"code": error.code, "message": words.message, "remedy": words.remedy}
+        detail = error.params.get("problem")  # text of the library or the check, untranslated
+        return {"file": str(outcome.file), "error": {**text, "detail": detail}}
     counts = {name: getattr(report, name) for name in ("added", "changed", "skipped", "removed")}
     return {
         "file": str(outcome.file),

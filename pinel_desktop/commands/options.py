@@ -1,4 +1,4 @@
-"""Options that several commands share."""
+"""Options shared by several commands."""
 
 from pathlib import Path
 
@@ -12,7 +12,7 @@ def _keep(ctx: click.Context, _option: click.Parameter, file: str | None) -> Non
         ctx.ensure_object(dict)["db"] = file
 
 
-# may stand before the subcommand or after it; the later one counts
+# accepted before and after the subcommand; the latter takes precedence
 database_option = click.option(
     "--db",
     type=click.Path(dir_okay=False),
@@ -23,11 +23,11 @@ database_option = click.option(
 
 
 def chosen_file(ctx: click.Context) -> str | None:
-    """The file of `--db`, None where the user's own is meant."""
+    """The value of `--db`; None for the user's own database."""
     file: str | None = ctx.ensure_object(dict).get("db")
     return file
 
 
 def chosen_database(ctx: click.Context) -> Path:
-    """The database that the command works on."""
+    """Path of the database for the command."""
     return database_path(chosen_file(ctx))

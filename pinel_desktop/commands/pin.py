@@ -25,11 +25,11 @@ def command(ctx: click.Context, forget: bool) -> None:
         if forget:
             sessions.remove_pin()
         else:
-            sessions.set_pin(_asked())
+            sessions.set_pin(_prompt_twice())
     click.echo("\n".join(_words("pin_taken_away" if forget else "pin_chosen")))
 
 
-def _asked() -> str:
+def _prompt_twice() -> str:
     """Prompts for a PIN twice. Raises PinelError `pin_format` or `pin_different`."""
     first = click.prompt(_words("pin_prompt")[0], hide_input=True)
     check_format(first)

@@ -1,4 +1,4 @@
-"""How commands tell a person what is wrong."""
+"""Prints problems for people."""
 
 from typing import IO, Any
 
@@ -8,7 +8,7 @@ from pinel_desktop.messages import Problem, explain
 
 
 class Failure(click.ClickException):
-    """Ends a command with the words of a problem: what is wrong, and below it what to do."""
+    """Ends a command with the message of a problem and, on the next line, its remedy."""
 
     def __init__(self, problem: Problem) -> None:
         words = explain(problem)
@@ -19,5 +19,5 @@ class Failure(click.ClickException):
 
 
 def print_problem(problem: Problem, language: str | None = None, *, place: str = "") -> None:
-    """Says on standard error what is wrong and what to do, on one line after the place."""
+    """Prints `place`, message and remedy of a problem on one line of standard error."""
     click.echo(f"{place}: " * bool(place) + explain(problem, language).line, err=True)

@@ -1,4 +1,4 @@
-"""Reading a program from a file or from standard input, and saying what is wrong with it."""
+"""Reads a program from a file or from standard input, and prints its faults."""
 
 import sys
 from collections.abc import Mapping
@@ -12,7 +12,7 @@ from pinel_desktop.program.sources import read_source
 
 
 def read_file(file: str) -> Reading:
-    """Reads a document, a bare list or Python text; `-` is standard input. What cannot be opened is a fault."""
+    """Reads a document, a bare list or Python text; `-` is standard input. An unreadable file is a fault."""
     try:
         if file == "-":
             return read_source(sys.stdin.buffer.read(MAX_BYTES + 1))
@@ -23,13 +23,13 @@ def read_file(file: str) -> Reading:
 
 
 def place_of(pointer: str, params: Mapping[str, object], language: str) -> str:
-    """Where a fault is, for people: line and column of a text, or the place in a document."""
+    """The place of a fault as text: line and column, or the pointer in a document."""
     if {"line", "column"} <= params.keys():
         return describe("python_at", params, language).message
     return pointer or "/"
 
 
-def say_faults(faults: tuple[Fault, ...], language: str) -> None:
-    """Says on standard error what is wrong, one line for each fault."""
+def print_faults(faults: tuple[Fault, ...], language: str) -> None:
+    """Prints each fault on one line of standard error."""
     for fault in faults:
         print_problem(fault, language, place=place_of(fault.pointer, fault.params, language))

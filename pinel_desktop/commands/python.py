@@ -4,7 +4,7 @@ import json
 
 import click
 
-from pinel_desktop.commands.program_file import read_file, say_faults
+from pinel_desktop.commands.program_file import print_faults, read_file
 from pinel_desktop.messages import language_of_system
 from pinel_desktop.program.python_text import write_python
 
@@ -23,7 +23,7 @@ def command(ctx: click.Context, file: str, as_json: bool) -> None:
     """
     language = language_of_system()
     reading = read_file(file)
-    say_faults((*reading.warnings, *reading.faults), language)
+    print_faults((*reading.warnings, *reading.faults), language)
     document = reading.document
     if document is None:
         ctx.exit(_INVALID)

@@ -29,7 +29,7 @@ from pinel_desktop.runs.spec import RunSpec
 from pinel_desktop.runs.start import all_of, start
 from storage import Recorder, RunStart, Store, StoreError, open_store
 
-_LONGEST_VALUE = 200  # of a variable, for people; --json gives it whole
+_LONGEST_VALUE = 200  # of a variable in the text output; --json has the full value
 _FINISHED, _NOT_FINISHED, _INVALID = 0, 1, 2
 _INVALID_REASONS = (
     "invalid_program",
@@ -97,14 +97,14 @@ _INVALID_REASONS = (
     "--answers",
     metavar="3,Ana,...",
     multiple=True,
-    help="Answers to questions, in order; one with a comma stands in quotes: '3,\"1,5\"'.",
+    help="Answers to questions, in order; quote an answer with a comma: '3,\"1,5\"'.",
 )
 @click.option(
     "--plot",
     type=click.Path(dir_okay=False),
-    help="Draw path, position, heading and control signals into a picture (.png, .svg, .pdf).",
+    help="Plot path, position, heading and control signals to a file (.png, .svg, .pdf).",
 )
-@click.option("--no-store", is_flag=True, help="Do not keep the run.")
+@click.option("--no-store", is_flag=True, help="Do not record the run.")
 @database_option
 @click.pass_context
 def command(
@@ -121,7 +121,7 @@ def command(
     if reading.program is None:
         summary = _faulty(reading, language)
     elif wrong is not None:
-        summary = _unbegun(wrong, language)
+        summary = _not_begun(wrong, language)
     else:
         for warning in reading.warnings:
             print_problem(warning, language, place=warning.pointer)
@@ -134,7 +134,7 @@ def command(
 
 
 def _wrong_plot(file: str | None) -> PinelError | None:
-    """Why no picture can be drawn, before anything is run for it."""
+    """Why `--plot` cannot work, checked before the run; None if it can."""
     if file is not None:
         try:
             plot_format(file)
@@ -181,7 +181,7 @@ def _run(
             spec, all_of(*(part.observe for part in (recording, curves) if part is not None))
         )
     except PinelError as error:
-        return _unbegun(error, language)
+        return _not_begun(error, language)
     ended = result.ended
     if curves is not None:
         _draw(curves, options["plot"], reading.program.name if reading.program else "", language)
@@ -220,7 +220,7 @@ def _draw(curves: Curves, file: str, title: str, language: str) -> None:
         print_problem(error, language, place="pinel")
 
 
-def _unbegun(error: PinelError, language: str) -> dict[str, Any]:
+def _not_begun(error: PinelError, language: str) -> dict[str, Any]:
     faults = error.faults if isinstance(error, WorldFileError) else ()
     return unbegun_object(
         error.code,
@@ -234,18 +234,18 @@ def _results(text: str) -> list[str]:
 
 
 def _answers(texts: tuple[str, ...]) -> list[str]:
-    """The answers in their order; a text that is no row of CSV is one answer."""
+    """The answers in order; each text is a CSV row, or one answer if it is not valid CSV."""
     found: list[str] = []
     for text in texts:
         try:
             found += next(csv.reader([text], skipinitialspace=True), [""])
-        except csv.Error:  # it has lines of its own
+        except csv.Error:  # the text contains line breaks
             found.append(text)
     return found
 
 
 class _Recording:
-    """Records a run in the database. What goes wrong with it is said and does not end the run."""
+    """Records a run in the database. Errors are printed and do not end the run."""
 
     def __init__(self, store: Store, language: str) -> None:
         self._store, self._language = store, language
@@ -254,7 +254,7 @@ class _Recording:
         self._start: RunStart | None = None
 
     def will_keep(self, start: RunStart) -> None:
-        """Keeps the run from its first event on: one that cannot begin leaves nothing behind."""
+        """Records the run from its first event; a run that cannot begin leaves no record."""
         self._start = start
 
     def observe(self, tick: int, event: Event) -> None:
@@ -273,7 +273,7 @@ class _Recording:
         self._recorder = Recorder(self._store, kept=KEPT, urgent=URGENT)
 
     def close(self) -> str | None:
-        """Finishes writing; the run's id, None when it could not be kept."""
+        """Finishes writing. Returns the run's id, None if it could not be recorded."""
         problem = self._recorder.problem if self._recorder else None
         self._store.close()
         if problem is not None:
@@ -293,7 +293,7 @@ def _open_recording(database: Path, language: str) -> _Recording | None:
 
 
 def _lines(summary: dict[str, Any], language: str) -> list[str]:
-    """The object for people, without --json."""
+    """The result as lines of text, for output without --json."""
     reason = f" ({summary['reason']})" if summary["reason"] else ""
     lines = [f"state           {summary['state']}{reason}"]
     if summary["message"]:

@@ -1,4 +1,4 @@
-"""`pinel runs`: what was run and how it ended."""
+"""`pinel runs`: lists, shows and verifies recorded runs."""
 
 import json
 import re
@@ -57,7 +57,7 @@ def list_runs(ctx: click.Context, limit: int, as_json: bool) -> None:
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @click.pass_context
 def show_run(ctx: click.Context, run: str, as_json: bool) -> None:
-    """Show one run. RUN is its id, or a beginning of it that no other run shares."""
+    """Show one run. RUN is its id, or a unique prefix of it."""
     with opened_for_reading(chosen_database(ctx)) as store:
         row = _found(store, run)
         n_events = len(store.runs.events(row.id))
@@ -74,12 +74,11 @@ def show_run(ctx: click.Context, run: str, as_json: bool) -> None:
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @click.pass_context
 def verify(ctx: click.Context, run: str, as_json: bool) -> None:
-    """Run a recorded run again and say whether it is the same.
+    """Repeat a recorded run and compare all recorded data.
 
-    RUN is as for `show`. All that is kept of it is compared. Exit status: 0 the same, 1 not the same, changed, or not
-    to be repeated.
+    RUN is as for `show`. Exit status: 0 equal, 1 different, changed, or not repeatable.
     """
-    from pinel_desktop.runs.verification import verify_run  # noqa: PLC0415 - the simulator, for this one only
+    from pinel_desktop.runs.verification import verify_run  # noqa: PLC0415 - imports the simulator
 
     with opened_for_reading(chosen_database(ctx)) as store:
         row = _found(store, run)
@@ -87,7 +86,7 @@ def verify(ctx: click.Context, run: str, as_json: bool) -> None:
     if as_json:
         click.echo(json.dumps({"run": row.id, **asdict(verdict)}))
     else:
-        code, params = _in_words(verdict, row)
+        code, params = _as_text(verdict, row)
         language = language_of_system()
         words = describe(code, params, language)
         click.echo(f"{row.id}  {verdict.outcome}\n{words.message}")
@@ -97,7 +96,7 @@ def verify(ctx: click.Context, run: str, as_json: bool) -> None:
     ctx.exit(1 if verdict.outcome in ("different", "altered") else 0)
 
 
-def _in_words(verdict: "Verdict", row: RunRow) -> tuple[str, dict[str, Any]]:
+def _as_text(verdict: "Verdict", row: RunRow) -> tuple[str, dict[str, Any]]:
     first = verdict.difference
     if verdict.outcome == "equal" and not verdict.whole:
         return "verified_cut_off", {"ticks": verdict.n_ticks}

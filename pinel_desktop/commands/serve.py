@@ -1,4 +1,4 @@
-"""`pinel serve`: the page without a window."""
+"""`pinel serve`: serves the page without a window."""
 
 import signal
 import socket
@@ -21,15 +21,15 @@ from pinel_desktop.messages import describe
     type=click.IntRange(0, 65535),
     default=0,
     show_default=True,
-    help="Port; 0 takes a free one.",
+    help="Port; 0 chooses a free one.",
 )
 @database_option
 @click.pass_context
 def command(ctx: click.Context, port: int) -> None:
     """Serve the page without a window and print its address.
 
-    The address works once and on this PC only; start the command again for a fresh one. Ends with Ctrl+C.
-    Exit status: 0, or 1 when the page cannot be served.
+    The address works once and on this PC only; start the command again for a new one. Ctrl+C ends it.
+    Exit status: 0, or 1 if the page cannot be served.
     """
     app = App(chosen_database(ctx), port=port)
     try:
@@ -42,25 +42,28 @@ def command(ctx: click.Context, port: int) -> None:
 
 
 def _serve(app: App) -> None:
-    with _signals() as told, app:
+    with _signals() as signals, app:
         if app.notice is not None:
             print_problem(app.notice, app.language)
         click.echo(describe("serving", {}, app.language).line, err=True)
         click.echo(app.address)
-        told.recv(1)
+        signals.recv(1)
 
 
 @contextmanager
 def _signals() -> Iterator[socket.socket]:
-    """Hears of Ctrl+C and of being told to end, whichever thread the system hands them to: a lock that the main
-    thread waits for would not."""
-    told, telling = socket.socketpair()
-    with told, telling:
-        telling.setblocking(False)
-        signal.set_wakeup_fd(telling.fileno())
+    """A socket that becomes readable at SIGINT or SIGTERM.
+
+    The wakeup descriptor works for whichever thread receives the signal; a main thread that waits for a lock would not
+    run Python signal handlers.
+    """
+    receiving, sending = socket.socketpair()
+    with receiving, sending:
+        sending.setblocking(False)
+        signal.set_wakeup_fd(sending.fileno())
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, lambda number, frame: None)
         try:
-            yield told
+            yield receiving
         finally:
             signal.set_wakeup_fd(-1)

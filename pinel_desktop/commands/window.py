@@ -1,7 +1,7 @@
 """`pinel` without a subcommand: the app in its window; and `pinel --self-check`.
 
-This process shows the window and owns the lock; the app runs in another (desktop/app_process.py) and loads while
-the window is drawn. What is imported at the top of this file holds up the start of that process.
+This process shows the window and holds the lock. The app runs in another process (desktop/app_process.py), which loads
+while the window opens. Imports at the top of this file delay the start of that process.
 """
 
 import gc
@@ -18,16 +18,16 @@ from pinel_desktop.paths import database_path
 if TYPE_CHECKING:
     from pinel_desktop.desktop.presenter import Presenter
 
-# The toolkit and its libraries stay: looking for garbage among them all the while takes a tenth of their import.
-_OBJECTS_BETWEEN_COLLECTIONS = 50_000
+# The default threshold spends a tenth of the toolkit's import on garbage collection, which frees nothing.
+_GC_THRESHOLD = 50_000
 
 
 def open_app(db: str | None) -> int:
     """Shows the page until the person closes it; a second start brings the first window forward.
 
-    Returns the exit status: 0, or 1 when the app cannot start.
+    Returns the exit status: 0, or 1 if the app cannot start.
     """
-    gc.set_threshold(_OBJECTS_BETWEEN_COLLECTIONS)
+    gc.set_threshold(_GC_THRESHOLD)
     presenters: list[Presenter] = []
     app = AppProcess(
         database_path(db),
@@ -40,7 +40,7 @@ def open_app(db: str | None) -> int:
     try:
         status = _open(app, db, presenters)
     except PinelError as error:
-        _print_words(error)
+        _print_message(error)
         status = 1
     finally:
         app.close()
@@ -58,7 +58,7 @@ def _open(app: AppProcess, db: str | None, presenters: "list[Presenter]") -> int
         instance.acquire()
     except AlreadyRunningError as first:
         first.running.show()
-        _print_words(first)
+        _print_message(first)
         _print(first.running.fresh_link())
         return 0
     try:
@@ -76,7 +76,7 @@ def _open(app: AppProcess, db: str | None, presenters: "list[Presenter]") -> int
 
 
 def self_check(db: str | None) -> int:
-    """Tries window, simulator and store once and prints one JSON object; the exit status is 0 when all is well."""
+    """Tests window, simulator and store, and prints one JSON object. Returns the exit status: 0 if all work."""
     from pinel_desktop.desktop.ending import end_process  # noqa: PLC0415
     from pinel_desktop.desktop.self_check import check  # noqa: PLC0415 - only the package's test needs it
 
@@ -88,7 +88,7 @@ def self_check(db: str | None) -> int:
 
 
 def _end_at_signal(presenter: "Presenter") -> None:
-    """For the ways without a toolkit of their own; a native window hears the signals itself."""
+    """Closes the presenter at SIGINT or SIGTERM; native windows have their own handlers."""
 
     def end(number: int, frame: FrameType | None) -> None:
         presenter.close()
@@ -98,7 +98,7 @@ def _end_at_signal(presenter: "Presenter") -> None:
             signal.signal(number, end)
 
 
-def _print_words(error: PinelError) -> None:
+def _print_message(error: PinelError) -> None:
     from pinel_desktop.messages import explain  # noqa: PLC0415 - see _print
 
     _print_error(explain(error).line)
@@ -109,6 +109,6 @@ def _print_error(line: str) -> None:
 
 
 def _print(text: str, *, err: bool = False) -> None:
-    import click  # noqa: PLC0415 - a window that opens has nothing to say
+    import click  # noqa: PLC0415 - not needed if the window opens
 
     click.echo(text, err=err)

@@ -1,4 +1,4 @@
-"""The world that a command is told: one that ships, by its name, or a document in a file."""
+"""Reads the world named on the command line: a shipped world, or a document in a file."""
 
 import os
 from dataclasses import dataclass
@@ -11,14 +11,14 @@ from sim.world import WorldError, world_document
 
 @dataclass(frozen=True, slots=True)
 class ChosenWorld:
-    """A world by its name with its document."""
+    """A world's name and document."""
 
     name: str
     document: dict[str, Any]
 
 
 class WorldFileError(PinelError):
-    """A file of a world with faults, or that cannot be read."""
+    """A world file that has faults or cannot be read."""
 
     def __init__(self, faults: tuple[Fault, ...]) -> None:
         super().__init__("invalid_world", count=len(faults))
@@ -26,9 +26,9 @@ class WorldFileError(PinelError):
 
 
 def choose_world(name_or_file: str, *, robot: str) -> ChosenWorld:
-    """The world of that name, or of that file, in which the robot has room at the start.
+    """The shipped world of that name, or the world in that file. The robot must fit at the start pose.
 
-    A file is what ends in `.json`, and what is there without being the name of a world.
+    A name that ends in `.json`, or of an existing file that is not the name of a world, means a file.
 
     Raises:
         PinelError: `unknown_world`.
@@ -46,7 +46,7 @@ def choose_world(name_or_file: str, *, robot: str) -> ChosenWorld:
 
 
 def _read(file: str, robot: str) -> dict[str, Any]:
-    # numpy comes with it, which takes longer than most programs run
+    # imports numpy, which takes longer than most programs run
     from pinel_desktop.worlds import MAX_BYTES, read_own_world  # noqa: PLC0415
 
     try:

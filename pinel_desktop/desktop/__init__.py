@@ -1,1 +1,1 @@
-"""Window and single instance: the only import of pywebview."""
+"""The window; the only folder that imports pywebview."""

@@ -1,7 +1,7 @@
-"""The window's side of the app, which runs in a process of its own (commands/app.py has the messages).
+"""The window's side of the app's process; commands/app.py describes the messages.
 
-Two processes, because a window and a web server in one hold each other up: the toolkit's main loop and every
-request take turns with one interpreter lock, at the start most of all.
+There are two processes because the toolkit's main loop and the web server would compete for one interpreter lock, most
+of all at the start.
 """
 
 import contextlib
@@ -17,20 +17,24 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.processes import own_command
 
 _START_S = 60.0
-# the engine's own end may take the app four seconds
+# the app may wait four seconds for the end of the engine
 _CLOSE_S = 8.0
 
 
 class AppProcess:
     """Owns the app's process; thread-safe.
 
-    The process begins to load when this is made, so that it is made early; it touches nothing before `start`.
+    The constructor starts the process, which imports its modules at once but opens nothing before `start`.
     """
 
     def __init__(
         self, database: Path, on_show: Callable[[], None], on_lost: Callable[[], None]
     ) -> None:
-        """`on_show`: a second start asks for the window. `on_lost`: the app has died, or could not start."""
+        """
+        Args:
+            on_show: called when a second start asks to bring the window forward.
+            on_lost: called when the app has died or could not start.
+        """
         self._on_show = on_show
         self._on_lost = on_lost
         self._answers: queue.Queue[str] = queue.Queue()
@@ -62,11 +66,11 @@ class AppProcess:
 
     @property
     def failure(self) -> PinelError | None:
-        """Why the app could not start, or `app_lost` when it died."""
+        """Why the app could not start; `app_lost` if it died; else None."""
         return self._failure
 
     def language(self) -> str:
-        """The chosen language; waits until the app has started. Raises PinelError when it does not."""
+        """The chosen language. Waits until the app has started; raises PinelError if it does not."""
         if not self._ready.wait(_START_S):
             raise PinelError("app_lost")
         if self._failure is not None:
@@ -74,9 +78,9 @@ class AppProcess:
         return self._language
 
     def address(self) -> str:
-        """A fresh address that opens the page once. Raises PinelError when the app does not start."""
+        """A new address that opens the page once. Raises PinelError if the app does not start."""
         with self._asking:
-            # the first one comes unasked, before the app is ready
+            # the app sends the first address without a request, before it is ready
             if self._has_asked:
                 self._send({"do": "address"})
             self._has_asked = True
@@ -89,10 +93,10 @@ class AppProcess:
         return answer
 
     def close(self) -> None:
-        """Ends the app: it stops the robot and writes what is pending. Waits for its process."""
+        """Ends the app, which stops the robot and writes pending data, and waits for its process."""
         self._closing = True
         assert self._process.stdin is not None
-        with contextlib.suppress(OSError):  # it may have gone already
+        with contextlib.suppress(OSError):  # the process may have ended already
             self._process.stdin.close()
         try:
             self._process.wait(_CLOSE_S)
@@ -107,7 +111,7 @@ class AppProcess:
             self._process.stdin.write(json.dumps(message) + "\n")
             self._process.stdin.flush()
         except (OSError, ValueError):
-            pass  # the reader notices that the app is gone
+            pass  # the reader reports the end of the process
 
     def _read(self) -> None:
         assert self._process.stdout is not None

@@ -1,6 +1,6 @@
-"""Which ways there are on this PC to show the page, best first, and what is missing for the others.
+"""Backends for showing the page on this PC, best first, and what is missing for each.
 
-Nothing here opens anything or imports pywebview: `pinel doctor` asks as well.
+Nothing here opens a window or imports pywebview, because `pinel doctor` uses it too.
 """
 
 import importlib
@@ -17,7 +17,7 @@ from pinel_desktop.errors import PinelError
 Toolkit = Literal["gtk", "qt", "edgechromium", "cocoa"]
 BackendName = Toolkit | Literal["browser"]
 
-# Names under which browsers that know `--app=ADDRESS` are installed; Windows keeps them off the PATH.
+# Program names of browsers that support `--app=ADDRESS`; on Windows they are not on the PATH.
 BROWSERS = (
     "chromium",
     "chromium-browser",
@@ -37,7 +37,7 @@ _WINDOWS_BROWSERS = (
 
 
 def gtk_problem() -> str | None:
-    """What keeps GTK's web view from loading, in the library's words; None when it loads."""
+    """The library's error if GTK's web view does not load; None if it does."""
     try:
         gi = importlib.import_module("gi")
         gi.require_version("Gtk", "3.0")
@@ -52,7 +52,7 @@ def gtk_problem() -> str | None:
 
 
 def qt_problem() -> str | None:
-    """What keeps Qt's web view from loading; None when its parts are installed."""
+    """The missing module if Qt's web view is not installed; None if it is."""
     if importlib.util.find_spec("qtpy") is None:
         return "qtpy"
     for package in ("PyQt6", "PySide6"):
@@ -62,12 +62,12 @@ def qt_problem() -> str | None:
 
 
 class NoWindowError(PinelError):
-    """The page cannot be shown in this way; another may be tried."""
+    """A backend cannot show the page; another may be tried."""
 
 
 @dataclass(frozen=True, slots=True)
 class Pc:
-    """What the choice depends on; tests describe other PCs with it."""
+    """The properties of a PC on which the choice of backends depends; tests replace them."""
 
     platform: str = sys.platform
     environ: Mapping[str, str] = field(default_factory=lambda: os.environ)
@@ -78,7 +78,7 @@ class Pc:
 
     @property
     def has_screen(self) -> bool:
-        """Whether a window could be seen at all."""
+        """True if the PC has a display."""
         if self.platform in ("win32", "darwin"):
             return True
         return bool(self.environ.get("DISPLAY") or self.environ.get("WAYLAND_DISPLAY"))
@@ -86,7 +86,7 @@ class Pc:
 
 @dataclass(frozen=True, slots=True)
 class Backend:
-    """One way to show the page; `problem` is the code of why it cannot, with its parameters."""
+    """One backend; `problem` and `params` are the error if it cannot be used."""
 
     name: BackendName
     problem: str | None = None
@@ -94,7 +94,7 @@ class Backend:
 
 
 def find_browser(pc: Pc) -> str | None:
-    """The program file of a browser that can show an address as an app of its own."""
+    """Path of a browser that supports app mode; None without one."""
     for name in BROWSERS:
         if path := pc.which(name):
             return path
@@ -106,7 +106,7 @@ def find_browser(pc: Pc) -> str | None:
 
 
 def backends(pc: Pc) -> list[Backend]:
-    """Every way worth trying here in its order, those with a problem among them."""
+    """The backends for this PC, best first, including those with a problem."""
     if not pc.has_screen:
         return []
     browser = Backend("browser", None if find_browser(pc) else "window_browser_missing")
@@ -128,8 +128,8 @@ def _qt(pc: Pc) -> Backend:
 
 
 def renderer_problem(renderer: str) -> str | None:
-    """Why what pywebview took must not be used: without WebView2 it falls back to Internet Explorer.
+    """Error code if pywebview's renderer cannot run the page, else None.
 
-    MSHTML cannot run the page, and pywebview says no word about it.
+    Without WebView2, pywebview silently falls back to Internet Explorer (MSHTML).
     """
     return "window_webview2_missing" if renderer == "mshtml" else None

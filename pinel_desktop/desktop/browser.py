@@ -1,4 +1,4 @@
-"""The page in a browser's window of its own: without tabs and address bar, apart from the person's browser."""
+"""Shows the page in a browser in app mode: without tabs and address bar, with a profile of its own."""
 
 import os
 import shutil
@@ -9,12 +9,12 @@ from collections.abc import Callable
 
 from pinel_desktop.desktop.backends import NoWindowError, Pc, find_browser
 
-# A browser that ends sooner, with a fault, has not shown anything.
+# a browser that fails sooner has not shown a window
 _SHORT_LIFE_S = 5.0
 
 
 def app_command(program: str, address: str, profile: str, *, as_root: bool) -> list[str]:
-    """The call that shows `address` as an app; nothing but the page makes the browser use the network."""
+    """The command line that shows `address` in app mode, without network use of the browser itself."""
     command = [
         program,
         f"--app={address}",
@@ -31,7 +31,7 @@ def app_command(program: str, address: str, profile: str, *, as_root: bool) -> l
 
 
 class BrowserWindow:
-    """Shows an address in app mode and ends with it."""
+    """A browser window in app mode."""
 
     def __init__(self, fresh_address: Callable[[], str], pc: Pc | None = None) -> None:
         self._fresh_address = fresh_address
@@ -41,7 +41,7 @@ class BrowserWindow:
         self._command: Callable[[], list[str]] | None = None
 
     def run(self) -> None:
-        """Returns when the window is closed. Raises NoWindowError `window_browser_missing` or `window_failed`."""
+        """Shows the window until it is closed. Raises NoWindowError `window_browser_missing` or `window_failed`."""
         program = find_browser(self._pc)
         if program is None:
             raise NoWindowError("window_browser_missing")
@@ -55,13 +55,13 @@ class BrowserWindow:
             shutil.rmtree(profile, ignore_errors=True)
 
     def close(self) -> None:
-        """Ends the browser; `run` returns."""
+        """Ends the browser, so that `run` returns."""
         self._closed.set()
         if self._process is not None:
             self._process.terminate()
 
     def show(self) -> None:
-        """Asks the browser for another window on the page: its old one cannot be reached from outside."""
+        """Opens another window, because the browser's existing one cannot be brought forward from outside."""
         if self._command is not None:
             subprocess.run(
                 self._command(),

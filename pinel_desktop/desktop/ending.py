@@ -1,4 +1,4 @@
-"""The end of a process that has shown a window."""
+"""Ends a process that has shown a window."""
 
 import os
 import sys
@@ -6,10 +6,10 @@ import threading
 
 
 def end_process(status: int) -> None:
-    """Ends the process here where a thread of the window's library would keep it alive for ever.
+    """Exits at once if a non-daemon thread of pywebview would keep the process alive; otherwise returns.
 
-    A script that is under way when the window closes never answers, and pywebview runs its own on threads that
-    Python waits for. Call it last: everything of ours must have been closed. Returns where nothing is in the way.
+    pywebview runs its scripts on such threads, and a script that is running when the window closes never returns. Call
+    this last, after closing all other resources.
     """
     others = (thread for thread in threading.enumerate() if thread is not threading.main_thread())
     if any(not thread.daemon for thread in others):

@@ -1,4 +1,4 @@
-"""Where the window may go: to its own page, and nowhere else. And how large it opens."""
+"""The window's navigation policy, which allows its own page only, and its size. PURE."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -8,13 +8,13 @@ Verdict = Literal["show", "save", "refuse"]
 
 SMALLEST = (1024, 640)
 LARGEST = (1600, 1000)
-# A lab's screen of 1366 x 768 has no room to give away around a window.
-_FILL_UP_TO = (1440, 900)
+# on screens up to this size, such as 1366 x 768, the window is maximised
+_MAXIMIZE_UP_TO = (1440, 900)
 
 
 @dataclass(frozen=True, slots=True)
 class Size:
-    """Width and height in pixels, the least that the person may make of them, and whether to fill the screen."""
+    """Width, height and minimum size of the window in pixels, and whether it is maximised."""
 
     width: int
     height: int
@@ -23,7 +23,7 @@ class Size:
 
 
 def may_open(address: str, own: str) -> bool:
-    """Whether `address` has the scheme, host and port of `own`."""
+    """True if `address` has the scheme, host and port of `own`."""
     try:
         there, here = urlsplit(address), urlsplit(own)
         return (there.scheme, there.hostname, there.port) == (here.scheme, here.hostname, here.port)
@@ -31,8 +31,8 @@ def may_open(address: str, own: str) -> bool:
         return False
 
 
-def judged(address: str, own: str) -> Verdict:
-    """What to do with an address that the window is to go to: files that the page hands out are saved, not shown."""
+def verdict_on(address: str, own: str) -> Verdict:
+    """What to do with a navigation to `address`: show the page, save files created by it, refuse all else."""
     if address == "about:blank" or may_open(address, own):
         return "show"
     scheme, _, made_by = address.partition(":")
@@ -40,9 +40,9 @@ def judged(address: str, own: str) -> Verdict:
 
 
 def fitted_size(screen_width: int, screen_height: int) -> Size:
-    """The size for a screen: all of a small one, most of a large one."""
+    """The window's size on a screen given in pixels: all of a small screen, most of a large one."""
     smallest = (min(SMALLEST[0], screen_width), min(SMALLEST[1], screen_height))
-    maximized = screen_width <= _FILL_UP_TO[0] or screen_height <= _FILL_UP_TO[1]
+    maximized = screen_width <= _MAXIMIZE_UP_TO[0] or screen_height <= _MAXIMIZE_UP_TO[1]
     if maximized:
         return Size(screen_width, screen_height, smallest, maximized)
     width = min(LARGEST[0], screen_width * 85 // 100)

@@ -1,4 +1,4 @@
-"""Shows the page in the best way that this PC has: native window, browser in app mode, plain address."""
+"""Shows the page with the best available backend: native window, browser in app mode, or just its address."""
 
 import threading
 import webbrowser
@@ -12,18 +12,18 @@ from pinel_desktop.desktop.browser import BrowserWindow
 from pinel_desktop.messages import describe
 
 TITLE = "PINEL Desktop"
-# of the page, which is built after a clone
+# part of the page, which a fresh clone has not built yet
 _ICON = Path(pinel_desktop.__file__).parent / "web" / "static" / "icon.png"
-# The workspace has drawn its first block, and there is a button to run it.
+# JavaScript: true once the workspace shows a block and the page has the Run button
 USABLE = (
     "!!document.querySelector('.blocklyDraggable') && !!document.querySelector('[data-testid=run]')"
 )
-# Qt is an extra: that it is missing is no news to anybody.
-_NO_NEWS = ("window_qt_missing",)
+# not worth a message: Qt is optional
+_SILENT_PROBLEMS = ("window_qt_missing",)
 
 
 class OpenWindow(Protocol):
-    """A window that is being shown."""
+    """An open window."""
 
     def show(self) -> None:
         """Brings it forward."""
@@ -33,12 +33,14 @@ class OpenWindow(Protocol):
 
 
 class Presenter:
-    """Keeps the page on the screen until the person closes it.
+    """Shows the page until the person closes it. `show` and `close` may be called from any thread.
 
-    `fresh_address` gives an address that works once: every way that is tried gets its own. It and `language` may
-    wait until the app can answer; what they raise, `run` raises. `say` is given the
-    lines that a person should read, `give` the address that a person or a program may open. `show` and `close`
-    may be called from any thread, at any time.
+    Args:
+        fresh_address: gives an address that works once, for each backend tried; may block until the app answers.
+        language: the language of messages; may block likewise. `run` raises what these two raise.
+        say: prints a line for people.
+        give: prints the address, if no window can be shown.
+        on_open: called when a native window has opened.
     """
 
     def __init__(
@@ -62,16 +64,16 @@ class Presenter:
         self.backend: str = "none"
 
     def run(self) -> None:
-        """Returns when the page was closed, or after `close`."""
+        """Shows the page; returns when it was closed, or after `close`."""
         if not self._pc.has_screen:
-            self._say_words("window_no_screen", {})
+            self._say_message("window_no_screen", {})
         for backend in backends(self._pc):
             if self._closed.is_set() or self._try(backend):
                 return
         self._give_address()
 
     def show(self) -> None:
-        """Brings the window forward where there is one."""
+        """Brings the window forward, if there is one."""
         if self._window is not None:
             self._window.show()
 
@@ -82,7 +84,7 @@ class Presenter:
             self._window.close()
 
     def _try(self, backend: Backend) -> bool:
-        """Whether the page was shown and has been closed."""
+        """Shows the page with a backend; True if it was shown and closed, False if the backend cannot show it."""
         try:
             if backend.problem:
                 raise NoWindowError(backend.problem, **backend.params)
@@ -92,15 +94,15 @@ class Presenter:
             else:
                 self._show_in_window(backend.name)
         except NoWindowError as error:
-            if error.code not in _NO_NEWS:
-                self._say_words(error.code, error.params)
+            if error.code not in _SILENT_PROBLEMS:
+                self._say_message(error.code, error.params)
             return False
         finally:
             self._window = None
         return True
 
     def _show_in_window(self, toolkit: Toolkit) -> None:
-        # pywebview and GTK take half a second to import, and are not there on every PC
+        # pywebview and GTK take half a second to import, and are not installed on every PC
         from pinel_desktop.desktop.window import NativeWindow  # noqa: PLC0415
 
         window = NativeWindow(
@@ -119,7 +121,7 @@ class Presenter:
         window.run()
 
     def _give_address(self) -> None:
-        """The last way: the person opens the page; the app goes on until it is ended."""
+        """The last resort: prints the address for the person to open; returns only after `close`."""
         self.backend = "address"
         address = self._fresh_address()
         words = describe("window_address", {}, self._language())
@@ -128,10 +130,10 @@ class Presenter:
         self._say(words.remedy)
         if self._pc.has_screen:
             webbrowser.open(address)
-        # in steps, because Windows hears Ctrl+C only between them
+        # with a timeout, because Windows handles Ctrl+C only between waits
         while not self._closed.wait(0.5):
             pass
 
-    def _say_words(self, code: str, params: Mapping[str, object]) -> None:
+    def _say_message(self, code: str, params: Mapping[str, object]) -> None:
         words = describe(code, params, self._language())
         self._say(words.line)

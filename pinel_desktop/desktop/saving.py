@@ -1,30 +1,34 @@
-"""Files that the page hands out, in GTK's window: the person says where to."""
+"""The dialog for saving files that the page creates, in GTK's window."""
 
 from collections.abc import Callable, Mapping
 from typing import Any
 
 
-def offer(context: Any, parent: Any, words: Callable[[], Mapping[str, str]]) -> None:
-    """From now on what the web view of `context` downloads is saved; `words` are those of pywebview's dialogs."""
+def install_save_dialog(context: Any, parent: Any, words: Callable[[], Mapping[str, str]]) -> None:
+    """Shows a save dialog for each download of the web view's `context`.
+
+    Args:
+        words: texts by pywebview's keys, in the chosen language.
+    """
 
     def start(_context: Any, download: Any) -> None:
         download.connect("decide-destination", decide)
 
     def decide(download: Any, suggested: str) -> bool:
-        path = ask_where(parent, suggested, words())
+        path = ask_for_path(parent, suggested, words())
         if path is None:
             download.cancel()
         else:
-            download.set_allow_overwrite(True)  # the dialog has asked
+            download.set_allow_overwrite(True)  # the dialog has confirmed it
             download.set_destination(_address(path))
         return True
 
     context.connect("download-started", start)
 
 
-def ask_where(parent: Any, suggested: str, words: Mapping[str, str]) -> str | None:
-    """The path that the person chooses for a file; None when called off."""
-    from gi.repository import GLib, Gtk  # noqa: PLC0415 - only there where backends.gtk_problem says so
+def ask_for_path(parent: Any, suggested: str, words: Mapping[str, str]) -> str | None:
+    """The path that the person chooses for a file; None if cancelled."""
+    from gi.repository import GLib, Gtk  # noqa: PLC0415 - optional, see backends.gtk_problem
 
     dialog = Gtk.FileChooserDialog(
         title=words["global.saveFile"], parent=parent, action=Gtk.FileChooserAction.SAVE

@@ -1,4 +1,4 @@
-"""A screen that nobody sees, for trying the window on a PC that has none."""
+"""A virtual screen (Xvfb), for testing the window on a PC without a display."""
 
 import os
 import shutil
@@ -15,7 +15,7 @@ _TIMEOUT_S = 20
 def virtual_screen(width: int = 1366, height: int = 768) -> Iterator[str]:
     """Runs Xvfb on a free display number and yields its name (":99"), for DISPLAY.
 
-    Raises PinelError `screen_virtual_missing` where Xvfb is not installed or does not start.
+    Raises PinelError `screen_virtual_missing` if Xvfb is not installed or does not start.
     """
     program = shutil.which("Xvfb")
     if program is None:
@@ -37,7 +37,7 @@ def virtual_screen(width: int = 1366, height: int = 768) -> Iterator[str]:
     os.close(writing)
     try:
         with os.fdopen(reading) as answer:
-            number = answer.readline().strip()  # the end of the pipe, should Xvfb die
+            number = answer.readline().strip()  # empty if Xvfb dies
         if not number:
             raise PinelError("screen_virtual_missing")
         yield f":{number}"
@@ -48,7 +48,7 @@ def virtual_screen(width: int = 1366, height: int = 768) -> Iterator[str]:
 
 @contextmanager
 def any_screen() -> Iterator[bool]:
-    """The PC's own screen, or a virtual one for as long as the block lasts; yields whether it is virtual."""
+    """Uses the PC's display, or a virtual one during the context; yields True if it is virtual."""
     if os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"):
         yield False
         return

@@ -1,7 +1,6 @@
-"""`--self-check`: the whole way once, from the window to a run read back from the disk.
+"""`--self-check`: an end-to-end test, from the window to a run read back from the disk.
 
-What it does is what the page does: it speaks HTTP to the app, which has the engine drive a square of 1 m in the
-simulator at the robot's own pace.
+It uses HTTP as the page does. The engine drives a square of 1 m in the simulator in real time.
 """
 
 import contextlib
@@ -51,10 +50,10 @@ _LIBRARIES = ("pywebview", "flask", "pydantic", "pymunk", "numpy", "sqlite-utils
 
 
 def check(database: Path | None) -> Json:
-    """Tries everything on `database`, or on one of its own that is deleted afterwards.
+    """Runs the self-check on `database`, or on a temporary one.
 
-    Returns `{"ok", "window", "run", "store", "versions"}`, and `"error"` with code, message and remedy when
-    something did not work; parts that were not reached are missing.
+    Returns `{"ok", "window", "run", "store", "versions"}`, and `"error"` with code, message and remedy if a part
+    failed; parts that were not reached are missing.
     """
     result: Json = {"ok": False, "versions": _versions()}
     try:
@@ -65,13 +64,13 @@ def check(database: Path | None) -> Json:
             result["store"] = _read_back(path, result["run"]["id"])
         result["ok"] = _is_well(result)
     except (PinelError, StoreError) as error:
-        result["error"] = _in_words(error.code, error.params)
-    except Exception as error:  # whatever it is, who called waits for an object
-        result["error"] = _in_words("self_check_failed", {"problem": repr(error)})
+        result["error"] = _as_text(error.code, error.params)
+    except Exception as error:  # the caller always gets an object
+        result["error"] = _as_text("self_check_failed", {"problem": repr(error)})
     return result
 
 
-def _in_words(code: str, params: Mapping[str, object]) -> Json:
+def _as_text(code: str, params: Mapping[str, object]) -> Json:
     words = describe(code, params, language_of_system())
     return {"code": code, "message": words.message, "remedy": words.remedy}
 
@@ -85,7 +84,7 @@ def _is_well(result: Json) -> bool:
 
 @contextlib.contextmanager
 def _app(database: Path) -> Iterator[AppProcess]:
-    """The app as the window has it, in its own process."""
+    """The app in a process of its own, as for the window."""
     instance = Instance(database)
     instance.acquire()
     app = AppProcess(database, on_show=lambda: None, on_lost=lambda: None)
@@ -98,8 +97,8 @@ def _app(database: Path) -> Iterator[AppProcess]:
 
 
 def _in_window(app: AppProcess, result: Json) -> None:
-    """Opens the window on this thread and does the work beside it, on the window's thread."""
-    # no import before there is a screen: GTK looks for one when it is loaded
+    """Opens the window on this thread and runs the checks on the thread of the window's `on_open`."""
+    # imported only now, because GTK needs a screen when it is loaded
     from pinel_desktop.desktop.window import NativeWindow  # noqa: PLC0415
 
     client = Client(app.address())
@@ -112,7 +111,7 @@ def _in_window(app: AppProcess, result: Json) -> None:
             _wait_until_usable(window)
             result["window"]["ready_s"] = round(time.monotonic() - started, 2)
             result["run"] = _drive(client, version)
-        except Exception as failure:  # handed over to the thread that waits for the window
+        except Exception as failure:  # re-raised on the main thread
             failures.append(failure)
         finally:
             window.close()
@@ -130,7 +129,7 @@ def _in_window(app: AppProcess, result: Json) -> None:
 
 
 def _toolkit() -> Toolkit:
-    """The first toolkit that loads; raises PinelError with what the best one lacks."""
+    """The first toolkit that loads. Raises PinelError with the problem of the best one."""
     tried = backends(Pc())
     for backend in tried:
         if backend.problem is None and backend.name != "browser":
@@ -147,7 +146,7 @@ def _wait_until_usable(window: Any) -> None:
 
 
 class Client:
-    """Speaks to the app as its page does."""
+    """HTTP client that behaves like the page."""
 
     def __init__(self, address: str) -> None:
         cookies = urllib.request.HTTPCookieProcessor(http.cookiejar.CookieJar())
@@ -170,7 +169,7 @@ class Client:
 
 
 def make_program(client: Client) -> tuple[str, str]:
-    """Ids of a program of a new group and of its version, the square."""
+    """Creates a group and its program; returns the ids of the program and of its version, a square."""
     group = client.post("/api/groups", {"name": f"self-check {time.time_ns()}"})
     program = client.post(f"/api/groups/{group['id']}/programs", {"name": SQUARE["name"]})
     content = {"workspace": {}, "document": SQUARE}
@@ -179,7 +178,7 @@ def make_program(client: Client) -> tuple[str, str]:
 
 
 def _drive(client: Client, version: str) -> Json:
-    """Runs the version in the engine and returns what the app says about the run."""
+    """Runs the version in the engine and returns the app's answer about the run."""
     _wait_for(lambda: client.get("/api/status")["engine"] == "ready", _READY_S)
     run = client.post("/api/runs", {"version_id": version, "world": "empty_room"})
     _wait_for(lambda: client.get(f"/api/runs/{run['id']}")["ended_at"] is not None, _RUN_S)
@@ -205,7 +204,7 @@ def _wait_for(reached: Any, timeout_s: float) -> None:
 
 
 def _read_back(path: Path, run_id: str) -> Json:
-    """What the file says, opened anew after the app has closed it."""
+    """Reads the run from the file, opened again after the app has closed it."""
     with contextlib.closing(open_store(path)) as store:
         run = store.runs.get(run_id)
         return {
@@ -228,8 +227,6 @@ def _database(given: Path | None) -> Iterator[Path]:
 def _versions() -> Json:
     versions = {"pinel-desktop": __version__, "python": platform.python_version()}
     for library in _LIBRARIES:
-        with contextlib.suppress(
-            metadata.PackageNotFoundError
-        ):  # a package may ship without metadata
+        with contextlib.suppress(metadata.PackageNotFoundError):  # packages may lack metadata
             versions[library] = metadata.version(library)
     return versions

@@ -1,4 +1,4 @@
-"""The native window, by pywebview: the page, its title, its size, and no way out of it."""
+"""The native window, by pywebview: shows the page and blocks navigation to anything else."""
 
 import logging
 import os
@@ -12,11 +12,11 @@ from webview.guilib import initialize
 
 from pinel_desktop.desktop import saving
 from pinel_desktop.desktop.backends import NoWindowError, Toolkit, renderer_problem
-from pinel_desktop.desktop.policy import Verdict, fitted_size, judged
+from pinel_desktop.desktop.policy import Verdict, fitted_size, verdict_on
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
 
-# What pywebview calls its own words, and our codes for them.
+# pywebview's keys of dialog texts, and our message codes
 _DIALOG_WORDS = {
     "global.quitConfirmation": "dialog_quit",
     "global.ok": "dialog_ok",
@@ -34,11 +34,14 @@ _PROGRAM = "pinel-desktop"
 
 
 class NativeWindow:
-    """One window with one page; `run` belongs to the main thread, everything else to any.
+    """One window with one page, which may not leave the origin of its address.
 
-    `address` is asked before the window opens, so that the page loads while the window is drawn; `language` on a
-    thread of its own, where it may take its time. The page may not leave the origin of the address. `on_open` is
-    called on that thread when the window is there.
+    Call `run` on the main thread; all other methods may be called on any thread.
+
+    Args:
+        address: called before the window opens, so that the page loads meanwhile.
+        language: called on a thread of its own, and may block.
+        on_open: called on the same thread once the window is open.
     """
 
     def __init__(
@@ -62,10 +65,11 @@ class NativeWindow:
         self._failure: BaseException | None = None
 
     def run(self, backend: Toolkit) -> None:
-        """Returns when the window is closed.
+        """Shows the window until it is closed.
 
-        Raises NoWindowError `window_webview2_missing`, `window_no_screen` or `window_failed` when it could not
-        be opened. What `address` raises is raised here; what `language` raises closes the window first.
+        Raises:
+            NoWindowError: `window_webview2_missing`, `window_no_screen` or `window_failed` if it could not be opened.
+            PinelError: from `address`, or from `language` after closing the window.
         """
         if "PYWEBVIEW_LOG" not in os.environ:
             logging.getLogger("pywebview").setLevel(logging.CRITICAL)
@@ -77,13 +81,13 @@ class NativeWindow:
                 raise NoWindowError(problem)
             screen = toolkit.get_screens()[0]
             self._origin = self._address()
-            # GTK has a dialog of ours: pywebview's knows no folder where there is none for downloads
+            # GTK uses our dialog (saving.py), because pywebview's fails without a download folder
             webview.settings["ALLOW_DOWNLOADS"] = backend != "gtk"
             self._create(screen)
             webview.start(gui=backend, icon=self._icon)
         except PinelError:
             raise
-        except Exception as error:  # pywebview hands on whatever its toolkit raises
+        except Exception as error:  # pywebview passes on any exception of its toolkit
             raise NoWindowError("window_failed", backend=backend, reason=str(error)) from error
         finally:
             webview.windows.clear()
@@ -96,18 +100,18 @@ class NativeWindow:
         """Brings the window forward."""
         if self._window is not None and self._opened.is_set():
             self._window.restore()
-            # Window managers hold back a window that asks for attention; one that is on top they do not.
+            # Window managers may refuse a request for focus, but not a window that is set on top.
             self._window.on_top = True
             self._window.on_top = False
 
     def close(self) -> None:
-        """Closes the window, now or as soon as it is there; `run` returns."""
+        """Closes the window, now or as soon as it is open, so that `run` returns."""
         self._closing = True
         if self._window is not None and self._opened.is_set():
             self._window.destroy()
 
     def run_script(self, script: str) -> Any:
-        """Runs JavaScript in the page and returns its value (GTK and Qt do; elsewhere it may be None)."""
+        """Runs JavaScript in the page and returns its value with GTK and Qt; elsewhere it may be None."""
         return None if self._window is None else self._window.run_js(script)
 
     def _create(self, screen: webview.Screen) -> None:
@@ -129,12 +133,12 @@ class NativeWindow:
         self._window = window
 
     def _guard(self) -> None:
-        """Runs on the window's thread before anything is loaded."""
+        """Installs the navigation policy; runs on the window's thread before the page loads."""
         if self._window is not None and webview.renderer == "gtkwebkit2":
-            _guard_gtk(self._window, lambda address: judged(address, self._origin))
+            _guard_gtk(self._window, lambda address: verdict_on(address, self._origin))
 
     def _open(self) -> None:
-        """Runs on a thread of its own once the window is there."""
+        """Runs on a thread of its own once the window is open."""
         self._opened.set()
         try:
             if self._window is not None and not self._closing:
@@ -154,19 +158,19 @@ def _dialog_words(language: str) -> dict[str, str]:
 
 
 def _require_gtk_screen() -> None:
-    """GTK ends the whole process when it is used without a screen that answers."""
-    import gi  # noqa: PLC0415 - only there where backends.gtk_problem says so
+    """Raises NoWindowError `window_no_screen`; GTK itself would end the process without a working screen."""
+    import gi  # noqa: PLC0415 - optional, see backends.gtk_problem
 
     gi.require_version("Gtk", "3.0")
     from gi.repository import GLib, Gtk  # noqa: PLC0415
 
-    GLib.set_prgname(_PROGRAM)  # what the desktop's bar calls the window's program
+    GLib.set_prgname(_PROGRAM)  # by which the desktop identifies the window's program
     if not Gtk.init_check([])[0]:
         raise NoWindowError("window_no_screen")
 
 
 def _guard_gtk(window: webview.Window, judge: Callable[[str], Verdict]) -> None:
-    """Keeps WebKit on our own page, lets the page keep small settings and hand out files, closes at a signal."""
+    """Sets up GTK's web view: navigation policy, local storage, save dialog, and closing at a signal."""
     from gi.repository import GLib, WebKit2  # noqa: PLC0415
     from webview.platforms.gtk import BrowserView  # noqa: PLC0415
 
@@ -182,11 +186,11 @@ def _guard_gtk(window: webview.Window, judge: Callable[[str], Verdict]) -> None:
         {"show": decision.use, "save": decision.download, "refuse": decision.ignore}[verdict]()
         return True
 
-    # pywebview's own answer opens strangers' links in the person's browser and saves what it cannot show.
+    # pywebview's own handler opens foreign links in the default browser and saves what it cannot show
     view.webview.disconnect_by_func(view.on_navigation)
     view.webview.connect("decide-policy", decide)
-    saving.offer(view.webview.get_context(), view.window, lambda: window.localization)
-    # Private mode switches this off, and a page that asks for it would stumble; nothing is kept on disk.
+    saving.install_save_dialog(view.webview.get_context(), view.window, lambda: window.localization)
+    # private mode disables local storage, which the page needs; nothing is written to disk
     view.webview.get_settings().props.enable_html5_local_storage = True
     for number in (signal.SIGTERM, signal.SIGINT):
         GLib.unix_signal_add(GLib.PRIORITY_DEFAULT, number, window.destroy)

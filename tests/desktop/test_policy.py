@@ -2,7 +2,7 @@
 
 import pytest
 
-from pinel_desktop.desktop.policy import fitted_size, judged, may_open
+from pinel_desktop.desktop.policy import fitted_size, may_open, verdict_on
 
 OWN = "http://127.0.0.1:40123/?key=abc"
 
@@ -48,7 +48,7 @@ def test_nothing_else_may_open(address: str) -> None:
     ],
 )
 def test_files_that_the_page_hands_out_are_saved_and_not_shown(address: str, verdict: str) -> None:
-    assert judged(address, OWN) == verdict
+    assert verdict_on(address, OWN) == verdict
 
 
 @pytest.mark.parametrize("screen", [(1366, 768), (1280, 1024), (1024, 768), (1440, 900)])

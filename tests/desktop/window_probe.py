@@ -113,7 +113,7 @@ class Probe:
         """Has the page hand out a file as ui/src/shell/save_file.ts does; the dialog is answered at once."""
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "kept.json"
-            saving.ask_where = lambda *_: str(file)
+            saving.ask_for_path = lambda *_: str(file)
             self._script(_SAVE)
             deadline = time.monotonic() + 30
             while not (file.is_file() and file.read_text("utf-8")) and time.monotonic() < deadline:
