@@ -25,6 +25,7 @@ import { categoryOf } from "../blocks/definitions";
 import { language, texts } from "../i18n";
 import { decimal, duration } from "../i18n/format";
 import { Button } from "../kit/Button";
+import { listen } from "../kit/listen";
 import { Select } from "../kit/Select";
 import { coarse, type Playback, SPEEDS, type Stretch, stepFrom } from "../run/playback";
 import { TEST } from "../shell/testids";
@@ -210,6 +211,5 @@ function listenToKeys(toggle: () => void, step: (way: -1 | 1) => void): () => vo
     else return;
     event.preventDefault();
   };
-  window.addEventListener("keydown", onKey);
-  return () => window.removeEventListener("keydown", onKey);
+  return listen(window, { keydown: onKey });
 }

@@ -5,6 +5,7 @@ import type { World } from "../api/model";
 import { language, texts } from "../i18n";
 import { degrees, headingDegrees, metres } from "../i18n/format";
 import { useInstance } from "../kit/instance";
+import { listen } from "../kit/listen";
 import type { Pose, RunView } from "../run/reducer";
 import { program } from "../shell/session";
 import { TEST } from "../shell/testids";
@@ -170,9 +171,7 @@ function placesOn(scene: SceneRenderer, { output }: RunView): XY[] {
 }
 
 function putAwayOnEscape(tools: SceneTools): () => void {
-  const onKey = ({ key }: KeyboardEvent) => {
-    if (key === "Escape" && tools.tool.peek()) tools.take(null);
-  };
-  window.addEventListener("keydown", onKey);
-  return () => window.removeEventListener("keydown", onKey);
+  return listen(window, {
+    keydown: ({ key }) => key === "Escape" && tools.tool.peek() && tools.take(null),
+  });
 }

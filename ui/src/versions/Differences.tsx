@@ -1,6 +1,7 @@
 import { useLayoutEffect } from "preact/hooks";
 import { texts } from "../i18n";
 import { useInstance } from "../kit/instance";
+import { listenForKeys } from "../kit/listen";
 import { ComparedBlocks } from "./compared_blocks";
 import { DifferenceList } from "./DifferenceList";
 import type { Compared } from "./differences";
@@ -46,13 +47,9 @@ export function Differences({ compared, programId }: DifferencesProps) {
 
 /** Up and down step through the differences, unless the focused element uses these keys. */
 function byKeys(step: (by: number) => void): () => void {
-  const onKey = (event: KeyboardEvent) => {
-    const by = event.key === "ArrowDown" ? 1 : event.key === "ArrowUp" ? -1 : 0;
-    if (by === 0 || event.ctrlKey || event.altKey || event.metaKey) return;
-    if ((event.target as Element).closest?.("input, select, textarea, .injectionDiv")) return;
-    step(by);
-    event.preventDefault();
-  };
-  document.addEventListener("keydown", onKey);
-  return () => document.removeEventListener("keydown", onKey);
+  return listenForKeys((key) => {
+    const by = key === "ArrowDown" ? 1 : key === "ArrowUp" ? -1 : 0;
+    if (by !== 0) step(by);
+    return by !== 0;
+  });
 }

@@ -3,6 +3,7 @@ import { useEffect, useLayoutEffect } from "preact/hooks";
 import { versionsApi } from "../api/versions";
 import { texts } from "../i18n";
 import { LinkButton } from "../kit/LinkButton";
+import { listenForKeys } from "../kit/listen";
 import { Loaded } from "../kit/requests/Loaded";
 import { useLoaded } from "../kit/requests/useLoaded";
 import { nameInHeader } from "../shell/named";
@@ -87,14 +88,9 @@ const STEPS: Readonly<Record<string, number>> = {
 
 /** The arrow keys step through the versions, unless the focused element uses these keys. */
 function byKeys(history: VersionHistory): () => void {
-  const onKey = (event: KeyboardEvent) => {
-    const by = STEPS[event.key];
-    const at = event.target as Element;
-    if (by === undefined || event.ctrlKey || event.altKey || event.metaKey) return;
-    if (at.closest?.("input, select, textarea, .injectionDiv")) return;
-    history.step(by);
-    event.preventDefault();
-  };
-  document.addEventListener("keydown", onKey);
-  return () => document.removeEventListener("keydown", onKey);
+  return listenForKeys((key) => {
+    const by = STEPS[key];
+    if (by !== undefined) history.step(by);
+    return by !== undefined;
+  });
 }

@@ -4,6 +4,7 @@ import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { worldTitle } from "../api/model";
 import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
+import { listen } from "../kit/listen";
 import { report } from "../shell/session";
 import { TEST } from "../shell/testids";
 import { Board } from "./board/Board";
@@ -87,12 +88,12 @@ export function WorldEditor({
 
 /** Handles keys for the whole page, since the focused element may have been deleted; ignored while typing text. */
 function followKeys(store: EditorStore): () => void {
-  const down = (event: KeyboardEvent) => {
-    const isTyping = event.target instanceof HTMLInputElement;
-    if (!isTyping && pressedAnywhere(store, event)) event.preventDefault();
-  };
-  window.addEventListener("keydown", down);
-  return () => window.removeEventListener("keydown", down);
+  return listen(window, {
+    keydown: (event) => {
+      const isTyping = event.target instanceof HTMLInputElement;
+      if (!isTyping && pressedAnywhere(store, event)) event.preventDefault();
+    },
+  });
 }
 
 interface BarProps {

@@ -1,5 +1,6 @@
 import { useCallback, useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { useInstance } from "../instance";
+import { listen } from "../listen";
 import { type Ask, Load, type LoadOptions, type LoadState, type UNCHANGED } from "./load_state";
 
 export interface LoadedOptions<T> extends LoadOptions<T> {
@@ -43,8 +44,7 @@ export function useLoaded<T>(
       const state = load.state.peek();
       if (whenBack && state.status === "ready" && !state.busy) void load.ask(whenBack);
     };
-    addEventListener("focus", comeBack);
-    return () => removeEventListener("focus", comeBack);
+    return listen(window, { focus: comeBack });
   }, []);
   return { ...load.state.value, again, set };
 }

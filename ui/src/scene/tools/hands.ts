@@ -1,4 +1,5 @@
 import type { Start, World } from "../../api/model";
+import { listen } from "../../kit/listen";
 import type { XY } from "../frames";
 import type { SceneRenderer } from "../renderer";
 import { POINTS_OF, snapped } from "./measure";
@@ -98,20 +99,15 @@ export function listenToHands(floor: Floor): () => void {
       event.stopPropagation();
     }
   };
-  element.addEventListener("pointerdown", down);
-  element.addEventListener("pointermove", move);
-  element.addEventListener("pointerup", up);
-  element.addEventListener("pointercancel", up);
-  element.addEventListener("wheel", wheel, { passive: false });
-  element.addEventListener("keydown", key);
-  return () => {
-    element.removeEventListener("pointerdown", down);
-    element.removeEventListener("pointermove", move);
-    element.removeEventListener("pointerup", up);
-    element.removeEventListener("pointercancel", up);
-    element.removeEventListener("wheel", wheel);
-    element.removeEventListener("keydown", key);
+  const listeners = {
+    pointerdown: down,
+    pointermove: move,
+    pointerup: up,
+    pointercancel: up,
+    wheel,
+    keydown: key,
   };
+  return listen(element, listeners, { passive: false });
 }
 
 /** Which drag a press at a place of the floor begins. */

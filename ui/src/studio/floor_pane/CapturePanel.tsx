@@ -3,6 +3,7 @@ import { useLayoutEffect } from "preact/hooks";
 import { language, texts } from "../../i18n";
 import { decimal } from "../../i18n/format";
 import { Button } from "../../kit/Button";
+import { listenForKeys } from "../../kit/listen";
 import type { Capture } from "../../run/reducer";
 import { TEST } from "../../shell/testids";
 
@@ -50,15 +51,12 @@ export function CapturePanel({ capture, onAnswer }: CapturePanelProps) {
 
 /** The letter's key answers too, unless the keyboard is busy elsewhere. */
 function listenForLetters(onAnswer: (result: string) => void): () => void {
-  const onKey = (event: KeyboardEvent) => {
-    const target = event.target as HTMLElement;
-    if (event.ctrlKey || event.altKey || event.metaKey) return;
-    if (target.closest("input, select, textarea, .injectionDiv")) return;
-    const letter = event.key.toUpperCase();
-    if (LETTERS.includes(letter)) onAnswer(letter);
-  };
-  window.addEventListener("keydown", onKey);
-  return () => window.removeEventListener("keydown", onKey);
+  return listenForKeys((key) => {
+    const letter = key.toUpperCase();
+    const isLetter = LETTERS.includes(letter);
+    if (isLetter) onAnswer(letter);
+    return isLetter;
+  });
 }
 
 interface AnswerProps {

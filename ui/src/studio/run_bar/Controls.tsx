@@ -1,5 +1,6 @@
 import { type ReadonlySignal, useComputed } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import { listen } from "../../kit/listen";
 import * as robot from "../../run/live";
 import { isLive } from "../../run/reducer";
 import { level } from "../../shell/level";
@@ -41,6 +42,5 @@ function followKeys(control: StudioControl, state: ReadonlySignal<RunState>): ()
     event.preventDefault();
     action.perform(control, state.peek());
   };
-  window.addEventListener("keydown", onKey);
-  return () => window.removeEventListener("keydown", onKey);
+  return listen(window, { keydown: onKey });
 }

@@ -1,3 +1,4 @@
+import { listen } from "../../kit/listen";
 import { type Change, indent, newLine, outdent } from "./typing";
 
 /**
@@ -16,8 +17,7 @@ export function listenToTyping(field: HTMLTextAreaElement, done: () => void): ()
       act(event, () => make(field, event.shiftKey ? outdent : indent));
     } else if (key !== "Shift") leaving = false;
   };
-  field.addEventListener("keydown", onKey);
-  return () => field.removeEventListener("keydown", onKey);
+  return listen(field, { keydown: onKey });
 }
 
 function act(event: KeyboardEvent, what: () => void): void {

@@ -4,6 +4,7 @@ import type { ComponentChildren } from "preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
+import { listen } from "../../kit/listen";
 import { TEST } from "../../shell/testids";
 import { theme } from "../../shell/theme";
 import type { EditorStore } from "../editor_store";
@@ -171,20 +172,15 @@ function followHand(
   };
   // keys belong to the board: a press does not move the focus to the element below it, only Tab does
   const keepFocus = (event: MouseEvent) => event.preventDefault();
-  svg.addEventListener("mousedown", keepFocus);
-  svg.addEventListener("pointerdown", down);
-  svg.addEventListener("pointermove", move);
-  svg.addEventListener("pointerup", up);
-  svg.addEventListener("pointercancel", cancel);
-  svg.addEventListener("wheel", wheel, { passive: false });
-  return () => {
-    svg.removeEventListener("mousedown", keepFocus);
-    svg.removeEventListener("pointerdown", down);
-    svg.removeEventListener("pointermove", move);
-    svg.removeEventListener("pointerup", up);
-    svg.removeEventListener("pointercancel", cancel);
-    svg.removeEventListener("wheel", wheel);
+  const listeners = {
+    mousedown: keepFocus,
+    pointerdown: down,
+    pointermove: move,
+    pointerup: up,
+    pointercancel: cancel,
+    wheel,
   };
+  return listen(svg, listeners, { passive: false });
 }
 
 function targetOf(target: EventTarget | null): { id?: string; handle?: string } {

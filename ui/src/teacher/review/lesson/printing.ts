@@ -1,4 +1,5 @@
 import { options } from "preact";
+import { listen } from "../../../kit/listen";
 import { hideTip } from "../marks/tip";
 
 /** The width of a line on A4 beside the name of its group, in pixels, as in print.css. */
@@ -14,14 +15,10 @@ export function printPage(): void {
 
 /** Draws for paper before the page is printed, and for the screen again afterwards. */
 export function forPaper(draw: () => void, drawBack: () => void): () => void {
-  const before = () => atOnce(draw);
-  const after = () => atOnce(drawBack);
-  window.addEventListener("beforeprint", before);
-  window.addEventListener("afterprint", after);
-  return () => {
-    window.removeEventListener("beforeprint", before);
-    window.removeEventListener("afterprint", after);
-  };
+  return listen(window, {
+    beforeprint: () => atOnce(draw),
+    afterprint: () => atOnce(drawBack),
+  });
 }
 
 /** The page is printed as it is when the event handler returns, so rendering cannot wait for the next frame. */

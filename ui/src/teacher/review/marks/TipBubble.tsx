@@ -1,4 +1,5 @@
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
+import { listen } from "../../../kit/listen";
 import { hideTip, TIP_ID, tip } from "./tip";
 
 const GAP_PX = 8;
@@ -9,13 +10,11 @@ export function TipBubble() {
   const bubble = useRef<HTMLDivElement>(null);
   const now = tip.value;
   useEffect(() => {
-    const onKey = ({ key }: KeyboardEvent) => key === "Escape" && hideTip();
-    const onScroll = () => hideTip();
-    window.addEventListener("keydown", onKey);
-    window.addEventListener("scroll", onScroll, { capture: true, passive: true });
+    const keys = listen(window, { keydown: ({ key }) => key === "Escape" && hideTip() });
+    const scrolls = listen(window, { scroll: () => hideTip() }, { capture: true, passive: true });
     return () => {
-      window.removeEventListener("keydown", onKey);
-      window.removeEventListener("scroll", onScroll, { capture: true });
+      keys();
+      scrolls();
       hideTip();
     };
   }, []);
