@@ -22,7 +22,7 @@ FOLDER_LIMIT = 20
 PACKAGES = ("pinel_desktop", "sim", "storage")
 CODE = re.compile(rf"(({'|'.join(PACKAGES)})/.*\.py|ui/src/.*\.(tsx?|css))$")
 GENERATED = tuple(
-    f"ui/src/{name}.ts" for name in ("api/limits", "api/types", "blocks/table/sensor_rows")
+    f"ui/src/{name}.ts" for name in ("api/declared", "api/types", "blocks/table/sensor_rows")
 )
 PAGE_TEST = re.compile(r"ui/src/.*(\.test\.|/testing/)")  # testing/: imported only by tests
 SOURCE = re.compile(r"(?!tests/)(?!.*\.test\.).*\.(py|mjs|tsx?)$")

@@ -17,17 +17,7 @@ class Recorder:
         add: appends a row given as a tuple; the array's bound method, for speed.
     """
 
-    NAMES = (
-        "tick",
-        "x_m",
-        "y_m",
-        "yaw_rad",
-        "v_mps",
-        "omega_radps",
-        "command_v_mps",
-        "command_omega_radps",
-    )
-    COLUMNS = len(NAMES)
+    COLUMNS = 8
 
     def __init__(self) -> None:
         self.rows = array("d")

@@ -36,11 +36,6 @@ class Takes:
     whole: bool = False
     unit: str = ""
 
-    @property
-    def is_bounded(self) -> bool:
-        """Whether a literal of the right type can still be wrong."""
-        return (self.ge, self.gt, self.le) != (None, None, None)
-
     def __get_pydantic_core_schema__(
         self, _source: Any, handler: GetCoreSchemaHandler
     ) -> CoreSchema:

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from scripts.reference import database, events_page, http_page, language_tables, schemas
-from scripts.reference.page_limits import page_limits
+from scripts.reference.declared import declared
 from scripts.reference.sensor_rows import sensor_rows
 
 _TABLES = {
@@ -31,7 +31,7 @@ def files(root: Path) -> dict[str, str]:
     return {
         "pinel_desktop/program/schema.json": schemas.as_text(schemas.of_programs()),
         "sim/world.schema.json": schemas.as_text(schemas.of_worlds()),
-        "ui/src/api/limits.ts": page_limits(),
+        "ui/src/api/declared.ts": declared(),
         "ui/src/blocks/table/sensor_rows.ts": sensor_rows(),
         "docs/http-api.md": http_page.text(),
         "docs/events.md": events_page.text(),

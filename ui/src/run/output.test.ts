@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { RunEvent } from "../api/model";
-import { allStrokes, given, MOST_LINES, MOST_STROKES, NOTHING, type Output } from "./output";
+import { given, MOST_LINES, MOST_STROKES, NOTHING, type Output } from "./output";
 import { points } from "./trail";
 
 const RUN = "run-1";
@@ -47,8 +47,9 @@ function outputOf(...events: RunEvent[]): Output {
   return output;
 }
 
-const drawn = (output: Output) =>
-  [...allStrokes(output)].map(({ color, trail }) => [color, [...points(trail)]]);
+/** All strokes, including the unfinished one. */
+const drawn = ({ strokes, pen }: Output) =>
+  [...strokes, ...(pen ? [pen] : [])].map(({ color, trail }) => [color, [...points(trail)]]);
 
 describe("talk", () => {
   test("is what was said, asked and answered, in order", () => {

@@ -107,12 +107,6 @@ export function given(output: Output, event: RunEvent, at: Point): Output {
   }
 }
 
-/** All strokes, including the unfinished one. */
-export function* allStrokes({ strokes, pen }: Output): Generator<Stroke> {
-  yield* strokes;
-  if (pen) yield pen;
-}
-
 const isNamed = (call: { function: string | null; block: string | null }): call is Call =>
   call.function !== null;
 

@@ -1,7 +1,7 @@
 import { ArrowRight, UserRoundPlus } from "lucide-preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { classesApi } from "../api/classes";
-import { STORE_LIMITS } from "../api/limits";
+import { STORE_LIMITS } from "../api/declared";
 import type { Group } from "../api/model";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";

@@ -1,6 +1,6 @@
 import { Plus } from "lucide-preact";
 import { useState } from "preact/hooks";
-import { STORE_LIMITS } from "../api/limits";
+import { STORE_LIMITS } from "../api/declared";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Form } from "../kit/Form";

@@ -1,7 +1,7 @@
 import { Check, Pencil, X } from "lucide-preact";
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
-import { STORE_LIMITS } from "../api/limits";
+import { STORE_LIMITS } from "../api/declared";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Form } from "../kit/Form";

@@ -1,6 +1,6 @@
 import { Check } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
-import { STORE_LIMITS } from "../api/limits";
+import { STORE_LIMITS } from "../api/declared";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { TEST } from "../shell/testids";

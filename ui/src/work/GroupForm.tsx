@@ -2,14 +2,13 @@ import { Check, X } from "lucide-preact";
 import { useState } from "preact/hooks";
 import { classesApi } from "../api/classes";
 import { api } from "../api/client";
-import { STORE_LIMITS } from "../api/limits";
+import { GROUP_COLORS, STORE_LIMITS } from "../api/declared";
 import type { Group } from "../api/model";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Form } from "../kit/Form";
 import { GroupPicture } from "../kit/pictures/GroupPicture";
 import { PictureChoice } from "../kit/pictures/PictureChoice";
-import { COLORS } from "../kit/pictures/pictures";
 import { useAct } from "../kit/requests/act";
 import { FaultLine } from "../kit/requests/FaultLine";
 import { valueIn } from "../kit/requests/load_state";
@@ -105,7 +104,7 @@ function ColorChoice({ chosen, onChoose }: { chosen: string; onChoose(color: str
   return (
     <fieldset class="pictures group-form__colors">
       <legend class="visually-hidden">{classes.color}</legend>
-      {COLORS.map((one, index) => (
+      {GROUP_COLORS.map((one, index) => (
         <label key={one} class="pictures__one" data-testid={TEST.groupColor} data-color={one}>
           <input
             type="radio"

@@ -1,5 +1,5 @@
 import { Copy, Layers, Trash2 } from "lucide-preact";
-import { WORLD_LIMITS } from "../api/limits";
+import { WORLD_LIMITS } from "../api/declared";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Choice } from "../kit/Choice";

@@ -1,6 +1,6 @@
 import { Download, FolderOpen, Trash2 } from "lucide-preact";
 import { useRef } from "preact/hooks";
-import { WORLD_LIMITS } from "../api/limits";
+import { WORLD_LIMITS } from "../api/declared";
 import { worldTitle } from "../api/model";
 import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";

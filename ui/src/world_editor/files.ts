@@ -1,5 +1,5 @@
 import { api } from "../api/client";
-import { WORLD_LIMITS } from "../api/limits";
+import { WORLD_LIMITS } from "../api/declared";
 import type { Fault, World } from "../api/model";
 import { fileName, saveFile } from "../shell/save_file";
 import { planOf } from "./document";

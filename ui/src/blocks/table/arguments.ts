@@ -1,4 +1,4 @@
-import { PROGRAM_LIMITS } from "../../api/limits";
+import { PROGRAM_LIMITS } from "../../api/declared";
 import type { Limits, ValueType } from "../definition";
 
 const { MAX_ANGLE_DEG, MAX_DISTANCE_M, MAX_REPEATS, MAX_WAIT_S } = PROGRAM_LIMITS;

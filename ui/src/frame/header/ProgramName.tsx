@@ -1,6 +1,6 @@
 import { Pencil } from "lucide-preact";
 import { useRef, useState } from "preact/hooks";
-import { STORE_LIMITS } from "../../api/limits";
+import { STORE_LIMITS } from "../../api/declared";
 import { texts } from "../../i18n";
 import { route } from "../../shell/route";
 import { program } from "../../shell/session";

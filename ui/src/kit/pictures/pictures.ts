@@ -66,19 +66,3 @@ export function rarestPicture(taken: readonly string[]): PictureName {
   const uses = (name: string) => taken.filter((one) => one === name).length;
   return PICTURE_NAMES.reduce((best, name) => (uses(name) < uses(best) ? name : best));
 }
-
-/** The colours of groups, as the server knows them. */
-export const COLORS = [
-  "#1f6f8b",
-  "#b3541e",
-  "#5b4b9a",
-  "#2e7d4f",
-  "#a03561",
-  "#8a6a00",
-  "#34568b",
-  "#7a3e3e",
-  "#00796b",
-  "#6d5d4b",
-  "#9c3d97",
-  "#4a6b1c",
-] as const;

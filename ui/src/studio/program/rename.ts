@@ -1,5 +1,5 @@
 import { api } from "../../api/client";
-import { STORE_LIMITS } from "../../api/limits";
+import { STORE_LIMITS } from "../../api/declared";
 import { program, report } from "../../shell/session";
 
 /** Gives the program in the header another name; without one, or with the same, it keeps its own. */

@@ -1,7 +1,7 @@
 import { Play } from "lucide-preact";
 import { useState } from "preact/hooks";
 import { classesApi } from "../../api/classes";
-import { STORE_LIMITS } from "../../api/limits";
+import { STORE_LIMITS } from "../../api/declared";
 import type { ActivityTitle } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";

@@ -1,6 +1,6 @@
 import { ArrowLeft, ArrowRight } from "lucide-preact";
 import { classesApi } from "../../api/classes";
-import { STORE_LIMITS } from "../../api/limits";
+import { STORE_LIMITS } from "../../api/declared";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { Field, PinField } from "../../kit/Field";

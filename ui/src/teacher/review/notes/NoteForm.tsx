@@ -1,7 +1,7 @@
 import { useSignal } from "@preact/signals";
 import { Check, StickyNote, Trash2, X } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
-import { STORE_LIMITS } from "../../../api/limits";
+import { STORE_LIMITS } from "../../../api/declared";
 import { texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
 import { Form } from "../../../kit/Form";

@@ -20,8 +20,24 @@ export const WORLD_LIMITS = {
   MAX_MOVABLE_KG: 20,
 } as const;
 
-/** Limits of what is kept, in letters: storage/limits.py. */
+/** Limits of stored texts, in characters: storage/limits.py. */
 export const STORE_LIMITS = {
   MAX_NAME: 60,
   MAX_NOTE: 1000,
 } as const;
+
+/** Colours of groups: storage/choices.py. */
+export const GROUP_COLORS = [
+  "#1f6f8b",
+  "#b3541e",
+  "#5b4b9a",
+  "#2e7d4f",
+  "#a03561",
+  "#8a6a00",
+  "#34568b",
+  "#7a3e3e",
+  "#00796b",
+  "#6d5d4b",
+  "#9c3d97",
+  "#4a6b1c",
+] as const;
