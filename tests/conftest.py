@@ -9,5 +9,5 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 @pytest.fixture
 def fuzz_s(request: pytest.FixtureRequest) -> float:
-    """How long a fuzzing test is to go on, in s."""
+    """Duration of each fuzzing test, in s."""
     return float(request.config.getoption("--fuzz-s"))

@@ -1,7 +1,7 @@
-"""Random valid programs over the whole language, as plain documents, made to be run.
+"""Random valid programs over the whole language, as document data, to be executed.
 
-Distances are small and loops end, so that a run takes seconds of robot time; variables mostly hold what their names
-say, so that runs get far; and now and then something fails.
+Distances are short and loops end, so that a run takes seconds of robot time. Variables mostly have the type that their
+names say, so that most runs get far; some fail.
 """
 
 from functools import cache
@@ -14,7 +14,7 @@ from pinel_desktop.program.sensors import SENSORS, Sensor
 Document = dict[str, Any]
 Strategy = st.SearchStrategy[Any]
 
-_TURNS = "turns"  # counted in every loop that may be endless
+_TURNS = "turns"  # counts the iterations of loops that might not end
 _MOST_TURNS = 12
 NUMBERS = st.one_of(
     st.integers(-3, 3), st.floats(-2, 2), st.sampled_from([0, 0.5, -1, 90, 1e300, 1e-9])
@@ -31,7 +31,7 @@ def _op(name: str, *args: Any) -> Document:
 
 
 def _computed(number: Any) -> Any:
-    """The same number as an expression, whose range only the run can check."""
+    """The number as an expression, whose range only a run can check."""
     return number if isinstance(number, dict) else _op("+", number, 0)
 
 
@@ -40,7 +40,7 @@ def _node(key: str, value: Strategy, **more: Strategy) -> Strategy:
 
 
 def readings(gives: str, computed: Strategy | None = None) -> Strategy:
-    """What sensors of a type measure; numbers that they are asked are written out, or computed where that is given."""
+    """Readings of sensors of a value type; numeric arguments are literals, or from `computed` if given."""
     return st.one_of([_reading(one, computed) for one in SENSORS.values() if one.gives == gives])
 
 
@@ -60,7 +60,7 @@ def _reading(sensor: Sensor, computed: Strategy | None) -> Strategy:
 
 
 class _Language:
-    """Strategies for one place in a program: `functions` (name -> parameters) may be called there."""
+    """Strategies for one scope of a program; `functions` (name -> parameters) may be called there."""
 
     def __init__(self, functions: dict[str, tuple[str, ...]], parameters: tuple[str, ...]) -> None:
         self.functions = functions
@@ -249,7 +249,7 @@ _BEGINNING: list[Document] = [
         "yes": True,
     }.items()
 ]
-# calls itself; how deep depends on what it is given
+# recursive; the depth depends on the argument
 _RECURSIVE: Document = {
     "name": "deep",
     "parameters": ["p"],
@@ -288,7 +288,7 @@ def _bodies(
 
 @st.composite
 def programs(draw: st.DrawFn) -> Document:
-    """A document that reads without faults; its run ends within a few minutes of robot time."""
+    """A valid document whose run ends within a few minutes of robot time."""
     functions = [_RECURSIVE]
     known: dict[str, tuple[str, ...]] = {"deep": ("p",)}
     for name, parameters in draw(st.sampled_from(_FUNCTIONS)):

@@ -97,13 +97,13 @@ def teacher(camera: Photographer) -> None:
     camera.of("pin").wait_for()
     camera.round("teacher-door")
     camera.of("pin").fill(PIN)
-    camera.of("enter-door").click()
+    camera.of("sign-in").click()
     camera.of("lesson-row").first.wait_for()
     camera.round("teacher-lessons")
     for part in ("classes", "computer"):
         camera.page.locator(f"[data-testid=teacher-part][data-part={part}]").click()
         camera.round(f"teacher-{part}")
-    camera.of("leave-door").click()
+    camera.of("sign-out").click()
     camera.of("group-card").first.wait_for()
 
 

@@ -15,12 +15,12 @@ PROGRAM = sys.argv.pop()  # what is left is how the icon starts it
 
 
 def started(*args: Any, **options: Any) -> AppProcess:
-    """The app's process; what the measurement needs is imported after its start, as by the program itself."""
+    """Starts the app's process; the imports of the measurement follow its start, as in the program itself."""
     process = AppProcess(*args, **options)
     from pinel_desktop.desktop import presenter  # noqa: PLC0415
 
     class WatchedPresenter(presenter.Presenter):
-        """Goes to the program instead of the first screen, and looks at the page."""
+        """Opens the program instead of the start screen, and watches the page."""
 
         def __init__(self, fresh_address: Any, language: Any, **options: Any) -> None:
             super().__init__(
@@ -37,7 +37,7 @@ def started(*args: Any, **options: Any) -> AppProcess:
             print(time.monotonic(), flush=True)
             self.close()
 
-    # by hand: importing a mock would take a tenth of the start
+    # assigned directly: importing mock would take a tenth of the start
     presenter.Presenter = WatchedPresenter  # type: ignore[misc]
     return process
 

@@ -1,4 +1,4 @@
-"""The least that a pywebview program with our editor can be; prints when its workspace is drawn.
+"""A minimal pywebview program with our editor; prints when its workspace is drawn.
 
 python window_bare.py INDEX_HTML
 """

@@ -1,4 +1,4 @@
-"""No command of a test touches the data of whoever runs the tests."""
+"""Commands of tests use a temporary data folder."""
 
 from pathlib import Path
 

@@ -1,6 +1,6 @@
-"""The files that an earlier state of the program wrote, and how they are read: over HTTP and by commands only.
+"""Reads the files that an earlier release wrote, over HTTP and by commands only.
 
-Both the script that wrote the files and the tests that read them use this module, so that both ask in the same way.
+Used by the script that wrote the files and by the tests that read them, so that both make the same queries.
 """
 
 import gzip
@@ -29,7 +29,7 @@ SAMPLES = Path(__file__).parents[1] / "programs"
 PIN = "2468"
 DATABASE = "pinel.db"
 
-_WORDS = ("message", "remedy")  # for people: may be written anew at any time
+_WORDS = ("message", "remedy")  # texts may change at any time
 _LONG = ("workspace", "document", "world_document", "path")  # recorded as digests
 
 
@@ -39,7 +39,7 @@ def recorded(name: str) -> Any:
 
 
 def unpack(name: str, target: Path) -> Path:
-    """Unpacks a file, or all files of a folder, to where they can be opened; gives the target."""
+    """Unpacks a file, or all files of a folder, to `target`; returns the target."""
     if (FILES / name).is_dir():
         for packed in sorted((FILES / name).rglob("*.gz")):
             place = packed.relative_to(FILES / name).with_suffix("")
@@ -51,13 +51,13 @@ def unpack(name: str, target: Path) -> Path:
 
 
 def pinel(*words: str | Path) -> tuple[int, str]:
-    """Runs a command; gives its exit status and standard output."""
+    """Runs a command; returns its exit status and standard output."""
     done = CliRunner().invoke(main, [str(word) for word in words])
     return done.exit_code, done.stdout
 
 
 def merged(database: Path, bundle: Path, *options: str) -> dict[str, Any]:
-    """Merges a bundle; gives what came of it, and the content hash afterwards."""
+    """Merges a bundle; returns the report, and the content hash afterwards."""
     _, text = pinel("--db", database, "merge", bundle, "--json", *options)
     answer = json.loads(text)
     (outcome,) = answer["files"]
@@ -73,7 +73,7 @@ def verdict(database: Path, run: str) -> dict[str, Any]:
 
 
 def all_merged(folder: Path) -> dict[str, Any]:
-    """What comes of each bundle in an empty store, and of the second PC's in the first one's."""
+    """Results of merging each bundle into an empty store, and the second PC's into the first one's."""
     found: dict[str, Any] = {}
     for name in ("all", "class", "anonymous", "second_pc"):
         bundle = unpack(f"bundles/{name}.pinel", folder / f"{name}.pinel")
@@ -88,7 +88,7 @@ def all_merged(folder: Path) -> dict[str, Any]:
 
 
 def program_brought(home: Path) -> dict[str, Any]:
-    """What comes of the program that a group takes along, in an app that is new."""
+    """Result of importing an exported program into an empty app."""
     octets = unpack("bundles/program.pinel", home / "program.pinel").read_bytes()
     app = AppProcess(home)
     browser = Browser.signed_in(app.start())
@@ -103,7 +103,7 @@ def program_brought(home: Path) -> dict[str, Any]:
 
 
 def bring_program(browser: Browser, octets: bytes) -> dict[str, Any]:
-    """Hands the file of a program to the app."""
+    """Imports the file of a program into the app."""
     headers = {"Content-Type": "application/octet-stream"}
     answer = browser.send("POST", "/api/programs/file", body=octets, headers=headers)
     assert answer.status == 200, answer.body
@@ -112,7 +112,7 @@ def bring_program(browser: Browser, octets: bytes) -> dict[str, Any]:
 
 
 def backup_restored(home: Path) -> dict[str, Any]:
-    """What comes of a damaged database that has its backups beside it."""
+    """Result of opening a damaged database with backups."""
     unpack("database/backups", home / "backups")
     (home / DATABASE).write_bytes(b"damaged" * 1000)
     with open_store(home / DATABASE) as store:
@@ -136,7 +136,7 @@ def result(file: Path, options: list[str]) -> dict[str, Any]:
 
 @contextmanager
 def opened(home: Path) -> Iterator[Browser]:
-    """The app on the folder of a database, with the teacher's door open."""
+    """The app on the folder of a database, with the teacher signed in."""
     app = AppProcess(home)
     browser = Browser.signed_in(app.start())
     try:
@@ -147,7 +147,7 @@ def opened(home: Path) -> Iterator[Browser]:
 
 
 def told(browser: Browser) -> dict[str, Any]:
-    """What the app tells of all that its database holds."""
+    """The whole content of the database, as the app reports it."""
     status = browser.get("/api/status").data
     classrooms = _rows(browser, "/api/classrooms", "classrooms")
     lessons = [
@@ -207,7 +207,7 @@ def _run(browser: Browser, key: str) -> dict[str, Any]:
 
 
 def _short(value: Any) -> Any:
-    """Without words, and with digests in the place of long contents."""
+    """The value without texts, and with digests in place of long contents."""
     if isinstance(value, list):
         return [_short(item) for item in value]
     if not isinstance(value, dict):
@@ -230,9 +230,9 @@ def digest(value: Any) -> str:
 
 
 def platform_of_figures() -> str:
-    """What the last digits of a run depend on; runs are the same to the bit only where this is the same.
+    """Fingerprint of the floating-point platform; runs are bit-identical only where it is equal.
 
-    Processors and C libraries differ in the last digit of some functions, so many values of these are a part of it.
+    Processors and C libraries differ in the last digit of some functions, so it includes many values of them.
     """
     values = [0.37 * n for n in range(-5000, 5000)]
     plain = [

@@ -1,7 +1,7 @@
-"""Writes `files/`, by using the program as a school does, and records what the program itself says of them.
+"""Writes `files/` by using the program, and records how the program reads them.
 
-It ran at commit a3b6fcc (files/README.md) and is kept to say what is in the files. Do not run it at a later commit: the
-files would no longer be of an earlier state. From the root: `python -m tests.compatibility.write_files`.
+It ran at commit a3b6fcc (files/README.md) and documents the files. Do not run it at a later commit: the files would no
+longer be of an earlier release. From the root: `python -m tests.compatibility.write_files`.
 """
 
 import gzip
@@ -17,7 +17,7 @@ from tests.compatibility.school_day import FIRST, SCHOOL, SECOND, TAKEN, play
 
 
 def export(database: Path, name: str, *options: str) -> None:
-    """Writes a bundle with the command, beside the database, and packs it."""
+    """Exports a bundle beside the database and packs it."""
     target = SCHOOL / f"{name}.pinel"
     status, _ = pinel("--db", database, "export", target, *options)
     assert status == 0
@@ -31,7 +31,7 @@ def pack(name: str, octets: bytes) -> None:
 
 
 def pack_all() -> None:
-    """The first PC's files as the power cut left them, the backup, and bundles of both PCs."""
+    """The first PC's files after the power cut, the backup, and bundles of both PCs."""
     for file in (FIRST / DATABASE, FIRST / f"{DATABASE}-wal", *(FIRST / "backups").glob("*.db")):
         pack(f"database/{file.relative_to(FIRST)}", file.read_bytes())
     pack("bundles/program.pinel", TAKEN.read_bytes())
@@ -57,7 +57,7 @@ def note(name: str, record: Any) -> None:
 
 
 def summary(folder: Path) -> dict[str, Any]:
-    """What the program itself tells of the files."""
+    """Content of the files as the program reads it."""
     home = kept.unpack("database", folder / "database")
     with open_store(home / DATABASE) as store:
         found = store.exchange.content_hash()
@@ -65,7 +65,7 @@ def summary(folder: Path) -> dict[str, Any]:
         told = kept.told(browser)
     for run in told["runs"]:
         if run["reason"] == "interrupted":
-            del run["ended_at"]  # of the last one it is when the app was started again
+            del run["ended_at"]  # for the last run this is the time of the restart
     verdicts = {run["id"]: kept.verdict(home / DATABASE, run["id"]) for run in told["runs"]}
     return {
         "platform": kept.platform_of_figures(),

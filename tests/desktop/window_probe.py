@@ -1,6 +1,6 @@
-"""Opens the real window on a small page, tries to leave it, and prints what happened as JSON.
+"""Opens the real window on a small page, tries to navigate away, and prints the results as JSON.
 
-A program of its own, because GTK belongs to a main thread and to one screen for the life of a process.
+A separate process, because GTK is bound to a main thread and one screen for the life of a process.
 """
 
 import json
@@ -34,7 +34,7 @@ _OWN_BLOB = "location.href = URL.createObjectURL(new Blob(['<h1>no</h1>'], { typ
 
 
 class Site:
-    """A server on a port of its own that remembers who asked for what."""
+    """A server on its own port that records requests."""
 
     def __init__(self) -> None:
         self.asked: list[str] = []
@@ -53,7 +53,7 @@ class Site:
 
 
 class Probe:
-    """The experiments, in the order in which a pupil might come upon them."""
+    """The experiments, in order."""
 
     def __init__(self) -> None:
         self.own, self.stranger = Site(), Site()
@@ -67,14 +67,14 @@ class Probe:
         return self.window.run_script(script)
 
     def _until(self, script: str) -> None:
-        """Asks the page again and again; each question takes a turn of its event loop."""
+        """Polls the page; each poll runs its event loop once."""
         deadline = time.monotonic() + 30
         while self._script(script) is not True:
             if time.monotonic() > deadline:
                 raise TimeoutError(script)
 
     def _leave(self, script: str) -> None:
-        """Starts something in the page and lets its event loop come around a few times."""
+        """Runs a script in the page, then its event loop a few times."""
         self._script(f"window.turns = 0; {script}")
         self._until("(setTimeout(() => { window.turns += 1 }), window.turns > 5)")
 
@@ -110,7 +110,7 @@ class Probe:
         self.window.close()
 
     def _save_file(self) -> str:
-        """Has the page hand out a file as ui/src/shell/save_file.ts does; the dialog is answered at once."""
+        """Saves a file from the page as ui/src/shell/save_file.ts does; the dialog is answered at once."""
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "kept.json"
             saving.ask_for_path = lambda *_: str(file)

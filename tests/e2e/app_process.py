@@ -1,4 +1,4 @@
-"""The real app as a process of its own, as a school's PC runs it."""
+"""The real app as a separate process."""
 
 import os
 import signal
@@ -11,16 +11,16 @@ _START_S = 30.0
 
 
 class AppProcess:
-    """`pinel serve` on a folder of its own; the one-time address is the first line it prints."""
+    """`pinel serve` on its own folder; the first line that it prints is the one-time address."""
 
     def __init__(self, home: Path) -> None:
         self._home = home
         self._process: subprocess.Popen[str] | None = None
         self.link = ""
-        self.signed_in: Any = None  # the cookie of the first browser, for others on the same PC
+        self.signed_in: Any = None  # cookie of the first browser, for further ones
 
     def start(self) -> str:
-        """Starts the app and gives its one-time address."""
+        """Starts the app; returns its one-time address."""
         log = (self._home / "serve.log").open("a", encoding="utf-8")
         with log:
             self._process = self._spawn(log.fileno())
@@ -34,11 +34,11 @@ class AppProcess:
 
     @property
     def database(self) -> Path:
-        """The group's file: to be touched only while the app is stopped."""
+        """The database file; access it only while the app is stopped."""
         return self._home / "pinel.db"
 
     def fresh_link(self) -> str:
-        """What a second start of the command prints: another one-time address of the running app."""
+        """A further one-time address of the running app, as a second start prints it."""
         second = self._spawn(subprocess.DEVNULL)
         try:
             link = self._first_line(second)
@@ -48,7 +48,7 @@ class AppProcess:
         return link
 
     def kill(self) -> None:
-        """The power is cut: no goodbye, no last write."""
+        """Kills the process, as a power cut does."""
         self._stop(signal.SIGKILL)
 
     def stop(self) -> None:
@@ -64,7 +64,7 @@ class AppProcess:
         try:
             _end(process, number)
         except subprocess.TimeoutExpired:
-            _end(process, signal.SIGABRT)  # has Python say where each thread hangs
+            _end(process, signal.SIGABRT)  # Python then prints the stack of each thread
             raise AssertionError(f"the app did not end:\n{self.log()}") from None
 
     def _spawn(self, errors: int) -> subprocess.Popen[str]:

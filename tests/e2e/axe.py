@@ -1,4 +1,4 @@
-"""A screen through axe: roles and names, and contrast in light, dark and high contrast."""
+"""Checks a screen with axe: roles and names, and contrast in all themes."""
 
 from pathlib import Path
 from typing import Any
@@ -8,7 +8,7 @@ from playwright.sync_api import Page
 from tests.e2e.studio import Studio
 
 AXE = Path(__file__).parents[2] / "ui" / "node_modules" / "axe-core" / "axe.min.js"
-# Blockly's own: its toolbox and its blocks have roles whose children axe does not find where it looks
+# Blockly's toolbox and blocks have roles whose children axe does not find
 BLOCKLYS = {
     "aria-required-children",
     "aria-valid-attr-value",
@@ -20,11 +20,11 @@ BLOCKLYS = {
     "region",
 }
 THEMES = {"light", "dark", "contrast"}
-FADE_MS = 300  # what fades in has another contrast until it is there
+FADE_MS = 300  # elements that fade in have another contrast until then
 
 
 def violations(studio: Studio) -> list[str]:
-    """What axe finds, less what is Blockly's own business; the theme is as it was afterwards."""
+    """Findings of axe without those of Blockly's own elements; restores the theme."""
     page = studio.page
     if not page.evaluate("typeof axe === 'object'"):
         page.evaluate(AXE.read_text("utf-8"))
@@ -33,7 +33,9 @@ def violations(studio: Studio) -> list[str]:
     seen = {first}
     while _next_theme(page) != first:
         seen.add(_theme(page))
-        found += _found(page, "{ runOnly: ['color-contrast'] }")  # all that a theme changes
+        found += _found(
+            page, "{ runOnly: ['color-contrast'] }"
+        )  # the only rule that depends on the theme
     assert seen == THEMES
     return found
 
@@ -57,7 +59,7 @@ def _theme(page: Page) -> str:
 
 
 def _next_theme(page: Page) -> str:
-    """Without a pointer, which would put away what is open."""
+    """Switches the theme without the pointer, which would close open panels."""
     page.get_by_test_id("theme").evaluate("(button) => button.click()")
     return _theme(page)
 

@@ -1,25 +1,25 @@
-"""The workspace as hands use it: blocks dragged out of the toolbox, fields typed into."""
+"""Operates the workspace by pointer and keyboard: drags blocks, types into fields."""
 
 from dataclasses import dataclass
 
 from playwright.sync_api import Locator, Page, expect
 
 _WORKSPACE = ".blocklySvg .blocklyBlockCanvas"
-_NOTCH_PX = 8  # the bump below a block, outside of the height that stacks
-_MOUTH_PX = 16  # how far the inside of a loop stands to the right
-GRIP_PX = (20, 26)  # where a block is taken: on its icon
+_NOTCH_PX = 8  # notch below a block, not part of its stacking height
+_MOUTH_PX = 16  # indentation of the body of a loop
+GRIP_PX = (20, 26)  # where a block is grabbed: on its icon
 
 
 @dataclass(frozen=True)
 class Place:
-    """A point of the screen where the upper left corner of a block should come to lie."""
+    """Target of the upper left corner of a block, in screen pixels."""
 
     x: float
     y: float
 
 
 class Blocks:
-    """Blocks are named by their words, as a person does; a name may be said by its beginning."""
+    """Finds blocks by their text, or its beginning."""
 
     def __init__(self, page: Page) -> None:
         self._page = page
@@ -28,7 +28,7 @@ class Blocks:
         return self._page.get_by_test_id(f"toolbox-{name}")
 
     def all(self) -> Locator:
-        """Every block, without the fields of others that are blocks to Blockly."""
+        """Every block, without shadow blocks."""
         apart = ":not(.blocklyInsertionMarker):not(.blocklyShadow)"
         return self._page.locator(f"{_WORKSPACE} .blocklyDraggable{apart}")
 
@@ -36,7 +36,7 @@ class Blocks:
         return self._page.locator(f'{_WORKSPACE} [data-id="{block}"]')
 
     def by_words(self, words: str) -> Locator:
-        """The innermost block that says the words."""
+        """The innermost block with the text."""
         return self.all().filter(has_text=words).last
 
     def start(self) -> Locator:
@@ -55,13 +55,13 @@ class Blocks:
         return self._page.locator(".blocklyTextBubble")
 
     def in_flyout(self, words: str) -> Locator:
-        """A block of the category that is open."""
+        """A block of the open category."""
         return self._page.locator(
             ".blocklyFlyout .blocklyBlockCanvas > .blocklyDraggable", has_text=words
         ).first
 
     def drag_from_toolbox(self, category: str, words: str, to: Place) -> None:
-        """Takes a block out of its category and lets it go."""
+        """Drags a block out of its category."""
         before = self.all().count()
         self.category(category).click()
         outline = self.in_flyout(words).locator("> .blocklyPath")
@@ -69,7 +69,7 @@ class Blocks:
         expect(self.all()).to_have_count(before + self._parts(words))
 
     def drag(self, block: Locator, to: Place) -> None:
-        """Moves a block that is in the workspace, with all that hangs below it."""
+        """Moves a block of the workspace, with the blocks below it."""
         self._drag(block.locator("> .blocklyPath").first, to)
 
     def select(self, block: Locator) -> None:

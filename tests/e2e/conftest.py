@@ -1,4 +1,4 @@
-"""A real app, a real browser, and a watch over both."""
+"""The real app and a real browser, both checked for unexpected requests and errors."""
 
 import os
 import shutil
@@ -12,11 +12,11 @@ from playwright.sync_api import Browser, BrowserContext, sync_playwright
 from pinel_desktop.web.page import STATIC
 from tests.e2e.app_process import AppProcess
 from tests.e2e.past_lesson import school_after
-from tests.e2e.review_school import Past, Teacher, open_door, play
+from tests.e2e.review_school import Past, Teacher, play, sign_in
 from tests.e2e.studio import Studio
 from tests.e2e.watch import Watch
 
-# Debian has it without its own window, which a test never sees and which takes a third of the time
+# Debian's headless shell, a third faster than the whole browser
 CHROMIUM = (
     os.environ.get("PINEL_CHROMIUM")
     or shutil.which("chromium-headless-shell")
@@ -31,9 +31,9 @@ OpenStudio = Callable[..., Studio]
 @pytest.fixture(scope="session")
 def browser() -> Iterator[Browser]:
     with sync_playwright() as playwright:
-        # Chromium refuses its sandbox to root, as which containers build
+        # Chromium's sandbox does not work as root, as in build containers
         sandbox = ["--no-sandbox"] if os.geteuid() == 0 else []
-        # a tenth less work than a GPU made of software
+        # a tenth faster than the software GPU
         arguments = ["--disable-gpu", *sandbox]
         browser = playwright.chromium.launch(executable_path=CHROMIUM, args=arguments)
         yield browser
@@ -48,7 +48,7 @@ def app(tmp_path: Path) -> Iterator[AppProcess]:
 
 @pytest.fixture(scope="module")
 def lasting_app(tmp_path_factory: pytest.TempPathFactory) -> Iterator[AppProcess]:
-    """For tests that need no empty folder: one app for all of a file, each test a group of its own."""
+    """One app per test file, for tests that need no empty folder; each test has its own group."""
     yield from _started(tmp_path_factory.mktemp("home"))
 
 
@@ -71,7 +71,7 @@ def watch() -> Iterator[Watch]:
 def open_studio(
     browser: Browser, app: AppProcess, watch: Watch, request: pytest.FixtureRequest
 ) -> Iterator[OpenStudio]:
-    """Opens a browser of its own, on the given address or as one that is signed in already."""
+    """Opens a browser context at the given address, or with the cookie of an earlier one."""
     contexts: list[BrowserContext] = []
 
     def open_(link: str = "", **options: Any) -> Studio:
@@ -87,7 +87,7 @@ def open_studio(
         return Studio(page)
 
     yield open_
-    if contexts and "lasting_app" in request.fixturenames:  # which keeps it for the next test
+    if contexts and "lasting_app" in request.fixturenames:  # the next test uses it
         settings = f"{app.origin}api/settings"
         assert contexts[0].request.put(settings, data={"language": "pt-BR"}).ok
     for number, context in enumerate(contexts):
@@ -97,13 +97,13 @@ def open_studio(
 
 @pytest.fixture
 def studio(open_studio: OpenStudio) -> Studio:
-    """The page as a group finds it on the first day: no group, no program."""
+    """The page of an empty app."""
     return open_studio()
 
 
 @pytest.fixture(scope="module")
 def school(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[AppProcess, Past]]:
-    """The app on a file with a lesson that is over."""
+    """The app on a database with a finished lesson."""
     with school_after(tmp_path_factory.mktemp("school"), play) as school:
         yield school
 
@@ -111,7 +111,7 @@ def school(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[AppProces
 @pytest.fixture
 def teacher(open_studio: OpenStudio, school: tuple[AppProcess, Past]) -> Teacher:
     studio = open_studio()
-    open_door(studio)
+    sign_in(studio)
     return Teacher(studio, school[1])
 
 
@@ -129,7 +129,7 @@ _FAILED = pytest.StashKey[bool]()
 
 
 def _keep_picture(context: BrowserContext, name: str, request: pytest.FixtureRequest) -> None:
-    """Of a failed test, what the person saw."""
+    """Saves a screenshot of a failed test."""
     if not request.node.stash.get(_FAILED, False):
         return
     ARTIFACTS.mkdir(exist_ok=True)

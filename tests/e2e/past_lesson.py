@@ -1,4 +1,4 @@
-"""A lesson that is over, in the file before the app starts: edits at their times, and runs that were really driven."""
+"""Writes a finished lesson to a database before the app starts: edits at given times, and runs of the simulator."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -24,7 +24,7 @@ SQUARE: list[Step] = [("move_forward", 1), ("turn", 90)] * 4
 
 
 class PastLesson:
-    """What groups of a class did; the clock on the wall goes on as the test says."""
+    """The work of the groups of a class, on a clock that the test sets."""
 
     def __init__(self, store: Store, now: datetime) -> None:
         self.store, self.now = store, now
@@ -32,7 +32,7 @@ class PastLesson:
         self.lesson = store.lessons.open(self.classroom, "Quadrados e desvios", "square").id
 
     def at(self, minute: float) -> None:
-        """The clock of the lesson, which began at 0."""
+        """Sets the clock to a minute of the lesson, which begins at 0."""
         self.now = BEGAN + timedelta(minutes=minute)
 
     def group(self, name: str) -> "PastGroup":
@@ -44,7 +44,7 @@ BEGAN = datetime(2026, 11, 19, 13, 30, tzinfo=UTC)
 
 @contextmanager
 def past_lesson(home: Path) -> Iterator[PastLesson]:
-    """Opens the file of an app that does not run yet."""
+    """Opens the database before the app starts."""
     lesson: PastLesson | None = None
 
     def clock() -> datetime:
@@ -59,7 +59,7 @@ def past_lesson(home: Path) -> Iterator[PastLesson]:
 def school_after(
     home: Path, play: Callable[[PastLesson], Past]
 ) -> Iterator[tuple[AppProcess, Past]]:
-    """The app on a file in which a lesson was played, and what `play` tells of it."""
+    """The app on a database with a lesson written by `play`, and the return value of `play`."""
     with past_lesson(home) as lesson:
         past = play(lesson)
     app = AppProcess(home)
@@ -85,7 +85,7 @@ class PastGroup:
         return self.version
 
     def run(self, world: str = "empty_room", *, stop_at_s: float | None = None) -> str:
-        """Drives the version as it is, in the simulator; `stop_at_s` cuts the record where a hand pressed Stop."""
+        """Runs the version in the simulator; `stop_at_s` ends the record there, as Stop does."""
         chosen = choose_world(world, robot=Setting().model)
         document = self._store.versions.get(self.version).document
         begun = self._store.runs.begin(
@@ -112,7 +112,7 @@ class PastGroup:
 
 
 class _Keeping:
-    """Records events while the clock of the lesson goes on with them."""
+    """Records events and advances the lesson's clock with them."""
 
     def __init__(self, lesson: PastLesson, run_id: str, stop_at_s: float | None) -> None:
         self._lesson, self._begun = lesson, lesson.now
@@ -136,7 +136,7 @@ class _Keeping:
 
 
 def workspace_of(steps: list[Step]) -> dict[str, Any]:
-    """The steps as Blockly keeps them, below the start block."""
+    """The steps below the start block, in Blockly's serialised form."""
     below: dict[str, Any] | None = None
     for block_id, (kind, value) in reversed(list(zip(_ids(steps), steps, strict=True))):
         block = _block(kind, value, block_id)
@@ -147,7 +147,7 @@ def workspace_of(steps: list[Step]) -> dict[str, Any]:
 
 
 def _ids(steps: list[Step]) -> list[str]:
-    """Blocks keep their ids by their kind and their place among their kind."""
+    """Ids of blocks from their type and their index within the type."""
     kinds = [kind for kind, _ in steps]
     return [f"{kind}{kinds[:place].count(kind)}" for place, kind in enumerate(kinds)]
 
@@ -162,7 +162,7 @@ def _block(kind: str, value: float, block_id: str) -> dict[str, Any]:
 
 
 def document_of(steps: list[Step]) -> dict[str, Any]:
-    """The steps as the robot gets them."""
+    """The program document of the steps."""
     names = {"move_forward": "distance", "turn": "angle", "wait": "seconds"}
     commands = [
         {"action": kind, "block": block_id, names[kind]: value}

@@ -1,4 +1,4 @@
-"""The program as Python text, as hands use it: opened, written, put into blocks."""
+"""Operates the Python pane: opens and edits the text, converts it to blocks."""
 
 from playwright.sync_api import expect
 
@@ -13,14 +13,14 @@ def open_python(studio: Studio) -> None:
 
 
 def edit_python(studio: Studio, text: str) -> None:
-    """Opens the text for writing and puts another in its place."""
+    """Opens the editor and replaces the text."""
     open_python(studio)
     studio["python-edit"].click()
     studio["python-editor"].fill(text)
 
 
 def write_program(studio: Studio, text: str) -> None:
-    """Makes the program that a Python text says, in blocks, and has it saved."""
+    """Replaces the program by that of a Python text, and waits until it is saved."""
     edit_python(studio, text)
     studio["python-put"].click()
     expect(studio["swap-back"]).to_be_visible()

@@ -1,4 +1,4 @@
-"""A lesson that is over, the app on its file, and the teacher's hands on the page."""
+"""A finished lesson, the app on its database, and operation of the teacher's page."""
 
 from typing import NamedTuple
 
@@ -12,7 +12,7 @@ LONG_NAME = "Tatus da Silva Xavier e o Robô Que Não Parava na Parede"
 
 
 class Past(NamedTuple):
-    """What is in the file; groups by name, runs in the order of the line."""
+    """Content of the database; groups by name, runs in the order of the timeline."""
 
     lesson: str
     empty: str
@@ -21,7 +21,7 @@ class Past(NamedTuple):
 
 
 def play(lesson: PastLesson) -> Past:
-    """Two groups: one tries, fails, stops and repairs, the other only builds."""
+    """Two groups: one runs, fails, stops and repairs its program, the other only edits."""
     lesson.at(2)
     bees = lesson.group("Abelhas")
     bees.edit(("turn", 90))
@@ -48,7 +48,7 @@ def play(lesson: PastLesson) -> Past:
 
 
 class Teacher:
-    """The teacher's page, its door open."""
+    """The teacher's page, signed in."""
 
     def __init__(self, studio: Studio, past: Past) -> None:
         self.studio, self.page, self.past = studio, studio.page, past
@@ -77,8 +77,8 @@ class Teacher:
         return self.page.locator(f"[data-testid=history-filter][data-name={name}]")
 
 
-def open_door(studio: Studio) -> None:
-    """Chooses the PIN, or gives it where one was chosen before."""
+def sign_in(studio: Studio) -> None:
+    """Sets the PIN, or enters it if there is one."""
     expect(studio["group-card"].first).to_be_visible()
     has_pin = studio.api("/teacher")["has_pin"]
     method, place = ("POST", "/teacher/enter") if has_pin else ("PUT", "/teacher/pin")

@@ -1,4 +1,4 @@
-"""The page as a person sees it; its handles are listed in ui/src/shell/testids.ts."""
+"""Operates the page by its test ids (ui/src/shell/testids.ts)."""
 
 import itertools
 import re
@@ -36,7 +36,7 @@ class Studio:
         self.wait_until_open()
 
     def enter_new_group(self, name: str = "Os Tatus") -> None:
-        """A group nobody else in the file has, for tests that share an app."""
+        """Creates a group with a unique name, for tests that share an app."""
         self.enter_group(f"{name} {next(_NUMBERS)}")
 
     def wait_until_open(self) -> None:
@@ -53,11 +53,11 @@ class Studio:
         expect(self["saved-mark"]).to_have_attribute("data-state", "saved")
 
     def api(self, path: str) -> Any:
-        """What the server keeps, asked with the page's own cookie."""
+        """A GET request with the page's cookie."""
         return self._answer(path, self.page.context.request.get(f"{self.origin}/api{path}"))
 
     def tell(self, method: str, path: str, data: Any = None) -> Any:
-        """Tells the server something, with the page's own cookie."""
+        """A request with the page's cookie."""
         send = self.page.context.request.fetch
         return self._answer(path, send(f"{self.origin}/api{path}", method=method, data=data))
 
@@ -71,28 +71,28 @@ class Studio:
         return answer.json()
 
     def eventually(self, read: Callable[[], T], wanted: T) -> None:
-        """Reads again until it is what is wanted: the server hears of an edit a moment after the hand."""
+        """Polls until the value is as wanted: the server receives edits with a delay."""
         deadline = time.monotonic() + SAVE_S
         while (value := read()) != wanted and time.monotonic() < deadline:
             self.page.wait_for_timeout(POLL_MS)
         assert value == wanted, f"{value!r} instead of {wanted!r}"
 
     def document(self) -> dict[str, Any] | None:
-        """The program document on the server's disk."""
+        """The stored program document."""
         version = self.api(f"/programs/{self.program_id}")["version"]
         return cast(dict[str, Any] | None, version and version["document"])
 
     def workspace(self) -> Any:
-        """The newest workspace on the server's disk."""
+        """The newest stored workspace."""
         version = self.api(f"/programs/{self.program_id}")["version"]
         return version and version["workspace"]
 
     def stacks(self) -> int:
-        """How many stacks of blocks are on disk, the one that runs and the loose ones."""
+        """Number of stored stacks of blocks, the loose ones included."""
         return len(self.workspace()["blocks"]["blocks"])
 
     def commands(self) -> list[dict[str, Any]]:
-        """The commands on the server's disk; none while the program has faults."""
+        """The stored commands; empty while the program has faults."""
         return cast(list[dict[str, Any]], (self.document() or {}).get("commands", []))
 
     def actions(self) -> list[str]:
@@ -124,7 +124,7 @@ class Studio:
         expect(self["scene"]).to_have_attribute("data-phase", phase, timeout=timeout_ms)
 
     def number(self, test_id: str) -> float:
-        """A number shown in the page, as it is and not as it is written."""
+        """The exact value of a number shown in the page, from `data-value`."""
         return float(self[test_id].get_attribute("data-value") or "nan")
 
 

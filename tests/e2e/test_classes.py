@@ -1,4 +1,4 @@
-"""Classes, groups by their pictures, the first day, the teacher's door."""
+"""Classes, groups by their pictures, the first day, the sign-in of the teacher."""
 
 from typing import Any
 
@@ -64,12 +64,12 @@ def test_the_first_day_of_a_teacher(studio: Studio) -> None:
     studio["computer-name"].fill("PC 7")
     studio["prepare-done"].click()
     expect(studio.page.get_by_role("heading", name="9º A")).to_be_visible()
-    expect(studio["leave-door"]).to_be_visible()
+    expect(studio["sign-out"]).to_be_visible()
     assert studio.api("/computer")["name"] == "PC 7"
     assert studio.api("/teacher") == {"has_pin": True, "is_open": True}
-    studio["leave-door"].click()
+    studio["sign-out"].click()
     expect(studio["class-chip"]).to_have_text(["9º A"])
-    expect(studio["leave-door"]).to_have_count(0)
+    expect(studio["sign-out"]).to_have_count(0)
     assert studio.api("/teacher")["is_open"] is False
 
 
@@ -79,12 +79,12 @@ def test_pupils_begin_without_a_teacher(studio: Studio) -> None:
     studio["home"].click()
     expect(studio["group-card"]).to_have_count(1)
     expect(studio["class-chip"]).to_have_count(0)
-    expect(studio["door"]).to_be_visible()
+    expect(studio["teacher-link"]).to_be_visible()
 
 
 def test_groups_pick_a_picture_and_know_themselves_by_it(studio: Studio) -> None:
     prepare(studio)
-    studio["leave-door"].click()
+    studio["sign-out"].click()
     studio.page.locator("[data-testid=picture][data-name=turtle]").click()
     studio.enter_group("Tartarugas")
     group = studio.api("/groups")["groups"][0]
@@ -127,18 +127,18 @@ def test_the_door_says_what_is_wrong_and_how_long_to_wait(studio: Studio, watch:
     watch.expect("(FORBIDDEN)")
     watch.expect("(TOO MANY REQUESTS)")
     prepare(studio)
-    studio["leave-door"].click()
-    studio["door"].click()
+    studio["sign-out"].click()
+    studio["teacher-link"].click()
     expect(studio.page.get_by_text("Esqueceu o PIN?")).to_contain_text("pinel pin")
     for _ in range(5):
         studio["pin"].fill("0000")
-        studio["enter-door"].click()
+        studio["sign-in"].click()
         expect(studio.page.get_by_role("alert")).to_contain_text("O PIN não está certo")
         expect(studio["pin"]).to_have_value("")
     studio["pin"].fill(PIN)
-    studio["enter-door"].click()
+    studio["sign-in"].click()
     expect(studio["pin-wait"]).to_contain_text("Espere 2")  # 29 seconds, and fewer
-    expect(studio["enter-door"]).to_be_disabled()
+    expect(studio["sign-in"]).to_be_disabled()
     expect(studio["teacher-part"]).to_have_count(0)
 
 
@@ -148,15 +148,15 @@ def test_pupils_see_the_lesson_that_the_teacher_opened(
     prepare(studio)
     to_part(studio, "lessons")
     open_lesson(studio, "Quadrados", "square")
-    studio["leave-door"].click()
+    studio["sign-out"].click()
     studio.enter_group("Os Tatus")
     expect(studio["lesson-chip"]).to_contain_text("Quadrados")
     expect(studio["lesson-chip"]).to_contain_text("Um quadrado de 1 m")
 
     teacher = open_studio()
-    teacher["door"].click()
+    teacher["teacher-link"].click()
     teacher["pin"].fill(PIN)
-    teacher["enter-door"].click()
+    teacher["sign-in"].click()
     teacher["close-lesson"].click()
     expect(teacher["lesson-now"]).to_have_count(0)
     studio.page.reload()
@@ -168,15 +168,15 @@ def test_a_lesson_that_is_opened_while_a_group_works_is_shown_before_its_run_is_
     studio: Studio, open_studio: OpenStudio
 ) -> None:
     prepare(studio)
-    studio["leave-door"].click()
+    studio["sign-out"].click()
     studio.enter_group("Os Tatus")
     studio.build_square()
     expect(studio["lesson-chip"]).to_have_count(0)
 
     teacher = open_studio()
-    teacher["door"].click()
+    teacher["teacher-link"].click()
     teacher["pin"].fill(PIN)
-    teacher["enter-door"].click()
+    teacher["sign-in"].click()
     open_lesson(teacher, "Quadrados", "square")
     studio["run"].click()
     expect(studio["lesson-chip"]).to_contain_text("Um quadrado de 1 m")
@@ -227,7 +227,7 @@ def test_the_class_last_chosen_on_this_pc_is_shown_again(
     prepare(studio)
     studio["new-class"].fill("9º B")
     studio["make-class"].click()
-    studio["leave-door"].click()
+    studio["sign-out"].click()
     expect(studio.page.locator("[data-testid=class-chip][aria-pressed=true]")).to_have_text("9º B")
     studio["class-chip"].filter(has_text="9º A").click()
     studio.page.reload()
@@ -243,7 +243,7 @@ def test_what_was_typed_stays_when_the_door_shuts(studio: Studio, watch: Watch) 
     expect(studio["pin"]).to_be_visible()
     expect(studio["class-chip"].first).to_be_hidden()
     studio["pin"].fill(PIN)
-    studio["enter-door"].click()
+    studio["sign-in"].click()
     expect(studio.page.get_by_role("heading", name="9º C")).to_be_visible()
 
 
@@ -265,7 +265,7 @@ def test_it_is_time_to_swap(studio: Studio) -> None:
     prepare(studio)
     to_part(studio, "computer")
     studio.page.locator("[data-testid=swap-every][data-minutes='5']").click()
-    studio["leave-door"].click()
+    studio["sign-out"].click()
     studio.page.clock.install()
     studio.enter_group("Os Tatus")
     expect(studio["turns"]).to_have_count(0)
@@ -295,13 +295,13 @@ def test_every_part_has_names_and_contrast(studio: Studio) -> None:
     to_part(studio, "lessons")
     open_lesson(studio, "Quadrados", "square")
     look("lessons")
-    studio["leave-door"].click()
+    studio["sign-out"].click()
     look("groups")
     studio["choose-picture"].click()
     look("pictures")
-    studio["door"].click()
+    studio["teacher-link"].click()
     expect(studio["pin"]).to_be_visible()
-    look("door")
+    look("sign-in")
     assert {screen: one for screen, one in found.items() if one} == {}
 
 
@@ -321,6 +321,6 @@ def test_twelve_groups_with_long_names_are_not_cut(
         to_part(studio, part)
         assert cut(studio.page) == []
     expect(studio["class-group"]).to_have_count(12)
-    studio["leave-door"].click()
+    studio["sign-out"].click()
     expect(studio["group-card"]).to_have_count(11)
     assert cut(studio.page) == []

@@ -36,7 +36,7 @@ def other_pc(tmp_path_factory: pytest.TempPathFactory, browser: Browser) -> Iter
 
 
 def at_the_files(studio: Studio, folder: Path) -> None:
-    """Behind the door, with the folder as the school's."""
+    """The exchange panel with the folder as the shared one."""
     studio.tell("PUT", "/teacher/pin", {"pin": PIN})
     studio.tell("PUT", "/folders/shared", {"path": str(folder)})
     studio.page.goto(f"{studio.origin}/#/teacher/files")

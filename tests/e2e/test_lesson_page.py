@@ -11,7 +11,7 @@ from playwright.sync_api import Page, expect
 from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.past_lesson import SQUARE, PastLesson, school_after
-from tests.e2e.review_school import PIN, open_door
+from tests.e2e.review_school import PIN, sign_in
 from tests.e2e.studio import Studio
 from tests.e2e.watch import Watch
 
@@ -64,9 +64,9 @@ def past(school: tuple[AppProcess, Past]) -> Past:
 
 @pytest.fixture
 def studio(open_studio: OpenStudio) -> Studio:
-    """The page with the teacher's door open."""
+    """The page with the sign-in of the teacher open."""
     studio = open_studio()
-    open_door(studio)
+    sign_in(studio)
     return studio
 
 
@@ -130,7 +130,7 @@ def test_a_page_that_is_looked_at_asks_for_the_pin_only_when_it_is_pressed(
     expect(studio["pin"]).to_have_count(0)
     studio["review-refresh"].evaluate("one => one.click()")
     studio["pin"].fill(PIN)
-    studio["enter-door"].click()
+    studio["sign-in"].click()
     expect(studio["review-detail"]).to_be_visible()
     studio.eventually(lambda: studio["lesson-page"].evaluate(scrolled), left_at)
 

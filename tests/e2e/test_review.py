@@ -32,7 +32,7 @@ def test_a_lesson_asks_for_the_pin_first(teacher: Teacher, open_studio: OpenStud
     expect(other["pin"]).to_be_visible()
     expect(other["lesson-page"]).to_have_count(0)
     other["pin"].fill(PIN)
-    other["enter-door"].click()
+    other["sign-in"].click()
     expect(other["review-group"]).to_have_count(2)
 
 

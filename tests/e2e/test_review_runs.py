@@ -118,7 +118,7 @@ def test_a_note_waits_for_the_pin_when_the_door_has_shut(teacher: Teacher, watch
     expect(teacher["pin"]).to_be_focused()
     expect(teacher["note-text"]).to_be_hidden()
     teacher["pin"].fill(PIN)
-    teacher["enter-door"].click()
+    teacher["sign-in"].click()
     expect(teacher["note-text"]).to_have_value("O que aconteceu aqui?")
     expect(teacher["note"]).to_have_attribute("data-state", "saved")
     assert [note["text"] for note in _notes(teacher, run)] == ["O que aconteceu aqui?"]

@@ -8,7 +8,7 @@ from playwright.sync_api import Page, Route, expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import OpenStudio
-from tests.e2e.review_school import Past, open_door
+from tests.e2e.review_school import Past, sign_in
 from tests.e2e.studio import Studio
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
@@ -125,7 +125,7 @@ def test_no_text_of_the_teacher_s_screens_is_written_into_the_code(
     keys: Studio, school: tuple[AppProcess, Past]
 ) -> None:
     found: dict[str, set[str]] = {}
-    open_door(keys)
+    sign_in(keys)
     keys.page.reload()
     data = set[str]()
     for path in ("/groups", "/classrooms", "/activities", "/computer", "/worlds"):

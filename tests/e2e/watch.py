@@ -1,4 +1,4 @@
-"""What every test of the page holds besides its own story: nothing from elsewhere, nothing thrown."""
+"""Checks of every test of the page: no foreign requests, no errors."""
 
 from dataclasses import dataclass, field
 from urllib.parse import urlsplit
@@ -10,7 +10,7 @@ _LOCAL_SCHEMES = {"data", "blob"}
 
 @dataclass
 class Watch:
-    """Notes each request and each complaint of a browser context."""
+    """Records requests, console messages and errors of a browser context."""
 
     foreign_requests: list[str] = field(default_factory=list)
     complaints: list[str] = field(default_factory=list)
@@ -22,7 +22,7 @@ class Watch:
         context.on("weberror", self._on_error)
 
     def expect(self, part: str) -> None:
-        """A test that breaks something on purpose names the complaint it causes."""
+        """Allows an error that the test causes on purpose, by a part of its text."""
         self.expected.append(part)
 
     def verdict(self) -> None:

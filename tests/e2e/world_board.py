@@ -1,4 +1,4 @@
-"""The world editor as hands use it: places are told in metres of the floor."""
+"""Operates the world editor by pointer and keyboard; positions are in metres on the floor."""
 
 import re
 from typing import Any
@@ -41,7 +41,7 @@ class WorldBoard:
         return self["panel"].get_by_test_id(f"world-{name}")
 
     def at(self, x: float, y: float) -> Place:
-        """Where a point of the floor lies on the screen."""
+        """Screen position of a point of the floor."""
         box = box_of(self["board"])
         camera = (self["board"].get_attribute("data-camera") or "").split()
         middle_x, middle_y, scale = (float(part) for part in camera)
@@ -60,7 +60,7 @@ class WorldBoard:
         mouse.up()
 
     def world(self) -> dict[str, Any]:
-        """The group's own world on the server's disk; empty while there is none."""
+        """The group's own world as stored by the server; empty without one."""
         version = self._studio.api(f"/programs/{self._studio.program_id}")["version"]
         return (version and version["world"]) or {}
 

@@ -17,7 +17,7 @@ Execute = Callable[..., tuple[RunResult, Log]]
 
 @pytest.fixture
 def execute_commands() -> Execute:
-    """Runs commands in the real simulator as fast as it goes; gives the result and all events."""
+    """Runs commands in the real simulator at full speed; returns the result and all events."""
 
     def run(
         *commands: dict[str, Any],
@@ -46,7 +46,7 @@ def execute_commands() -> Execute:
 
 
 def _assert_in_words(result: RunResult) -> None:
-    """Every reason has words in every language, with all of its values."""
+    """Checks that the reason has a text in every language, with all parameters."""
     ended = result.ended
     if ended.reason is not None:
         for language in LANGUAGES:
@@ -57,7 +57,7 @@ def _assert_in_words(result: RunResult) -> None:
 
 @pytest.fixture
 def value_of(execute_commands: Execute) -> Callable[..., Any]:
-    """The value of an expression, worked out by a run; a failure is given as its (reason, params)."""
+    """Value of an expression, computed by a run; of a failed run (reason, params)."""
 
     def value(expression: Any, *before: dict[str, Any], gesture: str = "", **options: Any) -> Any:
         result, _ = execute_commands(

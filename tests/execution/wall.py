@@ -1,4 +1,4 @@
-"""Wall time that tests move themselves: nothing sleeps."""
+"""Simulated wall time, advanced by tests."""
 
 from collections.abc import Callable
 
@@ -6,7 +6,7 @@ from pinel_desktop.execution.clock import WallTime
 
 
 class Wall:
-    """Time passes when somebody sleeps; what is planned `at` a second is done on the way."""
+    """Time advances on `sleep`; actions scheduled with `at` run when it passes them."""
 
     def __init__(self, start_s: float = 100.0) -> None:
         self._start_s = self._now_s = start_s

@@ -1,4 +1,4 @@
-"""A robot that no simulator holds: it drives on by the wall clock, whoever looks."""
+"""A link without a simulator: its robot moves with the wall clock, also between calls."""
 
 import math
 from typing import Any, ClassVar
@@ -11,7 +11,7 @@ from pinel_desktop.robot import STANDSTILL, Pose2D, RobotState, Sensors, Setting
 
 
 class ClockworkLink:
-    """A unicycle that does what it is told, at once. `address` names the wall time that it goes by."""
+    """A unicycle that follows commands instantly; `address` names its wall time."""
 
     simulated = False
     command_delay_s = 0.0
@@ -45,13 +45,13 @@ class ClockworkLink:
         self._twist = twist
 
     def advance(self, dt_s: float) -> None:
-        """Its time passes by itself."""
+        """Does nothing: its time is the wall clock."""
 
     def close(self) -> None:
         self.command(STANDSTILL)
 
 
 def install(monkeypatch: pytest.MonkeyPatch, wall: WallTime) -> None:
-    """Makes it the link `clockwork` at the address `here`."""
+    """Registers it as the link `clockwork` at the address `here`."""
     monkeypatch.setitem(ClockworkLink.walls, "here", wall)
     monkeypatch.setitem(links._BACKENDS, "clockwork", (__name__, ClockworkLink.__name__))

@@ -1,4 +1,4 @@
-"""What every robot link must keep; subclassed once per backend."""
+"""Tests common to all robot links; subclassed once per backend."""
 
 import math
 from collections.abc import Callable
@@ -13,7 +13,7 @@ from pinel_desktop.robot import STANDSTILL, Pose2D, RobotLink, Twist2D
 
 
 def _arguments(sensor: Sensor) -> list[tuple[Any, ...]]:
-    """What a link may be asked at the bounds of the language, as a link takes it."""
+    """Arguments of a sensor at the bounds of the language, in the link's units."""
     argument = sensor.argument
     if argument is None:
         return [()]
@@ -30,12 +30,12 @@ def _answers_or_is_missing(sensor: Sensor, answer: Callable[[], Any]) -> bool:
 
 
 class LinkContract:
-    """A subclass for each backend names it, and opens it otherwise where it needs more than its name."""
+    """A subclass names its backend, and overrides `open` if needed."""
 
     link: ClassVar[str]
 
     def open(self) -> RobotLink:
-        """The link, connected."""
+        """Opens and connects the link."""
         link = open_link(self.link, world="obstacles")
         link.connect()
         return link

@@ -1,4 +1,4 @@
-"""Loads the programs of packaging/ and scripts/, which are no packages: their names belong to others."""
+"""Loads modules of packaging/ and scripts/, which are not packages, to avoid name clashes."""
 
 import importlib.util
 import sys
@@ -9,7 +9,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def load(place: str) -> ModuleType:
-    """The module in the file `place`, counted from the root of the repository."""
+    """The module in the file `place`, relative to the root of the repository."""
     name = "pinel_" + place.replace("/", "_").removesuffix(".py")
     spec = importlib.util.spec_from_file_location(name, ROOT / place)
     assert spec is not None

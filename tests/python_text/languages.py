@@ -1,4 +1,4 @@
-"""Random valid programs over the whole language, as plain documents, and the normal form to compare them in."""
+"""Random valid programs over the whole language, as document data, and their normal form for comparison."""
 
 import json
 from typing import Any
@@ -33,7 +33,7 @@ def _op(name: str, *parts: Any) -> Document:
 
 
 class Language:
-    """Strategies for one program, whose functions and their parameters are known."""
+    """Strategies for one program with given functions and parameters."""
 
     def __init__(self, functions: dict[str, list[str]]) -> None:
         self.functions = functions
@@ -97,7 +97,7 @@ class Language:
         )
 
     def _or_computed(self, literals: st.SearchStrategy[Any]) -> st.SearchStrategy[Any]:
-        """A number within its bounds, or an expression that is no literal."""
+        """A number within its bounds, or an expression that is not a literal."""
         return st.one_of(literals, self.numbers.filter(lambda n: isinstance(n, dict)))
 
     def _command(self, action: str, **parameters: st.SearchStrategy[Any]) -> Any:
@@ -106,7 +106,7 @@ class Language:
         return st.fixed_dictionaries(whole).map(_without_none)
 
     def simple(self) -> st.SearchStrategy[Document]:
-        """Commands without a body that may stand anywhere."""
+        """Commands without a body that are allowed anywhere."""
         number, words = self._or_computed, st.one_of(TEXTS, self.variables)
         any_number = st.one_of(NUMBERS, self.numbers.filter(lambda n: isinstance(n, dict)))
         places = number(st.floats(-100, 100))
@@ -179,7 +179,7 @@ class Language:
         return st.lists(inner, max_size=4)
 
     def programs(self) -> st.SearchStrategy[Document]:
-        """Whole programs. Every function returns a value, so that it may stand in an expression."""
+        """Whole programs. Every function returns a value, so that expressions may call it."""
         value = st.one_of(st.none(), self.values)
         last = self._command("return", value=self.values)
         commands = self.bodies(self._command("return", value=value))
@@ -223,7 +223,7 @@ def documents() -> st.SearchStrategy[Document]:
 
 
 def normal(document: Any) -> Any:
-    """A document's normal form, without block ids and in what Python text knows as one."""
+    """Normal form of a document, without block ids and with forms unified that are equal in Python text."""
     read = read_document(document)
     assert read.document is not None, read.faults
     return json.loads(json.dumps(_one_way(read.document)))

@@ -1,4 +1,4 @@
-"""Rooms for the tests of the simulator, and how deep things lie in each other there."""
+"""Rooms for the tests of the simulator, and measures of overlap."""
 
 import math
 from collections.abc import Iterable
@@ -9,12 +9,12 @@ from sim.simulator import Simulator
 from sim.world import WALL_RADIUS_M, Box, World, world_from_document
 
 HALF_M = 2.0
-INNER_M = HALF_M - WALL_RADIUS_M  # where the face of a wall is
+INNER_M = HALF_M - WALL_RADIUS_M  # inner face of the walls
 _CORNERS = ((-HALF_M, -HALF_M), (HALF_M, -HALF_M), (HALF_M, HALF_M), (-HALF_M, HALF_M))
 
 
 def room(*boxes: dict[str, Any], start: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> World:
-    """A square room of 4 m with these boxes; the robot starts in its middle."""
+    """A square room of 4 m with these boxes; the robot starts at its centre."""
     return world_from_document(room_document(*boxes, start=start))
 
 
@@ -39,12 +39,12 @@ def room_document(
 def box(
     x_m: float, y_m: float, size: tuple[float, float] = (0.4, 0.4), **more: Any
 ) -> dict[str, Any]:
-    """A box of a world document; `movable=True, mass_kg=2` for one that can be pushed."""
+    """A box of a world document; with `movable=True, mass_kg=2` it can be pushed."""
     return {"center": [x_m, y_m], "size": list(size), "heading_deg": 0, **more}
 
 
 def boxes_now(world: World, simulator: Simulator) -> list[Box]:
-    """All boxes where they are now."""
+    """All boxes at their current poses."""
     poses = simulator.boxes()
     return [
         _moved(box, *poses[index]) if index in poses else box
@@ -53,7 +53,7 @@ def boxes_now(world: World, simulator: Simulator) -> list[Box]:
 
 
 def robot_depth_m(world: World, simulator: Simulator, robot: RobotModel = PIONEER_3DX) -> float:
-    """How deep the robot lies in a wall or a box, in m; negative is room to spare."""
+    """Penetration of the robot into walls and boxes, in m; negative without contact."""
     x, y, *_ = simulator.state()
     depths = [max(abs(x), abs(y)) + robot.radius_m - INNER_M]
     depths += [robot.radius_m - _distance(box, x, y) for box in boxes_now(world, simulator)]
@@ -61,7 +61,7 @@ def robot_depth_m(world: World, simulator: Simulator, robot: RobotModel = PIONEE
 
 
 def boxes_depth_m(boxes: Iterable[Box]) -> float:
-    """How deep the boxes' corners lie in the room's walls, in m; negative is room to spare."""
+    """Penetration of the boxes' corners into the walls, in m; negative without contact."""
     farthest = (abs(c) for box in boxes for corner in box.corners() for c in corner)
     return max(farthest, default=0.0) - INNER_M
 
@@ -71,7 +71,7 @@ def _moved(box: Box, x: float, y: float, yaw: float) -> Box:
 
 
 def _distance(box: Box, x: float, y: float) -> float:
-    """From a point to the box's edge, negative inside."""
+    """Distance from a point to the box's edge, in m; negative inside."""
     dx, dy = x - box.center[0], y - box.center[1]
     cos, sin = math.cos(box.angle_rad), math.sin(box.angle_rad)
     beside = abs(cos * dx + sin * dy) - box.size[0] / 2

@@ -1,4 +1,4 @@
-"""Stores with some of everything, and bundles of them, for tests."""
+"""Stores with rows of every kind, and bundles of them."""
 
 import sqlite3
 from collections.abc import Callable, Iterator
@@ -19,7 +19,7 @@ Opened = Callable[[str], Store]
 
 
 class TickingClock:
-    """Each moment is later than the one before, and known."""
+    """A deterministic clock; each call returns a later time."""
 
     def __init__(self, start: str = "2026-03-02T08:00:00+00:00") -> None:
         self._now = datetime.fromisoformat(start).astimezone(UTC)
@@ -36,7 +36,7 @@ def a_store(path: Path, start: str = "2026-03-02T08:00:00+00:00") -> Iterator[St
 
 
 def a_run(store: Store, version_id: str | None, ticks: int = 45, text: str = "olá") -> str:
-    """A run that was recorded; returns its id."""
+    """Records a run; returns its id."""
     document = None if version_id else SQUARE
     run = store.runs.begin(
         RunStart("sim", "w", WORLD, 1, "0.1.0", version_id=version_id, document=document)
@@ -60,7 +60,7 @@ def a_run(store: Store, version_id: str | None, ticks: int = 45, text: str = "ol
 
 
 def work(store: Store, group: GroupRow, name: str) -> tuple[ProgramRow, str]:
-    """A program with two versions, a label, a run and a note; returns it and the run's id."""
+    """Creates a program with two versions, a label, a run and a note; returns the program and the run's id."""
     program = store.programs.create(group.id, name)
     store.versions.save(program.id, {"text": name}, SQUARE)
     version = store.versions.save(program.id, {"text": f"{name}!"}, SQUARE, world=WORLD)
@@ -77,12 +77,12 @@ def exported(store: Store, dest: Path, scope: Scope = ALL) -> BundleInfo:
 
 
 def merged(store: Store, path: Path, *, delete: bool = True) -> MergeReport:
-    """With `delete`, as when the teacher has confirmed it: only then do stores come to the same."""
+    """Merges a bundle; with `delete` also its deletions, without which stores do not converge."""
     return merge(store._database, path, delete=delete)
 
 
 def removed(store: Store, *ids: str) -> None:
-    """Deletes what has these keys for good."""
+    """Deletes the rows with these keys for good."""
     store._database.write(lambda db: remove_keys(db, ids))
 
 
@@ -92,7 +92,7 @@ def hash_of(store: Store) -> str:
 
 
 def problems_in(path: Path) -> list[object]:
-    """What SQLite finds wrong with a file."""
+    """Findings of SQLite's integrity check of a file."""
     db = sqlite3.connect(path)
     try:
         found = [row for row in db.execute("PRAGMA integrity_check") if row != ("ok",)]

@@ -1,4 +1,4 @@
-"""Stores on real files; every store is closed, or the test fails with a ResourceWarning."""
+"""Stores on real files; an unclosed store fails the test with a ResourceWarning."""
 
 import shutil
 import sqlite3
@@ -60,7 +60,7 @@ def start(version: VersionRow) -> RunStart:
 
 @pytest.fixture
 def older(path: Path) -> Path:
-    """A file of an earlier release with a group in it."""
+    """A database of an earlier release with a group."""
     with sqlite3.connect(path) as db:
         migrate(db, n_steps=2)
         db.execute("INSERT INTO groups VALUES ('g', 'A', 'a', '#000000', 't', 't')")
@@ -70,7 +70,7 @@ def older(path: Path) -> Path:
 
 @pytest.fixture(scope="module")
 def original(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A bundle of a PC with a little of everything."""
+    """A bundle with rows of every kind."""
     folder = tmp_path_factory.mktemp("there")
     with open_store(folder / "there.db") as there:
         classroom = there.classrooms.create("5º B")
@@ -82,7 +82,7 @@ def original(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def bundle(original: Path, tmp_path: Path) -> Path:
-    """It, to be changed."""
+    """A copy of `original` that the test may change."""
     return shutil.copyfile(original, tmp_path / original.name)
 
 
@@ -93,7 +93,7 @@ def pc(tmp_path: Path) -> Iterator[Opened]:
         yield lambda name: stack.enter_context(a_store(tmp_path / f"{name}.db"))
 
 
-# a class, its group and its program, in the `school` of a test's own file
+# a class, its group and its program, in the fixture `school` of the test file
 
 
 @pytest.fixture

@@ -1,4 +1,4 @@
-"""A program and a world as they are stored."""
+"""A program and a world in stored form."""
 
 from typing import Any
 

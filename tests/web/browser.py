@@ -1,4 +1,4 @@
-"""Plain HTTP as a browser speaks it, with nothing hidden: what is sent is what the test says."""
+"""A minimal HTTP client with cookies; sends exactly what the test specifies."""
 
 import http.client
 import json
@@ -48,7 +48,7 @@ class Browser:
 
     @classmethod
     def signed_in(cls, address: str) -> "Browser":
-        """Opens the address with its key and keeps the cookie."""
+        """Opens the address with its key and stores the cookie."""
         browser = cls.at(address)
         answer = browser.get(address.partition(f":{browser.port}")[2])
         assert answer.status == 302, answer.body
@@ -80,7 +80,7 @@ class Browser:
         body: bytes | None = None,
         headers: Mapping[str, str] | None = None,
     ) -> Answer:
-        """Sends `data` as JSON, or `body` as it is. A header given as "" is left out."""
+        """Sends `data` as JSON, or `body` unchanged. A header with the value "" is omitted."""
         sent = {**self.headers, **(headers or {})}
         if data is not None:
             body = json.dumps(data).encode()
@@ -107,7 +107,7 @@ class Browser:
 
     @contextmanager
     def stream(self) -> Iterator["Stream"]:
-        """The event stream, open."""
+        """The open event stream."""
         connection = http.client.HTTPConnection(self.host, self.port, timeout=TIMEOUT_S)
         try:
             connection.request("GET", "/api/stream", headers=self.headers)

@@ -1,4 +1,4 @@
-"""The real app over real HTTP and a real file; the engine is a fake with the same interface."""
+"""The real app over HTTP on a real database; the engine is a fake with the same interface."""
 
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack

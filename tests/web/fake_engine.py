@@ -1,4 +1,4 @@
-"""An engine that does what a test says, with the interface of EngineClient."""
+"""A fake engine controlled by the test, with the interface of EngineClient."""
 
 from collections.abc import Callable, Sequence
 from typing import Any, Literal
@@ -43,7 +43,7 @@ class FakeEngine:
         self.live_run = None
 
     def send(self, event: Event) -> None:
-        """An event of the live run arrives."""
+        """Delivers an event of the live run."""
         if event["type"] == "run_ended":
             self.live_run = None
         self.on_event(event)

@@ -1,4 +1,4 @@
-"""Classes, lessons, the teacher's door, the bin and notes over HTTP."""
+"""Classes, lessons, the sign-in of the teacher, the bin and notes over HTTP."""
 
 from typing import Any
 

@@ -6,7 +6,7 @@ import { App } from "./frame/App";
 import "./frame/fetch_ahead";
 import { fetchTexts, language } from "./i18n";
 import { receive, resync } from "./run/live";
-import { firstAnswers } from "./shell/first_answers";
+import { firstRequestsSettled } from "./shell/first_answers";
 import { open } from "./shell/session";
 
 /** A server that is slow to answer is worth a frame around what is to come. */
@@ -18,7 +18,7 @@ const opened = texts.then(() => open({ receive, resync }));
 const root = document.getElementById("app");
 
 // Otherwise drawn once, with everything in its place.
-void Promise.all([texts, Promise.race([firstAnswers(), patience])]).then(() => {
+void Promise.all([texts, Promise.race([firstRequestsSettled(), patience])]).then(() => {
   if (root) render(<App />, root);
 });
 

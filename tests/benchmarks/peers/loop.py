@@ -1,8 +1,8 @@
-"""What the peers have in common: each runs in a process and an environment of its own and answers on a pipe.
+"""Protocol of the compared simulators, each in its own process and environment, on stdin and stdout.
 
-The first line that comes in holds what is to be driven: `{"twists": [[v, omega], ...]}` in m/s and rad/s, one a tick of
-1/30 s. For every line after it the peer drives that once and answers `{"seconds", "pose", "ranges"}`: the processor's
-time that it took, where it ended, and what the 16 beams measured last.
+The first line is `{"twists": [[v, omega], ...]}` in m/s and rad/s, one twist per tick of 1/30 s. For each further line
+the peer drives all of them once and answers `{"seconds", "pose", "ranges"}`: processor time, final pose, and the last
+measurements of the 16 beams.
 """
 
 import json
@@ -15,7 +15,7 @@ from typing import Any
 TICK_S = 1.0 / 30.0
 SUBSTEPS = 8
 HALF_M, WALL_RADIUS_M = 4.0, 0.01
-# centre and side of boxes whose sides are along x and y: with the walls, a room of 20 edges
+# centre and side of axis-aligned boxes; with the walls a room of 20 edges
 BOXES_M = [(2.5, 1.5, 0.8), (-2.0, 2.5, 1.0), (-2.5, -2.0, 0.6), (1.5, -2.5, 0.8)]
 RADIUS_M, MASS_KG = 0.2225, 9.0
 RANGE_M = 5.0
@@ -25,7 +25,7 @@ Drive = Callable[[], tuple[list[float], list[float]]]
 
 
 def answer(prepare: Callable[[Twists], Drive]) -> None:
-    """`prepare` makes ready for one drive and gives what does it: pose at the end, ranges at the end."""
+    """`prepare` sets up one drive and returns the function that performs it and returns final pose and ranges."""
     twists: Twists = json.loads(sys.stdin.readline())["twists"]
     for _ in sys.stdin:
         drive = prepare(twists)

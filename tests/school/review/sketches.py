@@ -1,4 +1,4 @@
-"""Workspaces made up for tests, edited as a hand does it, and saved as Blockly saves them."""
+"""Synthetic workspaces, with edits, in Blockly's serialised form."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -11,7 +11,7 @@ Body = list["Sketch"]
 
 @dataclass(eq=False)
 class Sketch:
-    """A block: fields, a number in the shadow of each input, perhaps with a block over it, and bodies."""
+    """A block: fields, a shadow number in each input, optionally covered by a block, and bodies."""
 
     id: str
     type: str
@@ -44,7 +44,7 @@ class Sketch:
         return state
 
     def all(self) -> Iterator["Sketch"]:
-        """Itself and all that stands in it."""
+        """The block and all nested blocks."""
         yield self
         for block in [
             *self.inside.values(),
@@ -79,7 +79,7 @@ def start(block_id: str = "start") -> Sketch:
 
 
 class Drawing:
-    """A random workspace with random edits, which notes what a comparison must find."""
+    """A random workspace with random edits, which records the expected differences."""
 
     def __init__(self, random: Random) -> None:
         self.random = random
@@ -97,11 +97,11 @@ class Drawing:
         return workspace_of(*self.stacks)
 
     def edit(self) -> None:
-        """One edit of a block that no edit has touched."""
+        """Edits one block that was not edited before."""
         self.random.choice((self._add, self._remove, self._change, self._move))()
 
     def bodies(self) -> list[Body]:
-        """All sequences that a block can be put into."""
+        """All sequences into which a block can be inserted."""
         inner = [body for block in self.blocks() for body in block.bodies.values()]
         return [*self.stacks, *inner]
 
@@ -156,7 +156,7 @@ class Drawing:
         self.changed.add(block.id)
 
     def _move(self) -> None:
-        """Into the body of another block, where everything else stays as it was."""
+        """Moves a block into the body of another, without further changes."""
         choice = [
             (here, block, there)
             for here in self.bodies()

@@ -1,4 +1,4 @@
-"""A PC on which all kinds of things are done by chance, bundles of others merged among them."""
+"""Random operations on the store of a PC, including merges of other PCs' bundles."""
 
 import random
 from collections.abc import Callable, Sequence
@@ -14,7 +14,7 @@ _RARE = 0.2
 
 
 class RandomLife:
-    """Does things with a store; the same seed does the same."""
+    """Performs random operations on a store; deterministic for a seed."""
 
     def __init__(self, store: Store, chance: random.Random, bundles: list[Path]) -> None:
         self._store = store

@@ -1,4 +1,4 @@
-"""Backups as tests make and spoil them."""
+"""Makes and damages backups."""
 
 import sqlite3
 from datetime import UTC, datetime, timedelta
@@ -32,7 +32,7 @@ def names_in(file: Path) -> list[str]:
 
 
 def spoil(path: Path) -> bytes:
-    """Damages a file in a way that no log can mend."""
+    """Damages a file so that the WAL cannot restore it."""
     for suffix in ("-wal", "-shm"):
         path.with_name(path.name + suffix).unlink(missing_ok=True)
     path.write_bytes(b"this is no database" + path.read_bytes()[19:])

@@ -1,8 +1,8 @@
-"""Groups that save, run and are backed up without end and say what was kept; killed by test_kill.py.
+"""Processes that save, run and back up in an endless loop and report what was stored; test_kill.py kills them.
 
-As a program it is asked by lines `{"path": ..., "disk": [KIND, SIZE]}`, and has a child be busy until it is killed:
-importing once and forking is what makes a thousand of them possible. It says who the child is, and when it is gone;
-all else on its output is the child's.
+The parent reads lines `{"path": ..., "disk": [KIND, SIZE]}` and forks a child for each, which works until it is killed;
+forking after the imports makes a thousand of them feasible. The parent prints the child's id and its end; all other
+output is the child's.
 """
 
 import json
@@ -28,12 +28,12 @@ PAGES, FILE_SIZE = "pages", "file size"
 
 
 def text_of(n: int) -> str:
-    """What the n-th version holds."""
+    """Text of the n-th version."""
     return f"{n} " + "x" * (n * 997 % 9000)
 
 
 def say(kept: str, **about: Any) -> None:
-    os.write(1, json.dumps({"kept": kept, **about}).encode() + b"\n")  # at once, never half
+    os.write(1, json.dumps({"kept": kept, **about}).encode() + b"\n")  # one atomic write
 
 
 def edit(store: Store, group_id: str) -> None:
@@ -89,9 +89,9 @@ def back_up(path: Path) -> None:
 
 
 def limit(store: Store | None, disk: list[Any] | None) -> None:
-    """Makes the disk seem full: before the file is opened, or for the one who writes."""
+    """Simulates a full disk, before the file is opened or for the writer."""
     if disk and disk[0] == FILE_SIZE and store is None:
-        import resource  # noqa: PLC0415 - not on every system
+        import resource  # noqa: PLC0415 - not available on every system
 
         resource.setrlimit(resource.RLIMIT_FSIZE, (disk[1], resource.RLIM_INFINITY))
     if disk and disk[0] == PAGES and store is not None:

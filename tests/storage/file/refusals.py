@@ -1,4 +1,4 @@
-"""What the store says when it cannot do something."""
+"""Error codes of the store."""
 
 from collections.abc import Callable
 
@@ -8,7 +8,7 @@ from storage import StoreError
 
 
 def code_of(attempt: Callable[[], object]) -> str:
-    """The code of the error that the attempt ends with."""
+    """The code of the error that the attempt raises."""
     with pytest.raises(StoreError) as caught:
         attempt()
     return caught.value.code

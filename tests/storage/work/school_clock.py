@@ -4,7 +4,7 @@ from datetime import UTC, datetime, timedelta
 
 
 class SchoolClock:
-    """One that may be set to another time, and one that may not."""
+    """A wall clock that can be set, and a monotonic one."""
 
     def __init__(self, start: datetime = datetime(2026, 3, 2, 8, 0, tzinfo=UTC)) -> None:
         self.time = start

@@ -19,7 +19,7 @@ import type { EditorOptions } from "./options";
 import { Overview } from "./overview";
 import { quietly } from "./quietly";
 import { ensureStartBlock, markLooseBlocks } from "./start_block";
-import { tellNothingToUndo, undoInto } from "./steps_back";
+import { interceptEmptyUndo, undoInto } from "./steps_back";
 import { pageFont, showTheme, type ThemeName } from "./themes";
 import { addZoomControls } from "./zoom_controls";
 
@@ -101,7 +101,7 @@ class BlockEditor implements Editor {
     this.measureAgainWithFont();
     this.workspace.addChangeListener((event) => this.onEvent(event));
     watchContent(this.workspace, () => this.onContent());
-    tellNothingToUndo(this.workspace, () => options.onNothingToUndo?.());
+    interceptEmptyUndo(this.workspace, () => options.onNothingToUndo?.());
   }
 
   load(saved: object | null): void {

@@ -3,7 +3,7 @@ import { keepCallsInStep } from "../blocks/shapes/function_sync";
 import { registerFlyouts, toolbox } from "../blocks/toolbox/toolbox";
 import { adaptMenus } from "./menus";
 import type { EditorOptions } from "./options";
-import { askOnlyDrawnFields } from "./quietly";
+import { patchAriaUpdates } from "./quietly";
 import { RENDERER, registerRenderer } from "./renderer";
 import { blocklyTheme } from "./themes";
 import { registerSearchItem } from "./toolbox/search_item";
@@ -20,7 +20,7 @@ export function injectWorkspace(options: EditorOptions): Blockly.WorkspaceSvg {
   // a deleted block can be restored by undo or from the trash, so no confirmation is needed
   Blockly.dialog.setConfirm((_message, answer) => answer(true));
   adaptMenus();
-  askOnlyDrawnFields();
+  patchAriaUpdates();
   const workspace = Blockly.inject(options.container, {
     toolbox: toolbox(options.level),
     theme: blocklyTheme(options.theme),

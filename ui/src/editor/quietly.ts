@@ -23,7 +23,7 @@ let patched = false;
  * Skips the ARIA update of fields that are not drawn yet. Blockly detects them by throwing and catching, twice a field,
  * which took half of the time to open a program of 500 blocks.
  */
-export function askOnlyDrawnFields(): void {
+export function patchAriaUpdates(): void {
   if (patched) return;
   patched = true;
   const { prototype } = Blockly.Field;

@@ -20,7 +20,7 @@ class Exchange extends Blockly.Events.Abstract {
 }
 
 /** Calls `tell` when undo is requested by any button or key and the undo stack of this session is empty. */
-export function tellNothingToUndo(workspace: Blockly.WorkspaceSvg, tell: () => void): void {
+export function interceptEmptyUndo(workspace: Blockly.WorkspaceSvg, tell: () => void): void {
   const undo = workspace.undo.bind(workspace);
   workspace.undo = (redo = false) => {
     if (redo || workspace.getUndoStack().length > 0) undo(redo);

@@ -17,7 +17,7 @@ import { Header } from "./header/Header";
 import { Locked } from "./Locked";
 import { Messages } from "./Messages";
 
-/** The screens that come with the page, and all others. */
+/** Screens of the first bundle; all others are loaded on demand. */
 const FIRST: { [Name in FirstScreen]: ComponentType<ParametersOf<Name>> } = {
   start: StartScreen,
   studio: StudioScreen,

@@ -2,7 +2,7 @@ import { Lock } from "lucide-preact";
 import { texts } from "../i18n";
 import { TEST } from "../shell/testids";
 
-/** No cookie, no page: it can only be opened by the program. */
+/** Shown without the session cookie: only the program can open the page. */
 export function Locked() {
   const { trouble } = texts.value;
   return (

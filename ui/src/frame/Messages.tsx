@@ -8,9 +8,9 @@ import { ToStart } from "../kit/ToStart";
 import { fileName, saveFile } from "../shell/save_file";
 import { connection, notice, problem } from "../shell/session";
 import { TEST } from "../shell/testids";
-import { type OpenProgram, onDesk } from "../studio/program/open_program";
+import { type OpenProgram, programOnScreen } from "../studio/program/open_program";
 
-/** What the person has to know, as lines under the header: never a window in the way. */
+/** Notices and errors as lines under the header, never as dialogs. */
 export function Messages() {
   const { trouble } = texts.value;
   const gone = { message: trouble.goneTitle, remedy: trouble.gone };
@@ -44,9 +44,9 @@ export function Messages() {
   );
 }
 
-/** Why the work is not on disk, when the server itself says so. */
+/** Why the server could not save the work. */
 function Unsaved() {
-  const { value: open } = onDesk;
+  const { value: open } = programOnScreen;
   if (!open || connection.value !== "open") return null;
   if (open.deleted.value) return <Deleted open={open} what={open.deleted.value} />;
   const { autosave: save } = open;
@@ -57,7 +57,7 @@ function Unsaved() {
   return <Line words={words} fault testId={TEST.unsaved} icon={<Save class="icon" />} />;
 }
 
-/** The work has no place here any more: what is on the screen can still be taken along as text. */
+/** The open program or its group was deleted; its text can still be saved as a file. */
 function Deleted({ open, what }: { open: OpenProgram; what: "program" | "group" }) {
   const { deleted } = texts.value.trouble;
   const { document } = open.content.value ?? {};

@@ -9,22 +9,22 @@ export interface ButtonProps
   extends FaceProps,
     OwnAttributes,
     Omit<ButtonHTMLAttributes<HTMLButtonElement>, keyof FaceProps | keyof OwnAttributes> {
-  /** It is switched on. */
+  /** State of a toggle button. */
   pressed?: boolean | undefined;
-  /** What it opens is open. */
+  /** Whether the element that it controls is expanded. */
   open?: boolean | undefined;
-  /** It stands for what is shown, in a list. */
+  /** Marks the shown item of a list. */
   current?: boolean | "true" | "step" | undefined;
-  /** What it began goes on: another press does nothing. */
+  /** Its action is pending; further presses have no effect. */
   busy?: boolean | undefined;
-  /** It sends its form. */
+  /** Submits its form. */
   submit?: boolean | undefined;
-  /** While a promise that it returns is pending the button is busy; a failure is reported. */
+  /** May return a promise: the button is busy until it settles, and a failure is reported. */
   onPress?: ((event: Press) => unknown) | undefined;
   elementRef?: Ref<HTMLButtonElement> | undefined;
 }
 
-/** Everything that can be pressed. */
+/** A push button or toggle button. */
 export function Button(props: ButtonProps) {
   const { attributes, contents, rest: own } = faceOf(props);
   const { pressed, open, current, busy, submit, onPress, elementRef, ...rest } = own;
@@ -52,7 +52,7 @@ export function Button(props: ButtonProps) {
 
 function usePress(onPress: ((event: Press) => unknown) | undefined) {
   const [pending, setPending] = useState(false);
-  const running = useRef(false); // two presses can come before the button is drawn again
+  const running = useRef(false); // a second press may come before the next render
   const now = (event: Press) => {
     if (running.current) return;
     const result = onPress?.(event);

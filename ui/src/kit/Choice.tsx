@@ -5,7 +5,7 @@ export type ChoiceOption<T> = Option<T, Words, Partial<ButtonProps>>;
 
 interface ChoiceProps<T> {
   label: string;
-  /** The label is in sight, in this class. */
+  /** Makes the label visible, with this class. */
   legendClass?: string;
   value: T;
   options: readonly ChoiceOption<T>[];
@@ -15,7 +15,7 @@ interface ChoiceProps<T> {
   testId?: string;
 }
 
-/** One of a few, all of them in sight. */
+/** A radio group. */
 export function Choice<T extends string | number | boolean | null>(props: ChoiceProps<T>) {
   const { label, legendClass, value, options, onChange, testId } = props;
   return (

@@ -8,7 +8,7 @@ interface FieldProps extends InputHTMLAttributes<HTMLInputElement> {
   onText(text: string): void;
 }
 
-/** A field with its name above and a hint below. */
+/** A text field with its label above and a hint below. */
 export function Field({ label, hint, onText, ...rest }: FieldProps) {
   const id = useId();
   return (
@@ -34,7 +34,7 @@ export function Field({ label, hint, onText, ...rest }: FieldProps) {
   );
 }
 
-/** Digits that nobody should read over the teacher's shoulder. */
+/** A field for the PIN; the digits are hidden. */
 export function PinField(props: FieldProps) {
   return <Field {...props} type="password" inputMode="numeric" maxLength={12} />;
 }

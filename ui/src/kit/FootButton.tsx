@@ -4,7 +4,7 @@ import { Button } from "./Button";
 interface FootButtonProps {
   testId: string;
   icon: LucideIcon;
-  /** In one word, and in full. */
+  /** Visible text; `label` is the full name. */
   word: string;
   label: string;
   open: boolean;
@@ -12,7 +12,7 @@ interface FootButtonProps {
   onPress(): void;
 }
 
-/** Opens and closes what lies under the floor. */
+/** Opens and closes a panel below the floor. */
 export function FootButton({ word, label, ...rest }: FootButtonProps) {
   return (
     <Button {...rest} kind="plain" class="floor__opener" label={label} tip={label}>

@@ -8,7 +8,7 @@ interface FormProps extends Omit<FormHTMLAttributes<HTMLFormElement>, "onSubmit"
   onSubmit(): unknown;
 }
 
-/** A form that the page itself sends and checks. */
+/** A form that scripts submit and validate, not the browser. */
 export function Form({ testId, onSubmit, ...rest }: FormProps) {
   return (
     <form

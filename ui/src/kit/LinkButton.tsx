@@ -9,7 +9,7 @@ interface LinkButtonProps
   elementRef?: Ref<HTMLAnchorElement> | undefined;
 }
 
-/** Goes to another screen and looks like a button. */
+/** A link to another screen, styled as a button. */
 export function LinkButton(props: LinkButtonProps) {
   const { attributes, contents, rest: own } = faceOf(props);
   const { elementRef, ...rest } = own;

@@ -12,7 +12,7 @@ interface NumberFieldProps {
   onNumber(value: number): void;
 }
 
-/** A number typed exactly; what is out of range stays to be mended, and its words stand beneath it. */
+/** A number field; an invalid text stays in it for correction, with the error below. */
 export function NumberField(props: NumberFieldProps) {
   const { label, value, least, most, step, testId, onNumber } = props;
   const id = useId();
@@ -63,7 +63,7 @@ export function NumberField(props: NumberFieldProps) {
   );
 }
 
-/** A number as pupils write it, with comma or point; null where it is none. */
+/** Parses a number with a decimal comma or point; null if invalid. */
 export function numberIn(text: string): number | null {
   const plain = text.trim().replace(",", ".").replace("\u2212", "-");
   if (!/^[-+]?(\d+\.?\d*|\.\d+)$/.test(plain)) return null;

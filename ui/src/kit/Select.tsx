@@ -7,18 +7,18 @@ type Value = string | number | null;
 export type SelectOption<T> = Option<T, string, OptionHTMLAttributes<HTMLOptionElement>>;
 
 interface OwnProps<T extends Value> {
-  /** Its name, where no `<label>` is around it. */
+  /** Accessible name, where no `<label>` encloses it. */
   label?: string | undefined;
   tip?: string | undefined;
   icon?: LucideIcon | undefined;
-  /** The chosen one; null and "" are written as an empty value. */
+  /** The selected value; null and "" become an empty string in the DOM. */
   value: T;
   options?: readonly SelectOption<T>[];
-  /** Options under headings. */
+  /** Option groups. */
   groups?: readonly (readonly [heading: string, options: readonly SelectOption<T>[]])[];
   class?: string | undefined;
   testId?: string | undefined;
-  /** A choice that does not become the `value` springs back. A failure of a promise is reported. */
+  /** If `value` does not change, the selection reverts. May return a promise; its failure is reported. */
   onChange(value: T): unknown;
   elementRef?: Ref<HTMLSelectElement> | undefined;
   title?: never;
@@ -29,7 +29,7 @@ interface OwnProps<T extends Value> {
 export type SelectProps<T extends Value> = OwnProps<T> &
   Omit<SelectHTMLAttributes<HTMLSelectElement>, keyof OwnProps<T>>;
 
-/** One of several, behind the browser's own list. */
+/** The browser's native select. */
 export function Select<T extends Value>(props: SelectProps<T>) {
   const { label, tip, icon: Icon, value, options = [], groups = [], ...others } = props;
   const { class: more, testId, onChange, elementRef, ...rest } = others;

@@ -13,7 +13,7 @@ interface TabsProps<T> {
   testId?: string;
 }
 
-/** One of several panels in one place: the arrows go from tab to tab, round and round. */
+/** A tab list; the arrow keys move between tabs and wrap around. */
 export function Tabs<T extends string>({ label, value, options, onChange, testId }: TabsProps<T>) {
   return (
     <div class="tabs" role="tablist" aria-label={label} onKeyDown={toOtherTab}>

@@ -2,7 +2,7 @@ import { House } from "lucide-preact";
 import { texts } from "../i18n";
 import { LinkButton } from "./LinkButton";
 
-/** The way to the start screen. */
+/** Link to the start screen. */
 export function ToStart() {
   return (
     <LinkButton icon={House} href="#/">

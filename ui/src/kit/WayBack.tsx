@@ -3,7 +3,7 @@ import { texts } from "../i18n";
 import { Button } from "./Button";
 
 interface WayBackProps {
-  /** What has happened, and what would undo it. */
+  /** What has happened, and the name of its undo action. */
   words: string;
   action: string;
   Icon?: LucideIcon;
@@ -12,7 +12,7 @@ interface WayBackProps {
   onClose(): void;
 }
 
-/** After something whole was replaced, deleted or overtaken: a line with the way to it. */
+/** A line that offers undo after something was replaced, deleted or superseded. */
 export function WayBack({ words, action, Icon = Undo2, testId, onBack, onClose }: WayBackProps) {
   const { close } = texts.value.trouble;
   return (

@@ -1,4 +1,4 @@
-/** Copies text; the webview of a lab PC may lack the clipboard's newer interface. */
+/** Copies text; falls back to `execCommand` in webviews without `navigator.clipboard`. */
 export async function copyText(text: string): Promise<void> {
   try {
     await navigator.clipboard.writeText(text);

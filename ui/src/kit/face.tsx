@@ -8,25 +8,25 @@ const LOOKS = {
   bare: "",
 } as const;
 
-/** What a button and a link that looks like one have in common. */
+/** Appearance shared by buttons and links styled as buttons. */
 export interface FaceProps {
   icon?: LucideIcon | null | undefined;
-  /** Stands after the words. */
+  /** Icon after the text. */
   iconEnd?: LucideIcon | undefined;
   /** The icon is a solid shape. */
   filled?: boolean | undefined;
-  /** The one thing to do next; ends or deletes something; without a frame; without any look of the kit. */
+  /** Primary action; stops or deletes; no border; no style of the kit. */
   kind?: keyof typeof LOOKS | undefined;
-  /** The name for who cannot see it. Without children the icon stands alone and this is its tip too. */
+  /** Accessible name; without children also the tooltip of the icon. */
   label?: string | undefined;
-  /** Shown when the pointer rests on it. */
+  /** Tooltip. */
   tip?: string | undefined;
   class?: string | undefined;
   testId?: string | undefined;
   children?: ComponentChildren;
 }
 
-/** These attributes come from the props above alone. */
+/** Attributes that only the props above set. */
 export interface OwnAttributes {
   type?: never;
   title?: never;
@@ -41,7 +41,7 @@ export interface OwnAttributes {
   "data-testid"?: never;
 }
 
-/** Attributes and contents from the props of a face; `rest` is for the element. */
+/** Splits props into attributes, contents and `rest` for the element. */
 export function faceOf<P extends FaceProps>(props: P) {
   const { icon, iconEnd, filled, kind, label, tip, class: more, testId, children, ...rest } = props;
   const alone = children === undefined && kind !== "bare" ? "button--icon" : "";

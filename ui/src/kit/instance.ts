@@ -1,6 +1,6 @@
 import { useEffect, useRef } from "preact/hooks";
 
-/** An object that is made once and lives as long as the component; its `dispose`, if any, is called at the end. */
+/** An object with the lifetime of the component; calls its `dispose`, if any, on unmount. */
 export function useInstance<T extends object>(make: () => T): T {
   const made = useRef<T | null>(null);
   made.current ??= make();

@@ -1,6 +1,6 @@
 import type { ComponentChildren } from "preact";
 
-/** What one of several values is called; `more` are props for what draws it. */
+/** A value with its label; `more` are props for its element. */
 export type Option<T, Words = string, More = object> = readonly [
   value: T,
   words: Words,

@@ -4,17 +4,17 @@ let reporter: Reporter = (error) => {
   throw error;
 };
 
-/** The shell says at the start where failures are shown; without it they are errors of the page. */
+/** Sets where failures are shown; the shell calls it at the start. Before that they are thrown. */
 export function reportTo(shown: Reporter): void {
   reporter = shown;
 }
 
-/** Shows a failure in the one error line under the header. */
+/** Shows a failure in the error line under the header. */
 export function report(error: unknown): void {
   reporter(error);
 }
 
-/** Resolves when what a handler began has ended, and reports its failure. */
+/** Awaits the result of a handler and reports its failure. */
 export async function settled(result: unknown): Promise<void> {
   try {
     await result;

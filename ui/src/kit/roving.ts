@@ -1,6 +1,6 @@
 /**
- * The arrows go along a row of things of which only one is a stop of the Tab key: a line with forty marks would be forty
- * stops otherwise.
+ * Roving tabindex: the arrow keys move along a row of elements of which only one is a stop of the Tab key; a line with
+ * forty marks would otherwise have forty stops.
  */
 export function rove(event: KeyboardEvent & { currentTarget: HTMLElement }): void {
   const items = [...event.currentTarget.querySelectorAll<HTMLElement>("[data-rove]")];

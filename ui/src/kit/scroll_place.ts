@@ -1,12 +1,12 @@
 import type { RefObject } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
 
-/** How far down a page was left. */
+/** Scroll position of a page, in pixels. */
 export interface ScrollPlace {
   top: number;
 }
 
-/** Scrolls an element to where it was left, once it is drawn, and remembers where it is left the next time. */
+/** Restores the scroll position of an element once it is drawn, and stores it afterwards. */
 export function useScrollPlace(place: ScrollPlace, isDrawn: boolean): RefObject<HTMLElement> {
   const element = useRef<HTMLElement>(null);
   useLayoutEffect(() => {
@@ -16,7 +16,7 @@ export function useScrollPlace(place: ScrollPlace, isDrawn: boolean): RefObject<
     const remember = () => {
       place.top = scrolled.scrollTop;
     };
-    // lines are as high as they will be when their width was measured
+    // line heights are final only after the first layout
     const frame = requestAnimationFrame(() => {
       scrolled.scrollTop = wanted;
       scrolled.addEventListener("scroll", remember);

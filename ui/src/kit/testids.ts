@@ -1,4 +1,4 @@
-/** Handles of the kit's own controls for the end-to-end tests. */
+/** Test ids of the kit's own controls for the end-to-end tests. */
 export const KIT_TEST = {
   notLoaded: "not-loaded", // where something could not be loaded
   tryAgain: "try-again",

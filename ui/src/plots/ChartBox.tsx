@@ -3,7 +3,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { language, type Texts, texts } from "../i18n";
 import { TEST } from "../shell/testids";
 import { theme } from "../shell/theme";
-import type { Chart, Hand, Setting } from "./chart";
+import type { Chart, PlotInput, Setting } from "./chart";
 import { type FigureName, TIME_FIGURES } from "./figures";
 import { readLook } from "./look";
 import { PathChart } from "./path_chart";
@@ -48,7 +48,7 @@ function drawn(element: HTMLElement, source: PlotSource, figure: FigureName): ()
   const look = readLook();
   const size = { width: clientWidth, height: clientHeight };
   const setting = { look, language: language.peek(), titles, ...size };
-  const chart = chartOf(figure, setting, element, source.hand);
+  const chart = chartOf(figure, setting, element, source.input);
   const stopData = effect(() => {
     source.revision.value;
     chart.show(source.samples, source.stretches);
@@ -68,10 +68,10 @@ export function chartOf(
   figure: FigureName,
   setting: Setting,
   into: HTMLElement,
-  hand: Hand,
+  input: PlotInput,
 ): Chart {
-  if (figure === "path") return new PathChart(setting, into, hand);
-  return new TimeChart(figure, setting, into, hand);
+  if (figure === "path") return new PathChart(setting, into, input);
+  return new TimeChart(figure, setting, into, input);
 }
 
 /** Titles of the axes. */
@@ -80,12 +80,12 @@ export function titlesOf(figure: FigureName, { plots }: Texts): readonly [string
   return [`${plots.time} (s)`, `${plots.quantities[figure]} (${TIME_FIGURES[figure].unit})`];
 }
 
-function goThrough(event: KeyboardEvent, { moment, samples, hand }: PlotSource): void {
+function goThrough(event: KeyboardEvent, { moment, samples, input }: PlotSource): void {
   const way = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
   if (!way) return;
   event.preventDefault();
   event.stopPropagation();
   const last = samples.column("tick").at(-1) ?? 0;
   const now = Math.round(moment.peek() ?? last);
-  hand.onPress(Math.min(last, Math.max(0, now + way * KEY_TICKS)));
+  input.onPress(Math.min(last, Math.max(0, now + way * KEY_TICKS)));
 }

@@ -6,7 +6,7 @@ import type { Samples } from "../run/samples";
 import type { Look } from "./look";
 
 /** Callbacks of a plot's pointer and keyboard input; `null` when the pointer has left. */
-export interface Hand {
+export interface PlotInput {
   onPoint(tick: number | null): void;
   onPress(tick: number): void;
 }
@@ -94,7 +94,7 @@ export function numberOf(
 const round = (value: number, digits: number) => Math.round(value * 10 ** digits) / 10 ** digits;
 
 /** Handles mouse, pen and touch on a plot: moving points at a tick, pressing or dragging selects it. */
-export function listen(plot: uPlot, tickAt: (x: number, y: number) => number, hand: Hand) {
+export function listen(plot: uPlot, tickAt: (x: number, y: number) => number, input: PlotInput) {
   const { over } = plot;
   let pressed = false;
   const tickOf = (event: PointerEvent) => {
@@ -102,18 +102,18 @@ export function listen(plot: uPlot, tickAt: (x: number, y: number) => number, ha
     return tickAt(event.clientX - box.left, event.clientY - box.top);
   };
   const move = (event: PointerEvent) => {
-    if (pressed) hand.onPress(tickOf(event));
-    else hand.onPoint(tickOf(event));
+    if (pressed) input.onPress(tickOf(event));
+    else input.onPoint(tickOf(event));
   };
   const down = (event: PointerEvent) => {
     pressed = true;
     over.setPointerCapture(event.pointerId);
-    hand.onPress(tickOf(event));
+    input.onPress(tickOf(event));
   };
   const up = () => {
     pressed = false;
   };
-  const leave = () => hand.onPoint(null);
+  const leave = () => input.onPoint(null);
   const listeners = { pointermove: move, pointerdown: down, pointerup: up, pointercancel: up };
   for (const [type, listener] of Object.entries(listeners)) {
     over.addEventListener(type, listener as EventListener);

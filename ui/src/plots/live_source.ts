@@ -15,7 +15,7 @@ export const liveSource: PlotSource = {
   },
   revision: record.revision,
   moment: computed(() => pointed.value),
-  hand: {
+  input: {
     onPoint: (tick) => {
       pointed.value = tick;
     },

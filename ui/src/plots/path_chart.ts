@@ -1,6 +1,6 @@
 import uPlot from "uplot";
 import { rowAt, Samples } from "../run/samples";
-import { type Chart, type Hand, listen, NO_DATA, optionsFor, type Setting } from "./chart";
+import { type Chart, listen, NO_DATA, optionsFor, type PlotInput, type Setting } from "./chart";
 import { equalRange, hasTruth, nearestRow, type Range, type Role } from "./figures";
 import { DASHES, type Look, WIDTHS } from "./look";
 
@@ -20,7 +20,7 @@ export class PathChart implements Chart {
   private marked: number | null = null;
   private readonly here = document.createElement("div");
 
-  constructor(setting: Setting, into: HTMLElement, hand: Hand) {
+  constructor(setting: Setting, into: HTMLElement, input: PlotInput) {
     const options = optionsFor(setting);
     options.scales = {
       x: { time: false, range: () => this.range.x },
@@ -33,7 +33,7 @@ export class PathChart implements Chart {
     this.here.className = "plots__here";
     this.here.hidden = true;
     this.plot.over.append(this.here);
-    listen(this.plot, (x, y) => this.tickAt(x, y), hand);
+    listen(this.plot, (x, y) => this.tickAt(x, y), input);
   }
 
   show(samples: Samples): void {

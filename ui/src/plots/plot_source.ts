@@ -1,7 +1,7 @@
 import type { ReadonlySignal } from "@preact/signals";
 import type { Stretch } from "../run/playback";
 import type { Samples } from "../run/samples";
-import type { Hand } from "./chart";
+import type { PlotInput } from "./chart";
 
 /** The measurements of a run, live or recorded, and the selected tick. */
 export interface PlotSource {
@@ -11,7 +11,7 @@ export interface PlotSource {
   readonly revision: ReadonlySignal<number>;
   /** The selected tick; null where none is. */
   readonly moment: ReadonlySignal<number | null>;
-  readonly hand: Hand;
+  readonly input: PlotInput;
   /** Name of the program. */
   name(): string;
 }

@@ -3,7 +3,7 @@ import { CATEGORY_COLOURS } from "../blocks/categories";
 import { categoryOf } from "../blocks/definitions";
 import { coarse, type Stretch } from "../run/playback";
 import { rowAt, type Samples } from "../run/samples";
-import { type Chart, type Hand, listen, NO_DATA, optionsFor, type Setting } from "./chart";
+import { type Chart, listen, NO_DATA, optionsFor, type PlotInput, type Setting } from "./chart";
 import { type FigureName, type Line, linesOf, rangeOf, TIME_FIGURES, times } from "./figures";
 import { DASHES, type Look, WIDTHS } from "./look";
 
@@ -28,7 +28,7 @@ export class TimeChart implements Chart {
     private readonly name: TimeFigureName,
     setting: Setting,
     into: HTMLElement,
-    hand: Hand,
+    input: PlotInput,
   ) {
     const { span } = TIME_FIGURES[name];
     const { look } = setting;
@@ -50,7 +50,7 @@ export class TimeChart implements Chart {
     };
     this.look = look;
     this.plot = new uPlot(options, NO_DATA, into);
-    listen(this.plot, (x) => this.tickAt(x), hand);
+    listen(this.plot, (x) => this.tickAt(x), input);
   }
 
   private readonly look: Look;

@@ -45,7 +45,7 @@ function plotsOf(
     stretches: blocks,
     revision: signal(0),
     moment: playback.tick,
-    hand: {
+    input: {
       onPoint: (tick) => playback.point(tick),
       onPress: (tick) => playback.seek(tick),
     },

@@ -15,8 +15,8 @@ import { startOf, toWorld, type XY } from "./frames";
 import { savePicture } from "./picture";
 import type { Measurements } from "./ranges_view";
 import { SceneRenderer } from "./renderer";
-import { type Grip, listenToHands } from "./tools/hands";
 import { drawMeasure, measureWords } from "./tools/measure_view";
+import { type Grip, listenToPointer } from "./tools/pointer_input";
 import { Toolbar } from "./tools/Toolbar";
 import { SceneTools } from "./tools/tools";
 
@@ -64,7 +64,7 @@ export function Scene({ world, view, poseAt, companion, hold }: SceneProps) {
       effect(() => scene.setRanges(hold?.ranges.value ?? null)),
       effect(() => scene.setCompanion(companion?.value ?? null)),
       showMeasure(scene, tools),
-      listenToHands({
+      listenToPointer({
         element,
         scene,
         tools,

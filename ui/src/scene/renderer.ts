@@ -14,10 +14,10 @@ import { type Companion, drawCompanion } from "./companion";
 import { drawRulers, drawThings } from "./floor";
 import { HANDLE_M, startOf, toWorld, type XY } from "./frames";
 import { type Palette, readPalette } from "./palette";
-import { Paper, type Sheet } from "./paper";
 import { Pushed } from "./pushed";
 import { drawRanges, type Measurements } from "./ranges_view";
 import { drawBelief, drawKnob, drawRobot } from "./robot";
+import { type CacheInput, SceneCache } from "./scene_cache";
 import { subjectOf, wholeRoom } from "./subject";
 
 /** Redraws continue this long after the last change, until the robot's interpolated pose has arrived; ms. */
@@ -27,7 +27,7 @@ const LINGER_MS = 250;
 const OFF_M = 0.01;
 
 /** What the camera shows: the subject, the room, the view set by the user, or the robot that it follows. */
-export type Framing = "subject" | "room" | "hand" | "robot";
+export type Framing = "subject" | "room" | "manual" | "robot";
 
 /** Drawn over the floor, in pixels. */
 export type Overlay = (
@@ -52,7 +52,7 @@ export class SceneRenderer {
   private handle = 0;
   private lastFrame = 0;
   private moved = false;
-  private paper = new Paper();
+  private cache = new SceneCache();
   private readonly pushed = new Pushed();
   private ranges: Measurements | null = null;
   /** The robot is at its start and can be moved. */
@@ -120,7 +120,7 @@ export class SceneRenderer {
   /** Turns following the robot on or off. */
   follow(wanted: boolean): void {
     if (wanted) this.setFraming("robot");
-    else if (this.framing === "robot") this.setFraming("hand");
+    else if (this.framing === "robot") this.setFraming("manual");
     this.aim();
   }
 
@@ -173,13 +173,13 @@ export class SceneRenderer {
   }
 
   zoom(factor: number): void {
-    if (this.framing !== "robot") this.setFraming("hand");
+    if (this.framing !== "robot") this.setFraming("manual");
     this.target = { ...this.target, scale: clampScale(this.target.scale * factor) };
     this.wake();
   }
 
   pan(dx: number, dy: number): void {
-    this.setFraming("hand");
+    this.setFraming("manual");
     const { x, y, scale } = this.target;
     this.target = { x: x - dx / scale, y: y + dy / scale, scale };
     this.camera = { ...this.target };
@@ -199,8 +199,8 @@ export class SceneRenderer {
     if (!ctx) return canvas;
     const camera = cameraFor(subjectOf(this.world, this.view, this.companion), size);
     const { world, view } = this;
-    const sheet = { world, view, palette, size, ratio };
-    this.paintSheet(ctx, sheet, new Paper(), camera, performance.now());
+    const input = { world, view, palette, size, ratio };
+    this.paintCached(ctx, input, new SceneCache(), camera, performance.now());
     return canvas;
   }
 
@@ -253,42 +253,42 @@ export class SceneRenderer {
     const moving = approach(this.camera, this.target, elapsed, this.still());
     const pushing = this.pushed.approach(this.view.things, elapsed, this.still());
     const { world, view, palette, size, ratio } = this;
-    const sheet = { world, view, palette, size, ratio };
-    const camera = this.paper.aligned(this.camera, ratio);
-    const blurred = this.paintSheet(this.ctx, sheet, this.paper, camera, now);
+    const input = { world, view, palette, size, ratio };
+    const camera = this.cache.aligned(this.camera, ratio);
+    const blurred = this.paintCached(this.ctx, input, this.cache, camera, now);
     this.overlay?.(this.ctx, camera, size, palette);
     return moving || pushing || blurred;
   }
 
   /** Draws everything except the overlay; true while the cached image needs a redraw. */
-  private paintSheet(
+  private paintCached(
     ctx: CanvasRenderingContext2D,
-    sheet: Sheet,
-    paper: Paper,
+    input: CacheInput,
+    cache: SceneCache,
     camera: Camera,
     now: number,
   ): boolean {
-    const { world, palette, size, ratio } = sheet;
+    const { world, palette, size, ratio } = input;
     ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
     ctx.fillStyle = palette.outside;
     ctx.fillRect(0, 0, size.width, size.height);
-    const blurred = paper.lay(ctx, sheet, camera, now);
+    const blurred = cache.drawImage(ctx, input, camera, now);
     const pose = this.poseAt(now);
     const end: Point | null = this.view.run ? [pose.x, pose.y] : null;
-    onFloor(ctx, sheet, camera, () => {
+    onFloor(ctx, input, camera, () => {
       drawThings(ctx, world, this.pushed.places, palette);
       toStartFrame(ctx, world);
-      paper.drawPaths(ctx, sheet, camera, end);
+      cache.drawPaths(ctx, input, camera, end);
     });
-    paper.layFilm(ctx, sheet, camera);
+    cache.drawStrokeLayer(ctx, input, camera);
     const { companion } = this;
     if (companion) {
-      onFloor(ctx, sheet, camera, () => drawCompanion(ctx, companion, camera, palette, ratio));
+      onFloor(ctx, input, camera, () => drawCompanion(ctx, companion, camera, palette, ratio));
     }
-    onFloor(ctx, sheet, camera, () => {
+    onFloor(ctx, input, camera, () => {
       toStartFrame(ctx, world);
-      paper.drawPen(ctx, sheet, camera, end);
-      this.drawRobot(ctx, pose, camera, sheet);
+      cache.drawPen(ctx, input, camera, end);
+      this.drawRobot(ctx, pose, camera, input);
     });
     drawRulers(ctx, world, camera, size, palette);
     return blurred;
@@ -298,7 +298,7 @@ export class SceneRenderer {
     ctx: CanvasRenderingContext2D,
     pose: Pose,
     { scale }: Camera,
-    { palette, ratio }: Sheet,
+    { palette, ratio }: CacheInput,
   ): void {
     const { view, ranges } = this;
     if (ranges && this.view.run) {
@@ -320,7 +320,7 @@ export class SceneRenderer {
 /** Runs a function with the canvas in the world frame: metres, y up. */
 function onFloor(
   ctx: CanvasRenderingContext2D,
-  { size }: Sheet,
+  { size }: CacheInput,
   camera: Camera,
   draw: () => void,
 ): void {

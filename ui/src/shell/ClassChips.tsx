@@ -3,17 +3,17 @@ import type { Classroom } from "../api/model";
 import { language, texts } from "../i18n";
 import { Choice } from "../kit/Choice";
 import { setClassroom } from "./classroom";
-import { toldApart } from "./namesakes";
+import { withDistinctNames } from "./namesakes";
 import { TEST } from "./testids";
 
 interface ClassChipsProps {
   classes: readonly Classroom[];
-  /** Whether there is anything without a class. */
+  /** Whether to offer a chip for groups without a class. */
   withNone: boolean;
   shown: string;
 }
 
-/** Which class? One chip for each. */
+/** Selects a class: one chip for each. */
 export function ClassChips({ classes, withNone, shown }: ClassChipsProps) {
   const words = texts.value.classes;
   const none = { id: NO_CLASS, name: words.noClass };
@@ -24,7 +24,7 @@ export function ClassChips({ classes, withNone, shown }: ClassChipsProps) {
       optionClass="class-chips__one"
       testId={TEST.classChip}
       value={shown}
-      options={[...toldApart(classes, language.value), ...(withNone ? [none] : [])].map(
+      options={[...withDistinctNames(classes, language.value), ...(withNone ? [none] : [])].map(
         ({ id, name }) => [
           id,
           <span key={id} class="class-chips__name" data-shortened>

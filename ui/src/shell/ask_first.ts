@@ -1,4 +1,4 @@
-import { askFirst } from "./first_answers";
+import { startFirstRequests } from "./first_answers";
 
-// Evaluating the editor takes longer than an answer of the server: main.tsx imports this before everything else.
-askFirst();
+// main.tsx imports this first: evaluating the editor takes longer than the server's responses.
+startFirstRequests();

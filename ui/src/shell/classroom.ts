@@ -13,7 +13,7 @@ export function setClassroom(id: string): void {
   remember(COOKIE, id);
 }
 
-/** What to show: the class last chosen, or that of the group used last, or the first; NO_CLASS where there is none. */
+/** The class to show: the last chosen one, that of the last used group, or the first; NO_CLASS without classes. */
 export function shownClass(
   wanted: string | null,
   classes: readonly Classroom[],
@@ -25,7 +25,7 @@ export function shownClass(
   return groups.find((one) => one.classroom_id)?.classroom_id ?? classes[0]?.id ?? NO_CLASS;
 }
 
-/** The groups of a class, those without one under NO_CLASS. */
+/** The groups of a class; with NO_CLASS the groups without a class. */
 export function groupsIn(id: string, groups: readonly Group[]): Group[] {
   return groups.filter((one) => (one.classroom_id ?? NO_CLASS) === id);
 }

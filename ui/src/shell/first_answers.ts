@@ -11,7 +11,7 @@ type StartAnswer = Promise<[Group[], Classroom[]]>;
 let firstStatus: Promise<Status> | null = null;
 let firstProgram: { id: string; answer: ProgramAnswer } | null = null;
 let firstStart: StartAnswer | null = null;
-let firstSession: Promise<TeacherSession> | null = null;
+let earlySession: Promise<TeacherSession> | null = null;
 
 function askProgram(id: string): ProgramAnswer {
   return Promise.all([api.program(id), api.groups()]);
@@ -21,57 +21,57 @@ function askStart(): StartAnswer {
   return Promise.all([api.groups(), classesApi.classrooms()]);
 }
 
-/** How the server is, once the texts of its language are there. */
+/** The server's status, after the texts of its language have loaded. */
 async function askStatus(): Promise<Status> {
   const status = await api.status();
   if (isLanguage(status.language)) await fetchTexts(status.language);
   return status;
 }
 
-/** Asks for what the page needs first; whoever takes an answer hears of its failure. */
-export function askFirst(): void {
+/** Starts the first requests of the page; failures reach the callers that take the responses. */
+export function startFirstRequests(): void {
   firstStatus = askStatus();
   const now = route.peek();
   if (now.screen === "studio") firstProgram = { id: now.program, answer: askProgram(now.program) };
   if (now.screen === "start") firstStart = askStart();
   if (now.screen === "start" || now.screen === "teacher")
-    firstSession = classesApi.teacherSession();
+    earlySession = classesApi.teacherSession();
   for (const answer of asked()) answer?.catch(() => {});
 }
 
 function asked() {
-  return [firstStatus, firstProgram?.answer, firstStart, firstSession];
+  return [firstStatus, firstProgram?.answer, firstStart, earlySession];
 }
 
-/** Resolves when all that was asked for first is there, or has failed. */
-export async function firstAnswers(): Promise<void> {
+/** Resolves when all first requests have succeeded or failed. */
+export async function firstRequestsSettled(): Promise<void> {
   await Promise.allSettled(asked());
 }
 
-/** How the server is; what was asked for at the start is handed out once. */
+/** The server's status; the first call returns the early request. */
 export function serverStatus(): Promise<Status> {
   const early = firstStatus;
   firstStatus = null;
   return early ?? api.status();
 }
 
-/** A program and all groups; what was asked for at the start is handed out once. */
+/** A program and all groups; the first call returns the early request. */
 export function programAndGroups(id: string): ProgramAnswer {
   const early = firstProgram?.id === id ? firstProgram.answer : null;
   firstProgram = null;
   return early ?? askProgram(id);
 }
 
-/** All groups and classes; what was asked for at the start is handed out once. */
+/** All groups and classes; the first call returns the early request. */
 export function groupsAndClasses(): StartAnswer {
   const early = firstStart;
   firstStart = null;
   return early ?? askStart();
 }
 
-/** The state of the teacher's session; what was asked for at the start is handed out once. */
-export function sessionAtFirst(): Promise<TeacherSession> {
-  const early = firstSession;
-  firstSession = null;
+/** The teacher session; the first call returns the early request. */
+export function firstTeacherSession(): Promise<TeacherSession> {
+  const early = earlySession;
+  earlySession = null;
   return early ?? classesApi.teacherSession();
 }

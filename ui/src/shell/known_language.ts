@@ -1,8 +1,8 @@
 /**
- * On a PC without a language of its own (LANG=C) WebKit says that it speaks "C", which no formatter takes. Libraries ask
- * while they are evaluated, so main.tsx imports this before them.
+ * On a PC without a language (LANG=C) WebKit reports the language "C", which `Intl` refuses. Libraries read it while they
+ * are evaluated, so main.tsx imports this before them.
  */
-export function mendLanguage(browser: Navigator): void {
+export function fixLanguage(browser: Navigator): void {
   try {
     Intl.getCanonicalLocales(browser.language);
   } catch {
@@ -10,4 +10,4 @@ export function mendLanguage(browser: Navigator): void {
   }
 }
 
-mendLanguage(navigator);
+fixLanguage(navigator);

@@ -9,13 +9,13 @@ import { ToStart } from "../kit/ToStart";
 import { connection, problem, refreshStatus, report } from "./session";
 import { TEST } from "./testids";
 
-/** Fetches a part that is not needed to begin with, and what all such parts need. */
+/** Imports a lazy part, together with the texts and styles of all lazy parts. */
 export async function fetchPart<Part>(load: () => Promise<Part>): Promise<Part> {
   const [part] = await Promise.all([load(), import("../styles_later"), fetchLaterTexts()]);
   return part;
 }
 
-/** A part of the page whose code is not needed to begin with: it is fetched when the part is first shown. */
+/** A lazy component: its code is imported when it is first shown. */
 export function later<P extends object>(
   load: () => Promise<ComponentType<P>>,
   Failed: ComponentType | null = null,
@@ -43,12 +43,12 @@ export function later<P extends object>(
   };
 }
 
-/** A whole screen that is fetched when it is first shown. */
+/** A lazy screen. */
 export function laterScreen<P extends object>(load: () => Promise<ComponentType<P>>) {
   return later(load, NotFetched);
 }
 
-/** A browser may remember that it could not fetch a part: only a new page asks again. */
+/** Browsers may cache a failed import: only a reload of the page tries again. */
 function NotFetched() {
   const again = async () => {
     await refreshStatus();
@@ -59,7 +59,7 @@ function NotFetched() {
   useEffect(() => {
     void refreshStatus().then(() => {
       if (connection.peek() === "open") problem.value = wordsOf(null);
-      else waits.current = true; // the line above says that the server is gone
+      else waits.current = true; // the line under the header reports the lost server
     });
   }, []);
   useSignalEffect(() => {

@@ -2,12 +2,12 @@ import { signal } from "@preact/signals";
 import type { Level } from "../blocks/definition";
 import { remember, remembered } from "./remembered";
 
-/** From few blocks to all of them. */
+/** Levels of the toolbox, from few blocks to all. */
 export const LEVELS = [1, 2, 3] as const satisfies readonly Level[];
 
 const COOKIE = "pinel_level";
 
-/** How many blocks the toolbox of this PC offers. */
+/** The toolbox level of this PC. */
 export const level = signal<Level>(LEVELS.find((one) => String(one) === remembered(COOKIE)) ?? 3);
 
 export function setLevel(chosen: Level): void {

@@ -1,7 +1,7 @@
 import { api } from "../api/client";
 import { group, program } from "./session";
 
-/** What the header names: a program and its group, asked for only where the header names others. */
+/** Sets program and group of the header; requests them only if they have changed. */
 export async function nameInHeader(programId: string | null, groupId?: string | null) {
   if (program.value?.id !== programId) {
     program.value = programId ? await api.program(programId) : null;

@@ -1,10 +1,11 @@
 import { expect, test } from "vitest";
 import type { Classroom } from "../api/model";
-import { toldApart } from "./namesakes";
+import { withDistinctNames } from "./namesakes";
 
 const classroom = (name: string, computer: string | null = null) =>
   ({ id: name, name, computer, created_at: "2026-11-21T12:00:00Z" }) as Classroom;
-const names = (...classes: Classroom[]) => toldApart(classes, "pt-BR").map(({ name }) => name);
+const names = (...classes: Classroom[]) =>
+  withDistinctNames(classes, "pt-BR").map(({ name }) => name);
 
 test("a class whose name nobody else has keeps it as it is", () => {
   expect(names(classroom("7º A", "PC 1"), classroom("7º B", "PC 1"))).toEqual(["7º A", "7º B"]);

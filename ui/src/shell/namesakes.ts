@@ -1,8 +1,8 @@
 import type { Classroom } from "../api/model";
 import type { Language } from "../i18n";
 
-/** Two PCs may each have made a class of one name: then the name tells the PC too, or the day before there was a lesson. */
-export function toldApart(classes: readonly Classroom[], language: Language): Classroom[] {
+/** Distinguishes classes of equal name, made on different PCs: adds the PC to the name, or the day without a lesson. */
+export function withDistinctNames(classes: readonly Classroom[], language: Language): Classroom[] {
   const alone = single(classes.map(keyOf));
   const named = classes.map((one) =>
     alone.has(keyOf(one)) ? one : { ...one, name: `${one.name} · ${origin(one, language)}` },
@@ -13,7 +13,7 @@ export function toldApart(classes: readonly Classroom[], language: Language): Cl
   );
 }
 
-/** Names that people take for one: as the server compares them, spaces and capitals do not count. */
+/** Key under which names are equal, as in the server: without spaces and case. */
 const keyOf = ({ name }: Classroom) => name.normalize("NFKC").toLowerCase().replace(/\s/g, "");
 
 function single(keys: readonly string[]): Set<string> {

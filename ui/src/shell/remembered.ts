@@ -1,8 +1,8 @@
 const YEAR_S = 31_536_000;
 
 /**
- * What this PC remembers of how the page was left, or null. In cookies, because the port of the page, and with it
- * local storage, may be another one each time.
+ * A setting of this PC, or null. Stored in cookies, because the page's port, and with it local storage, may change at
+ * every start.
  */
 export function remembered(name: string): string | null {
   return document.cookie.match(new RegExp(`(?:^|; )${name}=([\\w-]+)`))?.[1] ?? null;

@@ -4,25 +4,25 @@ import type { JSX } from "preact";
 export const TEACHER_PARTS = ["lessons", "classes", "files", "computer"] as const;
 export type TeacherPart = (typeof TEACHER_PARTS)[number];
 
-/** A component that takes these parameters. Written out at each row: a screen's own type may depend on `Route`. */
+/** A component with these parameters; explicit in each row, because a screen's type may depend on `Route`. */
 type Screen<Parameters = unknown> = Promise<(parameters: Parameters) => JSX.Element | null>;
 
 interface Row {
-  /** The address after `#/`: `:name` is a parameter, `:name?` one that may be missing, which is null. */
+  /** The address after `#/`: `:name` is a parameter, `:name?` an optional one, null if missing. */
   readonly pattern: string;
-  /** What a parameter may be; anything else is the first of them. */
+  /** Allowed values of a parameter; any other value becomes the first of them. */
   readonly choices?: Readonly<Record<string, readonly string[]>>;
-  /** The header names the group and its program. */
+  /** Whether the header shows the group and its program. */
   readonly ofGroup?: true;
-  /** The parameters that make it another screen when they change; all of them without this. */
+  /** Parameters whose change remounts the screen; by default all. */
   readonly remount?: readonly string[];
-  /** Fetches the screen; without it `frame/App` has it from the start. */
+  /** Imports the screen; without it the screen is in the first bundle (`frame/App`). */
   readonly load?: () => Screen<never>;
 }
 
 /**
- * Every screen: its name, its address and where its component is. Its title is `titles` NAME of the texts. `Route`,
- * `parse`, `hashOf`, the switch of screens in `frame/App` and the fetching ahead derive from it.
+ * All screens: name, address, component. The title is the text `titles.NAME`. `Route`, `parse`, `hashOf`, the screen
+ * switch of `frame/App` and prefetching derive from this table.
  */
 const ROWS = {
   start: { pattern: "" },
@@ -89,19 +89,19 @@ type Chosen<R> = R extends { choices: infer Choices extends Record<string, reado
   ? { [Name in keyof Choices]: Choices[Name][number] }
   : unknown;
 
-/** The parameters of a screen, as its pattern has them. */
+/** The parameters of a screen, from its pattern. */
 export type ParametersOf<Name extends ScreenName> = Named<Rows[Name]["pattern"]> &
   Chosen<Rows[Name]>;
 
 /** A place in the page. */
 export type Route = { [Name in ScreenName]: { screen: Name } & ParametersOf<Name> }[ScreenName];
 
-/** The screens that come with the page. */
+/** Screens of the first bundle. */
 export type FirstScreen = {
   [Name in ScreenName]: Rows[Name] extends { load: unknown } ? never : Name;
 }[ScreenName];
 
-/** A screen of the table takes what its pattern has, or the table does not compile. */
+/** Compile-time check: each screen takes the parameters of its pattern. */
 type Misfit = {
   [Name in ScreenName]: Rows[Name] extends { load: () => Screen<infer Taken> }
     ? ParametersOf<Name> extends Taken
@@ -116,7 +116,7 @@ export const SCREENS = Object.keys(ROWS) as ScreenName[];
 
 type Values = Record<string, string | null>;
 
-/** The parameters of an address; null where it is not one of this pattern. */
+/** The parameters of an address; null if it does not match the pattern. */
 function read({ pattern, choices = {} }: Row, given: readonly string[]): Values | null {
   const values: Values = {};
   for (const [index, part] of pattern.split("/").entries()) {
@@ -134,7 +134,7 @@ function read({ pattern, choices = {} }: Row, given: readonly string[]): Values 
   return values;
 }
 
-/** The address after `#` is the whole state of navigation, so that Back works. An unknown one is the start. */
+/** The route of the address after `#`, which is the whole navigation state; the start if unknown. */
 export function parse(hash: string): Route {
   const given = hash.replace(/^#\/?/, "").split("/");
   for (const screen of SCREENS) {
@@ -144,7 +144,7 @@ export function parse(hash: string): Route {
   return { screen: "start" };
 }
 
-/** The parameters of a route by their names. */
+/** The parameters of a route by name. */
 function valuesOf(to: Route): Values {
   const { screen, ...values } = to;
   return values;
@@ -159,7 +159,7 @@ export function hashOf(to: Route): string {
   return `#/${parts.filter(Boolean).join("/")}`;
 }
 
-/** Two routes of the same key are the same screen, which goes on; of different keys, it begins anew. */
+/** Key of the screen's component: a route with another key remounts it. */
 export function keyOf(to: Route): string {
   const values = valuesOf(to);
   const names = ROUTES[to.screen].remount ?? Object.keys(values);
@@ -168,11 +168,11 @@ export function keyOf(to: Route): string {
 
 export const route = signal<Route>(parse(location.hash));
 
-/** Nothing else can be shown now: what is on the screen stays, above all what is not saved. */
-export const staying = signal(false);
+/** Blocks navigation, for example while the server is gone: unsaved work stays on the screen. */
+export const navigationBlocked = signal(false);
 
 window.addEventListener("hashchange", () => {
-  if (staying.peek()) history.replaceState(null, "", hashOf(route.peek()));
+  if (navigationBlocked.peek()) history.replaceState(null, "", hashOf(route.peek()));
   else route.value = parse(location.hash);
 });
 

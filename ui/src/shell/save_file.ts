@@ -1,14 +1,14 @@
-/** Hands a file to the person: the browser keeps it among its downloads, the window asks where to put it. */
+/** Saves a file: a browser puts it among the downloads, the window shows a save dialog. */
 export function saveFile(name: string, content: Blob): void {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(content);
   link.download = name;
   link.click();
-  // the download has begun, but may not have been read yet
+  // the download has begun but may not have been read yet
   setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }
 
-/** A name as files may be called everywhere: "Sala do Zé" becomes "sala-do-ze". */
+/** A portable file name: "Sala do Zé" becomes "sala-do-ze". */
 export function fileName(title: string, otherwise: string): string {
   const plain = title.normalize("NFD").replace(/\p{M}/gu, "").toLowerCase();
   return (

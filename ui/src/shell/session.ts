@@ -18,41 +18,41 @@ import { reportTo } from "../kit/report";
 import { type Problem, wordsOf } from "../kit/requests/problem";
 import { serverStatus } from "./first_answers";
 import { remember } from "./remembered";
-import { ROUTES, route, staying } from "./route";
+import { navigationBlocked, ROUTES, route } from "./route";
 import { openStream } from "./stream";
 
-/** How the page stands with the program behind it. */
+/** State of the connection to the server. */
 export type Connection = "opening" | "failed" | "open" | "gone" | "locked";
 
 export const connection = signal<Connection>("opening");
 export const status = signal<Status | null>(null);
 export const notice = signal<Notice | null>(null);
-/** Whether the run that ended last passed the activity of its lesson. */
+/** Grading of the last run by the activity of its lesson. */
 export const judged = signal<JudgedEvent | null>(null);
-/** What was saved last, or went into the bin or came out of it, in any window. */
+/** The last program saved, discarded or restored, in any window. */
 export const changed = signal<ProgramChangedEvent | null>(null);
 export const problem = signal<Problem | null>(null);
 export const worlds = signal<World[]>([]);
 
-/** Group and program in the header, whatever the screen. */
+/** Group and program in the header of all screens. */
 export const group = signal<Group | null>(null);
 export const program = signal<Program | null>(null);
 
-/** Without the server, another screen would be an empty one. */
+/** Without the server another screen would stay empty. */
 effect(() => {
-  staying.value = connection.value === "gone";
+  navigationBlocked.value = connection.value === "gone";
 });
 
 export const engine = computed(() => status.value?.engine ?? "starting");
 
-/** Read by the server too, which writes the page before it has opened the store. */
+/** The server reads it too, because it serves the page before it opens the store. */
 const LANGUAGE_COOKIE = "pinel_language";
 const POLL_MS = 1000;
-// said once, then what the server says of itself is shown again
+// shown for a moment, then the server's current notice again
 const GOOD_NEWS = new Set(["recording_resumed", "keeping_well_again"]);
 const GOOD_NEWS_MS = 8000;
 
-/** An error in words, in the line under the header; 401 and a lost server have their own places. */
+/** Shows an error in the line under the header; 401 and a lost server are shown elsewhere. */
 export function report(error: unknown): void {
   if (error instanceof ServerGone) lost();
   else if (error instanceof ApiError && error.status === 401) connection.value = "locked";
@@ -76,7 +76,7 @@ function poll(): void {
   }
 }
 
-/** Asks the server how it is; goes on asking while it is gone or its engine is not ready. */
+/** Loads the server's status; polls while the server is gone or its engine is not ready. */
 export async function refreshStatus(): Promise<void> {
   try {
     const answer = await serverStatus();
@@ -96,7 +96,7 @@ export async function refreshStatus(): Promise<void> {
 let languageKept: Promise<unknown> = Promise.resolve();
 
 export async function chooseLanguage(chosen: Language): Promise<void> {
-  // one after the other: of two answers on their way the server would keep whichever comes last
+  // in sequence: of two concurrent requests the server would keep the one that arrives last
   languageKept = languageKept.then(() => api.setLanguage(chosen));
   try {
     await Promise.all([languageKept, speak(chosen)]);
@@ -107,10 +107,10 @@ export async function chooseLanguage(chosen: Language): Promise<void> {
   }
 }
 
-/** Who follows the runs. */
+/** Receiver of the events of runs. */
 interface Follower {
   receive(event: RunEvent): void;
-  /** The stream begins, or begins again: what was missed of the run is to be asked for. */
+  /** The stream has begun or reconnected: requests the missed events of the run. */
   resync(run: string | null): Promise<void>;
 }
 
@@ -147,7 +147,7 @@ function title(): string {
   return [about, texts.value.titles[screen], "PINEL"].filter(Boolean).join(" · ");
 }
 
-/** Opens the page's line to the server, once the texts of the first language are there. */
+/** Opens the connection to the server, after the texts of the first language have loaded. */
 export async function open(runs: Follower): Promise<void> {
   effect(() => {
     document.documentElement.lang = language.value;

@@ -1,8 +1,8 @@
 import { KIT_TEST } from "../kit/testids";
 
 /**
- * Handles for the end-to-end tests, `data-testid` in the page. They stay when words, looks and languages
- * change. Those marked "of each" occur once for every card, letter or line.
+ * `data-testid` values for the end-to-end tests, independent of text, style and language. Those marked "of each" occur
+ * once per card, letter or line.
  */
 export const TEST = {
   ...KIT_TEST,
@@ -27,18 +27,18 @@ export const TEST = {
   createGroup: "create-group",
   groupCard: "group-card", // of each; data-picture
   classChip: "class-chip", // of each
-  door: "door", // to the teacher's part
-  prepare: "prepare", // the same, on the first day
-  leaveDoor: "leave-door",
-  lessonChip: "lesson-chip", // what the lesson is about, over the studio
-  turns: "turns", // time to swap
+  teacherLink: "teacher-link", // to the sign-in of the teacher
+  prepare: "prepare", // the same, without any group
+  signOut: "sign-out",
+  lessonChip: "lesson-chip", // title and activity of the open lesson
+  turns: "turns", // the reminder to swap
   turnsDone: "turns-done",
 
   // the teacher's part
   pin: "pin",
   pinAgain: "pin-again",
-  pinWait: "pin-wait", // how long to wait
-  enterDoor: "enter-door",
+  pinWait: "pin-wait", // remaining wait
+  signIn: "sign-in",
   className: "class-name",
   computerName: "computer-name",
   keepComputer: "keep-computer",
@@ -64,10 +64,10 @@ export const TEST = {
   lessonRow: "lesson-row", // of each
   lessonPick: "lesson-pick", // of each; a checkbox
   lessonJoin: "lesson-join",
-  lessonApart: "lesson-apart", // of each that was joined
+  lessonApart: "lesson-apart", // of each joined lesson
   lessonLink: "lesson-link", // of each
-  nameField: "name-field", // what is being renamed
-  groupEdit: "group-edit", // on our work
+  nameField: "name-field", // of the name being edited
+  groupEdit: "group-edit", // on the screen of our work
   groupColor: "group-color", // of each
   groupSave: "group-save",
 
@@ -100,7 +100,7 @@ export const TEST = {
   irToggle: "ir-toggle", // opens the program as text
   textTab: "text-tab", // of each; data-tab: python | ir
   pythonText: "python-text", // data-lit: number of the running line
-  pythonEmpty: "python-empty", // there is nothing to read yet
+  pythonEmpty: "python-empty", // placeholder without a program
   pythonEdit: "python-edit",
   pythonEditor: "python-editor", // a textarea
   pythonPut: "python-put",
@@ -111,18 +111,18 @@ export const TEST = {
   stepOut: "step-out",
   speed: "speed",
   pythonFault: "python-fault", // of each; data-line, data-column
-  otherWindow: "other-window", // to what another window made of the program
-  elsewhere: "elsewhere", // to what another PC made of the program
+  otherWindow: "other-window", // loads the version saved in another window
+  elsewhere: "elsewhere", // loads the version saved on another PC
   swapBack: "swap-back",
   irJson: "ir-json",
   irCopy: "ir-copy",
   capture: "capture",
   captureLetter: "capture-letter", // of each; data-letter, "" for none
 
-  // the group's own world
+  // world editor
   worldChange: "world-change", // opens the editor
   worldEditor: "world-editor",
-  worldBoard: "world-board", // data-camera: its middle on the floor in metres, x and y, and pixels per metre
+  worldBoard: "world-board", // data-camera: centre on the floor x, y in metres, and pixels per metre
   worldTool: "world-tool", // of each; data-tool: select | wall | box | zone | paint | start
   worldColor: "world-color", // of each; data-color
   worldThing: "world-thing", // of each; data-kind, data-index in its list, data-faulty
@@ -149,7 +149,7 @@ export const TEST = {
   worldOwnInstead: "world-own-instead",
 
   startAgain: "start-again",
-  sceneTools: "scene-tools", // shows the rest of the tools
+  sceneTools: "scene-tools", // opens the other tools
   measureTool: "measure-tool", // of each; data-name: ruler | protractor
   measure: "measure", // data-value: metres, or degrees to the left
   ring: "ring", // of each; data-name: sonar | lidar
@@ -159,7 +159,7 @@ export const TEST = {
   plotsToggle: "plots-toggle",
   plots: "plots",
   plotTab: "plot-tab", // of each; data-figure: path | position | heading | speed | turning
-  plot: "plot", // data-figure, data-tick: the moment looked at
+  plot: "plot", // data-figure, data-tick: the selected moment
   plotSize: "plot-size",
   plotSave: "plot-save",
   plotPicture: "plot-picture",
@@ -170,7 +170,7 @@ export const TEST = {
   programCard: "program-card", // of each
   runCard: "run-card", // of each; data-state
 
-  noteCard: "note-card", // of each: what the teacher wrote
+  noteCard: "note-card", // of each note of the teacher
   noteRun: "note-run", // of each
   noteSeen: "note-seen", // of each
   runFilter: "run-filter", // of each; data-outcome: all | finished | stopped | failed
@@ -197,7 +197,7 @@ export const TEST = {
   versionName: "version-name",
   versionKeepName: "version-keep-name",
   versionGoOn: "version-go-on",
-  versionReturn: "version-return", // to the one that was left by going on from another
+  versionReturn: "version-return", // to the version that was replaced by a restored one
   versionCompare: "version-compare",
   versionBlocks: "version-blocks",
   differenceSide: "difference-side", // of each; a select, data-side: before | after
@@ -213,22 +213,22 @@ export const TEST = {
   replayForward: "replay-forward",
   replaySpeed: "replay-speed",
   replayProgram: "replay-program",
-  backToReview: "back-to-review", // in the header, for the teacher who came from there
+  backToReview: "back-to-review", // in the header, for the teacher
   mergeFiles: "merge-files",
   foundFile: "found-file",
   mergeResults: "merge-results",
-  wouldDelete: "would-delete", // what a file says was deleted elsewhere
+  wouldDelete: "would-delete", // deletions that a file contains
   deleteToo: "delete-too",
   saveBundle: "save-bundle",
   sharedFolder: "shared-folder",
-  deleted: "deleted", // the program on the desk was deleted for good
-  takeText: "take-text", // then: its text as a file
+  deleted: "deleted", // the open program was deleted for good
+  takeText: "take-text", // saves its text as a file
   deletionOpen: "deletion-open",
   deletionWhat: "deletion-what", // a select
   deletionGo: "deletion-go",
   deletionDone: "deletion-done",
-  programFile: "program-file", // takes the program along
-  bringProgram: "bring-program", // an input
+  programFile: "program-file", // exports the program
+  bringProgram: "bring-program", // an input for a file
 
   // the teacher's review
   lessonPage: "lesson-page",
@@ -244,12 +244,12 @@ export const TEST = {
   reviewDetail: "review-detail",
   reviewRun: "review-run", // of each; data-outcome
   reviewRepair: "review-repair", // of each
-  reviewRefresh: "review-refresh", // data-at: as of when the lesson or the runs are shown
+  reviewRefresh: "review-refresh", // data-at: time of the data shown
   note: "note", // data-state: unchanged | changed | saving | saved
   noteOpen: "note-open",
   noteText: "note-text", // a textarea
   noteSave: "note-save",
-  noteDelete: "note-delete", // asks first
+  noteDelete: "note-delete", // asks for confirmation
   noteDeleteSure: "note-delete-sure",
   historyPage: "history-page",
   historyFilter: "history-filter", // of each; data-name: classroom | group | activity | day | outcome

@@ -1,7 +1,7 @@
 import { signal } from "@preact/signals";
 import { remember, remembered } from "./remembered";
 
-/** After so many minutes the page proposes to change who has the mouse; 0: never. */
+/** Intervals in minutes after which the page proposes to swap who has the mouse; 0: never. */
 export const TURN_MINUTES = [0, 5, 10, 15] as const;
 export type TurnMinutes = (typeof TURN_MINUTES)[number];
 
@@ -18,26 +18,26 @@ export function setTurnMinutes(chosen: TurnMinutes): void {
 }
 
 /** Whether it is time to swap. */
-export const isTurn = signal(false);
+export const isTurnOver = signal(false);
 
 let timer = 0;
 let whose = "";
 
-/** A group is at work: its turns are counted from when it came, whatever program it opens. */
-export function countTurns(group: string): void {
-  if (group !== whose) nextTurn();
+/** Counts a group's turns from its arrival, across its programs. */
+export function startTurns(group: string): void {
+  if (group !== whose) restartTurn();
   whose = group;
 }
 
-/** They have swapped, or somebody else came: the minutes begin anew. */
-export function nextTurn(): void {
+/** Restarts the interval, after a swap or for another group. */
+export function restartTurn(): void {
   clearTimeout(timer);
-  isTurn.value = false;
+  isTurnOver.value = false;
   const minutes = turnMinutes.peek();
   if (minutes === 0) return;
   timer = window.setTimeout(() => {
-    isTurn.value = true;
+    isTurnOver.value = true;
   }, minutes * MINUTE_MS);
 }
 
-turnMinutes.subscribe(nextTurn);
+turnMinutes.subscribe(restartTurn);

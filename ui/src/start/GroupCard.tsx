@@ -6,7 +6,7 @@ import { TEST } from "../shell/testids";
 import { enterGroup } from "../work/entering";
 import { groupCounts } from "./group_counts";
 
-/** A group by its drawing, its colour and its name. */
+/** A group with its picture, colour and name. */
 export function GroupCard({ group }: { group: Group }) {
   const { start } = texts.value;
   return (

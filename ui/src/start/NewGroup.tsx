@@ -21,7 +21,7 @@ interface NewGroupProps {
   first?: boolean;
 }
 
-/** One field: type a name, press Enter. A drawing is there already, and can be another. */
+/** Creates a group: a name field, with a picture preselected. */
 export function NewGroup({ classroomId, others, first = false }: NewGroupProps) {
   const { start } = texts.value;
   const input = useRef<HTMLInputElement>(null);
@@ -29,7 +29,7 @@ export function NewGroup({ classroomId, others, first = false }: NewGroupProps) 
   const [picture, setPicture] = useState<string>(() => rarestPicture(taken));
   const { busy, fault, act, refuse, clear } = useAct();
   const [entered, setEntered] = useState(false);
-  const isBusy = busy || entered; // until the other screen is there
+  const isBusy = busy || entered; // until the next screen is shown
 
   useEffect(() => {
     if (first) input.current?.focus();

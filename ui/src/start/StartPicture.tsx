@@ -1,4 +1,4 @@
-/** What this is about, without words: a robot that has driven a square. */
+/** Illustration: a robot that has driven a square. */
 export function StartPicture() {
   const lines = Array.from({ length: 9 }, (_, index) => index * 60);
   return (

@@ -27,7 +27,7 @@ interface Found {
   classes: Classroom[];
 }
 
-/** Who are you? Groups by their pictures, class by class, and one field for a new one. */
+/** The groups of a class by their pictures, and a field for a new group. */
 export function StartScreen() {
   const found = useLoaded("start", groupsAndClasses);
   useEffect(() => {
@@ -36,7 +36,7 @@ export function StartScreen() {
     loadTeacherSession().catch(report);
   }, []);
   return (
-    <Loaded of={found} as="screen" ways={<DoorLink />}>
+    <Loaded of={found} as="screen" ways={<TeacherLink />}>
       {([groups, classes]) =>
         groups.length + classes.length === 0 ? (
           <FirstGroup />
@@ -58,9 +58,9 @@ function Groups({ groups, classes }: Found) {
     <main class="screen start">
       <div class="start__head">
         <h1 class="start__title">{here.length ? start.title : words.emptyTitle}</h1>
-        <div class="start__doors">
+        <div class="start__teacher">
           <BringIn />
-          <DoorLink />
+          <TeacherLink />
         </div>
       </div>
       {classes.length > 0 && <ClassChips classes={classes} withNone={withNone} shown={shown} />}
@@ -136,7 +136,7 @@ function FirstGroup() {
             </span>
           </a>
         ) : (
-          <DoorLink />
+          <TeacherLink />
         )}
         <div>
           <BringIn />
@@ -146,15 +146,15 @@ function FirstGroup() {
   );
 }
 
-/** The way to the teacher's part. */
-function DoorLink() {
+/** Link to the teacher's part. */
+function TeacherLink() {
   return (
     <LinkButton
       kind="plain"
-      class="start__door"
+      class="start__teacher-link"
       icon={teacherSession.value?.is_open ? DoorOpen : DoorClosed}
       href={hashOf({ screen: "teacher", part: "lessons" })}
-      testId={TEST.door}
+      testId={TEST.teacherLink}
     >
       {texts.value.classes.door}
     </LinkButton>

@@ -1,7 +1,7 @@
 import type { Group } from "../api/model";
 import type { Texts } from "../i18n";
 
-/** What a group has made; what lies in its bin is its work too. */
+/** Counts of a group's programs and runs, its bin included. */
 export function groupCounts(group: Group, { start }: Texts): string {
   const { n_programs, n_in_bin, n_runs } = group;
   if (n_programs + n_in_bin + n_runs === 0) return start.nothingYet;

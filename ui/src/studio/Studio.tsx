@@ -10,7 +10,7 @@ import { StudioControl } from "./studio_control";
 
 const WorldEditor = later(async () => (await import("../world_editor/WorldEditor")).WorldEditor);
 
-/** Blocks on the left, the floor on the right. */
+/** The studio: blocks on the left, floor on the right. */
 export function Studio({ open }: { open: OpenProgram }) {
   const control = useInstance(() => new StudioControl(open));
   const { worlds } = control;

@@ -5,12 +5,12 @@ import { clear, live, liveRun } from "../run/live";
 import { isLive } from "../run/reducer";
 import { programAndGroups } from "../shell/first_answers";
 import { group, program } from "../shell/session";
-import { couldNotOpen, OpenProgram, opened, openings } from "./program/open_program";
+import { couldNotOpen, OpenProgram, opened, reloads } from "./program/open_program";
 import { Studio } from "./Studio";
 
-/** Opens a program and puts it on the desk. */
+/** Loads a program and shows it in the studio. */
 export function StudioScreen({ program: programId }: { program: string }) {
-  return <Opening key={`${programId} ${openings.value}`} programId={programId} />;
+  return <Opening key={`${programId} ${reloads.value}`} programId={programId} />;
 }
 
 function Opening({ programId }: { programId: string }) {
@@ -35,7 +35,7 @@ async function open(programId: string, signal: AbortSignal): Promise<OpenProgram
   return opened.value;
 }
 
-/** The path on the floor belongs to the program that drove it. */
+/** Clears the last run from the floor if it is of another program. */
 function forgetOtherRun(programId: string): void {
   if (!isLive(live.value) && liveRun.value?.program_id !== programId) clear();
 }

@@ -5,7 +5,7 @@ import { isLive } from "../run/reducer";
 import { startOf, toWorld } from "../scene/frames";
 import { onTurn, turned } from "../scene/tools/measure";
 
-/** By program and world, as long as the page is open. */
+/** Chosen starts by program and world, for the lifetime of the page. */
 const chosen = signal<ReadonlyMap<string, Start>>(new Map());
 
 interface Place {
@@ -13,12 +13,12 @@ interface Place {
   readonly world: ReadonlySignal<World | null>;
 }
 
-/** Where a program's robot begins: where its world says, or where a hand has put it. */
+/** The robot's start pose of a program: the world's, or one set by dragging. */
 export class StartChoice {
   private readonly key = computed(() => `${this.program} ${this.place.name.value}`);
-  /** Null where the world's own holds. */
+  /** The chosen start; null for that of the world. */
   readonly start = computed(() => chosen.value.get(this.key.value) ?? null);
-  /** The world with the start that holds. */
+  /** The world with the effective start. */
   readonly world = computed<World | null>(() => {
     const { value: world } = this.place.world;
     const { value: run } = robot.liveRun;
@@ -28,7 +28,7 @@ export class StartChoice {
     if (ran) return { ...world, start: ran.start };
     return this.start.value ? { ...world, start: this.start.value } : world;
   });
-  /** There is a run on the floor, or a start of its own, to go back from. */
+  /** Whether a run is on the floor, or a start was chosen. */
   readonly canReset = computed(() => {
     const { value: view } = robot.live;
     return !isLive(view) && (view.run !== null || this.start.value !== null);
@@ -39,7 +39,7 @@ export class StartChoice {
     private readonly place: Place,
   ) {}
 
-  /** Where the robot stands now as a start; null while a run moves it. */
+  /** Current pose of the robot, as a start; null during a run. */
   readonly hereNow = computed<Start | null>(() => {
     const { value: view } = robot.live;
     const { value: world } = this.world;
@@ -51,7 +51,7 @@ export class StartChoice {
     return { x_m: x, y_m: y, heading_deg: turned(onTurn(heading)) };
   });
 
-  /** Puts the robot somewhere; what was driven is cleared away. */
+  /** Sets the start and clears the run from the floor. */
   put(start: Start): void {
     if (isLive(robot.live.peek())) return;
     batch(() => {
@@ -60,7 +60,7 @@ export class StartChoice {
     });
   }
 
-  /** First the robot and all things go back to the start, then the start to where the world has it. */
+  /** Resets the run; without a run, resets the start to the world's. */
   again(): void {
     if (robot.live.peek().run !== null) robot.clear();
     else this.keep(null);

@@ -15,8 +15,8 @@ import { valueWords } from "../run/values";
 import type { RobotHold } from "../scene/Scene";
 import { subscribeToRings } from "../scene/tools/sensor_rings";
 import { connection, engine, judged, problem, report } from "../shell/session";
-import { breakpoints, tellRun, wishes } from "./debug/debugging";
-import { watchSensors } from "./debug/senses";
+import { breakpoints, runSettings, tellRun } from "./debug/debugging";
+import { watchSensors } from "./debug/sensor_values";
 import type { OpenProgram } from "./program/open_program";
 import { renameProgram } from "./program/rename";
 import { StoredUndo } from "./program/stored_undo";
@@ -27,23 +27,23 @@ const POINTING_MS = 2500;
 
 export interface Replaced {
   readonly workspace: object;
-  /** What is there now: blocks made from Python, or those from before, which were brought back. */
+  /** Origin of the current blocks: from Python, or restored. */
   readonly now: "placed" | "broughtBack";
 }
 
-/** What the two panes of the studio have in common: the open program, its editor and the robot. */
+/** Shared state of the studio's panes: the open program, its editor and the robot. */
 export class StudioControl {
   editor: Editor | null = null;
-  /** Run was pressed with nothing to run. */
+  /** Run was pressed without any command. */
   readonly asked = signal(false);
-  /** What the robot is driving was made from this program. */
+  /** Whether the live run is of this program. */
   readonly mine = computed(() => robot.liveRun.value?.program_id === this.open.id);
   readonly worlds: WorldControl;
   readonly start: StartChoice;
   readonly sentence = computed<Sentence>(() => this.say());
-  /** The innermost block that runs, of this program. */
+  /** The innermost running block of this program. */
   readonly running = computed(() => (this.mine.value ? runningBlock(robot.live.value) : null));
-  /** The program has a block that beeps. */
+  /** Whether the program has a block that beeps. */
   readonly beeps = computed(() =>
     JSON.stringify(this.open.content.value?.document ?? null).includes('"action":"beep"'),
   );
@@ -52,9 +52,9 @@ export class StudioControl {
     const { phase, ending } = robot.live.value;
     return phase === "failed" && this.mine.value ? ending : null;
   });
-  /** The blocks that were there before a whole program took their place, for who wants them back. */
+  /** The blocks before the whole program was replaced, for undo. */
   readonly replaced = signal<Replaced | null>(null);
-  /** The blocks are no longer those that ran. */
+  /** The blocks have changed since the run began. */
   private readonly edited = signal(false);
   private runDocument: unknown = null;
   private pointing = 0;
@@ -68,12 +68,12 @@ export class StudioControl {
     this.start = new StartChoice(open.id, this.worlds);
   }
 
-  /** Where the robot drives, or would drive. */
+  /** The world of the current or next run. */
   get world() {
     return this.start.world;
   }
 
-  /** The robot as a hand may take it. */
+  /** The robot as an object that can be dragged. */
   readonly hold: RobotHold = {
     grip: computed(() => {
       const { start } = this;
@@ -89,7 +89,7 @@ export class StudioControl {
     again: () => this.start.again(),
   };
 
-  /** Ties an editor to the program; the answer unties it. */
+  /** Connects an editor to the program; returns the function that disconnects it. */
   attach(editor: Editor): () => void {
     this.editor = editor;
     const stops = [
@@ -111,13 +111,13 @@ export class StudioControl {
     this.open.edit(content);
   }
 
-  /** Undo goes on with what was there before the program was opened. */
+  /** Continues undo with versions stored before this session. */
   undoPast(): void {
     const take = (workspace: object | null) => this.editor?.undoTo(workspace) ?? true;
     this.storedUndo.back(take).catch((error) => this.tell(error));
   }
 
-  /** Brings back a stored version, as undo would: redo leaves it again. */
+  /** Restores a stored version as an undo step: redo reverts it. */
   async backTo(id: string): Promise<void> {
     const { workspace, world } = await versionsApi.version(id);
     this.editor?.undoTo(workspace);
@@ -125,7 +125,7 @@ export class StudioControl {
     this.open.remember(id);
   }
 
-  /** Shows a document as blocks in place of those that are there, and gives the program its name. */
+  /** Replaces the blocks by those of a document, and renames the program to its name. */
   async place(document: object): Promise<void> {
     const { commandCount, MOST_SHOWN, workspaceOf } = await import("../blocks/loader");
     const n = commandCount(document);
@@ -138,7 +138,7 @@ export class StudioControl {
     this.exchange(workspaceOf(document), "placed");
   }
 
-  /** Brings back the blocks that were replaced, and keeps those that are there now for the way back. */
+  /** Exchanges the current blocks with the replaced ones. */
   swapBack(): void {
     const { value: replaced } = this.replaced;
     if (!replaced) return;
@@ -155,7 +155,7 @@ export class StudioControl {
     this.onEdit(editor.content());
   }
 
-  /** What an expression is worth in the program that stands, in words. */
+  /** Value of an expression in the paused run, as text. */
   peek(expression: unknown): Promise<string> | null {
     const { run, phase } = robot.live.peek();
     if (!run || phase !== "paused" || !this.mine.peek()) return null;
@@ -165,7 +165,7 @@ export class StudioControl {
     );
   }
 
-  /** Saves the program and runs it; `paused` holds it before its first block. */
+  /** Saves the program and runs it; with `paused` it pauses before its first block. */
   async run(paused = false): Promise<void> {
     if (this.busy || isLive(robot.live.value)) return;
     if (this.worlds.isFaulty.peek()) this.worlds.edit();
@@ -181,14 +181,14 @@ export class StudioControl {
     const { open } = this;
     problem.value = null;
     try {
-      // what is on the screen is what runs; content that is on disk already makes no new version
+      // runs the content on the screen; content already on disk creates no new version
       if (this.editor) open.edit(this.editor.content());
       const version = await open.autosave.flush();
       if (!version || version.faults.length > 0) return this.showFirst();
       this.edited.value = false;
       this.runDocument = open.content.value?.document ?? null;
       const start = this.start.start.value;
-      const wanted = { ...wishes(paused), ...(start ? { start } : {}) };
+      const wanted = { ...runSettings(paused), ...(start ? { start } : {}) };
       await robot.start(version.id, this.worlds.name.value, wanted);
     } catch (error) {
       if (error instanceof ApiError && error.faults.length > 0) open.faults.value = error.faults;
@@ -196,7 +196,7 @@ export class StudioControl {
     }
   }
 
-  /** Why nothing can be saved stands in a line of its own already. */
+  /** Reports an error, except failed saves, which have a line of their own. */
   private tell(error: unknown): void {
     if (error !== this.open.autosave.problem.peek()) report(error);
   }
@@ -206,7 +206,7 @@ export class StudioControl {
     if (first) this.goTo(first);
   }
 
-  /** Brings the block into view and lights it for a moment, with the words of its fault. */
+  /** Scrolls to the block of a fault and highlights it for a moment, with the fault's text. */
   goTo(fault: Fault): void {
     if (!fault.block) return;
     this.editor?.highlight(fault.block);
@@ -215,7 +215,7 @@ export class StudioControl {
     this.pointing = window.setTimeout(() => this.editor?.highlight(this.lit.value), POINTING_MS);
   }
 
-  /** Sends a command to the live run; what goes wrong is reported. */
+  /** Sends a command to the live run; reports failures. */
   send(command: LiveCommand): void {
     robot.command(command).catch(report);
   }
@@ -224,7 +224,7 @@ export class StudioControl {
     robot.stop().catch(report);
   }
 
-  /** A run that failed at a block shows why, there. */
+  /** The failure of a run, as a fault of its block. */
   private runFaults() {
     return this.edited.value ? [] : failureOf(this.failure.value, language.value);
   }
@@ -264,7 +264,7 @@ export class StudioControl {
     return calm(view.ending && !this.mine.value ? run.otherEnded : status.ready);
   }
 
-  /** A run begun in another window may be of blocks that this page has not seen. */
+  /** The document of the live run; a run begun in another window brings its own. */
   private documentThatRuns(): unknown {
     const { value: run } = robot.liveRun;
     return run && "version" in run ? run.version?.document : this.runDocument;

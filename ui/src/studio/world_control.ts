@@ -7,10 +7,10 @@ import { worlds } from "../shell/session";
 import { EditorStore } from "../world_editor/editor_store";
 import type { OpenProgram } from "./program/open_program";
 
-/** The selected world among those that ship; it is kept when another program is opened. */
+/** The selected shipped world; remains selected across programs. */
 const chosen = signal<string | null>(null);
 
-/** Selects the world of a program's runs: one that ships, or the group's own. */
+/** Selects the world of a program's runs: a shipped one or the group's own. */
 export class WorldControl {
   private readonly usesOwn = signal(false);
   /** The own world that was just deleted, for undo. */
@@ -52,7 +52,7 @@ export class WorldControl {
     });
   }
 
-  /** Opens the selected world in the editor. A world that ships is opened as a copy, stored at its first change. */
+  /** Opens the selected world in the editor; a shipped world as a copy, which is stored at its first change. */
   edit(): void {
     const world = this.world.peek();
     if (!world || isLive(robot.live.peek())) return;

@@ -12,15 +12,15 @@ import { TEST } from "../shell/testids";
 
 interface NameFieldProps {
   name: string;
-  /** What the pencil does, for its hint. */
+  /** Tooltip of the pencil. */
   label: string;
   testId?: (typeof TEST)[keyof typeof TEST];
   onRename(name: string): Promise<unknown>;
-  /** The name as it is shown while nobody changes it. */
+  /** The name outside editing. */
   children: ComponentChildren;
 }
 
-/** A name with a pencil that turns it into a field. Enter keeps the new name, Escape drops it. */
+/** A name with a button that turns it into a field. Enter saves the new name, Escape discards it. */
 export function NameField({ name, label, testId, onRename, children }: NameFieldProps) {
   const [draft, setDraft] = useState<string | null>(null);
   const input = useRef<HTMLInputElement>(null);

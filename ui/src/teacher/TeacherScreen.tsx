@@ -62,7 +62,7 @@ function Part({ part }: TeacherScreenProps) {
 }
 
 function SchoolPart({ part }: TeacherScreenProps) {
-  // loaded for each part anew: pupils may have made groups in another window meanwhile
+  // loaded anew for each part: pupils may have created groups in another window
   const school = useTeacherLoaded(part, loadSchool);
   return (
     <Loaded of={school}>

@@ -2,7 +2,7 @@ import { classesApi } from "../api/classes";
 import { api } from "../api/client";
 import type { Classroom, Group } from "../api/model";
 
-/** Classes and groups of the database. */
+/** All classes and groups. */
 export interface School {
   classes: readonly Classroom[];
   groups: readonly Group[];

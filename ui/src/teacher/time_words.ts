@@ -1,6 +1,6 @@
 import type { Language } from "../i18n";
 
-/** Day of the week, day and time, by the clock of this PC; the year unless it is this year. */
+/** Weekday, day and time, by the clock of this PC; with the year unless it is the current one. */
 export function dateAndTime(iso: string, language: Language): string {
   const date = new Date(iso);
   return date.toLocaleString(language, {

@@ -7,7 +7,7 @@ import { Button } from "../kit/Button";
 import { TEST } from "../shell/testids";
 import type { ProgramShelf } from "./program_shelf";
 
-/** Programs that were thrown away, at the end of the group's work; nothing while there are none. */
+/** The programs in the bin; renders nothing while it is empty. */
 export function Bin({ shelf }: { shelf: ProgramShelf }) {
   const open = useSignal(false);
   const { keeping } = texts.value;

@@ -18,7 +18,7 @@ import { TEST } from "../shell/testids";
 
 type Look = Pick<Group, "name" | "color" | "picture">;
 
-/** A group's name, colour and drawing, to be changed. */
+/** Form for a group's name, colour and picture. */
 export function GroupForm({ group, onDone }: { group: Group; onDone(): void }) {
   const { classes, start } = texts.value;
   const [look, setLook] = useState<Look>(group);

@@ -7,7 +7,7 @@ import { GroupPicture } from "../kit/pictures/GroupPicture";
 import { TEST } from "../shell/testids";
 import { GroupForm } from "./GroupForm";
 
-/** Who this work is by; the pencil changes name, colour and drawing. */
+/** The group's name and picture, with a button to edit them. */
 export function GroupHead({ group }: { group: Group }) {
   const [editing, setEditing] = useState(false);
   if (editing) return <GroupForm group={group} onDone={() => setEditing(false)} />;

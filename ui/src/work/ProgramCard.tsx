@@ -11,7 +11,7 @@ import { TakeAlong } from "./ProgramFile";
 
 interface ProgramCardProps {
   program: Program;
-  /** Of its newest run. */
+  /** Path of its newest run. */
   path: readonly (readonly number[])[];
   onThrowAway(): Promise<void>;
 }

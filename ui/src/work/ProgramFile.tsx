@@ -12,7 +12,7 @@ import { TEST } from "../shell/testids";
 
 const SUFFIX = ".pinel";
 
-/** Takes a program along to another PC. */
+/** Exports a program as a file, for another PC. */
 export function TakeAlong({ program }: { program: Program }) {
   const { programFile } = texts.value;
   const take = async () => {
@@ -33,7 +33,7 @@ export function TakeAlong({ program }: { program: Program }) {
   );
 }
 
-/** Brings in a program that was taken along from another PC, with its group, and opens it. */
+/** Imports a program with its group from a file, and opens it. */
 export function BringIn() {
   const { programFile } = texts.value;
   const bring = async (file: File | undefined) => {

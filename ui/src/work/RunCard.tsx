@@ -13,7 +13,7 @@ const ICONS = {
   failed: CircleX,
 } as const;
 
-/** What still runs is followed, what is over is replayed. */
+/** A live run opens in the studio, a finished one in the replay. */
 function placeOf(run: Run): string {
   if (run.state === "running" && run.program_id) {
     return hashOf({ screen: "studio", program: run.program_id });

@@ -8,7 +8,7 @@ import { OUTCOMES, type RunList } from "./run_list";
 
 const ICONS = { finished: CircleCheck, stopped: CircleStop, failed: CircleX } as const;
 
-/** Which runs are shown: how they ended, and of which program. */
+/** Filters runs by outcome and program. */
 export function RunFilters({ list, programs }: { list: RunList; programs: readonly Program[] }) {
   const { keeping } = texts.value;
   const { value: outcome } = list.outcome;

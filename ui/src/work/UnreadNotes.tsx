@@ -9,7 +9,7 @@ import { useLoaded } from "../kit/requests/useLoaded";
 import { hashOf } from "../shell/route";
 import { TEST } from "../shell/testids";
 
-/** What the teacher wrote and the group has not read yet, as letters; nothing while there are none. */
+/** The unread notes of the teacher; renders nothing without any. */
 export function UnreadNotes({ groupId }: { groupId: string }) {
   const notes = useLoaded(groupId, () => versionsApi.unseenNotes(groupId));
   if (notes.status !== "ready" || notes.value.length === 0) return null;

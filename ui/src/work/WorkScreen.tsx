@@ -19,7 +19,7 @@ import { RunFilters } from "./RunFilters";
 import { RunList } from "./run_list";
 import { UnreadNotes } from "./UnreadNotes";
 
-/** A group's programs and runs as they are loaded together. */
+/** A group's programs and runs, loaded together. */
 class GroupWork {
   readonly shelf: ProgramShelf;
   readonly runs: RunList;
@@ -43,7 +43,7 @@ class GroupWork {
   }
 }
 
-/** Everything a group has made: its programs and their runs, as pictures of their paths. */
+/** A group's programs and runs, with pictures of their paths. */
 export function WorkScreen({ group: groupId }: { group: string }) {
   const work = useLoaded(groupId, () => new GroupWork(groupId).load(), { onFailed: couldNotOpen });
   return (

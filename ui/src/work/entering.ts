@@ -6,21 +6,21 @@ import { texts } from "../i18n";
 import { setClassroom } from "../shell/classroom";
 import { go } from "../shell/route";
 
-/** By then the other screen is there, and takes the second click of a double click. */
+/** After this time the next screen is shown and receives the second click of a double click. */
 const SHOWN_MS = 100;
-const onTheWay = new Set<string>();
+const pending = new Set<string>();
 
-/** Who clicks twice wants one thing. */
-async function once(wish: string, enter: () => Promise<void>): Promise<void> {
-  if (onTheWay.has(wish)) return;
-  onTheWay.add(wish);
-  const wait = () => setTimeout(() => onTheWay.delete(wish), SHOWN_MS);
+/** Ignores a second call with the same key while the first is pending: a double click acts once. */
+async function once(key: string, enter: () => Promise<void>): Promise<void> {
+  if (pending.has(key)) return;
+  pending.add(key);
+  const wait = () => setTimeout(() => pending.delete(key), SHOWN_MS);
   await enter().finally(wait);
 }
 
 /**
- * Opens the newest program of a group, or its first one, made now; a letter of the teacher is read before. The start
- * screen shows the group's class when it comes back.
+ * Opens the newest program of a group, creating its first one if needed; with unread notes of the teacher it opens the
+ * group's work instead. Also makes the group's class the shown one of the start screen.
  */
 export function enterGroup(group: Group): Promise<void> {
   return once(`enter ${group.id}`, () => enter(group));
@@ -34,12 +34,12 @@ async function enter(group: Group): Promise<void> {
   go({ screen: "studio", program: program.id });
 }
 
-/** Nobody is kept out by a letter that cannot be fetched: it is there the next time. */
+/** Notes that fail to load must not keep the group from its work; they are shown the next time. */
 function unseenNotes(group: Group) {
   return versionsApi.unseenNotes(group.id).catch(() => []);
 }
 
-/** Makes one more program for a group, and opens it. */
+/** Creates a program for a group and opens it. */
 export function startProgram(groupId: string, others: readonly Program[]): Promise<void> {
   return once(`start ${groupId}`, async () => {
     const { id } = await createProgram(groupId, others);
@@ -47,7 +47,7 @@ export function startProgram(groupId: string, others: readonly Program[]): Promi
   });
 }
 
-/** Makes a program with the first free name of its kind: "Programa 1", "Programa 2". */
+/** Creates a program with the first free numbered name: "Programa 1", "Programa 2". */
 function createProgram(groupId: string, others: readonly Program[]): Promise<Program> {
   const taken = new Set(others.map((program) => program.name));
   let number = others.length + 1;

@@ -4,7 +4,7 @@ import type { Program } from "../api/model";
 import { versionsApi } from "../api/versions";
 import { opened } from "../studio/program/open_program";
 
-/** A group's programs, those in its bin, and the one that was thrown away last. */
+/** A group's programs, its bin, and the last discarded program. */
 export class ProgramShelf {
   readonly programs = signal<Program[]>([]);
   readonly bin = signal<Program[]>([]);
@@ -21,11 +21,11 @@ export class ProgramShelf {
     this.programs.value = programs;
   }
 
-  /** Into the bin: nothing is asked, the way back stays in sight. */
+  /** Moves a program to the bin without confirmation; undo is offered. */
   async throwAway(program: Program): Promise<void> {
     const thrown = await versionsApi.throwAway(program.id);
     this.programs.value = without(this.programs.peek(), program);
-    // the header leads back to what is on the desk, and not into the bin
+    // the header must not link to a program in the bin
     if (opened.peek()?.id === program.id) opened.value = null;
     this.bin.value = [thrown, ...without(this.bin.peek(), program)];
     this.thrown.value = thrown;

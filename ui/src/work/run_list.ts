@@ -5,13 +5,13 @@ import type { Run } from "../api/model";
 export const OUTCOMES = ["finished", "stopped", "failed"] as const;
 export type Outcome = (typeof OUTCOMES)[number];
 
-/** Whoever asks for a rare kind of run waits for this many pages at most, and can go on by hand. */
+/** Maximum number of pages per request for a filter with few matches; the person can request more. */
 const PAGES_AT_ONCE = 8;
 
-/** A group's runs, newest first, as far as they were fetched, and which of them are shown. */
+/** A group's loaded runs, newest first, and the filter. */
 export class RunList {
   readonly runs = signal<Run[]>([]);
-  /** What to ask for next; null when all are here. */
+  /** Cursor of the next page; null at the end. */
   readonly next = signal<string | null>(null);
   readonly outcome = signal<Outcome | null>(null);
   readonly program = signal<string | null>(null);
@@ -31,7 +31,7 @@ export class RunList {
     await this.fetch(null);
   }
 
-  /** Older runs: at least one more that is shown, where there is one. */
+  /** Loads older runs until at least one matches the filter. */
   async older(): Promise<void> {
     if (this.fetching) return;
     this.fetching = true;
@@ -47,7 +47,7 @@ export class RunList {
     }
   }
 
-  /** Shows only some; looks further back when none of them is here yet. */
+  /** Sets the filter; loads older runs if none matches yet. */
   async choose(outcome: Outcome | null, program: string | null): Promise<void> {
     this.outcome.value = outcome;
     this.program.value = program;

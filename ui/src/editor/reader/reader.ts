@@ -8,7 +8,7 @@ import type { Language } from "../../i18n";
 import { applyLanguage } from "../locale";
 import { bringIntoView, Highlight } from "../marks/highlight";
 import { Overview } from "../overview";
-import { askOnlyDrawnFields, quietly } from "../quietly";
+import { patchAriaUpdates, quietly } from "../quietly";
 import { RENDERER, registerRenderer, setRing } from "../renderer";
 import { ensureStartBlock, markLooseBlocks } from "../start_block";
 import { blocklyTheme, showTheme, type ThemeName } from "../themes";
@@ -46,7 +46,7 @@ export class BlocksReader {
     applyLanguage(options.language);
     registerBlocks();
     registerRenderer();
-    askOnlyDrawnFields();
+    patchAriaUpdates();
     this.workspace = Blockly.inject(options.container, {
       theme: blocklyTheme(options.theme),
       renderer: RENDERER,

@@ -19,7 +19,7 @@ import { TeacherChip } from "./TeacherChip";
 
 const THEME_ICONS = { light: Sun, dark: Moon, contrast: Contrast } as const;
 
-/** The same places on every screen: who, what, saved, our work, look, language. */
+/** Group, program, save state, our work, theme and language, in the same order on every screen. */
 export function Header() {
   const inside = ROUTES[route.value.screen].ofGroup;
   return (

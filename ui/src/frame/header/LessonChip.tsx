@@ -4,16 +4,16 @@ import { language, texts } from "../../i18n";
 import { isRunning } from "../../run/live";
 import { group } from "../../shell/session";
 import { TEST } from "../../shell/testids";
-import { knowLesson, lesson } from "./lesson";
+import { lesson, loadOpenLesson } from "./lesson";
 
 /** The teacher may open a lesson in another window while the group is at work. */
 const EVERY_MS = 15_000;
 
-/** What today is about: the open lesson's title and its activity. */
+/** Title and activity of the open lesson. */
 export function LessonChip() {
   const classroom = group.value?.classroom_id ?? null;
   useEffect(() => {
-    const look = () => document.visibilityState === "visible" && void knowLesson();
+    const look = () => document.visibilityState === "visible" && void loadOpenLesson();
     look();
     const timer = setInterval(look, EVERY_MS);
     document.addEventListener("visibilitychange", look);
@@ -21,7 +21,7 @@ export function LessonChip() {
       clearInterval(timer);
       document.removeEventListener("visibilitychange", look);
     };
-  }, [classroom, language.value, isRunning.value]); // a run is judged by the activity of the lesson
+  }, [classroom, language.value, isRunning.value]); // a run is graded by the activity of the lesson
   const now = lesson.value;
   if (!now) return null;
   const whole = [texts.value.classes.lesson(now.title), now.activity].filter(Boolean).join(" · ");

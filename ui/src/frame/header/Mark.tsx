@@ -1,4 +1,4 @@
-/** The product's mark: the robot from above at the corner of the path it drew. */
+/** The product's logo: the robot seen from above at the corner of its path. */
 export function Mark() {
   return (
     <svg class="mark" viewBox="0 0 40 40" aria-hidden="true">

@@ -7,7 +7,7 @@ import { program } from "../../shell/session";
 import { TEST } from "../../shell/testids";
 import { renameProgram } from "../../studio/program/rename";
 
-/** The program's name, changed where it stands: type, then Enter or go elsewhere; Escape takes it back. */
+/** The program's name, edited in place: Enter or blur saves it, Escape restores it. */
 export function ProgramName() {
   const { header } = texts.value;
   const now = program.value;

@@ -2,7 +2,7 @@ import { Check, LoaderCircle, TriangleAlert } from "lucide-preact";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { TEST } from "../../shell/testids";
-import { onDesk } from "../../studio/program/open_program";
+import { programOnScreen } from "../../studio/program/open_program";
 
 const ICONS = {
   saved: Check,
@@ -12,10 +12,10 @@ const ICONS = {
   deleted: TriangleAlert,
 } as const;
 
-/** Whether the work is on disk: a fact, never a question. */
+/** Whether the work is on disk. */
 export function SavedMark() {
   const { saved } = texts.value;
-  const { value: open } = onDesk;
+  const { value: open } = programOnScreen;
   if (!open) return null;
   const { value: saving } = open.autosave.state;
   const state = saving === "saved" && open.ownWorld.isRefused.value ? "refused" : saving;

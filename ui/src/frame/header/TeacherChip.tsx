@@ -11,7 +11,7 @@ import {
 } from "../../shell/teacher/teacher_session";
 import { TEST } from "../../shell/testids";
 
-/** While the teacher's part is open, whatever the screen: a press shuts it. */
+/** Shown on every screen while the teacher is signed in; a press signs out. */
 export function TeacherChip() {
   const { classes } = texts.value;
   useEffect(() => {
@@ -24,7 +24,7 @@ export function TeacherChip() {
       icon={LogOut}
       label={classes.leave}
       tip={classes.open}
-      testId={TEST.leaveDoor}
+      testId={TEST.signOut}
       onPress={() => signOut().then(() => go({ screen: "start" }))}
     >
       <span class="header__word">{classes.leave}</span>

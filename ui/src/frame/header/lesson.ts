@@ -3,7 +3,7 @@ import { classesApi } from "../../api/classes";
 import { ServerGone } from "../../api/errors";
 import { group, report } from "../../shell/session";
 
-/** What the open group's class is about now, in the words of the teacher. */
+/** Title and activity of the lesson that is open for a class. */
 export interface LessonWords {
   title: string;
   activity: string;
@@ -11,14 +11,14 @@ export interface LessonWords {
 
 export const lesson = signal<LessonWords | null>(null);
 
-/** Asks what lesson is open for the class of the group in the header. */
-export async function knowLesson(): Promise<void> {
+/** Loads the open lesson of the class of the group in the header. */
+export async function loadOpenLesson(): Promise<void> {
   const id = group.peek()?.classroom_id;
   try {
     const found = id ? await wordsOf(id) : null;
     if (group.peek()?.classroom_id === id) lesson.value = found;
   } catch (error) {
-    // the page itself says when the server has gone; a lesson is no reason to say anything else
+    // other failures are not reported: the lesson is not worth an error line
     if (error instanceof ServerGone) report(error);
   }
 }

@@ -6,7 +6,7 @@ interface GroupPictureProps {
   class?: string;
 }
 
-/** A group's drawing; groups of earlier releases have none of their own. */
+/** A group's picture; groups of earlier releases have none. */
 export function GroupPicture({ name, class: extra = "" }: GroupPictureProps) {
   const Drawing = isPicture(name) ? PICTURES[name] : UsersRound;
   return <Drawing class={`icon ${extra}`} aria-hidden="true" />;

@@ -14,7 +14,7 @@ interface PictureButtonProps {
   onChoose(name: PictureName): void;
 }
 
-/** The drawing as it is; pressed, it shows all of them below. Escape or a press elsewhere puts them away. */
+/** The chosen picture; a press opens all pictures below. Escape or a press elsewhere closes them. */
 export function PictureButton(props: PictureButtonProps) {
   const { classes } = texts.value;
   const place = useRef<HTMLDivElement>(null);
@@ -53,8 +53,8 @@ export function PictureButton(props: PictureButtonProps) {
 }
 
 /**
- * Closes an open place when the pointer or the focus leaves it, or by Enter or Escape. The answer tells whether the
- * pointer was used last: a press chooses and closes, arrow keys walk.
+ * Closes a popup on a press outside, on loss of focus, on Enter and on Escape. The returned function tells whether the
+ * pointer was used last: a press chooses and closes, arrow keys only move.
  */
 function useOpenPlace(
   place: RefObject<HTMLElement>,

@@ -6,12 +6,12 @@ import { PICTURE_NAMES, type PictureName } from "./pictures";
 
 interface PictureChoiceProps {
   chosen: string;
-  /** Those that other groups of the class have: dimmed, and still to be had. */
+  /** Pictures of other groups of the class: dimmed, but available. */
   taken: readonly string[];
   onChoose(name: PictureName): void;
 }
 
-/** The drawings, one of them chosen. */
+/** Radio group of all pictures. */
 export function PictureChoice({ chosen, taken, onChoose }: PictureChoiceProps) {
   const { classes } = texts.value;
   const name = useId();

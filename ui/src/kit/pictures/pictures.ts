@@ -25,7 +25,7 @@ import {
   Umbrella,
 } from "lucide-preact";
 
-/** The drawings that groups choose from, in the order in which they are offered; the server knows their names. */
+/** Pictures for groups, in the order of the choice; their names are declared in the server too. */
 export const PICTURES = {
   rocket: Rocket,
   cat: Cat,
@@ -61,7 +61,7 @@ export function isPicture(name: string): name is PictureName {
   return Object.hasOwn(PICTURES, name);
 }
 
-/** The first that fewest of these have. */
+/** The least used picture, the first of several. */
 export function rarestPicture(taken: readonly string[]): PictureName {
   const uses = (name: string) => taken.filter((one) => one === name).length;
   return PICTURE_NAMES.reduce((best, name) => (uses(name) < uses(best) ? name : best));

@@ -4,7 +4,7 @@ interface FaultLineProps {
   fault: Problem | null;
 }
 
-/** An error and its remedy, below the field that it is about. */
+/** An error and its remedy, below its field. */
 export function FaultLine({ fault }: FaultLineProps) {
   if (!fault) return null;
   return (

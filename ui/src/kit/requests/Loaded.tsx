@@ -7,16 +7,16 @@ interface LoadedProps<T> {
   of: Loadable<T>;
   /** A whole screen, or a part of one. */
   as?: "screen" | "part";
-  /** Words while it is on its way. */
+  /** Text while loading. */
   loading?: string | undefined;
-  /** Stands where a list has nothing in it. */
+  /** Shown for an empty list. */
   empty?: ComponentChildren;
-  /** Ways on beside trying again; for a screen the way to the start unless there are others. */
+  /** Actions beside "try again"; on a screen by default the link to the start. */
   ways?: ComponentChildren;
   children(value: T, loaded: Ready<T>): ComponentChildren;
 }
 
-/** What was loaded; until then that it is on its way, or that it failed and how to try again. */
+/** Draws a loaded value, or its loading or failed state. */
 export function Loaded<T>({ of, as = "part", loading, empty, ways, children }: LoadedProps<T>) {
   if (of.status === "failed") {
     return <NotLoaded as={as} busy={of.busy} again={of.again} ways={ways} />;

@@ -10,11 +10,11 @@ interface NotLoadedProps {
   as: "screen" | "part";
   busy?: boolean;
   again(): Promise<void>;
-  /** Ways on beside trying again; for a screen the way to the start unless there are others. */
+  /** Actions beside "try again"; on a screen by default the link to the start. */
   ways?: ComponentChildren;
 }
 
-/** Stands where something could not be loaded; the line under the header says why. */
+/** Placeholder for a value that failed to load; the line under the header shows the error. */
 export function NotLoaded({
   as,
   busy,

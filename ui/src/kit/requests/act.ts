@@ -4,14 +4,14 @@ import { type Problem, wordsOf } from "./problem";
 type Work = () => Promise<unknown>;
 
 /**
- * A form's request to the server: busy while it waits, and its failure in words beside the form.
- * `through`: how the work is done where it needs more than to be called, for example `asTeacher`.
+ * A form's request to the server, with its pending state and its error for display beside the form.
+ * `through` wraps the request, for example `asTeacher`.
  */
 export function useAct(through: (work: Work) => Promise<unknown> = (work) => work()) {
   const [busy, setBusy] = useState(false);
   const [fault, setFault] = useState<Problem | null>(null);
 
-  /** Whether it was done. */
+  /** Returns whether it succeeded. */
   const act = async (work: Work): Promise<boolean> => {
     setBusy(true);
     setFault(null);
@@ -26,7 +26,7 @@ export function useAct(through: (work: Work) => Promise<unknown> = (work) => wor
     }
   };
 
-  /** Shows what the page itself finds wrong. */
+  /** Shows an error found by the page. */
   const refuse = (message: string) => setFault({ message, remedy: "" });
 
   return { busy, fault, act, refuse, clear: () => setFault(null) };

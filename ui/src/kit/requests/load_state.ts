@@ -1,7 +1,7 @@
 import { signal } from "@preact/signals";
 import { report } from "../report";
 
-/** Asks for a value; the signal is aborted when nobody waits for the answer any more. */
+/** Requests a value; the signal is aborted when the response is no longer needed. */
 export type Ask<T> = (signal: AbortSignal) => Promise<T>;
 
 export interface Failed {
@@ -13,36 +13,36 @@ export interface Failed {
 export interface Ready<T> {
   readonly status: "ready";
   readonly value: T;
-  /** When it was asked for. */
+  /** Time of the request. */
   readonly at: Date;
-  /** It is asked for again. */
+  /** A reload is pending. */
   readonly busy: boolean;
 }
 
-/** The answer of a repeat that found nothing to change. */
+/** Response of a reload without changes. */
 export const UNCHANGED = Symbol("unchanged");
 
 export type LoadState<T> = { readonly status: "loading" } | Failed | Ready<T>;
 
-/** The value where there is one. */
+/** The value, or null. */
 export function valueIn<T>(state: LoadState<T>): T | null {
   return state.status === "ready" ? state.value : null;
 }
 
 export interface LoadOptions<T> {
-  /** Hears of a failure that leaves nothing to show; without it the failure is reported. */
+  /** Called on a failure without a value to show; by default the failure is reported. */
   onFailed?(error: unknown): void;
-  /** Frees a value that is shown no more. */
+  /** Frees a value that is no longer shown. */
   release?(value: T): void;
 }
 
-/** A value from elsewhere: the latest request wins, and a value stays when a repeat fails. */
+/** A loaded value: the latest request wins, and a failed reload keeps the value. */
 export class Load<T> {
   readonly state = signal<LoadState<T>>({ status: "loading" });
   options: LoadOptions<T> = {};
   private running: AbortController | null = null;
 
-  /** Resolves when the answer is there or has failed; never rejects. */
+  /** Resolves after the response or the failure; never rejects. */
   async ask(ask: Ask<T | typeof UNCHANGED>): Promise<void> {
     const mine = this.begin();
     const at = new Date();
@@ -56,7 +56,7 @@ export class Load<T> {
     }
   }
 
-  /** Shows a value that the page has from somewhere else, for example from the answer to a change. */
+  /** Sets a value from another source, for example the response to a change. */
   set(value: T): void {
     this.running?.abort();
     this.show(value, new Date());

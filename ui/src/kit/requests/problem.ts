@@ -1,13 +1,13 @@
 import { ApiError, ServerGone } from "../../api/errors";
 import { texts } from "../../i18n";
 
-/** A failure in words: what happened and what to do next. */
+/** Text of a failure: message and remedy. */
 export interface Problem {
   message: string;
   remedy: string;
 }
 
-/** What the page itself refuses to do, in words. */
+/** An action refused by the page, with its text. */
 export class Refused extends Error {
   constructor(
     message: string,
@@ -17,7 +17,7 @@ export class Refused extends Error {
   }
 }
 
-/** The words for any error. */
+/** The text of any error. */
 export function wordsOf(error: unknown): Problem {
   if (error instanceof Refused) return { message: error.message, remedy: error.remedy };
   if (error instanceof ApiError && error.message) {

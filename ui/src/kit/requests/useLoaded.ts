@@ -4,18 +4,18 @@ import { listen } from "../listen";
 import { type Ask, Load, type LoadOptions, type LoadState, type UNCHANGED } from "./load_state";
 
 export interface LoadedOptions<T> extends LoadOptions<T> {
-  /** Asked when the window is come back to while a value is shown; without it nothing is. */
+  /** Request made when the window regains focus while a value is shown; by default none. */
   whenBack?: Ask<T | typeof UNCHANGED>;
-  /** While a value is shown, another key is asked for when it has rested for so long. */
+  /** Debounce: while a value is shown, a new key is requested after this time without changes. */
   quietMs?: number;
 }
 
-/** What a screen shows of something that is loaded. `again` resolves when the repeat has ended. */
+/** State of a loaded value. `again` reloads and resolves when the reload has ended. */
 export type Loadable<T> = LoadState<T> & { again(): Promise<void>; set(value: T): void };
 
 /**
- * What a screen or a part of one loads. `key`: what it is about, one value or several; another key asks anew, and what
- * was there stays until the answer has come. The latest request wins; unmounting aborts. A failure is reported.
+ * Loads a value. A new `key`, one value or several, starts a new request; the old value stays until its response. The
+ * latest request wins; unmounting aborts. Failures are reported.
  */
 export function useLoaded<T>(
   key: unknown,
@@ -28,7 +28,7 @@ export function useLoaded<T>(
   load.options = options;
   const again = useCallback(() => load.ask((signal) => latest.current.ask(signal)), []);
   const set = useCallback((value: T) => load.set(value), []);
-  // before the first paint: an answer that is there already is drawn at once
+  // before the first paint, so that a response that is already there is drawn at once
   useLayoutEffect(
     () => {
       const { quietMs = 0 } = latest.current.options;

@@ -10,7 +10,7 @@ export interface ControlProps {
   elementRef?: { current: HTMLElement | null };
 }
 
-/** A page without landmarks, and without a canvas to measure colours on. */
+/** Rules that need landmarks, or a canvas to measure colours. */
 const OFF = { region: { enabled: false }, "color-contrast": { enabled: false } };
 
 export async function passesAxe(container: Element): Promise<void> {
@@ -18,7 +18,7 @@ export async function passesAxe(container: Element): Promise<void> {
   expect(violations.map(({ id, nodes }) => [id, ...nodes.map(({ html }) => html)])).toEqual([]);
 }
 
-/** What holds for every control of the kit; `draw` draws it with those props. */
+/** Tests common to all controls of the kit; `draw` renders the control. */
 export function behavesAsControl(draw: (props: ControlProps) => ComponentChild): void {
   afterEach(cleanup);
 

@@ -4,10 +4,10 @@ import { teacherSession } from "./teacher_session";
 
 export type ReviewOrigin = Extract<Route, { screen: "lesson" | "runs" }>;
 
-/** Screens that a page of the review opens, and the ways on from them. */
+/** Screens opened from a page of the review, directly or through each other. */
 const OPENED_FROM_REVIEW = ["replay", "versions", "differences", "compare"];
 
-/** The review page that `now` was opened from; any other screen in between forgets it. */
+/** The review page from which `now` was opened; null after any other screen. */
 export function nextOrigin(now: Route, last: ReviewOrigin | null): ReviewOrigin | null {
   if (now.screen === "lesson" || now.screen === "runs") return now;
   return OPENED_FROM_REVIEW.includes(now.screen) ? last : null;
@@ -18,5 +18,5 @@ route.subscribe((now) => {
   last.value = nextOrigin(now, last.peek());
 });
 
-/** The page of the review that the teacher can go back to; null for pupils and for other ways here. */
+/** The review page to which the teacher can return; null for pupils and from other screens. */
 export const reviewOrigin = computed(() => (teacherSession.value?.is_open ? last.value : null));

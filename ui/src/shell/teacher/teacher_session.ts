@@ -2,9 +2,9 @@ import { computed, signal } from "@preact/signals";
 import { classesApi } from "../../api/classes";
 import { ApiError } from "../../api/errors";
 import type { TeacherSession } from "../../api/model";
-import { sessionAtFirst } from "../first_answers";
+import { firstTeacherSession } from "../first_answers";
 
-/** Whether there is a PIN and the teacher is signed in, as the server last answered; null until it has. */
+/** Whether there is a PIN and the teacher is signed in, by the server's last response; null before it. */
 export const teacherSession = signal<TeacherSession | null>(null);
 
 /** Whether the teacher was signed in when this window was last loaded. */
@@ -17,7 +17,7 @@ export const isSignedOut = (error: unknown): error is ApiError =>
   error instanceof ApiError && SIGNED_OUT.includes(error.code);
 
 export async function loadTeacherSession(): Promise<TeacherSession> {
-  teacherSession.value = await sessionAtFirst();
+  teacherSession.value = await firstTeacherSession();
   return teacherSession.value;
 }
 
@@ -26,7 +26,7 @@ export async function signIn(pin: string): Promise<void> {
   teacherSession.value = await classesApi.enter(pin);
 }
 
-/** The first PIN, or another while the teacher is signed in. */
+/** Sets the first PIN, or a new one while the teacher is signed in. */
 export async function choosePin(pin: string): Promise<void> {
   teacherSession.value = await classesApi.choosePin(pin);
 }
@@ -35,14 +35,14 @@ export async function signOut(): Promise<void> {
   teacherSession.value = await classesApi.leave();
 }
 
-/** After a reload. Asks only where the teacher was signed in: pupils' pages do not wait for it. */
+/** Called after a reload. Makes a request only if the teacher was signed in: pupils' pages do not wait. */
 export async function restoreTeacherSession(): Promise<void> {
   if (!teacherSession.peek() && sessionStorage.getItem(FLAG)) await loadTeacherSession();
 }
 
 const waiting = signal<readonly (() => void)[]>([]);
 
-/** Whether an action waits for the PIN. */
+/** Whether an action is waiting for the PIN. */
 export const isPinAsked = computed(() => waiting.value.length > 0);
 
 teacherSession.subscribe((now) => {
@@ -58,8 +58,8 @@ teacherSession.subscribe((now) => {
 });
 
 /**
- * Does what only the teacher may. If the session has ended meanwhile, the page asks for the PIN and the action goes on
- * afterwards: nothing that was typed is lost.
+ * Performs an action of the teacher. If the session has ended, the page asks for the PIN and then retries: no input is
+ * lost.
  */
 export async function asTeacher<T>(work: () => Promise<T>): Promise<T> {
   try {

@@ -5,7 +5,7 @@ import { TEST } from "../../shell/testids";
 import { restoredFrom } from "../program/restored_from";
 import type { StudioControl } from "../studio_control";
 
-/** After an old version took the place of the newest: where that is now, with the way back to it. */
+/** After an old version was restored: names the version that it replaced, with a link back to it. */
 export function BackFromOld({ control }: { control: StudioControl }) {
   const forget = () => {
     restoredFrom.value = null;

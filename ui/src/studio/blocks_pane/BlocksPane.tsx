@@ -69,9 +69,9 @@ function Tools({ control }: { control: StudioControl }) {
 function HistoryButton({ control: { open } }: { control: StudioControl }) {
   const { history } = texts.value.keeping;
   const show = async () => {
-    // what is in the line there is what is on the screen here; what cannot be saved says so itself
+    // so that the history includes the content on the screen; autosave reports its own failure
     await open.autosave.flush().catch(() => {});
-    // the blocks would be lost from sight for nothing where there is no server any more
+    // without a server the history cannot load: navigation is then blocked
     await refreshStatus();
     go({ screen: "versions", program: open.id, version: null });
   };
@@ -106,7 +106,7 @@ function LevelChoice() {
   );
 }
 
-/** After a whole program took the place of another: the way back. */
+/** Offers undo after the whole program was replaced. */
 function Swap({ control }: { control: StudioControl }) {
   const { value: replaced } = control.replaced;
   if (!replaced) return null;
@@ -129,7 +129,7 @@ function Workspace({ control }: { control: StudioControl }) {
   const container = useRef<HTMLDivElement>(null);
   const editor = useRef<Editor | null>(null);
 
-  // before the first paint: a group waits for its blocks, not for an empty frame
+  // before the first paint, so that no empty frame is shown
   useLayoutEffect(() => {
     if (!container.current) return;
     const made = createEditor({
@@ -163,7 +163,7 @@ function Workspace({ control }: { control: StudioControl }) {
     const now = editor.current;
     if (!now) return;
     now.setLanguage(language.value);
-    // the faults of the newest version, in the language chosen
+    // saves again to get the faults in the new language
     if (control.open.faults.value.length > 0) control.open.edit(now.content());
   }, [language.value, control]);
 
@@ -175,7 +175,7 @@ function openIn(editor: Editor, { open }: StudioControl): void {
     editor.load(open.program.version?.workspace ?? null);
     open.begin(editor.content());
   } catch {
-    // blocks of a newer version: shown nothing, and above all nothing saved over them
+    // blocks of a newer release: shows nothing, and must not overwrite them
     editor.setReadOnly(true);
     problem.value = { message: texts.value.studio.unreadable, remedy: "" };
   }

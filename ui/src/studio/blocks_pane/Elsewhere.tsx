@@ -9,10 +9,10 @@ import { TEST } from "../../shell/testids";
 
 const COOKIE = "pinel_elsewhere";
 const APART = "_";
-/** Enough for all groups of a school, and far from what a cookie holds. */
+/** Enough for all groups of a school, and far below the size limit of a cookie. */
 const MOST_KEPT = 40;
 
-/** Two PCs went on with one program: a group that misses half of its work is told once where it is. */
+/** Two PCs have continued one program: tells the group once where the other version is. */
 export function Elsewhere({ program }: { program: ProgramWithVersion }) {
   const { elsewhere, version } = program;
   const isSeen = useSignal(elsewhere === null || seen().includes(elsewhere.id));

@@ -9,7 +9,7 @@ interface FaultListProps {
   onGo(fault: Fault): void;
 }
 
-/** What keeps the program from running, in words; a click shows the block. */
+/** The faults that keep the program from running; a click shows the block. */
 export function FaultList({ faults, onGo }: FaultListProps) {
   const { studio } = texts.value;
   if (faults.length === 0) return null;

@@ -5,7 +5,7 @@ import { WayBack } from "../../kit/WayBack";
 import { TEST } from "../../shell/testids";
 import type { OpenProgram } from "../program/open_program";
 
-/** Whoever has a program on the desk that was thrown away, in whatever window, is told so, with the way back. */
+/** Reports that the open program was moved to the bin, in any window, and offers undo. */
 export function InBin({ open }: { open: OpenProgram }) {
   const closed = useSignal(false);
   if (closed.value || !open.inBin.value || open.deleted.value) return null;

@@ -6,7 +6,7 @@ import { go } from "../../shell/route";
 import { TEST } from "../../shell/testids";
 import { type OpenProgram, openNewest } from "../program/open_program";
 
-/** Two windows have one program open: neither goes on without knowing of the other. */
+/** Reports that another window has saved a version of the open program. */
 export function OtherWindow({ open }: { open: OpenProgram }) {
   const closed = useSignal(false);
   const { other, isOvertaken } = open.windows;

@@ -3,12 +3,12 @@ import type { Lifelike } from "../../api/model";
 import * as robot from "../../run/live";
 import { level } from "../../shell/level";
 
-/** How many times faster than a real robot the simulated one is. */
+/** Speed factors of the simulated robot. */
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10] as const;
 
 export const speed = signal<number>(1);
 
-/** How true to life the next run is. */
+/** Choices of preset and feedback for the next run. */
 export const LIFELIKE = {
   ideal: { preset: "ideal", feedback: "pose" },
   camera: { preset: "realistic", feedback: "pose" },
@@ -17,17 +17,17 @@ export const LIFELIKE = {
 
 export const lifelike = signal<keyof typeof LIFELIKE>("ideal");
 
-/** Ids of the blocks before which the run pauses; of the program that is open. */
+/** Ids of the blocks of the open program before which the run pauses. */
 export const breakpoints = signal<readonly string[]>([]);
 
-/** What a run is to know from its beginning. */
-export function wishes(paused: boolean): robot.Debugging {
-  // where nothing can be chosen, nothing that was chosen elsewhere surprises
+/** The settings that a new run begins with. */
+export function runSettings(paused: boolean): robot.Debugging {
+  // on the first level the choice is hidden, so an earlier choice must not apply
   const chosen = LIFELIKE[level.peek() > 1 ? lifelike.peek() : "ideal"];
   return { breakpoints: [...breakpoints.peek()], speed: speed.peek(), paused, ...chosen };
 }
 
-/** Tells the live run what is changed; the answer ends that. */
+/** Sends changes of these settings to the live run; returns the unsubscribe function. */
 export function tellRun(report: (error: unknown) => void): () => void {
   let first = true;
   const stops = [

@@ -7,7 +7,7 @@ import { listenForKeys } from "../../kit/listen";
 import type { Capture } from "../../run/reducer";
 import { TEST } from "../../shell/testids";
 
-/** The static letters of the LIBRAS alphabet; both ways to sign D are one letter. */
+/** The static letters of the LIBRAS alphabet; both signs for D are one letter. */
 export const LETTERS = [..."ABCDEFGIKLMNOPQRSTUVW"];
 
 interface CapturePanelProps {
@@ -15,7 +15,7 @@ interface CapturePanelProps {
   onAnswer(result: string): void;
 }
 
-/** The program waits for a sign; until a camera sees it, the group says which one it was. */
+/** Asks for a sign; without a camera the group chooses its letter. */
 export function CapturePanel({ capture, onAnswer }: CapturePanelProps) {
   const words = texts.value.capture;
   useLayoutEffect(() => listenForLetters(onAnswer));
@@ -49,7 +49,7 @@ export function CapturePanel({ capture, onAnswer }: CapturePanelProps) {
   );
 }
 
-/** The letter's key answers too, unless the keyboard is busy elsewhere. */
+/** Letter keys answer too, unless another element has the keyboard focus. */
 function listenForLetters(onAnswer: (result: string) => void): () => void {
   return listenForKeys((key) => {
     const letter = key.toUpperCase();

@@ -16,7 +16,7 @@ export function FloorPane({ control }: { control: StudioControl }) {
   const drawer = useSignal(DRAWER);
   const { open, what, editing } = drawer.value;
   const { python, plots } = texts.value;
-  // what is being written is not thrown away
+  // unsaved Python text must not be discarded
   const busy = open && editing;
   const show = (wanted: DrawerState["what"]) => {
     drawer.value = { ...drawer.value, what: wanted, open: !open || what !== wanted };
@@ -56,7 +56,7 @@ function Status({ control }: { control: StudioControl }) {
   return <StatusLine sentence={control.sentence.value} />;
 }
 
-/** After the group's own world was deleted: the way back. */
+/** Offers undo after the group's own world was deleted. */
 function Forgotten({ control: { worlds } }: { control: StudioControl }) {
   const { world } = texts.value;
   if (!worlds.forgotten.value) return null;

@@ -6,7 +6,7 @@ import { Form } from "../../kit/Form";
 import type { Question } from "../../run/output";
 import { TEST } from "../../shell/testids";
 
-/** The server takes no longer answer. */
+/** Maximum length of an answer, as in the server. */
 const LONGEST = 1000;
 
 interface QuestionPanelProps {
@@ -14,7 +14,7 @@ interface QuestionPanelProps {
   onAnswer(value: string): void;
 }
 
-/** The program waits for an answer of the group. */
+/** Asks the question of the program. */
 export function QuestionPanel({ question, onAnswer }: QuestionPanelProps) {
   const words = texts.value.question;
   const [value, setValue] = useState("");
@@ -64,7 +64,7 @@ export function QuestionPanel({ question, onAnswer }: QuestionPanelProps) {
   );
 }
 
-/** Who types elsewhere, or works on blocks, is not torn away. */
+/** Takes the focus unless the person is typing or editing blocks. */
 function focusUnlessBusy(field: HTMLInputElement | null): void {
   const busy = document.activeElement?.closest("input, textarea, select, .injectionDiv");
   if (!busy) field?.focus();

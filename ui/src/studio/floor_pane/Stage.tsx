@@ -13,7 +13,7 @@ import { Scene } from "../../scene/Scene";
 import { later } from "../../shell/later";
 import { worlds } from "../../shell/session";
 import { TEST } from "../../shell/testids";
-import { senses } from "../debug/senses";
+import { sensorValues } from "../debug/sensor_values";
 import type { StudioControl } from "../studio_control";
 import type { DrawerState } from "../text/drawer";
 import { CapturePanel } from "./CapturePanel";
@@ -29,8 +29,8 @@ interface StageProps {
 }
 
 /**
- * The floor with what the program shows; under it what it asks for, or else the program as text or the plots. There is
- * room for two of them, so a question comes before these, and text that is being written before the floor.
+ * The floor with the program's output, and below it one panel: a question of the program, otherwise program text or
+ * plots. There is room for two: a question has priority over text and plots, and edited text over the floor.
  */
 export function Stage({ control, drawer }: StageProps) {
   const capturing = useComputed(() => robot.live.value.capture !== null);
@@ -53,7 +53,7 @@ export function Stage({ control, drawer }: StageProps) {
           />
           <Corner control={control} />
         </div>
-        {!waits && <Shown view={robot.live} more={senses} />}
+        {!waits && <Shown view={robot.live} more={sensorValues} />}
       </div>
       {capturing.value && <CaptureWhileAsked control={control} />}
       {asked.value && <Asked control={control} question={asked.value} />}

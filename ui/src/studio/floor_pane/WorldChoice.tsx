@@ -7,14 +7,14 @@ import { TEST } from "../../shell/testids";
 interface WorldChoiceProps {
   worlds: readonly World[];
   world: string;
-  /** What the group calls the world that it has made; null while it has made none. */
+  /** Name of the group's own world; null without one. */
   own: string | null;
-  /** A robot on its way cannot change places. */
+  /** A run is going on: the world cannot change. */
   busy: boolean;
   onWorld(name: string): void;
 }
 
-/** Where the robot drives, chosen on the floor itself. */
+/** Selects the world of the next run. */
 export function WorldChoice({ worlds, world, own, busy, onWorld }: WorldChoiceProps) {
   const { run } = texts.value;
   const shipped = worlds.map((one) => [one.name, worldTitle(one, language.value)] as const);

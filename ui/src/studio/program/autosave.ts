@@ -2,18 +2,18 @@ import { signal } from "@preact/signals";
 import { ApiError } from "../../api/errors";
 import type { Content, OnDisk } from "../../api/model";
 
-/** `deleted`: there is no program any more, so that nothing can be saved, however often it is tried. */
+/** `deleted`: the program no longer exists, so retrying is useless. */
 export type SaveState = "saved" | "saving" | "failed" | "deleted";
 
 type Save = (content: Content, last: boolean) => Promise<OnDisk>;
 
-/** A pupil who goes on editing is still saved: an edit is on disk within a second. */
+/** Debounce after the last edit and its upper bound, so that continuous edits are on disk within a second. */
 const QUIET_MS = 300;
 const AT_MOST_MS = 600;
 const RETRY_MS = [1000, 2000, 5000];
 const DELETED = ["program_not_found", "group_not_found"];
 
-/** Keeps one program on the server's disk: the newest content wins, one request at a time. */
+/** Saves one program: the newest content wins, one request at a time. */
 export class Autosave {
   readonly state = signal<SaveState>("saved");
   readonly problem = signal<unknown>(null);
@@ -44,7 +44,7 @@ export class Autosave {
     this.schedule(Math.max(0, Math.min(QUIET_MS, left)));
   }
 
-  /** Saves now. Resolves when everything edited is on disk, rejects when it could not be saved. */
+  /** Saves now. Resolves when all edits are on disk, rejects on failure. */
   async flush(): Promise<OnDisk | null> {
     clearTimeout(this.timer);
     if (this.isDeleted) throw this.problem.value;
@@ -52,7 +52,7 @@ export class Autosave {
     return this.version.value;
   }
 
-  /** The page is closing: sends what is left without waiting for an answer. */
+  /** Called when the page closes: sends unsaved content without waiting for the response. */
   flushLast(): void {
     clearTimeout(this.timer);
     if (!this.pending || this.isDeleted) return;

@@ -9,13 +9,13 @@ import { OwnWorld } from "./own_world";
 import { VersionLineage } from "./version_lineage";
 import { Windows } from "./windows";
 
-/** The program on the desk: what the header, the editor and the run bar share. */
+/** The open program, shared by header, editor and run bar. */
 export class OpenProgram {
   readonly autosave: Autosave;
   readonly content = signal<Content | null>(null);
   readonly faults = signal<Fault[]>([]);
   readonly ownWorld: OwnWorld;
-  /** What was deleted for good in another window; what is on the screen stays there. */
+  /** Whether the program or its group was deleted for good in another window; the screen keeps its content. */
   readonly deleted = signal<"program" | "group" | null>(null);
   readonly inBin: Signal<boolean>;
   readonly windows: Windows;
@@ -39,7 +39,7 @@ export class OpenProgram {
     this.stopEffects = [
       effect(() => {
         this.faults.value = this.autosave.version.value?.faults ?? [];
-        if (this.autosave.state.value === "deleted") void this.takeLeave();
+        if (this.autosave.state.value === "deleted") void this.onDeleted();
       }),
       this.listen(),
     ];
@@ -49,13 +49,13 @@ export class OpenProgram {
     return this.program.id;
   }
 
-  /** What the editor shows of the stored version, before anything is edited. */
+  /** Sets the content of the stored version, as the editor shows it, before any edit. */
   begin(content: Content): void {
     this.content.value = content;
     if (this.program.version) this.remember(this.program.version.id);
   }
 
-  /** What is on the screen is that version: who goes on from here goes on from there. */
+  /** Records that the current content is that version: the next edit has it as its parent. */
   remember(version: string): void {
     const { value: content } = this.content;
     if (content) this.lineage.keep({ ...content, world: this.ownWorld.now.peek() }, version);
@@ -66,13 +66,13 @@ export class OpenProgram {
     this.save();
   }
 
-  /** Keeps the group's own world with the program from now on; null forgets it. */
+  /** Sets the program's own world; null removes it. */
   setWorld(world: World | null): void {
     this.ownWorld.now.value = world;
     this.save();
   }
 
-  /** Whether there is a command that could run. */
+  /** Whether the program has no command. */
   get isEmpty(): boolean {
     const { commands } = (this.content.value?.document ?? {}) as { commands?: unknown[] };
     return !commands || commands.length === 0;
@@ -84,8 +84,8 @@ export class OpenProgram {
     this.autosave.dispose();
   }
 
-  /** Learns what was deleted, so that the header no longer offers what cannot be done. */
-  private async takeLeave(): Promise<void> {
+  /** Finds out what was deleted, and removes it from the header. */
+  private async onDeleted(): Promise<void> {
     const groups = await api.groups().catch(() => null);
     const isGroupHere = groups?.some(({ id }) => id === this.program.group_id) ?? true;
     this.deleted.value = isGroupHere ? "program" : "group";
@@ -95,7 +95,7 @@ export class OpenProgram {
   }
 
   private async keep(content: Content, last: boolean): Promise<SavedVersion> {
-    // a page that closes may send before it knows the version that it sent last: then the newest of all is meant
+    // a closing page may send before the response to its last save: without a parent the server takes the newest version
     const parent = this.windows.isSending ? undefined : this.lineage.of(content);
     const kept = await this.windows.keep(() =>
       api.saveVersion(this.id, parent ? { ...content, parent_id: parent } : content, last),
@@ -105,7 +105,7 @@ export class OpenProgram {
     return kept;
   }
 
-  /** Hears what becomes of the program in another window from now on. */
+  /** Follows changes of the program in other windows. */
   private listen(): () => void {
     const last = changed.peek();
     return changed.subscribe((event) => {
@@ -123,24 +123,24 @@ export class OpenProgram {
 
 export const opened = signal<OpenProgram | null>(null);
 
-/** Counts up when the program on the desk is to be opened anew, as it is on disk. */
-export const openings = signal(0);
+/** Incremented to load the open program anew from the server. */
+export const reloads = signal(0);
 
-/** Shows the newest version in place of what is on the screen, which is on disk before it goes. */
+/** Saves the current content, then shows the newest version. */
 export async function openNewest(open: OpenProgram): Promise<void> {
   await open.autosave.flush();
-  if (open.windows.isOvertaken.peek()) openings.value += 1;
+  if (open.windows.isOvertaken.peek()) reloads.value += 1;
 }
 
-/** The program on the desk, while it is the one that is looked at. */
-export const onDesk = computed(() => {
+/** The open program while its studio is on the screen, otherwise null. */
+export const programOnScreen = computed(() => {
   const { value: now } = route;
   return now.screen === "studio" && now.program === opened.value?.id ? opened.value : null;
 });
 
-/** What was asked for is not there: the header names nothing that would be changed in its place. */
+/** Handles a program that failed to open: the header must not name another one. */
 export function couldNotOpen(error: unknown): void {
-  // what could not be saved before the server went is sent when the page closes
+  // after a lost server the unsaved content of the open program is sent when the page closes
   if (!(error instanceof ServerGone)) opened.value = null;
   group.value = null;
   program.value = null;

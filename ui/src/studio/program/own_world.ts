@@ -2,21 +2,21 @@ import { computed, effect, signal } from "@preact/signals";
 import { ApiError } from "../../api/errors";
 import type { Fault, OnDisk, World } from "../../api/model";
 
-/** Tells all that is wrong with a world. */
+/** Returns all faults of a world. */
 type Check = (world: World) => Promise<readonly Fault[]>;
 
 /**
- * The world that a group has made for a program. The server takes none with faults: until they are mended, blocks are
- * saved with the last world that it took, and the faulty one outlives a reload of the page, though not the window.
+ * The group's own world of a program. The server rejects worlds with faults: until they are corrected, blocks are saved
+ * with the last accepted world, and the faulty one is a draft in session storage, which survives a reload.
  */
 export class OwnWorld {
-  /** Null while there is none. */
+  /** The current world; null without one. */
   readonly now = signal<World | null>(null);
   private readonly refused = signal<World | null>(null);
   readonly isRefused = computed(
     () => this.now.value !== null && this.now.value === this.refused.value,
   );
-  /** Ends the keeping of what the server does not take. */
+  /** Stops storing drafts. */
   readonly close: () => void;
 
   constructor(
@@ -31,12 +31,12 @@ export class OwnWorld {
     this.close = effect(() => keepDraft(key, this.isRefused.value ? this.now.value : null));
   }
 
-  /** The server has found faults in that world: it is not sent. */
+  /** Marks a world that the server has rejected: it is not sent again. */
   refuse(world: World): void {
     if (world === this.now.peek()) this.refused.value = world;
   }
 
-  /** Saves something with a world, or with the last that was taken where this one is not; `last` waits for nothing. */
+  /** Saves with a world, or with the last accepted one if it has faults; with `last` without checking it first. */
   async saveWith(
     world: World | null,
     save: (world: World | null) => Promise<OnDisk>,
@@ -57,7 +57,7 @@ export class OwnWorld {
 
   private async ask(world: World): Promise<void> {
     if (world === this.refused.peek()) return;
-    // who cannot be asked cannot save either, and saving tells why
+    // if the check fails, saving fails too and reports the error
     const faults = await this.check(world).catch(() => []);
     if (faults.length > 0) this.refused.value = world;
   }

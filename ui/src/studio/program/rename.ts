@@ -2,7 +2,7 @@ import { api } from "../../api/client";
 import { STORE_LIMITS } from "../../api/declared";
 import { program, report } from "../../shell/session";
 
-/** Gives the program in the header another name; without one, or with the same, it keeps its own. */
+/** Renames the program in the header; ignores an empty or equal name. */
 export async function renameProgram(wanted: string): Promise<void> {
   const { value: now } = program;
   const name = wanted.trim().slice(0, STORE_LIMITS.MAX_NAME).trim();

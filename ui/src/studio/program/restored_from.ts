@@ -1,12 +1,12 @@
 import { signal } from "@preact/signals";
 import type { VersionMark } from "../../api/model";
 
-/** An older version that a group went on from, and the one whose place it took. */
+/** A restored version, and the version that it replaced. */
 export interface RestoredFrom {
   program: string;
   from: VersionMark;
   instead: VersionMark;
 }
 
-/** The last such step, until its program is left. */
+/** The last restore, until its program is closed. */
 export const restoredFrom = signal<RestoredFrom | null>(null);

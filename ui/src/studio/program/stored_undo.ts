@@ -2,7 +2,7 @@ import type { VersionOfProgram } from "../../api/model";
 import { versionsApi } from "../../api/versions";
 import type { OpenProgram } from "./open_program";
 
-/** What lies behind the session: undo goes on through the stored versions when it has undone all that was done here. */
+/** Continues undo through stored versions after the undo stack of the session is empty. */
 export class StoredUndo {
   private walking = false;
   private atBeginning = false;
@@ -10,8 +10,8 @@ export class StoredUndo {
   constructor(private readonly open: OpenProgram) {}
 
   /**
-   * Offers the versions that came before the one on the screen, the newest first, until one is taken. One that looks
-   * the same, as after an undo that was saved, is not: `take` says so. Before the first there was nothing: null.
+   * Offers the ancestors of the shown version to `take`, newest first, until it returns true. It returns false for a
+   * version that looks the same, such as a saved undo. Before the first version the workspace is null.
    */
   async back(take: (workspace: object | null) => boolean): Promise<void> {
     if (this.walking || this.atBeginning) return;
@@ -31,7 +31,7 @@ export class StoredUndo {
     }
   }
 
-  /** Versions of earlier releases do not tell what they were made of: the one before in the line, then. */
+  /** Id of the parent; for versions of earlier releases, which record none, that of the preceding version. */
   private async behind({ id, parent_id, number }: VersionOfProgram): Promise<string | null> {
     if (parent_id || number === 1) return parent_id;
     return versionsApi.before(this.open.id, id);

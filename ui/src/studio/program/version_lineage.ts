@@ -1,21 +1,21 @@
-/** Contents are large, and nobody goes back further in one go. */
+/** Limit of remembered contents, which are large. */
 const MOST = 64;
 
-interface Kept {
+interface StoredContent {
   workspace: object;
   world?: object | null;
 }
 
 /**
- * Which stored version a content is, for those seen in this session: who comes back to one of them, by undo or by
- * hand, goes on from there, and not from what was tried in between. What is new was made of what was here before it,
- * whatever another window has made of the program meanwhile.
+ * Maps the contents of this session to their stored versions. Content that equals an earlier version, for example after
+ * undo, has that version as its parent. New content has the version last shown in this window as its parent, whatever
+ * other windows have saved meanwhile.
  */
 export class VersionLineage {
   private readonly ids = new Map<string, string>();
   private last: string | undefined;
 
-  keep(content: Kept, id: string): void {
+  keep(content: StoredContent, id: string): void {
     this.last = id;
     const key = keyOf(content);
     if (this.ids.has(key)) return;
@@ -26,12 +26,12 @@ export class VersionLineage {
     }
   }
 
-  /** The version with that content, or for a new one the version that was here before it. */
-  of(content: Kept): string | undefined {
+  /** The version with that content; for new content the version last shown here. */
+  of(content: StoredContent): string | undefined {
     return this.ids.get(keyOf(content)) ?? this.last;
   }
 }
 
-function keyOf({ workspace, world }: Kept): string {
+function keyOf({ workspace, world }: StoredContent): string {
   return JSON.stringify([workspace, world ?? null]);
 }

@@ -1,29 +1,29 @@
 import { computed, signal } from "@preact/signals";
 import type { SavedVersion } from "../../api/model";
 
-/** Tells what this window made of a program from what another window made of it meanwhile. */
+/** Distinguishes versions of a program saved in this window from those of other windows. */
 export class Windows {
-  /** The last version that was made elsewhere; it is in the history, whatever is done here. */
+  /** The last version saved in another window. */
   readonly other = signal<string | null>(null);
   private readonly own = new Set<string>();
   private readonly newest = signal("");
   private sending = 0;
   private heard: string[] = [];
 
-  /** `opened`: the version that was the newest when the program was opened here. */
+  /** `opened`: the newest version when the program was opened here. */
   constructor(private readonly opened: string | null) {
     if (opened) this.isOwn(opened);
   }
 
-  /** Whether what was made elsewhere is the newest of all. */
+  /** Whether a version of another window is the newest. */
   readonly isOvertaken = computed(() => this.other.value === this.newest.value);
 
-  /** What is being saved has no answer yet: nobody knows what comes next in the line. */
+  /** Whether a save is pending, so that the newest version is unknown. */
   get isSending(): boolean {
     return this.sending > 0;
   }
 
-  /** A version of the program is on disk, whoever made it: one's own may be heard of before its answer is here. */
+  /** Handles the event of a saved version; the event of an own version may precede the response of its save. */
   hear(version: string): void {
     if (this.isSending) this.heard.push(version);
     else this.judge(version);
@@ -55,7 +55,7 @@ export class Windows {
     if (known === null || known < version) this.other.value = version;
   }
 
-  /** Each id of the store is greater than the one before. */
+  /** Ids of the store increase with time. */
   private reach(version: string): void {
     if (this.newest.peek() < version) this.newest.value = version;
   }

@@ -37,7 +37,7 @@ function stateOf(control: StudioControl): RunState {
 function followKeys(control: StudioControl, state: ReadonlySignal<RunState>): () => void {
   const onKey = (event: KeyboardEvent) => {
     const action = event.repeat ? undefined : actionFor(event, state.peek());
-    // the world editor lies over the buttons, and has a Stop of its own
+    // the world editor covers the buttons and has its own Stop
     if (!action || (control.worlds.store.peek() && action !== STOP)) return;
     event.preventDefault();
     action.perform(control, state.peek());

@@ -8,7 +8,7 @@ import { LIFELIKE, lifelike, SPEEDS, speed } from "../debug/debugging";
 import { ActionButton, type ActionsProps } from "./ActionButton";
 import { STEPS } from "./actions";
 
-/** One block at a time, and how fast the simulated robot is. */
+/** Single steps, and the speed of the simulated robot. */
 export function DebugBar(props: ActionsProps) {
   const { debug } = texts.value;
   return (
@@ -35,7 +35,7 @@ export function DebugBar(props: ActionsProps) {
 
 const timesOf = (factor: number) => decimal(factor, factor < 1 ? 2 : 0, language.value);
 
-/** How true to life the simulated robot is; chosen before a run. */
+/** Selects preset and feedback of the next simulated run. */
 function LifelikeChoice() {
   const { debug } = texts.value;
   const names = Object.keys(LIFELIKE) as (keyof typeof LIFELIKE)[];

@@ -2,7 +2,7 @@ import { texts } from "../../i18n";
 import { ActionButton, type ActionsProps } from "./ActionButton";
 import { RUN_PAUSE_RESUME, STOP } from "./actions";
 
-/** Run, which becomes Pause; and Stop, always there and always red. */
+/** The button for Run, Pause and Resume, and Stop, which is always shown. */
 export function RunBar(props: ActionsProps) {
   const action = RUN_PAUSE_RESUME.find(({ isShown }) => isShown(props.state));
   return (

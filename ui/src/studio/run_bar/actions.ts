@@ -13,21 +13,21 @@ import type { Phase } from "../../run/reducer";
 import { TEST } from "../../shell/testids";
 import type { StudioControl } from "../studio_control";
 
-/** What decides which actions there are at a moment. */
+/** State that enables and disables actions. */
 export interface RunState {
   readonly phase: Phase;
-  /** Run is out of reach, for a reason that the status line tells. */
+  /** Run is disabled; the status line shows the reason. */
   readonly unable: boolean;
-  /** The run is paused inside a function: a step may lead out of it. */
+  /** The run is paused inside a function, so "step out" is possible. */
   readonly inFunction: boolean;
-  /** Steps are shown. */
+  /** The step buttons are shown. */
   readonly stepwise: boolean;
 }
 
-/** Something a person can do with a run. Buttons and keyboard read the same record. */
+/** An action on a run, used by buttons and keyboard. */
 export interface RunAction {
   readonly name: string;
-  /** As `keyOf` writes it. */
+  /** In the form of `keyOf`. */
   readonly shortcut: string;
   readonly testId: string;
   icon(state: RunState): LucideIcon;
@@ -56,7 +56,7 @@ export const STOP: RunAction = {
   perform: (control) => control.stop(),
 };
 
-/** One of them is shown at a time, on the same button. */
+/** Actions of one button; one is shown at a time. */
 export const RUN_PAUSE_RESUME: readonly RunAction[] = [
   {
     name: "pause",
@@ -131,11 +131,11 @@ export const ACTIONS: readonly RunAction[] = [STOP, ...RUN_PAUSE_RESUME, ...STEP
 
 type Key = Pick<KeyboardEvent, "key" | "shiftKey" | "ctrlKey" | "altKey" | "metaKey">;
 
-/** A key as shortcuts name it; "" with keys that belong to the browser or the system. */
+/** The key as a shortcut name; "" with modifiers of the browser or the system. */
 export const keyOf = ({ key, shiftKey, ctrlKey, altKey, metaKey }: Key): string =>
   ctrlKey || altKey || metaKey ? "" : `${shiftKey ? "Shift+" : ""}${key}`;
 
-/** The action that a key stands for at this moment. */
+/** The enabled action of a key. */
 export const actionFor = (key: Key, state: RunState): RunAction | undefined =>
   ACTIONS.find(
     (action) => action.shortcut === keyOf(key) && action.isShown(state) && action.isReady(state),

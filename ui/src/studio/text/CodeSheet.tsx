@@ -4,17 +4,17 @@ import { PYTHON_TOKENS, tokens } from "./tokens";
 
 interface CodeSheetProps {
   text: string;
-  /** The line that runs, counted from 1; it is kept in sight. */
+  /** The running line, from 1; scrolled into view. */
   lit?: number | null;
-  /** Lines with something to mend. */
+  /** Lines with faults. */
   faulty?: ReadonlySet<number>;
   label: string;
   testId?: string;
-  /** What lies over the text and takes the typing. */
+  /** Overlay that takes the keyboard input. */
   children?: ComponentChildren;
 }
 
-/** Lines around the running one that are kept in sight too. */
+/** Lines around the running one that stay visible too. */
 const AROUND = 2;
 
 /** Python text with line numbers. */
@@ -30,7 +30,7 @@ export function CodeSheet({ text, lit = null, faulty, label, testId, children }:
       ref={sheet}
       aria-label={label}
       data-scrolls
-      // it scrolls, so the keyboard must reach it
+      // scrollable, so it must be focusable
       tabIndex={children ? -1 : 0}
       data-testid={testId}
       data-lit={lit ?? ""}
@@ -44,7 +44,7 @@ export function CodeSheet({ text, lit = null, faulty, label, testId, children }:
           {Array.from({ length: count }, (_, index) => index + 1).join("\n")}
         </pre>
         <div class="code__text">
-          {/* an empty last line has no height of its own */}
+          {/* an empty last line has no height */}
           <pre aria-hidden={children ? "true" : undefined}>
             {tokens(text, PYTHON_TOKENS)}
             {"\n"}
@@ -56,7 +56,7 @@ export function CodeSheet({ text, lit = null, faulty, label, testId, children }:
   );
 }
 
-/** Scrolls up or down until a line can be seen, no further. */
+/** Scrolls just far enough to show a line. */
 export function showLine(sheet: HTMLElement, line: number): void {
   const { lineHeight, paddingTop } = getComputedStyle(sheet);
   const height = Number.parseFloat(lineHeight) || 22;

@@ -8,7 +8,7 @@ import { JSON_TOKENS, tokens } from "./tokens";
 
 const COPIED_MS = 2000;
 
-/** The program document as the robot gets it. */
+/** The program document as JSON. */
 export function IrPanel({ document }: { document: object | null }) {
   const { ir } = texts.value;
   const text = document ? JSON.stringify(document, null, 2) : "";

@@ -20,14 +20,14 @@ interface PythonEditorProps {
   onPlace(document: object): Promise<void>;
 }
 
-/** What is known of the text as it stands. */
+/** Result of checking the current text. */
 interface Check {
   readonly text: string;
   readonly document: object | null;
   readonly faults: readonly Fault[];
 }
 
-/** The text is read when the hand rests. */
+/** Debounce of the check. */
 const QUIET_MS = 350;
 
 async function checkOf(text: string): Promise<Check> {
@@ -35,7 +35,7 @@ async function checkOf(text: string): Promise<Check> {
   return { text, document: document as object | null, faults };
 }
 
-/** Python to be written, with what is wrong in it, until it can become blocks. */
+/** Editor of the program as Python text, with its faults. */
 export function PythonEditor({ original, onLeave, onPlace }: PythonEditorProps) {
   const { python } = texts.value;
   const [text, setText] = useState(original);
@@ -127,7 +127,7 @@ function State({ check, isChanged }: { check: Check | null; isChanged: boolean }
         {name === "fine" && <CircleCheck class="icon" aria-hidden="true" />}
         {words}
       </p>
-      {/* known once it is read; what is to be mended needs the room more */}
+      {/* hidden with faults, which need the room */}
       <p id="python-keys" class={name === "unchanged" ? "text__keys" : "visually-hidden"}>
         {python.keys}
       </p>

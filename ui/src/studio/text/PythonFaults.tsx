@@ -8,7 +8,7 @@ interface Place {
   readonly column: number;
 }
 
-/** Where in the text a fault is, counted from 1. */
+/** Line and column of a fault, from 1. */
 export function placeOf({ params }: Fault): Place {
   const { line, column } = params as Partial<Record<"line" | "column", unknown>>;
   return {
@@ -22,7 +22,7 @@ interface PythonFaultsProps {
   onGo(fault: Fault): void;
 }
 
-/** What is to be mended in the text; a click goes there. */
+/** The faults of the text; a click moves the caret there. */
 export function PythonFaults({ faults, onGo }: PythonFaultsProps) {
   const { python } = texts.value;
   return (

@@ -14,18 +14,18 @@ import { PythonEditor } from "./PythonEditor";
 
 interface PythonPaneProps {
   document: object | null;
-  /** The command that runs, of the program that is shown. */
+  /** The running command of the shown program. */
   running: LitBlock | null;
   editing: boolean;
   onEditing(editing: boolean): void;
-  /** A text was read without faults, and is to become blocks. */
+  /** Replaces the blocks by those of a text without faults. */
   onPlace(document: object): Promise<void>;
 }
 
-/** An edit is written as Python when the hand rests. */
+/** Debounce of the translation to Python. */
 const QUIET_MS = 250;
 
-/** The program as Python, to be read, and to be written. */
+/** The program as Python text, read-only or in the editor. */
 export function PythonPane(props: PythonPaneProps) {
   const { document, running, editing, onEditing, onPlace } = props;
   const written = useLoaded(
@@ -93,7 +93,7 @@ function Written({ document, written, running }: WrittenProps) {
   );
 }
 
-/** What is said where there is nothing to read yet. */
+/** The text shown without a program. */
 function insteadOfText(document: object | null, written: WrittenPython | null): string {
   const { python } = texts.value;
   if (!document || !written) return "";
@@ -102,7 +102,7 @@ function insteadOfText(document: object | null, written: WrittenPython | null): 
   return commands.length + functions.length === 0 ? python.empty : "";
 }
 
-/** The line of the command that runs. After an edit places have moved, but blocks keep their ids. */
+/** The line of the running command. Pointers change with edits, ids of blocks do not. */
 function lineOf(lines: WrittenPython["lines"], { block, pointer }: LitBlock): number | null {
   const ofBlock = lines.filter((line) => line.block === block);
   return (ofBlock.find((line) => line.pointer === pointer) ?? ofBlock[0])?.line ?? null;

@@ -16,7 +16,7 @@ interface TextDrawerProps {
   onPlace(document: object): Promise<void>;
 }
 
-/** The program as text: as Python, and as the robot gets it. */
+/** The program as Python text and as its document. */
 export function TextDrawer({ state, document, running, onState, onPlace }: TextDrawerProps) {
   return (
     <div class="text card">

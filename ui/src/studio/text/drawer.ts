@@ -3,8 +3,7 @@ export const TABS = ["python", "ir"] as const;
 export type TextTab = (typeof TABS)[number];
 
 /**
- * How the drawer stands: the program as text or the plots, which form of the text, whether it takes the floor's room,
- * whether Python is being written.
+ * State of the drawer: text or plots, the form of the text, whether it covers the floor, whether Python is being edited.
  */
 export interface DrawerState {
   readonly open: boolean;

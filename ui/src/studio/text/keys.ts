@@ -2,8 +2,8 @@ import { listen } from "../../kit/listen";
 import { type Change, indent, newLine, outdent } from "./typing";
 
 /**
- * Has Enter and Tab do in a text what they do in every editor of programs; Ctrl and Enter call `done`. After Escape the
- * next Tab leaves the text, so that the keyboard is not caught in it.
+ * Gives a text area the usual indentation by Enter and Tab; Ctrl+Enter calls `done`. After Escape the next Tab moves the
+ * focus, so that keyboard users can leave the field.
  */
 export function listenToTyping(field: HTMLTextAreaElement, done: () => void): () => void {
   let leaving = false;
@@ -32,7 +32,7 @@ function make(field: HTMLTextAreaElement, edit: Edit): void {
   const { from, to, text, after } = edit(value, { start: selectionStart, end: selectionEnd });
   if (value.slice(from, to) === text) return;
   field.setSelectionRange(from, to);
-  // the only way that leaves the browser's own undo whole
+  // the only way to edit that preserves the browser's undo stack
   if (!document.execCommand("insertText", false, text)) {
     field.setRangeText(text);
     field.dispatchEvent(new InputEvent("input", { bubbles: true }));

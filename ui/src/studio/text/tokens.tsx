@@ -2,12 +2,12 @@ import type { ComponentChildren } from "preact";
 
 type Part = string | preact.JSX.Element;
 
-/** A longer text is shown in one colour: thousands of pieces are slow to draw, and to keep up with typing. */
+/** Longer texts are not coloured: thousands of elements are slow to draw and to update. */
 const LONGEST = 60_000;
 
 /**
- * Cuts a text at the matches of `pattern`, whose named groups are the kinds of tokens. No markup is ever made from
- * the text itself.
+ * Splits a text into tokens at the matches of `pattern`, whose named groups are token types. The text is never parsed as
+ * markup.
  */
 export function tokens(text: string, pattern: RegExp): ComponentChildren {
   if (text.length > LONGEST) return text;

@@ -1,10 +1,10 @@
-/** Where the caret, or the selection, is in a text. */
+/** Offsets of the caret or selection in a text. */
 export interface Selected {
   readonly start: number;
   readonly end: number;
 }
 
-/** A piece of a text to be replaced, and what is selected then. */
+/** A replacement of a part of a text, and the selection after it. */
 export interface Change {
   readonly from: number;
   readonly to: number;
@@ -14,7 +14,7 @@ export interface Change {
 
 const STEP = "    ";
 
-/** Enter: the next line begins where this one does, and further in after a colon. */
+/** Enter: the next line has the indentation of this one, one step more after a colon. */
 export function newLine(text: string, { start, end }: Selected): Change {
   const line = text.slice(lineStart(text, start), start);
   const indent = /^[ ]*/.exec(line)?.[0] ?? "";
@@ -23,7 +23,7 @@ export function newLine(text: string, { start, end }: Selected): Change {
   return replaced(start, end, added);
 }
 
-/** Tab: lines that are selected move in by a step; a caret moves to the next step. */
+/** Tab: indents the selected lines by a step; without a selection moves the caret to the next step. */
 export function indent(text: string, { start, end }: Selected): Change {
   if (start === end) {
     const column = start - lineStart(text, start);
@@ -32,12 +32,12 @@ export function indent(text: string, { start, end }: Selected): Change {
   return moved(text, { start, end }, (line) => (line === "" ? line : STEP + line));
 }
 
-/** Shift and Tab: the lines move out by a step, or as far as they can. */
+/** Shift+Tab: unindents the lines by at most a step. */
 export function outdent(text: string, selected: Selected): Change {
   return moved(text, selected, (line) => line.replace(/^ {1,4}/, ""));
 }
 
-/** Where a line and a column, both counted from 1, are in a text; its end where there is no such place. */
+/** Offset of a line and a column, both from 1; the end of the text if there is no such position. */
 export function offsetOf(text: string, line: number, column: number): number {
   const lines = text.split("\n");
   const before = lines.slice(0, line - 1).reduce((sum, one) => sum + one.length + 1, 0);
@@ -54,7 +54,7 @@ function replaced(from: number, to: number, text: string): Change {
 
 function moved(text: string, { start, end }: Selected, move: (line: string) => string): Change {
   const from = lineStart(text, start);
-  // a selection that ends before the first letter of a line does not mean that line
+  // a selection that ends at the beginning of a line does not include that line
   const last = end > start && text[end - 1] === "\n" ? end - 1 : end;
   const next = text.indexOf("\n", last);
   const to = next < 0 ? text.length : next;

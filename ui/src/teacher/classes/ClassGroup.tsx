@@ -5,7 +5,7 @@ import { GroupPicture } from "../../kit/pictures/GroupPicture";
 import { useAct } from "../../kit/requests/act";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { Select, type SelectOption } from "../../kit/Select";
-import { toldApart } from "../../shell/namesakes";
+import { withDistinctNames } from "../../shell/namesakes";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 import { TEST } from "../../shell/testids";
 import { groupCounts } from "../../start/group_counts";
@@ -19,11 +19,11 @@ interface ClassGroupProps {
   onMoved(words: string): void;
 }
 
-/** A group in the list of its class: it can be renamed, and moved to another class. */
+/** A group in the list of its class, with controls to rename and to move it. */
 export function ClassGroup({ group, school, reload, onMoved }: ClassGroupProps) {
   const { classes: say } = texts.value.teacher;
   const { fault, act } = useAct(asTeacher);
-  const others = toldApart(school.classes, language.value)
+  const others = withDistinctNames(school.classes, language.value)
     .filter((one) => one.id !== group.classroom_id)
     .map(({ id, name }): SelectOption<string> => [id, name]);
   const change = async (changes: GroupChanges) => {

@@ -4,7 +4,7 @@ import { classesApi } from "../../api/classes";
 import type { Removed } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { groupsIn } from "../../shell/classroom";
-import { toldApart } from "../../shell/namesakes";
+import { withDistinctNames } from "../../shell/namesakes";
 import { TEST } from "../../shell/testids";
 import { AddForm } from "../AddForm";
 import { Deletion } from "../exchange/Deletion";
@@ -13,21 +13,21 @@ import type { School } from "../school";
 import { ClassGroup } from "./ClassGroup";
 
 interface ClassPanelProps {
-  /** Of the class; `NO_CLASS` for the groups without one. */
+  /** Id of the class; `NO_CLASS` for the groups without one. */
   id: string;
   school: School;
   reload(): Promise<void>;
   onDeleted(removed: Removed): Promise<void>;
-  /** What was deleted last. */
+  /** Report of the last deletion. */
   children: ComponentChildren;
 }
 
-/** One class: its name, its groups, and what can be done with them. */
+/** One class: its name, groups and actions. */
 export function ClassPanel({ id, school, reload, onDeleted, children }: ClassPanelProps) {
   const { classes: say } = texts.value.teacher;
   const [moved, setMoved] = useState("");
   const groups = groupsIn(id, school.groups);
-  const classroom = toldApart(school.classes, language.value).find((one) => one.id === id);
+  const classroom = withDistinctNames(school.classes, language.value).find((one) => one.id === id);
   const add = async (name: string) => {
     await classesApi.createGroup({ name, classroom_id: id });
     await reload();
@@ -64,7 +64,7 @@ export function ClassPanel({ id, school, reload, onDeleted, children }: ClassPan
 }
 
 interface PanelHeadProps extends Pick<ClassPanelProps, "id" | "school" | "reload"> {
-  /** Namesakes have a number behind their names. */
+  /** The name with a number if several classes share it. */
   shownName: string | undefined;
 }
 

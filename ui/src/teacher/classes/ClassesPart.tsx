@@ -23,7 +23,7 @@ export function ClassesPart({ school, reload }: ClassesPartProps) {
   const withNone = groupsIn(NO_CLASS, groups).length > 0;
   const hasPanel = classes.length > 0 || withNone;
   const { message, deletedFrom, setDeleted } = useDeleted();
-  // the class itself may have been deleted
+  // the panel's class may itself have been deleted
   const isInPanel = hasPanel && deletedFrom === shown;
   const make = async (name: string) => {
     const made = await classesApi.createClassroom(name);
@@ -63,7 +63,7 @@ interface Deleted {
   classroom: string;
 }
 
-/** The answer to the last deletion; it gets the focus, because it says where copies may still be. */
+/** Report of the last deletion; gets the focus, because it names files that may still contain copies. */
 function useDeleted() {
   const [deleted, setDeleted] = useState<Deleted | null>(null);
   const answer = useRef<HTMLDivElement>(null);

@@ -9,7 +9,7 @@ interface ComputerNameProps {
   name: string;
 }
 
-/** The name of this PC, to be changed. */
+/** Form for the name of this PC. */
 export function ComputerName({ name }: ComputerNameProps) {
   const { computer: say } = texts.value.teacher;
   const setting = useSetting();

@@ -6,7 +6,7 @@ import { pinFault } from "../sign_in/pin";
 import { useDraft } from "../useDraft";
 import { SettingForm, useSetting } from "./SettingForm";
 
-/** Another PIN. */
+/** Form for a new PIN. */
 export function NewPin() {
   const { computer: say, prepare } = texts.value.teacher;
   const setting = useSetting();

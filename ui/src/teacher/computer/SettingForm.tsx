@@ -8,7 +8,7 @@ import { useAct } from "../../kit/requests/act";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 
-/** Whether a setting was kept, and why not. */
+/** State of saving a setting, with its error. */
 export function useSetting() {
   const [isKept, setKept] = useState(false);
   const { busy, fault, act, refuse, clear } = useAct(asTeacher);
@@ -36,7 +36,7 @@ export function useSetting() {
 interface SettingFormProps {
   title?: string;
   setting: ReturnType<typeof useSetting>;
-  /** Stands in the place of the hint once it is kept. */
+  /** Replaces the hint after saving. */
   done: string;
   hint: string;
   buttonId: string;
@@ -44,7 +44,7 @@ interface SettingFormProps {
   children: ComponentChildren;
 }
 
-/** Fields of one setting of this PC, and the button that keeps it. */
+/** Fields of one setting of this PC, and its save button. */
 export function SettingForm(props: SettingFormProps) {
   const { title, setting, done, hint, buttonId, onKeep, children } = props;
   const { isKept, busy, fault } = setting;

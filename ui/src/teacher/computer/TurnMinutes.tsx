@@ -2,7 +2,7 @@ import { texts } from "../../i18n";
 import { TEST } from "../../shell/testids";
 import { setTurnMinutes, TURN_MINUTES, turnMinutes } from "../../shell/turns";
 
-/** After how many minutes the page proposes that pupils swap places. */
+/** Selects the interval of the reminder to swap. */
 export function TurnMinutes() {
   const { computer: say } = texts.value.teacher;
   return (

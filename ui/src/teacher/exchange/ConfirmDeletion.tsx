@@ -2,7 +2,7 @@ import type { ComponentChildren } from "preact";
 import { Button } from "../../kit/Button";
 
 interface ConfirmDeletionProps {
-  /** The words of the two buttons. */
+  /** Labels of the two buttons. */
   confirm: string;
   cancel: string;
   testId?: string;
@@ -13,7 +13,7 @@ interface ConfirmDeletionProps {
   children: ComponentChildren;
 }
 
-/** Asks before something is deleted for good. */
+/** Asks for confirmation of a permanent deletion. */
 export function ConfirmDeletion(props: ConfirmDeletionProps) {
   const { confirm, cancel, testId, confirmId, onConfirm, onCancel, children } = props;
   return (

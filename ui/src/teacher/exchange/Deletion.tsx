@@ -15,11 +15,11 @@ interface DeletionProps {
   classroom: Classroom | undefined;
   groups: readonly Group[];
   onDone(removed: Removed): Promise<void>;
-  /** What was deleted just now. */
+  /** Report of the last deletion. */
   children?: ComponentChildren;
 }
 
-/** Deletes a group, or the whole class, for good: says first what will go. */
+/** Deletes a group or the whole class for good, after showing what will be lost. */
 export function Deletion({ classroom, groups, onDone, children }: DeletionProps) {
   const [chosen, setChosen] = useState("");
   const { fault, act } = useAct(asTeacher);

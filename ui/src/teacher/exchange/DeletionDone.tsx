@@ -9,7 +9,7 @@ interface DeletionDoneProps {
   answer: Ref<HTMLDivElement>;
 }
 
-/** What was deleted, and which files still hold it. */
+/** Report of a deletion, and the files that still contain the data. */
 export function DeletionDone({ removed, answer }: DeletionDoneProps) {
   const say = texts.value.exchange;
   const { n_groups, n_programs, n_runs } = removed;

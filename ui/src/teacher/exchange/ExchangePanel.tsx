@@ -12,10 +12,10 @@ import { MergeBox } from "./MergeBox";
 import { SaveBox, type Saved } from "./SaveBox";
 import { SharedFolder } from "./SharedFolder";
 
-/** How often the page looks for sticks. */
+/** Polling interval for sticks. */
 const POLL_MS = 4000;
 
-/** Sticks and the school's folder: bring work in, take work along, and whose work is here. */
+/** Merging from and exporting to sticks and the shared folder, and the PCs whose work is here. */
 export function ExchangePanel() {
   const places = useTeacherLoaded("places", () => exchange.folders());
   const known = useTeacherLoaded("known", loadKnown);
@@ -51,7 +51,7 @@ function Boxes({ found: { folders, shared }, places, known }: BoxesProps) {
   const loadAll = async () => {
     await Promise.all([places.again(), known.again()]);
   };
-  /** Answers about one folder must not stand under another. */
+  /** Results of one folder must not be shown under another. */
   const forgetAnswers = () => {
     results.value = [];
     saved.value = null;
@@ -81,11 +81,11 @@ function Boxes({ found: { folders, shared }, places, known }: BoxesProps) {
   );
 }
 
-/** A stick is noticed soon after it was plugged in. */
+/** Polls for folders, so that a plugged-in stick appears. */
 function usePolling({ set }: Loadable<FolderList>): void {
   useEffect(() => {
     const timer = setInterval(() => {
-      // a failure was said by the first request already
+      // the first request has already reported a failure
       if (!document.hidden) exchange.folders().then(set, () => {});
     }, POLL_MS);
     return () => clearInterval(timer);

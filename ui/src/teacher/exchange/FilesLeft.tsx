@@ -4,7 +4,7 @@ interface FilesLeftProps {
   paths: readonly string[];
 }
 
-/** Files that still hold what was deleted: people have to delete them by hand. */
+/** Files that still contain deleted data and must be deleted manually. */
 export function FilesLeft({ paths }: FilesLeftProps) {
   if (paths.length === 0) return null;
   return (

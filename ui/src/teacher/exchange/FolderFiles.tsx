@@ -44,7 +44,7 @@ interface FileLineProps {
   onToggle(): void;
 }
 
-/** A file without names is marked: merging it doubles the groups that are here. */
+/** A bundle file. An anonymous one is marked: merging it duplicates groups. */
 function FileLine({ file, isChosen, onToggle }: FileLineProps) {
   const say = texts.value.exchange;
   return (

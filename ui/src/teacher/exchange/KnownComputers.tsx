@@ -7,7 +7,7 @@ interface KnownComputersProps {
   computers: readonly KnownComputer[];
 }
 
-/** The PCs whose work is here, and when it came. */
+/** The PCs whose work is here, with the time of the last merge. */
 export function KnownComputers({ computers }: KnownComputersProps) {
   const say = texts.value.exchange;
   const now = new Date();

@@ -12,11 +12,11 @@ interface MergeBoxProps {
   folders: readonly Folder[];
   results: Signal<Merged[]>;
   onMerged(): Promise<void>;
-  /** Looks for sticks again, and for whose work is here. */
+  /** Reloads folders and known PCs. */
   onLook(): Promise<void>;
 }
 
-/** Files on sticks, to be merged. All are ticked at first but those without names. */
+/** Merges files of sticks; all but anonymous ones are selected initially. */
 export function MergeBox({ folders, results, onMerged, onLook }: MergeBoxProps) {
   const ticked = useSignal<ReadonlyMap<string, boolean>>(new Map());
   const { progress, mergeAll, deleteToo, keep } = useMerging(results, onMerged);

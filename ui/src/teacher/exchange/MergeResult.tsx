@@ -13,14 +13,14 @@ interface MergeResultProps {
   onKeep(): void;
 }
 
-/** What one file brought, or why it was refused. */
+/** Result of merging one file, or the reason of its refusal. */
 export function MergeResult({ merged, onDelete, onKeep }: MergeResultProps) {
   const { problem } = merged;
   const say = texts.value.exchange;
   const answer = useRef<HTMLParagraphElement>(null);
   const isRemoved = merged.removed !== null;
   useEffect(() => {
-    if (isRemoved) answer.current?.focus(); // the button that was pressed is no longer there
+    if (isRemoved) answer.current?.focus(); // the pressed button no longer exists
   }, [isRemoved]);
   const Icon = problem ? TriangleAlert : CircleCheck;
   return (

@@ -5,11 +5,11 @@ import type { Bundle, Classroom, Folder } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { Select, type SelectOption } from "../../kit/Select";
-import { toldApart } from "../../shell/namesakes";
+import { withDistinctNames } from "../../shell/namesakes";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 import { TEST } from "../../shell/testids";
 
-/** A file that was written, and where. */
+/** A written file and its folder. */
 export interface Saved {
   bundle: Bundle;
   folder: Folder;
@@ -22,7 +22,7 @@ interface SaveBoxProps {
   onSaved(): Promise<void>;
 }
 
-/** Writes the work of this PC, or of one class, to a stick. */
+/** Exports the work of this PC, or of one class, to a stick. */
 export function SaveBox({ folders, classes, saved, onSaved }: SaveBoxProps) {
   const classroom = useSignal("");
   const anonymous = useSignal(false);
@@ -74,7 +74,7 @@ function What({ classes, chosen }: WhatProps) {
         value={chosen.value}
         options={[
           ["", say.everything],
-          ...toldApart(classes, language.value).map(
+          ...withDistinctNames(classes, language.value).map(
             ({ id, name }): SelectOption<string> => [id, say.onlyClass(name)],
           ),
         ]}

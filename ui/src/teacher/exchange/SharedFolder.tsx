@@ -11,13 +11,13 @@ import { TEST } from "../../shell/testids";
 
 interface SharedFolderProps {
   path: string;
-  /** Whether it answers now. */
+  /** Whether it is reachable now. */
   isReachable: boolean;
   onChoose(): void;
   onChosen(places: FolderList): void;
 }
 
-/** A folder of the network that is treated as a stick. */
+/** A network folder that is used like a stick. */
 export function SharedFolder({ path, isReachable, onChoose, onChosen }: SharedFolderProps) {
   const typed = useSignal(path);
   const { busy, fault, act, clear } = useAct(asTeacher);

@@ -22,7 +22,7 @@ type Outcome = Pick<
   "computer" | "name" | "added" | "anonymous" | "held_back" | "nothing_new" | "removed"
 >;
 
-/** What one file brought, what of it was deleted here earlier, and what was deleted now. */
+/** Summary of one merge: rows added, rows already deleted here, rows deleted now. */
 export function outcome(merged: Outcome, say: Say): string {
   const { removed, held_back: heldBack } = merged;
   const sentences = [
@@ -33,7 +33,7 @@ export function outcome(merged: Outcome, say: Say): string {
   return sentences.filter(Boolean).join(" ");
 }
 
-/** The numbers that are not 0, in words. */
+/** The non-zero counts, as text. */
 export function counted(numbers: Partial<Merged["added"]>, say: Say): string {
   const { groups = 0, programs = 0, versions = 0, runs = 0 } = numbers;
   return [
@@ -54,12 +54,12 @@ function came(merged: Outcome, say: Say): string[] {
     return [say.brought(who, parts), ...(anonymous && added.groups > 0 ? [say.cameNameless] : [])];
   }
   if (merged.removed) return [];
-  // what was deleted is not here, so not all of it is
+  // rows deleted here were not added, so "nothing new" would be wrong
   if (merged.nothing_new) return [(merged.held_back ? say.nothingComes : say.nothingNew)(who)];
   return [say.only(who)];
 }
 
-/** With numbers, or `rest` where neither groups, programs, versions nor runs were counted. */
+/** The text with counts, or `rest` if there are none. */
 function told(parts: string, say: (parts: string) => string, rest: string): string {
   return parts ? say(parts) : rest;
 }

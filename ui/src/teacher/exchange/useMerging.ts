@@ -3,7 +3,7 @@ import { exchange } from "../../api/exchange";
 import type { Merged } from "../../api/model";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 
-/** Merges files one after the other; `results` has an entry for each. */
+/** Merges files in sequence; `results` has an entry for each. */
 export function useMerging(results: Signal<Merged[]>, onMerged: () => Promise<void>) {
   const progress = useSignal<{ n: number; of: number } | null>(null);
   const replace = (merged: Merged) => {
@@ -26,7 +26,7 @@ export function useMerging(results: Signal<Merged[]>, onMerged: () => Promise<vo
     const merged = await asTeacher(() => exchange.merge(path, drop));
     if (merged) replace(merged);
   };
-  /** Deletes what was deleted on the other PC. Files that had brought nothing new may do so now. */
+  /** Applies the deletions of the other PC. Files without news before may have some now. */
   const deleteToo = async (deletedBy: string) => {
     await mergeAgain(deletedBy, true);
     for (const { path, nothing_new, problem } of results.value) {

@@ -16,7 +16,7 @@ interface LessonListProps {
   onChanged(): Promise<void>;
 }
 
-/** The lessons of a class, newest first; some can be marked and joined. */
+/** The lessons of a class, newest first, with selection to join several. */
 export function LessonList({ lessons, onChanged }: LessonListProps) {
   const { lessons: say } = texts.value.teacher;
   const [picked, setPicked] = useState<readonly string[]>([]);
@@ -65,7 +65,7 @@ export function LessonList({ lessons, onChanged }: LessonListProps) {
 }
 
 interface JoinProps {
-  /** How many lessons are marked. */
+  /** Number of selected lessons. */
   n: number;
   onJoin(): unknown;
 }

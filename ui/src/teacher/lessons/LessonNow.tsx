@@ -15,7 +15,7 @@ interface LessonNowProps {
   onClosed(): Promise<void>;
 }
 
-/** The open lesson of a class; it can be closed. */
+/** The open lesson of a class, with a button to close it. */
 export function LessonNow({ lesson, activities, onClosed }: LessonNowProps) {
   const { lessons: say } = texts.value.teacher;
   const { fault, act } = useAct(asTeacher);

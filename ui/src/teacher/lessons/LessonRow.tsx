@@ -15,13 +15,13 @@ import { titleOf } from "./lessons";
 interface LessonRowProps {
   lesson: Lesson;
   onChanged(): Promise<void>;
-  /** It was joined to the lesson above it. */
+  /** Joined to the lesson above. */
   isPart?: boolean;
-  /** Stands before the title. */
+  /** Content before the title. */
   children?: ComponentChildren;
 }
 
-/** A lesson: its title, when and where it was, and the way to its review. */
+/** A lesson: title, time, PC, and the link to its review. */
 export function LessonRow({ lesson, onChanged, isPart = false, children }: LessonRowProps) {
   const { lessons: say } = texts.value.teacher;
   const title = titleOf(lesson);

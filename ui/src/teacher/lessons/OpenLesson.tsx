@@ -17,7 +17,7 @@ import { useDraft } from "../useDraft";
 interface OpenLessonProps {
   classroom: string;
   activities: readonly ActivityTitle[];
-  /** There is an open lesson; opening this one closes it. */
+  /** Another lesson is open; opening this one closes it. */
   another: boolean;
   onOpened(): Promise<void>;
 }

@@ -1,13 +1,13 @@
 import type { Lesson } from "../../api/model";
 import { texts } from "../../i18n";
 
-/** A lesson with those that were joined to it. */
+/** A lesson with the lessons joined to it. */
 export interface LessonGroup {
   lesson: Lesson;
   parts: Lesson[];
 }
 
-/** Lessons in their order, each with its parts; a part whose lesson is not among them stays alone. */
+/** Lessons in order, each with its parts; a part without its lesson is listed alone. */
 export function withParts(lessons: readonly Lesson[]): LessonGroup[] {
   const ids = new Set(lessons.map((one) => one.id));
   const isPart = (one: Lesson) => one.part_of !== null && ids.has(one.part_of);

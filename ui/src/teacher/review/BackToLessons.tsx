@@ -3,7 +3,7 @@ import { texts } from "../../i18n";
 import { LinkButton } from "../../kit/LinkButton";
 import { hashOf } from "../../shell/route";
 
-/** The way from a screen of the review to the list of lessons. */
+/** Link from the review to the list of lessons. */
 export function BackToLessons() {
   return (
     <LinkButton

@@ -4,7 +4,7 @@ interface EmptyListProps {
   testId: string;
 }
 
-/** Stands where a screen of the review has nothing to list. */
+/** Placeholder for an empty list of the review. */
 export function EmptyList({ title, text, testId }: EmptyListProps) {
   return (
     <div class="review-empty" data-testid={testId}>

@@ -1,6 +1,6 @@
 import type { Outcome } from "./model";
 
-/** Shape and sign tell how a run ended; colour only repeats it. */
+/** Icons by outcome: shape and sign carry the meaning, colour only repeats it. */
 const SIGNS: Record<Outcome, preact.JSX.Element> = {
   passed: (
     <>
@@ -47,7 +47,7 @@ interface OutcomeSignProps {
   outcome: Outcome;
 }
 
-/** The sign of how a run ended. */
+/** Icon of a run's outcome. */
 export function OutcomeSign({ outcome }: OutcomeSignProps) {
   return (
     <svg class={`sign sign--${outcome}`} viewBox="0 0 24 24" aria-hidden="true">

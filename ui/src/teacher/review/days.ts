@@ -1,7 +1,7 @@
 import type { GroupReview } from "../../api/model";
 import type { Language } from "../../i18n";
 
-/** The days on which the groups worked, by this computer's calendar, in their order. */
+/** The days on which the groups worked, by this PC's calendar, in order. */
 export function daysOf(groups: readonly GroupReview[]): Date[] {
   const days = new Set(
     groups.flatMap(({ marks }) => marks.map(({ at }) => dayOf(Date.parse(at) / 1000))),

@@ -2,16 +2,16 @@ import type { Figures, ReviewMark } from "../../api/model";
 
 export type FigureName = keyof Figures;
 
-/** How a run ended, as its mark shows it. */
+/** Outcome of a run, as shown by its mark. */
 export type Outcome = "passed" | "finished" | "notyet" | "stopped" | "failed" | "running";
 
-/** How a run ended, as far as it is recorded. */
+/** Recorded end of a run. */
 export interface Ended {
   readonly state: ReviewMark["state"];
   readonly passed: boolean | null;
 }
 
-/** A passed run counts as passed however it ended: it may be stopped once the goal is reached. */
+/** A passed run counts as passed even if it was stopped after reaching the goal. */
 export function outcomeOf({ state, passed }: Ended): Outcome {
   if (passed) return "passed";
   if (state === "finished" && passed === false) return "notyet";

@@ -21,7 +21,7 @@ interface PreparationProps {
   onDone(): void;
 }
 
-/** The first day: a PIN, a class, and the name of this PC. */
+/** First set-up: PIN, class, and name of this PC. */
 export function Preparation({ onDone }: PreparationProps) {
   const known = useLoaded("known", loadKnown);
   return (
@@ -53,7 +53,7 @@ function PreparationForm({ known, onDone }: PreparationProps & { known: Known })
     if (wrong) return refuse(wrong);
     if (!(await act(() => prepare(draft, known)))) return;
     onDone();
-    // a class that was not made here comes by stick
+    // on further PCs the class arrives by merging
     const hasClass = known.hasClass || draft.name.trim();
     go({ screen: "teacher", part: hasClass ? "classes" : "files" });
   };
@@ -96,7 +96,7 @@ function PreparationForm({ known, onDone }: PreparationProps & { known: Known })
   );
 }
 
-/** What is done already is not done again after something else was refused. */
+/** Performs the steps; after a failure, a retry skips the completed ones. */
 async function prepare(
   { pin, name, computer }: Record<"pin" | "name" | "computer", string>,
   known: Known,

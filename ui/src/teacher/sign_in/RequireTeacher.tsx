@@ -16,21 +16,21 @@ interface RequireTeacherProps {
 }
 
 /**
- * Shows its children to the teacher alone: asks for the PIN first, and again when the session has ended. The children
- * then stay mounted but hidden, with what was typed.
+ * Shows its children only to the signed-in teacher. After the end of a session it asks for the PIN again; the children
+ * stay mounted but hidden, with their input.
  */
 export function RequireTeacher({ children }: RequireTeacherProps) {
   const [isPreparing, setPreparing] = useState(false);
   const wasSignedIn = useRef(false);
   const loaded = useLoaded("session", loadTeacherSession);
   const session = teacherSession.value;
-  const isKnown = session?.has_pin || loaded.status === "ready"; // a PIN may have come meanwhile
+  const isKnown = session?.has_pin || loaded.status === "ready"; // a PIN may have been set meanwhile
   useEffect(() => {
     group.value = null;
     program.value = null;
     return cancelWaiting;
   }, []);
-  // until all of it is done: the PIN is only its first step
+  // shown until all steps are done; the PIN is only the first
   useEffect(() => {
     if (isKnown && session?.has_pin === false) setPreparing(true);
   }, [isKnown, session?.has_pin]);

@@ -16,7 +16,7 @@ interface SignInFormProps {
   again: boolean;
 }
 
-/** Asks for the PIN; after too many wrong ones counts down the seconds to wait. */
+/** PIN form; counts down the wait after too many wrong PINs. */
 export function SignInForm({ again }: SignInFormProps) {
   const { door: say } = texts.value.teacher;
   const place = useRef<HTMLElement>(null);
@@ -48,7 +48,7 @@ export function SignInForm({ again }: SignInFormProps) {
             icon={DoorOpen}
             busy={busy}
             disabled={left > 0}
-            testId={TEST.enterDoor}
+            testId={TEST.signIn}
           >
             {say.enter}
           </Button>
@@ -62,7 +62,7 @@ export function SignInForm({ again }: SignInFormProps) {
   );
 }
 
-/** A PIN that is typed and sent; `onRefused` is called when another try is needed. */
+/** State of the PIN form; `onRefused` is called after a refused PIN. */
 function useSignIn(onRefused: () => void) {
   const [pin, setPin] = useState("");
   const [left, setLeft] = useCountdown();
@@ -86,7 +86,7 @@ function useSignIn(onRefused: () => void) {
   return { pin, write, left, busy, fault, enter };
 }
 
-/** Seconds that run down to 0. */
+/** Seconds counting down to 0. */
 function useCountdown() {
   const [left, setLeft] = useState(0);
   useEffect(() => {

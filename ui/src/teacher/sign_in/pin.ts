@@ -2,7 +2,7 @@ import type { Texts } from "../../i18n";
 
 const FORMAT = /^\d{4,12}$/;
 
-/** What is wrong with a PIN that was typed twice, in words; null for nothing. */
+/** The fault of a PIN and its repetition, as text; null if valid. */
 export function pinFault(
   pin: string,
   again: string,

@@ -20,7 +20,7 @@ interface CompareProps {
   groups: readonly Group[];
 }
 
-/** Two runs on two floors or on one, and the controls of their clock. */
+/** Two runs on two floors or overlaid on one, with playback controls. */
 export function Compare({ pair, groups }: CompareProps) {
   const view = useSignal<View>("apart");
   const isTogether = view.value === "together";
@@ -59,7 +59,7 @@ function Head({ pair, view }: HeadProps) {
     <div class="review-head compare__head">
       <LinkButton icon={ArrowLeft} label={back} href={hashOf(from)} />
       <h1>{say.title}</h1>
-      {/* on one floor the second path may lie where its own walls never stood */}
+      {/* on one floor the second path may cross walls that its own world did not have */}
       {view.value === "together" && first !== second && (
         <p class="compare__elsewhere">{say.otherWorld}</p>
       )}

@@ -12,7 +12,7 @@ interface CompareScreenProps {
   second: string;
 }
 
-/** Two runs side by side on one clock. */
+/** Two runs side by side with a shared playback clock. */
 export function CompareScreen(runs: CompareScreenProps) {
   return (
     <RequireTeacher>

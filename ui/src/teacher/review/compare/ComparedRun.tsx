@@ -18,7 +18,7 @@ interface ComparedRunProps {
   together: boolean;
 }
 
-/** One of two runs: its group, floor, blocks, and where the robot is. */
+/** One of two runs: group, floor, blocks and robot pose. */
 export function ComparedRun({ side, number, groups, together }: ComparedRunProps) {
   const { compare } = texts.value.review;
   const { run } = side.recording;
@@ -59,7 +59,7 @@ interface RunHeadProps {
   side: Side;
   group: Group | undefined;
   number: number;
-  /** Shows how its path is drawn on the one floor. */
+  /** Shows the line style of its path on the shared floor. */
   swatch: boolean;
 }
 

@@ -12,7 +12,7 @@ interface SideBlocksProps {
   label: string;
 }
 
-/** The blocks of one of two runs: the running one is lit, the one that failed is outlined. */
+/** The blocks of one of two runs, with the running block highlighted and the failed one outlined. */
 export function SideBlocks({ side, number, label }: SideBlocksProps) {
   const place = useRef<HTMLDivElement>(null);
   const stop = useRef(() => {});
@@ -28,7 +28,7 @@ export function SideBlocks({ side, number, label }: SideBlocksProps) {
       report(error);
       return;
     }
-    // each of the two block areas has a name of its own
+    // the two block areas need distinct accessible names
     place.current
       ?.querySelector(".blocklyWorkspace")
       ?.setAttribute("aria-label", `${texts.value.review.compare.blocks} ${number}`);

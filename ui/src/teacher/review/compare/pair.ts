@@ -3,18 +3,18 @@ import type { Recording } from "../../../replay/recording";
 import type { Playback } from "../../../run/playback";
 import type { Pose, RunView } from "../../../run/reducer";
 
-/** One of two runs, at the time of the shared clock. */
+/** One of two runs at the time of the shared clock. */
 export interface Side {
   readonly recording: Recording;
   readonly view: ReadonlySignal<RunView>;
-  /** Where its robot is between two ticks. */
+  /** Interpolated pose of its robot. */
   pose(): Pose;
 }
 
-/** Two runs that start together on one clock; the shorter one stays at its end. */
+/** Two runs that start together on a shared clock; the shorter one stays at its end. */
 export class Pair {
   readonly sides: readonly [Side, Side];
-  /** The clock: that of the longer run. */
+  /** The shared clock: that of the longer run. */
   readonly playback: Playback;
 
   constructor(first: Recording, second: Recording) {

@@ -7,7 +7,7 @@ interface BlockChipsProps {
   blocks: readonly BlockCount[];
 }
 
-/** Every type of block in use, with its words. */
+/** Each type of block in use, with its text. */
 export function BlockChips({ blocks }: BlockChipsProps) {
   const { detail } = texts.value.review;
   if (blocks.length === 0) return <p class="detail__none">{detail.noBlocks}</p>;

@@ -3,14 +3,14 @@ import type { Category } from "../../../blocks/categories";
 import { language, texts } from "../../../i18n";
 import { categoryName, categoryOfType, hueOf } from "../marks/block_kinds";
 
-/** With more categories there is no room for their names. */
+/** Maximum number of categories for which names fit. */
 const FEW = 2;
 
 interface CategoryChipsProps {
   blocks: readonly BlockCount[];
 }
 
-/** How many blocks of each category are in use, small. */
+/** Number of blocks in use by category, compact. */
 export function CategoryChips({ blocks }: CategoryChipsProps) {
   const { detail } = texts.value.review;
   const counts = new Map<Category, number>();

@@ -3,7 +3,7 @@ import { TEST } from "../../../shell/testids";
 import { figureWords } from "../words";
 import { FIGURES } from "./FigureRow";
 
-/** What each figure counts: on paper nobody can ask for it. */
+/** Explains each figure on the printed page, which has no tooltips. */
 export function Explanations() {
   const { lesson: say } = texts.value.review;
   const now = new Date().toLocaleString(language.value, { dateStyle: "long", timeStyle: "short" });

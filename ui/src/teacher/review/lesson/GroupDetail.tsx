@@ -10,7 +10,7 @@ interface GroupDetailProps {
   book: MarkBook;
 }
 
-/** The runs of a group in words, and the blocks that it used. */
+/** The runs of a group as text, and the blocks that it used. */
 export function GroupDetail({ review, book }: GroupDetailProps) {
   const { detail } = texts.value.review;
   const runs = review.marks.filter(({ kind }) => kind === "run");

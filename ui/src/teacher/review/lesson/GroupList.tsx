@@ -5,9 +5,9 @@ import { daysOf } from "../days";
 import { linesOf } from "../timeline/lines";
 import { GroupRow } from "./GroupRow";
 import type { LessonPlace } from "./lesson_place";
-import { forPaper, PAPER_PX } from "./printing";
+import { forPrint, PRINT_LINE_PX } from "./printing";
 
-/** Lines are laid out for at least so many pixels. */
+/** Minimum layout width of a timeline. */
 const NARROWEST_PX = 200;
 
 interface GroupListProps {
@@ -15,7 +15,7 @@ interface GroupListProps {
   place: LessonPlace;
 }
 
-/** The groups of a lesson, with timelines as wide as the screen or the paper has room for. */
+/** The groups of a lesson, with timelines of the width of the screen or the printed page. */
 export function GroupList({ review: { groups }, place: { timeOf, open } }: GroupListProps) {
   const { list, width } = useLineWidth();
   const lines = useMemo(
@@ -49,7 +49,7 @@ export function GroupList({ review: { groups }, place: { timeOf, open } }: Group
   );
 }
 
-/** How wide a line may be, in pixels; measured again when the window changes, and for paper. */
+/** Width of a timeline in pixels; measured again on resize and for printing. */
 function useLineWidth() {
   const list = useRef<HTMLOListElement>(null);
   const width = useSignal(0);
@@ -63,8 +63,8 @@ function useLineWidth() {
     measure();
     const sizes = new ResizeObserver(measure);
     sizes.observe(element);
-    const stop = forPaper(() => {
-      width.value = PAPER_PX;
+    const stop = forPrint(() => {
+      width.value = PRINT_LINE_PX;
     }, measure);
     return () => {
       sizes.disconnect();

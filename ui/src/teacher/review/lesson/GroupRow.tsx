@@ -15,13 +15,13 @@ import { GroupDetail } from "./GroupDetail";
 interface GroupRowProps {
   review: GroupReview;
   layout: LineLayout;
-  /** The lesson went on over several days. */
+  /** The lesson lasted several days. */
   withDays: boolean;
   open: boolean;
   onToggle(): void;
 }
 
-/** A group: its name, timeline and figures; when opened, its runs in words. */
+/** A group: its name, timeline and figures; when opened, its runs as text. */
 export function GroupRow({ review, layout, withDays, open, onToggle }: GroupRowProps) {
   const { group, marks, figures, blocks } = review;
   const { lesson, detail } = texts.value.review;

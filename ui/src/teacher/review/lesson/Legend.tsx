@@ -3,7 +3,7 @@ import { OutcomeSign } from "../OutcomeSign";
 
 const OUTCOMES = ["passed", "finished", "notyet", "stopped", "failed"] as const;
 
-/** What the marks of the lines mean. */
+/** Legend of the marks on the timelines. */
 export function Legend() {
   const { legend } = texts.value.review;
   return (

@@ -23,7 +23,7 @@ interface LessonHeadProps {
   refresh: ComponentChildren;
 }
 
-/** Which lesson it is, when it was and what it was about, and what can be done with it. */
+/** Title, time and activities of a lesson, with its actions. */
 export function LessonHead({ page, timeOf, refresh }: LessonHeadProps) {
   const { review } = page;
   return (

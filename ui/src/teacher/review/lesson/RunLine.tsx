@@ -17,7 +17,7 @@ interface RunLineProps {
   book: MarkBook;
 }
 
-/** A run in words: how it ended, what was changed to repair another, its notes, and the ways to look at it. */
+/** A run as text: outcome, changes that repaired another run, notes, and links to its views. */
 export function RunLine({ mark, book }: RunLineProps) {
   const { detail } = texts.value.review;
   const outcome = outcomeOf(mark);
@@ -49,7 +49,7 @@ export function RunLine({ mark, book }: RunLineProps) {
   );
 }
 
-/** What was changed between the run that failed and this one. */
+/** Changes between the failed run and this one. */
 function Repair({ mark, book }: RunLineProps) {
   const { line } = texts.value.review;
   if (!mark.repairs) return null;

@@ -2,14 +2,14 @@ import { classesApi, NO_CLASS } from "../../../api/classes";
 import type { LessonReview } from "../../../api/model";
 import { reviewApi } from "../../../api/review";
 import { language } from "../../../i18n";
-import { toldApart } from "../../../shell/namesakes";
+import { withDistinctNames } from "../../../shell/namesakes";
 
-/** A lesson with those that were joined to it. */
+/** A lesson with the lessons joined to it. */
 export interface LessonPage {
   review: LessonReview;
-  /** Its name; null for groups without a class. */
+  /** Name of the class; null for groups without one. */
   classroom: string | null;
-  /** Their titles. */
+  /** Titles of its activities. */
   activities: readonly string[];
 }
 
@@ -24,7 +24,9 @@ export async function loadLesson(id: string): Promise<LessonPage> {
   ]);
   const parts = lessons.filter((one) => one.part_of === whole);
   const named = [review.lesson, ...parts].flatMap(({ activity }) => activity ?? []);
-  const classroom = toldApart(classrooms, language.value).find((one) => one.id === classroom_id);
+  const classroom = withDistinctNames(classrooms, language.value).find(
+    (one) => one.id === classroom_id,
+  );
   return {
     review,
     classroom: classroom?.name ?? null,

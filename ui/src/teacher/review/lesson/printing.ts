@@ -3,9 +3,9 @@ import { listen } from "../../../kit/listen";
 import { hideTip } from "../marks/tip";
 
 /** The width of a line on A4 beside the name of its group, in pixels, as in print.css. */
-export const PAPER_PX = 556;
+export const PRINT_LINE_PX = 556;
 
-/** False in the web views of some systems. */
+/** Some webviews cannot print. */
 export const canPrint = () => typeof window.print === "function";
 
 export function printPage(): void {
@@ -13,15 +13,15 @@ export function printPage(): void {
   window.print();
 }
 
-/** Draws for paper before the page is printed, and for the screen again afterwards. */
-export function forPaper(draw: () => void, drawBack: () => void): () => void {
+/** Draws for print before the page is printed, and for the screen again afterwards. */
+export function forPrint(draw: () => void, drawBack: () => void): () => void {
   return listen(window, {
     beforeprint: () => atOnce(draw),
     afterprint: () => atOnce(drawBack),
   });
 }
 
-/** The page is printed as it is when the event handler returns, so rendering cannot wait for the next frame. */
+/** Renders synchronously: the page is printed as it is when the event handler returns. */
 function atOnce(change: () => void): void {
   const { debounceRendering } = options;
   options.debounceRendering = (draw) => draw();

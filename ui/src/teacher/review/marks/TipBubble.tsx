@@ -5,7 +5,7 @@ import { hideTip, TIP_ID, tip } from "./tip";
 const GAP_PX = 8;
 const EDGE_PX = 8;
 
-/** The one tooltip of the page. Escape and scrolling close it. */
+/** The page's single tooltip. Escape and scrolling close it. */
 export function TipBubble() {
   const bubble = useRef<HTMLDivElement>(null);
   const now = tip.value;
@@ -33,7 +33,7 @@ export function TipBubble() {
   );
 }
 
-/** Above the anchor, or below it where there is no room above. */
+/** Places the tooltip above the anchor, or below if there is no room. */
 function place(bubble: HTMLElement, anchor: DOMRect): void {
   const { width, height } = bubble.getBoundingClientRect();
   const middle = anchor.left + anchor.width / 2 - width / 2;

@@ -17,5 +17,5 @@ export const categoryOfType = (type: string): Category | null => CATEGORY_OF.get
 export const categoryName = (category: Category, language: Language): string =>
   textsOf(language).blocks[`CATEGORY_${category.toUpperCase()}` as TextKey] ?? category;
 
-/** The style that gives an element the colour of its category. */
+/** CSS style with the colour of a category. */
 export const hueOf = (category: Category) => ({ "--hue": CATEGORY_COLOURS[category] });

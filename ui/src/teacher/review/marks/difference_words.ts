@@ -3,14 +3,14 @@ import { ALL_DEFINITIONS, argumentsOf } from "../../../blocks/definitions";
 import type { TextKey } from "../../../blocks/words";
 import { type Language, type Texts, textsOf } from "../../../i18n";
 
-/** At most so many changes are listed. */
+/** Maximum number of listed changes. */
 export const MOST = 4;
 
 const ROWS = new Map<string, (typeof ALL_DEFINITIONS)[number]>(
   ALL_DEFINITIONS.map((row) => [row.type, row]),
 );
 
-/** The words on a block without its holes: "girar" for "%1 girar %2 %3 °". */
+/** The text of a block without its inputs: "girar" for "%1 girar %2 %3 °". */
 export function blockName(type: string, language: Language): string {
   const text = textsOf(language).blocks[type.toUpperCase() as TextKey];
   if (!text) return type;
@@ -21,14 +21,14 @@ export function blockName(type: string, language: Language): string {
   return (words.length > 0 ? words.join("…") : text.replace(/%\d+/g, "…")).trim();
 }
 
-/** How many blocks differ, in words. */
+/** Number of differing blocks, as text. */
 export function countsInWords(changes: ChangeCounts, { line }: Texts["review"]): string[] {
   const kinds = ["added", "removed", "changed", "moved"] as const;
   const found = kinds.filter((kind) => changes[kind] > 0).map((kind) => line[kind](changes[kind]));
   return found.length > 0 ? found : [line.same];
 }
 
-/** What differs, block by block, the most important first: new values, then added, removed and moved blocks. */
+/** Differences block by block: changed values first, then added, removed and moved blocks. */
 export function differenceInWords(
   { added, removed, changed, moved }: VersionDifference,
   texts: Texts["review"],
@@ -86,7 +86,7 @@ function valueInWords(
   return optionWords(type, name, value, language) ?? `“${value}”`;
 }
 
-/** An entry of a dropdown as the block shows it. */
+/** Text of a dropdown option on the block. */
 function optionWords(type: string, name: string, value: string, language: Language): string | null {
   const row = ROWS.get(type);
   const field = row && argumentsOf(row).find((argument) => argument.name === name);

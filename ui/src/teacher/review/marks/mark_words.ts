@@ -6,12 +6,12 @@ import { shortDay } from "../days";
 import { outcomeOf } from "../model";
 import { countsInWords, differenceInWords } from "./difference_words";
 
-/** The marks of a group, with the numbers of its runs and which run repaired which. */
+/** The marks of a group, with the numbers of its runs and the repairs between them. */
 export class MarkBook {
   private readonly numbers = new Map<string, number>();
   private readonly repairedBy = new Map<string, ReviewMark>();
 
-  /** `withDays`: the lesson went on over several days, so times of day need their day. */
+  /** `withDays`: the lesson lasted several days, so times need their day. */
   constructor(
     readonly marks: readonly ReviewMark[],
     readonly withDays = false,
@@ -22,7 +22,7 @@ export class MarkBook {
     }
   }
 
-  /** The number of a run within its group, from 1. */
+  /** Number of a run within its group, from 1. */
   numberOf(run: string | null): number {
     return this.numbers.get(run ?? "") ?? 0;
   }
@@ -32,20 +32,20 @@ export class MarkBook {
     return (mark.run_id && this.repairedBy.get(mark.run_id)) || null;
   }
 
-  /** The mark whose versions tell what was changed: for a failing run the run that repaired it. */
+  /** The mark whose versions show the change: for a failed run the run that repaired it. */
   changeOf(mark: ReviewMark): ReviewMark | null {
     const telling = this.repairOf(mark) ?? mark;
     return telling.changes ? telling : null;
   }
 }
 
-/** What a mark is, in words. */
+/** Text of a mark. */
 export interface MarkWords {
   readonly title: string;
   readonly lines: readonly string[];
 }
 
-/** `difference`: between the versions that `book.changeOf(mark)` names, null while it is not known. */
+/** `difference`: between the versions of `book.changeOf(mark)`; null while unknown. */
 export function wordsOf(
   mark: ReviewMark,
   book: MarkBook,
@@ -64,7 +64,7 @@ export function wordsOf(
   };
 }
 
-/** The number of a run and how it ended. */
+/** Number and outcome of a run. */
 export function runTitle(mark: ReviewMark, book: MarkBook): string {
   const { line, outcomes } = texts.value.review;
   return `${line.run(book.numberOf(mark.run_id))}: ${outcomes[outcomeOf(mark)]}`;
@@ -88,7 +88,7 @@ function aboutRun(mark: ReviewMark, book: MarkBook): string[] {
   ];
 }
 
-/** Program, when it was and how long the robot took. */
+/** Program, time, and duration of the run. */
 export function facts(mark: ReviewMark, book: MarkBook): string {
   const time = texts.value.review.detail.at(timeOfDay(mark.at, language.value));
   const day = shortDay(Date.parse(mark.at) / 1000, language.value);
@@ -101,7 +101,7 @@ export function facts(mark: ReviewMark, book: MarkBook): string {
     .join(" · ");
 }
 
-/** What was changed before a mark: block by block where `difference` is known, else how many blocks. */
+/** Changes before a mark: block by block if `difference` is known, otherwise the number of blocks. */
 export function changesInWords(mark: ReviewMark, difference: VersionDifference | null): string[] {
   const { review } = texts.value;
   if (difference && mark.since) return differenceInWords(difference, review, language.value);

@@ -1,14 +1,14 @@
 import { signal } from "@preact/signals";
 
-/** The text of the tooltip of an element that is pointed at, focused or tapped. */
+/** Tooltip of an element that is hovered, focused or tapped. */
 export interface Tip {
   readonly title: string;
   readonly lines: readonly string[];
-  /** The element that it describes. */
+  /** The described element. */
   readonly anchor: Element;
 }
 
-/** Gives the text; called again when a signal that it reads changes. */
+/** Returns the text; called again when a signal that it reads changes. */
 type Saying = () => Omit<Tip, "anchor">;
 
 export const tip = signal<{ anchor: Element; say: Saying } | null>(null);

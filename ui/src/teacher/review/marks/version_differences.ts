@@ -5,12 +5,12 @@ import { report } from "../../../kit/report";
 
 const cache = new Map<string, Signal<VersionDifference | null>>();
 
-/** What was changed up to a mark; null where it changed nothing, and until the server has answered. */
+/** Changes up to a mark; null without changes and before the response. */
 export function differenceOf(mark: ReviewMark | null): VersionDifference | null {
   return mark?.since && mark.version_id ? between(mark.since, mark.version_id).value : null;
 }
 
-/** Versions never change: the difference of two is asked for once. */
+/** Cached, because versions never change. */
 function between(from: string, to: string): Signal<VersionDifference | null> {
   const key = `${from}/${to}`;
   const known = cache.get(key);

@@ -12,7 +12,7 @@ interface NoteFormProps {
   editor: NoteEditor;
 }
 
-/** The field for a note, and what can be done with it. */
+/** Text field and actions of a note. */
 export function NoteForm({ editor }: NoteFormProps) {
   const { note: say } = texts.value.review;
   const { text, state, open, changed } = editor;
@@ -100,7 +100,7 @@ interface ConfirmDeleteProps {
   onCancel(): void;
 }
 
-/** A deleted note cannot be restored: deleting takes two presses. */
+/** Deletion cannot be undone, so it needs a second press. */
 function ConfirmDelete({ onConfirm, onCancel }: ConfirmDeleteProps) {
   const { note: say } = texts.value.review;
   const cancel = useRef<HTMLButtonElement>(null);

@@ -13,7 +13,7 @@ interface TeacherNoteProps {
   run: string;
 }
 
-/** The teacher's note about a run: written, changed, deleted. The group reads it the next time it comes in. */
+/** Editor of the teacher's note about a run. The group reads it when it next opens its work. */
 export function TeacherNote({ run }: TeacherNoteProps) {
   const notes = useLoaded(run, () => reviewApi.notes(run));
   return (

@@ -1,6 +1,6 @@
 const key = (run: string) => `pinel_note_${run}`;
 
-/** The unsent text of a note about a run; kept until the window closes. */
+/** The unsent text of a note about a run; stored until the window closes. */
 export function draftOf(run: string): string | null {
   return sessionStorage.getItem(key(run));
 }

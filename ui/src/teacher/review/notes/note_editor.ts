@@ -9,20 +9,20 @@ import { draftOf, keepDraft } from "./note_draft";
 
 export type NoteState = "unchanged" | "saving" | "saved" | "deleted";
 
-/** A run's note: the one that the group has, and the text of the next one. */
+/** A run's note: the sent one, and the edited text. */
 export interface NoteEditor {
   readonly note: Signal<Note | null>;
   readonly text: Signal<string>;
   readonly state: Signal<NoteState>;
   readonly open: Signal<boolean>;
-  /** The text differs from the note that the group has. */
+  /** The text differs from the sent note. */
   readonly changed: boolean;
   write(text: string): void;
   save(): Promise<void>;
   remove(): Promise<void>;
 }
 
-/** `last`: the note that the group has. */
+/** `last`: the sent note. */
 export function useNoteEditor(run: string, last: Note | null): NoteEditor {
   const draft = draftOf(run);
   const note = useSignal(last);
@@ -56,14 +56,14 @@ export function useNoteEditor(run: string, last: Note | null): NoteEditor {
   };
   const remove = async () => {
     const known = note.value;
-    // text that the group never got stays in the field
+    // unsent text stays in the field
     const left = changed ? text.value : "";
     if (known) await act(() => reviewApi.deleteNote(known.id).then(() => null), "deleted", left);
   };
   return { note, text, state, open, changed, write, save, remove };
 }
 
-/** Whether the note is kept, and whether the group has read it, in words. */
+/** Save state and read state of the note, as text. */
 export function stateInWords({ note, text, state, changed }: NoteEditor): string {
   const { note: say } = texts.value.review;
   if (state.value === "saving") return say.saving;

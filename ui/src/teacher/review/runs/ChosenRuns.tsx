@@ -11,7 +11,7 @@ interface ChosenRunsProps {
   chosen: Signal<readonly HistoryRun[]>;
 }
 
-/** The runs chosen for side by side, at the bottom of the screen. */
+/** The runs selected for comparison, at the bottom of the screen. */
 export function ChosenRuns({ chosen }: ChosenRunsProps) {
   const { runs: say } = texts.value.review;
   const [first, second] = chosen.value;

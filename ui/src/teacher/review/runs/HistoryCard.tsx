@@ -9,7 +9,7 @@ import { TEST } from "../../../shell/testids";
 import { type Outcome, outcomeOf } from "../model";
 import { OutcomeSign } from "../OutcomeSign";
 
-/** Outcomes that have shorter words on a card. */
+/** Outcomes with a shorter text on cards. */
 const SHORT: Partial<Record<Outcome, "passed" | "not_passed" | "finished" | "stopped" | "failed">> =
   {
     passed: "passed",
@@ -24,7 +24,7 @@ interface HistoryCardProps {
   chosen: Signal<readonly HistoryRun[]>;
 }
 
-/** A run with its group: opens its replay, and can be chosen for side by side. */
+/** A run with its group: links to its replay, and can be selected for comparison. */
 export function HistoryCard({ run, chosen }: HistoryCardProps) {
   const { outcomes, runs } = texts.value.review;
   const { work } = texts.value;
@@ -77,7 +77,7 @@ function Choose({ run, chosen, title }: HistoryCardProps & { title: string }) {
         data-testid={TEST.compareChoose}
         onChange={() => {
           const others = chosen.value.filter(({ id }) => id !== run.id);
-          // a third takes the place of the one that was chosen before the last
+          // a third selection replaces the first
           chosen.value = isChosen ? others : [...others.slice(-1), run];
         }}
       />

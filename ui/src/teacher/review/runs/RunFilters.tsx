@@ -5,7 +5,7 @@ import type { RunFilter } from "../../../api/review";
 import { language, texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
 import { Select, type SelectOption } from "../../../kit/Select";
-import { toldApart } from "../../../shell/namesakes";
+import { withDistinctNames } from "../../../shell/namesakes";
 import { TEST } from "../../../shell/testids";
 import { type FilterChoices, NO_FILTER } from "./run_list";
 
@@ -56,7 +56,7 @@ export function RunFilters({ filter, choices }: RunFiltersProps) {
 }
 
 const classOptions = ({ classes }: FilterChoices): Options => [
-  ...toldApart(classes, language.value).map(({ id, name }) => [id, name] as const),
+  ...withDistinctNames(classes, language.value).map(({ id, name }) => [id, name] as const),
   [NO_CLASS, texts.value.review.lesson.noClass],
 ];
 
@@ -70,7 +70,7 @@ function groupOptions({ groups }: FilterChoices, classroom: string): Options {
 interface SelectFilterProps {
   filter: Signal<RunFilter>;
   name: Exclude<keyof RunFilter, "day">;
-  /** The words for no choice. */
+  /** Label of the empty choice. */
   all: string;
   options: Options;
 }
@@ -88,7 +88,7 @@ function SelectFilter({ filter, name, all, options }: SelectFilterProps) {
         data-name={name}
         data-on={value !== ""}
         onChange={(chosen) => {
-          // groups are those of the class
+          // the group filter depends on the class
           const group = name === "classroom" ? { group: "" } : {};
           filter.value = { ...filter.value, ...group, [name]: chosen };
         }}

@@ -13,11 +13,11 @@ export const NO_FILTER: RunFilter = {
   outcome: "",
 };
 
-/** Filter and choice are kept until the page is closed, for the way back from a replay. */
+/** Filter and selection last as long as the page, for the return from a replay. */
 export const filter = signal<RunFilter>(NO_FILTER);
 export const chosen = signal<readonly HistoryRun[]>([]);
 
-/** How the list was left: where it was scrolled to, and how many runs of which filter it showed. */
+/** View state of the list: scroll position, number of shown runs, and their filter. */
 export const left = { top: 0, runs: 0, filter: NO_FILTER };
 
 export interface RunPage {
@@ -26,7 +26,7 @@ export interface RunPage {
   next: string | null;
 }
 
-/** The runs that match the filter, newest first; `older` adds a page of them. */
+/** The runs that match the filter, newest first; `older` loads another page. */
 export function useRunList() {
   const wanted = filter.value;
   const list = useTeacherLoaded(wanted, async () => {
@@ -41,7 +41,7 @@ export function useRunList() {
   return { list, older };
 }
 
-/** As many pages as it takes to show at least so many runs. */
+/** Loads pages until there are at least `least` runs. */
 async function loadRuns(wanted: RunFilter, least: number): Promise<RunPage> {
   let { runs, next } = await reviewApi.runs(wanted, null);
   while (next && runs.length < least) {
@@ -52,7 +52,7 @@ async function loadRuns(wanted: RunFilter, least: number): Promise<RunPage> {
   return { runs, next };
 }
 
-/** What can be chosen in the filters. */
+/** Options of the filters. */
 export type FilterChoices = Awaited<ReturnType<typeof loadFilterChoices>>;
 
 export async function loadFilterChoices() {

@@ -13,7 +13,7 @@ import { outcomeOf } from "../model";
 import { OutcomeSign } from "../OutcomeSign";
 import { barHeight, type LineLayout, type PlacedMark, type Tick } from "./line_layout";
 
-/** The height of the line under the marks, and of all of it; pixels, as in lesson.css. */
+/** Vertical position of the base line, and total height; pixels, as in lesson.css. */
 const BASE = 42;
 const HEIGHT = 60;
 
@@ -23,7 +23,7 @@ interface LineProps {
   layout: LineLayout;
 }
 
-/** The timeline of a group: a bar for each burst of edits, a round sign for each run, arcs for repairs. */
+/** The timeline of a group: a bar per burst of edits, a round icon per run, arcs for repairs. */
 export function Line({ group, book, layout }: LineProps) {
   const { line } = texts.value.review;
   return (
@@ -76,7 +76,7 @@ function Mark({ placed: { mark, index }, book }: { placed: PlacedMark; book: Mar
         touched.current = event.pointerType === "touch" && !isTipOf(event.currentTarget);
       }}
       onClick={(event) => {
-        // a finger cannot point without pressing: the first touch says what it is, the next opens it
+        // touch has no hover: the first tap shows the tooltip, the second opens the link
         if (!touched.current) return hideTip();
         event.preventDefault();
         show(event);
@@ -103,7 +103,7 @@ export function addressOf(mark: ReviewMark): string {
     : hashOf({ screen: "versions", program: program_id, version: version_id });
 }
 
-/** The line itself, its ruler, folded pauses, and arcs from failed runs to their repairs. */
+/** Base line, ruler, folded pauses, and arcs from failed runs to their repairs. */
 function Ground({ layout }: { layout: LineLayout }) {
   const { line } = texts.value.review;
   const { width, ticks, folds, arcs, marks, lengths } = layout;

@@ -1,24 +1,23 @@
-/** A stretch of time, seconds. */
+/** An interval of time, in seconds. */
 export interface Span {
   readonly from: number;
   readonly to: number;
 }
 
-/** A pause that is drawn short: where it stands on the axis, and how long it was, in seconds. */
+/** A shortened pause: its position on the axis and its real length, in seconds. */
 export interface Fold {
   readonly at: number;
   readonly from: number;
   readonly seconds: number;
 }
 
-/** Longer pauses are folded: the figures leave them out of the active time, too. */
+/** Longer pauses are folded; the figures exclude them from the active time too. */
 export const FOLD_S = 300;
-/** A folded pause is drawn as if it were so long. */
+/** Drawn length of a folded pause. */
 export const FOLDED_S = 60;
 
 /**
- * Seconds as the line shows them: nothing happens in a folded pause, so that it takes little room. Built from
- * everything that happened on the line.
+ * Maps time to positions in seconds, with folded pauses shortened. Built from all marks of the line.
  */
 export class Axis {
   readonly folds: readonly Fold[];
@@ -53,7 +52,7 @@ export class Axis {
     return shown;
   }
 
-  /** How long the line is, in seconds. */
+  /** Length of the line, in seconds. */
   get length(): number {
     return this.at(this.to);
   }
@@ -70,8 +69,8 @@ interface Timed {
 }
 
 /**
- * When each mark began and ended, in seconds since 1970. Marks come in the order in which they happened; a clock that
- * was set back in between is set forward again, so that none stands before the one that it followed.
+ * Begin and end of each mark, in seconds since 1970. The marks are in the order of events; if the PC's clock was set
+ * back in between, later times are shifted so that the order is kept.
  */
 export function spansOf(marks: readonly Timed[]): Span[] {
   let shift = 0;
@@ -87,7 +86,7 @@ export function spansOf(marks: readonly Timed[]): Span[] {
 
 const STEPS_S = [60, 120, 300, 600, 900, 1800, 3600, 7200, 14_400, 28_800, 86_400];
 
-/** Seconds between two marks of a ruler that are at least so many pixels apart. */
+/** Interval of a ruler in seconds, for ticks at least `apart` pixels apart. */
 export function stepFor(pixelsPerSecond: number, apart: number): number {
   return STEPS_S.find((step) => step * pixelsPerSecond >= apart) ?? 86_400;
 }

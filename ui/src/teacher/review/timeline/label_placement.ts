@@ -1,20 +1,20 @@
-/** The wanted position of an item on a line: its middle and its width, in pixels. */
+/** Preferred position of an item on a line: centre and width, in pixels. */
 export interface Wish {
   readonly middle: number;
   readonly width: number;
 }
 
-/** Between two neighbours, in pixels. */
+/** Gap between neighbours, in pixels. */
 export const GAP = 2;
 
-/** The least room in which no two overlap. */
+/** Minimum width without overlaps, in pixels. */
 export function roomFor(wishes: readonly Wish[]): number {
   return wishes.reduce((sum, { width }) => sum + width + GAP, -GAP);
 }
 
 /**
- * The middles of things that keep their order and do not overlap, each as near as can be to where it wants to be. They
- * stay between 0 and `room`, which is at least `roomFor` them. Pool adjacent violators: Best and Chakravarti 1990.
+ * Centres of the items without overlaps, in the same order, as near as possible to the preferred positions (least
+ * squares) and within 0 to `room`, which must be at least `roomFor`. Pool adjacent violators: Best and Chakravarti 1990.
  */
 export function spread(wishes: readonly Wish[], room: number): number[] {
   const offsets: number[] = [];
@@ -41,7 +41,7 @@ export function spread(wishes: readonly Wish[], room: number): number[] {
 
 const mean = ({ sum, count }: { sum: number; count: number }) => sum / count;
 
-/** Interpolates linearly between known pairs, which rise in both values; beyond them by `scale`. */
+/** Interpolates linearly between known pairs, increasing in both values; extrapolates with the slope `scale`. */
 export function between(
   knots: readonly (readonly [number, number])[],
   value: number,

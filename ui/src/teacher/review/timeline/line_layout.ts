@@ -4,15 +4,15 @@ import { type Axis, type Fold, type Span, stepFor } from "./axis";
 import { between, GAP, roomFor, spread } from "./label_placement";
 import type { TimePoint } from "./stretch";
 
-/** A round mark, and the smallest one that still shows its sign; in pixels. */
+/** Diameter of a round mark, and the smallest with a legible sign; in pixels. */
 export const ROUND = 26;
 const SMALLEST = 16;
-/** Round marks where many lines share one scale. */
+/** Diameter where many lines share one scale. */
 const DENSE = 20;
 const THINNEST_BAR = 10;
 const LOWEST_BAR = 8;
 const HIGHEST_BAR = 30;
-/** Distance of the numbers under the line, in pixels. */
+/** Minimum distance of the ruler's labels, in pixels. */
 const RULER_APART = 72;
 /** Widths of a day and of the label of a folded pause under the line, in pixels. */
 const DAY_APART = 84;
@@ -23,7 +23,7 @@ const EDGE = 4;
 export interface PlacedMark {
   readonly mark: ReviewMark;
   readonly index: number;
-  /** Its middle and its size, in pixels. */
+  /** Centre and size, in pixels. */
   readonly x: number;
   readonly width: number;
   readonly height: number;
@@ -34,7 +34,7 @@ export interface Arc {
   readonly to: number;
 }
 
-/** A number under the line. */
+/** A tick of the ruler. */
 export interface Tick {
   readonly x: number;
   readonly time: number;
@@ -47,9 +47,9 @@ export interface Tick {
 export interface PlacedFold {
   readonly x: number;
   readonly fold: Fold;
-  /** Another day begins in it. */
+  /** Whether a new day begins in the pause. */
   readonly isNight: boolean;
-  /** There is room for a label: its length, or the day that begins. */
+  /** Whether there is room for a label: its length, or the new day. */
   readonly isSaid: boolean;
 }
 
@@ -60,15 +60,15 @@ export interface LineLayout {
   readonly arcs: readonly Arc[];
   readonly ticks: readonly Tick[];
   readonly folds: readonly PlacedFold[];
-  /** Runs that are longer than the sign at their beginning. */
+  /** Extents of runs that are longer than their icon. */
   readonly lengths: readonly Arc[];
-  /** The end of the time of the line. */
+  /** Position of the end of the line's time. */
   readonly end: number;
 }
 
-/** Positions in the scale that all lines share. */
+/** Positions in the shared scale of all lines. */
 export interface Common {
-  /** One for each of `pointsOf` this line. */
+  /** One for each element of `pointsOf` this line. */
   readonly places: readonly number[];
   readonly knots: readonly (readonly [number, number])[];
   readonly end: number;
@@ -78,14 +78,14 @@ interface LineInput {
   marks: readonly ReviewMark[];
   spans: readonly Span[];
   axis: Axis;
-  /** The room for the line in pixels, and the pixels of a second. */
+  /** Width of the line in pixels, and pixels per second. */
   width: number;
   scale: number;
   /** The ruler shows the time of day instead of minutes. */
   byClock: boolean;
-  /** The ruler begins with the day. */
+  /** The ruler's first label is the day. */
   withDays: boolean;
-  /** Undefined where each line has a scale of its own. */
+  /** Undefined if each line has its own scale. */
   common?: Common;
 }
 
@@ -130,7 +130,7 @@ function layOutCommon(line: LineInput, common: Common): LineLayout {
   };
 }
 
-/** The layout of a line. Where marks had to be moved apart, the ruler is stretched with them. */
+/** The layout of a line. Where marks are moved apart, the ruler is stretched with them. */
 export function layOut(line: LineInput): LineLayout {
   const { marks, spans, axis, width, scale, common } = line;
   if (common) return layOutCommon(line, common);
@@ -165,12 +165,12 @@ export function layOut(line: LineInput): LineLayout {
   };
 }
 
-/** The height grows with the root of the edits: few stay visible beside many. Pixels. */
+/** Height in pixels, proportional to the square root of the edits, so that few stay visible beside many. */
 export function barHeight(edits: number): number {
   return Math.min(HIGHEST_BAR, LOWEST_BAR + 4 * Math.sqrt(Math.max(0, edits - 1)));
 }
 
-/** The size of round marks: smaller ones where the line would become longer than its room. */
+/** Diameter of round marks: smaller if they would not fit on the line. */
 function roundFor(marks: readonly ReviewMark[], room: number): number {
   const parts = marks.reduce(
     (sum, { kind }) => sum + (kind === "run" ? 1 : THINNEST_BAR / ROUND),
@@ -189,7 +189,7 @@ function narrow(
 
 type At = (index: number) => number;
 
-/** Rising pairs of time (in pixels of an even line) and position. */
+/** Increasing pairs of time (in pixels of a linear scale) and position. */
 function knotsOf(
   placed: readonly PlacedMark[],
   marks: readonly ReviewMark[],

@@ -4,13 +4,13 @@ import { Axis, type Span, spansOf } from "./axis";
 import { type LineLayout, layOut, pointsOf } from "./line_layout";
 import { type Stretched, stretch } from "./stretch";
 
-/** What positions on the lines mean: time since the group's own beginning, or time of day. */
+/** Meaning of positions: time since the group's first mark, or time of day. */
 export type TimeOf = "group" | "clock";
 
-/** The least length of a line in seconds: the marks of two minutes are not spread over the whole screen. */
+/** Minimum length of a line in seconds, so that two minutes do not fill the whole screen. */
 const SHORTEST_S = 600;
 
-/** The lines of all groups in one scale, so that a minute is as long for all of them. */
+/** Layouts of all groups in one scale: a minute has the same length on all lines. */
 export function linesOf(
   groups: readonly GroupReview[],
   timeOf: TimeOf,

@@ -1,14 +1,14 @@
-/** A point in time on a line, and its least distance from the point before it on that line, in pixels. */
+/** A point in time on a line, with its minimum distance in pixels from the preceding point. */
 export interface TimePoint {
   readonly time: number;
   readonly gap: number;
 }
 
-/** Positions of all points in one scale: even where there is room, stretched where marks are dense. */
+/** Positions of all points in one scale: linear where possible, stretched where marks are dense. */
 export interface Stretched {
   /** By line and point, in pixels. */
   readonly places: readonly (readonly number[])[];
-  /** Pairs of time and position, both of them rising. */
+  /** Pairs of time and position, both increasing. */
   readonly knots: readonly (readonly [number, number])[];
   readonly end: number;
 }
@@ -16,8 +16,8 @@ export interface Stretched {
 const STEPS = 24;
 
 /**
- * One scale for many lines: a time has the same position on all of them, and no two points of a line are nearer than
- * they may be. As even as the room allows.
+ * One scale for many lines: a time has the same position on all of them, and points of a line keep their minimum
+ * distances. As linear as the width allows.
  */
 export function stretch(lines: readonly (readonly TimePoint[])[], room: number): Stretched {
   const sorted = lines
@@ -38,7 +38,7 @@ interface Placed extends TimePoint {
   readonly index: number;
 }
 
-/** Each point as far to the left as it may be, where a second takes at least `perSecond` pixels. */
+/** Leftmost positions of all points for a scale of at least `perSecond` pixels per second. */
 function laid(count: number, sorted: readonly Placed[], perSecond: number): Stretched {
   const places: number[][] = Array.from({ length: count }, () => []);
   const knots: [number, number][] = [];

@@ -12,7 +12,7 @@ import { drawStart } from "./robot";
 type Ctx = CanvasRenderingContext2D;
 
 /** Input of the cached image. */
-export interface Sheet {
+export interface CacheInput {
   readonly world: World | null;
   readonly view: RunView;
   readonly palette: Palette;
@@ -28,7 +28,7 @@ const AGAIN_MS = 150;
 const MARGIN = 128;
 
 /** How much of a line is drawn in the cache. */
-interface Inked {
+interface DrawnLength {
   chunks: number;
   /** Drawn length in metres: the dash pattern continues from it. */
   length: number;
@@ -39,46 +39,46 @@ interface Inked {
  * strokes of the pen, marks. Newer parts are drawn on top, so that a frame costs the same in a long run as in a short
  * one. The cache moves with the camera. When the camera zooms and a redraw is slow, the old image is scaled meanwhile.
  */
-export class Paper {
+export class SceneCache {
   private readonly canvas = document.createElement("canvas");
   private readonly ctx = this.canvas.getContext("2d");
   /** Second layer for the pen's strokes, which lie above the path, also above its newest part. */
-  private readonly film = document.createElement("canvas");
-  private readonly filmCtx = this.film.getContext("2d");
-  private sheet: Sheet | null = null;
+  private readonly strokeCanvas = document.createElement("canvas");
+  private readonly strokeCtx = this.strokeCanvas.getContext("2d");
+  private input: CacheInput | null = null;
   private camera: Camera = { x: 0, y: 0, scale: 1 };
-  private path: Inked = { chunks: 0, length: 0 };
-  private ideal: Inked = { chunks: 0, length: 0 };
+  private path: DrawnLength = { chunks: 0, length: 0 };
+  private ideal: DrawnLength = { chunks: 0, length: 0 };
   private strokes = 0;
   /** How much of the pen's unfinished stroke is drawn in the cache. */
-  private pen: Inked = { chunks: 0, length: 0 };
+  private pen: DrawnLength = { chunks: 0, length: 0 };
   private cost = 0;
   private drawnAt = 0;
 
   /** Draws the cached floor and paths; true while the image is scaled or shifted and needs a redraw. */
-  lay(target: Ctx, sheet: Sheet, camera: Camera, now: number): boolean {
+  drawImage(target: Ctx, input: CacheInput, camera: Camera, now: number): boolean {
     const { canvas, ctx } = this;
     // a hidden pane has no size, and a canvas without size cannot be drawn
-    if (!ctx || sheet.size.width === 0 || sheet.size.height === 0) return false;
-    const same = this.isSame(sheet);
+    if (!ctx || input.size.width === 0 || input.size.height === 0) return false;
+    const same = this.isSame(input);
     const mayWait = same && this.cost > QUICK_MS && now - this.drawnAt < AGAIN_MS;
-    if (!same || (!this.covers(camera) && !mayWait)) this.drawAnew(ctx, sheet, camera, now);
-    else this.goOn(ctx, sheet);
-    this.put(target, canvas, sheet, camera);
+    if (!same || (!this.covers(camera) && !mayWait)) this.redraw(ctx, input, camera, now);
+    else this.extend(ctx, input);
+    this.put(target, canvas, input, camera);
     return !this.covers(camera);
   }
 
   /** Draws the pen's strokes over the paths. */
-  layFilm(target: Ctx, sheet: Sheet, camera: Camera): void {
-    if (this.strokes + this.pen.chunks > 0) this.put(target, this.film, sheet, camera);
+  drawStrokeLayer(target: Ctx, input: CacheInput, camera: Camera): void {
+    if (this.strokes + this.pen.chunks > 0) this.put(target, this.strokeCanvas, input, camera);
   }
 
-  private put(target: Ctx, image: HTMLCanvasElement, sheet: Sheet, camera: Camera): void {
+  private put(target: Ctx, image: HTMLCanvasElement, input: CacheInput, camera: Camera): void {
     const scale = camera.scale / this.camera.scale;
-    const [width, height] = [sheet.size.width + 2 * MARGIN, sheet.size.height + 2 * MARGIN];
+    const [width, height] = [input.size.width + 2 * MARGIN, input.size.height + 2 * MARGIN];
     const left = (this.camera.x - camera.x) * camera.scale - (width * scale) / 2;
     const top = -(this.camera.y - camera.y) * camera.scale - (height * scale) / 2;
-    const [middleX, middleY] = [sheet.size.width / 2, sheet.size.height / 2];
+    const [middleX, middleY] = [input.size.width / 2, input.size.height / 2];
     target.drawImage(image, middleX + left, middleY + top, width * scale, height * scale);
   }
 
@@ -96,20 +96,20 @@ export class Paper {
     return scale === this.camera.scale && far <= MARGIN;
   }
 
-  /** Whether the cache is still valid: it holds the beginning of what the sheet shows. */
-  private isSame({ world, view, palette, size, ratio }: Sheet): boolean {
-    const { sheet } = this;
+  /** Whether the cache is still valid: it holds the beginning of what the input shows. */
+  private isSame({ world, view, palette, size, ratio }: CacheInput): boolean {
+    const { input } = this;
     return (
-      sheet !== null &&
-      sheet.world === world &&
-      sheet.palette === palette &&
-      sheet.size === size &&
-      sheet.ratio === ratio &&
-      sheet.view.run === view.run &&
-      hasSameMarks(sheet.view.output, view.output) &&
-      begins(sheet.view.path, view.path, this.path.chunks) &&
-      begins(sheet.view.idealPath, view.idealPath, this.ideal.chunks) &&
-      hasSameStroke(sheet.view.output, view.output, this.strokes - 1) &&
+      input !== null &&
+      input.world === world &&
+      input.palette === palette &&
+      input.size === size &&
+      input.ratio === ratio &&
+      input.view.run === view.run &&
+      hasSameMarks(input.view.output, view.output) &&
+      begins(input.view.path, view.path, this.path.chunks) &&
+      begins(input.view.idealPath, view.idealPath, this.ideal.chunks) &&
+      hasSameStroke(input.view.output, view.output, this.strokes - 1) &&
       this.holdsPen(view.output)
     );
   }
@@ -117,16 +117,16 @@ export class Paper {
   /** The pen's cached stroke is still unfinished, or is now one of the finished strokes. */
   private holdsPen({ pen, strokes }: Output): boolean {
     if (this.pen.chunks === 0) return true;
-    const before = this.sheet?.view.output.pen;
+    const before = this.input?.view.output.pen;
     if (!before) return false;
     const isSame = (stroke: Stroke | null) =>
       stroke !== null && begins(before.trail, stroke.trail, this.pen.chunks);
     return isSame(pen) || strokes.slice(this.strokes).some(isSame);
   }
 
-  private drawAnew(ctx: Ctx, sheet: Sheet, camera: Camera, now: number): void {
+  private redraw(ctx: Ctx, input: CacheInput, camera: Camera, now: number): void {
     const { canvas } = this;
-    const { size, ratio, palette, world } = sheet;
+    const { size, ratio, palette, world } = input;
     this.camera = { ...camera };
     this.path = { chunks: 0, length: 0 };
     this.ideal = { chunks: 0, length: 0 };
@@ -134,37 +134,37 @@ export class Paper {
     this.pen = { chunks: 0, length: 0 };
     canvas.width = Math.round((size.width + 2 * MARGIN) * ratio);
     canvas.height = Math.round((size.height + 2 * MARGIN) * ratio);
-    this.film.width = canvas.width;
-    this.film.height = canvas.height;
+    this.strokeCanvas.width = canvas.width;
+    this.strokeCanvas.height = canvas.height;
     const before = performance.now();
     ctx.setTransform(1, 0, 0, 1, 0, 0);
     ctx.fillStyle = palette.outside;
     ctx.fillRect(0, 0, canvas.width, canvas.height);
-    this.place(ctx, sheet);
+    this.place(ctx, input);
     drawFloor(ctx, world, palette, camera.scale, false);
-    this.toStart(ctx, sheet);
+    this.toStart(ctx, input);
     drawStart(ctx, palette, camera.scale);
-    drawMarks(ctx, sheet.view.output.marks, palette);
-    this.ink(ctx, sheet);
+    drawMarks(ctx, input.view.output.marks, palette);
+    this.drawFull(ctx, input);
     this.cost = performance.now() - before;
     this.drawnAt = now;
   }
 
-  private goOn(ctx: Ctx, sheet: Sheet): void {
-    const { view } = sheet;
+  private extend(ctx: Ctx, input: CacheInput): void {
+    const { view } = input;
     const isFull =
       view.path.chunks.length === this.path.chunks &&
       view.idealPath.chunks.length === this.ideal.chunks &&
       view.output.strokes.length === this.strokes &&
       (view.output.pen?.trail.chunks.length ?? 0) <= this.pen.chunks;
-    this.sheet = sheet;
+    this.input = input;
     if (isFull) return;
-    this.place(ctx, sheet);
-    this.toStart(ctx, sheet);
-    this.ink(ctx, sheet);
+    this.place(ctx, input);
+    this.toStart(ctx, input);
+    this.drawFull(ctx, input);
   }
 
-  private place(ctx: Ctx, { size, ratio }: Sheet): void {
+  private place(ctx: Ctx, { size, ratio }: CacheInput): void {
     const { camera } = this;
     ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
     ctx.translate(size.width / 2 + MARGIN, size.height / 2 + MARGIN);
@@ -173,19 +173,19 @@ export class Paper {
   }
 
   /** Draws into the cache what became complete since the last call. */
-  private ink(ctx: Ctx, sheet: Sheet): void {
-    const { view, palette } = sheet;
+  private drawFull(ctx: Ctx, input: CacheInput): void {
+    const { view, palette } = input;
     const pixel = 1 / this.camera.scale;
-    this.ideal = inked(ctx, view.idealPath, this.ideal, idealPen(palette, pixel));
-    this.path = inked(ctx, view.path, this.path, pathPen(palette, pixel));
-    if (this.filmCtx) this.inkFilm(this.filmCtx, sheet, pixel);
-    this.sheet = sheet;
+    this.ideal = drawnTo(ctx, view.idealPath, this.ideal, idealPen(palette, pixel));
+    this.path = drawnTo(ctx, view.path, this.path, pathPen(palette, pixel));
+    if (this.strokeCtx) this.drawFullStrokes(this.strokeCtx, input, pixel);
+    this.input = input;
   }
 
-  private inkFilm(ctx: Ctx, sheet: Sheet, pixel: number): void {
-    const { view, palette } = sheet;
-    this.place(ctx, sheet);
-    this.toStart(ctx, sheet);
+  private drawFullStrokes(ctx: Ctx, input: CacheInput, pixel: number): void {
+    const { view, palette } = input;
+    this.place(ctx, input);
+    this.toStart(ctx, input);
     for (const stroke of view.output.strokes.slice(this.strokes)) {
       drawStroke(ctx, stroke, null, palette, pixel);
       this.pen = { chunks: 0, length: 0 };
@@ -198,21 +198,21 @@ export class Paper {
     }
   }
 
-  private toStart(ctx: Ctx, { world }: Sheet): void {
+  private toStart(ctx: Ctx, { world }: CacheInput): void {
     const start = startOf(world);
     ctx.translate(start.x, start.y);
     ctx.rotate(start.yaw);
   }
 
   /** Draws the newest part of each path, which is not in the cache yet. The canvas is in the start frame. */
-  drawPaths(ctx: Ctx, { view, palette }: Sheet, camera: Camera, end: Point | null): void {
+  drawPaths(ctx: Ctx, { view, palette }: CacheInput, camera: Camera, end: Point | null): void {
     const pixel = 1 / camera.scale;
     drawRest(ctx, view.idealPath, this.ideal, idealPen(palette, pixel), null);
     drawRest(ctx, view.path, this.path, pathPen(palette, pixel), end);
   }
 
   /** Draws the part of the pen's unfinished stroke that is not in the cache yet. */
-  drawPen(ctx: Ctx, { view, palette }: Sheet, camera: Camera, end: Point | null): void {
+  drawPen(ctx: Ctx, { view, palette }: CacheInput, camera: Camera, end: Point | null): void {
     const { pen } = view.output;
     const pixel = 1 / camera.scale;
     if (pen) drawStroke(ctx, restOf(pen, this.pen.chunks, true), end, palette, pixel);
@@ -248,7 +248,7 @@ const idealPen = (palette: Palette, pixel: number): Pen => ({
   dash: [5 * pixel, 6 * pixel],
 });
 
-function inked(ctx: Ctx, trail: Trail, before: Inked, pen: Pen): Inked {
+function drawnTo(ctx: Ctx, trail: Trail, before: DrawnLength, pen: Pen): DrawnLength {
   const fresh = trail.chunks.slice(before.chunks);
   if (fresh.length === 0) return before;
   const joint = trail.chunks[before.chunks - 1]?.at(-1);
@@ -265,7 +265,7 @@ function inked(ctx: Ctx, trail: Trail, before: Inked, pen: Pen): Inked {
   return { chunks: trail.chunks.length, length };
 }
 
-function drawRest(ctx: Ctx, trail: Trail, before: Inked, pen: Pen, end: Point | null): void {
+function drawRest(ctx: Ctx, trail: Trail, before: DrawnLength, pen: Pen, end: Point | null): void {
   take(ctx, pen, before.length);
   ctx.beginPath();
   const joint = trail.chunks[before.chunks - 1]?.at(-1);

@@ -33,7 +33,7 @@ const ROBOT_M = 0.24;
 type Mode = "pan" | "move" | "turn" | "measure";
 
 /** Handles pointer and keys on the floor: measuring, dragging the robot, panning. Returns the unsubscribe function. */
-export function listenToHands(floor: Floor): () => void {
+export function listenToPointer(floor: Floor): () => void {
   const { element, scene, tools } = floor;
   let mode: Mode | null = null;
   let last: XY = { x: 0, y: 0 };
@@ -81,8 +81,8 @@ export function listenToHands(floor: Floor): () => void {
     const { value: tool } = tools.tool;
     if (tool) {
       if (tools.points.peek().length > 0 && !tools.isDone.peek()) tools.draft.value = snap(event);
-      element.dataset.hand = "measure";
-    } else element.dataset.hand = holdAt(placeOf(event), floor);
+      element.dataset.grip = "measure";
+    } else element.dataset.grip = holdAt(placeOf(event), floor);
   };
   const up = (event: PointerEvent) => {
     if (mode === "measure" && (!fresh || far >= CLICK_PX)) endMeasure(tools, snap(event));

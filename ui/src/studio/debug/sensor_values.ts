@@ -3,29 +3,29 @@ import { api } from "../../api/client";
 import { sensorWords } from "../../blocks/sensor_words";
 import * as robot from "../../run/live";
 
-/** A sensor as the document has it. */
+/** A sensor reading of the program document. */
 type Sensor = { readonly sensor: string };
 type Row = readonly [name: string, value: unknown];
 
 const MOST = 8;
 
-/** What the sensors that the program asks measure, while it stands. */
-export const senses = signal<readonly Row[]>([]);
+/** Measurements of the program's sensors while the run is paused. */
+export const sensorValues = signal<readonly Row[]>([]);
 
-/** Asks the sensors each time the run pauses; the answer ends that. */
+/** Reads the sensors at each pause of the run; returns the unsubscribe function. */
 export function watchSensors(documentThatRuns: () => unknown): () => void {
-  // telemetry goes on for a moment after a pause, and is no reason to ask again
+  // telemetry continues for a moment after a pause and must not trigger another reading
   const pause = computed(() => {
     const { run, phase, seq } = robot.live.value;
     return phase === "paused" && run ? `${seq} ${run}` : null;
   });
   return effect(() => {
     const { value: asked } = pause;
-    senses.value = [];
+    sensorValues.value = [];
     const run = asked?.split(" ")[1];
     if (!run) return;
     void measured(run, sensorsIn(documentThatRuns())).then((rows) => {
-      if (asked === pause.peek()) senses.value = rows;
+      if (asked === pause.peek()) sensorValues.value = rows;
     });
   });
 }
@@ -38,7 +38,7 @@ async function measured(run: string, sensors: readonly Sensor[]): Promise<readon
   return Promise.all(answers).catch(() => []);
 }
 
-/** The different sensors in a document whose place is written out, in its order. */
+/** The distinct sensor readings of a document with literal arguments, in document order. */
 export function sensorsIn(document: unknown): readonly Sensor[] {
   const found = new Map<string, Sensor>();
   const waiting: unknown[] = [document];

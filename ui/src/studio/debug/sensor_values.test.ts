@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { sensorsIn } from "./senses";
+import { sensorsIn } from "./sensor_values";
 
 test("the sensors of a document are found once each, at any depth, in its order", () => {
   const near = { op: "<", args: [{ sensor: "sonar", index: 3 }, 1] };
