@@ -82,6 +82,12 @@ describe("style sheets", () => {
     expect(modules.filter((path) => /^import .*\.css"/m.test(read(path)))).toEqual([]);
   });
 
+  test("only the kit's sheet says whose arrow a select has", () => {
+    const says = /[^{};]*\bselect\b[^{};]*\{[^}]*\bappearance\b/;
+    const sheets = wholes.flat().filter((path) => says.test(read(path)));
+    expect(sheets).toEqual([join("src", "kit", "controls.css")]);
+  });
+
   test("a class belongs to one sheet", () => {
     const owners = new Map<string, Set<string>>();
     for (const whole of wholes) {
