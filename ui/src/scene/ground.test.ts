@@ -1,7 +1,8 @@
+import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import type { World } from "../api/model";
-import { drawPaint } from "./ground";
-import { paintOf } from "./paints";
+import { drawPaint, drawZones } from "./ground";
+import { contrast, paintOf } from "./paints";
 import type { Palette } from "./palette";
 
 const PALETTE = { tile: "#fafafa", number: "#202020" } as Palette;
@@ -65,3 +66,31 @@ test("each colour hides what is below it", () => {
 test("white is the bare floor, as the robot's sensor sees it", () => {
   expect(filled([disc("white")] as World["floor"])).toEqual([[PALETTE.tile, 1]]);
 });
+
+test("the name of an area can be read on each half-strength paint of the light theme", () => {
+  const tokens = readFileSync("src/kit/tokens.css", "utf8");
+  const [tile, ink] = ["--floor-tile", "--ink"].map(
+    (token) => new RegExp(`${token}: (#[0-9a-f]{6})`).exec(tokens)?.[1] ?? "",
+  ) as [string, string];
+  const names: [string, number][] = [];
+  const ctx = new Proxy({ fillStyle: "", globalAlpha: 1 } as Record<string, unknown>, {
+    get: (own, key: string) => {
+      if (key === "fillText")
+        return () => names.push([String(own.fillStyle), Number(own.globalAlpha)]);
+      if (key === "measureText") return () => ({ width: 1 });
+      return own[key] ?? (() => {});
+    },
+  });
+  const world = { zones: [{ ...square("red"), name: "meta" }] } as unknown as World;
+  drawZones(ctx as unknown as CanvasRenderingContext2D, world, { tile, ink } as Palette, 0.01);
+  expect(names).toEqual([[ink, 1]]);
+  for (const paint of ["red", "orange", "yellow", "green", "blue", "purple", "white"]) {
+    expect(contrast(ink, half(paintOf(paint), tile))).toBeGreaterThan(4.5);
+  }
+});
+
+function half(one: string, other: string): string {
+  const part = (text: string, at: number) => Number.parseInt(text.slice(at, at + 2), 16);
+  const mixed = [1, 3, 5].map((at) => Math.round((part(one, at) + part(other, at)) / 2));
+  return `#${mixed.map((value) => value.toString(16).padStart(2, "0")).join("")}`;
+}

@@ -50,7 +50,7 @@ export function drawZones(ctx: Ctx, world: World | null, palette: Palette, pixel
     trace(ctx, zone);
     ctx.stroke();
   }
-  ctx.fillStyle = palette.number;
+  ctx.fillStyle = palette.ink;
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";
   for (const zone of zones) drawName(ctx, zone, palette);
@@ -70,7 +70,6 @@ function drawName(ctx: Ctx, zone: World["zones"][number], { font }: Palette): vo
   const room = 100 * NAME_PART * (zone.size?.[0] ?? 2 * (zone.radius ?? 0.5));
   const fit = Math.min(1, room / ctx.measureText(zone.name).width);
   ctx.scale(fit, fit);
-  ctx.globalAlpha = 0.75;
   ctx.fillText(zone.name, 0, 0);
   ctx.restore();
 }

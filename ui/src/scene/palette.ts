@@ -4,6 +4,7 @@ const TOKENS = {
   otherTile: "--floor-tile-other",
   line: "--floor-line",
   number: "--floor-number",
+  ink: "--ink",
   wall: "--floor-wall",
   box: "--floor-box",
   boxSide: "--floor-box-side",
