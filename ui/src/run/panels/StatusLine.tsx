@@ -36,10 +36,14 @@ export function StatusLine({ sentence }: { sentence: Sentence }) {
           style={{ transform: `scaleX(${sentence.part})` }}
         />
       )}
-      <Spoken text={`${sentence.text}. ${sentence.more}`} />
+      <Spoken text={spoken(sentence)} />
     </div>
   );
 }
+
+/** Both parts as sentences. */
+const spoken = ({ text, more }: Sentence) =>
+  [/[.!?…]$/.test(text) ? text : `${text}.`, more].join(" ").trim();
 
 function Spoken({ text }: { text: string }) {
   const [said, setSaid] = useState("");

@@ -1,0 +1,14 @@
+import { cleanup, render, waitFor } from "@testing-library/preact";
+import { afterEach, expect, test } from "vitest";
+import { StatusLine } from "./StatusLine";
+
+afterEach(cleanup);
+
+test.each([
+  ["Em pausa.", "Apertem Continuar.", "Em pausa. Apertem Continuar."],
+  ["Programa terminou", "volta 2", "Programa terminou. volta 2"],
+  ["Tudo pronto. Apertem Rodar.", "", "Tudo pronto. Apertem Rodar."],
+])("%s and %s are read aloud as sentences", async (text, more, said) => {
+  const { getByRole } = render(<StatusLine sentence={{ text, more, tone: "calm" }} />);
+  await waitFor(() => expect(getByRole("status").textContent).toBe(said));
+});
