@@ -3,19 +3,18 @@ import type { Language } from "../i18n";
 /** Weekday, day and time, by the clock of this PC; with the year unless it is the current one. */
 export function dateAndTime(iso: string, language: Language): string {
   const date = new Date(iso);
-  return date.toLocaleString(language, {
+  const day = date.toLocaleDateString(language, {
     weekday: "short",
     day: "numeric",
     month: "short",
-    hour: "2-digit",
-    minute: "2-digit",
     ...(date.getFullYear() !== new Date().getFullYear() && { year: "numeric" }),
   });
+  return `${day}, ${timeOfDay(iso, language)}`;
 }
 
-/** The time of day, by the clock of this PC. */
+/** The time of day, by the clock of this PC, as `moment` writes it. */
 export function timeOfDay(iso: string, language: Language): string {
-  return new Date(iso).toLocaleTimeString(language, { hour: "numeric", minute: "2-digit" });
+  return new Date(iso).toLocaleTimeString(language, { timeStyle: "short" });
 }
 
 /** A duration without fractions of a second: "40 s", "2 min 05 s", "1 h 10 min". */
