@@ -78,6 +78,7 @@ function registerMenu(): void {
   if (registry.getItem(MENU)) return;
   registry.register({
     id: MENU,
+    associatedKeyboardShortcut: MENU,
     scopeType: Blockly.ContextMenuRegistry.ScopeType.BLOCK,
     weight: 7,
     displayText: ({ block }) =>
