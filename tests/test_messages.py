@@ -82,6 +82,13 @@ def test_a_thing_is_called_by_its_one_word(language: str) -> None:
     assert {code: text for code, text in said.items() if forbidden.search(text)} == {}
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_command_to_type_stands_in_quotation_marks(language: str) -> None:
+    said = {code: " ".join(words.values()) for code, words in catalogue(language).items()}
+    bare = re.compile(r"`|(?<!“)\bpinel (?:doctor|export|merge|pin|run|runs|serve)\b")
+    assert {code: text for code, text in said.items() if bare.search(text)} == {}
+
+
 @pytest.mark.parametrize("language", sorted(TO_ONE))
 def test_pupils_are_spoken_to_as_a_group(language: str) -> None:
     entries = [entry for name in TO_PUPILS for entry in area(language, name).values()]

@@ -31,7 +31,7 @@ export const teacher: typeof first = {
     computerHint: "It says where work comes from. It may stay like this.",
     done: "Done, open the class",
     forgotten:
-      "Should you forget the PIN: the command pinel pin, in the account of this PC that uses PINEL, chooses another.",
+      "Should you forget the PIN: the command “pinel pin”, in the PC's account that uses PINEL, chooses another.",
   },
   parts: {
     label: "For the teacher",

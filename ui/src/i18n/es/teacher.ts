@@ -33,7 +33,7 @@ export const teacher: typeof first = {
     computerHint: "Ayuda a saber de dónde viene cada trabajo. Puede quedar así.",
     done: "Listo, abrir el curso",
     forgotten:
-      "Si un día olvida el PIN: el comando pinel pin, en la cuenta de la computadora que usa PINEL, elige otro.",
+      "Si un día olvida el PIN: el comando “pinel pin”, en la cuenta de la computadora que usa PINEL, elige otro.",
   },
   parts: {
     label: "Área docente",

@@ -31,7 +31,7 @@ export const teacher = {
     computerHint: "Ajuda a saber de onde vem cada trabalho. Pode ficar assim.",
     done: "Pronto, abrir a turma",
     forgotten:
-      "Se um dia esquecer o PIN: o comando pinel pin, na conta do computador que usa o PINEL, escolhe outro.",
+      "Se um dia esquecer o PIN: o comando “pinel pin”, na conta do computador que usa o PINEL, escolhe outro.",
   },
   parts: {
     label: "Área do professor",
