@@ -9,6 +9,7 @@ from pinel_desktop.activities.reading import (
     activity_titles,
     choose_activity,
     shipped_texts,
+    world_title,
 )
 
 __all__ = [
@@ -21,4 +22,5 @@ __all__ = [
     "check_program",
     "choose_activity",
     "shipped_texts",
+    "world_title",
 ]

@@ -39,6 +39,15 @@ def activity_titles(language: str) -> dict[str, str]:
     return {name: title.get(language, title[SOURCE_LANGUAGE]) for name, title in titles.items()}
 
 
+def world_title(activity: Activity, language: str) -> str | None:
+    """Title of the shipped world in which an activity takes place; None if its world is a document of its own."""
+    for world in list_worlds():
+        if world["name"] == activity.world:
+            title: dict[str, str] = world["title"]
+            return title.get(language, title[SOURCE_LANGUAGE])
+    return None
+
+
 def shipped_texts() -> list[str]:
     """Names of shipped worlds and activities, and all texts of those worlds. Anonymous exports may keep them."""
     return sorted({*_texts_in(list_worlds()), *activity_names()})

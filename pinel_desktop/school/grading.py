@@ -17,7 +17,7 @@ from pinel_desktop.messages import describe
 from storage import Store, StoreError
 
 if TYPE_CHECKING:
-    from pinel_desktop.activities import Report
+    from pinel_desktop.activities import Activity, Report
 
 _log = logging.getLogger(__name__)
 
@@ -64,17 +64,25 @@ class Grader:
             run = self._store.runs.get(run_id)
             if run.activity is None or run.passed is not None or run.state == "running":
                 return
-            report = self._report(run.activity, run.version_id)
+            activity = self._activity(run.activity)
+            report = self._report(activity, run.version_id)
             passed = run.state == "finished" and report.passed
             kept = {"cases": [asdict(case) for case in report.cases]}
             self._store.checks.record(run_id, passed, kept)
-            missing = None if passed else self._missing(report)
+            missing = None if passed else self._missing(activity, run.world, report)
             self._publish(Judged(run_id, passed, missing).flat())
         except (PinelError, StoreError) as error:  # an activity of a newer release; a full disk
             _log.warning("run %s was not graded: %s", run_id, error)
 
-    def _missing(self, report: "Report") -> str | None:
-        """Message of the first check that fails; None if all hold."""
+    def _missing(self, activity: "Activity", world: str, report: "Report") -> str | None:
+        """Message of the first check that fails; None if all hold. Where the group's run was in another world, that
+        comes first: it has not seen what the checks are about.
+        """
+        from pinel_desktop.activities import world_title  # noqa: PLC0415 - heavy
+
+        title = world_title(activity, self._language())
+        if title is not None and world != activity.world and not report.passed:
+            return describe("check_other_world", {"world": title}, self._language()).message
         for case in report.cases:
             if case.reason is not None:
                 return describe(case.reason, case.params, self._language()).message
@@ -83,11 +91,17 @@ class Grader:
                     return describe(f"check_{check.kind}", check.params, self._language()).message
         return None
 
-    def _report(self, activity: str, version_id: str | None) -> "Report":
-        from pinel_desktop.activities import activity_names, check_program, choose_activity  # noqa: PLC0415 - heavy
+    @staticmethod
+    def _activity(name: str) -> "Activity":
+        from pinel_desktop.activities import activity_names, choose_activity  # noqa: PLC0415 - heavy
+
+        if name not in activity_names():  # never a file: the name may come from another PC
+            raise PinelError("unknown_activity", value=name, allowed=activity_names())
+        return choose_activity(name)
+
+    def _report(self, activity: "Activity", version_id: str | None) -> "Report":
+        from pinel_desktop.activities import check_program  # noqa: PLC0415 - heavy
         from pinel_desktop.program.reading import read_document  # noqa: PLC0415
 
-        if activity not in activity_names():  # never a file: the name may come from another PC
-            raise PinelError("unknown_activity", value=activity, allowed=activity_names())
         document = self._store.versions.get(version_id).document if version_id else None
-        return check_program(choose_activity(activity), read_document(document or {}))
+        return check_program(activity, read_document(document or {}))

@@ -23,10 +23,10 @@ def begin(app: App, browser: Browser) -> Begin:
     group = store.groups.create("Os Robôs", classroom_id=classroom).id
     program = store.programs.create(group, "Quadrado").id
 
-    def run(document: dict[str, Any] = SQUARE) -> str:
+    def run(document: dict[str, Any] = SQUARE, world: str = "empty_room") -> str:
         version = {"workspace": {"of": len(str(document))}, "document": document}
         saved = browser.post(f"/api/programs/{program}/versions", version).data["id"]
-        begun = browser.post("/api/runs", {"version_id": saved, "world": "empty_room"}).data
+        begun = browser.post("/api/runs", {"version_id": saved, "world": world}).data
         assert (begun["activity"], begun["passed"]) == ("square", None)
         return str(begun["id"])
 
@@ -61,6 +61,19 @@ def test_a_run_that_has_ended_is_judged(
         judged = events.until("judged")[-1]
     assert judged == {"type": "judged", "run": run, "passed": passed, "missing": missing}
     assert browser.get(f"/api/runs/{run}").data["passed"] is passed
+
+
+def test_a_run_in_another_world_than_the_activity_s_is_told_that_first(
+    browser: Browser, engine: FakeEngine, begin: Begin
+) -> None:
+    with browser.stream() as events:
+        run = begin({**SQUARE, "commands": [{"action": "move_forward", "distance": 9}]}, "maze")
+        engine.send(ended(run, 0, 0, state="failed"))
+        missing = events.until("judged")[-1]["missing"]
+        assert missing == "a run in the world “Empty room”, which is chosen above the floor."
+        passes = begin(world="maze")
+        engine.send(ended(passes, 0, 0))
+        assert events.until("judged")[-1]["passed"] is True
 
 
 def test_what_could_not_be_judged_is_judged_at_the_next_start(
