@@ -14,7 +14,8 @@ from pinel_desktop.commands.printing import print_problem
 from pinel_desktop.commands.program_file import place_of, read_file
 from pinel_desktop.commands.world_file import ChosenWorld, WorldFileError, choose_world
 from pinel_desktop.errors import PinelError
-from pinel_desktop.events.model import Event, EventStamp
+from pinel_desktop.events.model import Event
+from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.events.types import KEPT, URGENT
 from pinel_desktop.execution.inputs import ScriptedInputs
 from pinel_desktop.execution.summary import faulty_object, run_object, unbegun_object

@@ -12,7 +12,8 @@ from typing import Any, BinaryIO, Literal, cast
 from pinel_desktop.engine.commands import Command, Evaluate
 from pinel_desktop.engine.protocol import Message, read_messages, write_message
 from pinel_desktop.errors import PinelError
-from pinel_desktop.events.model import EventStamp, RunEnded
+from pinel_desktop.events.model import RunEnded
+from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.processes import own_command
 from pinel_desktop.runs.spec import RunSpec

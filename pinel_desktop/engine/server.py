@@ -9,7 +9,8 @@ from pydantic import ValidationError
 from pinel_desktop.engine.commands import Command, LiveCommand
 from pinel_desktop.engine.protocol import Message, read_messages, write_message
 from pinel_desktop.errors import PinelError
-from pinel_desktop.events.model import Event, EventStamp, RunEnded
+from pinel_desktop.events.model import Event, RunEnded
+from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.runs.spec import spec_from
 from pinel_desktop.runs.start import start

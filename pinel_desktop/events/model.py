@@ -8,8 +8,6 @@ A field with a default is absent from runs that earlier releases recorded.
 from dataclasses import asdict, dataclass, fields
 from typing import Annotated, Any, ClassVar, Final, Literal, Self, TypedDict
 
-SCHEMA_VERSION = 1
-
 
 @dataclass(frozen=True, slots=True)
 class StreamEvent:
@@ -379,23 +377,3 @@ class RunEnded(Event):
         unknown: dict[str, Any] = dict.fromkeys(one.name for one in fields(cls))
         known = {"state": "failed", "reason": reason, "params": {}, "duration_s": duration_s}
         return cls(**(unknown | known))
-
-
-@dataclass(slots=True)
-class EventStamp:
-    """Turns the events of one run into wire objects, numbering them from `next_seq`."""
-
-    run: str
-    next_seq: int = 0
-
-    def wire(self, tick: int, event: Event) -> dict[str, Any]:
-        """The event as the flat JSON object of docs/events.md."""
-        head = {
-            "v": SCHEMA_VERSION,
-            "type": event.type,
-            "run": self.run,
-            "seq": self.next_seq,
-            "tick": tick,
-        }
-        self.next_seq += 1
-        return {**head, **asdict(event)}

@@ -12,8 +12,9 @@ from typing import Any
 import numpy as np
 
 from pinel_desktop import __version__
-from pinel_desktop.events.model import Event, EventStamp, RunEnded
+from pinel_desktop.events.model import Event, RunEnded
 from pinel_desktop.events.model import Telemetry as Sample
+from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.clock import TICK_HZ
 from storage import RunRow
 from storage.runs.telemetry import COLUMNS, STEPS, Rows, pack, unpack

@@ -11,7 +11,8 @@ from typing import Any
 import pytest
 
 from pinel_desktop.app import App
-from pinel_desktop.events.model import Event, EventStamp
+from pinel_desktop.events.model import Event
+from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.links import open_link
 from pinel_desktop.program.reading import read_document

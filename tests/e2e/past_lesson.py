@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from pinel_desktop.commands.world_file import choose_world
-from pinel_desktop.events.model import Event, EventStamp, RunEnded
+from pinel_desktop.events.model import Event, RunEnded
+from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.executor import RunOptions, execute
 from pinel_desktop.links import open_link
 from pinel_desktop.program.reading import read_document

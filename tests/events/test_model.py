@@ -2,8 +2,9 @@ from dataclasses import fields
 
 import pytest
 
-from pinel_desktop.events.model import EventStamp, RunState
+from pinel_desktop.events.model import RunState
 from pinel_desktop.events.model import StreamEvent as Declared
+from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.events.types import APP_EVENTS, KEPT, LOSSY, RUN_EVENTS, URGENT
 from pinel_desktop.web.models.events import RunEvent, StreamEvent, described
 

@@ -9,7 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.events.model import Event, EventStamp, RunState, Telemetry
+from pinel_desktop.events.model import Event, RunState, Telemetry
+from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.clock import WallTime
 from pinel_desktop.execution.control import RunControl, StepMode
 from pinel_desktop.execution.executor import RunResult

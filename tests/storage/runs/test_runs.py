@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pinel_desktop.events.model import EventStamp, RunEnded
+from pinel_desktop.events.model import RunEnded
+from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.events.types import KEPT, URGENT
 from storage import GroupRow, Recorder, RunRow, RunStart, Store, StoreError, VersionRow
 from storage.exchange.deletion import remove_keys
