@@ -1,7 +1,7 @@
-"""What the models of a document are made of: dataclasses with slots, which pydantic reads and checks.
+"""Base of a document's models: dataclasses with slots, validated by pydantic.
 
-A long program is read a quarter faster than with `pydantic.BaseModel`, which keeps a dictionary and a set of names for
-each command. Pydantic looks at them when the first document is read, and not before.
+Reading a long program takes a quarter less time than with `pydantic.BaseModel`, which keeps a dictionary and a set of
+names for each command. pydantic builds the validators when the first document is read.
 """
 
 from collections.abc import Iterator
@@ -15,21 +15,23 @@ from pydantic_core import CoreSchema
 
 @dataclass_transform(frozen_default=True, kw_only_default=True, field_specifiers=(field,))
 class _Dataclass(type):
-    """Makes each class a dataclass, without the methods that take long to make: `Model` has them for all."""
+    """Makes each class a dataclass. Methods that are slow to generate are inherited from `Model` instead."""
 
     def __new__(cls, name: str, bases: tuple[type, ...], namespace: dict[str, Any]) -> Any:
-        # what `dataclass` would word from all annotations; pydantic takes neither for a description
+        # `dataclass` would generate a long docstring; pydantic does not take this form for a description
         namespace.setdefault("__doc__", f"{name}()")
         made: Any = super().__new__(cls, name, bases, namespace)
-        if "__slots__" in namespace:  # `Model`, or what `dataclass` has made anew to give it slots
+        if (
+            "__slots__" in namespace
+        ):  # `Model`, or the class that `dataclass` creates again with slots
             return made
         return dataclass(init=False, repr=False, eq=False, slots=True, kw_only=True)(made)
 
 
 class Model(metaclass=_Dataclass):
-    """Base of everything in a document: unknown keys are faults, values are not converted, nothing changes.
+    """Base of all models of a document: immutable, without unknown keys, without conversion of values.
 
-    Pydantic alone makes instances.
+    Only pydantic creates instances.
     """
 
     __slots__ = ()
@@ -40,7 +42,7 @@ class Model(metaclass=_Dataclass):
 
     @classmethod
     def __get_pydantic_core_schema__(cls, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
-        """Strict with all that it holds, but made from an object: strict dataclasses take their instances only."""
+        """Strict for the fields, but not for the model itself: a strict dataclass would accept no dict."""
         schema: Any = handler(source)
         schema["strict"] = False
         return schema  # type: ignore[no-any-return]
@@ -67,12 +69,12 @@ class Model(metaclass=_Dataclass):
 
 
 def values(model: Model) -> Iterator[Any]:
-    """What a model holds, in the order of its fields."""
+    """The values of a model's fields, in order."""
     return (getattr(model, name) for name in model.__dataclass_fields__)
 
 
 def defaults(model: type[Model]) -> dict[str, Any]:
-    """What is taken where a key is left out, by the keys that may be."""
+    """Defaults of the optional keys, by key of the document."""
     found: dict[str, Any] = {}
     for made in model.__dataclass_fields__.values():
         if made.default_factory is not MISSING:
@@ -83,7 +85,7 @@ def defaults(model: type[Model]) -> dict[str, Any]:
 
 
 def annotations(model: type[Model]) -> dict[str, Any]:
-    """What may stand in a model, by the keys of a document."""
+    """Annotations of the fields, by key of the document."""
     return {_key(made): made.type for made in model.__dataclass_fields__.values()}
 
 

@@ -1,7 +1,7 @@
-"""What no single model can know: types of expressions, functions and their arguments, jumps, names of variables.
+"""Semantic checks across models: types of expressions, functions and their arguments, jumps, names of variables.
 
-Works on the document as it was given, whatever else is wrong with it, so that all faults come at once: what is
-malformed is passed over here, and reported by the models.
+They work on the raw document, even with other faults, so that all faults are reported at once. Malformed parts are
+ignored here and reported by the models.
 """
 
 from dataclasses import dataclass, field, replace
@@ -15,21 +15,21 @@ from pinel_desktop.program.signatures import COMMAND_SIGNATURES, CommandSignatur
 
 
 @dataclass(frozen=True, slots=True)
-class _Around:
-    """What is around a command."""
+class _Context:
+    """The context of a command."""
 
     in_function: bool = False
     in_loop: bool = False
 
 
 @dataclass(slots=True)
-class Meaning:
-    """What was found.
+class SemanticCheck:
+    """Result of the semantic checks.
 
     Attributes:
-        findings: what is wrong, in no order.
-        is_large: whether there may be too many commands or levels; `shape.check_shape` knows for sure.
-        n_keys: number of keys in all objects; fewer where something is malformed, never more.
+        findings: faults, in no order.
+        is_large: True if there may be too many commands or levels; `shape.check_shape` decides.
+        n_keys: number of keys in all objects; in a malformed document possibly fewer, never more.
     """
 
     findings: list[Finding] = field(default_factory=list)
@@ -37,11 +37,11 @@ class Meaning:
     n_keys: int = 0
 
 
-def check_meaning(document: dict[str, Any]) -> Meaning:
-    """Looks through a `pinel_ir` document, no deeper than one may be."""
+def check_semantics(document: dict[str, Any]) -> SemanticCheck:
+    """Checks a `pinel_ir` document, down to the maximum depth of a document."""
     checker = _Checker(document)
     checker.run()
-    return Meaning(checker.found, checker.is_large, checker.n_keys)
+    return SemanticCheck(checker.found, checker.is_large, checker.n_keys)
 
 
 class _Checker:
@@ -66,32 +66,32 @@ class _Checker:
         return self._n_keys + self._expressions.n_keys
 
     def run(self) -> None:
-        """Fills `found`."""
+        """Adds the findings to `found`."""
         functions = self._functions
         for i, function in enumerate(functions):
             if isinstance(function, dict):
                 self._n_keys += len(function)
                 body, path = function.get("commands"), ("functions", i, "commands")
                 self._expressions.parameters = parameters_of(function)
-                self._commands(body, path, _Around(in_function=True))
+                self._commands(body, path, _Context(in_function=True))
         self._expressions.parameters = ()
-        self._commands(self._document.get("commands"), ("commands",), _Around())
+        self._commands(self._document.get("commands"), ("commands",), _Context())
         if len(self._variables) > MAX_VARIABLES:
             params: dict[str, object] = {"value": len(self._variables), "max": MAX_VARIABLES}
             self.found.append(("too_many_variables", (), params))
 
-    def _commands(self, commands: Any, path: Path, around: _Around) -> None:
+    def _commands(self, commands: Any, path: Path, context: _Context) -> None:
         if commands.__class__ is not list:
             return
         self._n_commands += len(commands)
         expressions = self._expressions
-        note, check, is_plainly_right = (
+        note, check, is_obviously_valid = (
             expressions.name,
             expressions.check,
-            expressions.is_plainly_right,
+            expressions.is_obviously_valid,
         )
         n_keys = 0
-        near = len(path) < MAX_NESTING // 2  # what is deeper may be too deep, which `check` notes
+        near = len(path) < MAX_NESTING // 2  # farther in, only `check` measures the depth
         for i, command in enumerate(commands):
             if command.__class__ is not dict:
                 continue
@@ -101,18 +101,18 @@ class _Checker:
                 continue
             n_keys += len(command)
             if not signature.is_simple:
-                self._command(command, signature, (*path, i), around)
+                self._command(command, signature, (*path, i), context)
                 continue
             for key in signature.variables:
                 note(command.get(key))
-            for key, wanted in signature.expressions:  # most are literals, which the models check
+            for key, wanted in signature.expressions:  # mostly literals, which the models check
                 value = command.get(key)
-                if value.__class__ is dict and not (near and is_plainly_right(value, wanted)):
+                if value.__class__ is dict and not (near and is_obviously_valid(value, wanted)):
                     check(value, (*path, i, key), wanted)
         self._n_keys += n_keys
 
     def _command(
-        self, command: dict[str, Any], signature: CommandSignature, path: Path, around: _Around
+        self, command: dict[str, Any], signature: CommandSignature, path: Path, context: _Context
     ) -> None:
         self._deepest = max(self._deepest, len(path))
         if len(path) > LONGEST_PATH:
@@ -124,25 +124,25 @@ class _Checker:
         for key in signature.variables:
             self._expressions.name(command.get(key))
         if signature.role is not None:
-            self._role(command, signature.role, path, around)
+            self._role(command, signature.role, path, context)
         if signature.bodies:
-            inside = replace(around, in_loop=True) if signature.role == "loop" else around
+            inside = replace(context, in_loop=True) if signature.role == "loop" else context
             for key in signature.bodies:
                 self._commands(command.get(key), (*path, key), inside)
             self._branches(command.get("elif"), (*path, "elif"), inside)
 
-    def _branches(self, branches: Any, path: Path, around: _Around) -> None:
+    def _branches(self, branches: Any, path: Path, context: _Context) -> None:
         for i, branch in enumerate(branches if isinstance(branches, list) else ()):
             if isinstance(branch, dict):
                 self._n_keys += len(branch)
                 condition = branch.get("condition")
                 self._expressions.check(condition, (*path, i, "condition"), "boolean")
-                self._commands(branch.get("commands"), (*path, i, "commands"), around)
+                self._commands(branch.get("commands"), (*path, i, "commands"), context)
 
-    def _role(self, command: dict[str, Any], role: str, path: Path, around: _Around) -> None:
-        if role == "jump" and not around.in_loop:
+    def _role(self, command: dict[str, Any], role: str, path: Path, context: _Context) -> None:
+        if role == "jump" and not context.in_loop:
             self.found.append((f"{command['action']}_outside_loop", path, {}))
-        elif role == "return" and not around.in_function:
+        elif role == "return" and not context.in_function:
             self.found.append(("return_outside_function", path, {}))
         elif role == "call":
             arguments = command.get("arguments", {})

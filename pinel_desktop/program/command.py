@@ -1,6 +1,6 @@
-"""What the commands of `model.py` are made of: their base, and the types, bounds and units of parameters.
+"""Base of the commands in `model.py`, and types of parameters with their bounds and units.
 
-Each parameter takes a literal or an expression.
+A parameter is a literal or an expression.
 """
 
 from typing import Annotated, Any, Literal
@@ -11,7 +11,7 @@ from pydantic_core import PydanticCustomError
 from pinel_desktop.program.base import Model, annotations
 from pinel_desktop.program.conditions import ConditionError, parse_condition
 from pinel_desktop.program.expressions import AnyNode, Expression, Takes, Text
-from pinel_desktop.program.faults import writable
+from pinel_desktop.program.faults import encodable
 from pinel_desktop.program.limits import MAX_ANGLE_DEG, MAX_DISTANCE_M, MAX_REPEATS, MAX_WAIT_S
 
 Number = float | AnyNode
@@ -26,7 +26,7 @@ TurningSpeed = Annotated[Number, Takes("number", gt=0, unit="degrees/s")]
 Seconds = Annotated[Number, Takes("number", ge=0, le=MAX_WAIT_S, unit="s")]
 Timeout = Annotated[Number, Takes("number", gt=0, le=MAX_WAIT_S, unit="s")]
 Count = Annotated[Number, Takes("number", ge=0, le=MAX_REPEATS, whole=True)]
-Words = Annotated[str | AnyNode, Takes("text")]
+TextValue = Annotated[str | AnyNode, Takes("text")]
 
 Color = Literal["black", "red", "orange", "yellow", "green", "blue", "purple", "white"]
 
@@ -40,18 +40,18 @@ def _parsed(condition: Any) -> Any:
         raise PydanticCustomError(
             "condition_syntax",
             "condition",
-            {"position": error.position, "found": writable(error.found)},
+            {"position": error.position, "found": encodable(error.found)},
         ) from error
 
 
-# a tree, or a string in the original's grammar
+# a tree, or a string in the grammar of `conditions.py`
 Condition = Annotated[Expression, BeforeValidator(_parsed)]
 
 
 class AnyCommand(Model):
-    """What every command may carry besides its parameters.
+    """Base of all commands, with their common optional keys.
 
-    The docstring of a command says what the robot does, for docs/program-document.md and docs/python-text.md.
+    The docstring of a command describes what the robot does, for docs/program-document.md and docs/python-text.md.
 
     Attributes:
         python: an example of the command in Python text. A command `robot.NAME(...)` is read and written by its fields.
@@ -63,11 +63,11 @@ class AnyCommand(Model):
 
 
 def parameters_of(model: type[AnyCommand]) -> dict[str, Any]:
-    """The parameters of a command, with what may stand in each."""
+    """The parameters of a command with their annotations."""
     of_all = {"action", *annotations(AnyCommand)}
     return {key: kind for key, kind in annotations(model).items() if key not in of_all}
 
 
 def action_of(model: type[AnyCommand]) -> str:
-    """The action that a model of COMMANDS stands for."""
+    """The action of a model in COMMANDS."""
     return str(annotations(model)["action"].__args__[0])

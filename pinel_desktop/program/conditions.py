@@ -1,4 +1,4 @@
-"""The original's condition strings, such as `result == "B"`, parsed to an expression tree.
+"""Parser of condition strings, such as `result == "B"`, which the original PINEL wrote.
 
     condition  = and_part { ("or" | "||") and_part }
     and_part   = not_part { ("and" | "&&") not_part }
@@ -6,7 +6,7 @@
     comparison = operand [ ("==" | "!=" | "<" | ">" | "<=" | ">=") operand ]
     operand    = "result" | "resultado" | quoted text | number | "(" condition ")"
 
-The original ran these strings through eval(). Here anything outside the grammar is a fault.
+The original passed these strings to eval(). Here anything outside the grammar is a fault.
 """
 
 import re
@@ -30,7 +30,7 @@ _COMPARISONS = ("==", "!=", "<=", ">=", "<", ">")
 
 
 class ConditionError(ValueError):
-    """The text is no condition: `position` counts from 1, `found` is what stands there."""
+    """The text is not a condition: the unexpected token `found` at `position`, counted from 1."""
 
     def __init__(self, position: int, found: str) -> None:
         super().__init__(f"{found!r} at {position}")
@@ -44,7 +44,7 @@ class _Token(NamedTuple):
 
 
 def parse_condition(text: str) -> Tree:
-    """The expression tree of a condition string, as plain document data. Raises ConditionError."""
+    """Parses a condition string to an expression tree, as document data. Raises ConditionError."""
     if len(text) > MAX_TEXT:
         raise ConditionError(MAX_TEXT, text[MAX_TEXT : MAX_TEXT + 20])
     return _Parser(_tokens(text)).parse()

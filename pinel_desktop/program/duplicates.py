@@ -1,9 +1,8 @@
-"""Keys that an object of a JSON text holds more than once. `json.loads` keeps the last value and says nothing.
+"""Duplicate keys in the objects of a JSON text, of which `json.loads` silently keeps the last.
 
-Looking at each object while parsing makes parsing 1.7 times as long. `most_keys` is the cheap test before it: a colon
-after a key follows a quote or white space, and it counts all such colons. If the parsed data hold as many keys, none
-was lost. A string may hold such a colon too (`"a : b"`). Then the numbers differ, and `duplicate_keys` looks at each
-object.
+Examining each object while parsing takes 1.7 times as long. `most_keys` is a cheap test before that: it counts all
+colons after a quote or white space, which includes those after keys. If the parsed data have as many keys, there are no
+duplicates. If not, a string may contain such a colon (`"a : b"`), and `duplicate_keys` examines each object.
 """
 
 import json
@@ -18,44 +17,44 @@ _WHITE_SPACE = " \t\n\r"
 
 
 def most_keys(text: str) -> int:
-    """An upper bound of the number of keys in a JSON text, exact where no string holds a colon after `"` or a space."""
+    """Upper bound of the number of keys in a JSON text; exact unless a string has a colon after a quote or space."""
     return text.count('":') + sum(text.count(f"{s}:") for s in _WHITE_SPACE if s in text)
 
 
 def decoded(text: str | bytes) -> str:
-    """The text of JSON in bytes, in the encoding that `json.loads` finds. Raises ValueError for what is no text."""
+    """Decodes JSON bytes in the encoding that `json.loads` detects. Raises ValueError for invalid bytes."""
     return (
         text if isinstance(text, str) else text.decode(json.detect_encoding(text), "surrogatepass")
     )
 
 
 def duplicate_keys(text: str) -> list[Finding]:
-    """A finding for each key that an object of a JSON text holds more than once, with the path of the object.
+    """A finding for each duplicate key, with the path of its object.
 
-    Objects inside a value that was itself lost are not looked at. Raises what `json.loads` raises.
+    Objects inside a value that a duplicate replaced are not examined. Raises what `json.loads` raises.
     """
-    doubled: dict[int, tuple[dict[str, Any], list[str]]] = {}
+    duplicates: dict[int, tuple[dict[str, Any], list[str]]] = {}
 
     def made(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
         kept = dict(pairs)
         if len(kept) != len(pairs):
             counts = Counter(name for name, _ in pairs)
-            # the object is kept, so that no other gets its id
-            doubled[id(kept)] = kept, [name for name, count in counts.items() if count > 1]
+            # holding a reference keeps the object's id unique
+            duplicates[id(kept)] = kept, [name for name, count in counts.items() if count > 1]
         return kept
 
     document = json.loads(text, object_pairs_hook=made)
-    if not doubled:
+    if not duplicates:
         return []
     return [
         ("duplicate_key", path, {"name": name})
         for path, value in _objects(document)
-        for name in doubled.get(id(value), (value, []))[1]
+        for name in duplicates.get(id(value), (value, []))[1]
     ]
 
 
 def duplicate_key_faults(text: str | bytes) -> list[Fault]:
-    """The same as faults, for documents other than programs; none where the text is no JSON, which its reader says."""
+    """`duplicate_keys` as faults, for other documents than programs; none for invalid JSON."""
     try:
         found = duplicate_keys(decoded(text))
     except (ValueError, RecursionError):
@@ -64,7 +63,7 @@ def duplicate_key_faults(text: str | bytes) -> list[Fault]:
 
 
 def _objects(document: Any) -> Iterator[tuple[Path, dict[str, Any]]]:
-    """All objects with their paths, in no order."""
+    """Yields all objects with their paths, in no order."""
     waiting: list[tuple[Path, Any]] = [((), document)]
     while waiting:
         path, value = waiting.pop()

@@ -1,4 +1,4 @@
-"""Types of expressions as far as they can be known on reading, and calls in them."""
+"""Static checks of expressions: types, as far as they are known before the run, and calls."""
 
 from typing import Any
 
@@ -8,7 +8,7 @@ from pinel_desktop.program.operators import OPERATORS, ORDER, Operator, ValueTyp
 from pinel_desktop.program.pointers import LONGEST_PATH, Finding, Path
 from pinel_desktop.program.sensors import SENSORS
 
-Type = ValueType | None  # None: only the run will know
+Type = ValueType | None  # None: known only in the run
 
 _LITERALS: dict[type, ValueType] = {
     bool: "boolean",
@@ -21,12 +21,12 @@ _OPERANDS = {"number": "not_number", "boolean": "not_boolean", "list": "not_list
 
 
 class Expressions:
-    """Checks expressions of one document; adds to `found` what is wrong, to `variables` the names that are read.
+    """Checks the expressions of one document. Adds findings to `found`, and names of variables to `variables`.
 
     Attributes:
         deepest: length of the longest path to an expression.
-        n_keys: number of keys in the objects looked at.
-        parameters: names of the function around, which are no variables.
+        n_keys: number of keys in the objects visited.
+        parameters: parameters of the enclosing function, which are not variables.
     """
 
     def __init__(
@@ -37,7 +37,7 @@ class Expressions:
         self.parameters: tuple[str, ...] = ()
 
     def check(self, value: Any, path: Path, wanted: Type) -> None:
-        """Checks the expression of a parameter, which must have a type. Literals are the models' business."""
+        """Checks an expression against the type of its parameter. Literals are checked by the models."""
         if wanted == "boolean":
             self._condition(value, path)
             return
@@ -45,10 +45,10 @@ class Expressions:
         if wanted is not None and found is not None and found != wanted:
             self._add(f"wrong_type_{wanted}", path, name=str(path[-1]))
 
-    def is_plainly_right(self, value: dict[str, Any], wanted: Type) -> bool:
-        """Whether it is an operation on literals and variables with nothing wrong about its types, as most are.
+    def is_obviously_valid(self, value: dict[str, Any], wanted: Type) -> bool:
+        """Fast path for most expressions: True for a well-typed operation on literals and variables.
 
-        Notes the variables; what it does not know at once it leaves to `check`.
+        Records the variables. For all other expressions it returns False, and `check` must decide.
         """
         name, args = value.get("op"), value.get("args")
         if name.__class__ is not str or args.__class__ is not list:
@@ -74,12 +74,12 @@ class Expressions:
         return True
 
     def name(self, value: Any) -> None:
-        """Notes the name of a variable."""
+        """Records the name of a variable."""
         if isinstance(value, str) and value not in self.parameters:
             self._variables.add(value)
 
     def call(self, function: Any, arguments: Any, path: Path, key: str) -> Signature | None:
-        """Checks a call with its arguments; returns what it calls."""
+        """Checks a call with its arguments; returns the signature of the function, None if it is unknown."""
         given = arguments if isinstance(arguments, dict) else {}
         self.n_keys += len(given)
         for name, argument in given.items():
@@ -108,7 +108,7 @@ class Expressions:
             try:
                 tree = parse_condition(value)
             except ConditionError:
-                return  # the models say so
+                return  # reported by the models
             inside: list[Finding] = []
             found = Expressions(self._signatures, self._variables, inside)._type(tree, ())
             self._found += [(code, path, params) for code, _, params in inside]
@@ -163,7 +163,7 @@ class Expressions:
             self._add("unknown_operator", path, value=name, allowed=list(OPERATORS))
             return None
         if operator.fits(types):
-            return operator.gives  # as nearly all do
+            return operator.gives  # the usual case
         if not operator.accepts(len(args)):
             code = "wrong_argument_count" if operator.n_max is not None else "too_few_arguments"
             self._add(code, path, operator=name, value=len(args), min=operator.n_min)
@@ -172,7 +172,7 @@ class Expressions:
         return operator.gives
 
     def _operands(self, name: str, operator: Operator, types: list[Type], path: Path) -> None:
-        """One fault for the first argument of a wrong type."""
+        """Reports the first argument of a wrong type."""
         for i, found in enumerate(types):
             if found is None:
                 continue

@@ -1,7 +1,7 @@
-"""Expressions as data: literals, operators, variables, sensors, the gesture result, calls. Nothing here evaluates.
+"""Models of expressions: literals, operators, variables, sensors, the gesture result, calls.
 
-A new kind of expression is a model here with its tag in `_MODELS`, its checks in `expression_checks.py` and a case in
-`execution/expressions/evaluation.py`; a new operator is a row in `operators.py`, a new sensor one in `sensors.py`.
+A new kind of expression needs a model here with a tag in `_MODELS`, checks in `expression_checks.py` and a case in
+`execution/expressions/evaluation.py`. A new operator is a row in `operators.py`, a new sensor a row in `sensors.py`.
 """
 
 from dataclasses import dataclass, field
@@ -24,9 +24,9 @@ Name = Annotated[str, Field(max_length=MAX_NAME, pattern=NAME_PATTERN)]
 
 @dataclass(frozen=True, slots=True)
 class Takes:
-    """Marks a parameter that takes a literal of one type within bounds, or an expression; `unit` is for the docs.
+    """Annotation of a parameter: a literal of one type within bounds, or an expression. `unit` is for the docs.
 
-    Literals are tried first, in pydantic's own code: nearly all parameters of nearly all programs are literals.
+    Literals are tried first, in pydantic's compiled code, because nearly all parameters are literals.
     """
 
     type: Literal["number", "text"]
@@ -55,7 +55,7 @@ class Takes:
 
 
 def _whole(value: Any) -> Any:
-    """3.0 is the whole number 3: JSON does not tell them apart."""
+    """Accepts whole numbers, including 3.0, which JSON does not distinguish from 3."""
     return int(value) if isinstance(value, float) and value.is_integer() else value
 
 
@@ -66,7 +66,7 @@ class GestureResult(Model):
 
 
 class Variable(Model):
-    """The value of a variable, or of a parameter of the function around it."""
+    """The value of a variable, or of a parameter of the enclosing function."""
 
     var: Name
 
@@ -79,7 +79,7 @@ class Operation(Model):
 
 
 class Reading(Model):
-    """What a sensor measures; the models below are made from the rows of `sensors.SENSORS`."""
+    """The value of a sensor. The models below are generated from the rows of `sensors.SENSORS`."""
 
     sensor: str
 
@@ -122,7 +122,7 @@ class FunctionCall(Model):
 
 AnyNode = Operation | Variable | GestureResult | Reading | FunctionCall
 
-# Tags stand in pydantic's error locations; with a space they are never taken for a key of the document.
+# Tags appear in pydantic's error locations; with a space they cannot be taken for keys of the document.
 _SENSOR_KINDS = {name: f"a {model.__name__.lower()}" for name, model in READINGS.items()}
 _MODELS: dict[type[Model], str] = {
     Operation: "an operation",
@@ -134,7 +134,7 @@ _MODELS: dict[type[Model], str] = {
 
 
 def _node_kind(value: Any) -> str | None:
-    """Which model a node is to be read, or written, as; None for what is none."""
+    """Tag of the model of a node, for reading and for writing; None if it is not a node."""
     if value.__class__ is not dict:
         return _MODELS.get(type(value))
     if "op" in value:
@@ -159,13 +159,13 @@ def _unknown(kind: Any) -> Discriminator:
     )
 
 
-# Literals are tried first and in pydantic's own code: most of what a program holds are literals.
+# literals are tried first, in pydantic's compiled code, because they are the most frequent
 _FIRST_THAT_FITS = Field(union_mode="left_to_right")
 Item = Annotated[Text | float | bool, _FIRST_THAT_FITS]
 
 
 class _OneOf:
-    """Reads a node as the model of its kind; with `lists` also a list of literals."""
+    """Validates a node as the model of its kind; with `lists` also a list of literals."""
 
     def __init__(self, *, lists: bool) -> None:
         self._lists = lists

@@ -1,4 +1,4 @@
-"""What is wrong with a document, as data."""
+"""Faults of a document."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -6,13 +6,13 @@ from dataclasses import dataclass, field
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """One thing wrong with a document.
+    """One fault of a document.
 
     Attributes:
-        code: key of `messages/` for message and remedy.
-        pointer: JSON pointer (RFC 6901) to the place in the document as it was given.
-        block: id of the Blockly block the place belongs to, or None.
-        params: what fills the placeholders of the words, such as value, min and max.
+        code: key of message and remedy in `messages/`.
+        pointer: JSON pointer (RFC 6901) to the place in the original document.
+        block: id of the Blockly block of that place, or None.
+        params: values of the message's placeholders, such as value, min and max.
     """
 
     code: str
@@ -21,9 +21,9 @@ class Fault:
     params: dict[str, object] = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
-        # What a fault shows was in a file that may hold anything: it must always be writable as JSON and text.
-        object.__setattr__(self, "pointer", writable(self.pointer))
-        object.__setattr__(self, "block", None if self.block is None else writable(self.block))
+        # files may hold anything, but a fault must be encodable as JSON and text
+        object.__setattr__(self, "pointer", encodable(self.pointer))
+        object.__setattr__(self, "block", None if self.block is None else encodable(self.block))
         params = {name: _shown(value) for name, value in self.params.items()}
         object.__setattr__(self, "params", params)
 
@@ -32,15 +32,15 @@ _LONGEST_SHOWN = 200
 _LARGEST_SHOWN = 10**15
 
 
-def writable(text: str) -> str:
-    """The text with lone surrogates, which no encoding can write, spelled out."""
+def encodable(text: str) -> str:
+    """Escapes lone surrogates, which UTF-8 cannot encode."""
     return text.encode("utf-8", "backslashreplace").decode("utf-8")
 
 
 def _shown(value: object) -> object:
-    """A value short enough and tame enough to be shown."""
+    """A value shortened for a message."""
     if isinstance(value, str):
-        return writable(value[:_LONGEST_SHOWN])
+        return encodable(value[:_LONGEST_SHOWN])
     if isinstance(value, int) and abs(value) > _LARGEST_SHOWN:
         digits = str(value)
         return f"{digits[:12]}… ({len(digits)})"

@@ -1,4 +1,4 @@
-"""The functions of a document as it was given: their parameters, whether they return a value, doubled names."""
+"""Signatures of the functions in a raw document, and faults of duplicate names."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -11,16 +11,16 @@ from pinel_desktop.program.signatures import COMMAND_SIGNATURES
 
 @dataclass(frozen=True, slots=True)
 class Signature:
-    """What a call must know of a function."""
+    """The parameters of a function, and whether it returns a value."""
 
     parameters: tuple[str, ...]
     gives_value: bool
 
 
 def signatures(functions: list[Any]) -> tuple[dict[str, Signature], list[Finding]]:
-    """The functions by name, the first of each name; and faults of names that are there twice."""
+    """The functions by name, the first of each name; and findings for duplicate names."""
     known: dict[str, Signature] = {}
-    doubled: list[Finding] = []
+    duplicates: list[Finding] = []
     for i, function in enumerate(functions):
         name = function.get("name") if isinstance(function, dict) else None
         if not isinstance(name, str):
@@ -35,18 +35,18 @@ def signatures(functions: list[Any]) -> tuple[dict[str, Signature], list[Finding
                     "parameters",
                     given.index(parameter, given.index(parameter) + 1),
                 )
-                doubled.append(
+                duplicates.append(
                     ("duplicate_parameter", path, {"value": parameter, "function": name})
                 )
         if name in known:
-            doubled.append(("duplicate_function", ("functions", i, "name"), {"value": name}))
+            duplicates.append(("duplicate_function", ("functions", i, "name"), {"value": name}))
             continue
         known[name] = Signature(parameters, _gives_value(function.get("commands")))
-    return known, doubled
+    return known, duplicates
 
 
 def parameters_of(function: dict[str, Any]) -> tuple[str, ...]:
-    """Those of its parameters that can be names."""
+    """The parameters of a function that are valid names."""
     given = function.get("parameters")
     return tuple(p for p in given if isinstance(p, str)) if isinstance(given, list) else ()
 
@@ -59,7 +59,7 @@ def _gives_value(commands: Any) -> bool:
 
 
 def _within(commands: Any, depth: int = 0) -> Iterator[dict[str, Any]]:
-    """All commands of a body, as deep as a document may be."""
+    """Yields all commands of a body, down to the maximum depth of a document."""
     if depth > MAX_NESTING:
         return
     for command in commands if isinstance(commands, list) else ():

@@ -1,4 +1,4 @@
-"""Limits of a document (docs/program-document.md, Limits). Crossing one is a fault, never a hang or a crash."""
+"""Limits of a document (docs/program-document.md, Limits). Exceeding one is a fault, never a hang or a crash."""
 
 MAX_BYTES = 1024 * 1024
 MAX_COMMANDS = 20_000

@@ -1,8 +1,8 @@
 """The program document as data models (docs/program-document.md, version 1).
 
 Each command is a model in COMMANDS, a primitive in `execution/primitives/` and a row of the block table. Its rows in
-the docs and its Python form are derived from the model. What one model cannot know (types of expressions, functions,
-loops around a `break`) is checked in `checks.py`.
+the docs and its Python form derive from the model. `checks.py` has the checks across models (types of expressions,
+functions, loops around a `break`).
 """
 
 from dataclasses import field
@@ -26,9 +26,9 @@ from pinel_desktop.program.command import (
     Place,
     Seconds,
     Speed,
+    TextValue,
     Timeout,
     TurningSpeed,
-    Words,
     action_of,
 )
 from pinel_desktop.program.expressions import Expression, Name, Text
@@ -36,7 +36,7 @@ from pinel_desktop.program.limits import MAX_COMMANDS
 
 
 class MoveForward(AnyCommand):
-    """Drives straight ahead, measuring as it goes."""
+    """Drives straight ahead by the distance, with feedback from the measured pose."""
 
     python = "robot.move_forward(1.0)"
     action: Literal["move_forward"]
@@ -44,7 +44,7 @@ class MoveForward(AnyCommand):
 
 
 class MoveBackward(AnyCommand):
-    """The same, backwards."""
+    """Drives straight backwards by the distance."""
 
     python = "robot.move_backward(1.0)"
     action: Literal["move_backward"]
@@ -52,7 +52,7 @@ class MoveBackward(AnyCommand):
 
 
 class Turn(AnyCommand):
-    """Turns on the spot by the whole angle, in the direction of its sign; left is positive."""
+    """Turns on the spot by the full angle, also beyond 360 degrees; positive is to the left."""
 
     python = "robot.turn(90)"
     action: Literal["turn"]
@@ -60,14 +60,14 @@ class Turn(AnyCommand):
 
 
 class Stop(AnyCommand):
-    """Stands still, and goes on when it does."""
+    """Stops the robot; the next command begins when it stands."""
 
     python = "robot.stop()"
     action: Literal["stop"]
 
 
 class Drive(AnyCommand):
-    """Keeps that velocity until the next motion command or the end, and goes on at once."""
+    """Sets a velocity until the next motion command or the end; the next command begins at once."""
 
     python = "robot.drive(0.2, 30)"
     action: Literal["drive"]
@@ -76,7 +76,7 @@ class Drive(AnyCommand):
 
 
 class Arc(AnyCommand):
-    """Drives along a circle, turning by the angle: to the left for a positive one; backwards for a negative radius."""
+    """Drives along a circle, turning by the angle: positive is to the left; a negative radius drives backwards."""
 
     python = "robot.arc(1.0, 90)"
     action: Literal["arc"]
@@ -85,7 +85,7 @@ class Arc(AnyCommand):
 
 
 class SetSpeed(AnyCommand):
-    """Limits the motions that follow (at the start 0.6 m/s and 90 degrees/s); one of the two is enough."""
+    """Sets the speed limits of later motions, initially 0.6 m/s and 90 degrees/s; either may be omitted."""
 
     python = "robot.set_speed(linear=0.3, angular=45)"
     action: Literal["set_speed"]
@@ -98,7 +98,7 @@ class SetSpeed(AnyCommand):
 
 
 class GoTo(AnyCommand):
-    """Turns towards the point and drives there; with `avoid` around what is in the way."""
+    """Turns towards the point and drives there; with `avoid` around obstacles."""
 
     python = "robot.go_to(2.0, 1.0, avoid=True)"
     action: Literal["go_to"]
@@ -116,7 +116,7 @@ class Wait(AnyCommand):
 
 
 class WaitUntil(AnyCommand):
-    """Waits until the condition is true, looking 30 times a second, or until the time is over."""
+    """Waits until the condition is true, checked 30 times a second, or until the timeout."""
 
     python = "robot.wait_until(robot.bumper, timeout=5)"
     action: Literal["wait_until"]
@@ -125,7 +125,7 @@ class WaitUntil(AnyCommand):
 
 
 class Pen(AnyCommand):
-    """Begins or ends a trail on the floor, blue without a colour; the pen is up at the start."""
+    """Begins or ends a trail on the floor, blue by default; the pen is up at the start."""
 
     python = 'robot.pen(down=True, color="red")'
     action: Literal["pen"]
@@ -134,11 +134,11 @@ class Pen(AnyCommand):
 
 
 class Ask(AnyCommand):
-    """Waits for a person's answer and keeps it in the variable; what reads as a number is one."""
+    """Waits for a person's answer and stores it in the variable, as a number if possible, else as text."""
 
     python = 'name = robot.ask("What is your name?")'
     action: Literal["ask"]
-    question: Words
+    question: TextValue
     variable: Name
 
 
@@ -151,7 +151,7 @@ class Mark(AnyCommand):
 
 
 class Say(AnyCommand):
-    """Shows any value to the group and keeps it in the run."""
+    """Shows a value to the group and records it."""
 
     python = 'robot.say("Hello")'
     action: Literal["say"]
@@ -166,7 +166,7 @@ class Beep(AnyCommand):
 
 
 class ClassifyGestures(AnyCommand):
-    """Waits for a sign, in real time; afterwards the gesture result is its letter, or "" when the time is over."""
+    """Waits for a sign, in real time; the gesture result is then its letter, or "" after the timeout."""
 
     python = "robot.classify_gestures(timeout=10)"
     action: Literal["classify_gestures", "classificar_gestos"]
@@ -183,11 +183,11 @@ class SetGestureResult(AnyCommand):
 
     python = 'robot.set_gesture_result("B")'
     action: Literal["set_gesture_result"]
-    result: Annotated[Words, Field(validation_alias=AliasChoices("result", "resultado"))]
+    result: Annotated[TextValue, Field(validation_alias=AliasChoices("result", "resultado"))]
 
 
 class SetVariable(AnyCommand):
-    """Gives a variable a value."""
+    """Assigns a value to a variable."""
 
     python = "x = 1"
     action: Literal["set_variable"]
@@ -196,7 +196,7 @@ class SetVariable(AnyCommand):
 
 
 class ChangeVariable(AnyCommand):
-    """Adds to a variable that holds a number; in Python `x -= 1` adds -1."""
+    """Adds to a variable with a number; in Python `x -= 1` adds -1."""
 
     python = "x += 1"
     action: Literal["change_variable"]
@@ -205,7 +205,7 @@ class ChangeVariable(AnyCommand):
 
 
 class Append(AnyCommand):
-    """Adds an item at the end of the list of that name."""
+    """Appends an item to the list of that name."""
 
     python = "numbers.append(7)"
     action: Literal["append"]
@@ -214,7 +214,7 @@ class Append(AnyCommand):
 
 
 class Repeat(AnyCommand):
-    """Runs the commands that many times."""
+    """Runs the commands the given number of times."""
 
     python = "for _ in range(4):"
     action: Literal["repeat"]
@@ -253,7 +253,7 @@ class For(AnyCommand):
 
 
 class Forever(AnyCommand):
-    """Runs the commands again and again."""
+    """Runs the commands in an endless loop."""
 
     python = "while True:"
     action: Literal["forever"]
@@ -268,7 +268,7 @@ class Break(AnyCommand):
 
 
 class Continue(AnyCommand):
-    """Goes on with the next round of the innermost loop."""
+    """Continues with the next iteration of the innermost loop."""
 
     python = "continue"
     action: Literal["continue"]
@@ -302,7 +302,7 @@ class Call(AnyCommand):
 
 
 class Return(AnyCommand):
-    """Leaves the function, giving the value, if there is one, to who called it."""
+    """Leaves the function and returns the value, if given, to the caller."""
 
     python = "return a * b"
     action: Literal["return"]
@@ -346,7 +346,7 @@ COMMANDS: tuple[type[AnyCommand], ...] = Command.__origin__.__args__  # type: ig
 
 
 class Function(Model):
-    """A function of the program: its parameters are its own, all other variables are everybody's."""
+    """A function of the program; its parameters are local, all other variables are global."""
 
     name: Name
     parameters: list[Name] = field(default_factory=list)
@@ -370,10 +370,10 @@ class Program(Model):
 
 @cache
 def documents() -> TypeAdapter[Program]:
-    """Pydantic's way from documents to programs and back, made when it is first needed."""
+    """pydantic's adapter for documents, built on first use."""
     return TypeAdapter(Program)
 
 
 def action_names() -> list[str]:
-    """The actions there are, in the order of the page's table."""
+    """All actions, in the order of the page's block table."""
     return [action_of(model) for model in COMMANDS]

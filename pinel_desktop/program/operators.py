@@ -1,4 +1,4 @@
-"""The operators of expressions: what they take and what they give. Nothing here evaluates anything."""
+"""The operators of expressions: types of their arguments and results."""
 
 from dataclasses import dataclass, field
 from typing import Literal
@@ -8,13 +8,13 @@ ValueType = Literal["number", "text", "boolean", "list"]
 
 @dataclass(frozen=True, slots=True)
 class Operator:
-    """How many arguments an operator takes, of which types, and the type of its result.
+    """The signature of an operator.
 
     Attributes:
-        n_min, n_max: number of arguments; n_max is None where there is no limit.
-        takes: types of the arguments, the last one for all that follow; None is any type.
-        gives: type of the result; None where it depends on the arguments.
-        all_take: the one type that all arguments must have; None where there is none.
+        n_min, n_max: number of arguments; `n_max` None is unlimited.
+        takes: types of the arguments, the last one also for all further arguments; None is any type.
+        gives: type of the result; None if it depends on the arguments.
+        all_take: the common type of all arguments; None if there is none.
     """
 
     n_min: int
@@ -27,11 +27,11 @@ class Operator:
         object.__setattr__(self, "all_take", self.takes[0] if len(self.takes) == 1 else None)
 
     def accepts(self, count: int) -> bool:
-        """Whether it can have that many arguments."""
+        """True if the operator can have `count` arguments."""
         return count >= self.n_min and (self.n_max is None or count <= self.n_max)
 
     def fits(self, types: list[ValueType | None]) -> bool:
-        """Whether arguments of these types are certainly right; None is a type that only the run will know."""
+        """True if arguments of these types are certainly valid; None is a type known only in the run."""
         if len(types) < self.n_min or (self.n_max is not None and len(types) > self.n_max):
             return False
         wanted = self.all_take
@@ -40,7 +40,7 @@ class Operator:
         return all(found is None or found == wanted for found in types)
 
     def type_at(self, index: int) -> ValueType | None:
-        """The type of the argument at that place."""
+        """The type of the argument at `index`."""
         return self.takes[min(index, len(self.takes) - 1)]
 
 

@@ -1,4 +1,4 @@
-"""Places in a document: paths, JSON pointers, the block around them."""
+"""Places in a document: paths, JSON pointers, enclosing blocks."""
 
 from collections.abc import Iterable, Sequence
 from typing import Any
@@ -8,7 +8,7 @@ from pinel_desktop.program.limits import MAX_NESTING
 Path = tuple[str | int, ...]
 # (code, path, params)
 Finding = tuple[str, Path, dict[str, object]]
-# each level of a document is a key, or a key and an index: what is farther in is certainly too deep
+# a level of a document is a key, or a key and an index; longer paths are certainly too deep
 LONGEST_PATH = 2 * MAX_NESTING + 6
 
 
@@ -18,14 +18,14 @@ def pointer(path: Sequence[str | int]) -> str:
 
 
 def value_at(document: Any, path: Path) -> Any:
-    """What stands at a path."""
+    """The value at a path."""
     for part in path:
         document = document[part]
     return document
 
 
 def has_path(document: Any, path: Path) -> bool:
-    """Whether something stands at a path."""
+    """True if the document has a value at the path."""
     try:
         value_at(document, path)
     except (LookupError, TypeError):
@@ -34,7 +34,7 @@ def has_path(document: Any, path: Path) -> bool:
 
 
 def block_at(document: Any, path: Path) -> str | None:
-    """Id of the innermost block around a place."""
+    """Id of the innermost block that contains the path; None without one."""
     block: str | None = None
     value = document
     for part in path:
@@ -45,7 +45,7 @@ def block_at(document: Any, path: Path) -> str | None:
 
 
 def in_document_order(document: Any, paths: Iterable[Path]) -> list[Path]:
-    """The paths sorted as a person meets them reading the document from its beginning."""
+    """Sorts paths by their position in the document."""
     return sorted(paths, key=lambda path: _rank(document, path))
 
 

@@ -1,4 +1,4 @@
-"""Reading a document: all of its faults, or the program. Never raises for what a document contains."""
+"""Reads a document: the program, or all its faults. Never raises because of a document's content."""
 
 import contextlib
 import gc
@@ -10,7 +10,7 @@ from typing import Any
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
-from pinel_desktop.program.checks import Meaning, check_meaning
+from pinel_desktop.program.checks import SemanticCheck, check_semantics
 from pinel_desktop.program.duplicates import decoded, duplicate_keys, most_keys
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.limits import MAX_BYTES, MAX_NESTING
@@ -22,12 +22,12 @@ from pinel_desktop.program.translation import fault_from_error, placed_fault, re
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """Outcome of reading a document.
+    """Result of reading a document.
 
     Attributes:
-        program: the typed program, None with faults.
-        faults: everything that is wrong, in the order of the document.
-        warnings: what was passed over, such as unknown keys in a bare list of the original.
+        program: the typed program; None if there are faults.
+        faults: all faults, in the order of the document.
+        warnings: ignored parts, such as unknown keys in a bare list of the original PINEL.
     """
 
     program: Program | None
@@ -36,7 +36,7 @@ class Reading:
 
     @property
     def document(self) -> dict[str, Any] | None:
-        """The normal form as plain JSON data, None with faults."""
+        """The normal form as JSON data; None if there are faults."""
         if self.program is None:
             return None
         normal: dict[str, Any] = documents().dump_python(
@@ -46,20 +46,20 @@ class Reading:
 
 
 def read_document(source: str | bytes | dict[str, Any] | list[Any]) -> Reading:
-    """Reads a document given as JSON text or as parsed data: a `pinel_ir` document or a bare list of commands."""
-    with _no_collecting():
+    """Reads a `pinel_ir` document or a bare list of commands, given as JSON text or as parsed data."""
+    with _garbage_collection_off():
         return _read(source)
 
 
 @contextlib.contextmanager
-def _no_collecting() -> Iterator[None]:
-    """Nothing that is read is garbage yet, and looking for it among 20,000 commands takes as long as reading."""
+def _garbage_collection_off() -> Iterator[None]:
+    """Disables garbage collection, which would find nothing and double the time for reading 20,000 commands."""
     was_on = gc.isenabled()
     gc.disable()
     try:
         yield
     finally:
-        # what was read will be kept: straight to the oldest generation, without being looked through on the way
+        # the result will be kept, so it skips the young generations
         gc.freeze()
         gc.unfreeze()
         if was_on:
@@ -74,10 +74,10 @@ def _read(source: str | bytes | dict[str, Any] | list[Any]) -> Reading:
         return Reading(None, (parsed,))
     text, document = parsed
     if isinstance(document, dict):
-        # most documents are good, and then nothing needs to be known of their shape
-        meaning, program, _ = _looked_at(document)
-        is_good = program is not None and not meaning.findings and not meaning.is_large
-        if is_good and (meaning.n_keys == most_keys(text) or not duplicate_keys(text)):
+        # fast path for valid documents, which need no check of their shape
+        semantics, program, _ = _check(document)
+        is_good = program is not None and not semantics.findings and not semantics.is_large
+        if is_good and (semantics.n_keys == most_keys(text) or not duplicate_keys(text)):
             return Reading(program)
     faults = check_shape(document)
     return Reading(None, tuple(faults)) if faults else _read_shaped(document, duplicate_keys(text))
@@ -93,15 +93,15 @@ def _read_parsed(parsed: dict[str, Any] | list[Any]) -> Reading:
     return _read_shaped(parsed, [])
 
 
-def _read_shaped(parsed: Any, doubled: list[Finding]) -> Reading:
-    """Reads parsed data of a size and depth that can be looked through; `doubled` are the keys that are there twice."""
+def _read_shaped(parsed: Any, duplicates: list[Finding]) -> Reading:
+    """Reads parsed data of limited size and depth; `duplicates` are findings for duplicate keys."""
     if isinstance(parsed, list):
-        return _read_bare_list(parsed, doubled)
-    return _validate(parsed, doubled, bare=False)
+        return _read_bare_list(parsed, duplicates)
+    return _validate(parsed, duplicates, bare=False)
 
 
 def _size(document: Any) -> int:
-    """Length in bytes of parsed data as JSON."""
+    """Size of parsed data as JSON, in bytes."""
     text = json.dumps(document, ensure_ascii=False, separators=(",", ":"))
     return len(text.encode("utf-8", "surrogatepass"))
 
@@ -120,21 +120,23 @@ def _parse(source: str | bytes) -> tuple[str, Any] | Fault:
         return Fault("nesting_too_deep", params={"max": MAX_NESTING})
     except json.JSONDecodeError as error:
         return Fault("json_syntax", params={"line": error.lineno, "column": error.colno})
-    except ValueError:  # not UTF-8, or a number with thousands of digits
+    except ValueError:  # invalid UTF-8, or a number with thousands of digits
         return Fault("json_syntax", params={"line": 1, "column": 1})
 
 
-def _read_bare_list(commands: list[Any], doubled: list[Finding]) -> Reading:
-    """The original's format: unknown keys, such as its `status`, are passed over with a warning."""
+def _read_bare_list(commands: list[Any], duplicates: list[Finding]) -> Reading:
+    """The original's format: unknown keys, such as its `status`, are ignored with a warning."""
     document = {"pinel_ir": 1, "name": "", "commands": commands}
-    doubled = [(code, ("commands", *path), params) for code, path, params in doubled]
-    reading = _validate(document, doubled, bare=True)
+    duplicates = [(code, ("commands", *path), params) for code, path, params in duplicates]
+    reading = _validate(document, duplicates, bare=True)
     unknown = [fault for fault in reading.faults if fault.code == "unknown_key"]
     if not unknown:
         return reading
     keys = {fault.pointer for fault in unknown}
     cleaned = {**document, "commands": _without_keys(commands, keys, "")}
-    reading = _validate(cleaned, [one for one in doubled if has_path(cleaned, one[1])], bare=True)
+    reading = _validate(
+        cleaned, [one for one in duplicates if has_path(cleaned, one[1])], bare=True
+    )
     return Reading(reading.program, reading.faults, tuple(unknown))
 
 
@@ -148,17 +150,17 @@ def _without_keys(value: Any, pointers: set[str], here: str) -> Any:
     return value
 
 
-def _looked_at(document: dict[str, Any]) -> tuple[Meaning, Program | None, list[ErrorDetails]]:
-    meaning = check_meaning(document)
+def _check(document: dict[str, Any]) -> tuple[SemanticCheck, Program | None, list[ErrorDetails]]:
+    semantics = check_semantics(document)
     try:
-        return meaning, documents().validate_python(document), []
+        return semantics, documents().validate_python(document), []
     except ValidationError as error:
-        return meaning, None, error.errors(include_url=False)
+        return semantics, None, error.errors(include_url=False)
 
 
-def _validate(document: dict[str, Any], doubled: list[Finding], *, bare: bool) -> Reading:
-    meaning, program, errors = _looked_at(document)
-    findings = [*doubled, *meaning.findings]
+def _validate(document: dict[str, Any], duplicates: list[Finding], *, bare: bool) -> Reading:
+    semantics, program, errors = _check(document)
+    findings = [*duplicates, *semantics.findings]
     if program is not None and not findings:
         return Reading(program)
     return Reading(None, tuple(_faults(document, errors, findings, bare=bare)))
@@ -167,7 +169,7 @@ def _validate(document: dict[str, Any], doubled: list[Finding], *, bare: bool) -
 def _faults(
     document: Any, errors: list[ErrorDetails], findings: list[Finding], *, bare: bool
 ) -> list[Fault]:
-    """Faults in the order of the document, each once."""
+    """Faults in the order of the document, without repetitions."""
     placed: dict[Path, dict[Fault, None]] = {}
     for path, error in relevant_errors(document, errors):
         fault = fault_from_error(document, path, error, bare=bare)

@@ -1,4 +1,4 @@
-"""The sensors of the language: one row each. Everything else about a sensor is derived from its row.
+"""The sensors of the language, one row for each. Everything else about a sensor derives from its row.
 
 | derived | by |
 |---|---|
@@ -9,8 +9,8 @@
 | block, generator, loader | `ui/src/blocks/table/sensor_rows.ts`, by `python -m scripts.reference` |
 | rows of docs/program-document.md and docs/python-text.md, `schema.json` | the same command |
 
-A link reads it by a method of its name on its `robot.Sensors`, in SI units and radians; a link without the method fails
-the run with `sensor_missing`. Its words on the page are in `ui/src/i18n/LANG/blocks.ts`.
+A link reads it by a method of that name in its `robot.Sensors`, in SI units and radians; without the method the run
+fails with `sensor_missing`. Its texts on the page are in `ui/src/i18n/LANG/blocks.ts`.
 """
 
 import math
@@ -25,14 +25,14 @@ _TYPES: dict[ValueType, type] = {"number": float, "text": str, "boolean": bool}
 
 @dataclass(frozen=True, slots=True)
 class Argument:
-    """What a sensor is asked: a number within bounds, or one of a few texts that must be written out.
+    """The argument of a sensor: a number within bounds, or one of a few literal texts.
 
     Attributes:
-        start: what stands on the block and in examples.
+        start: initial value on the block, and value in examples.
         low, high: bounds of a number.
-        unit: of a number; degrees reach the link as radians.
-        whole: whether only whole numbers will do; they reach the link as `int`.
-        choices: the texts; empty for a number.
+        unit: of a number; degrees are passed to the link as radians.
+        whole: True if the number must be whole; it is passed to the link as `int`.
+        choices: the allowed texts; empty for a number.
     """
 
     name: str
@@ -49,15 +49,15 @@ class Sensor:
     """A row of the table.
 
     Attributes:
-        name: in documents, in Python (`robot.NAME`) and of the method of a link.
+        name: in documents, in Python (`robot.NAME`), and of the link's method.
         gives: type of the value.
         says: what it measures, for the tables of the docs.
-        level: from which level on its block is in the toolbox.
-        unit: of the value; degrees come from the link as radians.
-        low, high: range of the value; None where there is no bound.
-        argument: what it is asked; None for a plain value.
-        block: type of its block, which sensors without an argument may share; the name where it is empty.
-        cost: how many parts of an expression it takes as long as.
+        level: first level whose toolbox has its block.
+        unit: of the value; the link gives degrees as radians.
+        low, high: range of the value; None is unbounded.
+        argument: None for a sensor without an argument.
+        block: type of its block, which sensors without an argument may share; empty is the name.
+        cost: evaluation time, as a number of parts of an expression.
     """
 
     name: str
@@ -73,11 +73,11 @@ class Sensor:
 
     @property
     def block_type(self) -> str:
-        """Type of the block that reads it."""
+        """Type of the sensor's block."""
         return self.block or self.name
 
     def is_possible(self, value: object) -> bool:
-        """Whether a value is of its type and within its range."""
+        """True if the value has the sensor's type and is within its range."""
         if not isinstance(value, _TYPES[self.gives]):
             return False
         low = -math.inf if self.low is None else self.low

@@ -1,4 +1,4 @@
-"""A first look at a document's size and depth, before anything recurses into it."""
+"""Checks the size and depth of a document, before other code recurses into it."""
 
 from typing import Any
 
@@ -12,7 +12,7 @@ class _TooDeepError(Exception):
 
 
 def check_shape(document: Any) -> list[Fault]:
-    """Faults of a document that is no list or object, nests too deep or has too many commands."""
+    """Faults of a document that is neither list nor object, is nested too deep, or has too many commands."""
     if not isinstance(document, dict | list):
         return [Fault("not_a_program", params={"value": type(document).__name__})]
     try:
@@ -25,9 +25,9 @@ def check_shape(document: Any) -> list[Fault]:
 
 
 def _count_commands(value: Any, depth: int) -> int:
-    """Commands in a list or object at that depth; goes no deeper than a document may.
+    """Counts the commands in a list or object at `depth`. Raises _TooDeepError beyond the maximum depth.
 
-    Nearly everything in a document is a command with plain parameters: those are counted without a call of their own.
+    Commands with literal parameters only, which are nearly all, are counted without a recursive call.
     """
     if depth > MAX_NESTING + 1:
         raise _TooDeepError
@@ -52,7 +52,7 @@ def _count_commands(value: Any, depth: int) -> int:
 
 
 def _too_deep(document: Any) -> Fault:
-    """The fault at the first place that is too deep; slower than counting, and only for bad documents."""
+    """The fault at the first place that is too deep; slower than counting, so only used for invalid documents."""
     waiting: list[tuple[Any, Path, int, str | None]] = [
         (document, (), int(isinstance(document, dict)), None)
     ]

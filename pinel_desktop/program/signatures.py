@@ -1,4 +1,4 @@
-"""What is to be checked of each command beyond its own model, taken from the models."""
+"""Data for the semantic checks of each command, derived from the models."""
 
 from dataclasses import dataclass, field
 from typing import Any, Literal, get_args, get_origin
@@ -9,17 +9,20 @@ from pinel_desktop.program.expressions import READINGS, Takes
 from pinel_desktop.program.model import COMMANDS
 from pinel_desktop.program.operators import ValueType
 
-# the type that a parameter's expression must have; None is any
+# required type of a parameter's expression; None is any type
 Wanted = ValueType | None
 _NAMES_OF_VARIABLES = ("name", "variable", "list")
 
 
 @dataclass(slots=True)
 class CommandSignature:
-    """Parameters with an expression, keys that name variables, keys of bodies.
+    """The checked keys of a command.
 
     Attributes:
-        is_simple: whether there are only expressions and names, and no condition, which may be a text to be parsed.
+        expressions: parameters with an expression, each with its required type.
+        variables: keys whose values name variables.
+        bodies: keys with lists of commands.
+        is_simple: True if the command has only expressions and names, and no condition, which may need parsing.
     """
 
     expressions: list[tuple[str, Wanted]] = field(default_factory=list)
@@ -30,7 +33,7 @@ class CommandSignature:
 
 
 def takes_of(annotation: Any) -> Takes | None:
-    """The mark on a parameter that takes a literal within bounds, or an expression."""
+    """The `Takes` annotation of a parameter; None without one."""
     for part in (annotation, *getattr(annotation, "__args__", ())):
         for mark in getattr(part, "__metadata__", ()):
             if isinstance(mark, Takes):
@@ -39,7 +42,7 @@ def takes_of(annotation: Any) -> Takes | None:
 
 
 def choices_of(annotation: Any) -> tuple[str, ...]:
-    """The texts that may be written out for a parameter; none where it takes others or no text."""
+    """The allowed literal texts of a parameter; empty if it is not a choice."""
     for part in (annotation, *get_args(annotation)):
         if get_origin(part) is Literal:
             return get_args(part)
@@ -94,7 +97,7 @@ TAKES = _takes()  # (action or sensor, parameter) -> its bounds
 
 
 def range_code(name: str, takes: Takes) -> str:
-    """The code of a value of that parameter outside its bounds, on reading and in a run."""
+    """Error code for a value of the parameter outside its bounds, on reading and in a run."""
     if takes.le is None:
         return f"{name}_not_positive"
     return "sonar_out_of_range" if name == "index" else f"{name}_out_of_range"

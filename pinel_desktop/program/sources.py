@@ -1,4 +1,4 @@
-"""The bytes of a file as a program: a document, a bare list of commands, or Python text."""
+"""Reads the bytes of a program file: a document, a bare list of commands, or Python text."""
 
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.limits import MAX_BYTES
@@ -9,7 +9,7 @@ _BLANK = b"\xef\xbb\xbf \t\r\n"
 
 
 def is_python(data: bytes, name: str = "") -> bool:
-    """Whether a file holds Python text: by the end of its name, or else by its first character."""
+    """True for Python text, by the extension of the name, else by the first character."""
     ending = name.lower().rpartition(".")[2]
     if ending in ("py", "json"):
         return ending == "py"
@@ -17,7 +17,7 @@ def is_python(data: bytes, name: str = "") -> bool:
 
 
 def read_source(data: bytes, name: str = "") -> Reading:
-    """Reads a program from what a file of that name holds. Faults of Python text have `line` and `column`."""
+    """Reads a program from the content of a file. Faults of Python text have `line` and `column`."""
     if not is_python(data, name):
         return read_document(data)
     if len(data) > MAX_BYTES:

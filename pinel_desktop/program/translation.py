@@ -1,4 +1,4 @@
-"""From what pydantic says of a document to faults a pupil can act on."""
+"""Translates pydantic's errors into faults that a pupil can act on."""
 
 from collections.abc import Callable
 from typing import Any
@@ -34,7 +34,7 @@ _SIMPLE = {
 
 
 def path_of_error(document: Any, error: ErrorDetails) -> Path:
-    """The error's place in the document: pydantic's location without the names of union members in it."""
+    """The error's path in the document: pydantic's location without names of union members."""
     path: list[str | int] = []
     value = document
     for part in error["loc"]:
@@ -46,7 +46,7 @@ def path_of_error(document: Any, error: ErrorDetails) -> Path:
 
 
 def fault_from_error(document: Any, path: Path, error: ErrorDetails, *, bare: bool) -> Fault:
-    """The fault for one error. In a bare list the pointer counts from the list."""
+    """The fault for one error. `bare`: the pointer is relative to the bare list."""
     code, params = _code_and_params(error, path, document)
     return placed_fault(document, path, code, params, bare=bare)
 
@@ -54,15 +54,16 @@ def fault_from_error(document: Any, path: Path, error: ErrorDetails, *, bare: bo
 def placed_fault(
     document: Any, path: Path, code: str, params: dict[str, object], *, bare: bool
 ) -> Fault:
-    """A fault at a place of the document, with its block."""
+    """A fault at a path of the document, with its block."""
     shown = path[1:] if bare else path
     return Fault(code, pointer(shown), block_at(document, path), params)
 
 
 def relevant_errors(document: Any, errors: list[ErrorDetails]) -> list[tuple[Path, ErrorDetails]]:
-    """The errors with their paths, without those of the ways that a parameter was not meant.
+    """The errors that matter, with their paths.
 
-    A parameter is a literal or an expression, and pydantic says what is wrong with it as either.
+    A parameter is a literal or an expression, and pydantic reports errors for both alternatives; those of the
+    alternative that was not intended are dropped.
     """
     at_path: dict[Path, list[ErrorDetails]] = {}
     for error in errors:
@@ -70,18 +71,18 @@ def relevant_errors(document: Any, errors: list[ErrorDetails]) -> list[tuple[Pat
     meant = {path: _meant(value_at(document, path), found) for path, found in at_path.items()}
     around = {path[:length] for path in at_path for length in range(len(path))}
     for path, found in at_path.items():
-        # what is no literal, where only literals may stand, has nothing wrong inside
+        # not a literal where only literals are allowed, and no error inside
         if not meant[path] and path not in around:
             meant[path] = [{**found[0], "type": "unknown_expression"}]
     return [(path, error) for path, found in meant.items() for error in found]
 
 
 def _meant(value: Any, errors: list[ErrorDetails]) -> list[ErrorDetails]:
-    """Of the errors at one place, those of the way that was meant."""
+    """The errors at one place that belong to the intended alternative."""
     types = [error for error in errors if _is_way(error) and error["type"] in WRONG_TYPE]
     unknown = [error for error in errors if error["type"] == "unknown_expression"]
     others = [error for error in errors if error not in types and error not in unknown]
-    if len(types) > 1:  # any literal would have done
+    if len(types) > 1:  # literals of several types are allowed
         return others or unknown
     if isinstance(value, dict):
         return others or unknown
@@ -89,7 +90,7 @@ def _meant(value: Any, errors: list[ErrorDetails]) -> list[ErrorDetails]:
 
 
 def _is_way(error: ErrorDetails) -> bool:
-    """Whether it is about one literal that a parameter might have been."""
+    """True if the error concerns one of the literal types that a parameter may have."""
     return bool(error["loc"]) and str(error["loc"][-1]).startswith(_LITERAL_WAYS)
 
 
@@ -149,7 +150,7 @@ _SPECIAL: dict[str, Callable[[ErrorDetails, Path], tuple[str, dict[str, object]]
 
 
 def _out_of_range(error: ErrorDetails, path: Path, document: Any) -> tuple[str, dict[str, object]]:
-    """The bounds stand in the model of the command or sensor around the value."""
+    """The bounds are in the model of the enclosing command or sensor."""
     name = _last_key(path)
     around = value_at(document, path[:-1])
     kind = around.get("action", around.get("sensor"))

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pinel_desktop.activities.reading import read_activity
-from pinel_desktop.program.checks import check_meaning
+from pinel_desktop.program.checks import check_semantics
 from pinel_desktop.program.duplicates import duplicate_keys, most_keys
 from pinel_desktop.program.pointers import pointer
 from pinel_desktop.program.reading import read_document
@@ -21,22 +21,24 @@ FEW = settings(max_examples=25, deadline=None)  # drawing a program takes longer
 SPACES = ["", "", "", " ", "\n\t", "\r\n  "]
 
 
-def written(value: Any, chance: random.Random, doubled: dict[int, str]) -> str:
-    """JSON with white space anywhere; the objects in `doubled` hold the key that is named there once more."""
+def written(value: Any, chance: random.Random, duplicates: dict[int, str]) -> str:
+    """JSON with white space anywhere; the objects in `duplicates` hold the key that is named there once more."""
 
     def around(sign: str) -> str:
         return f"{chance.choice(SPACES)}{sign}{chance.choice(SPACES)}"
 
     if isinstance(value, list):
-        return f"[{around(',').join(written(one, chance, doubled) for one in value)}]"
+        return f"[{around(',').join(written(one, chance, duplicates) for one in value)}]"
     if not isinstance(value, dict):
         return json.dumps(value, ensure_ascii=chance.random() < 0.5)
     pairs = list(value.items())
-    if id(value) in doubled:
-        name = doubled[id(value)]
+    if id(value) in duplicates:
+        name = duplicates[id(value)]
         first = chance.randrange(list(value).index(name) + 1)
         pairs.insert(first, (name, chance.choice([None, "a : b", {"action": "stop"}, value[name]])))
-    text = (f"{json.dumps(key)}{around(':')}{written(one, chance, doubled)}" for key, one in pairs)
+    text = (
+        f"{json.dumps(key)}{around(':')}{written(one, chance, duplicates)}" for key, one in pairs
+    )
     return f"{{{around(',').join(text)}}}"
 
 
@@ -81,9 +83,9 @@ def test_each_key_that_is_there_twice_is_told_with_its_object(
     document = named(document, name)
     full = [(place, found) for place, found in objects(document) if found]
     chosen = [chance.choice(full) for _ in range(count)]
-    doubled = {id(found): chance.choice(list(found)) for _, found in chosen}
-    expected = {(place, doubled[id(found)]) for place, found in chosen}
-    text = written(document, chance, doubled)
+    duplicates = {id(found): chance.choice(list(found)) for _, found in chosen}
+    expected = {(place, duplicates[id(found)]) for place, found in chosen}
+    text = written(document, chance, duplicates)
     reading = read_source(text.encode("utf-8", "surrogatepass"))
     told = [fault for fault in reading.faults if fault.code == "duplicate_key"]
     assert reading.program is None
@@ -95,7 +97,7 @@ def test_each_key_that_is_there_twice_is_told_with_its_object(
 @given(programs())
 def test_the_quick_count_of_keys_is_exact_for_good_programs(document: dict[str, Any]) -> None:
     total = sum(len(found) for _, found in objects(document))
-    assert check_meaning(document).n_keys == total == most_keys(json.dumps(document))
+    assert check_semantics(document).n_keys == total == most_keys(json.dumps(document))
 
 
 @pytest.mark.parametrize(

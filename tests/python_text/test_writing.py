@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pinel_desktop.program.python_text import Line, read_python, write_python
-from pinel_desktop.program.python_text.write_expressions import number_text, text_of
+from pinel_desktop.program.python_text.write_expressions import number_text, string_literal
 
 
 def value_of(expression: Any) -> str:
@@ -55,7 +55,7 @@ def test_numbers_read_back_to_the_same_double(value: float, metres: bool) -> Non
 
 @given(st.text())
 def test_texts_stand_on_one_line_and_read_back(value: str) -> None:
-    text = text_of(value)
+    text = string_literal(value)
     assert len(text.splitlines()) == 1
     assert ast.literal_eval(text) == value
 

@@ -1,4 +1,4 @@
-"""The program as Python text, both ways (docs/python-text.md). PURE: no IO; nothing in a text is ever executed."""
+"""Conversion between documents and Python text (docs/python-text.md). PURE: no IO; a text is never executed."""
 
 from pinel_desktop.program.python_text.reading import PythonReading, read_python
 from pinel_desktop.program.python_text.writing import Line, PythonText, write_python

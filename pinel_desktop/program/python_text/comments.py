@@ -1,7 +1,7 @@
-"""Comments: how a line of one is written, and which command a comment in a Python text belongs to.
+"""Comments: their text form, and the command to which a comment in a Python text belongs.
 
-A comment stands on the lines before its command. A reader also finds comments elsewhere: one behind a command belongs
-to it, and one after the last command of a block to that command.
+Comments are written on the lines before their command. On reading, a comment at the end of a command's line also
+belongs to that command, and one after the last command of a block to the last command.
 """
 
 import re
@@ -10,14 +10,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-# what cannot stand in a text file, or ends a line in some editors
+# characters that a text file cannot hold, or that some editors take for line ends
 _UNWRITABLE = "[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff]"
 _TO_ESCAPE = re.compile(rf"\\(?=[\\xu]|{_UNWRITABLE})|{_UNWRITABLE}")
 _ESCAPED = re.compile(r"\\\\|\\x([0-9a-f]{2})|\\u([0-9a-f]{4})")
 
 
 def comment_text(line: str) -> str:
-    """A line of a comment as it is written, what cannot be in a text spelled out, as in `\\x0c`."""
+    """A line of a comment as it is written, with invalid characters escaped, such as `\\x0c`."""
     return _TO_ESCAPE.sub(_spelled, line)
 
 
@@ -30,7 +30,7 @@ def _spelled(match: re.Match[str]) -> str:
 
 
 def comment_line(written: str) -> str:
-    """The line of a comment from what follows its `#`."""
+    """The line of a comment, unescaped, from the text after its `#`."""
     return _ESCAPED.sub(_read, written.removeprefix(" "))
 
 
@@ -43,7 +43,13 @@ def _read(match: re.Match[str]) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Comment:
-    """A comment in a Python text: its place (line from 1, column from 0), what follows `#`, whether it stands alone."""
+    """A comment in a Python text.
+
+    Attributes:
+        line, column: position of the `#`, line from 1, column from 0.
+        written: the text after the `#`.
+        alone: True if the line has nothing else.
+    """
 
     line: int
     column: int
@@ -53,12 +59,12 @@ class Comment:
 
 @dataclass(frozen=True, slots=True)
 class Anchor:
-    """A command or function in a Python text, which may have comments.
+    """A command or function in a Python text, to which comments can be attached.
 
     Attributes:
-        line, column: where it begins, line from 1, column from 0.
-        last_line: where it ends; with a body, where its heading ends.
-        target: the command, or what a comment here is put on instead; None where there is nothing.
+        line, column: its begin, line from 1, column from 0.
+        last_line: its last line, without the body.
+        target: the part of the document that gets the comment, usually the command; None if there is none.
     """
 
     line: int
@@ -68,7 +74,7 @@ class Anchor:
 
 
 def attach(comments: Sequence[Comment], anchors: Sequence[Anchor]) -> None:
-    """Puts each comment on the command it belongs to, as its `comment`."""
+    """Stores each comment in the `comment` of its command."""
     ordered = sorted(anchors, key=lambda anchor: (anchor.line, anchor.column))
     starts = [anchor.line for anchor in ordered]
     lines: dict[int, list[str]] = {}
@@ -84,7 +90,7 @@ def attach(comments: Sequence[Comment], anchors: Sequence[Anchor]) -> None:
 
 
 def _target(comment: Comment, anchors: list[Anchor], starts: list[int]) -> dict[str, Any] | None:
-    """What a comment is put on. Behind an `else:` it belongs to what follows."""
+    """The part of the document that gets a comment. After `else:` it is the next command."""
     i = bisect_right(starts, comment.line) - 1
     if i >= 0 and comment.line <= anchors[i].last_line:
         return anchors[i].target
@@ -97,7 +103,7 @@ def _target(comment: Comment, anchors: list[Anchor], starts: list[int]) -> dict[
 
 
 def _before(comment: Comment, anchors: list[Anchor], i: int) -> dict[str, Any] | None:
-    """The last command of the block that a comment at its end belongs to."""
+    """For a comment at the end of a block: the last command of that block."""
     while i > 0 and anchors[i].column > comment.column:
         i -= 1
     return anchors[i].target if i >= 0 else None

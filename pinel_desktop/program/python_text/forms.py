@@ -1,6 +1,6 @@
-"""How each command and expression is spelled in Python: one form per construct, read and written from here.
+"""The Python form of each command and expression, for reading and writing; docs/python-text.md describes them.
 
-The forms of commands and sensors are derived from their models and rows. docs/python-text.md is this table for people.
+The forms of commands and sensors derive from their models and rows.
 """
 
 import keyword
@@ -20,13 +20,13 @@ class Parameter:
     """A parameter of a command.
 
     Attributes:
-        keyword: written with its name, as in `timeout=5`.
-        optional: may be left out.
-        default: value with which it is not written.
-        written_as: what is written for one that a document leaves out.
-        literal: must be written out, as a text or as True or False, and is no expression.
-        stands_in: what a reader takes where it cannot read a literal, so that the rest can be checked.
-        metres: a plain number is written with its decimal point, as in `1.0`.
+        keyword: written as a keyword argument, such as `timeout=5`.
+        optional: may be omitted.
+        default: value that is not written.
+        written_as: value that is written if the document omits the parameter.
+        literal: must be a literal text, or True or False; expressions are not allowed.
+        placeholder: value used if a literal cannot be read, so that the rest can be checked.
+        metres: a literal number is written with a decimal point, such as `1.0`.
     """
 
     name: str
@@ -35,13 +35,13 @@ class Parameter:
     default: object = None
     written_as: object = None
     literal: Literal["text", "boolean"] | None = None
-    stands_in: object = None
+    placeholder: object = None
     metres: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class Form:
-    """A call such as `robot.turn(90)`; the example is what a person is shown."""
+    """A call such as `robot.turn(90)`; messages show the example."""
 
     example: str
     parameters: tuple[Parameter, ...] = ()
@@ -51,7 +51,7 @@ _METRES = ("m", "m/s")
 
 
 def _parameter(name: str, annotation: Any, defaults: dict[str, Any]) -> Parameter:
-    """How a field of a command's model is written: what may be left out, and True and False, with their names."""
+    """The form of a field of a command's model. Optional and boolean parameters are keyword arguments."""
     optional, default = name in defaults, defaults.get(name)
     choices = choices_of(annotation)
     is_boolean = annotation is bool
@@ -63,7 +63,7 @@ def _parameter(name: str, annotation: Any, defaults: dict[str, Any]) -> Paramete
         default=default if is_boolean else None,
         written_as=None if is_boolean else default,
         literal="boolean" if is_boolean else "text" if choices else None,
-        stands_in=None if optional else is_boolean or next(iter(choices), None),
+        placeholder=None if optional else is_boolean or next(iter(choices), None),
         metres=takes is not None and takes.unit in _METRES,
     )
 
@@ -77,7 +77,7 @@ def _form(model: type[AnyCommand]) -> Form:
 
 
 _FORMS = {action_of(model): _form(model) for model in COMMAND_MODELS}
-# commands that are written as `robot.NAME(...)`
+# commands written as `robot.NAME(...)`
 COMMANDS = {action: form for action, form in _FORMS.items() if form.example.startswith("robot.")}
 ASK = Form(_FORMS["ask"].example, _FORMS["ask"].parameters[:1])
 
@@ -88,7 +88,7 @@ def _sensor_form(name: str, argument: Argument) -> Form:
     return Form(f"robot.{name}({start})", (Parameter(argument.name, literal=literal),))
 
 
-# sensors that are calls; the others are `robot.NAME`
+# sensors written as calls; the others are `robot.NAME`
 SENSOR_CALLS = {
     name: _sensor_form(name, sensor.argument)
     for name, sensor in SENSORS.items()
@@ -97,7 +97,7 @@ SENSOR_CALLS = {
 MEASURES = tuple(name for name in SENSORS if name not in SENSOR_CALLS)
 GESTURE_RESULT = "gesture_result"
 
-# how tightly operators bind, from the loosest
+# precedence of operators, from the lowest
 OR, AND, NOT, COMPARISON, SUM, PRODUCT, SIGN, POWER, ATOM = range(9)
 PRECEDENCE: dict[str, int] = {
     "or": OR,
@@ -109,13 +109,13 @@ PRECEDENCE: dict[str, int] = {
     "**": POWER,
 }
 
-# operators that are written as calls, such as `min(1, x)`
+# operators written as calls, such as `min(1, x)`
 FUNCTIONS = tuple(name for name in OPERATORS if name.isidentifier() and name not in PRECEDENCE)
-# names that mean something here already
+# names that have a meaning in these texts
 RESERVED = frozenset(keyword.kwlist) | {"robot", "range", "steps"} | frozenset(FUNCTIONS)
 
-# what pupils know from other Python, and how it is said here
-INSTEAD = {
+# functions of standard Python, and their equivalents here
+EQUIVALENTS = {
     "print": 'robot.say("...")',
     "input": 'x = robot.ask("...")',
     "len": "length(x)",

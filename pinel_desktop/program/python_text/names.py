@@ -1,13 +1,13 @@
-"""Names of variables and functions as Python names, and back.
+"""Conversion between names of variables and functions and Python identifiers.
 
-Names of a program may hold spaces, begin with a digit or be words of Python; its Python text must still be Python:
+Names of a program may contain spaces, begin with a digit or be keywords of Python:
 
     minha área  ->  minha__área         a space is two underscores
-    if, robot   ->  if_, robot_         a word that means something already gets an underscore
+    if, robot   ->  if_, robot_         a reserved word gets an underscore
     2nd side    ->  _2nd__side          an underscore before a digit at the beginning
-    a__b, 2²    ->  a_u5f__u5f_b        anything else that Python cannot take: its code, between `_u` and `_`
+    a__b, 2²    ->  a_u5f__u5f_b        any other invalid character: its code, between `_u` and `_`
 
-Every name has one Python name, and no two share one.
+The conversion is one-to-one.
 """
 
 import re
@@ -20,19 +20,19 @@ _LIKE_AN_ESCAPE = re.compile(r"_u[0-9a-f]{1,6}(?![0-9A-Za-z])")
 
 
 def python_name(name: str) -> str:
-    """The Python name for a name of the program."""
+    """Converts a name of the program to a Python identifier."""
     if name in RESERVED:
         return f"{name}_"
     text = _escaped(name, {char for char in set(name) if _is_plain(char)})
     if (
         unicodedata.normalize("NFKC", text) != text
-    ):  # parts of a letter, which Python would put together
+    ):  # combining characters, which Python would normalise
         text = _escaped(name, {char for char in set(name) if char.isascii() and _is_plain(char)})
     return text
 
 
 def program_name(text: str) -> str:
-    """The name of the program that a Python name stands for."""
+    """Converts a Python identifier to a name of the program."""
     if text.endswith("_") and text[:-1] in RESERVED:
         return text[:-1]
     if text[0] == "_" and not text[1:2].isidentifier():
@@ -48,7 +48,7 @@ def _unescaped(match: re.Match[str]) -> str:
 
 
 def _is_plain(char: str) -> bool:
-    """Whether a character may stand in a Python name as it is."""
+    """True if a character needs no escape."""
     return char != "_" and f"a{char}".isidentifier() and unicodedata.normalize("NFKC", char) == char
 
 
@@ -66,7 +66,7 @@ def _escaped(name: str, plain: set[str]) -> str:
 
 
 def _may_stay(name: str, i: int, plain: set[str]) -> bool:
-    """Whether an underscore cannot be taken for a part of an escape."""
+    """True if an underscore cannot be taken for part of an escape."""
     if any(char not in plain for char in (*name[max(i - 1, 0) : i], *name[i + 1 : i + 2])):
         return False
     if i == 0 and not name[1:2].isidentifier():

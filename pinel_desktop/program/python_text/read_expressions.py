@@ -1,4 +1,4 @@
-"""Expressions of a Python text, as Python's own tree has them, to expressions of a document."""
+"""Converts expressions of Python's syntax tree to expressions of a document."""
 
 import ast
 import math
@@ -8,20 +8,22 @@ from itertools import pairwise
 from typing import Any
 
 from pinel_desktop.program.limits import MAX_NESTING
+from pinel_desktop.program.python_text.diagnostics import Diagnostics, Positioned
 from pinel_desktop.program.python_text.forms import (
     COMMANDS,
+    EQUIVALENTS,
     FUNCTIONS,
     GESTURE_RESULT,
-    INSTEAD,
     MEASURES,
     RESERVED,
     SENSOR_CALLS,
     Parameter,
 )
 from pinel_desktop.program.python_text.names import program_name, python_name
-from pinel_desktop.program.python_text.notes import Notes, Positioned
 
-PLACEHOLDER = {"var": "x"}  # in the place of what cannot be read, so that the rest can be checked
+PLACEHOLDER = {
+    "var": "x"
+}  # replaces an expression that cannot be read, so that the rest can be checked
 _LARGEST_WHOLE = 2**53
 _BINARY: dict[type[ast.operator], str] = {
     ast.Add: "+",
@@ -62,15 +64,15 @@ _FAULTS: dict[type[ast.expr], str] = {
 
 
 class Expressions:
-    """Reads expressions; `signatures` are the parameters of the program's functions by their names."""
+    """Reads expressions; `signatures` has the parameters of the program's functions by name."""
 
-    def __init__(self, notes: Notes, signatures: Mapping[str, Sequence[str]]) -> None:
-        self._notes, self._signatures = notes, signatures
+    def __init__(self, diagnostics: Diagnostics, signatures: Mapping[str, Sequence[str]]) -> None:
+        self._diagnostics, self._signatures = diagnostics, signatures
         self.depth = 0
 
     def read(self, node: ast.expr, pointer: str) -> Any:
-        """The expression; where it cannot be read a fault is noted and something stands in its place."""
-        self._notes.places[pointer] = node
+        """Reads an expression. If it cannot be read, records a fault and returns a placeholder."""
+        self._diagnostics.places[pointer] = node
         reader = getattr(self, f"_{type(node).__name__}", None)
         if reader is None:
             return self._fault(node, _FAULTS.get(type(node), "python_expression"))
@@ -84,7 +86,7 @@ class Expressions:
     def bind(
         self, call: ast.Call, parameters: Sequence[Parameter], name: str, example: str
     ) -> dict[str, ast.expr] | None:
-        """The arguments of a call by parameter, or None and a fault where they do not fit."""
+        """The arguments of a call by parameter; None, with a fault, if they do not match."""
         names = [parameter.name for parameter in parameters]
         bound = dict(zip(names, call.args, strict=False))
         fits = len(call.args) <= len(names)
@@ -97,22 +99,22 @@ class Expressions:
         if fits:
             return bound
         if number := _with_comma(call, len(names)):
-            self._notes.fault(call.args[0], "python_decimal_comma", instead=number)
+            self._diagnostics.fault(call.args[0], "python_decimal_comma", instead=number)
         else:
-            self._notes.fault(call, "python_arguments", name=name, example=example)
+            self._diagnostics.fault(call, "python_arguments", name=name, example=example)
         return None
 
     def literal(self, node: ast.expr, parameter: Parameter, pointer: str) -> Any:
-        """A text or True or False that must be written out; None and a fault where something else stands."""
-        self._notes.places[pointer] = node
+        """Reads a literal text, or True or False; None, with a fault, for anything else."""
+        self._diagnostics.places[pointer] = node
         wanted = bool if parameter.literal == "boolean" else str
         if isinstance(node, ast.Constant) and isinstance(node.value, wanted):
             return node.value
-        self._notes.fault(node, f"python_literal_{parameter.literal}", name=parameter.name)
+        self._diagnostics.fault(node, f"python_literal_{parameter.literal}", name=parameter.name)
         return None
 
     def call_of_function(self, node: ast.Call, pointer: str) -> tuple[str, dict[str, Any]] | None:
-        """Name and arguments of a call of one of the program's functions, or None and a fault."""
+        """Name and arguments of a call of a function of the program; None, with a fault, if invalid."""
         assert isinstance(node.func, ast.Name)
         name = program_name(node.func.id)
         parameters = self._signatures.get(name)
@@ -131,28 +133,28 @@ class Expressions:
         return name, arguments
 
     def name(self, node: Positioned, name: str) -> str:
-        """The program's name for a Python name that is given a value."""
+        """The program's name for a Python identifier that is assigned."""
         if name in RESERVED:
-            self._notes.fault(node, "python_reserved_name", value=name, instead=f"{name}_")
+            self._diagnostics.fault(node, "python_reserved_name", value=name, instead=f"{name}_")
         return program_name(name)
 
     def unknown_robot(self, node: ast.Attribute, known: Iterable[str]) -> None:
-        """Notes that the robot has nothing of that name, with what may be meant."""
+        """Records a fault for an unknown attribute of `robot`, with a suggestion."""
         names = list(known)
         allowed = get_close_matches(node.attr[:64], names, 3) or names
-        self._notes.fault(node, "python_unknown_command", value=node.attr, allowed=allowed)
+        self._diagnostics.fault(node, "python_unknown_command", value=node.attr, allowed=allowed)
 
     def _fault(self, node: Positioned, code: str, **params: object) -> Any:
-        self._notes.fault(node, code, **params)
+        self._diagnostics.fault(node, code, **params)
         return PLACEHOLDER
 
     def _unknown_function(self, node: ast.Call, name: str) -> None:
-        if name in INSTEAD:
-            self._notes.fault(node, "python_instead", value=name, instead=INSTEAD[name])
+        if name in EQUIVALENTS:
+            self._diagnostics.fault(node, "python_instead", value=name, instead=EQUIVALENTS[name])
             return
         known = [*map(python_name, self._signatures), *FUNCTIONS]
         allowed = get_close_matches(name[:64], known, 3) or known
-        self._notes.fault(node, "python_unknown_function", value=name, allowed=allowed)
+        self._diagnostics.fault(node, "python_unknown_function", value=name, allowed=allowed)
 
     def _Constant(self, node: ast.Constant, _pointer: str) -> Any:  # noqa: N802 - named as ast names it
         value = node.value
@@ -245,10 +247,10 @@ class Expressions:
         return PLACEHOLDER if call is None else {"call": call[0], "arguments": call[1]}
 
     def _foreign_call(self, node: ast.Call) -> Any:
-        """Such as `random.randint(1, 6)` or `words.append(1)` where a value is wanted."""
+        """A call of another object's method, such as `random.randint(1, 6)` or `words.append(1)`, as a value."""
         attribute = node.func
-        if isinstance(attribute, ast.Attribute) and attribute.attr in INSTEAD:
-            instead = INSTEAD[attribute.attr]
+        if isinstance(attribute, ast.Attribute) and attribute.attr in EQUIVALENTS:
+            instead = EQUIVALENTS[attribute.attr]
             return self._fault(node, "python_instead", value=attribute.attr, instead=instead)
         if isinstance(attribute, ast.Attribute):
             return self._fault(node, "python_attribute", value=attribute.attr)
@@ -287,19 +289,19 @@ class Expressions:
 
 
 def is_robot(node: ast.expr) -> bool:
-    """Whether a node is the name `robot`."""
+    """True if a node is the name `robot`."""
     return isinstance(node, ast.Name) and node.id == "robot"
 
 
 def is_call_of_robot(node: ast.expr) -> bool:
-    """Whether a node is `robot.NAME(...)`."""
+    """True if a node is `robot.NAME(...)`."""
     return isinstance(node, ast.Call) and (
         isinstance(node.func, ast.Attribute) and is_robot(node.func.value)
     )
 
 
 def _with_comma(call: ast.Call, n_parameters: int) -> str | None:
-    """The number that was meant by `1,5` where one argument is one too many."""
+    """The number probably meant by `1,5`, if the call has exactly one argument too many."""
     if len(call.args) != n_parameters + 1 or call.keywords:
         return None
     for whole, part in pairwise(call.args):

@@ -1,10 +1,10 @@
-"""The three ways of `for`: `range` for repeating, `steps` for counting, and Python's own counting with `range`."""
+"""The three forms of `for`: repeating with `range`, counting with `steps`, and counting with `range`."""
 
 import ast
 from collections.abc import Sequence
 from typing import Any, Protocol
 
-from pinel_desktop.program.python_text.notes import Positioned
+from pinel_desktop.program.python_text.diagnostics import Positioned
 from pinel_desktop.program.python_text.read_expressions import Expressions
 
 
@@ -15,7 +15,7 @@ class _Assigning(Protocol):
 def loop_of_for(
     node: ast.For, statements: _Assigning, expressions: Expressions, pointer: str
 ) -> dict[str, Any] | None:
-    """`repeat` or `for` without its commands, None where it is neither."""
+    """The command `repeat` or `for`, without its body; None if it is neither."""
     call, target = node.iter, node.target
     if not isinstance(target, ast.Name) or not isinstance(call, ast.Call):
         return None
@@ -39,7 +39,7 @@ def loop_of_for(
 
 
 def _counted(bounds: Sequence[Any]) -> list[Any] | None:
-    """From, to and by of `range`, which stops before its end; None where the step is not a plain number."""
+    """`from`, `to` and `by` of a `range`, which excludes its end; None if the step is not a literal number."""
     start, stop, *step = bounds if len(bounds) > 1 else (0, *bounds)
     by = step[0] if step else 1
     if isinstance(by, bool) or not isinstance(by, int) or by == 0:

@@ -1,4 +1,4 @@
-"""Statements of a Python text, as Python's own tree has them, to commands of a document."""
+"""Converts statements of Python's syntax tree to commands of a document."""
 
 import ast
 from collections.abc import Callable, Sequence
@@ -6,9 +6,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from pinel_desktop.program.limits import MAX_NESTING
+from pinel_desktop.program.python_text.diagnostics import Diagnostics, Positioned
 from pinel_desktop.program.python_text.forms import ASK, COMMANDS, FUNCTIONS, SENSOR_CALLS
 from pinel_desktop.program.python_text.names import program_name
-from pinel_desktop.program.python_text.notes import Notes, Positioned
 from pinel_desktop.program.python_text.read_expressions import (
     PLACEHOLDER,
     Expressions,
@@ -29,7 +29,7 @@ _CHANGES: dict[type[ast.operator], str] = {
 
 @dataclass(slots=True)
 class _Scope:
-    """The function around, None in the program itself."""
+    """The enclosing function; `function` is None in the program itself."""
 
     function: str | None = None
     parameters: frozenset[str] = frozenset()
@@ -37,12 +37,14 @@ class _Scope:
 
 
 class Statements:
-    """Reads statements of one text; `elifs` are the places where an `if` is an `elif`."""
+    """Reads the statements of one text; `elifs` are the places where an `if` of the tree is an `elif`."""
 
-    def __init__(self, notes: Notes, expressions: Expressions, elifs: set[Place]) -> None:
-        self._notes, self._expressions, self._elifs = notes, expressions, elifs
+    def __init__(
+        self, diagnostics: Diagnostics, expressions: Expressions, elifs: set[Place]
+    ) -> None:
+        self._diagnostics, self._expressions, self._elifs = diagnostics, expressions, elifs
         self._scope = _Scope()
-        self._around: _Command | None = None  # the command whose body is being read
+        self._parent: _Command | None = None  # the command whose body is being read
         self._depth = 0
 
     def program(self, statements: Sequence[ast.stmt]) -> list[_Command]:
@@ -50,20 +52,20 @@ class Statements:
         return self._body(statements, "/commands")
 
     def function(self, node: ast.FunctionDef, pointer: str) -> _Command:
-        """A function with its commands."""
-        self._notes.places[pointer] = node
-        self._notes.line(node, pointer)
+        """Reads a function with its commands."""
+        self._diagnostics.places[pointer] = node
+        self._diagnostics.line(node, pointer)
         arguments = node.args
         if _has_more_than_names(node):
-            self._notes.fault(node, "python_parameters", name=node.name)
+            self._diagnostics.fault(node, "python_parameters", name=node.name)
         parameters = []
         for i, argument in enumerate(arguments.args):
-            self._notes.places[f"{pointer}/parameters/{i}"] = argument
+            self._diagnostics.places[f"{pointer}/parameters/{i}"] = argument
             parameters.append(self._expressions.name(argument, argument.arg))
         name = self._expressions.name(node, node.name)
         function: _Command = {"name": name, "parameters": parameters, "commands": []}
         last = arguments.args[-1].lineno if arguments.args else node.lineno
-        self._notes.anchor(node, last, function)
+        self._diagnostics.anchor(node, last, function)
         self._scope = _Scope(node.name, frozenset(parameters), _shared(node))
         body = self._docstring(node.body, function)
         function["commands"] = self._inside(function, body, f"{pointer}/commands")
@@ -78,12 +80,12 @@ class Statements:
         return body[1:]
 
     def _inside(
-        self, around: _Command, statements: Sequence[ast.stmt], pointer: str
+        self, parent: _Command, statements: Sequence[ast.stmt], pointer: str
     ) -> list[_Command]:
         """The commands of a body."""
-        outer, self._around = self._around, around
+        outer, self._parent = self._parent, parent
         commands = self._body(statements, pointer)
-        self._around = outer
+        self._parent = outer
         return commands
 
     def _body(self, statements: Sequence[ast.stmt], pointer: str) -> list[_Command]:
@@ -95,48 +97,48 @@ class Statements:
         self._expressions.depth += 1
         for node in statements:
             place = f"{pointer}/{len(commands)}"
-            if isinstance(node, ast.If) and self._notes.place(node) in self._elifs:
+            if isinstance(node, ast.If) and self._diagnostics.place(node) in self._elifs:
                 going_on = self._elif(node, going_on, f"{pointer}/{max(len(commands) - 1, 0)}")
                 continue
             command = self._read(node, place)
             going_on = command if isinstance(node, ast.If) and not node.orelse else None
             if command is not None:
                 commands.append(command)
-                self._notes.line(node, place)
+                self._diagnostics.line(node, place)
         self._depth -= 1
         self._expressions.depth -= 1
         return commands
 
     def _is_too_deep(self, statements: Sequence[ast.stmt]) -> bool:
         if self._depth <= MAX_NESTING + 1 or not statements:
-            return self._notes.is_full
-        self._notes.fault(statements[0], "nesting_too_deep", max=MAX_NESTING)
+            return self._diagnostics.is_full
+        self._diagnostics.fault(statements[0], "nesting_too_deep", max=MAX_NESTING)
         return True
 
     def _read(self, node: ast.stmt, pointer: str) -> _Command | None:
-        """The command, None where there is none or it cannot be read."""
-        if self._notes.is_full:
+        """Reads a command; None if the statement is not a command or cannot be read."""
+        if self._diagnostics.is_full:
             return None
-        self._notes.places[pointer] = node
+        self._diagnostics.places[pointer] = node
         reader: Callable[[Any, str], _Command | None] | None = getattr(
             self, f"_{type(node).__name__}", None
         )
         if reader is None:
-            self._notes.fault(node, _code_of(node), name=_word_of(node))
+            self._diagnostics.fault(node, _code_of(node), name=_word_of(node))
             return None
         return reader(node, pointer)
 
     def _fault(self, node: Positioned, code: str, **params: object) -> _Command | None:
-        """Notes a fault; there is no command then."""
-        self._notes.fault(node, code, **params)
+        """Records a fault; returns None in place of the command."""
+        self._diagnostics.fault(node, code, **params)
         return None
 
     def _simple(self, node: ast.stmt, command: _Command) -> _Command:
-        self._notes.anchor(node, node.end_lineno or node.lineno, command)
+        self._diagnostics.anchor(node, node.end_lineno or node.lineno, command)
         return command
 
     def condition(self, node: ast.expr, pointer: str) -> Any:
-        """A condition; a text is none, though a document may hold one in the original's grammar."""
+        """Reads a condition. A text is not a condition here, although documents may have such strings."""
         value = self._expressions.read(node, pointer)
         if isinstance(value, str):
             self._fault(node, "python_condition_text")
@@ -144,18 +146,18 @@ class Statements:
         return value
 
     def assigned(self, node: Positioned, name: str) -> str:
-        """The name of a variable that is given a value, which a function must have announced."""
+        """The name of an assigned variable, which a function must have declared with `global`."""
         scope = self._scope
         found = self._expressions.name(node, name)
         if scope.function and found not in scope.parameters and found not in scope.shared:
-            scope.shared.add(found)  # said once
+            scope.shared.add(found)  # report it once
             self._fault(node, "python_global_missing", name=name, function=scope.function)
         return found
 
     # simple statements, named as `ast` names them
 
     def _Pass(self, node: ast.Pass, _pointer: str) -> None:  # noqa: N802
-        self._notes.anchor(node, node.lineno, self._around)
+        self._diagnostics.anchor(node, node.lineno, self._parent)
 
     def _Global(self, node: ast.Global, _pointer: str) -> None:  # noqa: N802
         for name in node.names:
@@ -182,12 +184,12 @@ class Statements:
         name = self.assigned(target, target.id)
         if is_call_of_robot(node.value) and node.value.func.attr == "ask":  # type: ignore[attr-defined]
             return self._ask(node, name, pointer)
-        self._notes.places[f"{pointer}/name"] = target
+        self._diagnostics.places[f"{pointer}/name"] = target
         value = self._expressions.read(node.value, f"{pointer}/value")
         return self._simple(node, {"action": "set_variable", "name": name, "value": value})
 
     def _ask(self, node: ast.Assign, variable: str, pointer: str) -> _Command | None:
-        self._notes.places[f"{pointer}/variable"] = node.targets[0]
+        self._diagnostics.places[f"{pointer}/variable"] = node.targets[0]
         assert isinstance(node.value, ast.Call)
         bound = self._expressions.bind(node.value, ASK.parameters, "robot.ask", ASK.example)
         if bound is None:
@@ -199,7 +201,7 @@ class Statements:
         if not isinstance(node.target, ast.Name):
             return self._fault(node.target, "python_assignment")
         name = self.assigned(node.target, node.target.id)
-        self._notes.places[f"{pointer}/name"] = node.target
+        self._diagnostics.places[f"{pointer}/name"] = node.target
         operator = _CHANGES.get(type(node.op))
         if operator is not None:
             by = self._expressions.read(node.value, f"{pointer}/value/args/1")
@@ -252,7 +254,7 @@ class Statements:
                 continue
             if parameter.literal is not None:
                 value = self._expressions.literal(node, parameter, place)
-                value = parameter.stands_in if value is None else value
+                value = parameter.placeholder if value is None else value
             elif parameter.name == "condition":
                 value = self.condition(node, place)
             else:
@@ -274,7 +276,7 @@ class Statements:
         if not is_one or not isinstance(function.value, ast.Name):
             example = "my_list.append(1)"
             return self._fault(call, "python_arguments", name="append", example=example)
-        self._notes.places[f"{pointer}/list"] = function.value
+        self._diagnostics.places[f"{pointer}/list"] = function.value
         name = self._expressions.name(function.value, function.value.id)
         value = self._expressions.read(call.args[0], f"{pointer}/value")
         return {"action": "append", "list": name, "value": value}
@@ -303,7 +305,7 @@ class Statements:
     def _loop(
         self, node: ast.For | ast.While, heading: ast.expr, command: _Command, pointer: str
     ) -> _Command:
-        self._notes.anchor(node, heading.end_lineno or node.lineno, command)
+        self._diagnostics.anchor(node, heading.end_lineno or node.lineno, command)
         command["commands"] = self._inside(command, node.body, f"{pointer}/commands")
         if node.orelse:
             self._fault(node.orelse[0], "python_loop_else")
@@ -311,7 +313,7 @@ class Statements:
 
     def _If(self, node: ast.If, pointer: str) -> _Command:  # noqa: N802
         command: _Command = {"action": "conditional_execution"}
-        self._notes.anchor(node, node.test.end_lineno or node.lineno, command)
+        self._diagnostics.anchor(node, node.test.end_lineno or node.lineno, command)
         command["condition"] = self.condition(node.test, f"{pointer}/condition")
         command["commands"] = self._inside(command, node.body, f"{pointer}/commands")
         self._else(node, command, pointer)
@@ -324,7 +326,7 @@ class Statements:
             return None
         branches = command.setdefault("elif", [])
         place = f"{pointer}/elif/{len(branches)}"
-        self._notes.places[place] = node
+        self._diagnostics.places[place] = node
         condition = self.condition(node.test, f"{place}/condition")
         commands = self._inside(command, node.body, f"{place}/commands")
         branches.append({"condition": condition, "commands": commands})
@@ -338,7 +340,7 @@ class Statements:
 
 
 def docstring_of(body: Sequence[ast.stmt]) -> str | None:
-    """The text that a program or a function begins with."""
+    """The docstring of a program or function; None without one."""
     first = body[0] if body else None
     if isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant):
         value = first.value.value
@@ -347,7 +349,7 @@ def docstring_of(body: Sequence[ast.stmt]) -> str | None:
 
 
 def _shared(node: ast.FunctionDef) -> set[str]:
-    """The variables that a function announces with `global`."""
+    """The variables that a function declares with `global`."""
     found: set[str] = set()
     for part in ast.walk(node):
         if isinstance(part, ast.Global):
@@ -358,8 +360,8 @@ def _shared(node: ast.FunctionDef) -> set[str]:
 def _has_more_than_names(node: ast.FunctionDef) -> bool:
     given = node.args
     more = (given.posonlyargs, given.vararg, given.kwonlyargs, given.kwarg, given.defaults)
-    notes = (node.decorator_list, node.returns, any(arg.annotation for arg in given.args))
-    return any((*more, *notes))
+    diagnostics = (node.decorator_list, node.returns, any(arg.annotation for arg in given.args))
+    return any((*more, *diagnostics))
 
 
 def _is_none(node: ast.expr) -> bool:

@@ -1,4 +1,4 @@
-"""A Python text as a document. The text is parsed against what docs/python-text.md lists, and never executed."""
+"""Reads a Python text in the subset of docs/python-text.md as a document. The text is never executed."""
 
 import ast
 from collections.abc import Mapping
@@ -9,15 +9,15 @@ from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.limits import MAX_BYTES
 from pinel_desktop.program.model import Program
 from pinel_desktop.program.python_text.comments import attach
+from pinel_desktop.program.python_text.diagnostics import Diagnostics
 from pinel_desktop.program.python_text.names import program_name
-from pinel_desktop.program.python_text.notes import Notes
 from pinel_desktop.program.python_text.parsing import Parsed, parse
 from pinel_desktop.program.python_text.read_expressions import Expressions
 from pinel_desktop.program.python_text.read_statements import Statements, docstring_of
 from pinel_desktop.program.python_text.writing import Line
 from pinel_desktop.program.reading import Reading, read_document
 
-# what may only seem wrong while other lines cannot be read
+# faults that may be consequences of lines that cannot be read
 _FOLLOWS = frozenset(
     {
         "break_outside_loop",
@@ -37,12 +37,12 @@ _FOLLOWS = frozenset(
 
 @dataclass(frozen=True, slots=True)
 class PythonReading:
-    """Outcome of reading a Python text.
+    """Result of reading a Python text.
 
     Attributes:
-        reading: the document as `read_document` read it.
-        faults: everything that is wrong, in the order of the text; `line` and `column` (from 1) are in `params`.
-        lines: which command is on which line, counted from 1.
+        reading: result of `read_document` for the resulting document.
+        faults: all faults, in the order of the text, with `line` and `column` (from 1) in `params`.
+        lines: the command of each line, counted from 1.
     """
 
     reading: Reading
@@ -58,28 +58,28 @@ class PythonReading:
 
     @property
     def document(self) -> dict[str, Any] | None:
-        """The document in its normal form, None with faults."""
+        """The document in its normal form; None if there are faults."""
         return self.reading.document
 
 
 def read_python(text: str) -> PythonReading:
-    """Reads a Python text. Never raises for what the text contains."""
+    """Reads a Python text. Never raises because of its content."""
     size = len(text.encode("utf-8", "replace"))
     if size > MAX_BYTES:
         params: dict[str, object] = {"value": size, "max": MAX_BYTES, "line": 1, "column": 1}
         return PythonReading(Reading(None, (Fault("document_too_large", params=params),)))
     lines = text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
     parsed = parse(lines)
-    notes = Notes(lines.split("\n"), parsed.put_aside)
-    for trouble in parsed.troubles:
-        notes.trouble(trouble)
+    diagnostics = Diagnostics(lines.split("\n"), parsed.skipped)
+    for problem in parsed.problems:
+        diagnostics.problem(problem)
     if parsed.tree is None:
-        return PythonReading(Reading(None, notes.faults()))
-    document = _document(parsed, parsed.tree, notes)
-    return PythonReading(_checked(document, notes, parsed), notes.lines)
+        return PythonReading(Reading(None, diagnostics.faults()))
+    document = _document(parsed, parsed.tree, diagnostics)
+    return PythonReading(_checked(document, diagnostics, parsed), diagnostics.lines)
 
 
-def _document(parsed: Parsed, tree: ast.Module, notes: Notes) -> dict[str, Any]:
+def _document(parsed: Parsed, tree: ast.Module, diagnostics: Diagnostics) -> dict[str, Any]:
     name = docstring_of(tree.body)
     body = tree.body if name is None else tree.body[1:]
     defined = [node for node in body if isinstance(node, ast.FunctionDef)]
@@ -88,19 +88,21 @@ def _document(parsed: Parsed, tree: ast.Module, notes: Notes) -> dict[str, Any]:
         program_name(node.name): [program_name(arg.arg) for arg in node.args.args]
         for node in defined
     }
-    statements = Statements(notes, Expressions(notes, signatures), set(parsed.look.elifs))
+    statements = Statements(
+        diagnostics, Expressions(diagnostics, signatures), set(parsed.scan.elifs)
+    )
     functions = [statements.function(node, f"/functions/{i}") for i, node in enumerate(defined)]
     commands = statements.program(others)
-    attach(parsed.look.comments, notes.anchors)
+    attach(parsed.scan.comments, diagnostics.anchors)
     return {"pinel_ir": 1, "name": name or "", "functions": functions, "commands": commands}
 
 
-def _checked(document: dict[str, Any], notes: Notes, parsed: Parsed) -> Reading:
-    """The document with its own faults, placed in the text."""
+def _checked(document: dict[str, Any], diagnostics: Diagnostics, parsed: Parsed) -> Reading:
+    """Reads the document, and places its faults in the text."""
     reading = read_document(document)
     for fault in reading.faults:
-        notes.placed(fault)
-    faults = notes.faults()
-    if parsed.troubles:
+        diagnostics.placed(fault)
+    faults = diagnostics.faults()
+    if parsed.problems:
         faults = tuple(fault for fault in faults if fault.code not in _FOLLOWS)
     return Reading(None, faults) if faults else reading

@@ -1,7 +1,7 @@
-"""A first look at a Python text: comments, brackets and quotes, before anything parses it.
+"""Scans a Python text for comments, brackets and quotes, before it is parsed.
 
-Finds what Python's parser does not keep (comments, which `if` is an `elif`), what it explains badly (brackets and
-quotes that are not closed), and what must not reach it (too many brackets inside each other).
+Finds what Python's parser drops (comments, which `if` is an `elif`), problems that it explains badly (unclosed brackets
+and quotes), and input that must not reach it (brackets nested too deep).
 """
 
 import re
@@ -10,8 +10,8 @@ from dataclasses import dataclass, field
 from pinel_desktop.program.limits import MAX_COMMANDS, MAX_NESTING
 from pinel_desktop.program.python_text.comments import Comment
 
-_MAX_BRACKETS = MAX_NESTING + 16  # an expression of 64 levels needs no more
-MAX_FAULTS = 1_000  # more are not noted: nobody reads them
+_MAX_BRACKETS = MAX_NESTING + 16  # sufficient for an expression of 64 levels
+MAX_FAULTS = 1_000  # more are not recorded
 _MOST_COMMANDS = 5 * MAX_COMMANDS
 _MAX_DIGITS = 400  # a double has less than 310
 _CLOSING = {"(": ")", "[": "]", "{": "}"}
@@ -45,8 +45,8 @@ class Place:
 
 
 @dataclass(frozen=True, slots=True)
-class Trouble:
-    """Something that keeps the text from being parsed."""
+class SyntaxProblem:
+    """A problem that prevents parsing."""
 
     code: str
     place: Place
@@ -54,33 +54,33 @@ class Trouble:
 
 
 @dataclass(slots=True)
-class Look:
-    """What a first look at a text finds.
+class Scan:
+    """Result of scanning a text.
 
     Attributes:
         comments: all comments.
-        elifs: where an `elif` begins.
-        troubles: what must be mended before the text can be parsed.
-        spans: first and last line of each command, however many lines it takes.
-        longest: where the command with the most words and signs begins.
+        elifs: begin of each `elif`.
+        problems: problems that prevent parsing.
+        spans: first and last line of each command.
+        longest: begin of the command with the most tokens.
     """
 
     comments: list[Comment] = field(default_factory=list)
     elifs: list[Place] = field(default_factory=list)
-    troubles: list[Trouble] = field(default_factory=list)
+    problems: list[SyntaxProblem] = field(default_factory=list)
     spans: list[tuple[int, int]] = field(default_factory=list)
     longest: Place = field(default_factory=lambda: Place(1, 0))
 
 
-def look_at(text: str) -> Look:
-    """Looks through a text whose lines end in `\\n`."""
+def scan_text(text: str) -> Scan:
+    """Scans a text whose lines end in `\\n`."""
     return _Scanner(text).scan()
 
 
 class _Scanner:
     def __init__(self, text: str) -> None:
         self._text = text
-        self._look = Look()
+        self._scan = Scan()
         self._line, self._line_start = 1, 0
         self._open: list[tuple[str, Place]] = []
         self._first: Place | None = None  # of the command that is being read
@@ -88,7 +88,7 @@ class _Scanner:
         self._n_commands = 0
         self._too_deep = self._too_many = False
 
-    def scan(self) -> Look:
+    def scan(self) -> Scan:
         position, end = 0, len(self._text)
         while position < end:
             match = _TOKEN.match(self._text, position)
@@ -101,19 +101,19 @@ class _Scanner:
                 getattr(self, f"_{match.lastgroup}")(match)
             self._count_lines(match.start(), position)
         self._end_command()
-        without_end = {trouble.place.line for trouble in self._look.troubles}
+        without_end = {problem.place.line for problem in self._scan.problems}
         for bracket, place in self._open:
-            if place.line in without_end:  # the bracket's end is in a text that is not closed
+            if place.line in without_end:  # its end is inside an unclosed string
                 continue
-            self._trouble("python_bracket_not_closed", place, bracket=bracket)
-        return self._look
+            self._problem("python_bracket_not_closed", place, bracket=bracket)
+        return self._scan
 
     def _place(self, match: re.Match[str]) -> Place:
         return Place(self._line, match.start() - self._line_start)
 
-    def _trouble(self, code: str, place: Place, **params: object) -> None:
-        if len(self._look.troubles) < MAX_FAULTS:
-            self._look.troubles.append(Trouble(code, place, params))
+    def _problem(self, code: str, place: Place, **params: object) -> None:
+        if len(self._scan.problems) < MAX_FAULTS:
+            self._scan.problems.append(SyntaxProblem(code, place, params))
 
     def _count_lines(self, start: int, end: int) -> None:
         n_newlines = self._text.count("\n", start, end)
@@ -129,16 +129,16 @@ class _Scanner:
         if self._first is not None:
             self._n_commands += 1
             self._check_number(self._first)
-            self._look.spans.append((self._first.line, self._line))
+            self._scan.spans.append((self._first.line, self._line))
             if self._n_tokens > self._most_tokens:
-                self._most_tokens, self._look.longest = self._n_tokens, self._first
+                self._most_tokens, self._scan.longest = self._n_tokens, self._first
         self._first, self._n_tokens = None, 0
 
     def _comment(self, match: re.Match[str]) -> None:
         place = self._place(match)
         before = self._text[self._line_start : match.start()]
         alone = not before.strip()
-        self._look.comments.append(Comment(place.line, place.column, match[0][1:], alone))
+        self._scan.comments.append(Comment(place.line, place.column, match[0][1:], alone))
 
     def _token(self, match: re.Match[str]) -> Place:
         place = self._place(match)
@@ -146,13 +146,13 @@ class _Scanner:
         if self._first is None:
             self._first = place
             if match[0] == "elif":
-                self._look.elifs.append(place)
+                self._scan.elifs.append(place)
         return place
 
     def _word(self, match: re.Match[str]) -> None:
         place = self._token(match)
         if len(match[0]) > _MAX_DIGITS and match[0][0].isdigit():
-            self._trouble("python_number_too_large", place)
+            self._problem("python_number_too_large", place)
 
     def _string(self, match: re.Match[str]) -> None:
         self._token(match)
@@ -163,31 +163,31 @@ class _Scanner:
         self._check_number(place)
 
     def _check_number(self, place: Place) -> None:
-        """So many would take long to parse, and are no program, whatever of them are branches and functions."""
+        """Reports a text with more commands than any program can have, which would take long to parse."""
         if self._n_commands > _MOST_COMMANDS and not self._too_many:
             self._too_many = True
             params = {"value": self._n_commands, "max": MAX_COMMANDS}
-            self._trouble("too_many_commands", place, **params)
+            self._problem("too_many_commands", place, **params)
 
     def _other(self, match: re.Match[str]) -> None:
-        self._trouble("python_character", self._token(match), character=match[0])
+        self._problem("python_character", self._token(match), character=match[0])
 
     def _open_bracket(self, match: re.Match[str]) -> None:
         place = self._token(match)
         self._open.append((match[0], place))
         if len(self._open) > _MAX_BRACKETS and not self._too_deep:
             self._too_deep = True
-            self._trouble("nesting_too_deep", place, max=MAX_NESTING)
+            self._problem("nesting_too_deep", place, max=MAX_NESTING)
 
     def _close(self, match: re.Match[str]) -> None:
         place = self._token(match)
         if self._open and _CLOSING[self._open[-1][0]] == match[0]:
             self._open.pop()
         else:
-            self._trouble("python_bracket_not_opened", place, bracket=match[0])
+            self._problem("python_bracket_not_opened", place, bracket=match[0])
 
     def _unclosed_quote(self, match: re.Match[str]) -> int:
-        """Notes it; where to go on: a text in three quotes would go on to the end, others to that of the line."""
-        self._trouble("python_text_not_closed", self._token(match))
+        """Records an unclosed string; returns where it ends: triple-quoted at the end of the text, else of the line."""
+        self._problem("python_text_not_closed", self._token(match))
         end = self._text.find("\n", match.end())
         return len(self._text) if end < 0 or len(match[0]) > 1 else end

@@ -1,4 +1,4 @@
-"""Expressions of a document as Python text, with as few parentheses as keep the tree."""
+"""Writes expressions of a document as Python text, with the fewest parentheses that preserve the tree."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -18,14 +18,14 @@ from pinel_desktop.program.python_text.forms import (
 )
 from pinel_desktop.program.python_text.names import python_name
 
-# a function's parameters, by its name
+# parameters of functions, by name of the function
 Signatures = Mapping[str, Sequence[str]]
-_LARGEST_WHOLE = 1e16  # from here on, the shortest way to write a double is with an exponent
+_LARGEST_WHOLE = 1e16  # larger doubles are written with an exponent
 _SIMPLE = re.compile(r"-?[\w.]+")
 
 
-def text_of(value: str) -> str:
-    """A text in quotes, on one line; the quotes are those that need fewer backslashes."""
+def string_literal(value: str) -> str:
+    """A string literal on one line, with the kind of quotes that needs fewer backslashes."""
     escaped = repr(f"'\"{value}")[4:-1].replace("\\'", "'")
     if '"' in value and "'" not in value:
         return f"'{escaped}'"
@@ -33,7 +33,7 @@ def text_of(value: str) -> str:
 
 
 def number_text(value: float, *, metres: bool = False) -> str:
-    """The shortest text that reads back to the same double; whole numbers without a point, metres with one."""
+    """The shortest text of a double that reads back equal; whole numbers have a decimal point only for metres."""
     whole = float(value).is_integer() and abs(value) < _LARGEST_WHOLE
     if not whole or str(value) == "-0.0":
         return repr(float(value)).replace("e+", "e")
@@ -43,13 +43,13 @@ def number_text(value: float, *, metres: bool = False) -> str:
 def expression_text(
     value: Any, signatures: Signatures, least: int = OR, *, metres: bool = False
 ) -> str:
-    """An expression where everything that binds at least as tightly as `least` may stand without parentheses."""
+    """An expression as text, in parentheses if its precedence is below `least`."""
     text, binds = _Writer(signatures).write(value, metres=metres)
     return text if binds >= least else f"({text})"
 
 
 def call_text(function: str, arguments: Mapping[str, Any], signatures: Signatures) -> str:
-    """A call of a function of the program, its arguments in the order of its parameters."""
+    """A call of a function of the program, with the arguments in the order of the parameters."""
     parameters = signatures.get(function, ())
     if set(parameters) == set(arguments):
         given = [expression_text(arguments[name], signatures) for name in parameters]
@@ -62,7 +62,7 @@ def call_text(function: str, arguments: Mapping[str, Any], signatures: Signature
 
 
 class _Writer:
-    """Writes expressions as (text, how tightly it binds)."""
+    """Writes expressions as (text, precedence)."""
 
     def __init__(self, signatures: Signatures) -> None:
         self._signatures = signatures
@@ -74,7 +74,7 @@ class _Writer:
             text = number_text(value, metres=metres)
             return text, SIGN if text.startswith("-") else ATOM
         if isinstance(value, str):
-            return text_of(value), ATOM
+            return string_literal(value), ATOM
         if isinstance(value, list):
             return f"[{', '.join(self._at(item, OR) for item in value)}]", ATOM
         return self._node(value)
@@ -109,13 +109,13 @@ class _Writer:
             return f"not {self._at(args[0], NOT)}", NOT
         if binds == POWER:
             return self._power(args), POWER
-        # only the left side of sums and products may bind as loosely as the whole
+        # left-associative: only the left operand may have the same precedence
         first = binds + (binds in (OR, AND, COMPARISON))
         parts = [self._at(args[0], first), *(self._at(part, binds + 1) for part in args[1:])]
         return f" {name} ".join(parts), binds
 
     def _power(self, args: Sequence[Any]) -> str:
-        """A power binds to the right, and a sign on its left side less tightly than itself."""
+        """Powers are right-associative, and a sign on the left has lower precedence."""
         left, right = self._at(args[0], ATOM), self._at(args[1], SIGN)
         simple = _SIMPLE.fullmatch(left) and _SIMPLE.fullmatch(right)
         return f"{left}**{right}" if simple else f"{left} ** {right}"

@@ -1,4 +1,4 @@
-"""A document as Python text: one line for each command, in the forms of `forms.py`."""
+"""Writes a document as Python text, one line for each command, in the forms of `forms.py`."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -13,13 +13,13 @@ from pinel_desktop.program.python_text.write_expressions import (
     call_text,
     expression_text,
     number_text,
-    text_of,
+    string_literal,
 )
 
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """What is on a line: a command, or the beginning of a function."""
+    """The content of a line: a command, or the head of a function."""
 
     pointer: str
     block: str | None = None
@@ -27,19 +27,19 @@ class Line:
 
 @dataclass(frozen=True, slots=True)
 class PythonText:
-    """A program as Python text; `lines` says which command is on which line, counted from 1."""
+    """A program as Python text; `lines` has the command of each line, counted from 1."""
 
     text: str
     lines: Mapping[int, Line]
 
 
 def write_python(document: Mapping[str, Any]) -> PythonText:
-    """The Python text of a document in its normal form, as `Reading.document` holds it."""
+    """The Python text of a document in its normal form (`Reading.document`)."""
     functions = document.get("functions", [])
     signatures = {function["name"]: function.get("parameters", []) for function in functions}
     writer = _Writer(signatures)
     if document.get("name"):
-        writer.put(_docstring(document["name"]), 0)
+        writer.write(_docstring(document["name"]), 0)
     for i, function in enumerate(functions):
         writer.gap(2)
         writer.function(function, f"/functions/{i}")
@@ -49,7 +49,7 @@ def write_python(document: Mapping[str, Any]) -> PythonText:
 
 
 def _docstring(name: str) -> str:
-    quoted = text_of(name)
+    quoted = string_literal(name)
     plain = quoted == f'"{name}"' and name.strip() == name
     return f'"""{name}"""' if plain else quoted
 
@@ -61,16 +61,16 @@ class _Writer:
         self.lines: dict[int, Line] = {}
 
     def text(self) -> list[str]:
-        """The lines without empty ones at the end."""
+        """The lines, without empty ones at the end."""
         while self._text and not self._text[-1]:
             self._text.pop()
         return self._text
 
-    def put(self, text: str, depth: int) -> None:
+    def write(self, text: str, depth: int) -> None:
         self._text.append("    " * depth + text)
 
     def gap(self, n_lines: int) -> None:
-        """Empty lines, unless nothing has been written."""
+        """Writes empty lines, except at the beginning of the text."""
         self._text += [""] * (n_lines if self._text else 0)
 
     def function(self, function: Mapping[str, Any], pointer: str) -> None:
@@ -81,7 +81,7 @@ class _Writer:
         assigned = dict.fromkeys(_assigned(function["commands"]))
         shared = [python_name(name) for name in assigned if name not in parameters]
         if shared:
-            self.put(f"global {', '.join(shared)}", 1)
+            self.write(f"global {', '.join(shared)}", 1)
         self._body(function["commands"], f"{pointer}/commands", 1, empty=not shared)
 
     def commands(self, commands: Sequence[Mapping[str, Any]], pointer: str, depth: int) -> None:
@@ -93,14 +93,14 @@ class _Writer:
     ) -> None:
         self.commands(commands, pointer, depth)
         if empty and not commands:
-            self.put("pass", depth)
+            self.write("pass", depth)
 
     def _begin(self, command: Mapping[str, Any], text: str, pointer: str, depth: int) -> None:
-        """The line of a command, below its comment."""
+        """Writes the comment and the first line of a command."""
         comment = command.get("comment")
         for line in () if comment is None else comment.split("\n"):
-            self.put(f"# {comment_text(line)}" if line else "#", depth)
-        self.put(text, depth)
+            self.write(f"# {comment_text(line)}" if line else "#", depth)
+        self.write(text, depth)
         self.lines[len(self._text)] = Line(pointer, command.get("block"))
 
     def _command(self, command: Mapping[str, Any], pointer: str, depth: int) -> None:
@@ -108,10 +108,10 @@ class _Writer:
         if "commands" in command:
             self._body(command["commands"], f"{pointer}/commands", depth + 1)
         for i, branch in enumerate(command.get("elif", ())):
-            self.put(f"elif {self._condition(branch)}:", depth)
+            self.write(f"elif {self._condition(branch)}:", depth)
             self._body(branch["commands"], f"{pointer}/elif/{i}/commands", depth + 1)
         if command.get("else"):
-            self.put("else:", depth)
+            self.write("else:", depth)
             self.commands(command["else"], f"{pointer}/else", depth + 1)
 
     def _heading(self, command: Mapping[str, Any]) -> str:
@@ -202,7 +202,7 @@ _ASSIGNS = {
 
 
 def _assigned(commands: Sequence[Mapping[str, Any]]) -> Iterator[str]:
-    """Names of the variables that the commands set, in their order."""
+    """Names of the variables that the commands assign, in order."""
     for command in commands:
         key = _ASSIGNS.get(command["action"])
         if key is not None:

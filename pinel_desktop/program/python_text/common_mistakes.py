@@ -1,8 +1,8 @@
-"""Slips that many make, and what Python only calls invalid: what was probably meant."""
+"""Explains common mistakes that Python reports only as invalid syntax."""
 
 import re
 
-_LONGEST = 300  # a longer line was not typed by hand
+_MAX_LENGTH = 300  # longer lines were not typed by hand
 _ELSE_IF = re.compile(r"\s*else\s+if\b")
 _STEP = re.compile(r"(\w+)\s*(\+\+|--)\s*;?\s*(?:#.*)?$")
 _TURNED_ROUND = re.compile(r"=<|=>")
@@ -34,9 +34,9 @@ _MEANT = {
 }
 
 
-def slip_in(line: str) -> tuple[str, dict[str, object]] | None:
-    """The fault, with its params, for a line that Python does not understand; None where nothing is guessed."""
-    if len(line) > _LONGEST:
+def common_mistake(line: str) -> tuple[str, dict[str, object]] | None:
+    """Code and params of the fault for a line with a common mistake; None if none is recognised."""
+    if len(line) > _MAX_LENGTH:
         return None
     if _ELSE_IF.match(line):
         return "python_else_if", {}

@@ -42,7 +42,7 @@ def test_the_quick_look_passes_nothing_that_the_check_does_not(value: Any, wante
     if not isinstance(value, dict):
         return
     quick, noted, _ = expressions()
-    if quick.is_plainly_right(value, wanted):
+    if quick.is_obviously_valid(value, wanted):
         whole, variables, found = expressions()
         whole.check(value, ("commands", 0, "x"), wanted)
         assert found == []
@@ -52,8 +52,8 @@ def test_the_quick_look_passes_nothing_that_the_check_does_not(value: Any, wante
 def test_it_passes_what_most_programs_hold() -> None:
     quick, noted, _ = expressions()
     half = {"op": "/", "args": [{"var": "a"}, 2]}
-    assert quick.is_plainly_right(half, "number")
-    assert quick.is_plainly_right(half, None)
-    assert not quick.is_plainly_right(half, "text")
-    assert not quick.is_plainly_right({"op": "/", "args": [{"var": "a"}, "2"]}, "number")
+    assert quick.is_obviously_valid(half, "number")
+    assert quick.is_obviously_valid(half, None)
+    assert not quick.is_obviously_valid(half, "text")
+    assert not quick.is_obviously_valid({"op": "/", "args": [{"var": "a"}, "2"]}, "number")
     assert noted == {"a"}
