@@ -1,4 +1,4 @@
-"""How `pinel` begins: the window at once, commands through the command line."""
+"""The entry point `pinel`: opens the window at once, and dispatches subcommands."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""Many programs at once: what happens when a process dies, and when nobody waits any more."""
+"""Checking programs in parallel: a process that dies, and a generator that is closed early."""
 
 import json
 import multiprocessing
@@ -34,7 +34,7 @@ def kill_all() -> None:
 
 
 def when(condition: Callable[[], bool], then: Callable[[], None]) -> None:
-    """Does something from another thread as soon as a condition holds."""
+    """Calls a function on another thread as soon as a condition holds."""
 
     def watch() -> None:
         while not condition():

@@ -1,4 +1,4 @@
-"""Each kind of check, once true and once false, on real runs; and activities that ship."""
+"""Each kind of check, true and false, on real runs; and the shipped activities."""
 
 import json
 from pathlib import Path

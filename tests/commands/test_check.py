@@ -1,4 +1,4 @@
-"""`pinel check`, as it is typed."""
+"""`pinel check` on the command line."""
 
 import json
 import subprocess

@@ -1,4 +1,4 @@
-"""`pinel export` and `pinel merge`, as they are typed."""
+"""`pinel export` and `pinel merge` on the command line."""
 
 import json
 import sqlite3

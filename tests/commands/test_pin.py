@@ -1,4 +1,4 @@
-"""`pinel pin`, as it is typed."""
+"""`pinel pin` on the command line."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""`pinel run --plot`: a run as a picture."""
+"""`pinel run --plot`."""
 
 import json
 import sys

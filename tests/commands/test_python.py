@@ -1,4 +1,4 @@
-"""`pinel python`, as it is typed."""
+"""`pinel python` on the command line."""
 
 import json
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""`pinel run`, as it is typed."""
+"""`pinel run` on the command line."""
 
 import json
 from pathlib import Path

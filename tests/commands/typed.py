@@ -1,4 +1,4 @@
-"""Commands as they are typed."""
+"""Runs commands as typed on the command line."""
 
 import json
 from pathlib import Path

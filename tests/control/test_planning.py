@@ -1,4 +1,4 @@
-"""Paths around obstacles: free, short, and none where there is none."""
+"""Path planning: paths are free of collisions and short, and None if there is none."""
 
 import math
 from collections.abc import Generator

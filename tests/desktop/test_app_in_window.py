@@ -1,4 +1,4 @@
-"""The whole program in its real window: ready, brought forward by a second start, closed as people close it."""
+"""The app in its real window: start, a second start that brings it forward, and closing it."""
 
 import json
 import os
@@ -19,7 +19,7 @@ TITLE = "^PINEL Desktop$"
 
 
 class Desktop:
-    """A virtual screen with a window manager, and what a person does to windows there."""
+    """A virtual screen with a window manager, and actions on its windows."""
 
     def __init__(self, display: str, home: Path) -> None:
         self.environment = os.environ | {

@@ -1,4 +1,4 @@
-"""The app behind the window: a real process, told to start, asked for addresses, ended by its pipe."""
+"""The app's process, for real: start, requests for addresses, and its end at the end of the pipe."""
 
 import os
 import signal

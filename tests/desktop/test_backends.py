@@ -1,4 +1,4 @@
-"""Which ways to show the page are tried on which PC."""
+"""Which backends are tried on which PC."""
 
 import sys
 

@@ -1,4 +1,4 @@
-"""Where the window may go, and how large it opens."""
+"""The window's navigation policy and size."""
 
 import pytest
 

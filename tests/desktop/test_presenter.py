@@ -1,4 +1,4 @@
-"""One way after the other, each failure with a remedy, and the plain address at the end."""
+"""The presenter tries each backend, prints a remedy for each failure, and finally prints the address."""
 
 import itertools
 import os
@@ -15,7 +15,7 @@ from pinel_desktop.messages import describe
 
 
 class Said(list[str]):
-    """What was printed; `wait_for` waits until a line holds the text."""
+    """Collects printed lines; `wait_for` waits for a line that contains the text."""
 
     def __init__(self) -> None:
         super().__init__()

@@ -1,4 +1,4 @@
-"""The real window on a virtual screen: it opens the page, keeps to it, and closes at once."""
+"""The real window on a virtual screen: it opens the page, blocks other addresses, and closes at once."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""`pinel doctor` tells the truth about PCs of all kinds."""
+"""`pinel doctor` on PCs with and without each component."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""The presets: an ideal robot does what it is told, a realistic one nearly."""
+"""The presets: an ideal robot follows commands exactly, a realistic one within bounds."""
 
 import math
 import random

@@ -1,4 +1,4 @@
-"""Documents that nobody would write: mutated programs, for as long as there is time. The seed is printed."""
+"""Fuzzing of the document reader with mutated programs, for a given time. The seed is printed."""
 
 import json
 import math

@@ -1,4 +1,4 @@
-"""The whole language: what is valid, and each fault that the models alone cannot see."""
+"""The whole language: valid programs, and each fault of the semantic checks."""
 
 import json
 from typing import Any

@@ -1,4 +1,4 @@
-"""What the quick look at an expression passes, the whole check passes too, and both note the same variables."""
+"""Every expression that the fast path accepts passes the full check too, and both record the same variables."""
 
 from typing import Any
 

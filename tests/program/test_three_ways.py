@@ -54,7 +54,7 @@ def run(reading: Reading) -> RunResult:
 
 
 def outcome(result: RunResult) -> tuple[Any, ...]:
-    """All that a run has brought about, to the bit; where it failed, not in which block."""
+    """The exact results of a run, without the block of a failure."""
     ended = result.ended
     return (
         ended.state,

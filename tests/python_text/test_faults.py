@@ -1,4 +1,4 @@
-"""What is not in the language is a fault with its place, in words; and all of them are said at once."""
+"""Anything outside the language is a fault with its place and a message; all are reported at once."""
 
 import re
 from pathlib import Path

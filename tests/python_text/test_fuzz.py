@@ -1,4 +1,4 @@
-"""Whatever a text holds: faults with a place inside it, or a program; never an exception, never for long."""
+"""Fuzzing: any text gives a program or faults with places inside it, without exceptions and in bounded time."""
 
 import random
 import time
@@ -77,7 +77,7 @@ PIECES = [
 
 
 def check(text: str) -> None:
-    """Reads a text, and holds the reader to its word."""
+    """Reads a text and checks the properties of the result."""
     reading = read_python(text)
     lines = text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n").split("\n")
     for fault in reading.faults:

@@ -1,4 +1,4 @@
-"""The largest programs there may be come back from their Python text as well."""
+"""The round trip of the largest programs allowed."""
 
 import json
 from collections.abc import Callable

@@ -1,4 +1,4 @@
-"""docs/python-text.md is complete, and every form on it is read and written back as it stands there."""
+"""docs/python-text.md is complete, and the round trip of every form on it gives the same text."""
 
 import re
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""The robots' records: complete, and such that their motions can be driven."""
+"""The robot models: complete, and able to drive their planned motions."""
 
 import math
 

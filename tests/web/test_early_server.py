@@ -1,4 +1,4 @@
-"""Before the app is imported the server gives out the page, to who may have it, and makes all else wait."""
+"""Before the app is imported, the server serves the page to authorised requests; all others wait."""
 
 import threading
 import urllib.error

@@ -1,4 +1,4 @@
-"""Every error has the one shape, with words, whoever raised it."""
+"""Every error answer has the same JSON shape with a message, whatever raised the error."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""Work that goes from PC to PC: sticks, the shared folder, a program as a file."""
+"""Transfer of work between PCs: removable drives, the shared folder, a program as a file."""
 
 import tempfile
 from collections.abc import Callable

@@ -1,4 +1,4 @@
-"""Whether a run passed the activity of its lesson: judged after it has ended, told on the stream, kept."""
+"""Grading: after a run of a lesson with an activity, the result is stored and sent on the stream."""
 
 from collections.abc import Callable
 from typing import Any

@@ -1,4 +1,4 @@
-"""Who is answered and who is not."""
+"""Which requests are answered, and which are refused."""
 
 from collections.abc import Callable
 from urllib.parse import urlsplit

@@ -1,4 +1,4 @@
-"""The description of the interface: current, and true."""
+"""The OpenAPI description: complete, and consistent with the answers."""
 
 import json
 import re

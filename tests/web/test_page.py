@@ -1,4 +1,4 @@
-"""The page's files, and what stands in for them."""
+"""The page's files, and the message shown without them."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""What the teacher deletes is gone: from the file, its backups, and from what comes by stick."""
+"""Permanent deletion: from the database and its backups, and merging a bundle does not restore it."""
 
 from pathlib import Path
 from typing import Any

@@ -1,4 +1,4 @@
-"""How groups thought, over HTTP: a lesson's review, its table, differences between versions, the history of runs."""
+"""The review over HTTP: a lesson's review, its table, differences between versions, the history of runs."""
 
 import csv
 import io
@@ -20,7 +20,7 @@ PIN = "314159"
 
 
 class Pupils:
-    """A group of a class, edited over HTTP; how its runs end is said by the test."""
+    """A group of a class that works over HTTP; the test decides how its runs end."""
 
     def __init__(self, browser: Browser, app: App, classroom: str, name: str) -> None:
         assert isinstance(app._engine, FakeEngine)

@@ -1,4 +1,4 @@
-"""The robots that the page can draw and ask for."""
+"""The robot models over HTTP."""
 
 from pinel_desktop.robot import PIONEER_3DX, ROBOTS
 from tests.web.browser import Browser

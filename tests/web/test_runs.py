@@ -1,4 +1,4 @@
-"""Runs over HTTP, with an engine that does what the test says."""
+"""Runs over HTTP, with a fake engine."""
 
 import contextlib
 import json

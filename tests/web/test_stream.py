@@ -1,4 +1,4 @@
-"""The event stream: one for everything."""
+"""The event stream."""
 
 from typing import Any
 

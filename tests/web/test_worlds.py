@@ -1,4 +1,4 @@
-"""Worlds over HTTP: those that ship, and those that groups make."""
+"""Worlds over HTTP: shipped ones, and those of groups."""
 
 from typing import Any
 

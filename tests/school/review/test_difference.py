@@ -1,4 +1,4 @@
-"""What differs between two versions, block by block."""
+"""Differences of two versions, block by block."""
 
 import copy
 from random import Random

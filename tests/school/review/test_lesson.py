@@ -1,4 +1,4 @@
-"""A lesson as its groups went through it: marks in their order, and figures that say what they count."""
+"""The review of a lesson: order of marks, and figures."""
 
 from typing import Any
 

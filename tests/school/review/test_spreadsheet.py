@@ -1,4 +1,4 @@
-"""Tables that spreadsheets of three languages open with a double click."""
+"""CSV files for spreadsheets in three languages."""
 
 import pytest
 
