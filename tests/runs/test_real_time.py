@@ -12,13 +12,13 @@ from pinel_desktop.events.model import (
     CaptureStarted,
     Countdown,
     Event,
-    EventStamp,
     GestureResult,
     Ranges,
     RunState,
     Telemetry,
     Things,
 )
+from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.clock import TICK_S
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.executor import RunResult
