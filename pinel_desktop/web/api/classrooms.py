@@ -84,9 +84,9 @@ def change_lesson(path: IdPath, body: LessonChanges) -> Response:
     require_teacher()
     lessons = services().store.lessons
     _require_activity(body.activity or None)
-    told = body.model_dump(exclude_none=True, exclude={"closed"})
+    changes = body.model_dump(exclude_none=True, exclude={"closed"})
     # "" removes the value
-    row = lessons.change(path.id, {name: value or None for name, value in told.items()})
+    row = lessons.change(path.id, {name: value or None for name, value in changes.items()})
     return answer(_lesson(lessons.close(path.id) if body.closed else row))
 
 

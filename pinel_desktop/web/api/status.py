@@ -27,8 +27,12 @@ def get_status() -> Response:
 
 def _database(parts: Services) -> DatabaseStatus:
     state = parts.database_state()
-    told = state.notice
-    shown = None if told is None else notice(told.code, told.params, parts.preferences.language)
+    problem = state.notice
+    shown = (
+        None
+        if problem is None
+        else notice(problem.code, problem.params, parts.preferences.language)
+    )
     return DatabaseStatus(path=state.path, writable=state.writable, notice=shown)
 
 

@@ -48,7 +48,7 @@ def described(declaration: type) -> tuple[str, dict[str, str]]:
 def _model(declaration: type, name: str, base: type[Shape], **head: Any) -> type[Shape]:
     about, meanings = described(declaration)
     declared = getattr(declaration, "__dataclass_fields__", {})
-    told: dict[str, Any] = dict(head)
+    fields: dict[str, Any] = dict(head)
     for field, hint in get_type_hints(declaration, include_extras=True).items():
         if get_origin(hint) is ClassVar:
             continue
@@ -56,8 +56,8 @@ def _model(declaration: type, name: str, base: type[Shape], **head: Any) -> type
         if field in declared and declared[field].default is not MISSING:
             # optional without a default value: with one, the page's types would not be optional
             described_as["default_factory"] = lambda: None
-        told[field] = (_wire(hint), Field(**described_as))
-    return create_model(name, __base__=base, __doc__=about, __module__=__name__, **told)
+        fields[field] = (_wire(hint), Field(**described_as))
+    return create_model(name, __base__=base, __doc__=about, __module__=__name__, **fields)
 
 
 @cache
