@@ -36,8 +36,8 @@ class Quality(NamedTuple):
 
     end_m: float
     heading_rad: float
-    beside_m: float
-    restless_mps: float
+    cross_track_m: float
+    speed_change_mps: float
 
 
 def drive(figure: str, gains: Gains, seed: int) -> Quality:
@@ -57,7 +57,7 @@ def drive(figure: str, gains: Gains, seed: int) -> Quality:
     return Quality(
         math.hypot(_true(last.true_x_m), _true(last.true_y_m)),
         abs(_true(last.true_yaw_rad)),
-        _rms([_beside(tick) for tick in ticks]),
+        _rms([_cross_track(tick) for tick in ticks]),
         _rms([b.command_v_mps - a.command_v_mps for a, b in itertools.pairwise(ticks)]),
     )
 
@@ -67,7 +67,7 @@ def _true(value: float | None) -> float:
     return value
 
 
-def _beside(tick: Telemetry) -> float:
+def _cross_track(tick: Telemetry) -> float:
     dx, dy = _true(tick.true_x_m) - tick.goal_x_m, _true(tick.true_y_m) - tick.goal_y_m
     return math.cos(tick.goal_yaw_rad) * dy - math.sin(tick.goal_yaw_rad) * dx
 
@@ -81,17 +81,17 @@ def _p95(values: list[float]) -> float:
 
 
 def main() -> None:
-    print(f"{'':<16}{'end, p95':>12}{'heading, p95':>14}{'beside, rms':>13}{'restless, rms':>15}")
+    print(f"{'':<16}{'end, p95':>12}{'heading, p95':>14}{'cross, rms':>13}{'change, rms':>15}")
     for name, values in VALUES.items():
         for value in values:
             gains = SLIPPING_GAINS._replace(**{name: value})
             runs = [drive(figure, gains, seed) for figure in FIGURES for seed in SEEDS]
             end, heading = (_p95([run[i] for run in runs]) for i in (0, 1))
-            beside, restless = (_rms([run[i] for run in runs]) for i in (2, 3))
+            cross_track, change = (_rms([run[i] for run in runs]) for i in (2, 3))
             mark = " *" if gains == SLIPPING_GAINS else ""
             print(
                 f"{name:<8}{value:6.1f}{mark:<2}{end * 1e3:9.2f} mm{math.degrees(heading):11.3f} deg"
-                f"{beside * 1e3:10.2f} mm{restless * 1e3:10.2f} mm/s"
+                f"{cross_track * 1e3:10.2f} mm{change * 1e3:10.2f} mm/s"
             )
 
 

@@ -92,7 +92,7 @@ def test_a_name_is_written_as_on_the_page(name: str, python: str) -> None:
     assert program_name(python) == name
 
 
-@pytest.mark.parametrize(("written", "read_as"), rows("What is read as well"))
+@pytest.mark.parametrize(("written", "read_as"), rows("Further accepted forms"))
 def test_another_spelling_is_read_as_on_the_page(written: str, read_as: str) -> None:
     value = written == "-x"
     text, wanted = (program_around(f"z = {w}" if value else w) for w in (written, read_as))
