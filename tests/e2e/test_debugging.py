@@ -66,6 +66,7 @@ def test_the_run_pauses_at_a_breakpoint(studio: Studio) -> None:
     studio.enter_new_group()
     _, backward = add_two_moves(studio)
     backward.click(button="right")
+    expect(studio.page.locator(".blocklyContextMenu")).to_contain_text("F9")
     studio.page.get_by_text("Pausar aqui", exact=True).click()
     expect(dots(studio)).to_have_count(1)
 
