@@ -1,0 +1,118 @@
+"""A hand as numbers: 852 about its shape, and 896 that the landmark network saw at the fingers.
+
+Whatever size, place and chirality a hand has, its numbers are the same; its direction in the picture is kept, because
+letters such as M and W differ by it. The second block tells apart what landmarks do not (which finger lies in front).
+"""
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pinel_desktop.gestures.landmarks import SIZE, Hand
+
+Array = NDArray[np.float64]
+
+N_SHAPE, N_SEEN = 852, 896
+# a block's features count equally, and so do both blocks
+BLOCKS = (slice(0, N_SHAPE), slice(N_SHAPE, N_SHAPE + N_SEEN))
+
+# each landmark but the wrist is the end of a bone that begins at its parent
+_ENDS = np.arange(1, 21)
+_STARTS = np.array([0, 1, 2, 3, 0, 5, 6, 7, 0, 9, 10, 11, 0, 13, 14, 15, 0, 17, 18, 19])
+_BENT = np.flatnonzero(_STARTS)  # bones that continue another
+_THUMB_BASE, _INDEX_BASE, _MIDDLE_BASE, _RING_BASE, _LITTLE_BASE = 1, 5, 9, 13, 17
+_NEIGHBOURS = (
+    (_INDEX_BASE, _MIDDLE_BASE),
+    (_MIDDLE_BASE, _RING_BASE),
+    (_RING_BASE, _LITTLE_BASE),
+    (_THUMB_BASE, _INDEX_BASE),
+)
+_THUMB_TIP, _FINGERS = 4, slice(5, 21)
+_INDEX_JOINTS, _MIDDLE_JOINTS = [8, 7, 6], [12, 11, 10]
+_PAIRS = np.triu_indices(21, 1)
+# thumb, index and middle finger, which make most of the letters' differences
+_SEEN_AT = [2, 3, 4, 6, 7, 8, 11, 12]
+
+
+def features(hand: Hand) -> NDArray[np.float32]:
+    """All numbers of a hand, (1748,)."""
+    shape = [np.ravel(part) for part in _shape(hand)]
+    return np.concatenate([*shape, _seen(hand)]).astype(np.float32)
+
+
+def _shape(hand: Hand) -> Iterator[Array | list[float]]:
+    """Positions, directions, angles and distances of landmarks in three frames: picture, crop, and the palm itself."""
+    upright = _unmirrored(hand)
+    world = _from_wrist(hand.world)
+    in_crop = _from_wrist(hand.in_crop)
+    palm = _palm_axes(world)
+    in_palm = world @ palm.T
+    turn = math.atan2(upright[_MIDDLE_BASE, 0], -upright[_MIDDLE_BASE, 1])
+    bones = _unit(in_palm[_ENDS] - in_palm[_STARTS])
+    yield from (upright[1:, :2], upright[1:, 2], in_palm[1:], in_crop[1:])
+    yield from ([math.sin(turn), math.cos(turn)], palm)
+    yield from (bones, _unit(upright[_ENDS, :2] - upright[_STARTS, :2]))
+    yield from (_bends(bones), _spreads(bones))
+    for points in (in_palm, in_crop):
+        yield points[_THUMB_TIP] - points[_FINGERS]
+    for points in (in_palm, in_crop):
+        yield points[_INDEX_JOINTS] - points[_MIDDLE_JOINTS]
+    yield from (_distances(world), _distances(in_crop[:, :2]))
+
+
+def _unmirrored(hand: Hand) -> Array:
+    """Landmarks (21, 3) as they stand in the picture, from the wrist, in units of the hand's size, in one chirality."""
+    points = hand.points - hand.points[0]
+    if hand.mirrored:
+        points[:, 0] *= -1
+    return points / (math.sqrt(float((points[:, :2] ** 2).sum(1).mean())) + 1e-6)
+
+
+def _from_wrist(points: Array) -> Array:
+    """Landmarks (21, 3) from the wrist, in units of three mean bones."""
+    lengths = np.linalg.norm(points[_ENDS] - points[_STARTS], axis=1)
+    return (points - points[0]) / (3 * float(lengths.mean()) + 1e-9)
+
+
+def _palm_axes(world: Array) -> Array:
+    """Rows: across the palm, along it towards the middle finger, and away from it."""
+    along = _unit(world[_MIDDLE_BASE])
+    away = _unit(np.cross(world[_INDEX_BASE] - world[_LITTLE_BASE], along))
+    return np.stack([np.cross(along, away), along, away])
+
+
+def _bends(bones: Array) -> Array:
+    """Cosine of the angle of each bone with the one before it, (15,)."""
+    cosines: Array = np.einsum("ij,ij->i", bones[_BENT], bones[_STARTS[_BENT] - 1])
+    return cosines
+
+
+def _spreads(bones: Array) -> list[float]:
+    """Cosines between the three bones of neighbouring fingers, (12,)."""
+    return [float(bones[a + i] @ bones[b + i]) for a, b in _NEIGHBOURS for i in range(3)]
+
+
+def _distances(points: Array) -> Array:
+    """Between all pairs of landmarks, (210,)."""
+    distances: Array = np.linalg.norm(points[_PAIRS[0]] - points[_PAIRS[1]], axis=1)
+    return distances
+
+
+def _seen(hand: Hand) -> Array:
+    """The network's inner map read between its cells (bilinearly) at 8 landmarks, (896,)."""
+    grid = hand.activations
+    cells = grid.shape[0]
+    at = np.clip(hand.in_crop[_SEEN_AT, :2] * cells / SIZE - 0.5, 0, cells - 1.001)
+    column, row = at.astype(int).T
+    right, down = (at % 1).T[..., None]
+    upper = grid[row, column] * (1 - right) + grid[row, column + 1] * right
+    lower = grid[row + 1, column] * (1 - right) + grid[row + 1, column + 1] * right
+    mixed: Array = (upper * (1 - down) + lower * down).ravel()
+    return mixed
+
+
+def _unit(vectors: Array) -> Array:
+    scaled: Array = vectors / (np.linalg.norm(vectors, axis=-1, keepdims=True) + 1e-9)
+    return scaled

@@ -1,0 +1,63 @@
+"""MediaPipe's two hand networks as ONNX files: where they lie, and how they are opened.
+
+Set-up writes them (scripts/hand_models). A file is opened only if its checksum is the one that was tried.
+"""
+
+import hashlib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import onnxruntime
+from numpy.typing import NDArray
+
+from pinel_desktop.errors import PinelError
+
+FOLDER = Path(__file__).parent / "weights"
+Array = NDArray[np.float32]
+
+
+@dataclass(frozen=True)
+class NetworkFile:
+    """A file in FOLDER and its SHA-256."""
+
+    name: str
+    sha256: str
+
+
+PALM = NetworkFile("palm.onnx", "c06940aaf6159abfdf201c6cd01a0cf63d9567c18cb87dea335e9f6426cbcf4e")
+HAND = NetworkFile("hand.onnx", "1216d7ec34812031e2b8c7ef11a9c1a7927e409284dd09f52d796cd43c121e3e")
+
+
+class Network:
+    """One network, computed on the calling thread alone: threads that spin would slow the rest of the program."""
+
+    def __init__(self, file: NetworkFile, folder: Path = FOLDER) -> None:
+        """Raises PinelError: `gesture_model_missing`, `gesture_model_damaged`."""
+        options = onnxruntime.SessionOptions()
+        options.intra_op_num_threads = 1
+        options.inter_op_num_threads = 1
+        options.add_session_config_entry("session.intra_op.allow_spinning", "0")
+        self._session = onnxruntime.InferenceSession(
+            checked(file, folder), options, providers=["CPUExecutionProvider"]
+        )
+        self._input: str = self._session.get_inputs()[0].name
+
+    def __call__(self, picture: NDArray[np.uint8]) -> Sequence[Array]:
+        """The outputs for one RGB picture (height, width, 3) of the size that the network takes."""
+        batch = picture[None].astype(np.float32) / 255
+        outputs: Sequence[Array] = self._session.run(None, {self._input: batch})
+        return [output[0] for output in outputs]
+
+
+def checked(file: NetworkFile, folder: Path = FOLDER) -> bytes:
+    """The content of a network's file. Raises PinelError where it is missing or another than the one that was tried."""
+    path = folder / file.name
+    try:
+        content = path.read_bytes()
+    except OSError as error:
+        raise PinelError("gesture_model_missing", file=str(path)) from error
+    if hashlib.sha256(content).hexdigest() != file.sha256:
+        raise PinelError("gesture_model_damaged", file=str(path))
+    return content

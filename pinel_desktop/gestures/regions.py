@@ -1,0 +1,80 @@
+"""Square crops of a picture, turned so that the hand points upwards.
+
+Frame of a picture: pixels, x to the right, y downwards, origin at the corner of the first pixel. The figures (shift,
+scale, which landmarks) are those of MediaPipe's hand graphs, for which the networks were trained.
+"""
+
+import math
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+_PALM_SHIFT, _PALM_SCALE = -0.5, 2.6
+_HAND_SHIFT, _HAND_SCALE = -0.1, 2.0
+WRIST, INDEX_BASE, MIDDLE_BASE, RING_BASE = 0, 5, 9, 13
+# wrist, thumb without its tip, and base and middle joint of each finger: these move little when fingers bend
+_STABLE = [0, 1, 2, 3, 5, 6, 9, 10, 13, 14, 17, 18]
+
+
+@dataclass(frozen=True)
+class Region:
+    """A square around (x, y) with sides of `side` pixels, turned clockwise by `turn` radians."""
+
+    x: float
+    y: float
+    side: float
+    turn: float
+
+    def to_picture(self, size: int, *, mirrored: bool) -> Array:
+        """The matrix (2 x 3) that takes a pixel of the crop, `size` pixels wide, to the picture."""
+        cos, sin = math.cos(self.turn), math.sin(self.turn)
+        turned = np.array([[cos, -sin], [sin, cos]]) * self.side / size
+        if mirrored:
+            turned[:, 0] *= -1
+        middle = np.full(2, size / 2)
+        return np.column_stack([turned, np.array([self.x, self.y]) - turned @ middle])
+
+    @property
+    def box(self) -> tuple[float, float, float, float]:
+        """Left, top, right and bottom of the upright square of the same size."""
+        half = self.side / 2
+        return (self.x - half, self.y - half, self.x + half, self.y + half)
+
+
+def cut(picture: NDArray[np.uint8], to_picture: Array, size: int) -> NDArray[np.uint8]:
+    """The crop (size, size, 3) that `Region.to_picture` describes; black where it leaves the picture."""
+    flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
+    crop: NDArray[np.uint8] = np.asarray(
+        cv2.warpAffine(picture, to_picture, (size, size), flags=flags), np.uint8
+    )
+    return crop
+
+
+def around_palm(wrist: Array, middle_base: Array, box: Array) -> Region:
+    """The crop for a palm that was detected: `box` is its centre, width and height."""
+    turn = _upright(middle_base - wrist)
+    up = np.array([math.sin(turn), -math.cos(turn)])
+    x, y = box[:2] - _PALM_SHIFT * box[3] * up
+    return Region(float(x), float(y), float(box[2:].max()) * _PALM_SCALE, turn)
+
+
+def around_hand(points: Array) -> Region:
+    """The crop for landmarks (21, 2 or 3) that are known: of a first pass, or of the frame before."""
+    flat = points[:, :2]
+    towards = (flat[INDEX_BASE] + flat[RING_BASE]) / 4 + flat[MIDDLE_BASE] / 2
+    turn = _upright(towards - flat[WRIST])
+    right, down = np.array([math.cos(turn), math.sin(turn)]), np.array([-math.sin(turn), math.cos(turn)])
+    along = flat[_STABLE] @ np.column_stack([right, down])
+    low, high = along.min(0), along.max(0)
+    centre = (low + high) / 2 + [0, _HAND_SHIFT * (high[1] - low[1])]
+    x, y = centre[0] * right + centre[1] * down
+    return Region(float(x), float(y), float((high - low).max()) * _HAND_SCALE, turn)
+
+
+def _upright(direction: Array) -> float:
+    """How far clockwise the vertical must be turned to point in a direction, in radians."""
+    return math.atan2(float(direction[0]), float(-direction[1]))
