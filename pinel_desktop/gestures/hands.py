@@ -54,7 +54,7 @@ class HandFinder:
         return [self._refined(picture, guess)] if guess else []
 
     def _refined(self, picture: Picture, hand: Hand) -> Hand:
-        """Seen twice more: in a crop that fits the landmarks, then in the chirality that all hands are brought to."""
+        """Seen twice more: in a crop that fits the landmarks, then mirrored if it is a left hand."""
         fitted = self.landmarks(picture, around_hand(hand.points))
         mirrored = fitted.chirality < 0.5
         return self.landmarks(picture, around_hand(fitted.points), mirrored=mirrored)

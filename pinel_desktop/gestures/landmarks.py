@@ -1,6 +1,7 @@
 """The landmarks of one hand in a crop: MediaPipe's landmark network, with one of its inner maps as an output."""
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,8 +21,8 @@ class Hand:
     points: (21, 3), pixels of the picture; z in the same unit, towards the camera negative, 0 at the wrist.
     in_crop: (21, 3), pixels of the crop, which is 224 wide. world: (21, 3), metres, in the frame of the crop.
     activations: (14, 14, 112), the network's inner map over the crop.
-    presence, chirality: 0..1, whether this is a hand, and whether the crop shows one that the network was taught to
-    call right. mirrored: whether the crop was mirrored, so that all hands have one chirality.
+    presence, chirality: 0..1, whether this is a hand, and whether it is a right one as the crop shows it.
+    mirrored: whether the crop was mirrored, so that every hand is seen as a right one.
     """
 
     points: Array
@@ -31,6 +32,11 @@ class Hand:
     presence: float
     chirality: float
     mirrored: bool
+
+    @property
+    def handedness(self) -> Literal["left", "right"]:
+        """Which hand of the person it is, in a picture that is not mirrored."""
+        return "left" if self.mirrored else "right"
 
     @property
     def box(self) -> tuple[float, float, float, float]:

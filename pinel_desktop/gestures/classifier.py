@@ -1,0 +1,200 @@
+"""Which sign a hand makes: kernel ridge regression on its features, with an honest measure of doubt.
+
+Every sample that was learnt from is kept, as a point in the 256 directions in which samples differ most. A hand's
+score for a sign is a sum over these points, weighted by how near they are; the weights solve one linear system, so that
+samples of a class can be added in less than a second. Rasmussen and Williams, Gaussian Processes for Machine Learning
+(2006), 2.2 and 6.2.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Features = NDArray[np.float32]
+Array = NDArray[np.float64]
+
+NO_SIGN = ""
+N_AXES = 256
+_REACH = 0.6  # kernel exp(-0.6 d²), where d² is 2 between two random samples
+_RIDGE = 0.01
+
+
+@dataclass(frozen=True)
+class Samples:
+    """Hands with what they show: features (n, d), and n names of signs; NO_SIGN is a hand that shows none."""
+
+    features: Features
+    signs: tuple[str, ...]
+
+    def __add__(self, other: "Samples") -> "Samples":
+        return Samples(np.concatenate([self.features, other.features]), self.signs + other.signs)
+
+    def where(self, chosen: NDArray[np.bool_]) -> "Samples":
+        """Those for which `chosen` (n,) holds."""
+        signs = tuple(sign for sign, kept in zip(self.signs, chosen, strict=True) if kept)
+        return Samples(self.features[chosen], signs)
+
+
+@dataclass(frozen=True)
+class Doubt:
+    """What an answer needs: the least score, and the least distance to the second sign's score."""
+
+    score: float = 0.5
+    margin: float = 0.3
+
+
+@dataclass(frozen=True)
+class Calibration:
+    """How scores become probabilities: softmax(sharpness * scores), with a constant share for "no sign"."""
+
+    sharpness: float = 10.0
+    no_sign: float = 0.0
+
+    def probabilities(self, scores: Array) -> Array:
+        """Of each sign, and last of no sign: (n, k) -> (n, k + 1)."""
+        share = np.full((len(scores), 1), self.no_sign)
+        logits = np.hstack([self.sharpness * scores, share])
+        raised = np.exp(logits - logits.max(1, keepdims=True))
+        shares: Array = raised / raised.sum(1, keepdims=True)
+        return shares
+
+
+@dataclass(frozen=True)
+class Reading:
+    """What a hand shows: `sign` is None in doubt; `best` and `second` are the likeliest, with their probabilities."""
+
+    sign: str | None
+    best: str
+    confidence: float
+    second: str
+    second_confidence: float
+
+
+@dataclass(frozen=True)
+class Projection:
+    """Features to points: mean and scale of each feature (d,), and the axes (d, m) along which samples differ most."""
+
+    mean: Array
+    scale: Array
+    axes: Array
+
+    @classmethod
+    def of(cls, features: Features, blocks: Sequence[slice], n_axes: int) -> "Projection":
+        """Features are standardised; each counts equally within its block, and each block equally."""
+        mean = features.mean(0, dtype=np.float64)
+        scale = 1 / (features.std(0, dtype=np.float64) + 1e-4)
+        for block in blocks:
+            scale[block] /= np.sqrt(len(blocks) * (block.stop - block.start))
+        spread = (features - mean) * scale
+        _, axes = np.linalg.eigh(spread.T @ spread)
+        return cls(*(stored(part) for part in (mean, scale, _signed(axes[:, ::-1][:, :n_axes]))))
+
+    def __call__(self, features: Features) -> Array:
+        """Points (n, m) of features (n, d)."""
+        points: Array = ((features - self.mean) * self.scale) @ self.axes
+        return points
+
+
+@dataclass(frozen=True)
+class SignClassifier:
+    """Knows k signs by n points (n, m): `members` (n,) is the number of a point's sign, -1 for none; weights (n, k)."""
+
+    signs: tuple[str, ...]
+    projection: Projection
+    points: Array
+    members: NDArray[np.int64]
+    weights: Array
+    calibration: Calibration = Calibration()
+
+    @classmethod
+    def fit(
+        cls, samples: Samples, blocks: Sequence[slice], *, n_axes: int = N_AXES
+    ) -> "SignClassifier":
+        """A classifier of the signs among the samples. Nothing here is random."""
+        known = np.array([sign != NO_SIGN for sign in samples.signs])
+        projection = Projection.of(samples.features[known], blocks, n_axes)
+        signs = tuple(sorted({sign for sign in samples.signs if sign != NO_SIGN}))
+        points = stored(projection(samples.features))
+        members = _numbers(samples.signs, signs)
+        return cls(signs, projection, points, members, _solved(points, members, len(signs)))
+
+    def teach(self, samples: Samples) -> "SignClassifier":
+        """The same with samples more, of signs that it knows and of new ones; about 0.3 s."""
+        new = sorted({*samples.signs} - {*self.signs, NO_SIGN})
+        signs = (*self.signs, *new)
+        points = np.concatenate([self.points, stored(self.projection(samples.features))])
+        members = np.concatenate([self.members, _numbers(samples.signs, signs)])
+        weights = _solved(points, members, len(signs))
+        return replace(self, signs=signs, points=points, members=members, weights=weights)
+
+    def scores(self, features: Features) -> Array:
+        """About 1 for the sign that is shown, about 0 for the others: (n, d) -> (n, k)."""
+        found: Array = _kernel(self.projection(features), self.points) @ self.weights
+        return found
+
+    def read(self, features: Features, doubt: Doubt = Doubt()) -> Reading:
+        """What one hand (d,) shows."""
+        scores = self.scores(features[None])[0]
+        shares = self.calibration.probabilities(scores[None])[0]
+        best, second = np.argsort(-scores, kind="stable")[:2]
+        return Reading(
+            sign=self.signs[best] if is_answer(scores[None], doubt)[0] else None,
+            best=self.signs[best],
+            confidence=float(shares[best]),
+            second=self.signs[second],
+            second_confidence=float(shares[second]),
+        )
+
+
+def is_answer(scores: Array, doubt: Doubt = Doubt()) -> NDArray[np.bool_]:
+    """Whether scores (n, k) are clear enough to answer, (n,)."""
+    second, best = np.sort(scores, axis=1)[:, -2:].T
+    clear: NDArray[np.bool_] = (best >= doubt.score) & (best - second >= doubt.margin)
+    return clear
+
+
+def calibrated(scores: Array, numbers: NDArray[np.int64]) -> Calibration:
+    """The calibration under which the truth is likeliest: its sign's number for each row of scores, k for no sign."""
+    rows = np.arange(len(numbers))
+
+    def surprise(calibration: Calibration) -> float:
+        shares = calibration.probabilities(scores)[rows, numbers]
+        return float(-np.log(shares + 1e-12).mean())
+
+    tried = [Calibration(s, n) for s in np.arange(4, 20, 0.5) for n in np.arange(-2, 8, 0.25)]
+    return min(tried, key=surprise)
+
+
+def stored(values: Any) -> Array:
+    """Values as a file keeps them, in half precision: computing with them before and after is the same."""
+    return np.asarray(values, np.float16).astype(np.float64)
+
+
+def _numbers(names: Sequence[str], signs: tuple[str, ...]) -> NDArray[np.int64]:
+    return np.array([signs.index(name) if name != NO_SIGN else -1 for name in names], np.int64)
+
+
+def _solved(points: Array, members: NDArray[np.int64], n_signs: int) -> Array:
+    """Weights that give each point 1 for its sign and 0 for the others, smoothed by the ridge."""
+    targets = (members[:, None] == np.arange(n_signs)).astype(np.float64)
+    system = _kernel(points, points)
+    system[np.diag_indices_from(system)] += _RIDGE
+    weights: Array = np.linalg.solve(system, targets)
+    return weights.astype(np.float32).astype(np.float64)
+
+
+def _kernel(a: Array, b: Array) -> Array:
+    """exp(-0.6 d²) for all pairs of points: (n, m), (p, m) -> (n, p)."""
+    squared = (a * a).sum(1)[:, None] + (b * b).sum(1) - 2 * a @ b.T
+    near: Array = np.exp(-_REACH * np.maximum(squared, 0))
+    return near
+
+
+def _signed(axes: Array) -> Array:
+    """Axes (d, m) with the largest part of each positive: the sign of an eigenvector is arbitrary."""
+    largest = np.abs(axes).argmax(0)
+    turned: Array = axes * np.sign(axes[largest, np.arange(axes.shape[1])])
+    return turned

@@ -1,0 +1,1 @@
+"""Learning the letters from a folder of labelled photographs, and measuring how well that goes."""
