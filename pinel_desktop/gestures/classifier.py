@@ -1,6 +1,6 @@
 """Which sign a hand makes: kernel ridge regression on its features, with an honest measure of doubt.
 
-Every sample that was learnt from is kept, as a point in the 256 directions in which samples differ most. A hand's
+Every sample that was learnt from is kept, as a point along the 224 axes on which samples differ most. A hand's
 score for a sign is a sum over these points, weighted by how near they are; the weights solve one linear system, so that
 samples of a class can be added in less than a second. Rasmussen and Williams, Gaussian Processes for Machine Learning
 (2006), 2.2 and 6.2.
@@ -17,9 +17,11 @@ Features = NDArray[np.float32]
 Array = NDArray[np.float64]
 
 NO_SIGN = ""
-N_AXES = 256
+N_AXES = 224
 _REACH = 0.6  # kernel exp(-0.6 d²), where d² is 2 between two random samples
 _RIDGE = 0.01
+# hands that show no sign lie between those that do: they must not be kept at a distance too exactly
+_RIDGE_OF_NO_SIGN = 0.1
 
 
 @dataclass(frozen=True)
@@ -42,8 +44,8 @@ class Samples:
 class Doubt:
     """What an answer needs: the least score, and the least distance to the second sign's score."""
 
-    score: float = 0.5
-    margin: float = 0.3
+    score: float = 0.45
+    margin: float = 0.25
 
 
 @dataclass(frozen=True)
@@ -82,7 +84,7 @@ class Projection:
     axes: Array
 
     @classmethod
-    def of(cls, features: Features, blocks: Sequence[slice], n_axes: int) -> "Projection":
+    def of(cls, features: Features, blocks: Sequence[slice]) -> "Projection":
         """Features are standardised; each counts equally within its block, and each block equally."""
         mean = features.mean(0, dtype=np.float64)
         scale = 1 / (features.std(0, dtype=np.float64) + 1e-4)
@@ -90,7 +92,7 @@ class Projection:
             scale[block] /= np.sqrt(len(blocks) * (block.stop - block.start))
         spread = (features - mean) * scale
         _, axes = np.linalg.eigh(spread.T @ spread)
-        return cls(*(stored(part) for part in (mean, scale, _signed(axes[:, ::-1][:, :n_axes]))))
+        return cls(*(stored(part) for part in (mean, scale, _signed(axes[:, ::-1][:, :N_AXES]))))
 
     def __call__(self, features: Features) -> Array:
         """Points (n, m) of features (n, d)."""
@@ -111,11 +113,12 @@ class SignClassifier:
 
     @classmethod
     def fit(
-        cls, samples: Samples, blocks: Sequence[slice], *, n_axes: int = N_AXES
+        cls, samples: Samples, blocks: Sequence[slice], projection: Projection | None = None
     ) -> "SignClassifier":
-        """A classifier of the signs among the samples. Nothing here is random."""
-        known = np.array([sign != NO_SIGN for sign in samples.signs])
-        projection = Projection.of(samples.features[known], blocks, n_axes)
+        """A classifier of the signs among the samples, with the axes of `projection` or with its own."""
+        if projection is None:
+            known = np.array([sign != NO_SIGN for sign in samples.signs])
+            projection = Projection.of(samples.features[known], blocks)
         signs = tuple(sorted({sign for sign in samples.signs if sign != NO_SIGN}))
         points = stored(projection(samples.features))
         members = _numbers(samples.signs, signs)
@@ -127,6 +130,16 @@ class SignClassifier:
         signs = (*self.signs, *new)
         points = np.concatenate([self.points, stored(self.projection(samples.features))])
         members = np.concatenate([self.members, _numbers(samples.signs, signs)])
+        weights = _solved(points, members, len(signs))
+        return replace(self, signs=signs, points=points, members=members, weights=weights)
+
+    def forget(self, sign: str) -> "SignClassifier":
+        """The same without one sign and all its samples."""
+        i = self.signs.index(sign)
+        kept = self.members != i
+        signs, members = self.signs[:i] + self.signs[i + 1 :], self.members[kept]
+        members = members - (members > i)
+        points = self.points[kept]
         weights = _solved(points, members, len(signs))
         return replace(self, signs=signs, points=points, members=members, weights=weights)
 
@@ -181,7 +194,7 @@ def _solved(points: Array, members: NDArray[np.int64], n_signs: int) -> Array:
     """Weights that give each point 1 for its sign and 0 for the others, smoothed by the ridge."""
     targets = (members[:, None] == np.arange(n_signs)).astype(np.float64)
     system = _kernel(points, points)
-    system[np.diag_indices_from(system)] += _RIDGE
+    system[np.diag_indices_from(system)] += np.where(members < 0, _RIDGE_OF_NO_SIGN, _RIDGE)
     weights: Array = np.linalg.solve(system, targets)
     return weights.astype(np.float32).astype(np.float64)
 

@@ -11,20 +11,22 @@ from numpy.typing import NDArray
 from pinel_desktop.gestures import networks
 from pinel_desktop.gestures.classifier import NO_SIGN, Samples
 from pinel_desktop.gestures.features import N_SEEN, N_SHAPE, features
-from pinel_desktop.gestures.hands import HandFinder
+from pinel_desktop.gestures.hands import LEAST_PRESENCE, HandFinder
 from pinel_desktop.gestures.landmarks import Hand
 from pinel_desktop.gestures.training.photos import Photo
 
-_FORMAT = "1"  # to be raised when hands are found, or features computed, in another way
+_FORMAT = "2"  # to be raised when hands are found, or features computed, in another way
 
 
 @dataclass(frozen=True)
 class Recordings:
     """n photographs: the features (n, 1748) of the hand in each, and of what was found where it was painted over.
 
+    files, letters, sources: (n,) names.
     presence: (n,) of the labelled hand, 0 where none was found. painted_presence: (n,) likewise, painted over.
     """
 
+    files: NDArray[np.str_]
     letters: NDArray[np.str_]
     sources: NDArray[np.str_]
     features: NDArray[np.float32]
@@ -40,13 +42,27 @@ class Recordings:
         return Recordings(**{name: getattr(self, name)[chosen] for name in _FIELDS})
 
     def samples(self) -> Samples:
-        """The hands with their letters, for learning."""
+        """The hands with their letters."""
         return Samples(self.features, tuple(map(str, self.letters)))
 
-    def negatives(self) -> Samples:
+    @classmethod
+    def joined(cls, parts: Sequence["Recordings"]) -> "Recordings":
+        """All of these, one after the other."""
+        return cls(
+            **{name: np.concatenate([getattr(part, name) for part in parts]) for name in _FIELDS}
+        )
+
+    @property
+    def painted(self) -> Samples:
         """What was taken for a hand in pictures that show none any more."""
-        found = self.painted_features[self.painted_presence > 0]
+        found = self.painted_features[self.painted_presence > LEAST_PRESENCE]
         return Samples(found, (NO_SIGN,) * len(found))
+
+    @property
+    def is_hand(self) -> NDArray[np.bool_]:
+        """In which pictures a hand was found, (n,)."""
+        found: NDArray[np.bool_] = self.presence > LEAST_PRESENCE
+        return found
 
 
 _FIELDS = tuple(Recordings.__dataclass_fields__)
@@ -84,6 +100,7 @@ def _record(
         rows.append(_best(hands))
         painted.append(_best(finder.find(photo.painted_over(picture))))
     return Recordings(
+        files=np.array([photo.path.name for photo in photos]),
         letters=np.array([photo.letter for photo in photos]),
         sources=np.array([photo.source for photo in photos]),
         features=np.array([row[0] for row in rows], np.float32),
