@@ -2,12 +2,14 @@
 
 Every sample that was learnt from is kept, as a point along the 224 axes on which samples differ most. A hand's
 score for a sign is a sum over these points, weighted by how near they are; the weights solve one linear system, so that
-samples of a class can be added in less than a second. Rasmussen and Williams, Gaussian Processes for Machine Learning
-(2006), 2.2 and 6.2.
+samples of a class can be added in less than a second (Rasmussen and Williams, Gaussian Processes for Machine Learning,
+2006, 2.2). A hand that shows none of the signs may score high all the same: it is told by how much farther it is from
+the mean of its best sign than from that of all hands (Ren et al., A Simple Fix to Mahalanobis Distance, 2021).
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -22,6 +24,8 @@ _REACH = 0.6  # kernel exp(-0.6 d²), where d² is 2 between two random samples
 _RIDGE = 0.01
 # hands that show no sign lie between those that do: they must not be kept at a distance too exactly
 _RIDGE_OF_NO_SIGN = 0.1
+# of the covariance within signs, how much is replaced by that of a ball: 224 axes are many for 1,500 samples
+_SHRINKAGE = 0.05
 
 
 @dataclass(frozen=True)
@@ -42,10 +46,35 @@ class Samples:
 
 @dataclass(frozen=True)
 class Doubt:
-    """What an answer needs: the least score, and the least distance to the second sign's score."""
+    """What an answer needs: score and distance to the second sign's score at least, strangeness at most."""
 
     score: float = 0.45
-    margin: float = 0.25
+    margin: float = 0.2
+    strangeness: float = 1.5
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """What is thought of n hands.
+
+    scores (n, k): about 1 for the sign that is shown, about 0 for the others. strangeness (n,): how much farther away
+    its best sign is than the mean hand; below 0 for a hand like those that were learnt from.
+    """
+
+    scores: Array
+    strangeness: Array
+
+    @property
+    def best(self) -> NDArray[np.int64]:
+        """The number of each hand's best sign, (n,)."""
+        return self.scores.argmax(1)
+
+    def is_clear(self, doubt: Doubt = Doubt()) -> NDArray[np.bool_]:
+        """Whether it is enough for an answer, (n,)."""
+        second, best = np.sort(self.scores, axis=1)[:, -2:].T
+        is_sure = (best >= doubt.score) & (best - second >= doubt.margin)
+        clear: NDArray[np.bool_] = is_sure & (self.strangeness <= doubt.strangeness)
+        return clear
 
 
 @dataclass(frozen=True)
@@ -143,30 +172,64 @@ class SignClassifier:
         weights = _solved(points, members, len(signs))
         return replace(self, signs=signs, points=points, members=members, weights=weights)
 
-    def scores(self, features: Features) -> Array:
-        """About 1 for the sign that is shown, about 0 for the others: (n, d) -> (n, k)."""
-        found: Array = _kernel(self.projection(features), self.points) @ self.weights
-        return found
+    def judge(self, features: Features) -> Judgement:
+        """What is thought of n hands (n, d)."""
+        points = self.projection(features)
+        scores: Array = _kernel(points, self.points) @ self.weights
+        return Judgement(scores, self._strangeness(points, scores.argmax(1)))
 
     def read(self, features: Features, doubt: Doubt = Doubt()) -> Reading:
         """What one hand (d,) shows."""
-        scores = self.scores(features[None])[0]
-        shares = self.calibration.probabilities(scores[None])[0]
-        best, second = np.argsort(-scores, kind="stable")[:2]
+        judgement = self.judge(features[None])
+        shares = self.calibration.probabilities(judgement.scores)[0]
+        second, best = np.argsort(judgement.scores[0], kind="stable")[-2:]
         return Reading(
-            sign=self.signs[best] if is_answer(scores[None], doubt)[0] else None,
+            sign=self.signs[best] if judgement.is_clear(doubt)[0] else None,
             best=self.signs[best],
             confidence=float(shares[best]),
             second=self.signs[second],
             second_confidence=float(shares[second]),
         )
 
+    def _strangeness(self, points: Array, best: NDArray[np.int64]) -> Array:
+        """Squared distance to the mean of the best sign less that to the mean of all, both relative to their spread."""
+        from_sign = (points - self._means[best]) @ self._within
+        from_all = (points - self._shown.mean(0)) @ self._overall
+        farther: Array = ((from_sign**2).sum(1) - (from_all**2).sum(1)) / points.shape[1]
+        return farther
 
-def is_answer(scores: Array, doubt: Doubt = Doubt()) -> NDArray[np.bool_]:
-    """Whether scores (n, k) are clear enough to answer, (n,)."""
-    second, best = np.sort(scores, axis=1)[:, -2:].T
-    clear: NDArray[np.bool_] = (best >= doubt.score) & (best - second >= doubt.margin)
-    return clear
+    @cached_property
+    def _shown(self) -> Array:
+        """The points that show a sign."""
+        return self.points[self.members >= 0]
+
+    @cached_property
+    def _means(self) -> Array:
+        """Of each sign, (k, m)."""
+        members = self.members[self.members >= 0]
+        sums = np.zeros((len(self.signs), self.points.shape[1]))
+        np.add.at(sums, members, self._shown)
+        means: Array = sums / np.bincount(members, minlength=len(self.signs))[:, None]
+        return means
+
+    @cached_property
+    def _within(self) -> Array:
+        """Evens out how hands that show the same sign differ, (m, m)."""
+        return _evening(self._shown - self._means[self.members[self.members >= 0]])
+
+    @cached_property
+    def _overall(self) -> Array:
+        """Evens out how hands differ, (m, m)."""
+        return _evening(self._shown - self._shown.mean(0))
+
+
+def _evening(deviations: Array) -> Array:
+    """The matrix (m, m) after which deviations (n, m) have a spread of 1 along each axis."""
+    covariance = deviations.T @ deviations / len(deviations)
+    ball = np.eye(len(covariance)) * np.trace(covariance) / len(covariance)
+    mixed = (1 - _SHRINKAGE) * covariance + _SHRINKAGE * ball
+    evening: Array = np.linalg.inv(np.linalg.cholesky(mixed)).T
+    return evening
 
 
 def calibrated(scores: Array, numbers: NDArray[np.int64]) -> Calibration:
@@ -201,9 +264,14 @@ def _solved(points: Array, members: NDArray[np.int64], n_signs: int) -> Array:
 
 def _kernel(a: Array, b: Array) -> Array:
     """exp(-0.6 d²) for all pairs of points: (n, m), (p, m) -> (n, p)."""
-    squared = (a * a).sum(1)[:, None] + (b * b).sum(1) - 2 * a @ b.T
-    near: Array = np.exp(-_REACH * np.maximum(squared, 0))
+    near: Array = np.exp(-_REACH * _squared_distances(a, b))
     return near
+
+
+def _squared_distances(a: Array, b: Array) -> Array:
+    squared = (a * a).sum(1)[:, None] + (b * b).sum(1) - 2 * a @ b.T
+    apart: Array = np.maximum(squared, 0)
+    return apart
 
 
 def _signed(axes: Array) -> Array:

@@ -1,12 +1,21 @@
 """How well letters are recognised: of people who were never seen, by letter and by source, with 95 % intervals."""
 
-from collections.abc import Callable, Iterator
+import time
+from collections.abc import Callable, Iterator, Sequence
+from statistics import median
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pinel_desktop.gestures.classifier import Calibration, Doubt, SignClassifier, calibrated, is_answer
+from pinel_desktop.gestures.classifier import (
+    Calibration,
+    Doubt,
+    Judgement,
+    SignClassifier,
+    calibrated,
+)
+from pinel_desktop.gestures.recognition import Recogniser
 from pinel_desktop.gestures.training.figures import Share, calibration_error, shares_by
 from pinel_desktop.gestures.training.folds import CROPS, Fold, leave_one_source_out, strict
 from pinel_desktop.gestures.training.learning import (
@@ -16,6 +25,7 @@ from pinel_desktop.gestures.training.learning import (
     learn,
     out_of_source,
 )
+from pinel_desktop.gestures.training.photos import Photo
 from pinel_desktop.gestures.training.recordings import Recordings
 
 N_TAUGHT = 4  # frames a letter
@@ -35,22 +45,23 @@ def evaluate_unseen(recordings: Recordings, seed: int = SEED, doubt: Doubt = Dou
         "strict": {
             **_unseen(recordings, strict, seed, doubt),
             "taught": _taught(recordings, seed),
+            "unknown_letter_refused": _unknown(recordings, seed, doubt),
         },
     }
 
 
 def evaluate_known(recordings: Recordings, classifier: SignClassifier, doubt: Doubt = Doubt()) -> Report:
     """The report of the classifier as it is. Where it learnt from the same people, this says nothing about others."""
-    scores = classifier.scores(recordings.features)
-    best = np.array(classifier.signs)[scores.argmax(1)]
-    confidence = classifier.calibration.probabilities(scores)[:, :-1].max(1)
+    judged = classifier.judge(recordings.features)
+    right = np.array(classifier.signs)[judged.best] == recordings.letters
+    confidence = classifier.calibration.probabilities(judged.scores)[:, :-1].max(1)
     return {
         "photos": len(recordings),
         "hands_found": hands_found(recordings),
-        **_answers(recordings, scores, best == recordings.letters, doubt),
-        "calibration_error": round(calibration_error(confidence, best == recordings.letters), 4),
+        **_answers(recordings, judged, right, doubt),
+        "calibration_error": round(calibration_error(confidence, right), 4),
         "painted_over_answered": _painted_answered(
-            recordings, classifier.scores(recordings.painted.features), doubt
+            recordings, classifier.judge(recordings.painted.features), doubt
         ),
     }
 
@@ -67,20 +78,19 @@ def hands_found(recordings: Recordings) -> Report:
 def _unseen(recordings: Recordings, folds: Folds, seed: int, doubt: Doubt) -> Report:
     seen = out_of_source(recordings, folds(recordings.sources), seed)
     return {
-        **_answers(seen.tested, seen.scores, seen.is_right, doubt),
+        **_answers(seen.tested, seen.hands, seen.is_right, doubt),
         "calibration_error": round(calibration_error(_confidence(seen), seen.is_right), 4),
         "painted_over_answered": _painted_answered(seen.tested, seen.painted, doubt),
-        "between_letters_answered": Share.among(is_answer(seen.between, doubt)).as_object(),
-        "unknown_letter_refused": _unknown(recordings, folds, seed, doubt),
+        "between_letters_answered": Share.among(seen.between.is_clear(doubt)).as_object(),
         "confused": _confusions(seen),
     }
 
 
 def _answers(
-    tested: Recordings, scores: NDArray[np.float64], right: NDArray[np.bool_], doubt: Doubt
+    tested: Recordings, judged: Judgement, right: NDArray[np.bool_], doubt: Doubt
 ) -> Report:
     """Accuracy of the best letter, and of the answers that the doubt leaves."""
-    answered = is_answer(scores, doubt)
+    answered = judged.is_clear(doubt)
     return {
         "accuracy": Share.among(right).as_object(),
         "by_source": _objects(shares_by(tested.sources, right)),
@@ -91,9 +101,9 @@ def _answers(
     }
 
 
-def _painted_answered(tested: Recordings, scores: NDArray[np.float64], doubt: Doubt) -> Report:
+def _painted_answered(tested: Recordings, judged: Judgement, doubt: Doubt) -> Report:
     """Of all photographs whose hand was painted over, those that got an answer all the same."""
-    return Share(int(is_answer(scores, doubt).sum()), len(tested)).as_object()
+    return Share(int(judged.is_clear(doubt).sum()), len(tested)).as_object()
 
 
 def _confidence(seen: OutOfSource) -> NDArray[np.float64]:
@@ -101,24 +111,20 @@ def _confidence(seen: OutOfSource) -> NDArray[np.float64]:
     confidence = np.zeros(len(seen.tested))
     for source in np.unique(seen.tested.sources):
         own = seen.tested.sources == source
-        calibration = calibrated(seen.scores[~own], seen.numbers[~own]) if (~own).any() else Calibration()
-        confidence[own] = calibration.probabilities(seen.scores[own])[:, :-1].max(1)
+        calibration = calibrated(seen.hands.scores[~own], seen.numbers[~own]) if (~own).any() else Calibration()
+        confidence[own] = calibration.probabilities(seen.hands.scores[own])[:, :-1].max(1)
     return confidence
 
 
-def _unknown(recordings: Recordings, folds: Folds, seed: int, doubt: Doubt) -> Report:
-    """How often a letter is refused that was left out of training, of people left out as well.
-
-    The axes are those of the fold with all letters: to find them anew for each letter would take minutes.
-    """
+def _unknown(recordings: Recordings, seed: int, doubt: Doubt) -> Report:
+    """How often a letter is refused that was left out of training, shown by people who were left out as well."""
     letters, refused = [], []
-    for fold in folds(recordings.sources):
+    for fold in strict(recordings.sources):
         known, tested = recordings.where(fold.train), recordings.where(fold.test)
-        projection = learn(known, seed).projection
         for letter in np.unique(tested.letters):
-            classifier = learn(known.where(known.letters != letter), seed, projection)
+            classifier = learn(known.where(known.letters != letter), seed)
             own = tested.where(tested.letters == letter)
-            refused.append(~is_answer(classifier.scores(own.features), doubt))
+            refused.append(~classifier.judge(own.features).is_clear(doubt))
             letters += [str(letter)] * len(own)
     held = np.concatenate(refused)
     return {"all": Share.among(held).as_object(), "by_letter": _objects(shares_by(letters, held))}
@@ -135,7 +141,7 @@ def _taught(recordings: Recordings, seed: int) -> Report:
         classifier = learn(recordings.where(fold.train), seed)
         classifier = classifier.teach(own.where(taught).samples())
         rest = own.where(~taught)
-        best = np.array(classifier.signs)[classifier.scores(rest.features).argmax(1)]
+        best = np.array(classifier.signs)[classifier.judge(rest.features).best]
         right.append(best == rest.letters)
         sources += [fold.source] * len(rest)
     held = np.concatenate(right) if right else np.zeros(0, bool)
@@ -154,10 +160,27 @@ def _first_of_each_letter(recordings: Recordings) -> NDArray[np.bool_]:
 def _confusions(seen: OutOfSource) -> list[Report]:
     """Which letters were taken for which others, the most frequent first."""
     wrong = np.flatnonzero(~seen.is_right)
-    pairs = [(str(seen.tested.letters[i]), seen.signs[int(seen.scores[i].argmax())]) for i in wrong]
+    pairs = [(str(seen.tested.letters[i]), seen.signs[seen.hands.best[i]]) for i in wrong]
     counted = sorted(set(pairs), key=lambda pair: (-pairs.count(pair), pair))
     return [{"letter": a, "taken_for": b, "n": pairs.count((a, b))} for a, b in counted]
 
 
 def _objects(shares: dict[str, Share]) -> Report:
     return {name: share.as_object() for name, share in shares.items()}
+
+
+def speed_ms(photos: Sequence[Photo], n: int = 25) -> Report:
+    """Median time for a picture: `cold`, where the hand is looked for, and `tracking`, where it was in the frame before.
+
+    On one thread, of the first n photographs of people at a webcam, or of any.
+    """
+    recogniser = Recogniser()
+    cold, tracking = [], []
+    for photo in [photo for photo in photos if photo.source != CROPS][:n]:
+        picture = photo.picture()
+        for times, read in ((cold, recogniser.read), (None, recogniser.follow), (tracking, recogniser.follow)):
+            started = time.perf_counter()
+            read(picture)
+            if times is not None:
+                times.append(1000 * (time.perf_counter() - started))
+    return {name: round(median(times), 1) for name, times in (("cold", cold), ("tracking", tracking))}

@@ -1,6 +1,6 @@
 """From recordings to the classifier of letters that ships."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from pinel_desktop.gestures.classifier import (
     NO_SIGN,
+    Judgement,
     Projection,
     Samples,
     SignClassifier,
@@ -29,20 +30,20 @@ WRONG_LABELS = ("WIN_20230812_12_38_22_Pro_jpg.rf.fc31fe7e06b57c421580f44693b92a
 class OutOfSource:
     """What classifiers say about n photographs whose sources they never saw.
 
-    signs: the k letters. tested: the photographs. scores: (n, k). between: (m, k), of hands on the way between two
-    letters. painted: (p, k), of what was taken for a hand where it was painted over.
+    signs: the k letters. tested: the photographs. hands: what is thought of them. between: of hands on the way between
+    two letters. painted: of what was taken for a hand where it was painted over.
     """
 
     signs: tuple[str, ...]
     tested: Recordings
-    scores: NDArray[np.float64]
-    between: NDArray[np.float64]
-    painted: NDArray[np.float64]
+    hands: Judgement
+    between: Judgement
+    painted: Judgement
 
     @property
     def is_right(self) -> NDArray[np.bool_]:
         """Whether the best letter is the one that was shown, (n,)."""
-        right: NDArray[np.bool_] = np.array(self.signs)[self.scores.argmax(1)] == self.tested.letters
+        right: NDArray[np.bool_] = np.array(self.signs)[self.hands.best] == self.tested.letters
         return right
 
     @property
@@ -54,9 +55,9 @@ class OutOfSource:
 def train(recordings: Recordings, seed: int = SEED) -> SignClassifier:
     """The classifier of all letters in the recordings, its confidence calibrated on sources that it had not seen."""
     seen = out_of_source(recordings, leave_one_source_out(recordings.sources), seed)
-    nothing = np.full(len(seen.painted) + len(seen.between), len(seen.signs))
-    scores = np.concatenate([seen.scores, seen.painted, seen.between])
-    calibration = calibrated(scores, np.concatenate([seen.numbers, nothing]))
+    nothing = np.full(len(seen.painted.scores) + len(seen.between.scores), len(seen.signs))
+    scores = [part.scores for part in (seen.hands, seen.painted, seen.between)]
+    calibration = calibrated(np.concatenate(scores), np.concatenate([seen.numbers, nothing]))
     return replace(learn(recordings, seed), calibration=calibration)
 
 
@@ -87,22 +88,30 @@ def transitions(recordings: Recordings, n: int, random: np.random.Generator) -> 
 def out_of_source(recordings: Recordings, folds: Iterable[Fold], seed: int = SEED) -> OutOfSource:
     """Each fold's photographs, judged by a classifier that learnt from the rest."""
     signs = tuple(map(str, np.unique(recordings.letters)))
-    tested, scores = [], []
+    tested, judged = [], []
     for fold in folds:
         classifier = learn(recordings.where(fold.train), seed)
         own = recordings.where(fold.test)
         between = transitions(own, len(own), np.random.default_rng(seed + 1))
         probed = (own.features, between.features, own.painted.features)
         tested.append(own)
-        scores.append([_aligned(classifier, features, signs) for features in probed])
-    parts = (np.concatenate(part) for part in zip(*scores, strict=True))
+        judged.append([_aligned(classifier, features, signs) for features in probed])
+    parts = (_joined(part) for part in zip(*judged, strict=True))
     return OutOfSource(signs, Recordings.joined(tested), *parts)
 
 
 def _aligned(
     classifier: SignClassifier, features: NDArray[np.float32], signs: tuple[str, ...]
-) -> NDArray[np.float64]:
-    """Scores with a column for each of `signs`; 0 for one that the classifier never met."""
-    found = np.zeros((len(features), len(signs)))
-    found[:, [signs.index(sign) for sign in classifier.signs]] = classifier.scores(features)
-    return found
+) -> Judgement:
+    """The judgement with a score for each of `signs`; 0 for one that the classifier never met."""
+    found = classifier.judge(features)
+    scores = np.zeros((len(features), len(signs)))
+    scores[:, [signs.index(sign) for sign in classifier.signs]] = found.scores
+    return Judgement(scores, found.strangeness)
+
+
+def _joined(parts: Sequence[Judgement]) -> Judgement:
+    return Judgement(
+        np.concatenate([part.scores for part in parts]),
+        np.concatenate([part.strangeness for part in parts]),
+    )

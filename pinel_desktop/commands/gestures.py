@@ -1,0 +1,188 @@
+"""`pinel gestures`: letters of LIBRAS in pictures; how well they are recognised; learning them."""
+
+import json
+import re
+import time
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from pinel_desktop.commands.printing import Failure, print_problem
+from pinel_desktop.errors import PinelError
+from pinel_desktop.messages import language_of_system
+
+if TYPE_CHECKING:
+    from pinel_desktop.gestures.recognition import Recogniser
+    from pinel_desktop.gestures.training.photos import Photo
+
+_UNUSABLE = 2
+_FOLDER = click.Path(path_type=Path, file_okay=False)
+_FILE = click.Path(path_type=Path, dir_okay=False)
+_recordings_option = click.option(
+    "--recordings",
+    type=_FILE,
+    help="Keep what was found in the pictures in this file, and use it the next time.",
+)
+
+
+class _Aspect(click.ParamType[float]):
+    """Width and height with a colon between, such as 16:9; becomes their quotient."""
+
+    name = "W:H"
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> float:
+        if isinstance(value, float):
+            return value
+        match = re.fullmatch(r"(\d{1,5}(?:\.\d+)?):(\d{1,5}(?:\.\d+)?)", str(value))
+        aspect = float(match[1]) / float(match[2]) if match and float(match[2]) else 0.0
+        if not 0.1 <= aspect <= 10:
+            self.fail("is not of the form W:H between 1:10 and 10:1, such as 16:9.", param, ctx)
+        return aspect
+
+
+@click.group()
+def command() -> None:
+    """Recognise letters of LIBRAS in pictures."""
+
+
+@command.command()
+@click.argument("images", metavar="IMAGE...", nargs=-1, required=True, type=_FILE)
+@click.option(
+    "--aspect", type=_Aspect(), help="Shape of the pictures before they were stretched, e.g. 16:9."
+)
+@click.pass_context
+def classify(ctx: click.Context, images: tuple[Path, ...], aspect: float | None) -> None:
+    """Say which letter a hand shows in each picture, one JSON object a line.
+
+    `letter` is null when it is not sure, `best` whatever the confidence, or null without a hand. `box` is left, top,
+    right, bottom in pixels of the picture as it is without stretch; `handedness` counts for a picture that is not
+    mirrored. Exit status: 0 all were read, 2 one could not be.
+    """
+    with _told():
+        from pinel_desktop.gestures.recognition import Recogniser  # noqa: PLC0415 - slow to import
+
+        recogniser = Recogniser()
+    all_read = True
+    for image in images:
+        try:
+            click.echo(json.dumps(_classified(recogniser, image, aspect), ensure_ascii=False))
+        except PinelError as error:
+            print_problem(error, language_of_system())
+            all_read = False
+    ctx.exit(0 if all_read else _UNUSABLE)
+
+
+@command.command()
+@click.argument("folder", metavar="DIR", type=_FOLDER)
+@click.option(
+    "--leave-one-source-out",
+    "table",
+    type=_FILE,
+    metavar="SOURCES.CSV",
+    help="Train without each source in turn and test on it.",
+)
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+@_recordings_option
+def evaluate(folder: Path, table: Path | None, as_json: bool, recordings: Path | None) -> None:
+    """Measure how well letters are recognised in the labelled pictures of DIR.
+
+    DIR holds sources.csv, or lies beside it. Without --leave-one-source-out the letters that ship are measured; they
+    learnt from these people, so the figures say nothing about others.
+    """
+    with _told():
+        from pinel_desktop.gestures import weights_file  # noqa: PLC0415 - slow to import
+        from pinel_desktop.gestures.training import evaluation, photos  # noqa: PLC0415
+
+        found = photos.read_photos(folder, table)
+        recorded = _recorded(found, recordings)
+        if table:
+            report = evaluation.evaluate_unseen(recorded)
+        else:
+            report = evaluation.evaluate_known(recorded, weights_file.load())
+        report["speed_ms"] = evaluation.speed_ms(found)
+    if as_json:
+        click.echo(json.dumps(report, ensure_ascii=False))
+    else:
+        click.echo("\n".join(_lines(report)))
+
+
+@command.command()
+@click.argument("folder", metavar="DIR", type=_FOLDER)
+@click.option("--output", type=_FILE, help="Where to write; by default the letters that ship.")
+@click.option("--seed", type=int, help="Another seed than the one that the letters that ship have.")
+@_recordings_option
+def train(folder: Path, output: Path | None, seed: int | None, recordings: Path | None) -> None:
+    """Learn the letters from the labelled pictures of DIR (with sources.csv), and write them."""
+    with _told():
+        from pinel_desktop.gestures import weights_file  # noqa: PLC0415 - slow to import
+        from pinel_desktop.gestures.training import learning, photos  # noqa: PLC0415
+
+        recorded = _recorded(photos.read_photos(folder), recordings)
+        learnt = learning.train(recorded, learning.SEED if seed is None else seed)
+        target = output or weights_file.LETTERS
+        weights_file.save(learnt, target)
+    size = target.stat().st_size
+    click.echo(f"{target}: {len(learnt.signs)} letters, {len(learnt.points)} samples, {size} bytes")
+
+
+@contextmanager
+def _told() -> Iterator[None]:
+    """A PinelError inside ends the command with its words."""
+    try:
+        yield
+    except PinelError as error:
+        raise Failure(error) from error
+
+
+def _recorded(found: "list[Photo]", kept: Path | None) -> Any:
+    from pinel_desktop.gestures.training.recordings import recorded  # noqa: PLC0415 - slow to import
+
+    def progress(photos: "Iterable[Photo]") -> "Iterator[Photo]":
+        with click.progressbar(photos, length=len(found), file=click.get_text_stream("stderr")) as bar:
+            yield from bar
+
+    return recorded(found, kept, progress)
+
+
+def _classified(recogniser: "Recogniser", image: Path, aspect: float | None) -> dict[str, Any]:
+    """One line of `classify`; `ms` is the time from the picture to the letter. Raises PinelError."""
+    from pinel_desktop.gestures.pictures import read_picture  # noqa: PLC0415 - slow to import
+    from pinel_desktop.gestures.recognition import clearest  # noqa: PLC0415
+
+    picture = read_picture(image, aspect)
+    started = time.perf_counter()
+    seen = clearest(recogniser.read(picture))
+    ms = round(1000 * (time.perf_counter() - started), 1)
+    nothing = dict.fromkeys(("letter", "best", "confidence", "second", "box", "handedness"))
+    if seen is None:
+        return {"file": str(image), **nothing, "ms": ms}
+    reading = seen.reading
+    return {
+        "file": str(image),
+        "letter": reading.sign,
+        "best": reading.best,
+        "confidence": round(reading.confidence, 3),
+        "second": reading.second,
+        "box": [round(side) for side in seen.hand.box],
+        "handedness": seen.hand.handedness,
+        "ms": ms,
+    }
+
+
+def _lines(report: dict[str, Any], name: str = "") -> Iterator[str]:
+    """A report for people: one line for each figure, shares with their 95 % intervals."""
+    if set(report) == {"share", "low", "high", "n", "of"}:
+        share = "-" if report["share"] is None else f"{report['share']:.3f}"
+        yield f"{name}: {share} [{report['low']:.3f}, {report['high']:.3f}] of {report['of']}"
+        return
+    for key, value in report.items():
+        inner = f"{name} / {key}" if name else key
+        if isinstance(value, dict):
+            yield from _lines(value, inner)
+        else:
+            yield f"{inner}: {value}"

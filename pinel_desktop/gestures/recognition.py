@@ -1,0 +1,51 @@
+"""From a picture to a letter: hands, features and classifier together."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from pinel_desktop.gestures import weights_file
+from pinel_desktop.gestures.classifier import Doubt, Reading, SignClassifier
+from pinel_desktop.gestures.features import features
+from pinel_desktop.gestures.hands import LEAST_PRESENCE, HandFinder, HandTracker, Picture
+from pinel_desktop.gestures.landmarks import Hand
+from pinel_desktop.gestures.networks import FOLDER
+
+
+@dataclass(frozen=True)
+class SeenHand:
+    """A hand in a picture and what it shows."""
+
+    hand: Hand
+    reading: Reading
+
+
+class Recogniser:
+    """Reads the signs of single pictures, or of a video frame by frame. It belongs to one thread."""
+
+    def __init__(
+        self,
+        classifier: SignClassifier | None = None,
+        doubt: Doubt = Doubt(),
+        folder: Path = FOLDER,
+    ) -> None:
+        """The letters that ship, or another classifier. Raises PinelError where a file is missing or damaged."""
+        self.classifier = classifier or weights_file.load(folder / weights_file.LETTERS.name)
+        self.doubt = doubt
+        self._finder = HandFinder(folder)
+        self._tracker = HandTracker(self._finder)
+
+    def read(self, picture: Picture) -> list[SeenHand]:
+        """The hands of one RGB picture (height, width, 3), unstretched, the best first; at most two."""
+        return [self._seen(hand) for hand in self._finder.find(picture) if hand.presence > LEAST_PRESENCE]
+
+    def follow(self, picture: Picture) -> list[SeenHand]:
+        """The hands of the next frame of a video; a hand that was seen in the last frame is not looked for."""
+        return [self._seen(hand) for hand in self._tracker.update(picture)]
+
+    def _seen(self, hand: Hand) -> SeenHand:
+        return SeenHand(hand, self.classifier.read(features(hand), self.doubt))
+
+
+def clearest(seen: list[SeenHand]) -> SeenHand | None:
+    """Of two hands the one that signs: one that is answered rather than not, then the surer one."""
+    return max(seen, key=lambda one: (one.reading.sign is not None, one.reading.confidence), default=None)
