@@ -14,6 +14,7 @@ NODE_MODULES := ui/node_modules/.package-lock.json
 PEERS := build/peers/.ready
 PAGE := pinel_desktop/web/static/index.html
 PAGE_TYPES := ui/src/api/types.ts
+HANDS := pinel_desktop/gestures/weights/hand.onnx
 PACKAGE := dist/pinel-desktop/pinel
 
 # The folders of ui/src are named too, so that a deleted file is noticed.
@@ -34,10 +35,10 @@ endif
 help:  ## this list
 	@sed -n 's/^\([a-z]*\):.*## /\1|/p' $(MAKEFILE_LIST) | awk -F'|' '{ printf "  make %-9s %s\n", $$1, $$2 }'
 
-run: system-run $(VENV_RUN) $(PAGE)  ## open PINEL (on a PC without a screen: serve its page and print the address)
+run: system-run $(VENV_RUN) $(PAGE) $(HANDS)  ## open PINEL (on a PC without a screen: serve its page and print the address)
 	@$(PYTHON) -m pinel_desktop
 
-setup: system-test $(VENV_DEV) $(NODE_MODULES) $(PAGE) $(PAGE_TYPES)  ## everything that developing and testing need
+setup: system-test $(VENV_DEV) $(NODE_MODULES) $(PAGE) $(PAGE_TYPES) $(HANDS)  ## everything that developing and testing need
 
 test: setup  ## lint, types, unit and end-to-end tests, wheel, package and smoke test
 	@$(PYTHON) scripts/run_tests.py
@@ -63,7 +64,7 @@ package: setup $(PACKAGE)  ## the program as a folder that needs no Python (dist
 smoke: package  ## try the package as an ordinary user in a bare environment
 	@$(PYTHON) packaging/smoke.py
 
-wheel: $(VENV_DEV) $(PAGE)  ## the Python wheel, page included (dist/*.whl)
+wheel: $(VENV_DEV) $(PAGE) $(HANDS)  ## the Python wheel, page included (dist/*.whl)
 	@mkdir -p build && $(PYTHON) -m build --no-isolation --outdir dist >build/wheel.log 2>&1 || { cat build/wheel.log; exit 1; }
 	@ls dist/*.whl
 
@@ -72,6 +73,7 @@ lock: $(VENV_DEV)  ## pin the Python dependencies anew (OPTIONS=--upgrade: newes
 
 clean:  ## delete everything that was built or installed here
 	rm -rf .venv build dist ui/node_modules pinel_desktop/web/static tests/artifacts
+	rm -f pinel_desktop/gestures/weights/*.onnx pinel_desktop/gestures/weights/*-LICENSE.txt
 	rm -rf .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
@@ -115,6 +117,14 @@ $(PAGE): $(PAGE_SOURCES)
 $(PAGE_TYPES): $(VENV_DEV) $(NODE_MODULES)
 	@$(NPM) run --silent types
 
-$(PACKAGE): $(PROGRAM_SOURCES) $(PAGE) $(VENV_DEV)
+# Written after the other network: while it is there, so are both. They are made anew when what makes them changes.
+$(HANDS): requirements-models.lock $(wildcard scripts/hand_models/*.py) pinel_desktop/gestures/networks.py | $(VENV_RUN)
+	@. scripts/words.sh; say "Preparing the hand recognition (about 10 seconds)…" \
+		"Preparando o reconhecimento de mãos (cerca de 10 segundos)…" "Preparando el reconocimiento de manos (unos 10 segundos)…"
+	@$(PYTHON) -m scripts.hand_models || { . scripts/words.sh; say "It needs the internet once: connect this PC and try again." \
+		"É preciso internet uma vez: conecte este computador e tente de novo." \
+		"Hace falta internet una vez: conecte esta computadora e intente de nuevo."; exit 1; } >&2
+
+$(PACKAGE): $(PROGRAM_SOURCES) $(PAGE) $(HANDS) $(VENV_DEV)
 	@sh scripts/system-packages.sh package
 	@$(PYTHON) packaging/build.py

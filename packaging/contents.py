@@ -12,6 +12,7 @@ DATA_FOLDERS = {
     "pinel_desktop/web/static": "pinel_desktop/web/static",
     "pinel_desktop/messages/catalogue": "pinel_desktop/messages/catalogue",
     "pinel_desktop/activities/catalogue": "pinel_desktop/activities/catalogue",
+    "pinel_desktop/gestures/weights": "pinel_desktop/gestures/weights",
     "sim/worlds": "sim/worlds",
     "LICENSE": ".",
 }
@@ -21,7 +22,7 @@ METADATA = ("pywebview", "flask", "werkzeug", "pydantic", "pymunk", "numpy", "sq
 _PYTHON_EXTRAS = "tkinter _tkinter turtle idlelib lib2to3 ensurepip venv pydoc_data test pip setuptools pkg_resources"
 # imported by unused optional parts of libraries, and present on some build machines
 _OPTIONAL = (
-    "cryptography yaml rich pygments markdown_it IPython pandas scipy cv2 pygame pyglet "
+    "cryptography yaml rich pygments markdown_it IPython pandas scipy onnx tflite pygame pyglet "
     "pytest _pytest hypothesis mypy numpy.f2py numpy.testing numpy.distutils "
     "webview.platforms.android webview.platforms.cef pyarrow duckdb matplotlib PIL"
 )

@@ -1,7 +1,8 @@
 """Licence notices of all third-party parts of the package; refuses GPL and AGPL.
 
-Sources: metadata of the Python distributions, npm packages of the page (ui/package-lock.json), and shared libraries of
-the system, whose licences are listed here because system packages do not state them per file.
+Sources: metadata of the Python distributions, npm packages of the page (ui/package-lock.json), shared libraries of
+the system, whose licences are listed here because system packages do not state them per file, and what the
+recognition of signs was made from.
 """
 
 import json
@@ -45,6 +46,13 @@ SYSTEM_LIBRARIES = {
 }
 
 
+MEDIAPIPE = "MediaPipe hand networks (palm_detection_full, hand_landmark_full)"
+LIBRAS = (
+    "Alfabeto em libras (data set of elainesilva on Roboflow Universe, version 6, 2023-08-15; the letters were learnt "
+    "from it, no picture of it ships; https://creativecommons.org/licenses/by/4.0/)"
+)
+
+
 @dataclass(frozen=True, order=True)
 class Notice:
     """Licence notice of one third-party part."""
@@ -66,6 +74,7 @@ def collect(root: Path) -> str:
         *python_notices(manifest["modules"]),
         *npm_notices(root / "ui"),
         *system_notices(manifest["binaries"]),
+        *gesture_notices(root),
     ]
     check(found)
     return as_text(found)
@@ -163,6 +172,17 @@ def system_notices(binaries: list[list[str]]) -> Iterator[Notice]:
         )
         found.add(Notice(known[0], "", known[1]))
     yield from sorted(found)
+
+
+def gesture_notices(root: Path) -> Iterator[Notice]:
+    """The networks that find hands, which set-up converts, and the pictures from which the letters were learnt."""
+    licence = root / "pinel_desktop" / "gestures" / "weights" / "mediapipe-LICENSE.txt"
+    pinned = re.search(
+        r"^mediapipe==(\S+)", (root / "requirements-models.lock").read_text("utf-8"), re.M
+    )
+    version = pinned[1] if pinned else ""
+    yield Notice(MEDIAPIPE, version, "Apache-2.0, converted to ONNX", (licence.read_text("utf-8"),))
+    yield Notice(LIBRAS, "", "CC-BY-4.0")
 
 
 def as_text(found: list[Notice]) -> str:

@@ -2,8 +2,9 @@
 
 import json
 import re
+import sys
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,6 +18,7 @@ from pinel_desktop.messages import language_of_system
 if TYPE_CHECKING:
     from pinel_desktop.gestures.recognition import Recogniser
     from pinel_desktop.gestures.training.photos import Photo
+    from pinel_desktop.gestures.training.recordings import Recordings
 
 _UNUSABLE = 2
 _FOLDER = click.Path(path_type=Path, file_okay=False)
@@ -139,14 +141,11 @@ def _told() -> Iterator[None]:
         raise Failure(error) from error
 
 
-def _recorded(found: "list[Photo]", kept: Path | None) -> Any:
+def _recorded(found: "list[Photo]", kept: Path | None) -> "Recordings":
     from pinel_desktop.gestures.training.recordings import recorded  # noqa: PLC0415 - slow to import
 
-    def progress(photos: "Iterable[Photo]") -> "Iterator[Photo]":
-        with click.progressbar(photos, length=len(found), file=click.get_text_stream("stderr")) as bar:
-            yield from bar
-
-    return recorded(found, kept, progress)
+    with click.progressbar(length=len(found), file=sys.stderr) as progress:
+        return recorded(found, kept, lambda: progress.update(1))
 
 
 def _classified(recogniser: "Recogniser", image: Path, aspect: float | None) -> dict[str, Any]:

@@ -1,6 +1,6 @@
 """Which sign a hand makes: kernel ridge regression on its features, with an honest measure of doubt.
 
-Every sample that was learnt from is kept, as a point along the 224 axes on which samples differ most. A hand's
+Every sample that was learnt from is kept, as a point along the 200 axes on which samples differ most. A hand's
 score for a sign is a sum over these points, weighted by how near they are; the weights solve one linear system, so that
 samples of a class can be added in less than a second (Rasmussen and Williams, Gaussian Processes for Machine Learning,
 2006, 2.2). A hand that shows none of the signs may score high all the same: it is told by how much farther it is from
@@ -19,12 +19,12 @@ Features = NDArray[np.float32]
 Array = NDArray[np.float64]
 
 NO_SIGN = ""
-N_AXES = 224
+N_AXES = 200
 _REACH = 0.6  # kernel exp(-0.6 d²), where d² is 2 between two random samples
 _RIDGE = 0.01
 # hands that show no sign lie between those that do: they must not be kept at a distance too exactly
 _RIDGE_OF_NO_SIGN = 0.1
-# of the covariance within signs, how much is replaced by that of a ball: 224 axes are many for 1,500 samples
+# of the covariance within signs, how much is replaced by that of a ball: 200 axes are many for 1,500 samples
 _SHRINKAGE = 0.05
 
 
@@ -48,9 +48,12 @@ class Samples:
 class Doubt:
     """What an answer needs: score and distance to the second sign's score at least, strangeness at most."""
 
-    score: float = 0.45
+    score: float = 0.5
     margin: float = 0.2
-    strangeness: float = 1.5
+    strangeness: float = 1.15
+
+
+USUAL_DOUBT = Doubt()
 
 
 @dataclass(frozen=True)
@@ -67,9 +70,10 @@ class Judgement:
     @property
     def best(self) -> NDArray[np.int64]:
         """The number of each hand's best sign, (n,)."""
-        return self.scores.argmax(1)
+        numbers: NDArray[np.int64] = self.scores.argmax(1)
+        return numbers
 
-    def is_clear(self, doubt: Doubt = Doubt()) -> NDArray[np.bool_]:
+    def is_clear(self, doubt: Doubt = USUAL_DOUBT) -> NDArray[np.bool_]:
         """Whether it is enough for an answer, (n,)."""
         second, best = np.sort(self.scores, axis=1)[:, -2:].T
         is_sure = (best >= doubt.score) & (best - second >= doubt.margin)
@@ -178,7 +182,7 @@ class SignClassifier:
         scores: Array = _kernel(points, self.points) @ self.weights
         return Judgement(scores, self._strangeness(points, scores.argmax(1)))
 
-    def read(self, features: Features, doubt: Doubt = Doubt()) -> Reading:
+    def read(self, features: Features, doubt: Doubt = USUAL_DOUBT) -> Reading:
         """What one hand (d,) shows."""
         judgement = self.judge(features[None])
         shares = self.calibration.probabilities(judgement.scores)[0]

@@ -67,13 +67,15 @@ def _unmirrored(hand: Hand) -> Array:
     points = hand.points - hand.points[0]
     if hand.mirrored:
         points[:, 0] *= -1
-    return points / (math.sqrt(float((points[:, :2] ** 2).sum(1).mean())) + 1e-6)
+    scaled: Array = points / (math.sqrt(float((points[:, :2] ** 2).sum(1).mean())) + 1e-6)
+    return scaled
 
 
 def _from_wrist(points: Array) -> Array:
     """Landmarks (21, 3) from the wrist, in units of three mean bones."""
     lengths = np.linalg.norm(points[_ENDS] - points[_STARTS], axis=1)
-    return (points - points[0]) / (3 * float(lengths.mean()) + 1e-9)
+    scaled: Array = (points - points[0]) / (3 * float(lengths.mean()) + 1e-9)
+    return scaled
 
 
 def _palm_axes(world: Array) -> Array:

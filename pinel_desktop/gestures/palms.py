@@ -80,7 +80,9 @@ def _anchors() -> Array:
 def _letterboxed(picture: NDArray[np.uint8], scale: float) -> NDArray[np.uint8]:
     """The picture in the middle of a black square of 192 pixels."""
     height, width = picture.shape[:2]
-    if scale < 0.5:  # whole pixels are averaged first: sampling between few of them would skip fine structure
+    if (
+        scale < 0.5
+    ):  # whole pixels are averaged first: sampling between few of them would skip fine structure
         factor = int(1 / scale)
         size = (max(width // factor, 1), max(height // factor, 1))
         picture = np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_AREA), np.uint8)

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from pinel_desktop.gestures import weights_file
-from pinel_desktop.gestures.classifier import Doubt, Reading, SignClassifier
+from pinel_desktop.gestures.classifier import USUAL_DOUBT, Doubt, Reading, SignClassifier
 from pinel_desktop.gestures.features import features
 from pinel_desktop.gestures.hands import LEAST_PRESENCE, HandFinder, HandTracker, Picture
 from pinel_desktop.gestures.landmarks import Hand
@@ -25,7 +25,7 @@ class Recogniser:
     def __init__(
         self,
         classifier: SignClassifier | None = None,
-        doubt: Doubt = Doubt(),
+        doubt: Doubt = USUAL_DOUBT,
         folder: Path = FOLDER,
     ) -> None:
         """The letters that ship, or another classifier. Raises PinelError where a file is missing or damaged."""
@@ -36,7 +36,11 @@ class Recogniser:
 
     def read(self, picture: Picture) -> list[SeenHand]:
         """The hands of one RGB picture (height, width, 3), unstretched, the best first; at most two."""
-        return [self._seen(hand) for hand in self._finder.find(picture) if hand.presence > LEAST_PRESENCE]
+        return [
+            self._seen(hand)
+            for hand in self._finder.find(picture)
+            if hand.presence > LEAST_PRESENCE
+        ]
 
     def follow(self, picture: Picture) -> list[SeenHand]:
         """The hands of the next frame of a video; a hand that was seen in the last frame is not looked for."""
@@ -48,4 +52,6 @@ class Recogniser:
 
 def clearest(seen: list[SeenHand]) -> SeenHand | None:
     """Of two hands the one that signs: one that is answered rather than not, then the surer one."""
-    return max(seen, key=lambda one: (one.reading.sign is not None, one.reading.confidence), default=None)
+    return max(
+        seen, key=lambda one: (one.reading.sign is not None, one.reading.confidence), default=None
+    )

@@ -67,7 +67,10 @@ def around_hand(points: Array) -> Region:
     flat = points[:, :2]
     towards = (flat[INDEX_BASE] + flat[RING_BASE]) / 4 + flat[MIDDLE_BASE] / 2
     turn = _upright(towards - flat[WRIST])
-    right, down = np.array([math.cos(turn), math.sin(turn)]), np.array([-math.sin(turn), math.cos(turn)])
+    right, down = (
+        np.array([math.cos(turn), math.sin(turn)]),
+        np.array([-math.sin(turn), math.cos(turn)]),
+    )
     along = flat[_STABLE] @ np.column_stack([right, down])
     low, high = along.min(0), along.max(0)
     centre = (low + high) / 2 + [0, _HAND_SHIFT * (high[1] - low[1])]

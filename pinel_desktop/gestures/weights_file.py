@@ -60,7 +60,9 @@ def load(path: Path = LETTERS) -> SignClassifier:
         raise PinelError("gesture_model_damaged", file=str(path)) from error
     if not _fit_together(arrays):
         raise PinelError("gesture_model_damaged", file=str(path))
-    real = {name: arrays[name].astype(np.float64) for name, (kind, _) in _ARRAYS.items() if kind == "f"}
+    real = {
+        name: arrays[name].astype(np.float64) for name, (kind, _) in _ARRAYS.items() if kind == "f"
+    }
     return SignClassifier(
         signs=tuple(map(str, arrays["signs"])),
         projection=Projection(real["mean"], real["scale"], real["axes"]),

@@ -59,9 +59,19 @@ def download(folder: Path) -> Path:
     ready = sorted(folder.glob("mediapipe-*.whl"))
     if not ready:
         options = ("-qq", "--disable-pip-version-check", "--no-deps", "--require-hashes", *PLATFORM)
-        command = [sys.executable, "-m", "pip", "download", *options, "-d", str(folder), "-r", str(LOCK)]
+        command = [
+            sys.executable,
+            "-m",
+            "pip",
+            "download",
+            *options,
+            "-d",
+            str(folder),
+            "-r",
+            str(LOCK),
+        ]
         if subprocess.run(command, check=False).returncode:
-            sys.exit("The hand models could not be downloaded. Is this PC connected to the internet?")
+            sys.exit("The hand models could not be downloaded.")
         ready = sorted(folder.glob("mediapipe-*.whl"))
     return ready[0]
 

@@ -104,7 +104,8 @@ class _Source:
         content = self._model.Buffers(told.Buffer()).DataAsNumpy()
         if isinstance(content, int) or told.Type() not in _DTYPES:
             raise ConversionError(f"tensor {tensor} is no constant of a known type")
-        return content.view(_DTYPES[told.Type()]).reshape(self.shape(tensor))
+        values: NDArray[Any] = content.view(_DTYPES[told.Type()]).reshape(self.shape(tensor))
+        return values
 
 
 class _Target:
@@ -115,7 +116,13 @@ class _Target:
         self._constants: list[TensorProto] = []
 
     def add(
-        self, kind: str, inputs: Sequence[str], output: str, *, activation: int = _NONE, **attributes: Any
+        self,
+        kind: str,
+        inputs: Sequence[str],
+        output: str,
+        *,
+        activation: int = _NONE,
+        **attributes: Any,
     ) -> None:
         """A node, with a node behind it for a fused activation. Raises ConversionError for one not known."""
         if activation not in (_NONE, _RELU6):
@@ -124,7 +131,9 @@ class _Target:
         self._nodes.append(helper.make_node(kind, inputs, [computed], output, **attributes))
         if activation == _RELU6:
             bounds = [self.constant(np.float32(v), f"{output}_{v}") for v in (0, 6)]
-            self._nodes.append(helper.make_node("Clip", [computed, *bounds], [output], f"{output}_6"))
+            self._nodes.append(
+                helper.make_node("Clip", [computed, *bounds], [output], f"{output}_6")
+            )
 
     def constant(self, values: Any, name: str) -> str:
         """Adds values, and a cast to float32 where they are float16; returns the name to use them by."""
@@ -136,15 +145,20 @@ class _Target:
         return name
 
     def as_file(self, inputs: Mapping[str, list[int]], outputs: Mapping[str, list[int]]) -> bytes:
-        described = [
-            [helper.make_tensor_value_info(name, TensorProto.FLOAT, shape) for name, shape in side.items()]
-            for side in (inputs, outputs)
-        ]
-        graph = helper.make_graph(self._nodes, "hand", *described, initializer=self._constants)
+        graph = helper.make_graph(
+            self._nodes, "hand", _described(inputs), _described(outputs), self._constants
+        )
         opset = helper.make_opsetid("", OPSET)
         model = helper.make_model(graph, opset_imports=[opset], ir_version=IR_VERSION)
         onnx.checker.check_model(model, full_check=True)
         return bytes(model.SerializeToString(deterministic=True))
+
+
+def _described(shapes: Mapping[str, list[int]]) -> list[onnx.ValueInfoProto]:
+    return [
+        helper.make_tensor_value_info(name, TensorProto.FLOAT, shape)
+        for name, shape in shapes.items()
+    ]
 
 
 def _name(tensor: int) -> str:
@@ -162,7 +176,9 @@ def _window(
     strides = (options.StrideH(), options.StrideW())
     before, after = source.shape(operator.inputs[0])[1:3], source.shape(operator.output)[1:3]
     missing = [
-        max((n_out - 1) * stride + extent - n_in, 0) if options.Padding() == tflite.Padding.SAME else 0
+        max((n_out - 1) * stride + extent - n_in, 0)
+        if options.Padding() == tflite.Padding.SAME
+        else 0
         for n_in, n_out, stride, extent in zip(before, after, strides, size, strict=True)
     ]
     starts = [pixels // 2 for pixels in missing]
@@ -173,9 +189,7 @@ def _window(
 def _convolution(source: _Source, target: _Target, operator: _Operator) -> None:
     """A kernel is OHWI in the original and OIHW here; that of a depthwise convolution is 1HWC and C1HW."""
     depthwise = operator.kind == "DEPTHWISE_CONV_2D"
-    options = operator.options(
-        tflite.DepthwiseConv2DOptions if depthwise else tflite.Conv2DOptions
-    )
+    options = operator.options(tflite.DepthwiseConv2DOptions if depthwise else tflite.Conv2DOptions)
     image, kernel, bias = operator.inputs
     output = _name(operator.output)
     values = source.constant(kernel)

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pinel_desktop.gestures.classifier import (
+    USUAL_DOUBT,
     Calibration,
     Doubt,
     Judgement,
@@ -36,7 +37,7 @@ Report = dict[str, Any]
 Folds = Callable[[NDArray[np.str_]], Iterator[Fold]]
 
 
-def evaluate_unseen(recordings: Recordings, seed: int = SEED, doubt: Doubt = Doubt()) -> Report:
+def evaluate_unseen(recordings: Recordings, seed: int = SEED, doubt: Doubt = USUAL_DOUBT) -> Report:
     """The report of training without each source in turn, and strictly without each person at a webcam."""
     return {
         "photos": len(recordings),
@@ -50,7 +51,9 @@ def evaluate_unseen(recordings: Recordings, seed: int = SEED, doubt: Doubt = Dou
     }
 
 
-def evaluate_known(recordings: Recordings, classifier: SignClassifier, doubt: Doubt = Doubt()) -> Report:
+def evaluate_known(
+    recordings: Recordings, classifier: SignClassifier, doubt: Doubt = USUAL_DOUBT
+) -> Report:
     """The report of the classifier as it is. Where it learnt from the same people, this says nothing about others."""
     judged = classifier.judge(recordings.features)
     right = np.array(classifier.signs)[judged.best] == recordings.letters
@@ -111,7 +114,11 @@ def _confidence(seen: OutOfSource) -> NDArray[np.float64]:
     confidence = np.zeros(len(seen.tested))
     for source in np.unique(seen.tested.sources):
         own = seen.tested.sources == source
-        calibration = calibrated(seen.hands.scores[~own], seen.numbers[~own]) if (~own).any() else Calibration()
+        calibration = (
+            calibrated(seen.hands.scores[~own], seen.numbers[~own])
+            if (~own).any()
+            else Calibration()
+        )
         confidence[own] = calibration.probabilities(seen.hands.scores[own])[:, :-1].max(1)
     return confidence
 
@@ -145,7 +152,10 @@ def _taught(recordings: Recordings, seed: int) -> Report:
         right.append(best == rest.letters)
         sources += [fold.source] * len(rest)
     held = np.concatenate(right) if right else np.zeros(0, bool)
-    return {"accuracy": Share.among(held).as_object(), "by_source": _objects(shares_by(sources, held))}
+    return {
+        "accuracy": Share.among(held).as_object(),
+        "by_source": _objects(shares_by(sources, held)),
+    }
 
 
 def _first_of_each_letter(recordings: Recordings) -> NDArray[np.bool_]:
@@ -170,17 +180,24 @@ def _objects(shares: dict[str, Share]) -> Report:
 
 
 def speed_ms(photos: Sequence[Photo], n: int = 25) -> Report:
-    """Median time for a picture: `cold`, where the hand is looked for, and `tracking`, where it was in the frame before.
+    """Median time of a picture: `cold`, where the hand is looked for, and `tracking`, where the last frame had it.
 
     On one thread, of the first n photographs of people at a webcam, or of any.
     """
     recogniser = Recogniser()
-    cold, tracking = [], []
+    cold: list[float] = []
+    tracking: list[float] = []
     for photo in [photo for photo in photos if photo.source != CROPS][:n]:
         picture = photo.picture()
-        for times, read in ((cold, recogniser.read), (None, recogniser.follow), (tracking, recogniser.follow)):
+        for times, read in (
+            (cold, recogniser.read),
+            (None, recogniser.follow),
+            (tracking, recogniser.follow),
+        ):
             started = time.perf_counter()
             read(picture)
             if times is not None:
                 times.append(1000 * (time.perf_counter() - started))
-    return {name: round(median(times), 1) for name, times in (("cold", cold), ("tracking", tracking))}
+    return {
+        name: round(median(times), 1) for name, times in (("cold", cold), ("tracking", tracking))
+    }

@@ -55,7 +55,5 @@ def shares_by(
 def calibration_error(confidence: Array, right: NDArray[np.bool_], n_bins: int = 10) -> float:
     """Expected calibration error: |confidence - share of right ones|, over equal bins, weighted by their sizes."""
     bins = np.minimum((confidence * n_bins).astype(int), n_bins - 1)
-    gaps = [
-        abs(float(confidence[bins == i].sum() - right[bins == i].sum())) for i in range(n_bins)
-    ]
+    gaps = [abs(float(confidence[bins == i].sum() - right[bins == i].sum())) for i in range(n_bins)]
     return sum(gaps) / len(confidence) if len(confidence) else 0.0

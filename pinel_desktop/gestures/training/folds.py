@@ -32,7 +32,7 @@ def leave_one_source_out(sources: NDArray[np.str_]) -> Iterator[Fold]:
 
 
 def strict(sources: NDArray[np.str_]) -> Iterator[Fold]:
-    """Each person at a webcam is tested by what was learnt from others, without any picture that may show the person."""
+    """Each person at a webcam is tested by what was learnt from pictures that cannot show that person."""
     for person in PEOPLE:
         if (sources == person).any():
             yield Fold(person, ~np.isin(sources, [person, MIXED]), sources == person)

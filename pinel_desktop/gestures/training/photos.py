@@ -80,7 +80,9 @@ def read_photos(folder: Path, table: Path | None = None) -> list[Photo]:
     `folder` holds all splits or is one of them; `table` is its sources.csv, by default the one in the folder or
     beside it. Photographs without a letter are left out. Raises PinelError `photos_unreadable`.
     """
-    place = table or next((p for p in (folder / _TABLE, folder.parent / _TABLE) if p.is_file()), None)
+    place = table or next(
+        (p for p in (folder / _TABLE, folder.parent / _TABLE) if p.is_file()), None
+    )
     if place is None:
         raise PinelError("photos_unreadable", path=str(folder / _TABLE))
     try:

@@ -1,7 +1,7 @@
 """The features of all hands of a set of photographs, computed once and kept in a file."""
 
 import hashlib
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -71,34 +71,33 @@ _FIELDS = tuple(Recordings.__dataclass_fields__)
 def recorded(
     photos: Sequence[Photo],
     cache: Path | None = None,
-    progress: Callable[[Iterable[Photo]], Iterable[Photo]] = iter,
+    tick: Callable[[], object] = lambda: None,
 ) -> Recordings:
     """The recordings of photographs: from `cache` where it is of the same photographs, networks and features.
 
-    Otherwise they are computed (about 0.15 s each) and written there. `progress` goes through the photographs.
+    Otherwise they are computed (about 0.15 s each) and written there. `tick` is called after each photograph.
     """
     key = _key(photos)
     if cache and cache.is_file():
         with np.load(cache, allow_pickle=False) as kept:
             if str(kept["key"]) == key:
                 return Recordings(**{name: kept[name] for name in _FIELDS})
-    made = _record(photos, progress)
+    made = _record(photos, tick)
     if cache:
         cache.parent.mkdir(parents=True, exist_ok=True)
         np.savez_compressed(cache, key=np.array(key), **{k: getattr(made, k) for k in _FIELDS})
     return made
 
 
-def _record(
-    photos: Sequence[Photo], progress: Callable[[Iterable[Photo]], Iterable[Photo]]
-) -> Recordings:
+def _record(photos: Sequence[Photo], tick: Callable[[], object]) -> Recordings:
     finder = HandFinder()
     rows, painted = [], []
-    for photo in progress(photos):
+    for photo in photos:
         picture = photo.picture()
         hands = finder.find(picture, accepts=photo.accepts(picture))
         rows.append(_best(hands))
         painted.append(_best(finder.find(photo.painted_over(picture))))
+        tick()
     return Recordings(
         files=np.array([photo.path.name for photo in photos]),
         letters=np.array([photo.letter for photo in photos]),
