@@ -15,6 +15,7 @@ from pinel_desktop.gestures.landmarks import SIZE, Hand
 Array = NDArray[np.float64]
 
 N_SHAPE, N_SEEN = 852, 896
+N_FEATURES = N_SHAPE + N_SEEN
 # a block's features count equally, and so do both blocks
 BLOCKS = (slice(0, N_SHAPE), slice(N_SHAPE, N_SHAPE + N_SEEN))
 

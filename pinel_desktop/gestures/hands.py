@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -27,6 +28,7 @@ class HandFinder:
 
     def __init__(self, folder: Path = FOLDER) -> None:
         """Raises PinelError where a network's file is missing or damaged."""
+        cv2.setNumThreads(1)  # a camera's frames are read beside a robot's control loop
         self._palms = PalmDetector(Network(PALM, folder))
         self.landmarks = LandmarkNetwork(Network(HAND, folder))
 

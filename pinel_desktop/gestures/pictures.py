@@ -1,4 +1,4 @@
-"""Pictures from files and cameras, brought to one form: RGB, 8 bits, of a size that the networks have use for."""
+"""Pictures from files, brought to one form: RGB, 8 bits, unstretched."""
 
 import os
 from pathlib import Path
@@ -14,8 +14,8 @@ from pinel_desktop.errors import PinelError
 
 Picture = NDArray[np.uint8]
 
-LONGEST_SIDE = 1920
 SHORTEST_SIDE = 16
+_LONGEST_SIDE = 16384  # cv2 cuts no crops out of pictures twice as large
 _LARGEST_FILE = 100_000_000
 
 
@@ -32,30 +32,16 @@ def read_picture(path: Path, aspect: float | None = None) -> Picture:
         decoded = cv2.imdecode(content, cv2.IMREAD_COLOR_RGB) if content.size else None
     except (OSError, cv2.error) as error:
         raise PinelError("picture_unreadable", file=str(path)) from error
-    if decoded is None:
+    if decoded is None or max(decoded.shape[:2]) > _LONGEST_SIDE:
         raise PinelError("picture_unreadable", file=str(path))
     if min(decoded.shape[:2]) < SHORTEST_SIDE:
         raise PinelError("picture_too_small", file=str(path), min=SHORTEST_SIDE)
     picture = np.asarray(decoded, np.uint8)
-    return fitted(unstretched(picture, aspect) if aspect else picture)
+    return unstretched(picture, aspect) if aspect else picture
 
 
 def unstretched(picture: Picture, aspect: float) -> Picture:
     """The picture with `aspect` as its width over its height; one side grows, none shrinks."""
     height, width = picture.shape[:2]
     size = (max(width, round(height * aspect)), max(height, round(width / aspect)))
-    return picture if size == (width, height) else _resized(picture, size)
-
-
-def fitted(picture: Picture) -> Picture:
-    """The picture, reduced if its longer side has more than LONGEST_SIDE pixels."""
-    height, width = picture.shape[:2]
-    scale = LONGEST_SIDE / max(height, width)
-    if scale >= 1:
-        return picture
-    size = (max(round(width * scale), 1), max(round(height * scale), 1))
-    return _resized(picture, size, cv2.INTER_AREA)
-
-
-def _resized(picture: Picture, size: tuple[int, int], how: int = cv2.INTER_LINEAR) -> Picture:
-    return np.asarray(cv2.resize(picture, size, interpolation=how), np.uint8)
+    return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_LINEAR), np.uint8)

@@ -3,12 +3,15 @@
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
 from pinel_desktop.gestures import weights_file
 from pinel_desktop.gestures.classifier import USUAL_DOUBT, Doubt, Reading, SignClassifier
-from pinel_desktop.gestures.features import features
+from pinel_desktop.gestures.features import N_FEATURES, features
 from pinel_desktop.gestures.hands import LEAST_PRESENCE, HandFinder, HandTracker, Picture
-from pinel_desktop.gestures.landmarks import Hand
+from pinel_desktop.gestures.landmarks import SIZE, Hand
 from pinel_desktop.gestures.networks import FOLDER
+from pinel_desktop.gestures.regions import Region
 
 
 @dataclass(frozen=True)
@@ -33,6 +36,7 @@ class Recogniser:
         self.doubt = doubt
         self._finder = HandFinder(folder)
         self._tracker = HandTracker(self._finder)
+        self._warm_up()
 
     def read(self, picture: Picture) -> list[SeenHand]:
         """The hands of one RGB picture (height, width, 3), unstretched, the best first; at most two."""
@@ -45,6 +49,12 @@ class Recogniser:
     def follow(self, picture: Picture) -> list[SeenHand]:
         """The hands of the next frame of a video; a hand that was seen in the last frame is not looked for."""
         return [self._seen(hand) for hand in self._tracker.update(picture)]
+
+    def _warm_up(self) -> None:
+        """The first picture takes no longer than the others: memory is laid out, what is derived once is derived."""
+        self._finder.find(np.zeros((SIZE, SIZE, 3), np.uint8), patient=False)
+        self._finder.landmarks(np.zeros((SIZE, SIZE, 3), np.uint8), Region(0, 0, SIZE, 0))
+        self.classifier.read(np.zeros(N_FEATURES, np.float32))
 
     def _seen(self, hand: Hand) -> SeenHand:
         return SeenHand(hand, self.classifier.read(features(hand), self.doubt))

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.gestures.classifier import Calibration, Projection, SignClassifier
-from pinel_desktop.gestures.features import N_SEEN, N_SHAPE
+from pinel_desktop.gestures.features import N_FEATURES
 from pinel_desktop.gestures.networks import FOLDER
 
 LETTERS = FOLDER / "letters.npz"
@@ -81,12 +81,12 @@ def _fit_together(arrays: Arrays) -> bool:
             return False
         if kind == "f" and not np.isfinite(values).all():
             return False
-    n_signs, n_features = len(arrays["signs"]), N_SHAPE + N_SEEN
+    n_signs = len(arrays["signs"])
     n_points, n_axes = arrays["points"].shape
     shapes = {
-        "mean": (n_features,),
-        "scale": (n_features,),
-        "axes": (n_features, n_axes),
+        "mean": (N_FEATURES,),
+        "scale": (N_FEATURES,),
+        "axes": (N_FEATURES, n_axes),
         "members": (n_points,),
         "weights": (n_points, n_signs),
         "calibration": (2,),

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from pinel_desktop.gestures import networks
 from pinel_desktop.gestures.classifier import NO_SIGN, Samples
-from pinel_desktop.gestures.features import N_SEEN, N_SHAPE, features
+from pinel_desktop.gestures.features import N_FEATURES, features
 from pinel_desktop.gestures.hands import LEAST_PRESENCE, HandFinder
 from pinel_desktop.gestures.landmarks import Hand
 from pinel_desktop.gestures.training.photos import Photo
@@ -111,7 +111,7 @@ def _record(photos: Sequence[Photo], tick: Callable[[], object]) -> Recordings:
 
 def _best(hands: Sequence[Hand]) -> tuple[NDArray[np.float32], float]:
     if not hands:
-        return np.zeros(N_SHAPE + N_SEEN, np.float32), 0.0
+        return np.zeros(N_FEATURES, np.float32), 0.0
     hand = max(hands, key=lambda hand: hand.presence)
     return features(hand), hand.presence
 
