@@ -2,7 +2,7 @@
 
 import os
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 # pydantic would look through all installed packages for plugins, at every start; we have none
 os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")

@@ -176,7 +176,7 @@ def test_a_capture_is_answered_by_hand(browser: Browser) -> None:
         assert command(browser, run, "answer_capture", result="B").status == 200
         events = stream.until("run_ended")
     (result,) = [event for event in events if event["type"] == "gesture_result"]
-    assert (result["result"], result["source"]) == ("B", "capture")
+    assert (result["result"], result["source"], result["by"]) == ("B", "capture", "person")
 
 
 def test_an_engine_that_dies_ends_the_run_in_words_and_the_next_run_works(

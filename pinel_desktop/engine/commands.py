@@ -8,13 +8,16 @@ from typing import Annotated, Any, Literal, get_args
 
 from pydantic import BaseModel, ConfigDict, Field, RootModel
 
+from pinel_desktop.events.model import CaptureBy
 from pinel_desktop.execution.control import GREATEST_SPEED, LEAST_SPEED, Reply, RunControl, StepMode
+from pinel_desktop.execution.inputs import Capture
 
 # The app's start imports this module; a model is built when it is first used.
 _LATER = ConfigDict(defer_build=True, frozen=True)
 
 BlockIds = Annotated[list[Annotated[str, Field(max_length=100)]], Field(max_length=1000)]
 SpeedFactor = Annotated[float, Field(ge=LEAST_SPEED, le=GREATEST_SPEED)]
+Sign = Annotated[str, Field(max_length=100)]
 Ring = Literal["sonar", "lidar"]
 
 
@@ -106,13 +109,21 @@ class Evaluate(_Command):
 
 
 class AnswerCapture(_Command):
-    """The sign that the pupils say was shown; "" means none. Does nothing while no capture is under way."""
+    """The sign that was shown, as a person says or the camera saw. Does nothing while no capture is under way.
+
+    Attributes:
+        result: name of the sign; "" means none.
+        by, confidence, second: as in the event `gesture_result`.
+    """
 
     do: Literal["answer_capture"] = "answer_capture"
-    result: Annotated[str, Field(max_length=100)]
+    result: Sign
+    by: CaptureBy = "person"
+    confidence: Annotated[float, Field(ge=0.0, le=1.0)] | None = None
+    second: Sign = ""
 
     def apply(self, control: RunControl, reply: Reply) -> None:
-        control.inputs.gestures.answer(self.result)
+        control.inputs.gestures.answer(Capture(self.result, self.by, self.confidence, self.second))
 
 
 class Answer(_Command):

@@ -42,6 +42,7 @@ class UnknownWhenCutOff:
 
 
 PauseCause = Literal["person", "breakpoint", "step"]
+CaptureBy = Literal["camera", "taught", "person", "list"]
 _CutOff: Final = UnknownWhenCutOff()
 
 
@@ -138,11 +139,18 @@ class GestureResult(Event):
     Attributes:
         result: name of the sign; "" when none was recognised.
         source: whether a capture recognised it or a block set it.
+        by: who gave it: the camera (`taught`: with a sign the class taught it), a person by hand, or a list given
+            beforehand; null after the timeout and for a block.
+        confidence: of the camera, 0 to 1; null from all others.
+        second: the camera's second best sign; "" when there is none.
     """
 
     type: ClassVar[str] = "gesture_result"
     result: str
     source: Literal["capture", "block"]
+    by: CaptureBy | None = None
+    confidence: float | None = None
+    second: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,7 @@ from pinel_desktop.events.model import Event
 from pinel_desktop.execution.expressions.evaluation import Evaluator
 from pinel_desktop.execution.expressions.variables import Variables
 from pinel_desktop.execution.failure import RunFailureError
-from pinel_desktop.execution.inputs import InputSource
+from pinel_desktop.execution.inputs import Capture, InputSource
 from pinel_desktop.execution.output import Output
 from pinel_desktop.robot import STANDSTILL, Pose2D, RobotModel, Sensors, Twist2D
 
@@ -31,8 +31,8 @@ class Sources:
         random: the run's random generator, seeded with its seed.
     """
 
-    gestures: InputSource
-    answers: InputSource
+    gestures: InputSource[Capture]
+    answers: InputSource[str]
     sensors: Sensors
     random: Random
 

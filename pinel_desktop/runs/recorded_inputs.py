@@ -4,13 +4,13 @@ import math
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping
 from decimal import Decimal
-from typing import Any, Literal, NamedTuple
+from typing import Any, Generic, Literal, NamedTuple, TypeVar
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, PauseCause, RunState, Telemetry
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.failure import RunFailureError
-from pinel_desktop.execution.inputs import Pending
+from pinel_desktop.execution.inputs import Capture, Pending
 
 WireEvent = Mapping[str, Any]
 
@@ -32,12 +32,15 @@ class _Request(NamedTuple):
     when: Literal["running", "paused", "awaited", "answered"] = "running"
 
 
-class _Input(NamedTuple):
+T = TypeVar("T")
+
+
+class _Input(NamedTuple, Generic[T]):
     """A recorded result or answer, and the tick at which it was given."""
 
     place: int
     tick: int
-    text: str
+    given: T
 
 
 class RecordedInputs:
@@ -54,7 +57,8 @@ class RecordedInputs:
     is_live = False
 
     def __init__(self, events: Iterable[WireEvent], until_tick: int | None = None) -> None:
-        self.gestures, self.answers = _Recorded(self), _Recorded(self, self._answer_missing)
+        self.gestures = _Recorded[Capture](self)
+        self.answers = _Recorded[str](self, self._answer_missing)
         self.tick = 0
         self._control = RunControl()
         self._is_paused = False  # the robot still comes to rest then, which takes ticks
@@ -119,11 +123,10 @@ class RecordedInputs:
                 case "run_state" if event["state"] == "paused":
                     self._requests.append(_pause(place, event, moment))
                 case "gesture_result" if event["source"] == "capture":
-                    given = _Input(place, event["tick"], _text(event["result"]))
-                    self.gestures.recorded.append(given)
+                    self.gestures.recorded.append(_Input(place, event["tick"], _capture(event)))
                 case "answered":
-                    given = _Input(place, event["tick"], _as_typed(event["value"]))
-                    self.answers.recorded.append(given)
+                    answer = _as_typed(event["value"])
+                    self.answers.recorded.append(_Input(place, event["tick"], answer))
                 case "run_ended":
                     self._ended = event
                     if event["state"] == "stopped":
@@ -147,7 +150,7 @@ class RecordedInputs:
             self._control.stop()
 
 
-class _Recorded:
+class _Recorded(Generic[T]):
     """Gives recorded inputs at their ticks: at once where robot time stood still, else when its ticks have passed.
 
     Args:
@@ -159,12 +162,12 @@ class _Recorded:
     ) -> None:
         self._run, self._at_end, self._question = run, at_end, ""
         self._has_waited = False
-        self.recorded: deque[_Input] = deque()
+        self.recorded: deque[_Input[T]] = deque()
 
     def begin(self, question: str) -> None:
         self._question, self._has_waited = question, False
 
-    def poll(self) -> str | Pending:
+    def poll(self) -> T | Pending:
         run = self._run
         is_due = bool(self.recorded) and self.recorded[0].tick <= run.tick
         is_requested = run.is_requested_before(self.recorded[0].place if is_due else math.inf)
@@ -175,15 +178,22 @@ class _Recorded:
             run.pause_or_stop()
             return Pending.PERSON
         if is_due:
-            given = self.recorded.popleft()
-            run.stop_if_it_came_with(given.place)
-            return given.text
+            recorded = self.recorded.popleft()
+            run.stop_if_it_came_with(recorded.place)
+            return recorded.given
         if not self.recorded:
             self._at_end(self._question)
         return Pending.TICK
 
     def cancel(self) -> None:
         return
+
+
+def _capture(event: WireEvent) -> Capture:
+    """The whole result; records of earlier releases tell the sign only."""
+    return Capture(
+        _text(event["result"]), event.get("by"), event.get("confidence"), event.get("second", "")
+    )
 
 
 def _text(value: object) -> str:

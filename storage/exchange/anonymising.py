@@ -19,7 +19,19 @@ from storage.text import dumped, loaded, name_key, new_id
 # values under these keys are words of the language or of the robot, no texts of pupils
 _KEPT = {
     *("action", "op", "sensor", "direction", "gesture", "symbol", "color", "state", "cause"),
-    *("reason", "source", "pace", "preset", "feedback", "model", "check", "code", "type", "mode"),
+    *(
+        "reason",
+        "source",
+        "pace",
+        "preset",
+        "feedback",
+        "model",
+        "check",
+        "code",
+        "type",
+        "mode",
+        "by",
+    ),
 }
 # names are keys of these
 _NAMING = ("arguments", "variables")

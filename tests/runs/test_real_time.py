@@ -22,6 +22,7 @@ from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.clock import TICK_S
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.executor import RunResult
+from pinel_desktop.execution.inputs import Capture
 from pinel_desktop.program.limits import MAX_RUN_S
 from pinel_desktop.runs.recorded_inputs import RecordedInputs
 from pinel_desktop.runs.spec import Pace, RunSpec
@@ -32,6 +33,7 @@ from tests.links import clockwork
 Commands = list[dict[str, Any]]
 ASK = {"action": "ask", "question": "?", "variable": "a", "block": "a"}
 DRIVE = {"action": "drive", "linear": 0.3, "angular": 0}
+SEEN = Capture("B", "camera", 0.97, "F")
 PUSH = {"action": "move_forward", "distance": 0.5, "block": "m"}
 
 
@@ -206,9 +208,11 @@ def test_two_captures_in_a_row_are_replayed_with_a_pause_in_the_second() -> None
     people = People(capture(5.0), capture(5.0))
     people.wall.at(7.0, people.control.pause)
     people.wall.at(8.0, people.control.resume)
-    people.wall.at(9.0, partial(people.control.inputs.gestures.answer, "B"))
+    people.wall.at(9.0, partial(people.control.inputs.gestures.answer, SEEN))
     result = people.run()
-    assert [event.result for event in people.of(GestureResult)] == ["", "B"]
+    nothing, seen = people.of(GestureResult)
+    assert nothing == GestureResult("", "capture")
+    assert seen == GestureResult("B", "capture", "camera", 0.97, "F")
     people.check_that_a_replay_is_identical(result)
 
 

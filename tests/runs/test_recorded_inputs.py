@@ -2,7 +2,7 @@
 
 import random
 from itertools import pairwise
-from typing import Any
+from typing import Any, TypeVar
 
 import pytest
 from hypothesis import given, settings
@@ -14,7 +14,7 @@ from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.clock import WallTime
 from pinel_desktop.execution.control import RunControl, StepMode
 from pinel_desktop.execution.executor import RunResult
-from pinel_desktop.execution.inputs import LiveInputs, Pending, PersonInput
+from pinel_desktop.execution.inputs import Capture, LiveInputs, Pending, PersonInput
 from pinel_desktop.runs.recorded_inputs import RecordedInputs
 from pinel_desktop.runs.spec import RunSpec
 from pinel_desktop.runs.start import start
@@ -64,17 +64,27 @@ PROGRAM = {
 }
 
 
-class TickingInput(PersonInput):
+T = TypeVar("T")
+
+CAPTURES = [
+    Capture("B", "person"),
+    Capture("A", "camera", 0.983, "S"),
+    Capture("7", "taught", 0.91),
+    Capture("", "person"),
+]
+
+
+class TickingInput(PersonInput[T]):
     """As people were waited for before robot time stood still meanwhile: a tick for each look."""
 
-    def poll(self) -> str | Pending:
+    def poll(self) -> T | Pending:
         given = super().poll()
         return Pending.TICK if given is Pending.PERSON else given
 
 
 class TickingInputs(LiveInputs):
     def __init__(self) -> None:
-        self.gestures, self.answers = TickingInput(), TickingInput()
+        self.gestures, self.answers = TickingInput[Capture](), TickingInput[str]()
 
 
 class Classroom:
@@ -120,7 +130,7 @@ class Classroom:
         elif chance < 0.1:
             self.answers.answer(self._random.choice(["30", "-45,5", "0.001"]))
         elif chance < 0.15:
-            self.gestures.answer(self._random.choice(["B", "A", ""]))
+            self.gestures.answer(self._random.choice(CAPTURES))
 
     def _while_paused(self) -> None:
         chance = self._random.random()

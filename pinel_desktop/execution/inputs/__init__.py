@@ -1,6 +1,8 @@
 """Sources of capture results and answers."""
 
 from pinel_desktop.execution.inputs.sources import (
+    NO_CAPTURE,
+    Capture,
     Inputs,
     InputSource,
     LiveInputs,
@@ -11,6 +13,8 @@ from pinel_desktop.execution.inputs.sources import (
 )
 
 __all__ = [
+    "NO_CAPTURE",
+    "Capture",
     "InputSource",
     "Inputs",
     "LiveInputs",

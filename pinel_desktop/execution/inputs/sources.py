@@ -1,10 +1,35 @@
 """Input sources: a person or a camera in real time, or a list; for recorded runs see `runs/recorded_inputs.py`."""
 
 from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from enum import Enum
-from typing import Protocol
+from typing import Generic, Protocol, TypeVar
 
+from pinel_desktop.events.model import CaptureBy
 from pinel_desktop.execution.failure import RunFailureError
+
+T = TypeVar("T")
+Given_co = TypeVar("Given_co", covariant=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Capture:
+    """The result of a capture.
+
+    Attributes:
+        label: name of the sign; "" when none was recognised.
+        by: who gave it; None after the timeout.
+        confidence: of the camera, 0 to 1; None from all others.
+        second: the camera's second best sign; "" when there is none.
+    """
+
+    label: str
+    by: CaptureBy | None = None
+    confidence: float | None = None
+    second: str = ""
+
+
+NO_CAPTURE = Capture("")
 
 
 class Pending(Enum):
@@ -18,13 +43,13 @@ class Pending(Enum):
     PERSON = "person"
 
 
-class InputSource(Protocol):
+class InputSource(Protocol[Given_co]):
     """Provides one input at a time: the result of a capture, or the answer to a question."""
 
     def begin(self, question: str) -> None:
         """Begins a wait and discards earlier inputs. `question` is "" for a capture."""
 
-    def poll(self) -> str | Pending:
+    def poll(self) -> Given_co | Pending:
         """The input, or `Pending`. May raise RunFailureError."""
         ...
 
@@ -37,34 +62,34 @@ class Inputs(Protocol):
 
     Attributes:
         is_live: whether a person or a camera provides them, in real time.
-        gestures: results of captures; "" if nothing was recognised.
+        gestures: results of captures.
         answers: answers to questions, as typed.
     """
 
     is_live: bool
 
     @property
-    def gestures(self) -> InputSource: ...
+    def gestures(self) -> InputSource[Capture]: ...
 
     @property
-    def answers(self) -> InputSource: ...
+    def answers(self) -> InputSource[str]: ...
 
 
-class Script:
+class Script(Generic[T]):
     """A list of inputs, one for each wait, given on the next tick.
 
     Args:
         at_end: returns the input for a question after the end of the list.
     """
 
-    def __init__(self, inputs: Iterable[str], at_end: Callable[[str], str]) -> None:
+    def __init__(self, inputs: Iterable[T], at_end: Callable[[str], T]) -> None:
         self._inputs, self._at_end = iter(inputs), at_end
         self._question, self._is_due = "", False
 
     def begin(self, question: str) -> None:
         self._question, self._is_due = question, False
 
-    def poll(self) -> str | Pending:
+    def poll(self) -> T | Pending:
         if not self._is_due:
             self._is_due = True
             return Pending.TICK
@@ -76,12 +101,12 @@ class Script:
 
 
 class ScriptedInputs:
-    """Inputs of a run without a person; past the end a capture gives "" and a question fails the run."""
+    """Inputs of a run without a person; past the end a capture gives no sign and a question fails the run."""
 
     is_live = False
 
     def __init__(self, gestures: Iterable[str] = (), answers: Iterable[str] = ()) -> None:
-        self.gestures = Script(gestures, lambda _: "")
+        self.gestures = Script((Capture(sign, "list") for sign in gestures), lambda _: NO_CAPTURE)
         self.answers = Script(answers, _missing)
 
     def attach(self, control: object) -> None:
@@ -92,23 +117,23 @@ def _missing(question: str) -> str:
     raise RunFailureError("answer_missing", question=question)
 
 
-class PersonInput:
+class PersonInput(Generic[T]):
     """Input of a person or a camera while the program waits; thread-safe."""
 
     def __init__(self) -> None:
         self._is_open = False
-        self._given: str | None = None
+        self._given: T | None = None
         self._has_waited = False
 
     def begin(self, question: str) -> None:  # the event carries the question to the page
         self._given, self._has_waited, self._is_open = None, False, True
 
-    def answer(self, given: str) -> None:
+    def answer(self, given: T) -> None:
         """Answers the current capture or question; without effect if there is none."""
         if self._is_open:
             self._given = given
 
-    def poll(self) -> str | Pending:
+    def poll(self) -> T | Pending:
         """Waits at least once, so that a replay can reproduce the wait."""
         if self._given is None or not self._has_waited:
             self._has_waited = True
@@ -125,7 +150,7 @@ class LiveInputs:
     is_live = True
 
     def __init__(self) -> None:
-        self.gestures, self.answers = PersonInput(), PersonInput()
+        self.gestures, self.answers = PersonInput[Capture](), PersonInput[str]()
 
     def attach(self, control: object) -> None:
         """Does nothing: these inputs do not depend on the run."""

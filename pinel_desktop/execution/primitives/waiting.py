@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Generator
+from typing import TypeVar
 
 from pinel_desktop.events.model import Countdown, Event
 from pinel_desktop.execution.clock import TICK_HZ
@@ -10,17 +11,18 @@ from pinel_desktop.execution.inputs.sources import InputSource, Pending
 
 _COUNTDOWN_HZ = 5
 
-Waiting = Generator[Pending | None, None, str | None]
+T = TypeVar("T")
+Waiting = Generator[Pending | None, None, T | None]
 
 
 def wait_for_input(
     context: RunContext,
-    source: InputSource,
+    source: InputSource[T],
     announcement: Event,
     *,
     question: str = "",
     timeout_s: float = math.inf,
-) -> Waiting:
+) -> Waiting[T]:
     """Emits `announcement`, then waits; returns the input, None after the timeout.
 
     The timeout counts real time without pauses for a person or a camera, otherwise robot time.
@@ -33,7 +35,7 @@ def wait_for_input(
         source.cancel()
 
 
-def _polled(context: RunContext, source: InputSource, timeout_s: float) -> Waiting:
+def _polled(context: RunContext, source: InputSource[T], timeout_s: float) -> Waiting[T]:
     n_ticks, began_s, reported = 0, context.waited_s, math.inf
     while isinstance(input_ := source.poll(), Pending):
         if input_ is Pending.TICK:

@@ -3,7 +3,7 @@ from typing import Any
 import pytest
 
 from pinel_desktop.events.model import CaptureStarted, Event, GestureResult
-from pinel_desktop.execution.inputs import LiveInputs, ScriptedInputs
+from pinel_desktop.execution.inputs import Capture, LiveInputs, ScriptedInputs
 from tests.execution.wall import Wall
 
 CLASSIFY = {"action": "classify_gestures", "timeout": 2, "block": "c"}
@@ -17,7 +17,7 @@ def test_scripted_result_arrives_on_the_next_tick(execute_commands: Any) -> None
         CaptureStarted("c", 2.0)
     ]
     assert [event for _, event in log if isinstance(event, GestureResult)] == [
-        GestureResult("B", "capture")
+        GestureResult("B", "capture", "list")
     ]
 
 
@@ -28,7 +28,7 @@ def test_scripted_results_run_out_into_nothing_recognised(execute_commands: Any)
 
 def test_person_answers_while_the_capture_runs(execute_commands: Any) -> None:
     inputs, wall = LiveInputs(), Wall()
-    wall.at(0.5, lambda: inputs.gestures.answer("L"))
+    wall.at(0.5, lambda: inputs.gestures.answer(Capture("L", "person")))
     result, log = execute_commands(CLASSIFY, inputs=inputs, wall=wall.time)
     assert result.gesture_result == "L"
     assert wall.passed_s == pytest.approx(0.5, abs=0.1)
@@ -40,7 +40,7 @@ def test_answer_in_the_moment_the_capture_is_announced_counts(execute_commands: 
 
     def answer(_tick: int, event: Event) -> None:
         if isinstance(event, CaptureStarted):
-            inputs.gestures.answer("L")
+            inputs.gestures.answer(Capture("L", "person"))
 
     result, _ = execute_commands(CLASSIFY, inputs=inputs, listener=answer, wall=Wall().time)
     assert result.gesture_result == "L"
@@ -56,7 +56,7 @@ def test_unanswered_capture_ends_after_its_timeout_with_nothing(execute_commands
 
 def test_answer_outside_a_capture_is_not_kept_for_the_next(execute_commands: Any) -> None:
     inputs = LiveInputs()
-    inputs.gestures.answer("B")
+    inputs.gestures.answer(Capture("B", "person"))
     result, _ = execute_commands(CLASSIFY, inputs=inputs, wall=Wall().time)
     assert result.gesture_result == ""
 
