@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import psutil
 import pytest
 
 from pinel_desktop.app import App
@@ -190,9 +191,8 @@ def test_an_engine_that_dies_ends_the_run_in_words_and_the_next_run_works(
         run = begun(browser, version_id)
         while stream.until("telemetry")[-1]["tick"] < OLD_ENOUGH_TICKS:
             pass
-        process = engine._process
-        assert process is not None
-        process.kill()
+        assert engine.pid is not None
+        psutil.Process(engine.pid).kill()
         end = stream.until("run_ended")[-1]
         assert (end["state"], end["reason"]) == ("failed", "engine_lost")
         read = browser.get(f"/api/runs/{run}").data

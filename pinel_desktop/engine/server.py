@@ -7,11 +7,11 @@ from typing import Any, BinaryIO
 from pydantic import ValidationError
 
 from pinel_desktop.engine.commands import Command, LiveCommand
-from pinel_desktop.engine.protocol import Message, read_messages, write_message
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, RunEnded
 from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.control import RunControl
+from pinel_desktop.processes.messages import Message, read_messages, write_message
 from pinel_desktop.runs.spec import spec_from
 from pinel_desktop.runs.start import start
 

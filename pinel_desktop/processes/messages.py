@@ -1,4 +1,4 @@
-"""JSON lines over pipes: how app and engine talk (ARCHITECTURE.md, Processes)."""
+"""JSON lines over pipes: how the app talks to the processes that it owns (ARCHITECTURE.md, Processes)."""
 
 import json
 from collections.abc import Iterator

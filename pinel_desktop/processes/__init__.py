@@ -1,4 +1,4 @@
-"""How this program starts itself again, for the parts that run in processes of their own."""
+"""Processes of this program that the app owns: how they are started, kept running, talked to and ended."""
 
 import sys
 

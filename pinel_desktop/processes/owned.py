@@ -1,0 +1,151 @@
+"""One process that the app owns: it is started, started again when it dies, and ended with the app."""
+
+import contextlib
+import logging
+import subprocess
+import threading
+import time
+from collections.abc import Callable, Sequence
+from typing import Any, BinaryIO, Literal, cast
+
+from pinel_desktop.processes.messages import Message, read_messages, write_message
+
+ProcessState = Literal["starting", "ready", "lost"]
+
+_log = logging.getLogger(__name__)
+_CLOSE_TIMEOUT_S = 4.0
+# A process that dies sooner than this after its start, so often in a row, is not started again by itself.
+_SHORT_LIFE_S = 3.0
+_SHORT_LIVES = 3
+
+
+class OwnedProcess:
+    """Keeps one process running and exchanges JSON lines with it; thread-safe.
+
+    The process tells that it is ready with a message of the type `NAME_ready`, and ends when its standard input ends.
+
+    Args:
+        name: of the process, for that message and the log.
+        command: starts it.
+        on_message: called on the reader thread with every further message, in order.
+        on_death: called on the reader thread when the process has died by itself, before the next one starts.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        command: Sequence[str],
+        on_message: Callable[[Message], None],
+        on_death: Callable[[], None],
+    ) -> None:
+        self._name, self._command = name, list(command)
+        self._on_message, self._on_death = on_message, on_death
+        self._lock = threading.RLock()
+        self._process: subprocess.Popen[bytes] | None = None
+        self._reader: threading.Thread | None = None
+        self._state: ProcessState = "starting"
+        self._closing = False
+        self._n_short_lives = 0
+        self._ready = threading.Event()
+
+    @property
+    def state(self) -> ProcessState:
+        """`starting` until the process has said it is ready; `lost` when it cannot be started again."""
+        return self._state
+
+    @property
+    def pid(self) -> int | None:
+        """Id of the process."""
+        return self._process.pid if self._process else None
+
+    def start(self) -> None:
+        """Starts the process; returns at once, the state tells when it is ready."""
+        with self._lock:
+            if self._closing:  # a process that died while the app was ending needs no successor
+                return
+            self._state = "starting"
+            self._ready.clear()
+            try:
+                self._process = subprocess.Popen(
+                    self._command,
+                    stdin=subprocess.PIPE,
+                    stdout=subprocess.PIPE,
+                    creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
+                )
+            except OSError as error:
+                _log.error("the %s does not start: %s", self._name, error)
+                self._give_up()
+                return
+            self._reader = threading.Thread(
+                target=self._read, args=(self._process,), name=f"{self._name}-reader", daemon=True
+            )
+            self._reader.start()
+
+    def wait_until_ready(self, timeout_s: float) -> bool:
+        """Waits for the process; False when it is not ready after `timeout_s`."""
+        self._ready.wait(timeout_s)
+        return self._state == "ready"
+
+    def send(self, message: Message) -> None:
+        """Sends a message; one to a process that has ended is lost, and its death is reported."""
+        with self._lock:
+            try:
+                write_message(_pipe(self._process.stdin if self._process else None), message)
+            except OSError:
+                _log.warning("the %s has ended; its reader reports it", self._name)
+
+    def close(self) -> None:
+        """Ends the pipe, whereupon the process exits, and waits for it."""
+        with self._lock:
+            self._closing = True
+            process, reader = self._process, self._reader
+        if process is None or reader is None:
+            return
+        if self._state == "starting":  # it does nothing yet, and its imports would keep us waiting
+            process.kill()
+        with contextlib.suppress(OSError):  # the process may have ended already
+            _pipe(process.stdin).close()
+        try:
+            process.wait(_CLOSE_TIMEOUT_S)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+        if reader is not threading.current_thread():
+            reader.join()
+
+    def _read(self, process: subprocess.Popen[bytes]) -> None:
+        born = time.monotonic()
+        messages = _pipe(process.stdout)
+        for message in read_messages(messages):
+            if message.get("type") == f"{self._name}_ready":
+                self._state = "ready"
+                self._ready.set()
+            else:
+                self._on_message(message)
+        messages.close()
+        process.wait()
+        if not self._closing:
+            self._revive(process, short_life=time.monotonic() - born < _SHORT_LIFE_S)
+
+    def _revive(self, process: subprocess.Popen[bytes], *, short_life: bool) -> None:
+        with self._lock:
+            self._state = "starting"
+        with contextlib.suppress(OSError):
+            _pipe(process.stdin).close()
+        _log.error("the %s died", self._name)
+        self._on_death()
+        self._n_short_lives = self._n_short_lives + 1 if short_life else 0
+        if self._n_short_lives >= _SHORT_LIVES:
+            self._give_up()
+        else:
+            self.start()
+
+    def _give_up(self) -> None:
+        self._state = "lost"
+        self._ready.set()
+
+
+def _pipe(pipe: Any) -> BinaryIO:
+    if pipe is None:
+        raise OSError("the process has no pipe")
+    return cast(BinaryIO, pipe)
