@@ -10,12 +10,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 from pinel_desktop import __version__
+from pinel_desktop.camera.client import Camera, CameraState
 from pinel_desktop.engine.client import EngineClient
-from pinel_desktop.events.app_events import Notice
+from pinel_desktop.events.app_events import CameraChanged, Notice
 from pinel_desktop.events.hub import Hub
 from pinel_desktop.events.types import KEPT, URGENT
+from pinel_desktop.execution.inputs import Capture
 from pinel_desktop.instance import Instance
-from pinel_desktop.messages import LANGUAGES, Problem, describe, language_of_system
+from pinel_desktop.messages import Problem, describe, explain
+from pinel_desktop.preferences import Preferences
 from pinel_desktop.school.grading import Grader
 from pinel_desktop.school.teacher import TeacherSessions
 from pinel_desktop.web.application import create_app
@@ -62,6 +65,7 @@ class App:
         engine_after_s: lets the page draw first on a PC of two cores, which the engine's start, and loading what
             the first edit and the first run need, would keep busy.
         on_show: brings the window forward when the app is started a second time.
+        camera: in place of the one that was chosen: as `camera.frames.open_reader` takes it.
     """
 
     def __init__(  # noqa: PLR0913 - everything that may be another, for the window and for tests
@@ -76,6 +80,7 @@ class App:
         make_engine: Callable[[Callable[[Event], None]], EngineOfApp] = EngineClient,
         read: ReadDocument | None = None,
         worlds: Sequence[dict[str, Any]] | None = None,
+        camera: str | None = None,
     ) -> None:
         self._database = database
         self._port = port
@@ -86,6 +91,7 @@ class App:
         self._make_engine = make_engine
         self._read = read or _read_document
         self._worlds = list_worlds() if worlds is None else worlds
+        self._camera_source = camera
         self._closing = contextlib.ExitStack()
 
     def start(self) -> None:
@@ -155,6 +161,13 @@ class App:
         self._guard = server.guard
         self._engine = self._make_engine(self._take)
         undo.callback(self._engine.close)
+        self._camera = Camera(
+            self._camera_source or self._preferences.camera,
+            self._hub.publish,
+            self._tell_camera,
+            self._answer_capture,
+        )
+        undo.callback(self._camera.close)
         server.open(create_app(self._services()))
         self._maintenance.start()
         self._start_engine(undo)
@@ -179,6 +192,7 @@ class App:
             app_version=__version__,
             store=self._store,
             engine=self._engine,
+            camera=self._camera,
             hub=self._hub,
             guard=self._guard,
             preferences=self._preferences,
@@ -195,6 +209,7 @@ class App:
         """An event of the engine: first to the store, so that the page finds ended what it hears has ended."""
         self._recorder(event)
         self._hub.publish(event)
+        self._camera.observe(event)
         if event["type"] == "run_ended":
             self._grader.grade(event["run"])
 
@@ -223,31 +238,25 @@ class App:
         """Work goes on; the page is told what threatens it, or that nothing does any more."""
         self._tell(notice, "keeping_well_again")
 
+    def _answer_capture(self, run_id: str, capture: Capture) -> None:
+        from pinel_desktop.engine.commands import AnswerCapture  # noqa: PLC0415 - see above
+
+        by, confidence, second = capture.by or "camera", capture.confidence, capture.second
+        command = AnswerCapture(result=capture.label, by=by, confidence=confidence, second=second)
+        self._engine.command(run_id, command)
+
+    def _tell_camera(self, state: CameraState) -> None:
+        code, message, remedy = None, "", ""
+        if state.problem:
+            code = state.problem.code
+            words = explain(state.problem, self._preferences.language)
+            message, remedy = words.message, words.remedy
+        self._hub.publish(CameraChanged(state.mode, code, message, remedy).flat())
+
     def _tell(self, problem: Problem | None, well_again: str) -> None:
         code, params = (problem.code, problem.params) if problem else (well_again, {})
         words = describe(code, params, self._preferences.language)
         self._hub.publish(Notice(code=code, message=words.message, remedy=words.remedy).flat())
-
-
-class Preferences:
-    """The chosen language; kept in the store where it can be written, else until the app ends."""
-
-    def __init__(self, store: Store) -> None:
-        self._store = store
-        kept = None
-        with contextlib.suppress(StoreError):
-            kept = store.settings.get("language")
-        self._language: str = kept if kept in LANGUAGES else language_of_system()
-
-    @property
-    def language(self) -> str:
-        return self._language
-
-    @language.setter
-    def language(self, language: str) -> None:
-        self._language = language
-        with contextlib.suppress(StoreError):
-            self._store.settings.set("language", language)
 
 
 def _read_document(document: dict[str, object] | list[object]) -> "Reading":

@@ -19,7 +19,7 @@ _COMMANDS = {
     "pin": "Choose another PIN for the teacher.",
     "doctor": "Say what this PC has and lacks.",
 }
-_HIDDEN = ("app", "engine")
+_HIDDEN = ("app", "camera", "engine")
 
 
 class _LazyGroup(click.Group):

@@ -14,7 +14,8 @@ import pytest
 from pinel_desktop.app import App
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.web.models.events import StreamEvent
-from tests.web.browser import Answer, Browser, Stream
+from tests.live_runs import begun, command, saved
+from tests.web.browser import Browser, Stream
 
 SQUARE = json.loads((Path(__file__).parent / "programs" / "square.json").read_text("utf-8"))
 READY_S = 30.0
@@ -33,28 +34,6 @@ def app(tmp_path_factory: pytest.TempPathFactory) -> Iterator[App]:
 @pytest.fixture
 def browser(app: App) -> Browser:
     return Browser.signed_in(app.address)
-
-
-def saved(browser: Browser, document: Any, world: Any = None) -> str:
-    """The id of a version with that document, of a new program in a new group."""
-    name = f"Grupo {time.monotonic_ns()}"
-    group = browser.post("/api/groups", {"name": name}).data
-    program = browser.post(f"/api/groups/{group['id']}/programs", {"name": "Quadrado"}).data
-    path = f"/api/programs/{program['id']}/versions"
-    content = {"workspace": {"blocks": {}}, "document": document, "world": world}
-    version: str = browser.post(path, content).data["id"]
-    return version
-
-
-def begun(browser: Browser, version_id: str, world: str = "empty_room") -> str:
-    answer = browser.post("/api/runs", {"version_id": version_id, "world": world})
-    assert answer.status == 200, answer.body
-    run: str = answer.data["id"]
-    return run
-
-
-def command(browser: Browser, run: str, do: str, **more: Any) -> Answer:
-    return browser.post(f"/api/runs/{run}/commands", {"do": do, **more})
 
 
 def events_of(

@@ -1,5 +1,6 @@
 """`pinel run FILE`: executes a program in this process and prints its result (docs/program-document.md)."""
 
+import contextlib
 import csv
 import json
 import math
@@ -9,6 +10,7 @@ from typing import Any
 import click
 
 from pinel_desktop import __version__
+from pinel_desktop.camera.client import CameraState
 from pinel_desktop.commands.options import chosen_database, database_option
 from pinel_desktop.commands.printing import print_problem
 from pinel_desktop.commands.program_file import place_of, read_file
@@ -26,7 +28,7 @@ from pinel_desktop.program.reading import Reading
 from pinel_desktop.robot import FEEDBACKS, PIONEER_3DX, PRESETS, ROBOTS, Setting
 from pinel_desktop.runs.plotting import Curves, draw, plot_format
 from pinel_desktop.runs.record import record_of
-from pinel_desktop.runs.spec import RunSpec
+from pinel_desktop.runs.spec import RunInputs, RunSpec
 from pinel_desktop.runs.start import all_of, start
 from storage import Recorder, RunStart, Store, StoreError, open_store
 
@@ -94,6 +96,11 @@ _INVALID_REASONS = (
     help="Seed of the run's random numbers.",
 )
 @click.option("--gestures", metavar="B,A,...", default="", help="Results of captures, in order.")
+@click.option(
+    "--camera",
+    metavar="SOURCE",
+    help="Who answers captures: the number of a webcam (0 is the first), a video file, a folder of pictures.",
+)
 @click.option(
     "--answers",
     metavar="3,Ana,...",
@@ -175,12 +182,13 @@ def _run(
     curves = Curves() if options["plot"] else None
     try:
         world = choose_world(options["world"], robot=options["model"])
-        spec = _spec(reading, world, options)
-        if recording is not None:
-            recording.will_keep(_record(spec, world, options))
-        result = start(
-            spec, all_of(*(part.observe for part in (recording, curves) if part is not None))
-        )
+        with _inputs(options, language) as inputs:
+            spec = _spec(reading, world, options, inputs)
+            if recording is not None:
+                recording.will_keep(_record(spec, world, options))
+            result = start(
+                spec, all_of(*(part.observe for part in (recording, curves) if part is not None))
+            )
     except PinelError as error:
         return _not_begun(error, language)
     ended = result.ended
@@ -191,7 +199,23 @@ def _run(
     return run_object(result, run_id, message)
 
 
-def _spec(reading: Reading, world: ChosenWorld, options: dict[str, Any]) -> RunSpec:
+def _inputs(options: dict[str, Any], language: str) -> contextlib.AbstractContextManager[RunInputs]:
+    """Who answers captures and questions: a camera, which is closed again, or lists."""
+    answers = _answers(options["answers"])
+    if options["camera"] is None:
+        return contextlib.nullcontext(ScriptedInputs(_results(options["gestures"]), answers))
+    from pinel_desktop.camera.inputs import CameraInputs  # noqa: PLC0415 - few runs need it
+
+    def tell(state: CameraState) -> None:
+        if state.problem:
+            print_problem(state.problem, language, place="pinel")
+
+    return CameraInputs(options["camera"], answers, tell)
+
+
+def _spec(
+    reading: Reading, world: ChosenWorld, options: dict[str, Any], inputs: RunInputs
+) -> RunSpec:
     assert reading.document is not None
     return RunSpec(
         document=reading.document,
@@ -199,7 +223,7 @@ def _spec(reading: Reading, world: ChosenWorld, options: dict[str, Any]) -> RunS
         link=options["robot"],
         setting=Setting(options["model"], options["preset"], options["feedback"]),
         seed=options["seed"],
-        inputs=ScriptedInputs(_results(options["gestures"]), _answers(options["answers"])),
+        inputs=inputs,
         pace=options["pace"],
         program=reading.program,
     )

@@ -23,15 +23,20 @@ from pinel_desktop.messages import describe
     show_default=True,
     help="Port; 0 chooses a free one.",
 )
+@click.option(
+    "--camera",
+    metavar="SOURCE",
+    help="Look through this in place of the chosen webcam: its number, a video file, a folder of pictures.",
+)
 @database_option
 @click.pass_context
-def command(ctx: click.Context, port: int) -> None:
+def command(ctx: click.Context, port: int, camera: str | None) -> None:
     """Serve the page without a window and print its address.
 
     The address works once and on this PC only; start the command again for a new one. Ctrl+C ends it.
     Exit status: 0, or 1 if the page cannot be served.
     """
-    app = App(chosen_database(ctx), port=port)
+    app = App(chosen_database(ctx), port=port, camera=camera)
     try:
         _serve(app)
     except AlreadyRunningError as first:

@@ -1,7 +1,7 @@
 """What the app itself tells all pages on the stream. None of it belongs to the record of a run."""
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import ClassVar, Literal, TypedDict
 
 from pinel_desktop.events.model import StreamEvent
 
@@ -68,3 +68,60 @@ class ProgramChanged(StreamEvent):
     program: str
     version: str | None
     deleted_at: str | None
+
+
+class SeenSign(TypedDict):
+    """A hand that the camera sees, and what it looks like.
+
+    Attributes:
+        points: 21 landmarks [x, y] as fractions of the preview's width and height, mirrored like it.
+        handedness: which hand of the person it is.
+        best: the likeliest sign; "" where it looks like none.
+        confidence: of `best`, 0 to 1.
+        second: the next likeliest sign; "" when there is none.
+        sure: whether `best` counts for a capture.
+    """
+
+    points: list[list[float]]
+    handedness: Literal["left", "right"]
+    best: str
+    confidence: float
+    second: str
+    sure: bool
+
+
+@dataclass(frozen=True, slots=True)
+class CameraSight(StreamEvent):
+    """What the camera sees just now, at most 10 times a second; never a picture.
+
+    Attributes:
+        hands: the hands in the picture, at most two.
+        label: the sign that is becoming steady; "" while none is.
+        progress: how near it is to being the answer of a capture, 0 to 1.
+        aspect: width of the picture divided by its height.
+    """
+
+    type: ClassVar[str] = "camera_sight"
+    lossy: ClassVar[bool] = True
+    hands: list[SeenSign]
+    label: str
+    progress: float
+    aspect: float
+
+
+@dataclass(frozen=True, slots=True)
+class CameraChanged(StreamEvent):
+    """The camera was switched on or off, or is of no use.
+
+    Attributes:
+        state: what it does now.
+        code: of the message why it is of no use; null when it is of use, or may become so.
+        message: what is wrong, in words of the chosen language.
+        remedy: what to do.
+    """
+
+    type: ClassVar[str] = "camera_state"
+    state: Literal["off", "opening", "on", "failed"]
+    code: str | None
+    message: str
+    remedy: str

@@ -50,6 +50,10 @@ class Recogniser:
         """The hands of the next frame of a video; a hand that was seen in the last frame is not looked for."""
         return [self._seen(hand) for hand in self._tracker.update(picture)]
 
+    def forget(self) -> None:
+        """Looks for hands anew in the next frame, which comes from elsewhere."""
+        self._tracker = HandTracker(self._finder)
+
     def _warm_up(self) -> None:
         """The first picture takes no longer than the others: memory is laid out, what is derived once is derived."""
         self._finder.find(np.zeros((SIZE, SIZE, 3), np.uint8), patient=False)

@@ -29,6 +29,7 @@ class OwnedProcess:
         command: starts it.
         on_message: called on the reader thread with every further message, in order.
         on_death: called on the reader thread when the process has died by itself, before the next one starts.
+        on_ready: called on the reader thread when it, or the next one after its death, is ready.
     """
 
     def __init__(
@@ -37,9 +38,10 @@ class OwnedProcess:
         command: Sequence[str],
         on_message: Callable[[Message], None],
         on_death: Callable[[], None],
+        on_ready: Callable[[], None] = lambda: None,
     ) -> None:
         self._name, self._command = name, list(command)
-        self._on_message, self._on_death = on_message, on_death
+        self._on_message, self._on_death, self._on_ready = on_message, on_death, on_ready
         self._lock = threading.RLock()
         self._process: subprocess.Popen[bytes] | None = None
         self._reader: threading.Thread | None = None
@@ -89,10 +91,18 @@ class OwnedProcess:
     def send(self, message: Message) -> None:
         """Sends a message; one to a process that has ended is lost, and its death is reported."""
         with self._lock:
+            if self._closing:
+                return
             try:
                 write_message(_pipe(self._process.stdin if self._process else None), message)
             except OSError:
                 _log.warning("the %s has ended; its reader reports it", self._name)
+
+    def kill(self) -> None:
+        """Ends a process that hangs at once; the next one starts by itself."""
+        with self._lock:
+            if self._process and not self._closing:
+                self._process.kill()
 
     def close(self) -> None:
         """Ends the pipe, whereupon the process exits, and waits for it."""
@@ -120,6 +130,7 @@ class OwnedProcess:
             if message.get("type") == f"{self._name}_ready":
                 self._state = "ready"
                 self._ready.set()
+                self._on_ready()
             else:
                 self._on_message(message)
         messages.close()

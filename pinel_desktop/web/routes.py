@@ -15,6 +15,7 @@ from pydantic import BaseModel
 from pinel_desktop import __version__
 from pinel_desktop.web.api import (
     Resource,
+    camera,
     classrooms,
     exchange,
     groups,
@@ -52,6 +53,7 @@ _RESOURCES = (
     python,
     worlds,
     robots,
+    camera,
     stream,
     instance,
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, Protocol, cast
 
@@ -13,6 +13,7 @@ from pinel_desktop.web.guard import Guard
 
 if TYPE_CHECKING:  # heavy, and not needed to serve the page
     from pinel_desktop.engine.commands import Command
+    from pinel_desktop.errors import PinelError
     from pinel_desktop.events.hub import Hub
     from pinel_desktop.program.faults import Fault
     from pinel_desktop.program.reading import Reading
@@ -50,10 +51,37 @@ class Engine(Protocol):
     def command(self, run_id: str, command: Command) -> Any: ...
 
 
+class CameraState(Protocol):
+    """What the camera does, and why it is of no use."""
+
+    @property
+    def mode(self) -> Literal["off", "opening", "on", "failed"]: ...
+
+    @property
+    def problem(self) -> PinelError | None: ...
+
+
+class Camera(Protocol):
+    """What the handlers need of `camera.client.Camera`."""
+
+    @property
+    def state(self) -> CameraState: ...
+
+    @property
+    def source(self) -> str: ...
+
+    def wake(self) -> None: ...
+
+    def choose(self, source: str) -> None: ...
+
+    def previews(self) -> Iterator[bytes]: ...
+
+
 class Preferences(Protocol):
     """Choices of the person; persistent if the database is writable."""
 
     language: str
+    camera: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +105,7 @@ class Services:
     app_version: str
     store: Store
     engine: Engine
+    camera: Camera
     hub: Hub
     guard: Guard
     preferences: Preferences

@@ -1,0 +1,226 @@
+"""The app's side of the camera: starts its process, knows its state, lets it answer the captures of a live run."""
+
+import base64
+import contextlib
+import threading
+import time
+from collections.abc import Callable, Generator, Sequence
+from dataclasses import dataclass, replace
+from itertools import count
+from typing import Any, Literal
+
+from pinel_desktop.camera.preview import Preview
+from pinel_desktop.camera.wanted import Wanted
+from pinel_desktop.errors import PinelError
+from pinel_desktop.events.app_events import CameraSight
+from pinel_desktop.execution.inputs import Capture
+from pinel_desktop.processes import own_command
+from pinel_desktop.processes.messages import Message
+from pinel_desktop.processes.owned import OwnedProcess
+
+CameraMode = Literal["off", "opening", "on", "failed"]
+WireEvent = dict[str, Any]
+
+LINGER_S = 20.0  # the camera stays on so long after its last use: the next capture finds it open
+_SILENT_S = 5.0  # a process that says nothing for so long while the camera is on hangs
+_TEND_S = 0.5
+_NO_PICTURE_S = 5.0
+
+
+@dataclass(frozen=True, slots=True)
+class CameraState:
+    """What the camera does; with `problem`, why it is of no use."""
+
+    mode: CameraMode
+    problem: PinelError | None = None
+
+
+class Camera:
+    """The camera as the app sees it; thread-safe. Its process starts with `wake`, the camera itself with `use`.
+
+    Args:
+        source: as `camera.frames.open_reader` takes it.
+        publish: takes what the camera sees, as events.
+        on_change: called with each new state.
+        answer: takes the id of a live run and what the camera saw for its capture; may raise PinelError when the run
+            has ended.
+        command: starts the process.
+        linger_s: how long the camera stays on after its last use.
+    """
+
+    def __init__(
+        self,
+        source: str,
+        publish: Callable[[WireEvent], None],
+        on_change: Callable[[CameraState], None],
+        answer: Callable[[str, Capture], object],
+        command: Sequence[str] | None = None,
+        linger_s: float = LINGER_S,
+    ) -> None:
+        self._source, self._linger_s = source, linger_s
+        self._publish, self._on_change, self._answer = publish, on_change, answer
+        self._process = OwnedProcess(
+            "camera", command or own_command("camera"), self._receive, self._died, self._tell_wanted
+        )
+        self._lock = threading.RLock()
+        self._wanted = Wanted()
+        self._state = CameraState("off")
+        self._used_s = self._heard_s = 0.0
+        self._tender: threading.Thread | None = None
+        self._closing = threading.Event()
+        self._captures = count()
+        self._run: str | None = None
+        self._preview = Preview(self._closing)
+
+    @property
+    def state(self) -> CameraState:
+        return self._state
+
+    @property
+    def source(self) -> str:
+        return self._source
+
+    @property
+    def pid(self) -> int | None:
+        """Id of the process; None before its start."""
+        return self._process.pid
+
+    def wake(self) -> None:
+        """Starts the process, so that it is warm at the first capture; the camera stays off."""
+        with self._lock:
+            if self._closing.is_set():
+                return
+            if self._tender is None:
+                self._tender = threading.Thread(target=self._tend, name="camera", daemon=True)
+                self._tender.start()
+                self._process.start()
+            elif self._process.state == "lost":  # one more try
+                self._process.start()
+
+    def wait_until_ready(self, timeout_s: float) -> bool:
+        """Waits for the process, which `wake` starts; False when it is not ready after `timeout_s`."""
+        return self._process.wait_until_ready(timeout_s)
+
+    def use(self) -> None:
+        """Switches the camera on, or keeps it on for a while."""
+        self.wake()
+        with self._lock:
+            self._used_s = time.monotonic()
+            if self._wanted.source != self._source:
+                self._want(source=self._source)
+
+    def choose(self, source: str) -> None:
+        """Looks through another camera from now on."""
+        with self._lock:
+            self._source = source
+            if self._wanted.source is not None:
+                self._want(source=source)
+
+    def observe(self, event: WireEvent) -> None:
+        """To be called with every event of a live run: captures switch the camera on and are answered."""
+        kind, run = event["type"], event["run"]
+        if kind == "capture_started":
+            self.use()
+            self._begin_capture(run)
+        elif kind == "run_state" and run == self._run:
+            self._hold(is_paused=event["state"] == "paused")
+        elif kind in ("gesture_result", "run_ended") and run == self._run:
+            self._end_capture()
+
+    def previews(self) -> Generator[bytes]:
+        """Mirrored JPEG pictures as they come, for one who watches; ends when none comes for a while."""
+        try:
+            self._set_watched(self._preview.enter())
+            for picture in self._preview.pictures(_NO_PICTURE_S):
+                self.use()
+                yield picture
+        finally:
+            self._set_watched(self._preview.leave())
+
+    def close(self) -> None:
+        """Ends the process and all previews."""
+        self._closing.set()
+        self._preview.wake()
+        self._process.close()
+        if self._tender:
+            self._tender.join()
+
+    def _begin_capture(self, run: str) -> None:
+        with self._lock:
+            self._run = run
+            self._want(capture=str(next(self._captures)))
+
+    def _hold(self, *, is_paused: bool) -> None:
+        """A paused run takes no answer of the camera."""
+        with self._lock:
+            self._want(capture=None if is_paused else str(next(self._captures)))
+
+    def _end_capture(self) -> None:
+        with self._lock:
+            self._run = None
+            self._want(capture=None)
+
+    def _set_watched(self, is_watched: bool) -> None:
+        if is_watched:
+            self.use()
+        with self._lock:
+            self._want(preview=is_watched)
+
+    def _want(self, **changes: Any) -> None:
+        """Tells the process what changed; called with the lock held."""
+        wanted = replace(self._wanted, **changes)
+        if wanted.source != self._wanted.source:
+            self._heard_s = time.monotonic()
+        if wanted != self._wanted:
+            self._wanted = wanted
+            self._tell_wanted()
+
+    def _tell_wanted(self) -> None:
+        if self._process.state == "ready":
+            self._process.send(self._wanted.as_message())
+
+    def _receive(self, message: Message) -> None:
+        self._heard_s = time.monotonic()
+        match message.get("type"):
+            case "camera_state":
+                code = message["code"]
+                problem = PinelError(code, **message["params"]) if code else None
+                self._change(CameraState(message["state"], problem))
+            case "sight":
+                hands, label = message["hands"], message["label"]
+                sight = CameraSight(hands, label, message["progress"], message["aspect"])
+                self._publish(sight.flat())
+            case "recognised":
+                self._recognised(message)
+            case "preview":
+                self._preview.show(base64.b64decode(message["jpeg"]))
+
+    def _recognised(self, message: Message) -> None:
+        with self._lock:
+            run = self._run
+            if run is None or message["id"] != self._wanted.capture:
+                return  # a person answered, or the run was paused, while the message was on its way
+            self._end_capture()
+        capture = Capture(message["label"], message["by"], message["confidence"], message["second"])
+        with contextlib.suppress(PinelError):  # the run has ended meanwhile
+            self._answer(run, capture)
+
+    def _change(self, state: CameraState) -> None:
+        self._state = state
+        self._on_change(state)
+
+    def _died(self) -> None:
+        self._change(CameraState("failed", PinelError("camera_process_died")))
+
+    def _tend(self) -> None:
+        """Switches the camera off after its last use; ends a process that hangs."""
+        while not self._closing.wait(_TEND_S):
+            with self._lock:
+                is_on, now_s = self._wanted.source is not None, time.monotonic()
+                if is_on and self._run is None and now_s - self._used_s > self._linger_s:
+                    self._want(source=None)
+                hangs = (
+                    is_on and self._process.state == "ready" and now_s - self._heard_s > _SILENT_S
+                )
+            if hangs:
+                self._process.kill()

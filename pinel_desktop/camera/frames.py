@@ -1,0 +1,199 @@
+"""Where frames come from: a webcam, a video file, a folder of pictures, a recording of hands."""
+
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import cycle
+from pathlib import Path
+from typing import Protocol
+
+import cv2
+import numpy as np
+
+from pinel_desktop.camera.recording import RECORDING_ENDING, RecordedHand, read_recording
+from pinel_desktop.errors import PinelError
+from pinel_desktop.gestures.pictures import SHORTEST_SIDE, Picture, read_picture
+
+PICTURE_ENDINGS = (".bmp", ".jpeg", ".jpg", ".png", ".webp")
+WIDTH, HEIGHT = 640, 480
+_PICTURE_S = 1.5  # how long a folder shows each picture
+_FRAMES_HZ = 15.0
+_LONGEST_SIDE = 1280  # px; larger frames cost time and show no more of a hand
+_TO_RGB = {1: cv2.COLOR_GRAY2RGB, 3: cv2.COLOR_BGR2RGB, 4: cv2.COLOR_BGRA2RGB}
+
+
+@dataclass(frozen=True, slots=True)
+class Shot:
+    """What a camera gives at once: a picture (height, width, 3), RGB; of a recording also the hands in it."""
+
+    picture: Picture
+    hands: tuple[RecordedHand, ...] | None = None
+
+
+class FrameReader(Protocol):
+    """Gives frames one after the other.
+
+    Attributes:
+        is_live: whether it is a real camera, no two of whose frames are the same.
+    """
+
+    is_live: bool
+
+    def read(self) -> Shot | None:
+        """The next frame; None when there is none just now. May block."""
+        ...
+
+    def close(self) -> None:
+        """Gives the camera back."""
+
+
+def open_reader(source: str) -> FrameReader:
+    """Opens a source of frames.
+
+    Args:
+        source: the number of a webcam ("0" is the first), or the path of a video file, of a folder of pictures, or of a
+            recording of hands (.npz).
+
+    Raises PinelError: `camera_missing`, `camera_busy`, `camera_source_missing`, `camera_source_unreadable`,
+    `camera_folder_empty`.
+    """
+    if source.isdecimal():
+        return Webcam(int(source))
+    path = Path(source)
+    if path.is_dir():
+        return PictureFolder(path)
+    if not path.is_file():
+        raise PinelError("camera_source_missing", path=source)
+    return HandRecording(path) if path.suffix == RECORDING_ENDING else VideoFile(path)
+
+
+class Webcam:
+    """A webcam, by its number."""
+
+    is_live = True
+
+    def __init__(self, number: int) -> None:
+        self._device = cv2.VideoCapture(number)
+        if not self._device.isOpened():
+            code = "camera_busy" if Path(f"/dev/video{number}").exists() else "camera_missing"
+            raise PinelError(code, number=number + 1)
+        self._device.set(cv2.CAP_PROP_FRAME_WIDTH, WIDTH)
+        self._device.set(cv2.CAP_PROP_FRAME_HEIGHT, HEIGHT)
+        self._device.set(cv2.CAP_PROP_BUFFERSIZE, 1)  # a frame that waited shows the past
+
+    def read(self) -> Shot | None:
+        is_there, frame = self._device.read()
+        return _shot(as_rgb(frame)) if is_there else None
+
+    def close(self) -> None:
+        self._device.release()
+
+
+class VideoFile:
+    """A video at its own speed, again and again."""
+
+    is_live = False
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        self._video = cv2.VideoCapture(str(path))
+        if not self._video.isOpened():
+            raise PinelError("camera_source_unreadable", path=str(path))
+        rate_hz = self._video.get(cv2.CAP_PROP_FPS)
+        self._frame_s = 1.0 / rate_hz if 1.0 <= rate_hz <= 120.0 else 1.0 / 30.0
+        self._due_s = time.monotonic()
+
+    def read(self) -> Shot | None:
+        self._due_s = _wait_until(self._due_s) + self._frame_s
+        is_there, frame = self._video.read()
+        if not is_there:
+            self._video.set(cv2.CAP_PROP_POS_FRAMES, 0)
+            is_there, frame = self._video.read()
+        return _shot(as_rgb(frame)) if is_there else None
+
+    def close(self) -> None:
+        self._video.release()
+
+
+class PictureFolder:
+    """The pictures of a folder by their names, each for a moment, again and again."""
+
+    is_live = False
+
+    def __init__(self, path: Path) -> None:
+        files = sorted(file for file in path.iterdir() if file.suffix.lower() in PICTURE_ENDINGS)
+        if not files:
+            raise PinelError(
+                "camera_folder_empty", path=str(path), allowed=", ".join(PICTURE_ENDINGS)
+            )
+        self._frames = self._endless(files)
+        self._due_s = time.monotonic()
+
+    def read(self) -> Shot | None:
+        self._due_s = _wait_until(self._due_s) + 1.0 / _FRAMES_HZ
+        return _shot(next(self._frames))
+
+    def close(self) -> None:
+        return
+
+    @staticmethod
+    def _endless(files: list[Path]) -> Iterator[Picture | None]:
+        for file in cycle(files):
+            picture = _picture_or_none(file)
+            for _ in range(round(_PICTURE_S * _FRAMES_HZ)):
+                yield picture
+
+
+class HandRecording:
+    """Hands that were recorded before, at 15 frames a second, again and again; the pictures are plain grey."""
+
+    is_live = False
+
+    def __init__(self, path: Path) -> None:
+        self._frames = cycle(read_recording(path))
+        self._picture = np.full((HEIGHT, WIDTH, 3), 128, np.uint8)
+        self._due_s = time.monotonic()
+
+    def read(self) -> Shot | None:
+        self._due_s = _wait_until(self._due_s) + 1.0 / _FRAMES_HZ
+        return Shot(self._picture, next(self._frames))
+
+    def close(self) -> None:
+        return
+
+
+def _shot(picture: Picture | None) -> Shot | None:
+    return None if picture is None else Shot(picture)
+
+
+def _picture_or_none(file: Path) -> Picture | None:
+    """None for a file that is no picture, damaged or too large."""
+    try:
+        return read_picture(file)
+    except PinelError:
+        return None
+
+
+def as_rgb(frame: object) -> Picture | None:
+    """A driver's frame as RGB, reduced to at most 1280 px a side; None for what is no picture.
+
+    Args:
+        frame: grey, BGR or BGRA, as OpenCV gives it.
+    """
+    if not isinstance(frame, np.ndarray) or frame.dtype != np.uint8 or frame.ndim not in (2, 3):
+        return None
+    channels = frame.shape[2] if frame.ndim == 3 else 1
+    if min(frame.shape[:2]) < SHORTEST_SIDE or channels not in _TO_RGB:
+        return None
+    scale = min(1.0, _LONGEST_SIDE / max(frame.shape[:2]))
+    small = cv2.resize(frame, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
+    return np.asarray(cv2.cvtColor(small, _TO_RGB[channels]), np.uint8)
+
+
+def _wait_until(due_s: float) -> float:
+    """Waits for a moment of the monotonic clock; a reader that is late begins anew instead of catching up."""
+    now_s = time.monotonic()
+    if due_s <= now_s:
+        return now_s
+    time.sleep(due_s - now_s)
+    return due_s

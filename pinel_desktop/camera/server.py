@@ -1,0 +1,228 @@
+"""The camera process: reads messages, looks at frames while the camera is on, writes what it saw."""
+
+import base64
+import logging
+import os
+import queue
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any, BinaryIO
+
+import cv2
+import numpy as np
+
+from pinel_desktop.camera.sight import SeenSign, Sight
+from pinel_desktop.camera.source import CameraSource, Frame
+from pinel_desktop.camera.wanted import Wanted
+from pinel_desktop.errors import PinelError
+from pinel_desktop.gestures.pictures import Picture
+from pinel_desktop.gestures.vote import Ballot, Vote
+from pinel_desktop.processes.messages import Message, read_messages, write_message
+
+_END: Message = {"type": "end"}
+_log = logging.getLogger(__name__)
+_LOOK_HZ = 15.0
+_TOLD_HZ = 10.0
+_PREVIEW_WIDTH = 480  # px
+_JPEG_QUALITY = 70
+_IDLE_S = 0.1
+_ALIVE_S = 1.0
+
+
+class CameraServer:
+    """Does what the messages of one pipe want and writes what the camera sees to another, until the first one ends."""
+
+    def __init__(
+        self,
+        messages: BinaryIO,
+        events: BinaryIO,
+        make_sight: Callable[[], Sight],
+        open_source: Callable[[str], CameraSource] = CameraSource,
+    ) -> None:
+        self._messages, self._events = messages, events
+        self._make_sight, self._open_source = make_sight, open_source
+        self._orders: queue.SimpleQueue[Message] = queue.SimpleQueue()
+
+    def serve(self) -> None:
+        """Works until the messages end."""
+        worker = threading.Thread(target=self._work_or_die, name="camera-worker")
+        worker.start()
+        for message in read_messages(self._messages):
+            self._orders.put(message)
+        self._orders.put(_END)
+        worker.join()
+
+    def _work_or_die(self) -> None:
+        """A process whose worker failed must not live on in silence; the app starts another one."""
+        try:
+            self._work()
+        except Exception:
+            _log.exception("the camera process failed")
+            os._exit(1)
+
+    def _work(self) -> None:
+        try:
+            sight = self._make_sight()  # loads the networks: warm before the first capture
+        except PinelError as error:
+            self._refuse(error)
+            return
+        session = _Session(sight, self._send, self._open_source)
+        self._send({"type": "camera_ready"})
+        while (order := self._next_order(session)) is not _END:
+            if order:
+                session.want(Wanted.of(order))
+            session.look()
+        session.want(Wanted())
+
+    def _refuse(self, error: PinelError) -> None:
+        """Answers every order with the reason why nothing can be recognised."""
+        self._send({"type": "camera_ready"})
+        while self._orders.get() is not _END:
+            self._send(_state("failed", error))
+
+    def _next_order(self, session: "_Session") -> Message | None:
+        """The next order; None where none has come while the camera is on."""
+        try:
+            return self._orders.get(block=not session.is_on)
+        except queue.Empty:
+            return None
+
+    def _send(self, message: Message) -> None:
+        try:
+            write_message(self._events, message)
+        except OSError:
+            self._orders.put(_END)
+
+
+class _Session:
+    """The camera as the app wants it: on or off, looking for the answer of a capture or not."""
+
+    def __init__(
+        self,
+        sight: Sight,
+        send: Callable[[Message], None],
+        open_source: Callable[[str], CameraSource],
+    ) -> None:
+        self._sight, self._send, self._open_source = sight, send, open_source
+        self._source: CameraSource | None = None
+        self._wanted = Wanted()
+        self._vote = Vote()
+        self._seen_s = self._told_s = self._alive_s = 0.0
+        self._state: Message = _state("off")
+
+    @property
+    def is_on(self) -> bool:
+        return self._source is not None
+
+    def want(self, wanted: Wanted) -> None:
+        """Does what is wanted from now on."""
+        if wanted.source != self._wanted.source:
+            self._change_source(wanted.source)
+        if wanted.capture != self._wanted.capture:
+            self._vote.begin_anew()
+        self._wanted = wanted
+
+    def look(self) -> None:
+        """Looks at the next frame, if there is one soon."""
+        if self._source is None:
+            return
+        frame = self._source.next_frame(self._seen_s, _IDLE_S)
+        self._tell_how_it_is(self._source)
+        if frame is None:
+            return
+        rest_s = self._seen_s + 1.0 / _LOOK_HZ - time.monotonic()
+        self._seen_s = frame.time_s
+        self._see(frame)
+        time.sleep(min(max(rest_s, 0.0), _IDLE_S))
+
+    def _change_source(self, address: str | None) -> None:
+        if self._source:
+            self._source.close()
+        self._source = self._open_source(address) if address is not None else None
+        self._sight.begin_anew()
+        self._vote.begin_anew()
+        self._tell_state(_state("opening" if self._source else "off"))
+
+    def _tell_how_it_is(self, source: CameraSource) -> None:
+        if problem := source.problem:
+            self._tell_state(_state("failed", problem))
+        elif source.is_open:
+            self._tell_state(_state("on"))
+        now_s = time.monotonic()
+        if now_s - self._alive_s >= _ALIVE_S:
+            self._alive_s = now_s
+            self._send({"type": "alive"})
+
+    def _see(self, frame: Frame) -> None:
+        hands = self._sight.look(frame.shot)
+        decision = self._vote.count(_ballot(frame, hands))
+        if self._wanted.capture and decision:
+            taught = any(hand.is_taught for hand in hands if hand.reading.best == decision.label)
+            self._send(
+                {
+                    "type": "recognised",
+                    "id": self._wanted.capture,
+                    "label": decision.label,
+                    "by": "taught" if taught else "camera",
+                    "confidence": decision.confidence,
+                    "second": decision.second,
+                }
+            )
+            self._wanted = replace(self._wanted, capture=None)
+        if frame.time_s - self._told_s >= 1.0 / _TOLD_HZ:
+            self._told_s = frame.time_s
+            self._tell(frame.shot.picture, hands)
+
+    def _tell(self, picture: Picture, hands: list[SeenSign]) -> None:
+        height, width = picture.shape[:2]
+        told = [_as_message(hand, width, height, mirror=self._wanted.mirror) for hand in hands]
+        steady = {"label": self._vote.label, "progress": round(self._vote.progress, 2)}
+        self._send({"type": "sight", "hands": told, **steady, "aspect": round(width / height, 4)})
+        if self._wanted.preview:
+            self._send({"type": "preview", "jpeg": _jpeg(picture, mirror=self._wanted.mirror)})
+
+    def _tell_state(self, state: Message) -> None:
+        if state != self._state:
+            self._state = state
+            self._send(state)
+
+
+def _ballot(frame: Frame, hands: list[SeenSign]) -> Ballot:
+    """What the frame says; nothing where two hands show different signs."""
+    if not hands:
+        return Ballot(frame.time_s, None)
+    sure = [hand for hand in hands if hand.reading.sign is not None]
+    first = sure[0] if sure else hands[0]
+    reading = first.reading
+    label = reading.sign if len({hand.reading.sign for hand in sure}) == 1 else None
+    return Ballot(frame.time_s, label, reading.confidence, reading.second, first.points)
+
+
+def _as_message(hand: SeenSign, width: int, height: int, *, mirror: bool) -> dict[str, Any]:
+    """Landmarks as fractions of the picture's width and height, mirrored as the preview is."""
+    points = hand.points / np.array([width, height], np.float32)
+    if mirror:
+        points[:, 0] = 1.0 - points[:, 0]
+    return {
+        "points": [[round(float(x), 3), round(float(y), 3)] for x, y in points],
+        "handedness": hand.handedness,
+        "best": hand.reading.best,
+        "confidence": round(hand.reading.confidence, 3),
+        "second": hand.reading.second,
+        "sure": hand.reading.sign is not None,
+    }
+
+
+def _jpeg(picture: Picture, *, mirror: bool) -> str:
+    scale = _PREVIEW_WIDTH / picture.shape[1]
+    small = cv2.resize(picture, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
+    shown = cv2.cvtColor(small[:, ::-1] if mirror else small, cv2.COLOR_RGB2BGR)
+    _, jpeg = cv2.imencode(".jpg", shown, [cv2.IMWRITE_JPEG_QUALITY, _JPEG_QUALITY])
+    return base64.b64encode(jpeg.tobytes()).decode("ascii")
+
+
+def _state(state: str, problem: PinelError | None = None) -> Message:
+    code, params = (problem.code, problem.params) if problem else (None, {})
+    return {"type": "camera_state", "state": state, "code": code, "params": params}

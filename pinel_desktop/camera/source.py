@@ -1,0 +1,147 @@
+"""An opened camera: its newest frame, and what is wrong with it. The reading blocks, so it has a thread of its own."""
+
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from pinel_desktop.camera.frames import FrameReader, Shot, open_reader
+from pinel_desktop.errors import PinelError
+from pinel_desktop.gestures.pictures import Picture
+
+NO_FRAME_S = 2.0  # without a frame for so long the camera is gone or hangs
+SAME_FRAME_S = 3.0  # a real camera's noise makes every frame another one
+_RETRY_S = 1.0
+_BLACK, _DARK = 8.0, 40.0  # mean brightness of 255
+_CHECK_S = 0.5
+
+OpenReader = Callable[[str], FrameReader]
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """What the camera gave, and when, by the monotonic clock."""
+
+    shot: Shot
+    time_s: float
+
+
+class CameraSource:
+    """Keeps a camera open: reads on a thread, opens it again when it was unplugged; thread-safe.
+
+    Args:
+        address: as `open_reader` takes it.
+        open_reader: opens the camera; may take seconds.
+    """
+
+    def __init__(self, address: str, open_reader: OpenReader = open_reader) -> None:
+        self.address = address
+        self._open_reader = open_reader
+        self._changed = threading.Condition()
+        self._frame: Frame | None = None
+        self._problem: PinelError | None = None
+        self._is_open = False
+        self._closing = threading.Event()
+        self._began_s = time.monotonic()
+        self._watch = _PictureWatch(is_live=False)
+        threading.Thread(target=self._read, name="camera-reader", daemon=True).start()
+
+    def next_frame(self, after_s: float, timeout_s: float) -> Frame | None:
+        """The newest frame if it is later than `after_s`; waits for one up to `timeout_s`, else None."""
+        with self._changed:
+            self._changed.wait_for(lambda: self._is_later(after_s), timeout_s)
+            return self._frame if self._is_later(after_s) else None
+
+    @property
+    def problem(self) -> PinelError | None:
+        """What keeps the camera from being of use; None when all is well or it is being opened."""
+        with self._changed:
+            last_s = self._frame.time_s if self._frame else self._began_s
+            if self._problem:
+                return self._problem
+            if self._is_open and time.monotonic() - last_s > NO_FRAME_S:
+                return PinelError("camera_no_picture")
+            return None
+
+    @property
+    def is_open(self) -> bool:
+        """Whether frames have come since it was last opened."""
+        with self._changed:
+            return self._is_open and self._frame is not None
+
+    def close(self) -> None:
+        """Gives the camera back as soon as the driver lets go of the reading thread; does not wait for it."""
+        self._closing.set()
+
+    def _is_later(self, after_s: float) -> bool:
+        return self._frame is not None and self._frame.time_s > after_s
+
+    def _read(self) -> None:
+        while not self._closing.is_set():
+            try:
+                reader = self._open_reader(self.address)
+            except PinelError as error:
+                self._set_problem(error)
+                self._closing.wait(_RETRY_S)
+                continue
+            try:
+                self._read_until_gone(reader)
+            finally:
+                reader.close()
+
+    def _read_until_gone(self, reader: FrameReader) -> None:
+        with self._changed:
+            self._is_open, self._began_s = True, time.monotonic()
+        self._watch = _PictureWatch(is_live=reader.is_live)
+        last_s = time.monotonic()
+        while not self._closing.is_set():
+            shot = reader.read()
+            now_s = time.monotonic()
+            if shot is not None:
+                last_s = now_s
+                self._take(Frame(shot, now_s))
+            elif now_s - last_s > NO_FRAME_S:
+                self._set_problem(PinelError("camera_no_picture"))
+                return
+            else:
+                self._closing.wait(0.02)  # a reader that has nothing must not keep the PC busy
+
+    def _take(self, frame: Frame) -> None:
+        problem = self._watch.problem(frame)
+        with self._changed:
+            self._frame, self._problem = frame, problem
+            self._changed.notify_all()
+
+    def _set_problem(self, error: PinelError) -> None:
+        with self._changed:
+            self._problem, self._is_open = error, False
+
+
+class _PictureWatch:
+    """Says what is wrong with the pictures: black, too dark, always the same. Looks twice a second."""
+
+    def __init__(self, *, is_live: bool) -> None:
+        self._is_live = is_live
+        self._looked_s = float("-inf")
+        self._problem: PinelError | None = None
+        self._last: Picture | None = None
+        self._changed_s = float("inf")
+
+    def problem(self, frame: Frame) -> PinelError | None:
+        if frame.time_s - self._looked_s >= _CHECK_S:
+            self._looked_s = frame.time_s
+            self._problem = self._look(frame)
+        return self._problem
+
+    def _look(self, frame: Frame) -> PinelError | None:
+        small = frame.shot.picture[::8, ::8]
+        if self._last is None or not np.array_equal(small, self._last):
+            self._last, self._changed_s = small.copy(), frame.time_s
+        brightness = float(small.mean())
+        if brightness < _BLACK:
+            return PinelError("camera_black")
+        if self._is_live and frame.time_s - self._changed_s >= SAME_FRAME_S:
+            return PinelError("camera_frozen")
+        return PinelError("camera_dark") if brightness < _DARK else None

@@ -1,0 +1,30 @@
+"""What the app wants of the camera process: each message says everything, so that none depends on another."""
+
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from pinel_desktop.processes.messages import Message
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """What the process is to do from now on.
+
+    Attributes:
+        source: the camera to look through, as `frames.open_reader` takes it; None switches it off.
+        mirror: whether pupils are to see themselves as in a mirror; signs are recognised alike.
+        capture: id of the run whose capture waits for a sign; None while none does.
+        preview: whether somebody watches the picture.
+    """
+
+    source: str | None = None
+    mirror: bool = True
+    capture: str | None = None
+    preview: bool = False
+
+    def as_message(self) -> Message:
+        return {"type": "want", **asdict(self)}
+
+    @classmethod
+    def of(cls, message: dict[str, Any]) -> "Wanted":
+        return cls(message["source"], message["mirror"], message["capture"], message["preview"])

@@ -1,0 +1,177 @@
+"""How captures end: short videos made of photographs, of people whom the classifier has not learnt from.
+
+A photograph becomes a video by small motions of the picture, blur and changes of light; each frame goes through the
+networks. A transition is a steady letter, a few frames that mix the hands of two letters, and the second letter.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from statistics import median
+from typing import Any
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from pinel_desktop.gestures.classifier import SignClassifier
+from pinel_desktop.gestures.features import features
+from pinel_desktop.gestures.hands import LEAST_PRESENCE, HandFinder, HandTracker
+from pinel_desktop.gestures.pictures import Picture
+from pinel_desktop.gestures.training.figures import Share
+from pinel_desktop.gestures.training.folds import strict
+from pinel_desktop.gestures.training.learning import SEED, learn
+from pinel_desktop.gestures.training.photos import Photo
+from pinel_desktop.gestures.training.recordings import Recordings
+from pinel_desktop.gestures.vote import Ballot, Decision, Vote
+
+RATE_HZ = 15.0
+N_FRAMES = 15  # of a steady letter: 1 s
+_N_MIXED = (3, 9)  # frames on the way between two letters: 0.2 s to 0.6 s
+_TREMBLE, _TURN_DEG, _GROWTH = (
+    0.004,
+    1.0,
+    0.01,
+)  # standard deviations: of the width, of the angle, of the size
+_LIGHT, _MOST_BLUR = 0.15, 2
+
+Random = np.random.Generator
+
+
+@dataclass(frozen=True)
+class Video:
+    """What was seen of a steady letter: features (n, 1748) and landmarks (n, 21, 2) in px of n frames with a hand."""
+
+    letter: str
+    features: NDArray[np.float32]
+    points: NDArray[np.float32]
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A hand as one frame shows it: features (1748,), landmarks (21, 2)."""
+
+    features: NDArray[np.float32]
+    points: NDArray[np.float32]
+
+
+def sequences_report(
+    photos: Sequence[Photo], recordings: Recordings, n_photos: int = 200, seed: int = SEED
+) -> dict[str, Any]:
+    """Time until a steady letter is decided, and false decisions in transitions.
+
+    Args:
+        photos, recordings: the same photographs in the same order.
+        n_photos: how many become videos, over all people.
+    """
+    random = np.random.default_rng(seed)
+    finder = HandFinder()
+    times_s: list[float | None] = []
+    right, false, late = [], [], []
+    for fold in strict(recordings.sources):
+        classifier = learn(recordings.where(fold.train), seed)
+        own = np.flatnonzero(fold.test & recordings.is_hand)
+        chosen = random.choice(own, min(n_photos // 4, len(own)), replace=False)
+        videos = [_video(finder, photos[i], random) for i in chosen]
+        for video in videos:
+            time_s, decision = _decided(classifier, _frames(video))
+            times_s.append(time_s)
+            if decision:
+                right.append(decision.label == video.letter)
+        for first, second in _pairs(videos, random):
+            labels = [d.label for d in _decisions(classifier, _transition(first, second, random))]
+            false.append(any(label not in (first.letter, second.letter) for label in labels))
+            late.append(second.letter not in labels)
+    decided = [time_s for time_s in times_s if time_s is not None]
+    return {
+        "steady": {
+            "videos": len(times_s),
+            "decided_within_1_s": Share(len(decided), len(times_s)).as_object(),
+            "median_s": round(median(decided), 3) if decided else None,
+            "right_of_decided": Share.among(np.array(right, bool)).as_object(),
+        },
+        "transitions": {
+            "false": Share.among(np.array(false, bool)).as_object(),
+            "second_letter_missed": Share.among(np.array(late, bool)).as_object(),
+        },
+    }
+
+
+def _video(finder: HandFinder, photo: Photo, random: Random) -> Video:
+    picture = photo.picture()
+    tracker = HandTracker(finder)
+    seen: list[Shown] = []
+    for _ in range(N_FRAMES):
+        hands = [
+            h for h in tracker.update(_disturbed(picture, random)) if h.presence > LEAST_PRESENCE
+        ]
+        if hands:
+            seen.append(Shown(features(hands[0]), hands[0].points[:, :2].astype(np.float32)))
+    return Video(
+        photo.letter,
+        np.array([one.features for one in seen]),
+        np.array([one.points for one in seen]),
+    )
+
+
+def _disturbed(picture: Picture, random: Random) -> Picture:
+    """The picture moved, turned and grown a little, blurred at times, in another light."""
+    height, width = picture.shape[:2]
+    angle, growth = random.normal(0, _TURN_DEG), 1 + random.normal(0, _GROWTH)
+    motion = cv2.getRotationMatrix2D((width / 2, height / 2), angle, growth)
+    motion = motion + [[0, 0, x] for x in random.normal(0, _TREMBLE * width, 2)]
+    moved = cv2.warpAffine(picture, motion, (width, height), borderMode=cv2.BORDER_REPLICATE)
+    blur = 2 * int(random.integers(0, _MOST_BLUR + 1)) + 1
+    soft = cv2.GaussianBlur(moved, (blur, blur), 0)
+    light = soft.astype(np.float32) * (1 + random.normal(0, _LIGHT))
+    return np.asarray(np.clip(light, 0, 255), np.uint8)
+
+
+def _frames(video: Video) -> Iterator[Shown]:
+    for row, points in zip(video.features, video.points, strict=True):
+        yield Shown(row, points)
+
+
+def _pairs(videos: Sequence[Video], random: Random) -> Iterator[tuple[Video, Video]]:
+    """Each video with another one of the same person that shows another letter."""
+    usable = [video for video in videos if len(video.features)]
+    for first in usable:
+        others = [video for video in usable if video.letter != first.letter]
+        if others:
+            yield first, others[int(random.integers(len(others)))]
+
+
+def _transition(first: Video, second: Video, random: Random) -> Iterator[Shown]:
+    yield from _frames(first)
+    n = int(random.integers(*_N_MIXED))
+    offset = first.points[-1].mean(0) - second.points[0].mean(0)  # the hand stays where it is
+    for i in range(1, n + 1):
+        share = np.float32(i / (n + 1))
+        yield Shown(
+            first.features[-1] * (1 - share) + second.features[0] * share,
+            first.points[-1] * (1 - share) + (second.points[0] + offset) * share,
+        )
+    for shown in _frames(second):
+        yield Shown(shown.features, shown.points + offset)
+
+
+def _decisions(classifier: SignClassifier, frames: Iterable[Shown]) -> Iterator[Decision]:
+    vote = Vote()
+    for i, shown in enumerate(frames):
+        if decision := vote.count(_ballot(classifier, shown, i)):
+            yield decision
+
+
+def _decided(
+    classifier: SignClassifier, frames: Iterable[Shown]
+) -> tuple[float | None, Decision | None]:
+    """When the first decision fell, from the first frame on."""
+    vote = Vote()
+    for i, shown in enumerate(frames):
+        if decision := vote.count(_ballot(classifier, shown, i)):
+            return (i + 1) / RATE_HZ, decision
+    return None, None
+
+
+def _ballot(classifier: SignClassifier, shown: Shown, i: int) -> Ballot:
+    reading = classifier.read(shown.features)
+    return Ballot(i / RATE_HZ, reading.sign, reading.confidence, reading.second, shown.points)

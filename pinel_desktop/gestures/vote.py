@@ -1,0 +1,91 @@
+"""When a sign counts as shown: the same letter over several frames, of a hand that rests."""
+
+from collections import deque
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+N_FRAMES = 5
+LEAST_S = 0.3  # a fast camera must not decide on the way between two letters
+STILL_HZ = 1.2  # hand sizes a second, root mean square over the landmarks; a hand on its way to a letter is faster
+
+
+@dataclass(frozen=True, slots=True)
+class Ballot:
+    """What one frame says.
+
+    Attributes:
+        time_s: when it was taken, on any clock.
+        label: the letter, None where the classifier is not sure or there is no hand.
+        confidence: of the label, 0 to 1.
+        second: the second best letter; "" when there is none.
+        points: landmarks (21, 2) in px; None without a hand.
+    """
+
+    time_s: float
+    label: str | None
+    confidence: float = 0.0
+    second: str = ""
+    points: NDArray[np.float32] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Decision:
+    """The steady sign, the mean confidence of its frames, and the second best of the last one."""
+
+    label: str
+    confidence: float
+    second: str
+
+
+class Vote:
+    """Counts frames until a sign is steady. A frame that says something else, or a hand that moves, begins anew."""
+
+    def __init__(self) -> None:
+        self._frames: deque[Ballot] = deque()
+        self._last: Ballot | None = None
+
+    @property
+    def progress(self) -> float:
+        """How near a decision is, 0 to 1."""
+        if not self._frames:
+            return 0.0
+        lasted_s = self._frames[-1].time_s - self._frames[0].time_s
+        return min(1.0, len(self._frames) / N_FRAMES, lasted_s / LEAST_S)
+
+    @property
+    def label(self) -> str:
+        """The sign that is being counted; "" while there is none."""
+        return self._frames[-1].label or "" if self._frames else ""
+
+    def count(self, frame: Ballot) -> Decision | None:
+        """Takes the next frame; gives the decision once it is steady, and then begins anew."""
+        moved = self._moved(frame)
+        self._last = frame
+        if frame.label is None or moved:
+            self._frames.clear()
+            return None
+        if self._frames and self._frames[-1].label != frame.label:
+            self._frames.clear()
+        self._frames.append(frame)
+        return self._decision() if self.progress >= 1.0 else None
+
+    def begin_anew(self) -> None:
+        """Forgets the frames so far."""
+        self._frames.clear()
+        self._last = None
+
+    def _moved(self, frame: Ballot) -> bool:
+        last = self._last
+        if last is None or last.points is None or frame.points is None:
+            return False
+        size = float(np.ptp(frame.points, axis=0).max()) + 1e-6
+        motion = float(np.sqrt(((frame.points - last.points) ** 2).sum(axis=1).mean()))
+        return motion / size > STILL_HZ * (frame.time_s - last.time_s)
+
+    def _decision(self) -> Decision:
+        frames = list(self._frames)
+        self._frames.clear()
+        confidence = float(np.mean([frame.confidence for frame in frames]))
+        return Decision(frames[-1].label or "", round(confidence, 3), frames[-1].second)

@@ -1,0 +1,62 @@
+"""The camera: its state, which one it is, and its picture. What it sees comes with the events."""
+
+from collections.abc import Iterator
+
+from flask import Response
+
+from pinel_desktop.web.api import answers, resource
+from pinel_desktop.web.models.camera import CameraChoice, CameraStatus
+from pinel_desktop.web.responses import answer, notice
+from pinel_desktop.web.services import Services, services
+
+api = resource("camera", "The camera that sees signs.", __name__)
+
+_BOUNDARY = b"frame"
+_PICTURES = {
+    "description": "JPEG pictures as they come, each in place of the one before.",
+    "content": {"multipart/x-mixed-replace": {"schema": {"type": "string", "format": "binary"}}},
+}
+
+
+@api.get("/camera", responses=answers(CameraStatus))
+def get_camera() -> Response:
+    """State of the camera."""
+    return _state(services())
+
+
+@api.put("/camera", responses=answers(CameraStatus))
+def put_camera(body: CameraChoice) -> Response:
+    """Chooses the camera to look through."""
+    parts = services()
+    parts.preferences.camera = body.source
+    parts.camera.choose(body.source)
+    return _state(parts)
+
+
+@api.post("/camera/wake", responses=answers(CameraStatus))
+def wake_camera() -> Response:
+    """Gets ready to recognise signs; the camera itself stays off until a capture or a preview."""
+    parts = services()
+    parts.camera.wake()
+    return _state(parts)
+
+
+@api.get("/camera/preview", responses=answers(_PICTURES))
+def preview_camera() -> Response:
+    """The mirrored picture of the camera, which is on as long as somebody watches."""
+    pictures = _parts(services().camera.previews())
+    mimetype = f"multipart/x-mixed-replace; boundary={_BOUNDARY.decode()}"
+    return Response(pictures, mimetype=mimetype, headers={"Cache-Control": "no-store"})
+
+
+def _parts(pictures: Iterator[bytes]) -> Iterator[bytes]:
+    for picture in pictures:
+        yield b"--" + _BOUNDARY + b"\r\nContent-Type: image/jpeg\r\n\r\n" + picture + b"\r\n"
+
+
+def _state(parts: Services) -> Response:
+    state = parts.camera.state
+    problem = state.problem
+    language = parts.preferences.language
+    shown = notice(problem.code, problem.params, language) if problem else None
+    return answer(CameraStatus(state=state.mode, source=parts.camera.source, problem=shown))

@@ -1,0 +1,22 @@
+"""The camera: what it does, and through which one the app looks."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from pinel_desktop.web.models import Body, Shape
+from pinel_desktop.web.models.errors import Notice
+
+
+class CameraStatus(Shape):
+    """What the camera does; `problem` says why it is of no use, and what to do."""
+
+    state: Literal["off", "opening", "on", "failed"]
+    source: str
+    problem: Notice | None
+
+
+class CameraChoice(Body):
+    """The camera to look through: the number of a webcam, "0" for the first."""
+
+    source: Annotated[str, Field(pattern=r"^\d$")]

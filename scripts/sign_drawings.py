@@ -1,0 +1,53 @@
+"""Writes the landmarks that the page draws signs from: `python -m scripts.sign_drawings DATA RECORDINGS.npz`.
+
+Of each letter the most typical hand is taken: the photograph of a person at a webcam whose features lie nearest to the
+letter's mean. Only its 21 landmarks are kept, as a right hand looks in a mirror.
+"""
+
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pinel_desktop.gestures import weights_file
+from pinel_desktop.gestures.hands import HandFinder
+from pinel_desktop.gestures.landmarks import Hand
+from pinel_desktop.gestures.training.folds import PEOPLE
+from pinel_desktop.gestures.training.photos import Photo, read_photos
+from pinel_desktop.gestures.training.recordings import recorded
+
+_OUT = Path(__file__).parents[1] / "ui" / "src" / "camera" / "signs.json"
+
+
+def main(data: Path, cache: Path) -> None:
+    photos = read_photos(data)
+    recordings = recorded(photos, cache)
+    finder = HandFinder()
+    points = weights_file.load().projection(recordings.features)
+    at_webcam = np.isin(recordings.sources, PEOPLE) & recordings.is_hand
+    drawn = {}
+    for letter in sorted(set(map(str, recordings.letters))):
+        of_letter = np.flatnonzero((recordings.letters == letter) & at_webcam)
+        apart = np.linalg.norm(points[of_letter] - points[of_letter].mean(0), axis=1)
+        drawn[letter] = _landmarks(_hand(finder, photos[of_letter[apart.argmin()]]))
+    lines = [f"  {json.dumps(name)}: {json.dumps(marks)}" for name, marks in drawn.items()]
+    _OUT.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8")
+
+
+def _hand(finder: HandFinder, photo: Photo) -> Hand:
+    picture = photo.picture()
+    return finder.find(picture, accepts=photo.accepts(picture))[0]
+
+
+def _landmarks(hand: Hand) -> list[list[float]]:
+    """x to the right, y down, z away from who looks, in units of the larger side, as a right hand in a mirror."""
+    seen: NDArray[np.float64] = hand.points * [1 if hand.mirrored else -1, 1, 1]
+    low, high = seen[:, :2].min(0), seen[:, :2].max(0)
+    seen[:, :2] -= (low + high) / 2
+    return np.round(seen / (high - low).max(), 3).tolist()  # type: ignore[no-any-return]
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]), Path(sys.argv[2]))

@@ -1,0 +1,172 @@
+"""The real camera process behind its client, looking at recordings of hands: a sign, nothing, and again."""
+
+import os
+import queue
+import signal
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import psutil
+import pytest
+
+from pinel_desktop.camera.client import Camera, CameraState
+from pinel_desktop.execution.inputs import Capture
+
+WAIT_S = 30.0
+RECORDINGS = Path(__file__).parent / "recordings"
+
+
+class Harness:
+    """A camera with what it told in queues."""
+
+    def __init__(self, source: str = str(RECORDINGS / "b.npz"), **options: Any) -> None:
+        self.seen: queue.Queue[dict[str, Any]] = queue.Queue()
+        self.states: queue.Queue[CameraState] = queue.Queue()
+        self.answers: queue.Queue[tuple[str, Capture]] = queue.Queue()
+        self.camera = Camera(
+            source,
+            self.seen.put,
+            self.states.put,
+            lambda run, capture: self.answers.put((run, capture)),
+            **options,
+        )
+
+    def event(self, kind: str, **fields: Any) -> None:
+        self.camera.observe({"type": kind, "run": "r", **fields})
+
+    def until(self, mode: str) -> CameraState:
+        while True:
+            state = self.states.get(timeout=WAIT_S)
+            if state.mode == mode:
+                return state
+
+
+@pytest.fixture
+def harness() -> Iterator[Harness]:
+    made = Harness()
+    yield made
+    made.camera.close()
+
+
+def wait_for(holds: Callable[[], object]) -> None:
+    deadline = time.monotonic() + WAIT_S
+    while not holds():
+        assert time.monotonic() < deadline
+        threading.Event().wait(0.02)
+
+
+def test_capture_is_answered_with_what_is_shown_and_how_sure_that_is(harness: Harness) -> None:
+    for expected in ("B", "A"):
+        harness.camera.choose(str(RECORDINGS / f"{expected.lower()}.npz"))
+        harness.event("capture_started")
+        run, capture = harness.answers.get(timeout=WAIT_S)
+        harness.event("gesture_result")
+        assert (run, capture.label, capture.by) == ("r", expected, "camera")
+        assert capture.confidence is not None
+        assert 0.5 < capture.confidence <= 1.0
+        assert capture.second not in ("", expected)
+
+
+def test_capture_that_a_person_answers_is_not_answered_again(harness: Harness) -> None:
+    harness.camera.use()
+    harness.until("on")
+    harness.event("capture_started")
+    harness.event("gesture_result")
+    with pytest.raises(queue.Empty):
+        harness.answers.get(timeout=2.0)
+
+
+def test_paused_run_takes_no_answer_until_it_goes_on(harness: Harness) -> None:
+    harness.event("capture_started")
+    harness.event("run_state", state="paused")
+    with pytest.raises(queue.Empty):
+        harness.answers.get(timeout=2.0)
+    harness.event("run_state", state="running")
+    assert harness.answers.get(timeout=WAIT_S)[1].label == "B"
+
+
+def test_what_is_seen_is_told_at_most_ten_times_a_second_and_never_as_a_picture(
+    harness: Harness,
+) -> None:
+    harness.camera.use()
+    began = harness.seen.get(timeout=WAIT_S)
+    began_s, n = time.monotonic(), 0
+    while time.monotonic() - began_s < 2.0:
+        event = harness.seen.get(timeout=WAIT_S)
+        assert set(event) == set(began) == {"type", "hands", "label", "progress", "aspect"}
+        assert all(
+            0.0 <= value <= 1.0 for hand in event["hands"] for p in hand["points"] for value in p
+        )
+        n += 1
+    assert n <= 21
+
+
+def test_preview_is_a_stream_of_pictures(harness: Harness) -> None:
+    pictures = harness.camera.previews()
+    for _ in range(3):
+        assert next(pictures).startswith(b"\xff\xd8\xff")
+    pictures.close()
+
+
+def test_process_starts_without_the_camera_and_the_camera_goes_off_after_its_last_use() -> None:
+    harness = Harness(linger_s=0.5)
+    harness.camera.wake()
+    assert harness.camera.wait_until_ready(WAIT_S)
+    assert harness.camera.state.mode == "off"
+    harness.camera.use()
+    harness.until("on")
+    harness.until("off")
+    harness.camera.close()
+
+
+def test_killed_process_is_told_and_the_next_one_answers_the_capture(harness: Harness) -> None:
+    harness.camera.use()
+    harness.until("on")
+    wait_for(lambda: old_enough(harness.camera.pid))
+    os.kill(harness.camera.pid or 0, signal.SIGKILL)
+    harness.event("capture_started")
+    problem = harness.until("failed").problem
+    assert problem is not None
+    assert problem.code == "camera_process_died"
+    assert harness.answers.get(timeout=WAIT_S)[1].label == "B"
+
+
+def test_process_that_hangs_is_replaced(harness: Harness) -> None:
+    harness.camera.use()
+    harness.until("on")
+    wait_for(lambda: old_enough(harness.camera.pid))
+    before = harness.camera.pid or 0
+    os.kill(before, signal.SIGSTOP)
+    harness.event("capture_started")
+    assert harness.answers.get(timeout=WAIT_S)[1].label == "B"
+    assert harness.camera.pid != before
+    assert not psutil.pid_exists(before)
+
+
+def test_source_that_cannot_be_opened_is_told_and_another_can_be_chosen(harness: Harness) -> None:
+    harness.camera.choose("9")
+    harness.event("capture_started")
+    problem = harness.until("failed").problem
+    assert problem is not None
+    assert problem.code == "camera_missing"
+    harness.camera.choose(str(RECORDINGS / "b.npz"))
+    assert harness.answers.get(timeout=WAIT_S)[1].label == "B"
+
+
+def test_closing_ends_process_and_previews_within_two_seconds(harness: Harness) -> None:
+    pictures = harness.camera.previews()
+    next(pictures)
+    pid = harness.camera.pid or 0
+    began_s = time.monotonic()
+    harness.camera.close()
+    assert list(pictures) == []
+    assert time.monotonic() - began_s < 2.0
+    assert not psutil.pid_exists(pid)
+
+
+def old_enough(pid: int | None) -> bool:
+    """A process that dies soon after its start counts as one that cannot start."""
+    return pid is not None and time.time() - psutil.Process(pid).create_time() > 3.2

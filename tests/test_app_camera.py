@@ -1,0 +1,143 @@
+"""The whole app with a camera: signs decide what the robot does, and the run is repeated without a camera."""
+
+import os
+import signal
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from pinel_desktop.app import App
+from pinel_desktop.engine.client import EngineClient
+from pinel_desktop.runs.verification import verify_run
+from storage import open_store
+from tests.live_runs import begun, command, saved
+from tests.web.browser import Browser, Stream
+
+RECORDINGS = Path(__file__).parent / "camera" / "recordings"
+WAIT_S = 60.0
+
+
+def regular(n: int) -> list[dict[str, Any]]:
+    """A small polygon of n sides."""
+    side = [{"action": "move_forward", "distance": 0.05}, {"action": "turn", "angle": 360 / n}]
+    return [{"action": "repeat", "times": n, "commands": side}]
+
+
+SIGNS_AND_POLYGONS = {
+    "pinel_ir": 1,
+    "name": "signs",
+    "commands": [
+        {
+            "action": "repeat",
+            "times": 2,
+            "commands": [
+                {"action": "classify_gestures", "timeout": 30, "block": "c"},
+                {
+                    "action": "conditional_execution",
+                    "condition": "result == 'B'",
+                    "commands": regular(4),
+                    "elif": [{"condition": "result == 'A'", "commands": regular(3)}],
+                    "else": [],
+                },
+            ],
+        }
+    ],
+}
+
+
+@pytest.fixture
+def app(tmp_path: Path) -> Iterator[App]:
+    with App(tmp_path / "pinel.db", camera=str(RECORDINGS / "b.npz")) as app:
+        engine = app._engine
+        assert isinstance(engine, EngineClient)
+        assert engine.wait_until_ready(WAIT_S)
+        yield app
+
+
+@pytest.fixture
+def browser(app: App) -> Browser:
+    return Browser.signed_in(app.address)
+
+
+def results(events: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    return [event for event in events if event["type"] == "gesture_result"]
+
+
+def test_signs_decide_what_the_robot_draws_and_the_run_is_identical_without_a_camera(
+    app: App, browser: Browser, tmp_path: Path
+) -> None:
+    version_id = saved(browser, SIGNS_AND_POLYGONS)
+    with browser.stream() as stream:
+        stream.next()
+        run = begun(browser, version_id)
+        events = stream.until("gesture_result")
+        app._camera.choose(str(RECORDINGS / "a.npz"))
+        events += stream.until("run_ended")
+    seen = results(events)
+    assert [(result["result"], result["by"]) for result in seen] == [
+        ("B", "camera"),
+        ("A", "camera"),
+    ]
+    assert all(0.5 < result["confidence"] <= 1.0 for result in seen)
+    assert events[-1]["state"] == "finished"
+    assert events[-1]["n_executed"] == 2 + 4 * 2 + 3 * 2
+    app.close()
+    with open_store(tmp_path / "pinel.db") as store:
+        assert verify_run(store, store.runs.get(run)).outcome == "identical"
+
+
+def test_person_may_answer_while_the_camera_looks(browser: Browser) -> None:
+    version_id = saved(browser, {**SIGNS_AND_POLYGONS, "commands": [capture(20)]})
+    with browser.stream() as stream:
+        stream.next()
+        run = begun(browser, version_id)
+        stream.until("capture_started")
+        command(browser, run, "answer_capture", result="L")
+        (result,) = results(stream.until("run_ended"))
+    assert (result["result"], result["by"], result["confidence"]) == ("L", "person", None)
+
+
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGSTOP])
+def test_stop_is_not_late_when_the_camera_fails_in_the_middle_of_a_capture(
+    app: App, browser: Browser, how: signal.Signals
+) -> None:
+    version_id = saved(browser, {**SIGNS_AND_POLYGONS, "commands": [capture(60)]})
+    app._camera.wake()
+    assert app._camera.wait_until_ready(WAIT_S)
+    os.kill(app._camera.pid or 0, how)
+    with browser.stream() as stream:
+        stream.next()
+        run = begun(browser, version_id)
+        stream.until("capture_started")
+        began_s = time.monotonic()
+        command(browser, run, "stop")
+        assert stream.until("run_ended")[-1]["state"] == "stopped"
+    assert time.monotonic() - began_s < 1.0
+
+
+def test_capture_without_a_camera_waits_for_a_person(tmp_path: Path) -> None:
+    with App(tmp_path / "pinel.db", camera="9") as app:
+        engine = app._engine
+        assert isinstance(engine, EngineClient)
+        assert engine.wait_until_ready(WAIT_S)
+        browser = Browser.signed_in(app.address)
+        version_id = saved(browser, {**SIGNS_AND_POLYGONS, "commands": [capture(60)]})
+        with browser.stream() as stream:
+            stream.next()
+            run = begun(browser, version_id)
+            until_failed(stream)
+            command(browser, run, "answer_capture", result="B")
+            (result,) = results(stream.until("run_ended"))
+    assert (result["result"], result["by"]) == ("B", "person")
+
+
+def until_failed(stream: Stream) -> None:
+    while stream.until("camera_state")[-1]["state"] != "failed":
+        pass
+
+
+def capture(timeout_s: float) -> dict[str, Any]:
+    return {"action": "classify_gestures", "timeout": timeout_s, "block": "c"}
