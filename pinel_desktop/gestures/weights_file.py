@@ -1,5 +1,6 @@
 """A classifier as a file: `weights/letters.npz`, arrays and nothing that could be executed."""
 
+import io
 import zipfile
 from pathlib import Path
 from typing import Any
@@ -52,7 +53,8 @@ def save(classifier: SignClassifier, path: Path) -> None:
 def load(path: Path = LETTERS) -> SignClassifier:
     """The classifier in a file. Raises PinelError: `gesture_model_missing`, `gesture_model_damaged`."""
     try:
-        with np.load(path, allow_pickle=False) as kept:
+        content = path.read_bytes()
+        with np.load(io.BytesIO(content), allow_pickle=False) as kept:
             arrays = {name: kept[name] for name in _ARRAYS}
     except FileNotFoundError as error:
         raise PinelError("gesture_model_missing", file=str(path)) from error

@@ -10,11 +10,9 @@ from numpy.typing import NDArray
 
 from pinel_desktop.gestures.classifier import (
     USUAL_DOUBT,
-    Calibration,
     Doubt,
     Judgement,
     SignClassifier,
-    calibrated,
 )
 from pinel_desktop.gestures.recognition import Recogniser
 from pinel_desktop.gestures.training.figures import Share, calibration_error, shares_by
@@ -23,6 +21,7 @@ from pinel_desktop.gestures.training.learning import (
     SEED,
     WRONG_LABELS,
     OutOfSource,
+    calibrate,
     learn,
     out_of_source,
 )
@@ -114,11 +113,7 @@ def _confidence(seen: OutOfSource) -> NDArray[np.float64]:
     confidence = np.zeros(len(seen.tested))
     for source in np.unique(seen.tested.sources):
         own = seen.tested.sources == source
-        calibration = (
-            calibrated(seen.hands.scores[~own], seen.numbers[~own])
-            if (~own).any()
-            else Calibration()
-        )
+        calibration = calibrate(seen, ~own)
         confidence[own] = calibration.probabilities(seen.hands.scores[own])[:, :-1].max(1)
     return confidence
 

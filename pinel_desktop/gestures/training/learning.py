@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from pinel_desktop.gestures.classifier import (
     NO_SIGN,
+    Calibration,
     Judgement,
     Projection,
     Samples,
@@ -55,10 +56,18 @@ class OutOfSource:
 def train(recordings: Recordings, seed: int = SEED) -> SignClassifier:
     """The classifier of all letters in the recordings, its confidence calibrated on sources that it had not seen."""
     seen = out_of_source(recordings, leave_one_source_out(recordings.sources), seed)
-    nothing = np.full(len(seen.painted.scores) + len(seen.between.scores), len(seen.signs))
-    scores = [part.scores for part in (seen.hands, seen.painted, seen.between)]
-    calibration = calibrated(np.concatenate(scores), np.concatenate([seen.numbers, nothing]))
+    calibration = calibrate(seen, np.ones(len(seen.tested), bool))
     return replace(learn(recordings, seed), calibration=calibration)
+
+
+def calibrate(seen: OutOfSource, chosen: NDArray[np.bool_]) -> Calibration:
+    """The calibration that suits the chosen hands (n,), and what was taken for a hand and is none.
+
+    Hands between two letters are left out: how often they come is not known, and a letter would get too little.
+    """
+    nothing = np.full(len(seen.painted.scores), len(seen.signs))
+    scores = np.concatenate([seen.hands.scores[chosen], seen.painted.scores])
+    return calibrated(scores, np.concatenate([seen.numbers[chosen], nothing]))
 
 
 def learn(
