@@ -35,7 +35,8 @@ _ENGINE_AFTER_S = 1.0
 
 @click.command(hidden=True)
 @click.option("--db", type=click.Path(dir_okay=False), required=True)
-def command(db: str) -> None:
+@click.option("--camera")
+def command(db: str, camera: str | None) -> None:
     """Run the app for a window: messages on standard input and output."""
     # Ctrl+C in a terminal reaches the whole process group; the window ends the app by closing its pipe.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -45,17 +46,19 @@ def command(db: str) -> None:
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)
     with answers:
-        _serve(db, _messages(sys.stdin), _sender(answers))
+        _serve(db, camera, _messages(sys.stdin), _sender(answers))
 
 
-def _serve(db: str, messages: Iterator[Message], send: Callable[..., None]) -> None:
+def _serve(
+    db: str, camera: str | None, messages: Iterator[Message], send: Callable[..., None]
+) -> None:
     if next(messages, None) != {"do": "start"}:
         return
     # the server first: the window loads the page while the rest is being imported
     with _loading():
         server = EarlyServer()
         send(type="address", address=server.guard.fresh_link())
-        app = _started(database_path(db), server, send)
+        app = _started(database_path(db), camera, server, send)
     if app is not None:
         _answer(app, messages, send)
 
@@ -77,7 +80,9 @@ def _loading() -> Iterator[None]:
         sys.setswitchinterval(usual_s)
 
 
-def _started(database: Path, server: EarlyServer, send: Callable[..., None]) -> "App | None":
+def _started(
+    database: Path, camera: str | None, server: EarlyServer, send: Callable[..., None]
+) -> "App | None":
     from pinel_desktop.app import App  # noqa: PLC0415 - see above
 
     app = App(
@@ -86,6 +91,7 @@ def _started(database: Path, server: EarlyServer, send: Callable[..., None]) -> 
         instance=Instance.of_parent(database),
         engine_after_s=_ENGINE_AFTER_S,
         on_show=lambda: send(type="show"),
+        camera=camera,
     )
     try:
         app.start()

@@ -28,12 +28,17 @@ class AppProcess:
     """
 
     def __init__(
-        self, database: Path, on_show: Callable[[], None], on_lost: Callable[[], None]
+        self,
+        database: Path,
+        on_show: Callable[[], None],
+        on_lost: Callable[[], None],
+        camera: str | None = None,
     ) -> None:
         """
         Args:
             on_show: called when a second start asks to bring the window forward.
             on_lost: called when the app has died or could not start.
+            camera: what to look through instead of the chosen webcam, as `camera.frames.open_reader` takes it.
         """
         self._on_show = on_show
         self._on_lost = on_lost
@@ -45,7 +50,7 @@ class AppProcess:
         self._language = ""
         self._closing = False
         self._process = subprocess.Popen(
-            own_command("app", "--db", str(database)),
+            own_command("app", "--db", str(database), *(["--camera", camera] if camera else [])),
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             text=True,

@@ -1,6 +1,7 @@
 """`--self-check`: an end-to-end test, from the window to a run read back from the disk.
 
-It uses HTTP as the page does. The engine drives a square of 1 m in the simulator in real time.
+It uses HTTP as the page does. The engine drives a square of 1 m in the simulator in real time. Then it draws
+a small square and a triangle when recorded signs, B and A, tell it to.
 """
 
 import contextlib
@@ -42,6 +43,8 @@ SQUARE: Json = {
         }
     ],
 }
+SIGNS_SEEN = ["B", "A"]
+_RECORDED_SIGNS = Path(__file__).parents[1] / "camera" / "recordings" / "b_a.npz"
 LARGEST_CLOSING_ERROR_M = 1e-4
 _READY_S = 60.0
 _RUN_S = 60.0
@@ -52,8 +55,8 @@ _LIBRARIES = ("pywebview", "flask", "pydantic", "pymunk", "numpy", "sqlite-utils
 def check(database: Path | None) -> Json:
     """Runs the self-check on `database`, or on a temporary one.
 
-    Returns `{"ok", "window", "run", "store", "versions"}`, and `"error"` with code, message and remedy if a part
-    failed; parts that were not reached are missing.
+    Returns `{"ok", "window", "run", "signs", "store", "versions"}`, and `"error"` with code, message and remedy if a
+    part failed; parts that were not reached are missing.
     """
     result: Json = {"ok": False, "versions": _versions()}
     try:
@@ -79,7 +82,7 @@ def _is_well(result: Json) -> bool:
     run, store = result["run"], result["store"]
     drove = run["state"] == "finished" and run["closing_error_m"] <= LARGEST_CLOSING_ERROR_M
     kept = store["telemetry_sha256"] == run["telemetry_sha256"] and store["ticks"] > 0
-    return bool(drove and kept)
+    return bool(drove and kept and result["signs"] == SIGNS_SEEN)
 
 
 @contextlib.contextmanager
@@ -87,7 +90,9 @@ def _app(database: Path) -> Iterator[AppProcess]:
     """The app in a process of its own, as for the window."""
     instance = Instance(database)
     instance.acquire()
-    app = AppProcess(database, on_show=lambda: None, on_lost=lambda: None)
+    app = AppProcess(
+        database, on_show=lambda: None, on_lost=lambda: None, camera=str(_RECORDED_SIGNS)
+    )
     try:
         app.start()
         yield app
@@ -111,6 +116,7 @@ def _in_window(app: AppProcess, result: Json) -> None:
             _wait_until_usable(window)
             result["window"]["ready_s"] = round(time.monotonic() - started, 2)
             result["run"] = _drive(client, version)
+            result["signs"] = _sign(client, program)
         except Exception as failure:  # re-raised on the main thread
             failures.append(failure)
         finally:
@@ -172,15 +178,44 @@ def make_program(client: Client) -> tuple[str, str]:
     """Creates a group and its program; returns the ids of the program and of its version, a square."""
     group = client.post("/api/groups", {"name": f"self-check {time.time_ns()}"})
     program = client.post(f"/api/groups/{group['id']}/programs", {"name": SQUARE["name"]})
-    content = {"workspace": {}, "document": SQUARE}
-    version = client.post(f"/api/programs/{program['id']}/versions", content)
-    return program["id"], version["id"]
+    return program["id"], _saved(client, program["id"], SQUARE)
 
 
-def _drive(client: Client, version: str) -> Json:
+def _saved(client: Client, program: str, document: Json) -> str:
+    """Saves a version of a program; returns its id."""
+    content = {"workspace": {}, "document": document}
+    version: str = client.post(f"/api/programs/{program}/versions", content)["id"]
+    return version
+
+
+def _signed_polygons() -> Json:
+    """A program that waits for B and draws a square, then waits for A and draws a triangle."""
+    commands: list[Json] = []
+    for sign, n_sides in zip(SIGNS_SEEN, (4, 3), strict=True):
+        wait = {"action": "classify_gestures", "timeout": 5}
+        side = [
+            {"action": "move_forward", "distance": 0.1},
+            {"action": "turn", "angle": 360 / n_sides},
+        ]
+        commands += [
+            {"action": "while", "condition": f"result != '{sign}'", "commands": [wait]},
+            {"action": "repeat", "times": n_sides, "commands": side},
+        ]
+    return {**SQUARE, "commands": commands}
+
+
+def _sign(client: Client, program: str) -> list[str]:
+    """Runs a program that recorded signs decide; returns the signs that the camera saw, each once."""
+    run = _drive(client, _saved(client, program, _signed_polygons()), speed=10.0)
+    events = client.get(f"/api/runs/{run['id']}/events")["events"]
+    seen = [event["result"] for event in events if event.get("by") == "camera"]
+    return list(dict.fromkeys(seen))
+
+
+def _drive(client: Client, version: str, speed: float = 1.0) -> Json:
     """Runs the version in the engine and returns the app's answer about the run."""
     _wait_for(lambda: client.get("/api/status")["engine"] == "ready", _READY_S)
-    run = client.post("/api/runs", {"version_id": version, "world": "empty_room"})
+    run = client.post("/api/runs", {"version_id": version, "world": "empty_room", "speed": speed})
     _wait_for(lambda: client.get(f"/api/runs/{run['id']}")["ended_at"] is not None, _RUN_S)
     ended = client.get(f"/api/runs/{run['id']}")
     kept = (
