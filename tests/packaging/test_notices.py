@@ -85,3 +85,13 @@ def test_every_direct_dependency_of_the_page_has_a_licence_in_the_lock_file() ->
     lock = json.loads((ROOT / "ui" / "package-lock.json").read_text("utf-8"))
     direct = lock["packages"][""]["dependencies"]
     assert all(lock["packages"][f"node_modules/{name}"].get("license") for name in direct)
+
+
+def test_the_hand_networks_and_the_pictures_that_letters_were_learnt_from_are_named() -> None:
+    networks, letters = notices.gesture_notices(ROOT)
+    assert networks.version == "0.10.21"
+    assert "Apache-2.0" in networks.licence
+    assert "Apache License" in networks.texts[0]
+    assert "Alfabeto em libras" in letters.name
+    assert letters.licence == "CC-BY-4.0"
+    notices.check([networks, letters])

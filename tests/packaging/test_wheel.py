@@ -75,6 +75,8 @@ def test_the_wheel_holds_page_worlds_words_and_licence(wheel: Path) -> None:
     for name in (
         "pinel_desktop/web/static/index.html",
         "pinel_desktop/messages/catalogue/pt-BR/app.json",
+        "pinel_desktop/gestures/weights/hand.onnx",
+        "pinel_desktop/gestures/weights/letters.npz",
         "pinel_desktop/py.typed",
         "sim/worlds/empty_room.json",
     ):

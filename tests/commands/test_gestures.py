@@ -1,0 +1,102 @@
+"""`pinel gestures`, as it is typed, with drawn hands."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+import pytest
+
+from pinel_desktop.gestures import networks
+from tests.commands.typed import pinel
+from tests.gestures.drawn import drawn_hand
+from tests.gestures.photo_folder import make_photos
+
+
+def written(path: Path, picture: np.ndarray) -> str:
+    cv2.imwrite(str(path), picture[..., ::-1])
+    return str(path)
+
+
+def lines(text: str) -> list[dict[str, Any]]:
+    return [json.loads(line) for line in text.splitlines()]
+
+
+def test_each_picture_gets_a_line(tmp_path: Path) -> None:
+    hand = written(tmp_path / "l.png", drawn_hand())
+    wall = written(tmp_path / "wall.png", np.full((480, 640, 3), 90, np.uint8))
+    done = pinel("gestures", "classify", hand, wall)
+    assert done.exit_code == 0
+    sign, nothing = lines(done.stdout)
+    assert list(sign) == [
+        "file", "letter", "best", "confidence", "second", "box", "handedness", "ms",
+    ]  # fmt: skip
+    assert (sign["file"], sign["letter"], sign["best"]) == (hand, "L", "L")
+    assert 0 < sign["confidence"] <= 1
+    assert sign["handedness"] in ("left", "right")
+    left, top, right, bottom = sign["box"]
+    assert 100 < left < right < 450
+    assert 100 < top < bottom < 550
+    assert nothing == {**dict.fromkeys(sign), "file": wall, "ms": nothing["ms"]}
+
+
+def test_a_stretched_picture_is_read_with_its_own_shape(tmp_path: Path) -> None:
+    wide = np.full((640, 1138, 3), (70, 90, 110), np.uint8)
+    wide[:, 250:890] = drawn_hand()
+    file = written(tmp_path / "stretched.png", np.asarray(cv2.resize(wide, (640, 640))))
+    (found,) = lines(pinel("gestures", "classify", "--aspect", "16:9", file).stdout)
+    assert found["letter"] == "L"
+    assert found["box"][2] > 500  # pixels of the picture without stretch
+
+
+@pytest.mark.parametrize("aspect", ["16", "16:0", "a:b", "1:100", "-1:1"])
+def test_an_aspect_of_another_form_is_refused(tmp_path: Path, aspect: str) -> None:
+    done = pinel("gestures", "classify", f"--aspect={aspect}", str(tmp_path / "a.png"))
+    assert done.exit_code == 2
+    assert "16:9" in done.stderr
+
+
+def test_a_file_that_is_no_picture_is_named_and_the_others_are_read(tmp_path: Path) -> None:
+    text = tmp_path / "text.png"
+    text.write_text("no picture", "utf-8")
+    done = pinel("gestures", "classify", str(text), written(tmp_path / "l.png", drawn_hand()))
+    assert done.exit_code == 2
+    assert f"“{text}” is no picture that can be read." in done.stderr
+    assert [found["best"] for found in lines(done.stdout)] == ["L"]
+
+
+def test_a_missing_network_is_said_in_words(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    missing = networks.NetworkFile("none.onnx", networks.PALM.sha256)
+    monkeypatch.setattr("pinel_desktop.gestures.hands.PALM", missing)
+    done = pinel("gestures", "classify", str(tmp_path / "a.png"))
+    assert done.exit_code == 1
+    assert "A part of the gesture recognition is missing" in done.stderr
+    assert "make setup" in done.stderr
+
+
+def test_what_was_learnt_from_a_folder_is_measured_on_it(tmp_path: Path) -> None:
+    table = make_photos(tmp_path)
+    kept, learnt = tmp_path / "recordings.npz", tmp_path / "letters.npz"
+    folder = (str(tmp_path), "--recordings", str(kept))
+    done = pinel("gestures", "train", *folder, "--output", str(learnt))
+    assert done.exit_code == 0
+    assert "3 letters" in done.stdout
+    assert learnt.is_file()
+    unseen = pinel("gestures", "evaluate", *folder, "--leave-one-source-out", str(table), "--json")
+    report = json.loads(unseen.stdout)
+    assert report["photos"] == 24
+    assert set(report["strict"]["by_source"]) == {"p1_webcam", "p2_webcam", "p3_webcam"}
+    assert set(report["speed_ms"]) == {"cold", "tracking"}
+    known = pinel("gestures", "evaluate", *folder)
+    assert known.exit_code == 0
+    assert "hands_found / by_source / p1_webcam: 1.000 [" in known.stdout
+
+
+def test_a_folder_without_a_table_is_said_to_hold_no_pictures(tmp_path: Path) -> None:
+    for command in ("evaluate", "train"):
+        done = pinel("gestures", command, str(tmp_path))
+        assert done.exit_code == 1
+        assert "There are no labelled pictures here" in done.stderr

@@ -1,0 +1,83 @@
+"""The figures of people who were never seen, on the photographs that PINEL_LIBRAS names.
+
+The photographs are in no repository: they show faces. Where they are missing these tests are skipped, and the sums of
+`make test` say so. The features of all pictures take minutes; they are kept in build/.
+"""
+
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+import pytest
+from filelock import FileLock
+
+from pinel_desktop.gestures import weights_file
+from pinel_desktop.gestures.training import evaluation, learning
+from pinel_desktop.gestures.training.photos import read_photos
+from pinel_desktop.gestures.training.recordings import Recordings, recorded
+from tests.gestures.photo_folder import SOURCES
+
+PHOTOS = os.environ.get("PINEL_LIBRAS", "")
+CACHE = Path(__file__).parents[2] / "build" / "libras.npz"
+
+pytestmark = [
+    pytest.mark.skipif(not PHOTOS, reason="PINEL_LIBRAS names no folder of photographs"),
+    pytest.mark.timeout(1500),
+]
+
+
+@pytest.fixture(scope="module")
+def recordings() -> Recordings:
+    CACHE.parent.mkdir(exist_ok=True)
+    with FileLock(f"{CACHE}.lock"):  # tests run side by side; one of them computes
+        return recorded(read_photos(Path(PHOTOS)), CACHE)
+
+
+def share(report: dict[str, Any], *path: str) -> float:
+    for name in path:
+        report = report[name]
+    return float(report["share"])
+
+
+def test_the_figures_of_unseen_people_hold(recordings: Recordings) -> None:
+    report = evaluation.evaluate_unseen(recordings, unknown=False)
+    print(json.dumps(report))
+    unseen, strict = report["leave_one_source_out"], report["strict"]
+    assert share(report, "hands_found", "all_but_crops") >= 0.99
+    assert share(unseen, "accuracy") >= 0.97
+    assert share(strict, "accuracy") >= 0.96
+    assert share(strict, "answered") >= 0.92
+    assert share(strict, "right_of_answered") >= 0.985
+    assert share(strict, "taught", "accuracy") >= 0.98
+    for part in (unseen, strict):
+        assert share(part, "painted_over_answered") <= 0.005
+        assert part["calibration_error"] <= 0.05
+
+
+@pytest.mark.nightly
+def test_a_letter_that_was_left_out_of_training_is_refused(recordings: Recordings) -> None:
+    refused = evaluation.unknown_refused(recordings)
+    print(json.dumps(refused))
+    assert share(refused, "all") >= 0.6
+
+
+def test_the_letters_that_ship_were_learnt_by_this_program(
+    recordings: Recordings, tmp_path: Path
+) -> None:
+    """Another processor rounds differently, so it is the judgement that is compared."""
+    weights_file.save(learning.train(recordings), tmp_path / "letters.npz")
+    again, ships = weights_file.load(tmp_path / "letters.npz"), weights_file.load()
+    assert again.signs == ships.signs
+    assert again.calibration == ships.calibration
+    one, other = (classifier.judge(recordings.features).scores for classifier in (again, ships))
+    assert abs(one - other).max() < 0.05
+
+
+def test_speed_is_measured(recordings: Recordings) -> None:
+    """Bounds for a busy PC; `make bench` has the figures."""
+    photos = [photo for photo in read_photos(Path(PHOTOS)) if photo.source in SOURCES[:3]]
+    speed = evaluation.speed_ms(photos)
+    print(json.dumps(speed))
+    assert speed["tracking"] <= 60
+    assert speed["cold"] <= 200

@@ -1,0 +1,129 @@
+"""Learning from a folder and measuring it, with drawn hands; whose figures say nothing, but add up."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.gestures.training import evaluation, learning
+from pinel_desktop.gestures.training.folds import leave_one_source_out, strict
+from pinel_desktop.gestures.training.photos import Photo, read_photos
+from pinel_desktop.gestures.training.recordings import Recordings, recorded
+from tests.gestures.photo_folder import LETTERS, SOURCES, make_photos
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    place = tmp_path_factory.mktemp("photos")
+    make_photos(place)
+    return place
+
+
+@pytest.fixture(scope="module")
+def photos(folder: Path) -> list[Photo]:
+    return read_photos(folder)
+
+
+@pytest.fixture(scope="module")
+def recordings(photos: list[Photo]) -> Recordings:
+    return recorded(photos)
+
+
+def test_a_photo_gets_its_shape_back_and_one_without_a_letter_is_left_out(
+    photos: list[Photo],
+) -> None:
+    assert len(photos) == len(SOURCES) * len(LETTERS) * 2
+    assert {photo.source: photo.picture().shape[:2] for photo in photos} == {
+        "p1_webcam": (640, 1138),
+        "p2_webcam": (640, 1138),
+        "p3_webcam": (640, 1138),
+        "g8_phone_mix": (853, 640),
+    }
+
+
+def test_a_split_is_found_with_the_table_beside_it(folder: Path, photos: list[Photo]) -> None:
+    assert read_photos(folder / "train") == photos
+
+
+def test_a_folder_without_a_table_is_said_to_hold_nothing(tmp_path: Path) -> None:
+    with pytest.raises(PinelError) as raised:
+        read_photos(tmp_path)
+    assert raised.value.code == "photos_unreadable"
+
+
+@pytest.mark.parametrize(
+    "table", ["", "a,b\n1,2\n", "split,file,label,letter,source\nx,y.jpg,A,A,s\n"]
+)
+def test_a_table_that_does_not_fit_is_refused(tmp_path: Path, table: str) -> None:
+    (tmp_path / "sources.csv").write_text(table, "utf-8")
+    with pytest.raises(PinelError) as raised:
+        read_photos(tmp_path)
+    assert raised.value.code == "photos_unreadable"
+
+
+def test_a_hand_that_is_painted_over_is_not_found(photos: list[Photo]) -> None:
+    picture = photos[0].picture()
+    painted = photos[0].painted_over(picture)
+    assert painted.shape == picture.shape
+    assert not np.array_equal(painted, picture)
+
+
+def test_recordings_are_made_once_and_anew_for_other_photos(
+    photos: list[Photo], tmp_path: Path
+) -> None:
+    cache, seen = tmp_path / "build" / "a.npz", []
+    for chosen in (photos[:2], photos[:2], photos[:3]):
+        before = len(seen)
+        made = recorded(chosen, cache, lambda: seen.append(1))
+        assert len(made) == len(chosen)
+        seen.append(len(seen) - before)
+    assert [n for n in seen if n != 1] == [2, 0, 3]
+
+
+def test_every_drawn_hand_is_found_that_keeps_its_shape(recordings: Recordings) -> None:
+    assert recordings.is_hand[recordings.sources != "g8_phone_mix"].all()
+    assert set(recordings.letters) == set(LETTERS)
+
+
+def test_nobody_who_is_tested_was_learnt_from(recordings: Recordings) -> None:
+    for fold in leave_one_source_out(recordings.sources):
+        assert set(recordings.sources[fold.test]) == {fold.source}
+        assert fold.source not in recordings.sources[fold.train]
+    tested = {fold.source for fold in strict(recordings.sources)}
+    assert tested == {"p1_webcam", "p2_webcam", "p3_webcam"}
+    for fold in strict(recordings.sources):
+        assert not {fold.source, "g8_phone_mix"} & set(recordings.sources[fold.train])
+
+
+def test_training_is_the_same_with_the_same_seed_and_not_with_another(
+    recordings: Recordings,
+) -> None:
+    one, again, other = (learning.train(recordings, seed) for seed in (1, 1, 2))
+    assert np.array_equal(one.points, again.points)
+    assert np.array_equal(one.weights, again.weights)
+    assert not np.array_equal(one.points, other.points)
+
+
+def test_a_hand_between_two_letters_is_of_one_source_and_shows_nothing(
+    recordings: Recordings,
+) -> None:
+    between = learning.transitions(recordings, 20, np.random.default_rng(1))
+    assert set(between.signs) == {""}
+    assert 5 <= len(between.signs) <= 20
+
+
+def test_the_report_of_unseen_people_has_every_figure(recordings: Recordings) -> None:
+    report = evaluation.evaluate_unseen(recordings)
+    for part in (report["leave_one_source_out"], report["strict"]):
+        assert part["accuracy"]["of"] == sum(share["of"] for share in part["by_source"].values())
+        assert part["accuracy"]["n"] == sum(share["n"] for share in part["by_letter"].values())
+        assert part["accuracy"]["low"] <= part["accuracy"]["share"] <= part["accuracy"]["high"]
+        assert 0 <= part["calibration_error"] <= 1
+    assert set(report["strict"]["unknown_letter_refused"]["by_letter"]) == set(LETTERS)
+    assert report["strict"]["taught"]["accuracy"]["of"] == 0  # all of so few are taught
+
+
+def test_the_report_of_the_letters_that_ship_counts_every_photo(recordings: Recordings) -> None:
+    report = evaluation.evaluate_known(recordings, learning.learn(recordings))
+    assert report["photos"] == len(recordings) == report["accuracy"]["of"]
