@@ -78,6 +78,7 @@ class CameraServer:
 
     def _refuse(self, error: PinelError) -> None:
         """Answers every order with the reason why nothing can be recognised."""
+        self._send(_state("failed", error))
         self._send({"type": "camera_ready"})
         while self._orders.get() is not _END:
             self._send(_state("failed", error))

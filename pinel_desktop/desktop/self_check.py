@@ -44,7 +44,7 @@ SQUARE: Json = {
     ],
 }
 SIGNS_SEEN = ["B", "A"]
-_RECORDED_SIGNS = Path(__file__).parents[1] / "camera" / "recordings" / "b_a.npz"
+RECORDED_SIGNS = Path(__file__).parents[1] / "camera" / "recordings" / "b_a.npz"
 LARGEST_CLOSING_ERROR_M = 1e-4
 _READY_S = 60.0
 _RUN_S = 60.0
@@ -91,7 +91,7 @@ def _app(database: Path) -> Iterator[AppProcess]:
     instance = Instance(database)
     instance.acquire()
     app = AppProcess(
-        database, on_show=lambda: None, on_lost=lambda: None, camera=str(_RECORDED_SIGNS)
+        database, on_show=lambda: None, on_lost=lambda: None, camera=str(RECORDED_SIGNS)
     )
     try:
         app.start()

@@ -1,16 +1,18 @@
 """Diagnosis of this PC as findings with codes, which the command `doctor` prints as messages.
 
-Nothing here writes to the database, opens a window or a camera, or uses the network.
+Nothing here writes to the database, opens a window or uses the network. The first camera is opened for a moment.
 """
 
+import contextlib
 import getpass
 import importlib.util
 import os
 import platform
+import queue
 import shutil
 import sqlite3
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass, field
 from importlib import resources
@@ -18,8 +20,10 @@ from pathlib import Path
 from typing import Literal
 
 from pinel_desktop import __version__
+from pinel_desktop.camera.client import Camera, CameraState
 from pinel_desktop.desktop.backends import Pc, backends, find_browser
 from pinel_desktop.engine.client import EngineClient
+from pinel_desktop.errors import PinelError
 from storage.file.backups import damage_of, folder_of, list_backups
 
 Level = Literal["ok", "warn", "fail"]
@@ -28,6 +32,7 @@ _LITTLE_SPACE = 2**30
 _TOO_LITTLE_SPACE = 50 * 2**20
 _BACKUPS_BEHIND_S = 2 * 86_400.0
 _ENGINE_TIMEOUT_S = 20.0
+_CAMERA_TIMEOUT_S = 20.0
 _ROS_FOLDER = Path("/opt/ros")
 
 
@@ -50,7 +55,7 @@ def examine(database: Path, pc: Pc | None = None) -> Iterator[Finding]:
     yield from _disk(database.parent)
     yield _database(database)
     yield _backups(database)
-    yield _camera(Path("/dev"))
+    yield from _signs(Path("/dev"))
     yield _ros(os.environ, _ROS_FOLDER)
 
 
@@ -187,14 +192,59 @@ def _backups(path: Path) -> Finding:
     return Finding("backups", "ok", "doctor_backups_ok", params)
 
 
-def _camera(folder: Path) -> Finding:
+def _signs(folder: Path, source: str = "0") -> Iterator[Finding]:
+    """Whether signs can be recognised, and whether the camera, by default the first one, gives pictures."""
+    states: queue.SimpleQueue[CameraState] = queue.SimpleQueue()
+    camera = Camera(source, lambda event: None, states.put, lambda run, capture: None)
+    started = time.monotonic()
+    try:
+        camera.wake()
+        yield _recognition(camera, started)
+        without = _no_camera(folder)
+        if without:
+            yield without
+        elif not camera.state.problem:
+            camera.use()
+            yield _camera(folder, states)
+    finally:
+        camera.close()
+
+
+def _recognition(camera: Camera, started: float) -> Finding:
+    ready = camera.wait_until_ready(_CAMERA_TIMEOUT_S)
+    if problem := camera.state.problem:
+        return Finding("signs", "warn", problem.code, problem.params)
+    seconds = {"seconds": round(time.monotonic() - started, 1)}
+    code = "doctor_signs_ok" if ready else "doctor_signs_lost"
+    return Finding("signs", "ok" if ready else "warn", code, seconds)
+
+
+def _no_camera(folder: Path) -> Finding | None:
+    """What is wrong where no camera can be opened; None where one may be."""
     devices = sorted(folder.glob("video*"))
-    params = {"devices": ", ".join(str(device) for device in devices)}
     if not devices:
         return Finding("camera", "warn", "doctor_camera_none")
     if not any(os.access(device, os.R_OK | os.W_OK) for device in devices):
-        return Finding("camera", "warn", "doctor_camera_closed", params | {"user": _user()})
-    return Finding("camera", "ok", "doctor_camera_ok", params)
+        params = {"devices": _names(devices), "user": _user()}
+        return Finding("camera", "warn", "doctor_camera_closed", params)
+    return None
+
+
+def _camera(folder: Path, states: "queue.SimpleQueue[CameraState]") -> Finding:
+    """What the camera does within a few seconds of being opened."""
+    deadline, problem = time.monotonic() + _CAMERA_TIMEOUT_S, PinelError("camera_no_picture")
+    while (left_s := deadline - time.monotonic()) > 0.0:
+        with contextlib.suppress(queue.Empty):
+            state = states.get(timeout=left_s)
+            if state.mode == "on":
+                devices = _names(sorted(folder.glob("video*")))
+                return Finding("camera", "ok", "doctor_camera_ok", {"devices": devices})
+            problem = state.problem or problem
+    return Finding("camera", "warn", problem.code, problem.params)
+
+
+def _names(devices: Sequence[Path]) -> str:
+    return ", ".join(map(str, devices))
 
 
 def _user() -> str:

@@ -13,6 +13,7 @@ from click.testing import CliRunner, Result
 
 from pinel_desktop.cli import main
 from pinel_desktop.desktop.backends import Pc
+from pinel_desktop.desktop.self_check import RECORDED_SIGNS
 from pinel_desktop.doctor import examination
 from pinel_desktop.doctor.examination import Finding
 from pinel_desktop.messages import LANGUAGES, describe
@@ -198,13 +199,23 @@ def test_sizes_are_whole_numbers_that_fit_every_language() -> None:
 
 
 def test_a_pc_without_a_camera_is_warned_about_signs_only(tmp_path: Path) -> None:
-    assert examination._camera(tmp_path).code == "doctor_camera_none"
+    signs, camera = examination._signs(tmp_path)
+    assert (signs.level, camera.code) == ("ok", "doctor_camera_none")
 
 
-def test_cameras_are_named(tmp_path: Path) -> None:
+def test_camera_that_gives_pictures_is_named(tmp_path: Path) -> None:
     (tmp_path / "video0").touch()
-    finding = examination._camera(tmp_path)
-    assert (finding.level, dict(finding.params)) == ("ok", {"devices": str(tmp_path / "video0")})
+    _, camera = examination._signs(tmp_path, str(RECORDED_SIGNS))
+    assert (camera.level, dict(camera.params)) == ("ok", {"devices": str(tmp_path / "video0")})
+
+
+def test_camera_that_cannot_be_opened_is_told_with_the_reason(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(examination, "_CAMERA_TIMEOUT_S", 5.0)
+    (tmp_path / "video0").touch()
+    _, camera = examination._signs(tmp_path, "9")
+    assert (camera.level, camera.code) == ("warn", "camera_missing")
 
 
 def test_a_camera_of_others_is_told_apart_from_none(
@@ -212,7 +223,8 @@ def test_a_camera_of_others_is_told_apart_from_none(
 ) -> None:
     (tmp_path / "video0").touch()
     monkeypatch.setattr(os, "access", lambda place, mode: False)
-    assert examination._camera(tmp_path).code == "doctor_camera_closed"
+    *_, camera = examination._signs(tmp_path)
+    assert camera.code == "doctor_camera_closed"
 
 
 def ros(folder: Path, *modules: str, **environ: str) -> Finding:
@@ -258,6 +270,7 @@ def test_the_command_prints_one_object_about_everything(tmp_path: Path) -> None:
         "disk",
         "database",
         "backups",
+        "signs",
         "camera",
         "ros",
     }
