@@ -28,7 +28,7 @@ def cloud(name: str, n: int = 60, seed: int = 7) -> Samples:
 
 def halfway(a: str, b: str, n: int = 30) -> Samples:
     first, second = cloud(a, n, 11).features, cloud(b, n, 12).features
-    return Samples((first + second) / 2, (NO_SIGN,) * n)
+    return Samples(((first + second) / 2).astype(np.float32), (NO_SIGN,) * n)
 
 
 LEARNT = SignClassifier.fit(cloud("A") + cloud("B") + cloud("T"), BLOCKS)

@@ -15,8 +15,8 @@ POINTS = np.random.default_rng(5).normal(size=(21, 2)) * 40 + [300, 200]
 def turned(points: np.ndarray, angle: float) -> np.ndarray:
     """Clockwise in a picture, whose y goes downwards."""
     cos, sin = math.cos(angle), math.sin(angle)
-    rotated: np.ndarray = points @ np.array([[cos, sin], [-sin, cos]])
-    return rotated
+    moved: np.ndarray = points @ np.array([[cos, sin], [-sin, cos]])
+    return moved
 
 
 @given(st.floats(0.1, 10), st.floats(-3, 3), st.floats(-500, 500))

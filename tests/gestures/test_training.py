@@ -72,7 +72,8 @@ def test_a_hand_that_is_painted_over_is_not_found(photos: list[Photo]) -> None:
 def test_recordings_are_made_once_and_anew_for_other_photos(
     photos: list[Photo], tmp_path: Path
 ) -> None:
-    cache, seen = tmp_path / "build" / "a.npz", []
+    cache = tmp_path / "build" / "a.npz"
+    seen: list[int] = []
     for chosen in (photos[:2], photos[:2], photos[:3]):
         before = len(seen)
         made = recorded(chosen, cache, lambda: seen.append(1))
