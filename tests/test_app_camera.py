@@ -7,16 +7,19 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import cv2
 import pytest
 
 from pinel_desktop.app import App
 from pinel_desktop.engine.client import EngineClient
+from pinel_desktop.gestures.training.photos import read_photos
 from pinel_desktop.runs.verification import verify_run
 from storage import open_store
 from tests.live_runs import begun, command, saved
 from tests.web.browser import Browser, Stream
 
 RECORDINGS = Path(__file__).parent / "camera" / "recordings"
+PHOTOS = os.environ.get("PINEL_LIBRAS", "")
 WAIT_S = 60.0
 
 
@@ -51,14 +54,19 @@ SIGNS_AND_POLYGONS = {
 @pytest.fixture
 def app(tmp_path: Path) -> Iterator[App]:
     with App(tmp_path / "pinel.db", camera=str(RECORDINGS / "b.npz")) as app:
-        engine = app._engine
-        assert isinstance(engine, EngineClient)
-        assert engine.wait_until_ready(WAIT_S)
         yield app
 
 
 @pytest.fixture
 def browser(app: App) -> Browser:
+    return signed_in(app)
+
+
+def signed_in(app: App) -> Browser:
+    """A browser of an app whose engine is ready."""
+    engine = app._engine
+    assert isinstance(engine, EngineClient)
+    assert engine.wait_until_ready(WAIT_S)
     return Browser.signed_in(app.address)
 
 
@@ -87,6 +95,28 @@ def test_signs_decide_what_the_robot_draws_and_the_run_is_identical_without_a_ca
     app.close()
     with open_store(tmp_path / "pinel.db") as store:
         assert verify_run(store, store.runs.get(run)).outcome == "identical"
+
+
+@pytest.mark.skipif(not PHOTOS, reason="PINEL_LIBRAS names no folder of photographs")
+def test_signs_in_pictures_decide_what_the_robot_draws(tmp_path: Path) -> None:
+    for letter in "AB":
+        (tmp_path / letter).mkdir()
+        photos = [photo for photo in read_photos(Path(PHOTOS)) if photo.source == "p2_webcam"]
+        picture = next(photo for photo in photos if photo.letter == letter).picture()
+        cv2.imwrite(str(tmp_path / letter / "hand.png"), cv2.cvtColor(picture, cv2.COLOR_RGB2BGR))
+    with App(tmp_path / "pinel.db", camera=str(tmp_path / "B")) as app:
+        browser = signed_in(app)
+        version_id = saved(browser, SIGNS_AND_POLYGONS)
+        with browser.stream() as stream:
+            stream.next()
+            begun(browser, version_id)
+            events = stream.until("gesture_result")
+            app._camera.choose(str(tmp_path / "A"))
+            events += stream.until("run_ended")
+    assert [(one["result"], one["by"]) for one in results(events)] == [
+        ("B", "camera"),
+        ("A", "camera"),
+    ]
 
 
 def test_person_may_answer_while_the_camera_looks(browser: Browser) -> None:
@@ -120,10 +150,7 @@ def test_stop_is_not_late_when_the_camera_fails_in_the_middle_of_a_capture(
 
 def test_capture_without_a_camera_waits_for_a_person(tmp_path: Path) -> None:
     with App(tmp_path / "pinel.db", camera="9") as app:
-        engine = app._engine
-        assert isinstance(engine, EngineClient)
-        assert engine.wait_until_ready(WAIT_S)
-        browser = Browser.signed_in(app.address)
+        browser = signed_in(app)
         version_id = saved(browser, {**SIGNS_AND_POLYGONS, "commands": [capture(60)]})
         with browser.stream() as stream:
             stream.next()

@@ -1,11 +1,13 @@
 """The figures of people who were never seen, on the photographs that PINEL_LIBRAS names.
 
 The photographs are in no repository: they show faces. Where they are missing these tests are skipped, and the sums of
-`make test` say so. The features of all pictures take minutes; they are kept in build/.
+`make test` say so. Those that need the features of all pictures, which take minutes and are kept in build/, run in
+`make nightly`; `make test` looks at some pictures of each letter.
 """
 
 import json
 import os
+from collections import Counter
 from pathlib import Path
 from typing import Any
 
@@ -13,9 +15,12 @@ import pytest
 from filelock import FileLock
 
 from pinel_desktop.gestures import weights_file
+from pinel_desktop.gestures.recognition import Recogniser, clearest
 from pinel_desktop.gestures.training import evaluation, learning
+from pinel_desktop.gestures.training.folds import PEOPLE
 from pinel_desktop.gestures.training.photos import read_photos
 from pinel_desktop.gestures.training.recordings import Recordings, recorded
+from pinel_desktop.gestures.training.sequences import sequences_report
 from tests.gestures.photo_folder import SOURCES
 
 PHOTOS = os.environ.get("PINEL_LIBRAS", "")
@@ -25,6 +30,25 @@ pytestmark = [
     pytest.mark.skipif(not PHOTOS, reason="PINEL_LIBRAS names no folder of photographs"),
     pytest.mark.timeout(1500),
 ]
+
+
+N_LOOKED_AT = 4  # of each letter
+
+
+def test_letters_of_people_at_a_webcam_are_read() -> None:
+    """Of people whom the letters were learnt from: whether the parts fit together, no measure of quality."""
+    recogniser = Recogniser()
+    counted: Counter[str] = Counter()
+    found, right = [], []
+    for photo in read_photos(Path(PHOTOS)):
+        counted[photo.letter] += photo.source in PEOPLE
+        if photo.source in PEOPLE and counted[photo.letter] <= N_LOOKED_AT:
+            seen = clearest(recogniser.read(photo.picture()))
+            found.append(seen is not None)
+            right.append(seen is not None and seen.reading.sign == photo.letter)
+    assert len(found) == N_LOOKED_AT * 21
+    assert sum(found) >= 0.98 * len(found)
+    assert sum(right) >= 0.95 * len(right)
 
 
 @pytest.fixture(scope="module")
@@ -40,6 +64,7 @@ def share(report: dict[str, Any], *path: str) -> float:
     return float(report["share"])
 
 
+@pytest.mark.nightly
 def test_the_figures_of_unseen_people_hold(recordings: Recordings) -> None:
     report = evaluation.evaluate_unseen(recordings, unknown=False)
     print(json.dumps(report))
@@ -62,6 +87,7 @@ def test_a_letter_that_was_left_out_of_training_is_refused(recordings: Recording
     assert share(refused, "all") >= 0.6
 
 
+@pytest.mark.nightly
 def test_the_letters_that_ship_were_learnt_by_this_program(
     recordings: Recordings, tmp_path: Path
 ) -> None:
@@ -74,7 +100,16 @@ def test_the_letters_that_ship_were_learnt_by_this_program(
     assert abs(one - other).max() < 0.05
 
 
-def test_speed_is_measured(recordings: Recordings) -> None:
+@pytest.mark.nightly
+def test_sequences_made_of_photographs_end_as_they_should(recordings: Recordings) -> None:
+    report = sequences_report(read_photos(Path(PHOTOS)), recordings)
+    print(json.dumps(report))
+    assert report["steady"]["median_s"] <= 1.0
+    assert share(report, "steady", "right_of_decided") >= 0.97
+    assert share(report, "transitions", "false") <= 0.05
+
+
+def test_speed_is_measured() -> None:
     """Bounds for a busy PC; `make bench` has the figures."""
     photos = [photo for photo in read_photos(Path(PHOTOS)) if photo.source in SOURCES[:3]]
     speed = evaluation.speed_ms(photos)
