@@ -88,9 +88,14 @@ def classify(ctx: click.Context, images: tuple[Path, ...], aspect: float | None)
     metavar="SOURCES.CSV",
     help="Train without each source in turn and test on it.",
 )
+@click.option(
+    "--sequences", is_flag=True, help="Also make short videos of the pictures; a minute more."
+)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @_recordings_option
-def evaluate(folder: Path, table: Path | None, as_json: bool, recordings: Path | None) -> None:
+def evaluate(
+    folder: Path, table: Path | None, sequences: bool, as_json: bool, recordings: Path | None
+) -> None:
     """Measure how well letters are recognised in the labelled pictures of DIR.
 
     DIR holds sources.csv, or lies beside it. Without --leave-one-source-out the letters that ship are measured; they
@@ -107,6 +112,10 @@ def evaluate(folder: Path, table: Path | None, as_json: bool, recordings: Path |
         else:
             report = evaluation.evaluate_known(recorded, weights_file.load())
         report["speed_ms"] = evaluation.speed_ms(found)
+        if sequences:
+            from pinel_desktop.gestures.training.sequences import sequences_report  # noqa: PLC0415
+
+            report["sequences"] = sequences_report(found, recorded)
     if as_json:
         click.echo(json.dumps(report, ensure_ascii=False))
     else:
