@@ -70,8 +70,10 @@ class LicenceError(Exception):
 def collect(root: Path) -> str:
     """The text of the notices for the package just built. Raises LicenceError."""
     manifest = json.loads((root / "build" / "package-contents.json").read_text("utf-8"))
+    # of a library that loads itself, such as cv2, only its binaries were packed
+    folders = [name.partition("/")[0] for name, _ in manifest["binaries"]]
     found = [
-        *python_notices(manifest["modules"]),
+        *python_notices([*manifest["modules"], *folders]),
         *npm_notices(root / "ui"),
         *system_notices(manifest["binaries"]),
         *gesture_notices(root),

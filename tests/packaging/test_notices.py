@@ -66,6 +66,12 @@ def test_the_distribution_of_a_module_is_found_with_its_text() -> None:
     assert "pinel-desktop" not in found
 
 
+def test_a_library_of_which_only_binaries_were_packed_is_found_by_its_folder() -> None:
+    found = {notice.name: notice for notice in notices.python_notices(["cv2", "libssl.so.3"])}
+    assert "Apache" in found["opencv-python-headless"].licence
+    assert "FFmpeg" in "".join(found["opencv-python-headless"].texts)
+
+
 def test_the_page_s_packages_are_named_and_the_tools_are_not() -> None:
     names = {notice.name for notice in notices.npm_notices(ROOT / "ui")}
     assert {"blockly", "preact", "@preact/signals-core"} <= names
