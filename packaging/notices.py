@@ -1,8 +1,8 @@
 """Licence notices of all third-party parts of the package; refuses GPL and AGPL.
 
-Sources: metadata of the Python distributions, npm packages of the page (ui/package-lock.json), shared libraries of
-the system, whose licences are listed here because system packages do not state them per file, and what the
-recognition of signs was made from.
+Sources: metadata of the Python distributions, npm packages of the page (ui/package-lock.json), shared libraries of the
+system, whose licences are listed here because system packages do not state them per file, and networks and training
+data of the gesture recognition.
 """
 
 import json
