@@ -29,7 +29,7 @@ SOURCE = re.compile(r"(?!tests/)(?!.*\.test\.).*\.(py|mjs|tsx?)$")
 RAW_CONTROL = re.compile(r"<(?:button|select)\b")
 # folders of ui/src in order of layers, lowest first: none imports a later one; "screens" are all others
 LAYERS = (
-    "api", "i18n", "kit", "blocks", "editor", "shell", "run", "scene plots", "screens", "frame",
+    "api", "i18n", "kit", "blocks", "editor", "shell", "run", "scene plots camera", "screens", "frame",
 )  # fmt: skip
 
 Edges = Iterable[tuple[str, str]]

@@ -4,6 +4,7 @@ import { render } from "preact";
 import "./styles";
 import { App } from "./frame/App";
 import "./frame/fetch_ahead";
+import * as camera from "./camera/sight";
 import { fetchTexts, language } from "./i18n";
 import { receive, resync } from "./run/live";
 import { firstRequestsSettled } from "./shell/first_answers";
@@ -14,7 +15,7 @@ const PATIENCE_MS = 300;
 
 const patience = new Promise((resolve) => setTimeout(resolve, PATIENCE_MS));
 const texts = fetchTexts(language.peek());
-const opened = texts.then(() => open({ receive, resync }));
+const opened = texts.then(() => open({ receive, resync }, camera));
 const root = document.getElementById("app");
 
 // Otherwise drawn once, with everything in its place.

@@ -4,6 +4,9 @@
  */
 import "./world_editor/board/board.css";
 import "./world_editor/world_editor.css";
+import "./camera/camera.css";
+import "./studio/floor_pane/capture_camera.css";
+import "./practice/practice.css";
 import "./work/notes.css";
 import "./work/group_head.css";
 import "./work/work.css";

@@ -18,6 +18,12 @@ export function decimal(value: number, digits: number, language: Language): stri
   return format.format(value).replace("-", "\u2212");
 }
 
+/** A probability in whole per cent; nothing that was measured is said to be certain. */
+export function percent(part: number, language: Language): string {
+  const shown = Math.min(0.99, Math.floor(100 * part) / 100);
+  return shown.toLocaleString(language, { style: "percent" });
+}
+
 export const metres = (value: number, language: Language) =>
   `${decimal(value, 2, language)}\u00a0m`;
 

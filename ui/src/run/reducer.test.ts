@@ -233,6 +233,15 @@ describe("a capture", () => {
     expect(answered.gesture).toBe("B");
   });
 
+  test("keeps who answered it and how sure the camera was; a block that sets the result does not", () => {
+    const answer = { label: "B", by: "camera", confidence: 0.97, tick: 60 };
+    const asked = viewAfter(begun());
+    const view = reduce(asked, { ...result(), by: "camera", confidence: 0.97 } as RunEvent);
+    expect(view.captured).toEqual(answer);
+    const set = { ...head(70), type: "gesture_result", result: "A", source: "block" } as RunEvent;
+    expect(reduce(view, set).captured).toEqual(answer);
+  });
+
   test("counts down in the seconds that the run tells, which stand while it is paused", () => {
     const countdown = (left_s: number): RunEvent => ({
       ...head(30),

@@ -1,4 +1,4 @@
-import type { RunEndedEvent, RunEvent, TelemetryEvent } from "../api/model";
+import type { GestureResultEvent, RunEndedEvent, RunEvent, TelemetryEvent } from "../api/model";
 import { given, NOTHING, type Output } from "./output";
 import { EMPTY_TRAIL, extend, type Trail } from "./trail";
 
@@ -41,6 +41,19 @@ export interface Capture {
   readonly leftS: number;
 }
 
+/** The answer that a capture got. */
+export interface Captured {
+  /** Name of the sign; "" when none was seen. */
+  readonly label: string;
+  /** Null after the timeout. */
+  readonly by: CaptureBy | null;
+  /** Of the camera, 0 to 1. */
+  readonly confidence: number | null;
+  readonly tick: number;
+}
+
+type CaptureBy = NonNullable<GestureResultEvent["by"]>;
+
 export interface Ending {
   readonly reason: string | null;
   readonly params: Record<string, unknown>;
@@ -77,6 +90,8 @@ export interface RunView {
   readonly speed: Speed;
   readonly capture: Capture | null;
   readonly gesture: string | null;
+  /** The newest answer of a capture. */
+  readonly captured: Captured | null;
   readonly output: Output;
   readonly ending: Ending | null;
 }
@@ -104,6 +119,7 @@ export const IDLE: RunView = {
   speed: AT_REST,
   capture: null,
   gesture: null,
+  captured: null,
   output: NOTHING,
   ending: null,
 };
@@ -147,7 +163,7 @@ export function reduce(view: RunView, event: RunEvent): RunView {
     case "countdown":
       return view.capture ? { ...next, capture: { ...view.capture, leftS: event.left_s } } : next;
     case "gesture_result":
-      return { ...next, gesture: event.result, capture: null };
+      return { ...next, gesture: event.result, capture: null, captured: captured(view, event) };
     case "watch":
       return { ...next, gesture: event.gesture || null };
     case "things":
@@ -157,6 +173,12 @@ export function reduce(view: RunView, event: RunEvent): RunView {
     default:
       return next;
   }
+}
+
+function captured({ captured: before }: RunView, event: GestureResultEvent): Captured | null {
+  if (event.source !== "capture") return before;
+  const { result: label, by = null, confidence = null, tick } = event;
+  return { label, by, confidence, tick };
 }
 
 function withTelemetry(view: RunView, event: TelemetryEvent): RunView {

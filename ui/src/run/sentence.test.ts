@@ -92,6 +92,32 @@ describe("what the robot does, in words", () => {
     expect(sentenceOf({ ...view, tick: 300 }, voice)?.more).toBe("");
   });
 
+  test.each([
+    ["camera", "B", 0.971, "A câmera viu B (97%)"],
+    ["camera", "B", 1, "A câmera viu B (99%)"],
+    ["taught", "siga", 0.9, "A câmera viu siga, um sinal da turma (90%)"],
+    ["person", "B", null, "Vocês responderam B"],
+    ["person", "", null, "Vocês responderam: nenhum sinal"],
+    ["list", "B", null, "Sinal da lista: B"],
+    [null, "", null, "Nenhum sinal visto"],
+  ] as const)("the answer of a capture tells who gave it: %s %s", (by, label, confidence, text) => {
+    const view = { ...moving("wait", 3, 1), captured: { label, by, confidence, tick: 30 } };
+    expect(sentenceOf({ ...view, tick: 60 }, voice)?.more).toBe(text);
+    expect(sentenceOf({ ...view, tick: 300 }, voice)?.more).toBe("");
+    expect(
+      sentenceOf({ ...over("finished", {}), ...view, phase: "finished", tick: 30 }, voice),
+    ).toMatchObject({ more: text });
+  });
+
+  test("of what was said and what was answered, the newest is told", () => {
+    const line = { kind: "said", text: "Olá!", block: "b", tick: 30, number: 0 } as const;
+    const captured = { label: "B", by: "person", confidence: null, tick: 30 } as const;
+    const view = { ...moving("wait", 3, 1), tick: 40, captured };
+    const heard = (tick: number) => ({ ...IDLE.output, talk: [{ ...line, tick }] });
+    expect(sentenceOf({ ...view, output: heard(30) }, voice)?.more).toBe("Vocês responderam B");
+    expect(sentenceOf({ ...view, output: heard(31) }, voice)?.more).toBe("Diz: “Olá!”");
+  });
+
   test("a function that runs is named", () => {
     const output = { ...IDLE.output, calls: [{ function: "lado", block: "c" }] };
     expect(sentenceOf({ ...moving("turn", 90, 1), output }, voice)?.more).toBe("na função “lado”");

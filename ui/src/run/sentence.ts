@@ -1,6 +1,7 @@
 import type { Language, Texts } from "../i18n";
 import { degrees, metres, seconds } from "../i18n/format";
 import { reasonWords } from "../i18n/reasons";
+import { capturedWords } from "./captured";
 import { drivingWords } from "./driving";
 import type { LitBlock, Motion, RunView } from "./reducer";
 
@@ -18,7 +19,7 @@ export interface Sentence {
 /** Below this distance from the start the path counts as closed. */
 const CLOSED_M = 0.01;
 
-/** How long a message of the robot stays in the sentence. */
+/** How long a message of the robot, or the answer of a capture, stays in the sentence. */
 const HEARD_TICKS = 90;
 
 const LOOPS = new Set(["repeat", "while", "until", "for", "forever"]);
@@ -118,10 +119,13 @@ function partOf(motion: Motion | null): number | null {
   return Math.min(1, Math.max(0, motion.done / motion.amount));
 }
 
-/** Context of the command: a recent message, else the loop round, the function, and whether the robot is moving. */
+/** Context of the command: a recent message or answer of a capture, else the loop round, the function, and whether the robot is moving. */
 function around(view: RunView, voice: Voice): string {
   const { status } = voice.texts;
   const heard = view.output.talk.findLast((line) => line.kind === "said");
+  // robot time stands still in a capture: what was said before it may be of the same tick
+  const answer = heard && heard.tick > (view.captured?.tick ?? 0) ? "" : answered(view, voice);
+  if (answer) return answer;
   if (heard && view.tick - heard.tick < HEARD_TICKS) return status.says(String(heard.text));
   const call = view.output.calls.at(-1);
   const isWaiting = view.motion?.kind === "wait" || view.stack.at(-1)?.action === "wait_until";
@@ -134,6 +138,12 @@ function around(view: RunView, voice: Voice): string {
     .join(" · ");
 }
 
+/** The answer of a capture, unless it was some time ago. */
+function answered({ captured, tick }: RunView, { texts, language }: Voice): string {
+  const isRecent = captured && tick - captured.tick < HEARD_TICKS;
+  return isRecent ? capturedWords(captured, texts, language) : "";
+}
+
 function round(view: RunView, { texts, parameterOf }: Voice): string {
   const loop = view.stack.findLast((entry) => LOOPS.has(entry.action));
   if (!loop?.round) return "";
@@ -142,7 +152,8 @@ function round(view: RunView, { texts, parameterOf }: Voice): string {
   return texts.status.round(loop.round, String(times));
 }
 
-function ending(view: RunView, { texts, language, past }: Voice): Sentence {
+function ending(view: RunView, voice: Voice): Sentence {
+  const { texts, language, past } = voice;
   const { reason = null, params = {} } = view.ending ?? {};
   const words = reasonWords(reason, params, language);
   if (view.phase === "failed" || view.phase === "stopped") {
@@ -150,7 +161,7 @@ function ending(view: RunView, { texts, language, past }: Voice): Sentence {
     const tone = view.phase === "failed" ? "fault" : "notice";
     return { text: words?.message ?? texts.status.failed, more: more ?? "", tone };
   }
-  return { text: finished(view, texts, language), more: "", tone: "done" };
+  return { text: finished(view, texts, language), more: answered(view, voice), tone: "done" };
 }
 
 function finished(view: RunView, { status }: Texts, language: Language): string {

@@ -7,6 +7,7 @@ const PLACES: readonly (readonly [string, Route])[] = [
   ["#/", { screen: "start" }],
   ["#/program/p1", { screen: "studio", program: "p1" }],
   ["#/work/g1", { screen: "work", group: "g1" }],
+  ["#/practice", { screen: "practice" }],
   ["#/run/r1", { screen: "replay", run: "r1" }],
   ["#/versions/p1", { screen: "versions", program: "p1", version: null }],
   ["#/versions/p1/v1", { screen: "versions", program: "p1", version: "v1" }],

@@ -32,6 +32,10 @@ const ROWS = {
     ofGroup: true,
     load: async (): Screen<{ group: string }> => (await import("../work/WorkScreen")).WorkScreen,
   },
+  practice: {
+    pattern: "practice",
+    load: async (): Screen => (await import("../practice/PracticeScreen")).PracticeScreen,
+  },
   replay: {
     pattern: "run/:run",
     ofGroup: true,

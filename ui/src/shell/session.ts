@@ -2,6 +2,8 @@ import { computed, effect, signal } from "@preact/signals";
 import { api } from "../api/client";
 import { ApiError, ServerGone } from "../api/errors";
 import type {
+  CameraChangedEvent,
+  CameraSightEvent,
   Group,
   JudgedEvent,
   Notice,
@@ -114,11 +116,23 @@ interface Follower {
   resync(run: string | null): Promise<void>;
 }
 
-function onStream(event: StreamEvent, runs: Follower): void {
+/** Who follows the camera. */
+interface CameraFollower {
+  receive(event: CameraSightEvent | CameraChangedEvent): void;
+  /** The stream begins, or begins again. */
+  resync(): Promise<void>;
+}
+
+function onStream(event: StreamEvent, runs: Follower, camera: CameraFollower): void {
   switch (event.type) {
     case "hello":
       void refreshStatus();
       void runs.resync(event.run).catch(report);
+      void camera.resync().catch(report);
+      break;
+    case "camera_sight":
+    case "camera_state":
+      camera.receive(event);
       break;
     case "notice":
       notice.value = event;
@@ -148,7 +162,7 @@ function title(): string {
 }
 
 /** Opens the connection to the server, after the texts of the first language have loaded. */
-export async function open(runs: Follower): Promise<void> {
+export async function open(runs: Follower, camera: CameraFollower): Promise<void> {
   effect(() => {
     document.documentElement.lang = language.value;
     remember(LANGUAGE_COOKIE, language.value);
@@ -158,7 +172,10 @@ export async function open(runs: Follower): Promise<void> {
   });
   await refreshStatus();
   if (connection.value === "locked") return;
-  openStream({ onEvent: (event) => onStream(event, runs), onLost: () => void refreshStatus() });
+  openStream({
+    onEvent: (event) => onStream(event, runs, camera),
+    onLost: () => void refreshStatus(),
+  });
   try {
     worlds.value = await api.worlds();
   } catch (error) {

@@ -118,6 +118,20 @@ export const TEST = {
   irCopy: "ir-copy",
   capture: "capture",
   captureLetter: "capture-letter", // of each; data-letter, "" for none
+  cameraPicture: "camera-picture", // data-state: off | opening | on | failed
+  cameraTrouble: "camera-trouble", // data-code
+  cameraChoice: "camera-choice", // a select: 0, 1, 2
+  reading: "reading", // data-kind: blind | no hand | no letter | two signs | unsure | sure
+  expectedSign: "expected-sign", // of each; data-sign, data-seen
+
+  // practice of signs
+  practice: "practice", // the way there
+  practiceSign: "practice-sign", // of each; data-letter
+  practiceHand: "practice-hand", // of each; data-value: right | left
+  practiceText: "practice-text", // an input
+  practiceSpace: "practice-space",
+  practiceBack: "practice-back",
+  practiceClear: "practice-clear",
 
   // world editor
   worldChange: "world-change", // opens the editor

@@ -1,5 +1,5 @@
 import { useSignal } from "@preact/signals";
-import { DoorClosed, DoorOpen, GraduationCap } from "lucide-preact";
+import { DoorClosed, DoorOpen, GraduationCap, Hand } from "lucide-preact";
 import { useEffect } from "preact/hooks";
 import { NO_CLASS } from "../api/classes";
 import type { Classroom, Group } from "../api/model";
@@ -59,6 +59,7 @@ function Groups({ groups, classes }: Found) {
       <div class="start__head">
         <h1 class="start__title">{here.length ? start.title : words.emptyTitle}</h1>
         <div class="start__teacher">
+          <PracticeLink />
           <BringIn />
           <TeacherLink />
         </div>
@@ -138,11 +139,27 @@ function FirstGroup() {
         ) : (
           <TeacherLink />
         )}
-        <div>
+        <div class="start__more-ways">
+          <PracticeLink />
           <BringIn />
         </div>
       </div>
     </main>
+  );
+}
+
+/** Signs can be practised without a program. */
+function PracticeLink() {
+  return (
+    <LinkButton
+      kind="plain"
+      class="start__practice"
+      icon={Hand}
+      href={hashOf({ screen: "practice" })}
+      testId={TEST.practice}
+    >
+      {texts.value.titles.practice}
+    </LinkButton>
   );
 }
 

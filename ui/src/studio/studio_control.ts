@@ -3,6 +3,7 @@ import { api } from "../api/client";
 import { ApiError } from "../api/errors";
 import type { Content, Fault, LiveCommand } from "../api/model";
 import { versionsApi } from "../api/versions";
+import { expectedSigns, hasCapture } from "../camera/expected";
 import type { Editor } from "../editor";
 import { language, texts } from "../i18n";
 import { Refused, wordsOf } from "../kit/requests/problem";
@@ -47,6 +48,12 @@ export class StudioControl {
   readonly beeps = computed(() =>
     JSON.stringify(this.open.content.value?.document ?? null).includes('"action":"beep"'),
   );
+  /** The signs that the program which runs compares the answer of a capture with. */
+  readonly expectedSigns = computed(() =>
+    this.mine.value ? expectedSigns(this.documentThatRuns()) : [],
+  );
+  /** The program has a block that waits for a sign. */
+  readonly captures = computed(() => hasCapture(this.open.content.value?.document ?? null));
   private readonly lit = computed(() => this.running.value?.block ?? null);
   private readonly failure = computed(() => {
     const { phase, ending } = robot.live.value;

@@ -1,4 +1,5 @@
-import { ArrowLeft, Contrast, Languages, Moon, Route, Sun } from "lucide-preact";
+import { ArrowLeft, Contrast, Hand, Languages, Moon, Route, Sun } from "lucide-preact";
+import { hasCapture } from "../../camera/expected";
 import { language, texts } from "../../i18n";
 import { LANGUAGES, languageRow } from "../../i18n/languages";
 import { Button } from "../../kit/Button";
@@ -34,7 +35,9 @@ export function Header() {
       {route.value.screen === "studio" && <LessonChip />}
       <span class="header__space" />
       <TeacherChip />
+      {route.value.screen === "studio" && <PracticeLink />}
       {inside && <WorkButton />}
+      {route.value.screen === "practice" && <BackToProgram />}
       <ThemeButton />
       <LanguageChoice />
     </header>
@@ -81,12 +84,7 @@ function WorkButton() {
   }
   if (now.screen === "work") {
     const program = opened.value?.program;
-    if (program?.group_id !== now.group) return null;
-    return (
-      <LinkButton icon={ArrowLeft} href={hashOf({ screen: "studio", program: program.id })}>
-        <span class="header__word">{header.backToProgram}</span>
-      </LinkButton>
-    );
+    return program?.group_id === now.group ? <BackToProgram /> : null;
   }
   return (
     <Button
@@ -98,6 +96,29 @@ function WorkButton() {
     >
       <span class="header__word">{header.work}</span>
     </Button>
+  );
+}
+
+/** For a program that waits for signs. */
+function PracticeLink() {
+  if (!hasCapture(opened.value?.content.value?.document)) return null;
+  return (
+    <LinkButton
+      icon={Hand}
+      label={texts.value.titles.practice}
+      href={hashOf({ screen: "practice" })}
+      testId={TEST.practice}
+    />
+  );
+}
+
+function BackToProgram() {
+  const program = opened.value?.program;
+  if (!program) return null;
+  return (
+    <LinkButton icon={ArrowLeft} href={hashOf({ screen: "studio", program: program.id })}>
+      <span class="header__word">{texts.value.header.backToProgram}</span>
+    </LinkButton>
   );
 }
 

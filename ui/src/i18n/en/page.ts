@@ -12,6 +12,7 @@ export const page: typeof first = {
     lesson: "Lesson",
     runs: "All runs",
     compare: "Two runs side by side",
+    practice: "Sign practice",
   },
   header: {
     home: "Change group",
@@ -136,6 +137,15 @@ export const page: typeof first = {
     capture: "Waiting for a LIBRAS sign",
     gesture: (sign: string) => `Sign: ${sign}`,
     noGesture: "No sign",
+    captured: {
+      camera: (sign: string, sure: string) => `The camera saw ${sign} (${sure})`,
+      taught: (sign: string, sure: string) =>
+        `The camera saw ${sign}, a sign of the class (${sure})`,
+      person: (sign: string) => `You answered ${sign}`,
+      personNone: "You answered: no sign",
+      list: (sign: string) => `Sign from the list: ${sign}`,
+      noneSeen: "No sign was seen",
+    },
     round: (round: number, times: string) => `round ${round} of ${times}`,
     held: "Paused before this block.",
     heldHow: "Press Step or Continue.",
@@ -241,9 +251,10 @@ export const page: typeof first = {
   },
   capture: {
     title: "Which sign did you make?",
-    hint: "Choose the letter in LIBRAS.",
+    show: "Show the sign to the camera",
+    byHand: "Or answer with the buttons:",
     none: "None",
-    noneHelp: "No sign",
+    noneHelp: "None: no sign",
     letter: (letter: string) => `Letter ${letter}`,
     left: (seconds: string) => `${seconds} s`,
     leftHelp: (seconds: string) => `${seconds} seconds left`,

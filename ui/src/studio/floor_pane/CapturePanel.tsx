@@ -1,40 +1,44 @@
 import { Hand } from "lucide-preact";
 import { useLayoutEffect } from "preact/hooks";
+import { hasPicture, wake } from "../../camera/sight";
+import { LETTERS, listenForLetters } from "../../camera/signs";
 import { language, texts } from "../../i18n";
 import { decimal } from "../../i18n/format";
 import { Button } from "../../kit/Button";
-import { listenForKeys } from "../../kit/listen";
 import type { Capture } from "../../run/reducer";
+import { fetchPart, later } from "../../shell/later";
 import { TEST } from "../../shell/testids";
 
-/** The static letters of the LIBRAS alphabet; both signs for D are one letter. */
-export const LETTERS = [..."ABCDEFGIKLMNOPQRSTUVW"];
+const load = async () => (await import("./CaptureCamera")).CaptureCamera;
+const CaptureCamera = later(load);
+const CameraChoice = later(async () => (await import("../../camera/CameraChoice")).CameraChoice);
+
+/** The program that is open will ask for a sign: camera and panel are ready by then. What fails now says so then. */
+export function prepareCapture(): void {
+  wake();
+  fetchPart(load).catch(() => {});
+}
 
 interface CapturePanelProps {
   capture: Capture;
+  /** The signs that the program compares the answer with. */
+  expected: readonly string[];
   onAnswer(result: string): void;
 }
 
-/** Asks for a sign; without a camera the group chooses its letter. */
-export function CapturePanel({ capture, onAnswer }: CapturePanelProps) {
+/** The program waits for a sign: the camera sees it, or the group says which one it was. */
+export function CapturePanel({ capture, expected, onAnswer }: CapturePanelProps) {
   const words = texts.value.capture;
   useLayoutEffect(() => listenForLetters(onAnswer));
-  const shown = decimal(Math.ceil(capture.leftS), 0, language.value);
   return (
-    <section class="capture" aria-label={words.title} data-testid={TEST.capture}>
-      <div class="capture__head">
-        <Hand class="icon capture__hand" aria-hidden="true" />
-        <div>
-          <h2>{words.title}</h2>
-          <p>{words.hint}</p>
-        </div>
-        <span class="capture__left" role="timer" aria-label={words.leftHelp(shown)}>
-          {words.left(shown)}
-        </span>
-      </div>
-      <div class="capture__bar" aria-hidden="true">
-        <div style={{ width: `${(100 * capture.leftS) / capture.timeoutS}%` }} />
-      </div>
+    <section
+      class={`capture ${hasPicture.value ? "capture--camera" : ""}`}
+      aria-label={words.title}
+      data-testid={TEST.capture}
+    >
+      <Head capture={capture} />
+      <CaptureCamera expected={expected} />
+      <p class="capture__by-hand">{words.byHand}</p>
       <div class="capture__letters">
         {LETTERS.map((letter) => (
           <Answer key={letter} result={letter} label={words.letter(letter)} onAnswer={onAnswer}>
@@ -49,14 +53,24 @@ export function CapturePanel({ capture, onAnswer }: CapturePanelProps) {
   );
 }
 
-/** Letter keys answer too, unless another element has the keyboard focus. */
-function listenForLetters(onAnswer: (result: string) => void): () => void {
-  return listenForKeys((key) => {
-    const letter = key.toUpperCase();
-    const isLetter = LETTERS.includes(letter);
-    if (isLetter) onAnswer(letter);
-    return isLetter;
-  });
+function Head({ capture: { leftS, timeoutS } }: { capture: Capture }) {
+  const words = texts.value.capture;
+  const shown = decimal(Math.ceil(leftS), 0, language.value);
+  return (
+    <>
+      <div class="capture__head">
+        <Hand class="icon capture__hand" aria-hidden="true" />
+        <h2 class="capture__title">{hasPicture.value ? words.show : words.title}</h2>
+        <CameraChoice />
+        <span class="capture__left" role="timer" aria-label={words.leftHelp(shown)}>
+          {words.left(shown)}
+        </span>
+      </div>
+      <div class="capture__bar" aria-hidden="true">
+        <div style={{ width: `${(100 * leftS) / timeoutS}%` }} />
+      </div>
+    </>
+  );
 }
 
 interface AnswerProps {

@@ -1,4 +1,4 @@
-import { useSignal } from "@preact/signals";
+import { useSignal, useSignalEffect } from "@preact/signals";
 import { ChartLine, FileCode } from "lucide-preact";
 import { texts } from "../../i18n";
 import { FootButton } from "../../kit/FootButton";
@@ -10,10 +10,14 @@ import { TEST } from "../../shell/testids";
 import { Controls } from "../run_bar/Controls";
 import type { StudioControl } from "../studio_control";
 import { DRAWER, type DrawerState } from "../text/drawer";
+import { prepareCapture } from "./CapturePanel";
 import { Stage } from "./Stage";
 
 export function FloorPane({ control }: { control: StudioControl }) {
   const drawer = useSignal(DRAWER);
+  useSignalEffect(() => {
+    if (control.captures.value) prepareCapture();
+  });
   const { open, what, editing } = drawer.value;
   const { python, plots } = texts.value;
   // unsaved Python text must not be discarded

@@ -129,6 +129,7 @@ function CaptureWhileAsked({ control }: { control: StudioControl }) {
   return (
     <CapturePanel
       capture={capture}
+      expected={control.expectedSigns.value}
       onAnswer={(result) => control.send({ do: "answer_capture", result })}
     />
   );

@@ -1,0 +1,31 @@
+import { Camera } from "lucide-preact";
+import { cameraApi } from "../api/camera";
+import { texts } from "../i18n";
+import { valueIn } from "../kit/requests/load_state";
+import { useLoaded } from "../kit/requests/useLoaded";
+import { Select } from "../kit/Select";
+import { TEST } from "../shell/testids";
+import { refresh } from "./sight";
+
+const WEBCAMS = ["0", "1", "2"];
+
+/** Which camera the app looks through. */
+export function CameraChoice() {
+  const words = texts.value.camera;
+  const status = useLoaded("camera", refresh);
+  const source = valueIn(status)?.source;
+  if (source === undefined) return null;
+  const webcams = WEBCAMS.map((one) => [one, words.number(Number(one) + 1)] as const);
+  return (
+    <Select
+      class="camera-choice"
+      icon={Camera}
+      label={words.choose}
+      tip={words.choose}
+      testId={TEST.cameraChoice}
+      value={source}
+      options={WEBCAMS.includes(source) ? webcams : [[source, words.other], ...webcams]}
+      onChange={async (chosen) => status.set(await cameraApi.choose(chosen))}
+    />
+  );
+}

@@ -1,0 +1,35 @@
+type Tree = { readonly [key: string]: unknown } | readonly unknown[];
+
+const isTree = (value: unknown): value is Tree => typeof value === "object" && value !== null;
+const COMPARING = new Set(["==", "!="]);
+
+/** Everything in a document, from its beginning to its end. */
+function* within(node: unknown): Generator<Record<string, unknown>> {
+  if (!isTree(node)) return;
+  if (!Array.isArray(node)) yield node as Record<string, unknown>;
+  for (const value of Object.values(node)) yield* within(value);
+}
+
+/** Whether the document has a command that waits for a sign. */
+export function hasCapture(document: unknown): boolean {
+  return [...within(document)].some(({ action }) => action === "classify_gestures");
+}
+
+/** The signs that a program compares the answer of its captures with, also by way of a variable, in their order. */
+export function expectedSigns(document: unknown): string[] {
+  const nodes = [...within(document)];
+  const keeping = nodes.filter((node) => node.action === "set_variable" && isResult(node.value));
+  const names = new Set(keeping.map(({ name }) => name));
+  const isAnswer = (value: unknown) =>
+    isResult(value) || (isTree(value) && "var" in value && names.has(value.var));
+  const signs = nodes
+    .filter(
+      ({ op, args }) => COMPARING.has(String(op)) && Array.isArray(args) && args.some(isAnswer),
+    )
+    .flatMap(({ args }) => args as unknown[])
+    .filter((value) => typeof value === "string" && value.trim() !== "")
+    .map((value) => String(value).trim().toUpperCase());
+  return [...new Set(signs)];
+}
+
+const isResult = (value: unknown) => isTree(value) && "gesture" in value;

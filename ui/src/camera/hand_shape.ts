@@ -1,0 +1,117 @@
+/** A landmark: x to the right, y down, z away from who looks; any unit, the same for all three. */
+export type Landmark = readonly number[];
+export type HandSide = "right" | "left";
+
+/** The landmarks of MediaPipe: wrist 0, thumb 1 to 4, then four for each finger from its knuckle to its tip. */
+export const N_LANDMARKS = 21;
+const PALM = [0, 1, 5, 9, 13, 17];
+const FINGERS = [5, 9, 13, 17];
+
+/** Lines between landmarks that show a hand as a skeleton. */
+export const BONES: readonly (readonly number[])[] = [
+  [0, 1, 2, 3, 4],
+  ...FINGERS.map((knuckle) => [knuckle, knuckle + 1, knuckle + 2, knuckle + 3]),
+  [0, 5, 9, 13, 17, 0],
+];
+
+/** A part of a drawn hand, in a square of 100 by 100. */
+export interface Piece {
+  readonly name: string;
+  /** What to stroke with `width`, first with an outline around it; the palm is filled too. */
+  readonly path: string;
+  readonly width: number;
+  /** Stroked without an outline: hides the seam to the part that it goes on in. */
+  readonly seam: string | null;
+}
+
+type Flat = readonly [x: number, y: number];
+
+/** Of the distance from the wrist to the middle finger's knuckle. */
+const FINGER_WIDTH = 0.25;
+const THUMB_WIDTH = 0.28;
+const PALM_WIDTH = 0.3;
+const SEAM = 0.4;
+/** A joint that is bent more shows its crease. */
+const CREASE_COS = 0.3;
+const MARGIN = 4;
+
+/** The parts of a hand from the farthest to the nearest. `landmarks` are of a right hand in a mirror. */
+export function handShape(landmarks: readonly Landmark[], side: HandSide): Piece[] {
+  const unit = distance(at(landmarks, 0), at(landmarks, 9));
+  const { place, scale } = intoSquare(landmarks, side, unit);
+  const flat = landmarks.map(place);
+  const part = (name: string, joints: readonly number[], width: number, from: Flat | null) => ({
+    depth: mean(joints.map((joint) => at(landmarks, joint)[2] ?? 0)),
+    piece: {
+      name,
+      path: line(joints.map((joint) => at(flat, joint))),
+      width: width * unit * scale,
+      seam: from && line([at(flat, joints[0] ?? 0), from]),
+    },
+  });
+  const palm = part("palm", PALM, PALM_WIDTH, null);
+  const middle = middleOf(PALM.map((joint) => at(flat, joint)));
+  const parts = FINGERS.flatMap((knuckle) => {
+    const [first, second, third, tip] = [0, 1, 2, 3].map((n) => knuckle + n) as Four;
+    const into = towards(at(flat, first), middle, SEAM);
+    return [
+      part(`finger ${knuckle}`, [first, second], FINGER_WIDTH, into),
+      part(
+        `tip ${knuckle}`,
+        [second, third, tip],
+        FINGER_WIDTH,
+        seamAt(flat, second, first, third),
+      ),
+    ];
+  });
+  const thumb = [
+    part("thumb", [1, 2, 3], THUMB_WIDTH, towards(at(flat, 1), middle, SEAM)),
+    part("thumb tip", [3, 4], THUMB_WIDTH, seamAt(flat, 3, 2, 4)),
+  ];
+  return [palm, ...parts, ...thumb]
+    .sort((one, other) => other.depth - one.depth)
+    .map(({ piece }) => piece);
+}
+
+type Four = [number, number, number, number];
+
+/** Scales and mirrors, so that the hand with the width of its fingers fills the square. */
+function intoSquare(landmarks: readonly Landmark[], side: HandSide, unit: number) {
+  const turn = side === "left" ? -1 : 1;
+  const xs = landmarks.map(([x = 0]) => turn * x);
+  const ys = landmarks.map(([, y = 0]) => y);
+  const [left, right, top, bottom] = [min(xs), max(xs), min(ys), max(ys)];
+  const scale = (100 - 2 * MARGIN) / (Math.max(right - left, bottom - top) + PALM_WIDTH * unit);
+  const place = ([x = 0, y = 0]: Landmark): Flat => [
+    50 + (turn * x - (left + right) / 2) * scale,
+    50 + (y - (top + bottom) / 2) * scale,
+  ];
+  return { place, scale };
+}
+
+/** Where the seam at a joint ends, on the side of the part before; null where the joint is bent. */
+function seamAt(flat: readonly Flat[], joint: number, before: number, after: number): Flat | null {
+  const [here, back, on] = [at(flat, joint), at(flat, before), at(flat, after)];
+  const [a, b] = [minus(here, back), minus(on, here)];
+  const cosine = (a[0] * b[0] + a[1] * b[1]) / (Math.hypot(...a) * Math.hypot(...b) || 1);
+  return cosine > CREASE_COS ? towards(here, back, SEAM) : null;
+}
+
+const at = <T>(list: readonly T[], index: number): T => list[index] as T;
+const min = (values: readonly number[]) => Math.min(...values);
+const max = (values: readonly number[]) => Math.max(...values);
+const mean = (values: readonly number[]) =>
+  values.reduce((sum, one) => sum + one, 0) / values.length;
+const minus = (one: Flat, other: Flat): Flat => [one[0] - other[0], one[1] - other[1]];
+const distance = (one: Landmark, other: Landmark) =>
+  Math.hypot(...one.map((value, axis) => value - (other[axis] ?? 0)));
+const towards = (from: Flat, to: Flat, part: number): Flat => [
+  from[0] + part * (to[0] - from[0]),
+  from[1] + part * (to[1] - from[1]),
+];
+const middleOf = (points: readonly Flat[]): Flat => [
+  mean(points.map(([x]) => x)),
+  mean(points.map(([, y]) => y)),
+];
+const line = (points: readonly Flat[]) =>
+  `M${points.map((point) => point.map((value) => value.toFixed(1)).join(" ")).join("L")}`;

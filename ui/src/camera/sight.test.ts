@@ -1,0 +1,89 @@
+import { beforeEach, describe, expect, test, vi } from "vitest";
+import { changed, hand, seen } from "./testing/seen";
+
+const cameraApi = { status: vi.fn(), wake: vi.fn() };
+vi.mock("../api/camera", () => ({ cameraApi }));
+
+let page: typeof import("./sight");
+
+beforeEach(async () => {
+  vi.resetModules();
+  vi.clearAllMocks();
+  cameraApi.wake.mockResolvedValue({});
+  page = await import("./sight");
+});
+
+describe("what the camera sees", () => {
+  test("is the newest, until the camera goes off", () => {
+    page.receive(changed("opening"));
+    page.receive(changed("on"));
+    page.receive(seen(hand()));
+    expect(page.sight.value?.hands).toHaveLength(1);
+    page.receive(changed("off"));
+    expect(page.sight.value).toBeNull();
+    page.receive(seen(hand())); // was on its way
+    expect(page.sight.value).toBeNull();
+  });
+
+  test("keeps its proportions while there is none", () => {
+    page.receive(changed("on"));
+    page.receive({ ...seen(), aspect: 16 / 9 });
+    page.receive(changed("off"));
+    expect(page.aspect.value).toBeCloseTo(16 / 9);
+  });
+});
+
+describe("why the camera is of no use", () => {
+  test("stays while it is tried again, so that nothing flickers, until it works", () => {
+    page.receive(changed("failed", "camera_missing"));
+    expect(page.hasPicture.value).toBe(false);
+    page.receive(changed("off"));
+    page.receive(changed("opening"));
+    expect(page.camera.value).toMatchObject({
+      mode: "opening",
+      problem: { message: "Não há câmera." },
+    });
+    expect(page.hasPicture.value).toBe(false);
+    page.receive(changed("on"));
+    expect(page.camera.value.problem).toBeNull();
+    expect(page.hasPicture.value).toBe(true);
+  });
+
+  test("leaves the picture in sight where one sees in it what is wrong", () => {
+    page.receive(changed("on"));
+    page.receive(seen(hand()));
+    page.receive(changed("failed", "camera_dark"));
+    expect(page.hasPicture.value).toBe(true);
+    expect(page.sight.value).not.toBeNull();
+  });
+
+  test("is asked for when the stream begins again and the camera was in use", async () => {
+    cameraApi.status.mockResolvedValue({
+      state: "failed",
+      source: "0",
+      problem: { code: "camera_busy", message: "Ocupada.", remedy: "Fechem o outro." },
+    });
+    await page.resync();
+    expect(cameraApi.status).not.toHaveBeenCalled();
+    page.receive(changed("on"));
+    await page.resync();
+    expect(page.camera.value.problem?.message).toBe("Ocupada.");
+  });
+});
+
+describe("a program that captures", () => {
+  test("wakes the camera once", () => {
+    page.wake();
+    page.wake();
+    expect(cameraApi.wake).toHaveBeenCalledTimes(1);
+  });
+
+  test("wakes it at the next opening where it could not at the first", async () => {
+    cameraApi.wake.mockRejectedValueOnce(new Error("gone"));
+    page.wake();
+    await vi.waitFor(() => {
+      page.wake();
+      expect(cameraApi.wake).toHaveBeenCalledTimes(2);
+    });
+  });
+});

@@ -1,0 +1,14 @@
+import { listenForKeys } from "../kit/listen";
+
+/** The static letters of the LIBRAS alphabet; both signs for D are one letter. */
+export const LETTERS = [..."ABCDEFGIKLMNOPQRSTUVW"];
+
+/** Calls back with the letter whose key is pressed, unless another element has the keyboard focus. */
+export function listenForLetters(onLetter: (letter: string) => void): () => void {
+  return listenForKeys((key) => {
+    const letter = key.toUpperCase();
+    const isLetter = LETTERS.includes(letter);
+    if (isLetter) onLetter(letter);
+    return isLetter;
+  });
+}

@@ -1,0 +1,44 @@
+import { useSignal } from "@preact/signals";
+import { CameraChoice } from "../camera/CameraChoice";
+import { CameraPicture } from "../camera/CameraPicture";
+import { NowSeen } from "../camera/NowSeen";
+import { hasPicture } from "../camera/sight";
+import { texts } from "../i18n";
+import { useInstance } from "../kit/instance";
+import { Imitation } from "./Imitation";
+import { SpelledText } from "./SpelledText";
+import { heldPart, Spelling } from "./spelling";
+
+/** Signs without a program: a letter to imitate, what the camera sees, and the text that the signs make. */
+export function PracticeScreen() {
+  const { practice, titles } = texts.value;
+  const spelling = useInstance(() => new Spelling());
+  const letter = useSignal("A");
+  return (
+    <main class="screen practice">
+      <div class="practice__head">
+        <h1 class="practice__title">{titles.practice}</h1>
+        <p class="practice__hint">{hasPicture.value && practice.hint}</p>
+        <CameraChoice />
+      </div>
+      <div class="practice__picture">
+        <CameraPicture />
+      </div>
+      <div class="practice__side">
+        {hasPicture.value && <Seen spelling={spelling} />}
+        <Imitation letter={letter} />
+      </div>
+      <SpelledText spelling={spelling} />
+    </main>
+  );
+}
+
+function Seen({ spelling }: { spelling: Spelling }) {
+  const { seen, spelled } = texts.value.practice;
+  const held = spelling.held.value;
+  return (
+    <section class="practice__seen card" aria-label={seen}>
+      <NowSeen progress={heldPart(held)} next={held?.isSpelled ? spelled : undefined} />
+    </section>
+  );
+}

@@ -1,0 +1,62 @@
+import { Delete, Eraser, Space, Undo2 } from "lucide-preact";
+import { texts } from "../i18n";
+import { Button } from "../kit/Button";
+import { TEST } from "../shell/testids";
+import type { Spelling } from "./spelling";
+
+/** Characters: more than any word or short sentence takes. */
+const LONGEST = 200;
+
+/** What the signs have spelled; the keyboard writes into it too. */
+export function SpelledText({ spelling }: { spelling: Spelling }) {
+  const words = texts.value.practice;
+  const text = spelling.text.value;
+  const isEmpty = text === "";
+  return (
+    <section class="spelled" aria-label={words.text}>
+      <input
+        class="field spelled__text"
+        value={text}
+        maxLength={LONGEST}
+        autoComplete="off"
+        spellcheck={false}
+        aria-label={words.text}
+        placeholder={words.placeholder}
+        data-testid={TEST.practiceText}
+        onInput={(event) => spelling.write(event.currentTarget.value)}
+      />
+      <Button icon={Space} testId={TEST.practiceSpace} onPress={() => spelling.write(`${text} `)}>
+        {words.space}
+      </Button>
+      <Button
+        icon={Delete}
+        testId={TEST.practiceBack}
+        disabled={isEmpty}
+        onPress={() => spelling.back()}
+      >
+        {words.back}
+      </Button>
+      <ClearButton spelling={spelling} />
+      <p class="spelled__note">{words.moving}</p>
+      <p class="visually-hidden" role="status">
+        {text}
+      </p>
+    </section>
+  );
+}
+
+/** Clears, and brings back what was cleared by mistake. */
+function ClearButton({ spelling }: { spelling: Spelling }) {
+  const words = texts.value.practice;
+  const wasCleared = spelling.cleared.value !== "";
+  return (
+    <Button
+      icon={wasCleared ? Undo2 : Eraser}
+      testId={TEST.practiceClear}
+      disabled={!wasCleared && spelling.text.value === ""}
+      onPress={() => (wasCleared ? spelling.bringBack() : spelling.clear())}
+    >
+      {wasCleared ? words.bringBack : words.clear}
+    </Button>
+  );
+}

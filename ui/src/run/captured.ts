@@ -1,0 +1,14 @@
+import type { Language, Texts } from "../i18n";
+import { percent } from "../i18n/format";
+import type { Captured } from "./reducer";
+
+/** The answer of a capture in words: which sign, and who saw or gave it. */
+export function capturedWords(given: Captured, { status }: Texts, language: Language): string {
+  const { captured } = status;
+  const { label, by, confidence } = given;
+  if (by === null) return captured.noneSeen;
+  if (by === "person") return label ? captured.person(label) : captured.personNone;
+  if (label === "") return captured.noneSeen;
+  if (by === "list") return captured.list(label);
+  return captured[by](label, percent(confidence ?? 0, language));
+}
