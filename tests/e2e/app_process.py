@@ -13,8 +13,8 @@ _START_S = 30.0
 class AppProcess:
     """`pinel serve` on its own folder; the first line that it prints is the one-time address."""
 
-    def __init__(self, home: Path) -> None:
-        self._home = home
+    def __init__(self, home: Path, *options: str) -> None:
+        self._home, self._options = home, options
         self._process: subprocess.Popen[str] | None = None
         self.link = ""
         self.signed_in: Any = None  # cookie of the first browser, for further ones
@@ -69,7 +69,7 @@ class AppProcess:
 
     def _spawn(self, errors: int) -> subprocess.Popen[str]:
         return subprocess.Popen(
-            [sys.executable, "-m", "pinel_desktop", "serve"],
+            [sys.executable, "-m", "pinel_desktop", "serve", *self._options],
             env={
                 **os.environ,
                 "PINEL_HOME": str(self._home),
