@@ -100,8 +100,9 @@ def _unseen(recordings: Recordings, folds: Folds, seed: int, doubt: Doubt) -> Re
 def _answers(
     tested: Recordings, judged: Judgement, right: NDArray[np.bool_], doubt: Doubt
 ) -> Report:
-    """Accuracy of the best letter, and of the answers that the doubt leaves."""
-    answered = judged.is_clear(doubt)
+    """Accuracy of the best letter, and of the answers that the doubt leaves; a hand that is not found has neither."""
+    right = right & tested.is_hand
+    answered = judged.is_clear(doubt) & tested.is_hand
     return {
         "accuracy": Share.among(right).as_object(),
         "by_source": _objects(shares_by(tested.sources, right)),
