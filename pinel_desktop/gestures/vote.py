@@ -8,7 +8,9 @@ from numpy.typing import NDArray
 
 N_FRAMES = 5
 LEAST_S = 0.3  # a fast camera must not decide on the way between two letters
-STILL_HZ = 1.2  # hand sizes a second, root mean square over the landmarks; a hand on its way to a letter is faster
+LEAST_CONFIDENCE = 0.97  # mean of the frames; below it false signs are three times as frequent
+_MOST_FRAMES = 30
+STILL_HZ = 1.5  # hand sizes a second, root mean square over the landmarks; a hand on its way to a letter is faster
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +45,7 @@ class Vote:
     """Counts frames until a sign is steady. A frame that says something else, or a hand that moves, begins anew."""
 
     def __init__(self) -> None:
-        self._frames: deque[Ballot] = deque()
+        self._frames: deque[Ballot] = deque(maxlen=_MOST_FRAMES)
         self._last: Ballot | None = None
 
     @property
@@ -69,7 +71,8 @@ class Vote:
         if self._frames and self._frames[-1].label != frame.label:
             self._frames.clear()
         self._frames.append(frame)
-        return self._decision() if self.progress >= 1.0 else None
+        is_certain = self._mean_confidence() >= LEAST_CONFIDENCE
+        return self._decision() if self.progress >= 1.0 and is_certain else None
 
     def begin_anew(self) -> None:
         """Forgets the frames so far."""
@@ -85,7 +88,9 @@ class Vote:
         return motion / size > STILL_HZ * (frame.time_s - last.time_s)
 
     def _decision(self) -> Decision:
-        frames = list(self._frames)
+        last, confidence = self._frames[-1], self._mean_confidence()
         self._frames.clear()
-        confidence = float(np.mean([frame.confidence for frame in frames]))
-        return Decision(frames[-1].label or "", round(confidence, 3), frames[-1].second)
+        return Decision(last.label or "", round(confidence, 3), last.second)
+
+    def _mean_confidence(self) -> float:
+        return float(np.mean([frame.confidence for frame in self._frames]))

@@ -14,10 +14,11 @@ class Camera:
 
     def __init__(self, rate_hz: float = 15.0) -> None:
         self.vote, self._step_s, self.now_s = Vote(), 1.0 / rate_hz, 0.0
+        self.confidence = 0.98
 
     def show(self, label: str | None, points: NDArray[np.float32] | None = FIST) -> Decision | None:
         self.now_s += self._step_s
-        return self.vote.count(Ballot(self.now_s, label, 0.9, "S", points))
+        return self.vote.count(Ballot(self.now_s, label, self.confidence, "S", points))
 
     def show_for(self, n: int, label: str | None) -> list[Decision]:
         return [decision for _ in range(n) if (decision := self.show(label))]
@@ -28,7 +29,7 @@ def test_steady_sign_is_decided_after_some_frames_and_some_time(rate_hz: float) 
     camera = Camera(rate_hz)
     while not (decision := camera.show("A")):
         assert camera.now_s < 2.0
-    assert decision == Decision("A", 0.9, "S")
+    assert decision == Decision("A", 0.98, "S")
     assert camera.now_s >= LEAST_S
     assert camera.now_s * rate_hz >= N_FRAMES - 0.5
 
@@ -65,6 +66,15 @@ def test_hand_that_trembles_is_counted() -> None:
         camera.show("A", FIST + noise.normal(0, 1.0, (21, 2)).astype(np.float32)) for _ in range(10)
     ]
     assert any(decisions)
+
+
+def test_sign_that_is_not_certain_is_waited_for() -> None:
+    camera = Camera()
+    camera.confidence = 0.9
+    assert not camera.show_for(10, "A")
+    assert camera.vote.progress == 1.0
+    camera.confidence = 0.999
+    assert camera.show_for(60, "A")
 
 
 def test_sequence_of_doubtful_frames_decides_nothing() -> None:

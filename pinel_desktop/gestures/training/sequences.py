@@ -5,7 +5,7 @@ networks. A transition is a steady letter, a few frames that mix the hands of tw
 """
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from statistics import median
 from typing import Any
 
@@ -13,6 +13,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from pinel_desktop.gestures import weights_file
 from pinel_desktop.gestures.classifier import SignClassifier
 from pinel_desktop.gestures.features import features
 from pinel_desktop.gestures.hands import LEAST_PRESENCE, HandFinder, HandTracker
@@ -68,7 +69,8 @@ def sequences_report(
     times_s: list[float | None] = []
     right, false, late = [], [], []
     for fold in strict(recordings.sources):
-        classifier = learn(recordings.where(fold.train), seed)
+        learnt = learn(recordings.where(fold.train), seed)
+        classifier = replace(learnt, calibration=weights_file.load().calibration)
         own = np.flatnonzero(fold.test & recordings.is_hand)
         chosen = random.choice(own, min(n_photos // 4, len(own)), replace=False)
         videos = [_video(finder, photos[i], random) for i in chosen]
