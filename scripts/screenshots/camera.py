@@ -11,9 +11,11 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import cv2
 from playwright.sync_api import Browser, Page
 
 from pinel_desktop.messages import LANGUAGES
+from tests.gestures.drawn import OPEN, drawn_hand, on_wall
 
 CHROMIUM = shutil.which("chromium-headless-shell") or "/usr/bin/chromium"
 ARGUMENTS = [
@@ -52,8 +54,11 @@ ALL = [
 
 @contextmanager
 def application(home: Path) -> Iterator[str]:
-    """Runs the app on a data folder; yields the one-time address of the page."""
-    command = [sys.executable, "-m", "pinel_desktop", "serve", "--port", "0"]
+    """Runs the app on a data folder; yields the one-time address of the page. A drawn hand is before its webcam."""
+    (home / "webcam").mkdir()
+    frame = cv2.cvtColor(on_wall(drawn_hand(OPEN, 560), 1280, 720, 360, 80), cv2.COLOR_RGB2BGR)
+    cv2.imwrite(str(home / "webcam" / "hand.png"), frame)
+    command = [sys.executable, "-m", "pinel_desktop", "serve", "--camera", str(home / "webcam")]
     environment = {**os.environ, "PINEL_HOME": str(home)}
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment) as process:
         try:

@@ -82,6 +82,7 @@ def photograph(camera: Photographer, seeded: Seed) -> None:
     camera.of("fault").first.wait_for()
     camera.round("studio-fault")
     studio_sign(camera, seeded.programs["Letra B"])
+    practice(camera)
     world_editor(camera, seeded.programs["Estrela"])
     camera.go(f"#/work/{seeded.group}")
     camera.of("run-card").first.wait_for()
@@ -125,10 +126,22 @@ def studio_running(camera: Photographer, program: str) -> None:
 def studio_sign(camera: Photographer, program: str) -> None:
     camera.open_program(program)
     camera.press_run()
-    camera.of("capture").wait_for()
+    see_the_hand(camera)
     camera.round("studio-sign")
     camera.of("stop").click()
     camera.wait_for_phase("stopped")
+
+
+def practice(camera: Photographer) -> None:
+    camera.go("#/practice")
+    see_the_hand(camera)
+    camera.round("practice")
+
+
+def see_the_hand(camera: Photographer) -> None:
+    """Waits until the webcam shows a hand."""
+    camera.page.locator("[data-testid=camera-picture][data-state=on]").wait_for()
+    camera.page.locator(".skeleton__hand").first.wait_for()
 
 
 def world_editor(camera: Photographer, program: str) -> None:
