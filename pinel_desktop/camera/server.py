@@ -25,7 +25,7 @@ _END: Message = {"type": "end"}
 _log = logging.getLogger(__name__)
 _LOOK_HZ = 15.0
 _TOLD_HZ = 10.0
-_PREVIEW_WIDTH = 480  # px
+_PREVIEW_SIDE = 480  # px, of the longer side
 _JPEG_QUALITY = 70
 _IDLE_S = 0.1
 _ALIVE_S = 1.0
@@ -217,7 +217,7 @@ def _as_message(hand: SeenSign, width: int, height: int, *, mirror: bool) -> dic
 
 
 def _jpeg(picture: Picture, *, mirror: bool) -> str:
-    scale = _PREVIEW_WIDTH / picture.shape[1]
+    scale = min(1.0, _PREVIEW_SIDE / max(picture.shape[:2]))
     small = cv2.resize(picture, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
     shown = cv2.cvtColor(small[:, ::-1] if mirror else small, cv2.COLOR_RGB2BGR)
     _, jpeg = cv2.imencode(".jpg", shown, [cv2.IMWRITE_JPEG_QUALITY, _JPEG_QUALITY])

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 N_FRAMES = 5
 LEAST_S = 0.3  # a fast camera must not decide on the way between two letters
 LEAST_CONFIDENCE = 0.97  # mean of the frames; below it false signs are three times as frequent
-_MOST_FRAMES = 30
+_MOST_FRAMES = 60
 STILL_HZ = 1.5  # hand sizes a second, root mean square over the landmarks; a hand on its way to a letter is faster
 
 
