@@ -7,11 +7,11 @@ from itertools import cycle
 from pathlib import Path
 from typing import Protocol
 
-import cv2
 import numpy as np
 
 from pinel_desktop.camera.recording import RECORDING_ENDING, RecordedHand, read_recording
 from pinel_desktop.errors import PinelError
+from pinel_desktop.gestures.opencv import cv2
 from pinel_desktop.gestures.pictures import SHORTEST_SIDE, Picture, read_picture
 
 PICTURE_ENDINGS = (".bmp", ".jpeg", ".jpg", ".png", ".webp")

@@ -10,13 +10,13 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any, BinaryIO
 
-import cv2
 import numpy as np
 
 from pinel_desktop.camera.sight import SeenSign, Sight
 from pinel_desktop.camera.source import CameraSource, Frame
 from pinel_desktop.camera.wanted import Wanted
 from pinel_desktop.errors import PinelError
+from pinel_desktop.gestures.opencv import cv2
 from pinel_desktop.gestures.pictures import Picture
 from pinel_desktop.gestures.vote import Ballot, Vote
 from pinel_desktop.processes.messages import Message, read_messages, write_message

@@ -3,12 +3,12 @@
 from collections.abc import Callable
 from pathlib import Path
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from pinel_desktop.gestures.landmarks import Hand, LandmarkNetwork
 from pinel_desktop.gestures.networks import FOLDER, HAND, PALM, Network
+from pinel_desktop.gestures.opencv import cv2
 from pinel_desktop.gestures.palms import Palm, PalmDetector
 from pinel_desktop.gestures.regions import around_hand
 

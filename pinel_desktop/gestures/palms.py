@@ -2,11 +2,11 @@
 
 from dataclasses import dataclass
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from pinel_desktop.gestures.networks import Network
+from pinel_desktop.gestures.opencv import cv2
 from pinel_desktop.gestures.regions import Region, around_palm
 
 Array = NDArray[np.float64]

@@ -1,16 +1,12 @@
 """Pictures from files, brought to one form: RGB, 8 bits, unstretched."""
 
-import os
 from pathlib import Path
 
-# read when cv2 is loaded: a small file can ask for gigabytes
-os.environ.setdefault("OPENCV_IO_MAX_IMAGE_PIXELS", str(100_000_000))
-
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.gestures.opencv import cv2
 
 Picture = NDArray[np.uint8]
 

@@ -7,9 +7,10 @@ scale, which landmarks) are those of MediaPipe's hand graphs, for which the netw
 import math
 from dataclasses import dataclass
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
+
+from pinel_desktop.gestures.opencv import cv2
 
 Array = NDArray[np.float64]
 

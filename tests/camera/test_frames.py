@@ -1,5 +1,6 @@
 """Sources of frames: pictures, videos, recordings, and what a driver may give instead of a frame."""
 
+import re
 from itertools import islice
 from pathlib import Path
 from typing import Any
@@ -8,6 +9,7 @@ import cv2
 import numpy as np
 import pytest
 
+import pinel_desktop
 from pinel_desktop.camera.frames import FrameReader, as_rgb, open_reader
 from pinel_desktop.camera.recording import RecordedHand, read_recording, write_recording
 from pinel_desktop.errors import PinelError
@@ -129,3 +131,14 @@ def test_source_that_cannot_be_opened_says_why(tmp_path: Path) -> None:
         with pytest.raises(PinelError) as caught:
             open_reader(source)
         assert caught.value.code == code
+
+
+def test_opencv_is_loaded_with_its_limits_only() -> None:
+    """A module that imports it by itself would load it without them."""
+    sources = Path(pinel_desktop.__file__).parent.rglob("*.py")
+    alone = [
+        path.name
+        for path in sources
+        if re.search(r"^import cv2|^from cv2", path.read_text("utf-8"), re.M)
+    ]
+    assert alone == ["opencv.py"]

@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 from statistics import median
 from typing import Any
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -17,6 +16,7 @@ from pinel_desktop.gestures import weights_file
 from pinel_desktop.gestures.classifier import SignClassifier
 from pinel_desktop.gestures.features import features
 from pinel_desktop.gestures.hands import LEAST_PRESENCE, HandFinder, HandTracker
+from pinel_desktop.gestures.opencv import cv2
 from pinel_desktop.gestures.pictures import Picture
 from pinel_desktop.gestures.training.figures import Share
 from pinel_desktop.gestures.training.folds import strict
