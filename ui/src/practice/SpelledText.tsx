@@ -37,7 +37,10 @@ export function SpelledText({ spelling }: { spelling: Spelling }) {
         {words.back}
       </Button>
       <ClearButton spelling={spelling} />
-      <p class="spelled__note">{words.moving}</p>
+      <p class="spelled__note">
+        <span>{words.moving}</span>
+        <span>{words.credits}</span>
+      </p>
       <p class="visually-hidden" role="status">
         {text}
       </p>

@@ -36,4 +36,6 @@ export const practice = {
   clear: "Clear",
   bringBack: "Bring it back",
   moving: "H, J, X, Y and Z: by the keyboard only, for now.",
+  credits:
+    "Letters learnt from “Alfabeto em libras” (elainesilva, CC BY 4.0); hands: MediaPipe (Apache 2.0).",
 };

@@ -36,4 +36,6 @@ export const practice = {
   clear: "Limpiar",
   bringBack: "Traer de vuelta",
   moving: "H, J, X, Y y Z: por ahora solo con el teclado.",
+  credits:
+    "Letras aprendidas de “Alfabeto em libras” (elainesilva, CC BY 4.0); manos: MediaPipe (Apache 2.0).",
 };

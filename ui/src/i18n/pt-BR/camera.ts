@@ -36,4 +36,6 @@ export const practice = {
   clear: "Limpar",
   bringBack: "Trazer de volta",
   moving: "H, J, X, Y e Z: só pelo teclado, por enquanto.",
+  credits:
+    "Letras aprendidas de “Alfabeto em libras” (elainesilva, CC BY 4.0); mãos: MediaPipe (Apache 2.0).",
 };
