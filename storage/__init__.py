@@ -17,6 +17,7 @@ from storage.records import (
     RunLine,
     RunRow,
     RunStart,
+    SignSamples,
     VersionMark,
     VersionRow,
 )
@@ -43,6 +44,7 @@ __all__ = [
     "RunLine",
     "RunRow",
     "RunStart",
+    "SignSamples",
     "Store",
     "StoreError",
     "VersionMark",

@@ -26,8 +26,9 @@ class StoreError(Exception):
     Codes: `disk_full`, `database_read_only`, `database_locked`, `database_damaged`, `database_newer`,
     `database_older`, `database_foreign`, `database_is_bundle`, `database_unreadable`, `database_failed`;
     `group_not_found`, `program_not_found`, `version_not_found`, `run_not_found`, `classroom_not_found`,
-    `lesson_not_found`, `note_not_found`; `group_exists`, `classroom_exists`, `name_empty`, `name_too_long`,
-    `note_empty`, `note_too_long`, `color_unknown`, `picture_unknown`, `lesson_not_joinable`, `work_unreadable`.
+    `lesson_not_found`, `note_not_found`, `taught_sign_not_found`; `group_exists`, `classroom_exists`, `name_empty`,
+    `name_too_long`, `note_empty`, `note_too_long`, `color_unknown`, `picture_unknown`, `lesson_not_joinable`,
+    `sign_name_wrong`, `sign_taught_enough`, `signs_too_many`, `work_unreadable`.
     """
 
     def __init__(self, code: str, **params: object) -> None:

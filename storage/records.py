@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
+from storage.limits import N_FEATURES
 from storage.text import readable_object, readable_points
 
 Json = dict[str, Any]
@@ -69,6 +70,18 @@ class NoteRow:
     seen_at: str | None
     program_id: str | None
     program_name: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class SignSamples:
+    """A sign that a class taught; `samples` are rows of `N_FEATURES` float16, little-endian, the newest first."""
+
+    sign: str
+    samples: bytes
+
+    @property
+    def n_samples(self) -> int:
+        return len(self.samples) // (2 * N_FEATURES)
 
 
 @dataclass(frozen=True, slots=True)

@@ -25,6 +25,7 @@ from storage.work.lessons import Lessons
 from storage.work.notes import Notes
 from storage.work.programs import Programs
 from storage.work.settings import Settings
+from storage.work.taught_signs import TaughtSigns
 from storage.work.versions import Versions
 
 if TYPE_CHECKING:
@@ -49,6 +50,7 @@ class Store:
         self.classrooms = Classrooms(database)
         self.groups = Groups(database)
         self.lessons = Lessons(database)
+        self.taught_signs = TaughtSigns(database)
         self.programs = Programs(database)
         self.versions = Versions(database)
         self.runs = Runs(database)

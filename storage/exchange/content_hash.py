@@ -12,7 +12,7 @@ from collections.abc import Iterator
 
 from storage.sql import column_names, snapshot, tuples
 from storage.tables.columns import ReplicatedTable
-from storage.tables.replicated import REPLICATED, TELEMETRY
+from storage.tables.replicated import REPLICATED
 
 _encode = json.JSONEncoder(separators=(",", ":")).encode
 
@@ -43,12 +43,7 @@ def _encoded_rows(
         f"SELECT {', '.join(names)} FROM {schema}.{table.name}"
         f" WHERE {table.condition.format(schema=schema)} ORDER BY {', '.join(table.key)}",
     )
-    if table is not TELEMETRY:
-        for row in rows:
-            yield f"{_encode(row)}\n".encode()
-        return
-    place = names.index("data")
     for row in rows:
-        blob = row[place]
-        head = [*row[:place], len(blob), *row[place + 1 :]]
-        yield f"{_encode(head)}\n".encode() + blob
+        blobs = [value for value in row if isinstance(value, bytes)]
+        head = [len(value) if isinstance(value, bytes) else value for value in row]
+        yield f"{_encode(head)}\n".encode() + b"".join(blobs)

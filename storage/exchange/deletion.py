@@ -44,7 +44,8 @@ _PENDING_NAMES = f"""SELECT name FROM (
     UNION SELECT 2, name FROM main.groups WHERE id IN {_DEAD}
     UNION SELECT 3, title FROM main.lessons WHERE id IN {_DEAD}
     UNION SELECT 4, name FROM main.programs WHERE id IN {_DEAD}
-    UNION SELECT 5, coalesce(program_name, world) FROM main.runs WHERE id IN {_DEAD}
+    UNION SELECT 5, sign FROM main.taught_signs WHERE id IN {_DEAD}
+    UNION SELECT 6, coalesce(program_name, world) FROM main.runs WHERE id IN {_DEAD}
         OR id IN (SELECT run_id FROM main.notes WHERE id IN {_DEAD}))
     WHERE name <> '' GROUP BY name ORDER BY min(place), name LIMIT 20"""
 # keys of the classes, groups and programs that deleted rows belong to: exports of one of these may hold the rows
@@ -57,7 +58,8 @@ _CONCERNED = f"""
          dead_groups AS (SELECT id, classroom_id FROM groups WHERE id IN {_DEAD}
                              OR id IN (SELECT group_id FROM dead_programs UNION SELECT group_id FROM dead_runs))
     SELECT id FROM tombstones UNION SELECT id FROM dead_programs UNION SELECT id FROM dead_groups
-    UNION SELECT classroom_id FROM dead_groups UNION SELECT classroom_id FROM lessons WHERE id IN {_DEAD}"""
+    UNION SELECT classroom_id FROM dead_groups UNION SELECT classroom_id FROM lessons WHERE id IN {_DEAD}
+    UNION SELECT classroom_id FROM taught_signs WHERE id IN {_DEAD}"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,17 +100,19 @@ class PendingDeletion:
     names: tuple[str, ...]
 
 
-def remove(database: Database, kind: str, key: str) -> Deletion:
+def remove(database: Database, kind: str, *keys: str) -> Deletion:
     """Deletes a `classroom` with its groups, a `group` with its programs, a `program` with its runs, a `run` with
-    its notes, a `lesson` or a `note`; not from backups, which `Exchange.remove` does, nor from bundles.
+    its notes, a `lesson`, a `note` or a `taught_sign`, one or several; not from backups, which `Exchange.remove` does,
+    nor from bundles.
 
     Raises:
         StoreError: KIND`_not_found`; `run_in_progress` where a run of it has not ended.
     """
 
     def job(db: sqlite3.Connection) -> Deletion:
-        require(db, f"{kind}s", key)
-        return remove_keys(db, [key], spare_running=True)
+        for key in keys:
+            require(db, f"{kind}s", key)
+        return remove_keys(db, keys, spare_running=True)
 
     deletion = database.write(job)
     with closing(connect(database.address)) as db:

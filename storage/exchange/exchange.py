@@ -100,10 +100,9 @@ class Exchange:
         """PCs whose bundles were merged, the latest first."""
         return known_computers(self._database)
 
-    def remove(self, kind: str, key: str) -> Deletion:
-        """Deletes for good a `classroom`, `group`, `program`, `run`, `lesson` or `note`, also from the backups; see
-        `deletion.remove`."""
-        deletion = remove(self._database, kind, key)
+    def remove(self, kind: str, *keys: str) -> Deletion:
+        """Deletes rows of a kind for good, such as a `group`, also from the backups; see `deletion.remove`."""
+        deletion = remove(self._database, kind, *keys)
         return replace(deletion, still_in=self._clean_backups(deletion.ids))
 
     def finish_removals(self, stop: Stop = lambda: False) -> tuple[Path, ...]:

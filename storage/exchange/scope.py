@@ -14,6 +14,7 @@ from storage.tables.replicated import (
     PROGRAMS,
     REPLICATED,
     RUNS,
+    TAUGHT_SIGNS,
     TOMBSTONES,
 )
 
@@ -63,6 +64,7 @@ class Scope:
         """Conditions by table, where they are others than `_belonging` makes."""
         rows = {
             TOMBSTONES.name: "0",
+            TAUGHT_SIGNS.name: "0",  # they are of the whole class
             RUNS.name: """(program_id IN (SELECT id FROM main.programs)
                 OR program_id IS NULL AND group_id IN (SELECT id FROM main.groups))""",
         }
@@ -74,6 +76,7 @@ class Scope:
         return rows | {
             TOMBSTONES.name: "1",
             GROUPS.name: "classroom_id = :classroom",
+            TAUGHT_SIGNS.name: "classroom_id = :classroom",
             LESSONS.name: f"(classroom_id = :classroom OR {_belonging(LESSONS)})",
             CLASSROOMS.name: f"(id = :classroom OR {_belonging(CLASSROOMS)})",
         }

@@ -166,4 +166,14 @@ MIGRATIONS: dict[str, tuple[str, ...]] = {
     "history_index": (
         "CREATE INDEX runs_history ON runs (id, group_id, lesson_id, activity, state, passed, started_at)",
     ),
+    "taught_signs": (
+        """CREATE TABLE taught_signs (
+            id TEXT PRIMARY KEY,
+            classroom_id TEXT NOT NULL REFERENCES classrooms(id),
+            sign TEXT NOT NULL,
+            created_at TEXT NOT NULL,
+            samples BLOB NOT NULL
+        ) STRICT""",
+        "CREATE INDEX taught_signs_classroom ON taught_signs (classroom_id, id)",
+    ),
 }

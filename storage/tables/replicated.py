@@ -6,7 +6,14 @@ The columns stand in the order of docs/parquet.md. The file has them in the orde
 """
 
 from storage.choices import PICTURES
-from storage.limits import MAX_NAME, MAX_NOTE, MAX_NUMBER, MAX_REVISION, MAX_SAMPLES
+from storage.limits import (
+    MAX_NAME,
+    MAX_NOTE,
+    MAX_NUMBER,
+    MAX_REVISION,
+    MAX_SAMPLES,
+    N_FEATURES,
+)
 from storage.tables import rules
 from storage.tables.columns import (
     BLOB,
@@ -130,6 +137,29 @@ LESSONS = ReplicatedTable(
         *_STATE,
     ),
     own_tombstone=True,
+)
+TAUGHT_SIGNS = ReplicatedTable(
+    "taught_signs",
+    "Signs that a class has shown the camera: one row for each time that one was recorded, never changed. The samples"
+    " are landmarks of children's hands: anonymous and Parquet exports leave them out, as do the files of a group and"
+    " of a program.",
+    (
+        Column("id", KEY, "key of a recording of a sign"),
+        parent("classroom_id", "classrooms", "the class that taught it"),
+        Column(
+            "sign", TEXT, "its name: a letter, or a word of the class", rules.sign, "plain(sign)"
+        ),
+        Column("created_at", TIME, "when it was recorded"),
+        Column(
+            "samples",
+            BLOB,
+            f"hands that show it: rows of {N_FEATURES} features as float16, little-endian",
+            rules.hands,
+        ),
+    ),
+    own_tombstone=True,
+    anonymous=False,
+    parquet=False,
 )
 PROGRAMS = ReplicatedTable(
     "programs",
@@ -344,6 +374,7 @@ REPLICATED = (
     CLASSROOMS,
     GROUPS,
     LESSONS,
+    TAUGHT_SIGNS,
     PROGRAMS,
     VERSIONS,
     LABELS,

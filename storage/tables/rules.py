@@ -6,12 +6,20 @@ a key that is no key, a number that overflows with the next change or a blob tha
 
 import math
 import re
+import struct
 from collections.abc import Callable
 from datetime import datetime
 from typing import Any
 
 from storage.json_check import is_object, parsed
-from storage.limits import LAST_YEAR, MAX_COUNT, MAX_NAME
+from storage.limits import (
+    LAST_YEAR,
+    MAX_COUNT,
+    MAX_NAME,
+    MAX_SIGN,
+    MAX_TAUGHT_SAMPLES,
+    N_FEATURES,
+)
 from storage.text import LAST_FOREIGN_ID
 
 Rule = Callable[[Any], bool]
@@ -69,6 +77,16 @@ def block(value: Any) -> bool:
 def blob(value: Any) -> bool:
     """Bytes."""
     return isinstance(value, bytes)
+
+
+def hands(value: Any) -> bool:
+    """Samples of a taught sign: 1 to `MAX_TAUGHT_SAMPLES` rows of float16 features, all finite."""
+    if not isinstance(value, bytes):
+        return False
+    n_samples, rest = divmod(len(value), 2 * N_FEATURES)
+    if rest or not 1 <= n_samples <= MAX_TAUGHT_SAMPLES:
+        return False
+    return all(map(math.isfinite, struct.unpack(f"<{n_samples * N_FEATURES}e", value)))
 
 
 def real(value: Any) -> bool:
@@ -148,6 +166,8 @@ flag = whole(0, 1)
 word = matching("[a-z][a-z0-9_]{0,63}")
 color = matching("#[0-9a-f]{6}")
 sha256 = matching("[0-9a-f]{64}")
+# part of an address: begins with a letter or digit, and has no mark that an address gives a meaning
+sign = matching(rf"[^\W_][\w '-]{{0,{MAX_SIGN - 1}}}")
 short = line(_MAX_SHORT)
 title = line(MAX_NAME)
 name = line(MAX_NAME, least=1)

@@ -1,1 +1,1 @@
-"""Repositories for classes, groups, lessons, programs, versions, notes, settings and computers."""
+"""Repositories for classes, groups, lessons, taught signs, programs, versions, notes, settings and computers."""

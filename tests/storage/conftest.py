@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from storage import GroupRow, ProgramRow, RunStart, Store, VersionRow, open_store
+from storage.limits import N_FEATURES
 from storage.tables.migrations import migrate
 from tests.storage.bundle_makers import Opened, a_run, a_store, exported, work
 from tests.storage.sample_documents import SQUARE, WORLD
@@ -75,6 +76,7 @@ def original(tmp_path_factory: pytest.TempPathFactory) -> Path:
     with open_store(folder / "there.db") as there:
         classroom = there.classrooms.create("5º B")
         there.lessons.open(classroom.id, "Quadrados")
+        there.taught_signs.add(classroom.id, "7", bytes(2 * N_FEATURES))
         work(there, there.groups.create("Onças", classroom_id=classroom.id), "Quadrado")
         a_run(there, None)
         return exported(there, folder / "there.pinel").path

@@ -1,11 +1,14 @@
 """Random operations on the store of a PC, including merges of other PCs' bundles."""
 
 import random
+import struct
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import TypeVar
 
-from storage import ClassroomRow, GroupRow, ProgramRow, RunRow, Store
+from storage import ClassroomRow, GroupRow, ProgramRow, RunRow, Store, StoreError
+from storage.limits import N_FEATURES
 from tests.storage.bundle_makers import merged, removed, work
 
 T = TypeVar("T")
@@ -23,9 +26,11 @@ class RandomLife:
         self._common: tuple[Deed, ...] = (
             *(self._make_group, self._make_class, self._work, self._save, self._open),
             *(self._rename_group, self._rename_class, self._throw_away, self._note),
+            self._teach,
         )
         self._rare: tuple[Deed, ...] = (
             *(self._delete_class, self._delete_group, self._delete_program, self._delete_run),
+            self._forget_sign,
             *(self._merge,) * 4,
         )
 
@@ -71,6 +76,20 @@ class RandomLife:
     def _note(self) -> None:
         if run := self._run():
             self._store.notes.write(run.id, self._name())
+
+    def _teach(self) -> None:
+        if classroom := self._classroom():
+            sign, value = self._chance.choice("F78"), self._chance.random()
+            with suppress(StoreError):  # taught enough
+                self._store.taught_signs.add(
+                    classroom.id, sign, struct.pack("<e", value) * N_FEATURES
+                )
+
+    def _forget_sign(self) -> None:
+        classroom = self._classroom()
+        taught = self._store.taught_signs.of_classroom(classroom.id) if classroom else []
+        if classroom and (one := self._one_of(taught)):
+            removed(self._store, *self._store.taught_signs.keys(classroom.id, one.sign))
 
     def _delete_class(self) -> None:
         if classroom := self._classroom():

@@ -1,0 +1,100 @@
+"""Signs that a class taught: recordings of hands that show them.
+
+A recording is one row that never changes, so that the union of those of two PCs is a merge. Of one sign the newest
+samples count; a name is one sign whatever its case.
+"""
+
+import sqlite3
+import unicodedata
+from collections.abc import Iterable
+
+from storage.errors import StoreError
+from storage.file.repository import Repository
+from storage.limits import MAX_SIGN, MAX_TAUGHT_SAMPLES, MAX_TAUGHT_SIGNS, N_FEATURES
+from storage.records import SignSamples
+from storage.sql import insert, not_found, require
+from storage.text import clean_name, name_key, new_id
+
+_SAMPLE_BYTES = 2 * N_FEATURES
+
+
+class TaughtSigns(Repository):
+    """The taught signs of the file."""
+
+    def of_classroom(self, classroom_id: str) -> list[SignSamples]:
+        """The signs of a class by name, each with its newest samples. Raises StoreError `classroom_not_found`."""
+        with self._database.reading() as db:
+            require(db, "classrooms", classroom_id)
+            return _signs(_recordings(db, classroom_id))
+
+    def name_to_teach(self, classroom_id: str, name: str) -> str:
+        """How the class spells the sign of that name, which may be new.
+
+        Raises:
+            StoreError: `classroom_not_found`; `sign_name_wrong`; `sign_taught_enough` where it has samples enough;
+                `signs_too_many`.
+        """
+        clean, taught = _clean(name), self.of_classroom(classroom_id)
+        known = next((one for one in taught if name_key(one.sign) == name_key(clean)), None)
+        if known is None and len(taught) >= MAX_TAUGHT_SIGNS:
+            raise StoreError("signs_too_many", max=MAX_TAUGHT_SIGNS)
+        if known and known.n_samples >= MAX_TAUGHT_SAMPLES:
+            raise StoreError("sign_taught_enough", sign=known.sign)
+        return known.sign if known else clean
+
+    def add(self, classroom_id: str, sign: str, samples: bytes) -> None:
+        """Adds a recording.
+
+        Args:
+            samples: at most `MAX_TAUGHT_SAMPLES` rows of `N_FEATURES` finite float16, little-endian.
+
+        Raises:
+            StoreError: as `name_to_teach`.
+        """
+        name, now = self.name_to_teach(classroom_id, sign), self._database.now()
+        row: dict[str, object] = {"id": new_id(), "classroom_id": classroom_id, "sign": name}
+        row |= {"created_at": now, "samples": samples}
+
+        def write(db: sqlite3.Connection) -> None:
+            require(db, "classrooms", classroom_id)
+            insert(db, "taught_signs", row)
+
+        self._database.write(write)
+
+    def keys(self, classroom_id: str, sign: str) -> list[str]:
+        """Keys of all recordings of a sign. Raises StoreError `classroom_not_found`, `taught_sign_not_found`."""
+        with self._database.reading() as db:
+            require(db, "classrooms", classroom_id)
+            rows = _recordings(db, classroom_id)
+        found = [str(row["id"]) for row in rows if name_key(row["sign"]) == name_key(sign)]
+        if not found:
+            raise not_found("taught_signs", sign)
+        return found
+
+
+def _recordings(db: sqlite3.Connection, classroom_id: str) -> list[sqlite3.Row]:
+    """The newest first."""
+    query = "SELECT id, sign, samples FROM taught_signs WHERE classroom_id = ? ORDER BY id DESC"
+    return db.execute(query, [classroom_id]).fetchall()
+
+
+def _signs(recordings: Iterable[sqlite3.Row]) -> list[SignSamples]:
+    by_key: dict[str, SignSamples] = {}
+    for row in recordings:
+        key = name_key(row["sign"])
+        newer = by_key[key].samples if key in by_key else b""
+        kept = (newer + row["samples"])[: MAX_TAUGHT_SAMPLES * _SAMPLE_BYTES]
+        by_key[key] = SignSamples(row["sign"], kept)
+    # a merge may bring more signs than one PC records
+    return [by_key[key] for key in sorted(by_key)[:MAX_TAUGHT_SIGNS]]
+
+
+def _clean(name: str) -> str:
+    """A name that can be part of an address; one letter is the capital that programs compare with."""
+    from storage.tables.rules import sign  # noqa: PLC0415 - the rules of bundles are no part of the start
+
+    clean = unicodedata.normalize("NFC", clean_name(name))
+    clean = clean.upper() if len(clean) == 1 else clean
+    if not sign(clean):
+        raise StoreError("sign_name_wrong", name=clean, max=MAX_SIGN)
+    return clean
