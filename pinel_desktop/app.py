@@ -20,6 +20,7 @@ from pinel_desktop.instance import Instance
 from pinel_desktop.messages import Problem, describe, explain
 from pinel_desktop.preferences import Preferences
 from pinel_desktop.school.grading import Grader
+from pinel_desktop.school.sign_teaching import SignTeaching
 from pinel_desktop.school.teacher import TeacherSessions
 from pinel_desktop.web.application import create_app
 from pinel_desktop.web.early_server import EarlyServer
@@ -168,6 +169,9 @@ class App:
             self._answer_capture,
         )
         undo.callback(self._camera.close)
+        self._signs = SignTeaching(
+            self._store, self._camera, self._hub.publish, lambda: self._preferences.language
+        )
         server.open(create_app(self._services()))
         self._maintenance.start()
         self._start_engine(undo)
@@ -193,6 +197,7 @@ class App:
             store=self._store,
             engine=self._engine,
             camera=self._camera,
+            signs=self._signs,
             hub=self._hub,
             guard=self._guard,
             preferences=self._preferences,

@@ -10,6 +10,7 @@ from itertools import count
 from typing import Any, Literal
 
 from pinel_desktop.camera.preview import Preview
+from pinel_desktop.camera.sample_recording import SampleRecording
 from pinel_desktop.camera.wanted import Wanted
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.app_events import CameraSight
@@ -20,6 +21,7 @@ from pinel_desktop.processes.owned import OwnedProcess
 
 CameraMode = Literal["off", "opening", "on", "failed"]
 WireEvent = dict[str, Any]
+Taught = tuple[tuple[str, bytes], ...]
 
 LINGER_S = 20.0  # the camera stays on so long after its last use: the next capture finds it open
 _SILENT_S = 5.0  # a process that says nothing for so long while the camera is on hangs
@@ -60,7 +62,7 @@ class Camera:
         self._source, self._linger_s = source, linger_s
         self._publish, self._on_change, self._answer = publish, on_change, answer
         self._process = OwnedProcess(
-            "camera", command or own_command("camera"), self._receive, self._died, self._tell_wanted
+            "camera", command or own_command("camera"), self._receive, self._died, self._tell_all
         )
         self._lock = threading.RLock()
         self._wanted = Wanted()
@@ -68,9 +70,11 @@ class Camera:
         self._used_s = self._heard_s = 0.0
         self._tender: threading.Thread | None = None
         self._closing = threading.Event()
-        self._captures = count()
+        self._numbers = count()
         self._run: str | None = None
         self._preview = Preview(self._closing)
+        self._taught: Taught = ()
+        self._recording: SampleRecording | None = None
 
     @property
     def state(self) -> CameraState:
@@ -116,6 +120,39 @@ class Camera:
             if self._wanted.source is not None:
                 self._want(source=source)
 
+    def know(self, taught: Taught) -> None:
+        """Knows these signs besides the letters that ship, from now on: names with samples, as the store keeps them."""
+        with self._lock:
+            if taught != self._taught:
+                self._taught = taught
+                self._tell_taught()
+
+    def record(
+        self,
+        n_samples: int,
+        on_samples: Callable[[tuple[bytes, ...]], None],
+        on_stop: Callable[[], None],
+    ) -> None:
+        """Records hands at rest, one for each frame; a recording that goes on is stopped.
+
+        Args:
+            on_samples: called with all samples so far after each one, at last with `n_samples`.
+            on_stop: called when no hand was at rest for so long that it is given up.
+        """
+        self.stop_recording()
+        with self._lock:
+            self._recording = SampleRecording(n_samples, on_samples, on_stop)
+            self._want(record=str(next(self._numbers)))
+        self.use()
+
+    def stop_recording(self) -> None:
+        """Gives up the recording that goes on, if there is one."""
+        with self._lock:
+            recording, self._recording = self._recording, None
+            self._want(record=None)
+        if recording:
+            recording.on_stop()
+
     def observe(self, event: WireEvent) -> None:
         """To be called with every event of a live run: captures switch the camera on and are answered."""
         kind, run = event["type"], event["run"]
@@ -148,12 +185,12 @@ class Camera:
     def _begin_capture(self, run: str) -> None:
         with self._lock:
             self._run = run
-            self._want(capture=str(next(self._captures)))
+            self._want(capture=str(next(self._numbers)))
 
     def _hold(self, *, is_paused: bool) -> None:
         """A paused run takes no answer of the camera."""
         with self._lock:
-            self._want(capture=None if is_paused else str(next(self._captures)))
+            self._want(capture=None if is_paused else str(next(self._numbers)))
 
     def _end_capture(self) -> None:
         with self._lock:
@@ -175,6 +212,21 @@ class Camera:
             self._wanted = wanted
             self._tell_wanted()
 
+    def _tell_all(self) -> None:
+        """A process that has just started knows nothing."""
+        with self._lock:
+            if self._taught:
+                self._tell_taught()
+            self._tell_wanted()
+
+    def _tell_taught(self) -> None:
+        if self._process.state == "ready":
+            signs = [
+                {"sign": sign, "samples": base64.b64encode(samples).decode("ascii")}
+                for sign, samples in self._taught
+            ]
+            self._process.send({"type": "signs", "signs": signs})
+
     def _tell_wanted(self) -> None:
         if self._process.state == "ready":
             self._process.send(self._wanted.as_message())
@@ -192,6 +244,8 @@ class Camera:
                 self._publish(sight.flat())
             case "recognised":
                 self._recognised(message)
+            case "sample":
+                self._sampled(message)
             case "preview":
                 self._preview.show(base64.b64decode(message["jpeg"]))
 
@@ -205,6 +259,17 @@ class Camera:
         with contextlib.suppress(PinelError):  # the run has ended meanwhile
             self._answer(run, capture)
 
+    def _sampled(self, message: Message) -> None:
+        with self._lock:
+            recording = self._recording
+            if recording is None or message["id"] != self._wanted.record:
+                return  # it was stopped while the message was on its way
+            samples = recording.add(base64.b64decode(message["hand"]))
+            if recording.is_complete:
+                self._recording = None
+                self._want(record=None)
+        recording.on_samples(samples)
+
     def _change(self, state: CameraState) -> None:
         self._state = state
         self._on_change(state)
@@ -217,10 +282,14 @@ class Camera:
         while not self._closing.wait(_TEND_S):
             with self._lock:
                 is_on, now_s = self._wanted.source is not None, time.monotonic()
-                if is_on and self._run is None and now_s - self._used_s > self._linger_s:
+                is_used = self._run is not None or self._recording is not None
+                if is_on and not is_used and now_s - self._used_s > self._linger_s:
                     self._want(source=None)
                 hangs = (
                     is_on and self._process.state == "ready" and now_s - self._heard_s > _SILENT_S
                 )
+                is_given_up = self._recording is not None and self._recording.is_given_up
             if hangs:
                 self._process.kill()
+            if is_given_up:
+                self.stop_recording()

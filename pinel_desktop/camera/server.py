@@ -12,6 +12,7 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
+from pinel_desktop.camera.learning import Learner, SampleTaker
 from pinel_desktop.camera.sight import SeenSign, Sight
 from pinel_desktop.camera.source import CameraSource, Frame
 from pinel_desktop.camera.wanted import Wanted
@@ -72,7 +73,7 @@ class CameraServer:
         self._send({"type": "camera_ready"})
         while (order := self._next_order(session)) is not _END:
             if order:
-                session.want(Wanted.of(order))
+                session.obey(order)
             session.look()
         session.want(Wanted())
 
@@ -110,6 +111,8 @@ class _Session:
         self._source: CameraSource | None = None
         self._wanted = Wanted()
         self._vote = Vote()
+        self._learner = Learner(sight.classifier)
+        self._taker = SampleTaker()
         self._seen_s = self._told_s = self._alive_s = 0.0
         self._state: Message = _state("off")
 
@@ -117,12 +120,21 @@ class _Session:
     def is_on(self) -> bool:
         return self._source is not None
 
+    def obey(self, order: Message) -> None:
+        """Does what a message says."""
+        if order["type"] == "signs":
+            self._learner.learn(order["signs"])
+        else:
+            self.want(Wanted.of(order))
+
     def want(self, wanted: Wanted) -> None:
         """Does what is wanted from now on."""
         if wanted.source != self._wanted.source:
             self._change_source(wanted.source)
         if wanted.capture != self._wanted.capture:
             self._vote.begin_anew()
+        if wanted.record != self._wanted.record:
+            self._taker.begin_anew()
         self._wanted = wanted
 
     def look(self) -> None:
@@ -157,9 +169,13 @@ class _Session:
             self._send({"type": "alive"})
 
     def _see(self, frame: Frame) -> None:
+        if learnt := self._learner.take():
+            self._sight.know(learnt.classifier, learnt.taught)
+            self._vote.begin_anew()
         hands = self._sight.look(frame.shot)
+        self._record(frame, hands)
         decision = self._vote.count(_ballot(frame, hands))
-        if self._wanted.capture and decision:
+        if self._wanted.capture and decision and not self._learner.is_busy:
             taught = any(hand.is_taught for hand in hands if hand.reading.best == decision.label)
             self._send(
                 {
@@ -175,6 +191,11 @@ class _Session:
         if frame.time_s - self._told_s >= 1.0 / _TOLD_HZ:
             self._told_s = frame.time_s
             self._tell(frame.shot.picture, hands)
+
+    def _record(self, frame: Frame, hands: list[SeenSign]) -> None:
+        number = self._wanted.record
+        if number and (sample := self._taker.take(frame.time_s, hands)):
+            self._send({"type": "sample", "id": number, "hand": sample})
 
     def _tell(self, picture: Picture, hands: list[SeenSign]) -> None:
         height, width = picture.shape[:2]

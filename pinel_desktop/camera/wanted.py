@@ -1,6 +1,6 @@
 """What the app wants of the camera process: each message says everything, so that none depends on another."""
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, fields
 from typing import Any
 
 from pinel_desktop.processes.messages import Message
@@ -15,16 +15,18 @@ class Wanted:
         mirror: whether pupils are to see themselves as in a mirror; signs are recognised alike.
         capture: id of the run whose capture waits for a sign; None while none does.
         preview: whether somebody watches the picture.
+        record: id of the recording that waits for hands at rest; None while none does.
     """
 
     source: str | None = None
     mirror: bool = True
     capture: str | None = None
     preview: bool = False
+    record: str | None = None
 
     def as_message(self) -> Message:
         return {"type": "want", **asdict(self)}
 
     @classmethod
     def of(cls, message: dict[str, Any]) -> "Wanted":
-        return cls(message["source"], message["mirror"], message["capture"], message["preview"])
+        return cls(**{field.name: message[field.name] for field in fields(cls)})

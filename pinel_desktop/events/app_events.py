@@ -125,3 +125,29 @@ class CameraChanged(StreamEvent):
     code: str | None
     message: str
     remedy: str
+
+
+@dataclass(frozen=True, slots=True)
+class SignRecording(StreamEvent):
+    """A class teaches the camera a sign: another hand was recorded, all of them were kept, or it was given up.
+
+    Attributes:
+        classroom: id of the class.
+        sign: name of the sign.
+        n_samples: hands recorded so far.
+        n_wanted: hands of a whole recording.
+        is_kept: whether they are on disk.
+        code: of the message why the recording was given up; null where it was not.
+        message: why, in words of the chosen language.
+        remedy: what to do.
+    """
+
+    type: ClassVar[str] = "sign_recording"
+    classroom: str
+    sign: str
+    n_samples: int
+    n_wanted: int
+    is_kept: bool
+    code: str | None
+    message: str
+    remedy: str

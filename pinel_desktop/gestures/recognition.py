@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pinel_desktop.gestures import weights_file
 from pinel_desktop.gestures.classifier import USUAL_DOUBT, Doubt, Reading, SignClassifier
@@ -16,9 +17,10 @@ from pinel_desktop.gestures.regions import Region
 
 @dataclass(frozen=True)
 class SeenHand:
-    """A hand in a picture and what it shows."""
+    """A hand in a picture, its features (1748,), and what it shows."""
 
     hand: Hand
+    features: NDArray[np.float32]
     reading: Reading
 
 
@@ -61,7 +63,8 @@ class Recogniser:
         self.classifier.read(np.zeros(N_FEATURES, np.float32))
 
     def _seen(self, hand: Hand) -> SeenHand:
-        return SeenHand(hand, self.classifier.read(features(hand), self.doubt))
+        numbers = features(hand)
+        return SeenHand(hand, numbers, self.classifier.read(numbers, self.doubt))
 
 
 def clearest(seen: list[SeenHand]) -> SeenHand | None:

@@ -41,6 +41,13 @@ class Decision:
     second: str
 
 
+def rests(before: NDArray[np.float32], now: NDArray[np.float32], elapsed_s: float) -> bool:
+    """Whether a hand hardly moved from one frame to the next: landmarks (21, 2) in px."""
+    size = float(np.ptp(now, axis=0).max()) + 1e-6
+    motion = float(np.sqrt(((now - before) ** 2).sum(axis=1).mean()))
+    return motion / size <= STILL_HZ * elapsed_s
+
+
 class Vote:
     """Counts frames until a sign is steady. A frame that says something else, or a hand that moves, begins anew."""
 
@@ -83,9 +90,7 @@ class Vote:
         last = self._last
         if last is None or last.points is None or frame.points is None:
             return False
-        size = float(np.ptp(frame.points, axis=0).max()) + 1e-6
-        motion = float(np.sqrt(((frame.points - last.points) ** 2).sum(axis=1).mean()))
-        return motion / size > STILL_HZ * (frame.time_s - last.time_s)
+        return not rests(last.points, frame.points, frame.time_s - last.time_s)
 
     def _decision(self) -> Decision:
         last, confidence = self._frames[-1], self._mean_confidence()

@@ -28,6 +28,7 @@ from pinel_desktop.web.api import (
     review,
     robots,
     runs,
+    signs,
     status,
     stream,
     teacher,
@@ -54,6 +55,7 @@ _RESOURCES = (
     worlds,
     robots,
     camera,
+    signs,
     stream,
     instance,
 )

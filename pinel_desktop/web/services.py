@@ -77,6 +77,33 @@ class Camera(Protocol):
     def previews(self) -> Iterator[bytes]: ...
 
 
+class KnownSign(Protocol):
+    """A sign that captures can answer."""
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def is_letter(self) -> bool: ...
+
+    @property
+    def n_samples(self) -> int: ...
+
+
+class Signs(Protocol):
+    """What the handlers need of `school.sign_teaching.SignTeaching`."""
+
+    def signs(self, classroom_id: str | None) -> Sequence[KnownSign]: ...
+
+    def use(self, classroom_id: str | None) -> None: ...
+
+    def record(self, classroom_id: str, name: str) -> str: ...
+
+    def stop(self) -> None: ...
+
+    def forget(self, classroom_id: str, name: str) -> None: ...
+
+
 class Preferences(Protocol):
     """Choices of the person; persistent if the database is writable."""
 
@@ -106,6 +133,7 @@ class Services:
     store: Store
     engine: Engine
     camera: Camera
+    signs: Signs
     hub: Hub
     guard: Guard
     preferences: Preferences

@@ -3,6 +3,7 @@
 import json
 from collections.abc import Iterable, Mapping
 
+from pinel_desktop.gestures.letters import LETTERS
 from pinel_desktop.program import limits as program
 from sim import document, floor, world
 from storage import choices
@@ -25,7 +26,12 @@ _WORLD = {
     "MIN_MOVABLE_KG": world.MIN_MOVABLE_KG,
     "MAX_MOVABLE_KG": world.MAX_MOVABLE_KG,
 }
-_STORE = {"MAX_NAME": store.MAX_NAME, "MAX_NOTE": store.MAX_NOTE}
+_STORE = {
+    "MAX_NAME": store.MAX_NAME,
+    "MAX_NOTE": store.MAX_NOTE,
+    "MAX_SIGN": store.MAX_SIGN,
+    "MAX_TAUGHT_SAMPLES": store.MAX_TAUGHT_SAMPLES,
+}
 
 
 def declared() -> str:
@@ -41,6 +47,8 @@ def declared() -> str:
             _numbers("STORE_LIMITS", _STORE),
             "/** Colours of groups: storage/choices.py. */",
             _list("GROUP_COLORS", choices.COLORS),
+            "/** Letters that the camera knows untaught: pinel_desktop/gestures/letters.py. */",
+            _list("LETTERS", LETTERS),
         ]
     )
 

@@ -12,8 +12,12 @@ from typing import Any
 import psutil
 import pytest
 
+from pinel_desktop.camera import sample_recording
 from pinel_desktop.camera.client import Camera, CameraState
+from pinel_desktop.camera.recording import read_recording
 from pinel_desktop.execution.inputs import Capture
+from pinel_desktop.gestures.features import N_FEATURES
+from tests.camera.taught_hands import packed, shown, write_strange_hand
 
 WAIT_S = 30.0
 RECORDINGS = Path(__file__).parent / "recordings"
@@ -170,3 +174,59 @@ def test_closing_ends_process_and_previews_within_two_seconds(harness: Harness) 
 def old_enough(pid: int | None) -> bool:
     """A process that dies soon after its start counts as one that cannot start."""
     return pid is not None and time.time() - psutil.Process(pid).create_time() > 3.2
+
+
+class TestTeaching:
+    def test_what_a_class_taught_answers_and_says_so(
+        self, harness: Harness, tmp_path: Path
+    ) -> None:
+        strange = write_strange_hand(tmp_path / "strange.npz")
+        hands = [hand for frame in read_recording(strange)[:10] for hand in frame]
+        harness.camera.know((("vai", packed(hands)),))
+        harness.camera.choose(str(strange))
+        harness.event("capture_started")
+        _, capture = harness.answers.get(timeout=WAIT_S)
+        assert (capture.label, capture.by) == ("vai", "taught")
+        harness.camera.choose(str(RECORDINGS / "b.npz"))
+        harness.event("capture_started")
+        _, capture = harness.answers.get(timeout=WAIT_S)
+        assert (capture.label, capture.by) == ("B", "camera")
+
+    def test_what_is_not_taught_any_more_is_not_answered(
+        self, harness: Harness, tmp_path: Path
+    ) -> None:
+        harness.camera.know((("B", packed(shown("B")[:10])),))
+        harness.event("capture_started")
+        assert harness.answers.get(timeout=WAIT_S)[1].by == "taught"
+        harness.camera.know(())
+        harness.event("capture_started")
+        assert harness.answers.get(timeout=WAIT_S)[1].by == "camera"
+
+    def test_the_process_that_takes_the_place_of_another_knows_it_too(
+        self, harness: Harness
+    ) -> None:
+        harness.camera.know((("B", packed(shown("B")[:10])),))
+        harness.camera.use()
+        harness.until("on")
+        wait_for(lambda: old_enough(harness.camera.pid))
+        os.kill(harness.camera.pid or 0, signal.SIGKILL)
+        harness.event("capture_started")
+        assert harness.answers.get(timeout=WAIT_S)[1].by == "taught"
+
+    def test_ten_hands_at_rest_are_recorded(self, harness: Harness) -> None:
+        told: queue.Queue[tuple[bytes, ...]] = queue.Queue()
+        harness.camera.record(10, told.put, lambda: told.put(()))
+        for n in range(1, 11):
+            samples = told.get(timeout=WAIT_S)
+            assert len(samples) == n
+        assert {len(sample) for sample in samples} == {2 * N_FEATURES}
+        with pytest.raises(queue.Empty):
+            told.get(timeout=1.0)
+
+    def test_a_recording_without_a_hand_is_given_up(
+        self, harness: Harness, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.setattr(sample_recording, "_PATIENCE_S", 0.1)
+        stopped = threading.Event()
+        harness.camera.record(10, lambda samples: None, stopped.set)
+        assert stopped.wait(WAIT_S)

@@ -59,7 +59,7 @@ def test_of_two_hands_the_one_that_signs_counts(recogniser: Recogniser) -> None:
 def test_an_answer_comes_before_a_surer_guess() -> None:
     guess = Reading(None, "A", 0.9, "S", 0.1)
     answer = Reading("L", "L", 0.6, "G", 0.1)
-    pair = [SeenHand(None, reading) for reading in (guess, answer)]  # type: ignore[arg-type]
+    pair = [SeenHand(None, None, reading) for reading in (guess, answer)]  # type: ignore[arg-type]
     best = clearest(pair)
     assert best is not None
     assert best.reading is answer

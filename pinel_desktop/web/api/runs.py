@@ -1,5 +1,6 @@
 """Runs: begin, command, list, read events and telemetry."""
 
+import contextlib
 import json
 
 from flask import Response
@@ -71,12 +72,19 @@ def begin_run(body: NewRun) -> Response:
         spec, world_name=body.world, app_version=parts.app_version, version_id=version.id
     )
     row = parts.store.runs.begin(record)
+    _use_signs_of(row.group_id, parts)
     try:
         parts.engine.run(row.id, spec, _first_commands(body))
     except PinelError:
         parts.store.runs.discard(row.id)
         raise
     return answer(run_model(row))
+
+
+def _use_signs_of(group_id: str | None, parts: Services) -> None:
+    """The camera knows what the group's class taught; the run begins all the same where that cannot be read."""
+    with contextlib.suppress(StoreError):
+        parts.signs.use(group_id and parts.store.groups.get(group_id).classroom_id)
 
 
 def _runnable(version: VersionRow, parts: Services) -> dict[str, object]:

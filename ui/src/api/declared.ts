@@ -24,6 +24,8 @@ export const WORLD_LIMITS = {
 export const STORE_LIMITS = {
   MAX_NAME: 60,
   MAX_NOTE: 1000,
+  MAX_SIGN: 30,
+  MAX_TAUGHT_SAMPLES: 20,
 } as const;
 
 /** Colours of groups: storage/choices.py. */
@@ -40,4 +42,29 @@ export const GROUP_COLORS = [
   "#6d5d4b",
   "#9c3d97",
   "#4a6b1c",
+] as const;
+
+/** Letters that the camera knows untaught: pinel_desktop/gestures/letters.py. */
+export const LETTERS = [
+  "A",
+  "B",
+  "C",
+  "D",
+  "E",
+  "F",
+  "G",
+  "I",
+  "K",
+  "L",
+  "M",
+  "N",
+  "O",
+  "P",
+  "Q",
+  "R",
+  "S",
+  "T",
+  "U",
+  "V",
+  "W",
 ] as const;

@@ -1,6 +1,11 @@
 import { batch, computed, signal } from "@preact/signals";
 import { cameraApi } from "../api/camera";
-import type { CameraChangedEvent, CameraSightEvent, CameraStatus } from "../api/model";
+import type {
+  CameraChangedEvent,
+  CameraSightEvent,
+  CameraStatus,
+  SignRecordingEvent,
+} from "../api/model";
 
 /** Why the camera is of no use, and what to do. */
 export interface CameraProblem {
@@ -32,8 +37,13 @@ export const hasPicture = computed(() => {
 /** Width of the picture divided by its height; the last one known, so that nothing jumps. */
 export const aspect = signal(4 / 3);
 
-export function receive(event: CameraSightEvent | CameraChangedEvent): void {
-  if (event.type === "camera_state") {
+/** The recording of a sign that a class teaches, as it was told last; null before the first one. */
+export const recording = signal<SignRecordingEvent | null>(null);
+
+export function receive(event: CameraSightEvent | CameraChangedEvent | SignRecordingEvent): void {
+  if (event.type === "sign_recording") {
+    recording.value = event;
+  } else if (event.type === "camera_state") {
     const { state, code, message, remedy } = event;
     change(state, code === null ? null : { code, message, remedy });
   } else if (camera.peek().mode !== "off") {

@@ -10,6 +10,7 @@ import type {
   Program,
   ProgramChangedEvent,
   RunEvent,
+  SignRecordingEvent,
   Status,
   StreamEvent,
   World,
@@ -118,7 +119,7 @@ interface Follower {
 
 /** Who follows the camera. */
 interface CameraFollower {
-  receive(event: CameraSightEvent | CameraChangedEvent): void;
+  receive(event: CameraSightEvent | CameraChangedEvent | SignRecordingEvent): void;
   /** The stream begins, or begins again. */
   resync(): Promise<void>;
 }
@@ -132,6 +133,7 @@ function onStream(event: StreamEvent, runs: Follower, camera: CameraFollower): v
       break;
     case "camera_sight":
     case "camera_state":
+    case "sign_recording":
       camera.receive(event);
       break;
     case "notice":

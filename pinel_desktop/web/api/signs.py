@@ -1,0 +1,74 @@
+"""Signs: those that the camera knows, and teaching it those of a class."""
+
+from flask import Response
+
+from pinel_desktop.web.api import WRITES, answers, resource
+from pinel_desktop.web.models import Empty, IdPath
+from pinel_desktop.web.models.signs import (
+    ClassroomOfCamera,
+    Sign,
+    SignList,
+    SignName,
+    SignPath,
+)
+from pinel_desktop.web.responses import answer
+from pinel_desktop.web.services import services
+
+api = resource("signs", "Signs that the camera knows, and that classes teach it.", __name__)
+
+
+@api.get("/signs", responses=answers(SignList))
+def list_signs() -> Response:
+    """The letters that the camera knows untaught."""
+    return _signs(None)
+
+
+@api.get("/classrooms/<id>/signs", responses=answers(SignList, "classroom_not_found"))
+def list_signs_of_classroom(path: IdPath) -> Response:
+    """The letters, and the signs that the class taught."""
+    return _signs(path.id)
+
+
+@api.put("/camera/classroom", responses=answers(SignList, "classroom_not_found"))
+def choose_classroom_of_camera(body: ClassroomOfCamera) -> Response:
+    """Chooses the class whose taught signs the camera knows from now on; a run chooses that of its group."""
+    services().signs.use(body.classroom_id)
+    return _signs(body.classroom_id)
+
+
+@api.post(
+    "/classrooms/<id>/signs/<sign>/samples",
+    responses=answers(
+        SignName,
+        "classroom_not_found",
+        "name_empty",
+        "sign_name_wrong",
+        "sign_taught_enough",
+        "signs_too_many",
+        *WRITES,
+    ),
+)
+def record_sign(path: SignPath) -> Response:
+    """Begins to record the hand that the camera sees as a sign of the class; `sign_recording` tells of each frame."""
+    return answer(SignName(name=services().signs.record(path.id, path.sign)))
+
+
+@api.delete("/signs/recording", responses=answers(Empty))
+def stop_recording_sign() -> Response:
+    """Gives up the recording of a sign; does nothing without one."""
+    services().signs.stop()
+    return answer(Empty())
+
+
+@api.delete(
+    "/classrooms/<id>/signs/<sign>",
+    responses=answers(SignList, "classroom_not_found", "taught_sign_not_found", *WRITES),
+)
+def delete_sign(path: SignPath) -> Response:
+    """Deletes all that the class showed of a sign, also from the backups; a letter is known untaught again."""
+    services().signs.forget(path.id, path.sign)
+    return _signs(path.id)
+
+
+def _signs(classroom_id: str | None) -> Response:
+    return answer(SignList(signs=[Sign.of(one) for one in services().signs.signs(classroom_id)]))

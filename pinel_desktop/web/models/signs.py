@@ -1,0 +1,44 @@
+"""Signs that captures can answer, and those that a class teaches."""
+
+from typing import Annotated
+
+from pydantic import BaseModel, Field
+
+from pinel_desktop.web.models import DEFERRED, Body, Id, Shape
+
+
+class Sign(Shape):
+    """A sign that the camera knows; `n_samples` are hands that the class has shown of it."""
+
+    name: str
+    is_letter: Annotated[
+        bool, Field(description="one of the letters that the camera knows untaught")
+    ]
+    n_samples: int
+
+
+class SignList(Shape):
+    """Letters first, then what the class taught besides."""
+
+    signs: list[Sign]
+
+
+class SignName(Shape):
+    """The sign that is being recorded, as the class spells it."""
+
+    name: str
+
+
+class ClassroomOfCamera(Body):
+    """The class whose taught signs the camera is to know; null for a group without a class."""
+
+    classroom_id: Id | None
+
+
+class SignPath(BaseModel):
+    """A class and the name of a sign in a path."""
+
+    model_config = DEFERRED
+
+    id: Id
+    sign: Annotated[Id, Field(description="name of a sign, at most 30 characters")]

@@ -1,0 +1,114 @@
+"""Signs over HTTP: the letters, and what a class teaches. A recording of hands stands in for a webcam."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from pinel_desktop.app import App
+from pinel_desktop.gestures.letters import LETTERS
+from tests.web.browser import Browser
+
+RECORDING = Path(__file__).parents[1] / "camera" / "recordings" / "b.npz"
+
+
+@pytest.fixture
+def app(tmp_path: Path) -> Iterator[App]:
+    with App(tmp_path / "pinel.db", camera=str(RECORDING)) as app:
+        yield app
+
+
+@pytest.fixture
+def browser(app: App) -> Browser:
+    return Browser.signed_in(app.address)
+
+
+@pytest.fixture
+def classroom(app: App) -> str:
+    return app._store.classrooms.create("5º B").id
+
+
+def taught(browser: Browser, classroom: str) -> dict[str, int]:
+    signs = browser.get(f"/api/classrooms/{classroom}/signs").data["signs"]
+    return {sign["name"]: sign["n_samples"] for sign in signs if sign["n_samples"]}
+
+
+def known(app: App) -> list[str]:
+    """Taught signs that the camera is to know."""
+    return [sign for sign, _ in app._camera._taught]
+
+
+def record(browser: Browser, classroom: str, sign: str) -> list[dict[str, Any]]:
+    """Records until the hands are kept; returns the events."""
+    with browser.stream() as stream:
+        path = f"/api/classrooms/{classroom}/signs/{sign}/samples"
+        answer = browser.post(path)
+        assert answer.status == 200, answer.body
+        told = []
+        for event in stream.events():
+            if event["type"] == "sign_recording":
+                told.append(event)
+                if event["is_kept"] or event["code"]:
+                    return told
+    raise AssertionError("the stream ended")
+
+
+def test_letters_are_known_untaught(browser: Browser, classroom: str) -> None:
+    letters = [{"name": name, "is_letter": True, "n_samples": 0} for name in LETTERS]
+    assert browser.get("/api/signs").data["signs"] == letters
+    assert browser.get(f"/api/classrooms/{classroom}/signs").data["signs"] == letters
+    assert browser.get("/api/classrooms/x/signs").error["code"] == "classroom_not_found"
+
+
+def test_a_sign_is_recorded_listed_used_and_deleted(
+    app: App, browser: Browser, classroom: str
+) -> None:
+    assert browser.put("/api/camera/classroom", {"classroom_id": classroom}).status == 200
+    told = record(browser, classroom, "b")
+    assert [event["n_samples"] for event in told] == [*range(1, 11), 10]
+    assert {event["sign"] for event in told} == {"B"}
+    assert taught(browser, classroom) == {"B": 10}
+    assert known(app) == ["B"]
+    assert record(browser, classroom, "vai%20a%C3%AD")[-1]["is_kept"]
+    assert taught(browser, classroom) == {"B": 10, "vai aí": 10}
+    assert browser.delete(f"/api/classrooms/{classroom}/signs/B").status == 200
+    assert taught(browser, classroom) == {"vai aí": 10}
+    assert known(app) == ["vai aí"]
+    gone = browser.delete(f"/api/classrooms/{classroom}/signs/B")
+    assert (gone.status, gone.error["code"]) == (404, "taught_sign_not_found")
+
+
+def test_what_cannot_be_taught_is_told(app: App, browser: Browser, classroom: str) -> None:
+    def refused(classroom_id: str, sign: str) -> tuple[int, str]:
+        answer = browser.post(f"/api/classrooms/{classroom_id}/signs/{sign}/samples")
+        return answer.status, answer.error["code"]
+
+    assert refused("x", "7") == (404, "classroom_not_found")
+    assert refused(classroom, "%3F") == (422, "sign_name_wrong")
+    assert refused(classroom, "a" * 31) == (422, "sign_name_wrong")
+    assert refused(classroom, "%20") == (422, "name_empty")
+
+
+def test_a_recording_that_is_given_up_says_so(browser: Browser, classroom: str) -> None:
+    with browser.stream() as stream:
+        browser.post(f"/api/classrooms/{classroom}/signs/7/samples")
+        assert browser.delete("/api/signs/recording").status == 200
+        told = next(event for event in stream.events() if event.get("code"))
+    assert (told["type"], told["code"]) == ("sign_recording", "sign_recording_stopped")
+    assert told["remedy"]
+    assert taught(browser, classroom) == {}
+
+
+def test_a_run_brings_the_signs_of_its_group(app: App, browser: Browser, classroom: str) -> None:
+    record(browser, classroom, "7")
+    browser.put("/api/camera/classroom", {"classroom_id": None})
+    assert known(app) == []
+    group = app._store.groups.create("Onças", classroom_id=classroom)
+    program = app._store.programs.create(group.id, "P")
+    document = {"pinel_ir": 1, "name": "p", "functions": [], "commands": []}
+    version = app._store.versions.save(program.id, {}, document)
+    app._engine.wait_until_ready(30)  # type: ignore[attr-defined]
+    begun = browser.post("/api/runs", {"version_id": version.id, "world": "empty_room"})
+    assert begun.status == 200, begun.body
+    assert known(app) == ["7"]
