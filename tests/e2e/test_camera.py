@@ -101,3 +101,21 @@ def test_practice_goes_on_without_a_camera(open_studio: OpenStudio, language: st
     studio["practice-text"].fill("OI")
     expect(studio["practice-text"]).to_have_value("OI")
     assert violations(studio) == []
+
+
+def test_a_class_teaches_a_sign_and_takes_it_back(studio: Studio) -> None:
+    studio.tell("PUT", "/teacher/pin", {"pin": "2468"})
+    classroom = studio.tell("POST", "/classrooms", {"name": "5º B"})["id"]
+    studio["practice"].click()
+    studio.page.locator(".teaching__title").click()
+    studio["teach-name"].fill("b")
+    studio["teach-record"].click()
+    expect(studio["taught-sign"]).to_have_attribute("data-sign", "B", timeout=CAMERA_MS)
+    assert violations(studio) == []
+    for width, height in SCREENS:
+        studio.page.set_viewport_size({"width": width, "height": height})
+        assert cut(studio.page) == [], f"{width} x {height}"
+    studio["forget-sign"].click()
+    expect(studio["taught-sign"]).to_have_count(0)
+    signs = studio.api(f"/classrooms/{classroom}/signs")["signs"]
+    assert {sign["n_samples"] for sign in signs} == {0}

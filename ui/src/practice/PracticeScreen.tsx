@@ -8,6 +8,7 @@ import { useInstance } from "../kit/instance";
 import { Imitation } from "./Imitation";
 import { SpelledText } from "./SpelledText";
 import { heldPart, Spelling } from "./spelling";
+import { Teaching } from "./Teaching";
 
 /** Signs without a program: a letter to imitate, what the camera sees, and the text that the signs make. */
 export function PracticeScreen() {
@@ -27,6 +28,7 @@ export function PracticeScreen() {
       <div class="practice__side">
         {hasPicture.value && <Seen spelling={spelling} />}
         <Imitation letter={letter} />
+        <Teaching />
       </div>
       <SpelledText spelling={spelling} />
     </main>

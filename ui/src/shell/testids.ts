@@ -132,6 +132,11 @@ export const TEST = {
   practiceSpace: "practice-space",
   practiceBack: "practice-back",
   practiceClear: "practice-clear",
+  teachName: "teach-name", // an input
+  teachRecord: "teach-record",
+  teachTold: "teach-told",
+  taughtSign: "taught-sign", // of each; data-sign
+  forgetSign: "forget-sign", // of each
 
   // world editor
   worldChange: "world-change", // opens the editor

@@ -39,3 +39,14 @@ export const practice = {
   credits:
     "Letters learnt from “Alfabeto em libras” (elainesilva, CC BY 4.0); hands: MediaPipe (Apache 2.0).",
 };
+
+/** Signs that a class teaches the camera. */
+export const teaching = {
+  title: "Teach a sign",
+  name: "Letter, or name of the sign",
+  record: "Record",
+  samples: (n: number) => `${n} pictures`,
+  forget: (sign: string) => `Delete what was recorded of ${sign}`,
+  counted: (sign: string, n: number, of: number) => `${sign}: ${n} of ${of}. Keep your hand still.`,
+  learnt: (sign: string) => `Done: the camera knows the sign ${sign}.`,
+};

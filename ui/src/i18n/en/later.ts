@@ -1,8 +1,8 @@
 import figures from "../../../../pinel_desktop/messages/catalogue/en/review.json";
 import type { LaterTexts } from "../texts";
-import { camera, practice } from "./camera";
+import { camera, practice, teaching } from "./camera";
 import { exchange } from "./exchange";
 import { review } from "./review";
 import { teacher } from "./teacher";
 
-export const later: LaterTexts = { camera, exchange, figures, practice, review, teacher };
+export const later: LaterTexts = { camera, exchange, figures, practice, review, teacher, teaching };

@@ -39,3 +39,15 @@ export const practice = {
   credits:
     "Letras aprendidas de “Alfabeto em libras” (elainesilva, CC BY 4.0); manos: MediaPipe (Apache 2.0).",
 };
+
+/** Signs that a class teaches the camera. */
+export const teaching = {
+  title: "Enseñar una seña",
+  name: "Letra, o nombre de la seña",
+  record: "Grabar",
+  samples: (n: number) => `${n} imágenes`,
+  forget: (sign: string) => `Borrar lo que se grabó de ${sign}`,
+  counted: (sign: string, n: number, of: number) =>
+    `${sign}: ${n} de ${of}. Mantengan la mano quieta.`,
+  learnt: (sign: string) => `Listo: la cámara conoce la seña ${sign}.`,
+};

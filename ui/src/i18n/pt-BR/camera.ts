@@ -39,3 +39,15 @@ export const practice = {
   credits:
     "Letras aprendidas de “Alfabeto em libras” (elainesilva, CC BY 4.0); mãos: MediaPipe (Apache 2.0).",
 };
+
+/** Signs that a class teaches the camera. */
+export const teaching = {
+  title: "Ensinar um sinal",
+  name: "Letra, ou nome do sinal",
+  record: "Gravar",
+  samples: (n: number) => `${n} imagens`,
+  forget: (sign: string) => `Apagar o que foi gravado de ${sign}`,
+  counted: (sign: string, n: number, of: number) =>
+    `${sign}: ${n} de ${of}. Fiquem com a mão parada.`,
+  learnt: (sign: string) => `Pronto: a câmera conhece o sinal ${sign}.`,
+};

@@ -1,6 +1,6 @@
 import figures from "../../../../pinel_desktop/messages/catalogue/pt-BR/review.json";
 import type { Catalogue } from "../message";
-import { camera, practice } from "./camera";
+import { camera, practice, teaching } from "./camera";
 import { exchange } from "./exchange";
 import { review } from "./review";
 import { teacher } from "./teacher";
@@ -13,4 +13,5 @@ export const later = {
   practice,
   review,
   teacher,
+  teaching,
 };

@@ -1,0 +1,91 @@
+import { act, cleanup, fireEvent, render, screen, waitFor } from "@testing-library/preact";
+import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
+import type { SignRecordingEvent } from "../api/model";
+import { passesAxe } from "../kit/testing/control";
+import { TEST } from "../shell/testids";
+
+const signsApi = { use: vi.fn(), record: vi.fn(), stop: vi.fn(), forget: vi.fn() };
+vi.mock("../api/signs", () => ({ signsApi }));
+
+const classes = vi.fn();
+vi.mock("../shell/first_answers", () => ({ groupsAndClasses: classes, serverStatus: vi.fn() }));
+
+const { Teaching } = await import("./Teaching");
+const { receive } = await import("../camera/sight");
+const { classroom } = await import("../shell/classroom");
+
+const A = { name: "A", is_letter: true, n_samples: 0 };
+const GO = { name: "vai", is_letter: false, n_samples: 10 };
+
+const told = (more: Partial<SignRecordingEvent>): SignRecordingEvent => ({
+  type: "sign_recording",
+  classroom: "c",
+  sign: "vai",
+  n_samples: 3,
+  n_wanted: 10,
+  is_kept: false,
+  code: null,
+  message: "",
+  remedy: "",
+  ...more,
+});
+
+beforeEach(() => {
+  classroom.value = null;
+  classes.mockReset().mockResolvedValue([[], [{ id: "c", name: "5º B" }]]);
+  signsApi.use.mockReset().mockResolvedValue([A, GO]);
+  signsApi.record.mockReset().mockResolvedValue({ name: "vai" });
+  signsApi.stop.mockReset().mockResolvedValue({});
+  signsApi.forget.mockReset().mockResolvedValue([A]);
+});
+afterEach(cleanup);
+
+const status = () => screen.getByTestId(TEST.teachTold).textContent;
+const taught = () => screen.queryAllByTestId(TEST.taughtSign).map((one) => one.dataset.sign);
+
+describe("teaching a sign", () => {
+  test("is for a class", async () => {
+    classes.mockResolvedValue([[], []]);
+    const { container } = render(<Teaching />);
+    await act(async () => {});
+    expect(container.textContent).toBe("");
+    expect(signsApi.use).not.toHaveBeenCalled();
+  });
+
+  test("begins with its name, counts what is recorded, and says when the camera knows it", async () => {
+    const { container } = render(<Teaching />);
+    await waitFor(() => expect(taught()).toEqual(["vai"]));
+    fireEvent.input(screen.getByTestId(TEST.teachName), { target: { value: " vai " } });
+    fireEvent.click(screen.getByTestId(TEST.teachRecord));
+    await waitFor(() => expect(signsApi.record).toHaveBeenCalledWith("c", "vai"));
+    act(() => receive(told({})));
+    expect(status()).toContain("3 de 10");
+    act(() => receive(told({ n_samples: 10, is_kept: true })));
+    expect(status()).toContain("vai");
+    await waitFor(() => expect(signsApi.use).toHaveBeenCalledTimes(2));
+    await passesAxe(container);
+  });
+
+  test("says why it was given up", async () => {
+    render(<Teaching />);
+    await screen.findByTestId(TEST.teachTold);
+    act(() => receive(told({ code: "x", message: "Sem mão.", remedy: "Mostrem a mão." })));
+    expect(status()).toBe("Sem mão. Mostrem a mão.");
+    act(() => receive(told({ classroom: "other" })));
+    expect(status()).toBe("");
+  });
+
+  test("is taken back", async () => {
+    render(<Teaching />);
+    fireEvent.click(await screen.findByTestId(TEST.forgetSign));
+    await waitFor(() => expect(taught()).toEqual([]));
+    expect(signsApi.forget).toHaveBeenCalledWith("c", "vai");
+  });
+
+  test("stops with the screen", async () => {
+    const { unmount } = render(<Teaching />);
+    await screen.findByTestId(TEST.teachTold);
+    unmount();
+    expect(signsApi.stop).toHaveBeenCalled();
+  });
+});
