@@ -69,9 +69,8 @@ def _is_close(now: Any, then: Any, within: float) -> bool:
 
 def test_the_database_opens_as_it_was_left_and_holds_the_same(home: Path) -> None:
     database = kept.unpack("database", home / "database") / DATABASE
-    with closing(
-        opened(database, "ro")
-    ) as db:  # the command line looks at files of this release only
+    # `pinel runs` reads files of this release only and asks for PINEL to be started once
+    with closing(opened(database, "ro")) as db:
         (state,) = db.execute("SELECT state FROM runs ORDER BY id DESC LIMIT 1").fetchone()
     assert state == "running"  # the power was cut
     with open_store(database) as store:
