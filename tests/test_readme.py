@@ -184,7 +184,7 @@ def test_the_example_of_a_column_has_three_places() -> None:
     files = [file for file, _ in worked_example("A column that travels between PCs")]
     assert files == [
         "storage/tables/ddl.py",
-        "storage/tables/replicated.py",
+        "storage/tables/work.py",
         "storage/records.py",
     ]
 

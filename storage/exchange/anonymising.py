@@ -3,7 +3,7 @@
 Stays: what programs do and their numbers, runs with path, samples, outcome and times, the order of everything.
 Goes: names of groups, classes, lessons, programs and PCs (a number in their place), notes, labels, comments, all
 that is said, asked, answered or named in programs, the blocks as they lay in the editor. Keys are new ones.
-What becomes of each column is declared with it (`storage/tables/replicated.py`). Whoever has the original file can
+What becomes of each column is declared with it (`storage/tables/`). Whoever has the original file can
 still find a run by its samples: docs/bundles.md says so to teachers.
 """
 

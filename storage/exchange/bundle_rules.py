@@ -8,7 +8,8 @@ from typing import Any
 from storage.limits import MAX_SAMPLES
 from storage.sql import column_names, tuples
 from storage.tables.columns import ReplicatedTable
-from storage.tables.replicated import REPLICATED, TELEMETRY
+from storage.tables.replicated import REPLICATED
+from storage.tables.runs import TELEMETRY
 
 _SAMPLE_COLUMNS = 16
 

@@ -12,7 +12,8 @@ from storage.file.connection import Database
 from storage.file.opening import connect
 from storage.sql import require, row_count, tuples
 from storage.tables.columns import ReplicatedTable
-from storage.tables.replicated import REPLICATED, RUNS
+from storage.tables.replicated import REPLICATED
+from storage.tables.runs import RUNS
 from storage.text import loaded
 
 _BY_NAME = {table.name: table for table in REPLICATED}

@@ -26,16 +26,9 @@ from storage.exchange.deletion import (
 from storage.file.connection import Database
 from storage.sql import column_names, insert, row_count
 from storage.tables.columns import ReplicatedTable
-from storage.tables.replicated import (
-    EVENTS,
-    LABELS,
-    NOTES,
-    REPLICATED,
-    RUNS,
-    TELEMETRY,
-    TOMBSTONES,
-    VERSIONS,
-)
+from storage.tables.replicated import REPLICATED, TOMBSTONES
+from storage.tables.runs import EVENTS, RUNS, TELEMETRY
+from storage.tables.work import LABELS, NOTES, VERSIONS
 from storage.text import dumped, new_id
 
 _FIRST = ("revision", "changed_at")

@@ -15,18 +15,9 @@ from storage.exchange.merging import MergeReport, insert_new, is_new, may_merge,
 from storage.file.connection import Database
 from storage.file.opening import connect
 from storage.tables.columns import ReplicatedTable
-from storage.tables.replicated import (
-    CLASSROOMS,
-    COMPUTERS,
-    EVENTS,
-    GROUPS,
-    LABELS,
-    LESSONS,
-    PROGRAMS,
-    RUNS,
-    TELEMETRY,
-    VERSIONS,
-)
+from storage.tables.replicated import COMPUTERS
+from storage.tables.runs import EVENTS, RUNS, TELEMETRY
+from storage.tables.work import CLASSROOMS, GROUPS, LABELS, LESSONS, PROGRAMS, VERSIONS
 
 _PROGRAM = "(SELECT id FROM bundle.programs)"
 # a program that the store has already stays in the group that it has there

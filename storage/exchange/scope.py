@@ -6,17 +6,9 @@ from dataclasses import dataclass
 
 from storage.sql import require
 from storage.tables.columns import ReplicatedTable
-from storage.tables.replicated import (
-    CLASSROOMS,
-    COMPUTERS,
-    GROUPS,
-    LESSONS,
-    PROGRAMS,
-    REPLICATED,
-    RUNS,
-    TAUGHT_SIGNS,
-    TOMBSTONES,
-)
+from storage.tables.replicated import COMPUTERS, REPLICATED, TOMBSTONES
+from storage.tables.runs import RUNS
+from storage.tables.work import CLASSROOMS, GROUPS, LESSONS, PROGRAMS, TAUGHT_SIGNS
 
 # copied last, in this order: only rows that copied rows refer to
 _REFERRED = (LESSONS, CLASSROOMS, COMPUTERS)

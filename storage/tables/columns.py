@@ -1,8 +1,9 @@
-"""What can be declared of a table and its columns; `storage/tables/replicated.py` declares them."""
+"""What can be declared of a table and its columns; the other modules of this folder declare them."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from storage.limits import MAX_REVISION
 from storage.tables import rules
 from storage.tables.rules import Rule
 
@@ -171,3 +172,24 @@ def figure(name: str, says: str, sql: str) -> ParquetColumn:
 def numbered(table: str, word: str) -> str:
     """In place of a name: a word and the place of the row among those of its table."""
     return f"'{word} ' || (SELECT count(*) FROM {table} AS other WHERE other.id <= {table}.id)"
+
+
+# rows that are changed in place
+REVISED = (
+    Column(
+        "revision",
+        COUNT,
+        "counts changes; of two states of a row the greater is kept",
+        rules.whole(1, MAX_REVISION),
+        parquet=False,
+    ),
+    Column(
+        "changed_at",
+        TIME,
+        "when it was changed; decides between states of one revision",
+        rules.time_or_empty,
+        parquet=False,
+    ),
+)
+# rows of a run that has ended
+ENDED = "run_id NOT IN (SELECT id FROM {schema}.runs WHERE state = 'running')"

@@ -1,7 +1,8 @@
 """The migrations: statements by name, in their order. New ones are added at the end.
 
 A bundle is refused where a table has another definition than these statements give it, so none is ever changed, not
-even in its quotes. What a table means, and what other modules derive from it, is declared in `replicated.py`.
+even in its quotes. What a table means, and what other modules derive from it, is declared in `work.py`, `runs.py`,
+`replicated.py` and `local.py`.
 
 Rows that are changed in place carry `revision`, which counts their changes, and `changed_at`: of two states of a row
 the greater one (revision, then time, then values) is kept in every merge, whichever comes first. Of groups, lessons

@@ -9,8 +9,9 @@ import pytest
 
 from storage import Store, json_check
 from storage.json_check import is_object, parsed
-from storage.tables.replicated import GROUPS, RUNS, VERSIONS
 from storage.tables.rules import time
+from storage.tables.runs import RUNS
+from storage.tables.work import GROUPS, VERSIONS
 from storage.text import time_text
 from tests.storage.bundle_makers import exported, merged, problems_in, work
 

@@ -14,7 +14,7 @@ from storage.exchange.scope import Scope
 from storage.limits import MAX_TAUGHT_SIGNS, N_FEATURES
 from storage.sql import opened as opened_file
 from storage.sql import row_count
-from storage.tables.replicated import TAUGHT_SIGNS
+from storage.tables.work import TAUGHT_SIGNS
 from tests.storage.bundle_makers import exported, hash_of, merged, work
 from tests.storage.file.refusals import code_of
 

@@ -1,0 +1,48 @@
+"""The tables whose rows stay on one PC."""
+
+from storage.tables import rules
+from storage.tables.columns import (
+    JSON,
+    KEPT,
+    KEY,
+    TEXT,
+    TIME,
+    Column,
+    Table,
+)
+
+LOCAL = (
+    Table(
+        "settings",
+        "What was chosen, as JSON.",
+        (
+            Column("key", TEXT, "name of the setting", rules.short, KEPT),
+            Column("value", JSON, "what was chosen"),
+        ),
+        key=("key",),
+    ),
+    Table(
+        "merges",
+        "Files that were merged into this one, on this PC.",
+        (
+            Column("id", KEY, "key of a merge"),
+            Column("computer_id", KEY, "PC that wrote the file"),
+            Column("computer_name", TEXT, "its name then", rules.name, KEPT),
+            Column("file", TEXT, "name of the file", rules.short, KEPT),
+            Column("checksum", TEXT, "content hash of the file", rules.sha256, KEPT),
+            Column("exported_at", TIME, "when the file was written"),
+            Column("merged_at", TIME, "when it was merged"),
+            Column("added", JSON, "rows that it brought, by table"),
+        ),
+    ),
+    Table(
+        "exports",
+        "Files that were written from this one, on this PC: what is deleted here may still be in them.",
+        (
+            Column("id", KEY, "key of an export"),
+            Column("path", TEXT, "where the file was written", rules.short, KEPT),
+            Column("made_at", TIME, "when it was written"),
+            Column("content", JSON, "its checksum, what it is of, and how many runs are in it"),
+        ),
+    ),
+)
