@@ -5,14 +5,17 @@ from pinel_desktop.activities.checking import Report, check_program
 from pinel_desktop.activities.faults import ActivityError
 from pinel_desktop.activities.model import Activity
 from pinel_desktop.activities.reading import (
+    PATHS,
     activity_names,
     activity_titles,
     choose_activity,
     shipped_texts,
+    solution_of,
     world_title,
 )
 
 __all__ = [
+    "PATHS",
     "Activity",
     "ActivityError",
     "Report",
@@ -22,5 +25,6 @@ __all__ = [
     "check_program",
     "choose_activity",
     "shipped_texts",
+    "solution_of",
     "world_title",
 ]

@@ -71,7 +71,7 @@ def check_program(activity: Activity, reading: Reading, program: str = "") -> Re
 def _case(activity: Activity, case: Case, reading: Reading) -> CaseReport:
     assert reading.program is not None
     assert reading.document is not None
-    document = world_of(activity)
+    document = world_of(activity, case)
     spec = RunSpec(
         document=reading.document,
         world=document,

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
-from pinel_desktop.activities import model
+from pinel_desktop.activities import check_kinds as kinds
 from pinel_desktop.events.model import Event, Telemetry, Things
 from pinel_desktop.execution.executor import RunResult
 from pinel_desktop.robot import Pose2D
@@ -77,26 +77,26 @@ def holds(check: Any, evidence: Evidence) -> bool:
     return _CHECKS[type(check)](check, evidence)
 
 
-def _finished(_check: model.Finished, evidence: Evidence) -> bool:
+def _finished(_check: kinds.Finished, evidence: Evidence) -> bool:
     return evidence.result.ended.state == "finished"
 
 
-def _ends_at(check: model.EndsAt, evidence: Evidence) -> bool:
+def _ends_at(check: kinds.EndsAt, evidence: Evidence) -> bool:
     pose = evidence.observed.local_pose
     return math.hypot(pose.x_m - check.x_m, pose.y_m - check.y_m) <= check.within_m
 
 
-def _ends_heading(check: model.EndsHeading, evidence: Evidence) -> bool:
+def _ends_heading(check: kinds.EndsHeading, evidence: Evidence) -> bool:
     heading = math.degrees(evidence.observed.local_pose.yaw_rad)
     return abs(math.remainder(heading - check.heading_deg, 360.0)) <= check.within_deg
 
 
-def _ends_in(check: model.EndsIn, evidence: Evidence) -> bool:
+def _ends_in(check: kinds.EndsIn, evidence: Evidence) -> bool:
     observed = evidence.observed
     return observed.zone_of(observed.pose.x_m, observed.pose.y_m) == check.zone
 
 
-def _visits(check: model.Visits, evidence: Evidence) -> bool:
+def _visits(check: kinds.Visits, evidence: Evidence) -> bool:
     zones = evidence.observed.zones
     if not check.ordered:
         return set(check.zones) <= set(zones)
@@ -104,11 +104,11 @@ def _visits(check: model.Visits, evidence: Evidence) -> bool:
     return all(zone in rest for zone in check.zones)
 
 
-def _touches_nothing(_check: model.TouchesNothing, evidence: Evidence) -> bool:
+def _touches_nothing(_check: kinds.TouchesNothing, evidence: Evidence) -> bool:
     return not evidence.observed.touched
 
 
-def _pushed(check: model.Pushed, evidence: Evidence) -> bool:
+def _pushed(check: kinds.Pushed, evidence: Evidence) -> bool:
     observed = evidence.observed
     if check.box >= len(observed.world.boxes):
         return False
@@ -116,12 +116,12 @@ def _pushed(check: model.Pushed, evidence: Evidence) -> bool:
     return observed.zone_of(x, y) == check.zone
 
 
-def _uses(check: model.Uses, evidence: Evidence) -> bool:
+def _uses(check: kinds.Uses, evidence: Evidence) -> bool:
     n = sum(action == check.action for action in _actions(evidence.document))
     return check.at_least <= n <= check.at_most
 
 
-def _marks(check: model.Marks, evidence: Evidence) -> bool:
+def _marks(check: kinds.Marks, evidence: Evidence) -> bool:
     observed = evidence.observed
     places = (
         observed.to_world(mark.x_m, mark.y_m)
@@ -131,27 +131,27 @@ def _marks(check: model.Marks, evidence: Evidence) -> bool:
     return any(observed.zone_of(*place) == check.zone for place in places)
 
 
-def _says(check: model.Says, evidence: Evidence) -> bool:
+def _says(check: kinds.Says, evidence: Evidence) -> bool:
     wanted = check.text.casefold()
     return any(wanted in text.casefold() for text in evidence.result.said)
 
 
-def _path_length(check: model.PathLength, evidence: Evidence) -> bool:
+def _path_length(check: kinds.PathLength, evidence: Evidence) -> bool:
     return check.at_least_m <= evidence.result.ended.path_length_m <= check.at_most_m
 
 
 _CHECKS: dict[type, Callable[[Any, Evidence], bool]] = {
-    model.Finished: _finished,
-    model.EndsAt: _ends_at,
-    model.EndsHeading: _ends_heading,
-    model.EndsIn: _ends_in,
-    model.Visits: _visits,
-    model.TouchesNothing: _touches_nothing,
-    model.Pushed: _pushed,
-    model.Uses: _uses,
-    model.Marks: _marks,
-    model.Says: _says,
-    model.PathLength: _path_length,
+    kinds.Finished: _finished,
+    kinds.EndsAt: _ends_at,
+    kinds.EndsHeading: _ends_heading,
+    kinds.EndsIn: _ends_in,
+    kinds.Visits: _visits,
+    kinds.TouchesNothing: _touches_nothing,
+    kinds.Pushed: _pushed,
+    kinds.Uses: _uses,
+    kinds.Marks: _marks,
+    kinds.Says: _says,
+    kinds.PathLength: _path_length,
 }
 
 

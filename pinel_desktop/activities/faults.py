@@ -1,17 +1,25 @@
 """Faults of an activity: of its schema, and checks that no program could pass in its world."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
-from pinel_desktop.activities import model
-from pinel_desktop.activities.model import Activity
+from pinel_desktop.activities import check_kinds as kinds
+from pinel_desktop.activities.model import (
+    FORMAT_1,
+    NUMBER_FACTS,
+    TEXT_FACTS,
+    Activity,
+    Case,
+    Diagnosis,
+)
 from pinel_desktop.errors import PinelError
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.model import action_names
 from pinel_desktop.program.pointers import pointer
+from pinel_desktop.program.reading import read_document
 from pinel_desktop.program.translation import WRONG_TYPE, path_of_error
 from pinel_desktop.robot import ROBOTS
 from pinel_desktop.worlds import read_own_world
@@ -29,15 +37,19 @@ class ActivityError(PinelError):
         self.faults = faults
 
 
-def world_of(activity: Activity) -> dict[str, Any]:
-    """The world document of an activity.
+def world_of(activity: Activity, case: Case | None = None) -> dict[str, Any]:
+    """The world document of an activity, with the start of one of its cases.
 
     Raises PinelError `unknown_world`, or the first fault of a world that the activity itself contains.
     """
     document, faults = _world(activity)
     if document is None:
         raise PinelError(faults[0].code, **faults[0].params)
-    return document
+    return document if case is None else _started_from(document, case)
+
+
+def _started_from(document: dict[str, Any], case: Case) -> dict[str, Any]:
+    return document if case.start is None else {**document, "start": case.start.model_dump()}
 
 
 def require_fulfillable(activity: Activity) -> None:
@@ -110,12 +122,79 @@ def semantic_faults(activity: Activity) -> tuple[Fault, ...]:
         return (Fault("unknown_robot", "/model", None, params),)
     document, found = _world(activity)
     faults += found
+    faults += _keys_of_format_2(activity)
     world = world_from_document(document) if document else None
     for place, check in _checks(activity):
         for path, code, params in _faults_of_check(check, world):
             faults.append(Fault(code, pointer((*place, *path)), None, params))
     faults += _nothing_to_check(activity)
+    if document is not None:
+        faults += _starts(activity, document)
+    faults += _unknown_actions(("blocks",), activity.blocks or [])
+    for i, diagnosis in enumerate(activity.diagnoses):
+        faults += _faults_of_diagnosis(("diagnoses", i), diagnosis)
+    if activity.solution is not None:
+        found = list(read_document(activity.solution).faults)
+        faults += [Fault(f.code, f"/solution{f.pointer}", None, f.params) for f in found]
     return tuple(faults)
+
+
+def _keys_of_format_2(activity: Activity) -> Iterator[Fault]:
+    """Keys that an activity of format 1 does not have."""
+    if activity.pinel_activity != 1:
+        return
+    for name in sorted(activity.model_fields_set - FORMAT_1):
+        yield Fault("activity_unknown_key", pointer((name,)), None, {"name": name})
+    for i, case in enumerate(activity.cases):
+        if "start" in case.model_fields_set:
+            place = pointer(("cases", i, "start"))
+            yield Fault("activity_unknown_key", place, None, {"name": "start"})
+
+
+def _starts(activity: Activity, document: dict[str, Any]) -> Iterator[Fault]:
+    """Starts at which the robot has no room."""
+    for i, case in enumerate(activity.cases):
+        if case.start is not None:
+            _, faults = read_own_world(_started_from(document, case), robot=activity.model)
+            for fault in faults:
+                place = pointer(("cases", i, *fault.pointer.split("/")[1:]))
+                yield Fault(fault.code, place, None, fault.params)
+
+
+def _unknown_actions(place: Path, names: Iterable[str]) -> Iterator[Fault]:
+    allowed = action_names()
+    for i, name in enumerate(names):
+        if name not in allowed:
+            params: Params = {"value": name, "allowed": allowed}
+            yield Fault("unknown_action", pointer((*place, i)), None, params)
+
+
+def _faults_of_diagnosis(place: Path, diagnosis: Diagnosis) -> Iterator[Fault]:
+    for fact, wanted in diagnosis.when.items():
+        here = pointer((*place, "when", fact))
+        if not _is_fact(fact):
+            allowed: Params = {"value": fact, "allowed": sorted(NUMBER_FACTS | TEXT_FACTS)}
+            yield Fault("activity_unknown_fact", here, None, allowed)
+        elif isinstance(wanted, str) != (fact in TEXT_FACTS):
+            kind = "text" if fact in TEXT_FACTS else "number"
+            yield Fault(f"wrong_type_{kind}", here, None, {"name": fact})
+    if diagnosis.block is not None and not _is_block(diagnosis.block):
+        params: Params = {"name": "block", "value": diagnosis.block}
+        yield Fault("activity_value_wrong", pointer((*place, "block")), None, params)
+    if (diagnosis.say is None) == (diagnosis.general is None):
+        yield Fault("activity_diagnosis_words", pointer(place), None, {})
+
+
+def _is_fact(name: str) -> bool:
+    of_action = name[:2] in ("n_", "x_") and name[2:] in action_names()
+    return of_action or name in NUMBER_FACTS or name in TEXT_FACTS
+
+
+def _is_block(which: str) -> bool:
+    place, _, action = which.partition(" ")
+    if place in ("first", "last"):
+        return action in action_names()
+    return which in ("touching", "running", "worst")
 
 
 def _world(activity: Activity) -> tuple[dict[str, Any] | None, list[Fault]]:
@@ -129,7 +208,7 @@ def _world(activity: Activity) -> tuple[dict[str, Any] | None, list[Fault]]:
     return document, [Fault(f.code, f"/world{f.pointer}", None, f.params) for f in faults]
 
 
-def _checks(activity: Activity) -> Iterator[tuple[Path, model.Check]]:
+def _checks(activity: Activity) -> Iterator[tuple[Path, kinds.Check]]:
     for i, case in enumerate(activity.cases):
         for j, check in enumerate(case.checks):
             yield ("cases", i, "checks", j), check
@@ -146,23 +225,23 @@ def _nothing_to_check(activity: Activity) -> Iterator[Fault]:
             yield Fault("activity_without_checks", pointer(("cases", i)), None, {"case": i + 1})
 
 
-def _faults_of_check(check: model.Check, world: World | None) -> Iterator[tuple[Path, str, Params]]:
+def _faults_of_check(check: kinds.Check, world: World | None) -> Iterator[tuple[Path, str, Params]]:
     match check:
-        case model.EndsIn() | model.Marks():
+        case kinds.EndsIn() | kinds.Marks():
             yield from _zone(("zone",), check.zone, world)
-        case model.Visits():
+        case kinds.Visits():
             for i, zone in enumerate(check.zones):
                 yield from _zone(("zones", i), zone, world)
-        case model.Pushed():
+        case kinds.Pushed():
             yield from _zone(("zone",), check.zone, world)
             yield from _box(check.box, world)
-        case model.Uses():
+        case kinds.Uses():
             if check.action not in action_names():
                 allowed = action_names()
                 params: Params = {"value": check.action, "allowed": allowed}
                 yield ("action",), "unknown_action", params
             yield from _crossed(check.at_least, check.at_most, "at_least")
-        case model.PathLength():
+        case kinds.PathLength():
             yield from _crossed(check.at_least_m, check.at_most_m, "at_least_m")
 
 

@@ -1,145 +1,108 @@
-"""The models of an activity: its world, the inputs of its cases, and its checks.
-
-Every kind of check is a model here with its tag, a function in `checks.py`, words in
-`messages/catalogue/LANGUAGE/activities.json` and a row in docs/activities.md.
-"""
+"""The models of an activity: what a group reads, its world, the inputs of its cases, its checks and its diagnoses."""
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic import BeforeValidator, ConfigDict, Field
 from pydantic_core import PydanticCustomError
 
+from pinel_desktop.activities.check_kinds import MOST, Check, Metres, Model, Name
+from pinel_desktop.messages import SOURCE_LANGUAGE
 from pinel_desktop.robot import PIONEER_3DX, Feedback, Preset
 from sim.document import LanguageTag
 
-_Name = Annotated[str, Field(min_length=1, max_length=64)]
-_Metres = Annotated[float, Field(ge=-100, le=100)]
-_Length = Annotated[float, Field(gt=0, le=10_000)]
-_MOST = 100
+FORMAT = 2  # files of all earlier formats are read
+
+PathName = Literal["moves", "shapes", "decisions", "sensors", "games"]
+General = Literal["hit", "too_far", "pen_up", "parts", "looked_once", "never_true", "input_ignored"]
+_MAX_TITLE, _MAX_TEXT = 200, 1000
 
 
-class _Model(BaseModel):
-    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
-
-
-class Finished(_Model):
-    """The run ends by itself and without a failure."""
-
-    check: Literal["finished"]
-
-
-class EndsAt(_Model):
-    """At the end the robot is within `within_m` of a point of the start frame."""
-
-    check: Literal["ends_at"]
-    x_m: _Metres
-    y_m: _Metres
-    within_m: _Length = 0.1
-
-
-class EndsHeading(_Model):
-    """At the end the robot has a heading in the start frame, within `within_deg`."""
-
-    check: Literal["ends_heading"]
-    heading_deg: Annotated[float, Field(ge=-360, le=360)]
-    within_deg: Annotated[float, Field(gt=0, le=180)] = 5.0
-
-
-class EndsIn(_Model):
-    """At the end the robot's centre is in a zone of the world."""
-
-    check: Literal["ends_in"]
-    zone: _Name
-
-
-class Visits(_Model):
-    """The robot's centre passes through zones of the world, in this order if `ordered`."""
-
-    check: Literal["visits"]
-    zones: Annotated[list[_Name], Field(min_length=1, max_length=_MOST)]
-    ordered: bool = True
-
-
-class TouchesNothing(_Model):
-    """The robot never touches a wall or a box."""
-
-    check: Literal["touches_nothing"]
-
-
-class Pushed(_Model):
-    """At the end the centre of a box, by its index in the world, is in a zone."""
-
-    check: Literal["pushed"]
-    box: Annotated[int, Field(ge=0, lt=1000)]
-    zone: _Name
-
-
-class Uses(_Model):
-    """The program has from `at_least` to `at_most` commands of a kind, at any level of nesting."""
-
-    check: Literal["uses"]
-    action: _Name
-    at_least: Annotated[int, Field(ge=0, le=20_000)] = 1
-    at_most: Annotated[int, Field(ge=0, le=20_000)] = 20_000
-
-
-class Marks(_Model):
-    """The program leaves a mark in a zone of the world."""
-
-    check: Literal["marks"]
-    symbol: Literal["X", "O"]
-    zone: _Name
-
-
-class Says(_Model):
-    """The program says something that contains a text, ignoring case."""
-
-    check: Literal["says"]
-    text: Annotated[str, Field(min_length=1, max_length=1000)]
-
-
-class PathLength(_Model):
-    """The length of the path driven is within limits, in metres."""
-
-    check: Literal["path_length"]
-    at_least_m: Annotated[float, Field(ge=0, le=10_000)] = 0.0
-    at_most_m: _Length = 10_000.0
-
-
-Check = Annotated[
-    Finished
-    | EndsAt
-    | EndsHeading
-    | EndsIn
-    | Visits
-    | TouchesNothing
-    | Pushed
-    | Uses
-    | Marks
-    | Says
-    | PathLength,
-    Field(discriminator="check"),
-]
-
-
-class Case(_Model):
-    """One run of the program: its seed, the gestures and answers it receives, and checks of this run alone."""
-
-    seed: Annotated[int, Field(ge=0, le=2**53 - 1)] = 0
-    gestures: list[str] = Field(default_factory=list, max_length=_MOST)
-    answers: list[str] = Field(default_factory=list, max_length=_MOST)
-    checks: list[Check] = Field(default_factory=list, max_length=_MOST)
-
-
-class Title(_Model):
+class Title(Model):
     """A title in each language."""
 
     model_config = ConfigDict(extra="allow", populate_by_name=True)
 
-    __pydantic_extra__: dict[LanguageTag, Annotated[str, Field(max_length=200)]] = Field(init=False)
-    pt_br: Annotated[str, Field(alias="pt-BR", max_length=200)]
-    en: Annotated[str, Field(max_length=200)]
-    es: Annotated[str, Field(max_length=200)]
+    __pydantic_extra__: dict[LanguageTag, Annotated[str, Field(max_length=_MAX_TITLE)]] = Field(
+        init=False
+    )
+    pt_br: Annotated[str, Field(alias="pt-BR", max_length=_MAX_TITLE)]
+    en: Annotated[str, Field(max_length=_MAX_TITLE)]
+    es: Annotated[str, Field(max_length=_MAX_TITLE)]
+
+    def of(self, language: str) -> str:
+        """The text in a language; in Portuguese where it has none of that language."""
+        texts: dict[str, str] = self.model_dump(by_alias=True)
+        return texts.get(language, texts[SOURCE_LANGUAGE])
+
+
+class Texts(Title):
+    """A text in each language."""
+
+    __pydantic_extra__: dict[LanguageTag, Annotated[str, Field(max_length=_MAX_TEXT)]] = Field(
+        init=False
+    )
+    pt_br: Annotated[str, Field(alias="pt-BR", max_length=_MAX_TEXT)]
+    en: Annotated[str, Field(max_length=_MAX_TEXT)]
+    es: Annotated[str, Field(max_length=_MAX_TEXT)]
+
+
+class Start(Model):
+    """Where the robot starts in a case, in the world's frame."""
+
+    x_m: Metres
+    y_m: Metres
+    heading_deg: Annotated[float, Field(ge=-360, le=360)] = 0.0
+
+
+class Case(Model):
+    """One run of the program: its seed, start, gestures and answers, and checks of this run alone.
+
+    Attributes:
+        start: None for the start of the world.
+    """
+
+    seed: Annotated[int, Field(ge=0, le=2**53 - 1)] = 0
+    start: Start | None = None
+    gestures: list[str] = Field(default_factory=list, max_length=MOST)
+    answers: list[str] = Field(default_factory=list, max_length=MOST)
+    checks: list[Check] = Field(default_factory=list, max_length=MOST)
+
+
+# with them, `n_ACTION`: how many of that block the program has, and `x_ACTION`: how many were begun in the run
+NUMBER_FACTS = frozenset(
+    {"gap_m", "net_deg", "turned_deg", "path_m", "time_s", "end_x", "end_y", "to_goal_m"}
+    | {"blocks", "nesting", "done", "amount", "missing_m", "extra_m", "axes"}
+    | {"marks", "mark_x", "mark_y", "case"}
+)
+TEXT_FACTS = frozenset({"reason", "zones", "end_zone", "input", "nearest"})
+
+
+def _one_or_two(wanted: Any) -> Any:
+    """Refuses lists that are no pair of limits."""
+    if isinstance(wanted, list) and len(wanted) != 2:
+        raise PydanticCustomError("activity_value_wrong", "a lower and an upper limit")
+    return wanted
+
+
+Wanted = Annotated[float | str | list[float], BeforeValidator(_one_or_two)]
+
+
+class Diagnosis(Model):
+    """What a group is told about a run that does not pass; the first whose `when` fits is said.
+
+    Attributes:
+        when: facts of the run with the value, the two limits or the text that each must have.
+        block: which block to look at: `first ACTION`, `last ACTION`, `touching`, `running` or `worst`.
+        say: the words, with facts in braces.
+        general: instead of `say`, the name of words that many activities use.
+        parts: for the general words `parts`, how many there should be.
+    """
+
+    when: Annotated[dict[Name, Wanted], Field(min_length=1, max_length=20)]
+    block: Annotated[str, Field(max_length=80)] | None = None
+    say: Texts | None = None
+    general: General | None = None
+    parts: Annotated[int, Field(ge=0, le=10_000)] | None = None
 
 
 def _number(version: Any) -> Any:
@@ -149,21 +112,49 @@ def _number(version: Any) -> Any:
     return version
 
 
-class Activity(_Model):
+class Activity(Model):
     """A mission. A program passes if in every case the checks of the case and those of the activity hold.
 
     Attributes:
         world: name of a shipped world, or a world document.
         limit_s: robot time after which a run is stopped and fails.
+        path: the path that it belongs to, and `number` its place there, as "1.1".
+        minutes: how long a group needs for it.
+        level: level of the toolbox in which it opens.
+        blocks: the actions that it offers; None for all of the level.
+        story: what the robot should do.
+        criteria: what counts, with numbers.
+        hints: opened one after the other.
+        question: asked by the teacher afterwards.
+        diagnoses: what is said about a run that does not pass.
+        solution: a program that passes, as a document.
     """
 
-    pinel_activity: Annotated[Literal[1], BeforeValidator(_number)]
-    name: _Name
+    pinel_activity: Annotated[Literal[1, 2], BeforeValidator(_number)]
+    name: Name
     title: Title
-    world: _Name | dict[str, Any]
-    model: _Name = PIONEER_3DX.name
+    world: Name | dict[str, Any]
+    model: Name = PIONEER_3DX.name
     preset: Preset = "ideal"
     feedback: Feedback = "pose"
     limit_s: Annotated[float, Field(gt=0, le=3600)] = 300.0
-    cases: Annotated[list[Case], Field(min_length=1, max_length=_MOST)] = [Case()]
-    checks: Annotated[list[Check], Field(max_length=_MOST)] = []
+    path: PathName | None = None
+    number: Annotated[str, Field(pattern=r"^[1-9][0-9]?\.[1-9][0-9]?$")] | None = None
+    minutes: Annotated[int, Field(ge=1, le=600)] | None = None
+    level: Literal[1, 2, 3] | None = None
+    blocks: Annotated[list[Name], Field(min_length=1, max_length=MOST)] | None = None
+    story: Texts | None = None
+    criteria: Texts | None = None
+    hints: list[Texts] = Field(default_factory=list, max_length=3)
+    question: Texts | None = None
+    cases: list[Case] = Field(default_factory=lambda: [Case()], min_length=1, max_length=MOST)
+    checks: list[Check] = Field(default_factory=list, max_length=MOST)
+    diagnoses: list[Diagnosis] = Field(default_factory=list, max_length=MOST)
+    solution: dict[str, Any] | None = None
+
+
+# the keys of an activity in format 1, whose cases have no `start`
+FORMAT_1 = frozenset(
+    {"pinel_activity", "name", "title", "world", "model", "preset", "feedback", "limit_s"}
+    | {"cases", "checks"}
+)

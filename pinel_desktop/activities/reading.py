@@ -6,37 +6,58 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 from importlib import resources
 from pathlib import Path
+from typing import Any, get_args
 
 from pydantic import ValidationError
 
 from pinel_desktop.activities.faults import ActivityError, schema_faults, semantic_faults
-from pinel_desktop.activities.model import Activity
+from pinel_desktop.activities.model import FORMAT, Activity, PathName
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import SOURCE_LANGUAGE
 from pinel_desktop.program.duplicates import duplicate_key_faults
 from pinel_desktop.program.faults import Fault
+from pinel_desktop.program.python_text import read_python
 from sim.world import list_worlds
 
 _MAX_BYTES = 2**20
+_NO_NUMBER = 10_000  # a larger one is a mistake, no later release
+
+
+_CATALOGUE = resources.files(__name__.rpartition(".")[0]) / "catalogue"
+PATHS: tuple[PathName, ...] = get_args(PathName)
 
 
 @cache
 def _shipped() -> dict[str, Activity]:
-    folder = resources.files(__name__.rpartition(".")[0]) / "catalogue"
-    texts = [entry.read_text("utf-8") for entry in folder.iterdir() if entry.name.endswith(".json")]
-    activities = (Activity.model_validate_json(text) for text in texts)
-    return {activity.name: activity for activity in sorted(activities, key=lambda a: a.name)}
+    folders = sorted(entry.name for entry in _CATALOGUE.iterdir() if entry.is_dir())
+    texts = [(_CATALOGUE / name / "activity.json").read_text("utf-8") for name in folders]
+    activities = [Activity.model_validate_json(text) for text in texts]
+    return {activity.name: activity for activity in sorted(activities, key=_place)}
+
+
+def _place(activity: Activity) -> tuple[int, list[int], str]:
+    """The place of an activity among all: by path and number; those of no path come last."""
+    path = len(PATHS) if activity.path is None else PATHS.index(activity.path)
+    return path, [int(part) for part in (activity.number or "").split(".") if part], activity.name
 
 
 def activity_names() -> list[str]:
-    """Names of the shipped activities, in alphabetical order."""
+    """Names of the shipped activities, along the paths."""
     return list(_shipped())
+
+
+@cache
+def solution_of(activity_name: str) -> dict[str, Any] | None:
+    """A program that passes a shipped activity, as a document; None where none ships."""
+    file = _CATALOGUE / activity_name / "solution.py"
+    if activity_name not in _shipped() or not file.is_file():
+        return None
+    return read_python(file.read_text("utf-8")).reading.document
 
 
 def activity_titles(language: str) -> dict[str, str]:
     """Titles of the shipped activities in a language, by name."""
-    titles = {name: one.title.model_dump(by_alias=True) for name, one in _shipped().items()}
-    return {name: title.get(language, title[SOURCE_LANGUAGE]) for name, title in titles.items()}
+    return {name: one.title.of(language) for name, one in _shipped().items()}
 
 
 def world_title(activity: Activity, language: str) -> str | None:
@@ -92,12 +113,23 @@ def read_activity(text: str | bytes) -> tuple[Activity | None, tuple[Fault, ...]
         return None, (Fault("activity_syntax", params=params),)
     except (ValueError, RecursionError):  # not UTF-8, thousands of digits, or too deep
         return None, (Fault("activity_syntax", params={"line": 1, "column": 1}),)
+    if (newer := _newer(document)) is not None:
+        return None, (newer,)
     doubled = duplicate_key_faults(text)
     try:
         activity = Activity.model_validate(document)
     except ValidationError as error:
         return None, (*doubled, *schema_faults(document, error))
     return activity, (*doubled, *semantic_faults(activity))
+
+
+def _newer(document: object) -> Fault | None:
+    """The fault of an activity of a later release; its other keys cannot be judged."""
+    number = document.get("pinel_activity") if isinstance(document, dict) else None
+    if isinstance(number, bool) or not isinstance(number, int) or not FORMAT < number < _NO_NUMBER:
+        return None
+    params: dict[str, object] = {"value": number, "max": FORMAT}
+    return Fault("activity_newer", "/pinel_activity", None, params)
 
 
 def is_file(name_or_file: str) -> bool:

@@ -1,6 +1,5 @@
 """Each kind of check, true and false, on real runs; and the shipped activities."""
 
-import json
 from pathlib import Path
 from typing import Any
 
@@ -9,15 +8,12 @@ from pydantic import TypeAdapter
 
 from pinel_desktop.activities import (
     Activity,
-    ActivityError,
     Report,
     activity_names,
     check_program,
     choose_activity,
 )
-from pinel_desktop.activities.model import Check
-from pinel_desktop.activities.reading import read_activity
-from pinel_desktop.errors import PinelError
+from pinel_desktop.activities.check_kinds import Check
 from pinel_desktop.messages import LANGUAGES, SOURCE_LANGUAGE, catalogue, describe
 from pinel_desktop.program.reading import read_document
 from sim.world import world_document
@@ -151,110 +147,3 @@ def test_activities_that_ship_have_words_for_all_they_ask(name: str) -> None:
         for language in LANGUAGES:
             params = check.model_dump(exclude={"check"})
             assert "{" not in describe(f"check_{check.check}", params, language).message
-
-
-def faults_of(tmp_path: Path, **change: Any) -> list[tuple[str, str]]:
-    file = tmp_path / "a.json"
-    checks = [{"check": "finished"}]
-    document = {"pinel_activity": 1, "name": "a", "title": TITLE, "world": "pushing"}
-    file.write_text(json.dumps({**document, "checks": checks, **change}), "utf-8")
-    with pytest.raises(ActivityError, match="activity_invalid") as raised:
-        choose_activity(str(file))
-    faults = raised.value.faults
-    for fault in faults:
-        for language in LANGUAGES:
-            words = describe(fault.code, fault.params, language)
-            assert fault.code in catalogue(SOURCE_LANGUAGE)
-            assert "{" not in words.message + words.remedy
-    return [(fault.code, fault.pointer) for fault in faults]
-
-
-@pytest.mark.parametrize(
-    ("change", "code", "pointer"),
-    [
-        ({"checks": [{"check": "dances"}]}, "unknown_check", "/checks/0"),
-        ({"checks": [{}]}, "missing_parameter", "/checks/0"),
-        ({"checks": [5]}, "wrong_type_object", "/checks/0"),
-        ({"checks": [{"check": "ends_at", "x_m": 1}]}, "missing_parameter", "/checks/0"),
-        ({"checks": [{"check": "ends_in", "zone": 5}]}, "wrong_type_text", "/checks/0/zone"),
-        ({"limit_s": -1}, "activity_value_too_small", "/limit_s"),
-        ({"limit_s": "5"}, "wrong_type_number", "/limit_s"),
-        ({"limit_s": 1e9}, "activity_value_too_large", "/limit_s"),
-        ({"extra": 1}, "activity_unknown_key", "/extra"),
-        ({"pinel_activity": True}, "activity_value_wrong", "/pinel_activity"),
-        ({"pinel_activity": 10**400}, "activity_value_wrong", "/pinel_activity"),
-        ({"world": 5}, "wrong_type_text", "/world"),
-        ({"world": "mars"}, "unknown_world", "/world"),
-        ({"world": {"pinel_world": 1}}, "missing_parameter", "/world"),
-        ({"model": "r2d2"}, "unknown_robot", "/model"),
-        ({"cases": []}, "activity_value_wrong", "/cases"),
-        ({"cases": [{"seed": True}]}, "wrong_type_whole_number", "/cases/0/seed"),
-        ({"checks": []}, "activity_without_checks", "/cases/0"),
-        (
-            {"checks": [{"check": "ends_in", "zone": "Z"}]},
-            "activity_unknown_zone",
-            "/checks/0/zone",
-        ),
-        (
-            {"checks": [{"check": "visits", "zones": ["A", "Z"]}]},
-            "activity_unknown_zone",
-            "/checks/0/zones/1",
-        ),
-        (
-            {"cases": [{"checks": [{"check": "marks", "symbol": "X", "zone": "Z"}]}]},
-            "activity_unknown_zone",
-            "/cases/0/checks/0/zone",
-        ),
-        (
-            {"checks": [{"check": "pushed", "box": 99, "zone": "A"}]},
-            "activity_unknown_box",
-            "/checks/0/box",
-        ),
-        ({"checks": [{"check": "uses", "action": "fly"}]}, "unknown_action", "/checks/0/action"),
-        (
-            {"checks": [{"check": "uses", "action": "turn", "at_least": 3, "at_most": 2}]},
-            "activity_limits_crossed",
-            "/checks/0/at_least",
-        ),
-        (
-            {"checks": [{"check": "path_length", "at_least_m": 3, "at_most_m": 2}]},
-            "activity_limits_crossed",
-            "/checks/0/at_least_m",
-        ),
-    ],
-)
-def test_a_file_with_an_error_says_where(
-    change: dict[str, Any], code: str, pointer: str, tmp_path: Path
-) -> None:
-    assert (code, pointer) in faults_of(tmp_path, **change)
-
-
-def test_all_errors_of_a_file_are_told() -> None:
-    activity, faults = read_activity(json.dumps({"name": "a", "limit_s": 0, "x": 1}))
-    assert activity is None
-    places = [(fault.params["name"], fault.pointer) for fault in faults]
-    assert places == [
-        ("pinel_activity", ""),
-        ("title", ""),
-        ("world", ""),
-        ("limit_s", "/limit_s"),
-        ("x", "/x"),
-    ]
-
-
-@pytest.mark.parametrize("text", ["{", b"\xff", "[" * 100_000, "1" * 9_999])
-def test_what_is_no_json_is_one_fault(text: str | bytes) -> None:
-    assert [fault.code for fault in read_activity(text)[1]] == ["activity_syntax"]
-
-
-@pytest.mark.parametrize("text", ["[]", "5", "null"])
-def test_what_is_no_object_is_one_fault(text: str) -> None:
-    assert [fault.code for fault in read_activity(text)[1]] == ["wrong_type_object"]
-
-
-def test_an_activity_that_is_not_there_is_refused_with_those_there_are() -> None:
-    with pytest.raises(PinelError, match="unknown_activity") as raised:
-        choose_activity("dance")
-    assert "square" in str(raised.value.params["allowed"])
-    with pytest.raises(PinelError, match="file_unreadable"):
-        choose_activity("/nowhere/a.json")

@@ -1,0 +1,120 @@
+"""The kinds of checks as models.
+
+Every kind is a model here with its tag, a function in `checks.py`, words in
+`messages/catalogue/LANGUAGE/activities.json` and a row in docs/activities.md.
+"""
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+Name = Annotated[str, Field(min_length=1, max_length=64)]
+Metres = Annotated[float, Field(ge=-100, le=100)]
+Length = Annotated[float, Field(gt=0, le=10_000)]
+MOST = 100
+
+
+class Model(BaseModel):
+    """Base of all parts of an activity."""
+
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
+
+
+class Finished(Model):
+    """The run ends by itself and without a failure."""
+
+    check: Literal["finished"]
+
+
+class EndsAt(Model):
+    """At the end the robot is within `within_m` of a point of the start frame."""
+
+    check: Literal["ends_at"]
+    x_m: Metres
+    y_m: Metres
+    within_m: Length = 0.1
+
+
+class EndsHeading(Model):
+    """At the end the robot has a heading in the start frame, within `within_deg`."""
+
+    check: Literal["ends_heading"]
+    heading_deg: Annotated[float, Field(ge=-360, le=360)]
+    within_deg: Annotated[float, Field(gt=0, le=180)] = 5.0
+
+
+class EndsIn(Model):
+    """At the end the robot's centre is in a zone of the world."""
+
+    check: Literal["ends_in"]
+    zone: Name
+
+
+class Visits(Model):
+    """The robot's centre passes through zones of the world, in this order if `ordered`."""
+
+    check: Literal["visits"]
+    zones: Annotated[list[Name], Field(min_length=1, max_length=MOST)]
+    ordered: bool = True
+
+
+class TouchesNothing(Model):
+    """The robot never touches a wall or a box."""
+
+    check: Literal["touches_nothing"]
+
+
+class Pushed(Model):
+    """At the end the centre of a box, by its index in the world, is in a zone."""
+
+    check: Literal["pushed"]
+    box: Annotated[int, Field(ge=0, lt=1000)]
+    zone: Name
+
+
+class Uses(Model):
+    """The program has from `at_least` to `at_most` commands of a kind, at any level of nesting."""
+
+    check: Literal["uses"]
+    action: Name
+    at_least: Annotated[int, Field(ge=0, le=20_000)] = 1
+    at_most: Annotated[int, Field(ge=0, le=20_000)] = 20_000
+
+
+class Marks(Model):
+    """The program leaves a mark in a zone of the world."""
+
+    check: Literal["marks"]
+    symbol: Literal["X", "O"]
+    zone: Name
+
+
+class Says(Model):
+    """The program says something that contains a text, ignoring case."""
+
+    check: Literal["says"]
+    text: Annotated[str, Field(min_length=1, max_length=1000)]
+
+
+class PathLength(Model):
+    """The length of the path driven is within limits, in metres."""
+
+    check: Literal["path_length"]
+    at_least_m: Annotated[float, Field(ge=0, le=10_000)] = 0.0
+    at_most_m: Length = 10_000.0
+
+
+Check = Annotated[
+    Finished
+    | EndsAt
+    | EndsHeading
+    | EndsIn
+    | Visits
+    | TouchesNothing
+    | Pushed
+    | Uses
+    | Marks
+    | Says
+    | PathLength,
+    Field(discriminator="check"),
+]
