@@ -12,6 +12,8 @@ VENV_RUN := .venv/.ready-run
 VENV_DEV := .venv/.ready-dev
 NODE_MODULES := ui/node_modules/.package-lock.json
 PEERS := build/peers/.ready
+PEERS_PIP := build/peers/bin/python -m pip install -qq --disable-pip-version-check
+DETECTOR := build/peers/.ready-detector
 PAGE := pinel_desktop/web/static/index.html
 PAGE_TYPES := ui/src/api/types.ts
 HANDS := pinel_desktop/gestures/weights/hand.onnx
@@ -56,7 +58,7 @@ format: $(VENV_DEV) $(NODE_MODULES)  ## bring the code into its form
 figures: $(VENV_DEV) $(NODE_MODULES)  ## what the structure of the code is judged by, counted
 	@$(PYTHON) scripts/figures.py
 
-bench: setup $(PEERS)  ## benchmarks: absolute figures printed, ratios asserted
+bench: setup $(PEERS) $(DETECTOR)  ## benchmarks: absolute figures printed, ratios asserted
 	@$(PYTHON) -m pytest -o python_files='bench_*.py' --timeout=900 -s -q tests/benchmarks
 
 package: setup $(PACKAGE)  ## the program as a folder that needs no Python (dist/pinel-desktop)
@@ -93,13 +95,23 @@ $(VENV_DEV): requirements-dev.lock pyproject.toml scripts/venv.sh | system-test
 	@sh scripts/venv.sh requirements-dev.lock
 	@echo '$(CURDIR)' | tee $(VENV_RUN) >$@
 
-# Simulators to compare with need much that the program does not: an environment of their own.
+# What benchmarks compare with needs much that the program does not: an environment of its own.
 $(PEERS): requirements-bench.lock | $(VENV_DEV)
 	@. scripts/words.sh; say "Installing the simulators to compare with (about 1 minute)…" \
 		"Instalando os simuladores para comparar (cerca de 1 minuto)…" "Instalando los simuladores para comparar (cerca de 1 minuto)…"
 	@$(PYTHON) -m venv --clear build/peers
-	@build/peers/bin/python -m pip install -qq --disable-pip-version-check --require-hashes -r requirements-bench.lock
+	@$(PEERS_PIP) --require-hashes -r requirements-bench.lock
 	@touch $@
+
+# PyTorch has a build for each kind of PC, chosen by pip's settings (for NVIDIA's cards it takes gigabytes): its version is pinned,
+# its hash cannot be. Without it one benchmark is skipped, and says so; the next `make bench` tries again.
+$(DETECTOR): requirements-bench-alone.lock | $(PEERS)
+	@. scripts/words.sh; say "Installing the detector to compare with (about 1 minute, 200 MB or more)…" \
+		"Instalando o detector para comparar (cerca de 1 minuto, 200 MB ou mais)…" \
+		"Instalando el detector para comparar (cerca de 1 minuto, 200 MB o más)…"
+	@$(PEERS_PIP) torch==2.13.0 && $(PEERS_PIP) --require-hashes --no-deps -r requirements-bench-alone.lock && touch $@ || { \
+		. scripts/words.sh; say "It could not be installed: its benchmark is skipped." "Não foi possível: esse teste fica de fora." \
+		"No se pudo: esa prueba se omite."; } >&2
 
 $(NODE_MODULES): ui/package.json ui/package-lock.json | $(VENV_RUN)
 	@. scripts/words.sh; say "Installing the page's libraries (about 1 minute)…" \

@@ -2,8 +2,8 @@
 # Pins every Python dependency anew, with hashes, for all platforms and Python 3.11 and later.
 #
 # requirements-dev.lock: everything; requirements.lock: what runs the program; requirements-node.lock: Node.js;
-# requirements-bench.lock: the simulators that benchmarks compare with; requirements-models.lock: the wheel that holds
-# the hand networks, without what it needs to run.
+# requirements-bench.lock and requirements-bench-alone.lock: what benchmarks compare with, the second without what it
+# needs to run; requirements-models.lock: the wheel that holds the hand networks, without what it needs to run.
 # The second keeps the versions of the first, so that one environment can hold both.
 set -eu
 python=.venv/bin/python
@@ -20,4 +20,5 @@ compile requirements-dev.lock pyproject.toml --group dev "$@"
 compile requirements.lock pyproject.toml --group setup --constraint requirements-dev.lock "$@"
 compile requirements-node.lock --group node "$@"
 compile requirements-bench.lock --group bench "$@"
+compile requirements-bench-alone.lock --group bench-alone --no-deps "$@"
 compile requirements-models.lock --group models --no-deps "$@"

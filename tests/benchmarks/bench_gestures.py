@@ -1,15 +1,32 @@
-"""A frame of 720p with a drawn hand: while it is followed, and where it is looked for. One thread."""
+"""Frames with a drawn hand, on one thread: while it is followed, where it is looked for, and what a detector takes.
 
-import statistics
+`make bench` installs the detector (ultralytics on PyTorch) into the environment of the compared programs. It runs in a
+process of its own, in turns with ours, on the same pictures in the camera's size; what counts is processor time.
+"""
+
+import json
+import subprocess
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from statistics import median
 
-from pinel_desktop.gestures.recognition import Recogniser
+import numpy as np
+import pytest
+
+from pinel_desktop.camera.frames import HEIGHT, WIDTH
+from pinel_desktop.gestures.pictures import Picture
+from pinel_desktop.gestures.recognition import Recogniser, SeenHand
 from tests.gestures.drawn import drawn_hand, on_wall
 
+PEER = Path(__file__).parent / "peers" / "on_ultralytics.py"
+PEERS = Path(__file__).parents[2] / "build" / "peers"
 N_FRAMES = 60
 LEAST_GAIN = 2.0
 TRACKING_MS, COLD_MS = 15, 50
+N_PICTURES, N_ROUNDS = 4, 12
+LEAST_GAIN_ON_DETECTOR = 5.0
 
 
 def median_ms(work: Callable[[], object]) -> float:
@@ -18,7 +35,7 @@ def median_ms(work: Callable[[], object]) -> float:
         started = time.perf_counter()
         work()
         times.append(1000 * (time.perf_counter() - started))
-    return statistics.median(times)
+    return median(times)
 
 
 def test_following_a_hand_takes_less_than_half_of_looking_for_it() -> None:
@@ -30,3 +47,67 @@ def test_following_a_hand_takes_less_than_half_of_looking_for_it() -> None:
     print(f"\ntracking {tracking:.1f} ms, cold {cold:.1f} ms a frame; {cold / tracking:.1f} times")
     print(f"wanted on an idle PC: at most {TRACKING_MS} and {COLD_MS} ms")
     assert cold / tracking >= LEAST_GAIN
+
+
+def moving_hand() -> list[Picture]:
+    """Frames in which the hand moves by a few pixels, so that it is followed."""
+    hand = drawn_hand(size=320)
+    return [on_wall(hand, WIDTH, HEIGHT, 160 + 3 * n, 90 + 2 * n) for n in range(N_PICTURES)]
+
+
+def seconds_of(look: Callable[[Picture], list[SeenHand]], pictures: list[Picture]) -> list[float]:
+    """Processor time of each picture; asserts that its hand is seen."""
+    times = []
+    for picture in pictures:
+        began = time.process_time()
+        seen = look(picture)
+        times.append(time.process_time() - began)
+        assert len(seen) == 1
+    return times
+
+
+@contextmanager
+def detector(pictures: list[Picture], folder: Path) -> Iterator[Callable[[], list[float]]]:
+    """The detector in its process: gives the processor time of each picture."""
+    np.save(folder / "pictures.npy", np.array(pictures))
+    with subprocess.Popen(
+        [PEERS / "bin" / "python", PEER], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    ) as process:
+        assert process.stdin is not None
+        assert process.stdout is not None
+        told, heard = process.stdin, process.stdout
+        print(json.dumps({"pictures": str(folder / "pictures.npy")}), file=told, flush=True)
+
+        def seconds() -> list[float]:
+            print("go", file=told, flush=True)
+            return list(json.loads(heard.readline())["seconds"])
+
+        yield seconds
+        told.close()
+
+
+@pytest.mark.skipif(
+    not (PEERS / ".ready-detector").exists(),
+    reason="PyTorch or ultralytics could not be installed into build/peers: not compared",
+)
+def test_a_hand_and_its_letter_take_a_fifth_of_a_detector_at_640(tmp_path: Path) -> None:
+    recogniser, pictures = Recogniser(), moving_hand()
+    with detector(pictures, tmp_path) as detect:
+        ways: dict[str, Callable[[], list[float]]] = {
+            "tracking": lambda: seconds_of(recogniser.follow, pictures),
+            "cold": lambda: seconds_of(recogniser.read, pictures),
+            "detector": detect,
+        }
+        # the first two rounds lay out memory
+        rounds = [{name: way() for name, way in ways.items()} for _ in range(N_ROUNDS + 2)][2:]
+    gains = {name: median(sum(r["detector"]) / sum(r[name]) for r in rounds) for name in ways}
+    ms = {name: 1000 * median(sum(r[name]) for r in rounds) / N_PICTURES for name in ways}
+    print(
+        f"\nthe same {N_PICTURES} pictures of {WIDTH} x {HEIGHT} px in turns, one thread each, processor time:\n"
+        f"  a hand that is followed, and its letter     {ms['tracking']:6.1f} ms\n"
+        f"  a hand that is looked for, and its letter   {ms['cold']:6.1f} ms\n"
+        f"  YOLOv8n of random weights, predict at 640   {ms['detector']:6.1f} ms (ultralytics on PyTorch)\n"
+        f"  followed {gains['tracking']:.1f} times faster, at least {LEAST_GAIN_ON_DETECTOR:.0f};"
+        f" looked for {gains['cold']:.1f} times"
+    )
+    assert gains["tracking"] >= LEAST_GAIN_ON_DETECTOR

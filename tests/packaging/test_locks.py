@@ -36,6 +36,7 @@ LOCKS = {
     "requirements-dev.lock": [*DIRECT, *EXTRAS, *group("dev")],
     "requirements-node.lock": group("node"),
     "requirements-bench.lock": group("bench"),
+    "requirements-bench-alone.lock": group("bench-alone"),
     "requirements-models.lock": group("models"),
 }
 
