@@ -9,12 +9,12 @@ from typing import Protocol
 
 import numpy as np
 
+from pinel_desktop.camera.address import number_of, path_of, pictures_of
 from pinel_desktop.camera.recording import RECORDING_ENDING, RecordedHand, read_recording
 from pinel_desktop.errors import PinelError
 from pinel_desktop.gestures.opencv import cv2
 from pinel_desktop.gestures.pictures import SHORTEST_SIDE, Picture, read_picture
 
-PICTURE_ENDINGS = (".bmp", ".jpeg", ".jpg", ".png", ".webp")
 WIDTH, HEIGHT = 640, 480
 _PICTURE_S = 1.5  # how long a folder shows each picture
 _FRAMES_HZ = 15.0
@@ -57,13 +57,12 @@ def open_reader(source: str) -> FrameReader:
     Raises PinelError: `camera_missing`, `camera_busy`, `camera_source_missing`, `camera_source_unreadable`,
     `camera_folder_empty`.
     """
-    if source.isdecimal():
-        return Webcam(int(source))
-    path = Path(source)
+    number = number_of(source)
+    if number is not None:
+        return Webcam(number)
+    path = path_of(source)
     if path.is_dir():
         return PictureFolder(path)
-    if not path.is_file():
-        raise PinelError("camera_source_missing", path=source)
     return HandRecording(path) if path.suffix == RECORDING_ENDING else VideoFile(path)
 
 
@@ -121,12 +120,7 @@ class PictureFolder:
     is_live = False
 
     def __init__(self, path: Path) -> None:
-        files = sorted(file for file in path.iterdir() if file.suffix.lower() in PICTURE_ENDINGS)
-        if not files:
-            raise PinelError(
-                "camera_folder_empty", path=str(path), allowed=", ".join(PICTURE_ENDINGS)
-            )
-        self._frames = self._endless(files)
+        self._frames = self._endless(pictures_of(path))
         self._due_s = time.monotonic()
 
     def read(self) -> Shot | None:

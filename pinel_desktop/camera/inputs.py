@@ -1,13 +1,23 @@
 """Inputs of a run without the app: a camera answers its captures, a list its questions."""
 
+import threading
 from collections.abc import Callable, Iterable
 
+from pinel_desktop.camera.address import check_address
 from pinel_desktop.camera.client import Camera, CameraState
 from pinel_desktop.events.model import CaptureStarted, Event, GestureResult, RunEnded, RunState
 from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.inputs import Capture, PersonInput, ScriptedInputs
 
 _READY_S = 20.0
+_OPEN_S = 5.0  # a camera may take so long to open before the run begins without it
+# the camera that was named cannot be meant; one that is busy or dark may be of use later in the run
+WRONG_SOURCE = (
+    "camera_missing",
+    "camera_source_missing",
+    "camera_source_unreadable",
+    "camera_folder_empty",
+)
 _OF_INTEREST = (CaptureStarted, GestureResult, RunState, RunEnded)
 
 
@@ -27,11 +37,12 @@ class CameraInputs:
     ) -> None:
         self.gestures = PersonInput[Capture]()
         self.answers = ScriptedInputs(answers=answers).answers
-        self._camera = Camera(source, lambda event: None, on_change, self._answer)
+        self._source, self._on_change = source, on_change
+        self._camera = Camera(source, lambda event: None, self._change, self._answer)
+        self._is_tried = threading.Event()
 
     def attach(self, control: object) -> Callable[[int, Event], None]:
-        """Waits until signs can be recognised; gives what must observe the run."""
-        self._camera.wait_until_ready(_READY_S)
+        """Gives what must observe the run."""
         stamp = EventStamp("run")
 
         def observe(tick: int, event: Event) -> None:
@@ -41,11 +52,33 @@ class CameraInputs:
         return observe
 
     def __enter__(self) -> "CameraInputs":
-        self._camera.wake()
+        """Waits until signs can be recognised. Raises PinelError, one of `WRONG_SOURCE`, before anything moves."""
+        check_address(self._source)
+        try:
+            self._open()
+        except BaseException:
+            self._camera.close()
+            raise
         return self
 
     def __exit__(self, *failure: object) -> None:
         self._camera.close()
+
+    def _open(self) -> None:
+        self._camera.wake()
+        self._camera.wait_until_ready(_READY_S)
+        self._camera.use()
+        self._is_tried.wait(_OPEN_S)
+        problem = self._camera.state.problem
+        if problem and problem.code in WRONG_SOURCE:
+            raise problem
+
+    def _change(self, state: CameraState) -> None:
+        was_tried = self._is_tried.is_set()
+        if state.mode in ("on", "failed"):
+            self._is_tried.set()
+        if was_tried or not (state.problem and state.problem.code in WRONG_SOURCE):
+            self._on_change(state)  # else it is raised
 
     def _answer(self, _run: str, capture: Capture) -> None:
         self.gestures.answer(capture)

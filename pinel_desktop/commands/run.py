@@ -11,6 +11,7 @@ import click
 
 from pinel_desktop import __version__
 from pinel_desktop.camera.client import CameraState
+from pinel_desktop.camera.inputs import WRONG_SOURCE, CameraInputs
 from pinel_desktop.commands.options import chosen_database, database_option
 from pinel_desktop.commands.printing import print_problem
 from pinel_desktop.commands.program_file import place_of, read_file
@@ -40,6 +41,7 @@ _INVALID_REASONS = (
     "unknown_world",
     "plot_ending",
     "plot_missing",
+    *WRONG_SOURCE,
 )
 
 
@@ -121,7 +123,8 @@ def command(
     """Run a program and print its result.
 
     FILE is a program document or a bare list of commands, as JSON, or Python text; - is standard input. Exit status:
-    0 finished, 1 failed or stopped, 2 the program or the world has faults or cannot be read, or no plot can be drawn.
+    0 finished, 1 failed or stopped, 2 the program or the world has faults or cannot be read, the camera is not there,
+    or no plot can be drawn.
     """
     language = language_of_system()
     wrong = _wrong_plot(options["plot"])
@@ -204,7 +207,6 @@ def _inputs(options: dict[str, Any], language: str) -> contextlib.AbstractContex
     answers = _answers(options["answers"])
     if options["camera"] is None:
         return contextlib.nullcontext(ScriptedInputs(_results(options["gestures"]), answers))
-    from pinel_desktop.camera.inputs import CameraInputs  # noqa: PLC0415 - few runs need it
 
     def tell(state: CameraState) -> None:
         if state.problem:

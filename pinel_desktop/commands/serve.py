@@ -8,6 +8,7 @@ from contextlib import contextmanager
 import click
 
 from pinel_desktop.app import App
+from pinel_desktop.camera.address import check_address
 from pinel_desktop.commands.options import chosen_database, database_option
 from pinel_desktop.commands.printing import Failure, print_problem
 from pinel_desktop.errors import PinelError
@@ -34,10 +35,12 @@ def command(ctx: click.Context, port: int, camera: str | None) -> None:
     """Serve the page without a window and print its address.
 
     The address works once and on this PC only; start the command again for a new one. Ctrl+C ends it.
-    Exit status: 0, or 1 if the page cannot be served.
+    Exit status: 0, or 1 if the page cannot be served, or there is no video and no folder of that path.
     """
     app = App(chosen_database(ctx), port=port, camera=camera)
     try:
+        if camera is not None:
+            check_address(camera)
         _serve(app)
     except AlreadyRunningError as first:
         print_problem(first)

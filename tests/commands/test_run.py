@@ -1,6 +1,7 @@
 """`pinel run` on the command line."""
 
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -322,3 +323,39 @@ def test_the_start_must_have_room_for_the_robot_that_runs(home: Path) -> None:
     assert [fault["code"] for fault in printed["faults"]] == ["start_in_wall"]
     small, _ = run_json("-", "--world", str(file), "--model", "small_robot", text="[]")
     assert small == 0
+
+
+def no_video(folder: Path) -> Path:
+    path = folder / "lesson.mp4"
+    path.write_bytes(b"no video")
+    return path
+
+
+@pytest.mark.parametrize(
+    ("make", "reason"),
+    [
+        (lambda folder: folder / "nowhere.mp4", "camera_source_missing"),
+        (lambda folder: folder / ("a" * 300), "camera_source_missing"),
+        (lambda folder: folder, "camera_folder_empty"),
+        (no_video, "camera_source_unreadable"),
+    ],
+)
+def test_camera_that_cannot_be_meant_ends_with_2_before_the_robot_moves(
+    tmp_path: Path, make: Callable[[Path], Path], reason: str
+) -> None:
+    source = str(make(tmp_path))
+    status, printed = run_json(SQUARE, "--camera", source, "--no-store")
+    assert (status, printed["reason"], printed["pose"]) == (2, reason, None)
+    assert source in printed["message"]
+
+
+@pytest.mark.parametrize("number", ["9", "99999999999999999999"])
+def test_webcam_that_is_not_there_ends_with_2_before_the_robot_moves(number: str) -> None:
+    status, printed = run_json(SQUARE, "--camera", number, "--no-store")
+    assert (status, printed["reason"], printed["pose"]) == (2, "camera_missing", None)
+
+
+def test_page_is_not_served_with_a_camera_that_is_not_there(tmp_path: Path) -> None:
+    result = pinel("serve", "--camera", str(tmp_path / "nowhere.mp4"))
+    assert result.exit_code == 1
+    assert "nowhere.mp4" in result.stderr

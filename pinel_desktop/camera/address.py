@@ -1,0 +1,50 @@
+"""What names a source of frames: the number of a webcam, or a path. Checked here without OpenCV."""
+
+from pathlib import Path
+
+from pinel_desktop.errors import PinelError
+
+PICTURE_ENDINGS = (".bmp", ".jpeg", ".jpg", ".png", ".webp")
+_MOST_DIGITS = 3
+
+
+def number_of(source: str) -> int | None:
+    """The number of a webcam, 0 is the first; None for a path. Raises PinelError `camera_missing` beyond 999."""
+    if not source.isdecimal():
+        return None
+    if len(source) > _MOST_DIGITS:
+        raise PinelError("camera_missing", number=source)
+    return int(source)
+
+
+def path_of(source: str) -> Path:
+    """The file or folder of that path. Raises PinelError `camera_source_missing`."""
+    path = Path(source)
+    try:
+        is_there = bool(source) and path.exists()
+    except OSError:  # a name that no file can have, or a folder that may not be entered
+        is_there = False
+    if not is_there:
+        raise PinelError("camera_source_missing", path=source)
+    return path
+
+
+def pictures_of(folder: Path) -> list[Path]:
+    """The pictures of a folder by their names. Raises PinelError `camera_folder_empty`, `camera_source_unreadable`."""
+    try:
+        files = sorted(file for file in folder.iterdir() if file.suffix.lower() in PICTURE_ENDINGS)
+    except OSError as error:
+        raise PinelError("camera_source_unreadable", path=str(folder)) from error
+    if not files:
+        raise PinelError(
+            "camera_folder_empty", path=str(folder), allowed=", ".join(PICTURE_ENDINGS)
+        )
+    return files
+
+
+def check_address(source: str) -> None:
+    """Checks all that can be known without opening it. Raises PinelError as the functions above."""
+    if number_of(source) is None:
+        path = path_of(source)
+        if path.is_dir():
+            pictures_of(path)
