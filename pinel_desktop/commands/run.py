@@ -333,6 +333,8 @@ def _lines(summary: dict[str, Any], language: str) -> list[str]:
         lines.append(
             f"marked          {mark['symbol']} at x {mark['x_m']:.3f} m, y {mark['y_m']:.3f} m"
         )
+    if summary["n_beeps"]:
+        lines.append(f"beeped          {summary['n_beeps']} times")
     for name, value in summary["variables"].items():
         lines.append(f"variable        {name} = {_short(value)}")
     return lines + _figures(summary)

@@ -47,6 +47,7 @@ class RunResult:
     gesture_result: str
     said: list[str]
     marks: list[Marked]
+    n_beeps: int
     variables: dict[str, Any]
 
 
@@ -134,6 +135,7 @@ class _Run:
             context.gesture_result,
             context.output.said,
             context.output.marks,
+            context.output.n_beeps,
             context.variables.global_values(),
         )
 

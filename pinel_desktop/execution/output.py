@@ -11,7 +11,7 @@ DEFAULT_COLOR = "blue"
 
 
 class Output:
-    """Reports output as events, and collects texts and marks for the end of the run.
+    """Reports output as events, and collects texts, marks and beeps for the end of the run.
 
     A loop without motion may produce a thousand outputs a tick: exceeding a limit fails the run. The pen is reported
     once a tick, because only motion draws.
@@ -21,7 +21,7 @@ class Output:
         self.said: list[str] = []
         self.marks: list[Marked] = []
         self._emit = emit
-        self._n_beeps = 0
+        self.n_beeps = 0
         self._n_questions = 0
         self._pen: tuple[bool, str] = (False, DEFAULT_COLOR)
         self._reported_pen = self._pen
@@ -43,9 +43,9 @@ class Output:
 
     def beep(self, block: str | None) -> None:
         """Beeps. Raises RunFailureError `too_many_beeps`."""
-        if self._n_beeps >= MAX_BEEPS:
+        if self.n_beeps >= MAX_BEEPS:
             raise RunFailureError("too_many_beeps", max=MAX_BEEPS)
-        self._n_beeps += 1
+        self.n_beeps += 1
         self._emit(Beeped(block))
 
     def question(self) -> None:

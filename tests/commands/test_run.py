@@ -22,6 +22,7 @@ KEYS = {
     "closing_error_m",
     "said",
     "marks",
+    "n_beeps",
     "variables",
     "faults",
     "telemetry_sha256",

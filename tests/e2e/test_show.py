@@ -24,6 +24,8 @@ _PIXELS = """(wanted) => {
 RED, GREEN = (215, 40, 31), (35, 154, 69)
 MARK_X, MARK_O = (122, 31, 162), (179, 71, 0)
 YELLOW_FLOOR = (247, 224, 137)
+INK = (33, 31, 27)
+SIGN_PIXELS = 2000  # of a beep; the robot itself has some of this colour
 
 # The tones that the page has begun.
 _COUNT_TONES = """() => {
@@ -193,6 +195,36 @@ def test_beeps_are_heard_unless_somebody_wants_silence(studio: Studio) -> None:
     assert tones(studio) == 2
     studio.page.reload()
     expect(studio["mute"]).to_have_attribute("data-muted", "true")
+
+
+def test_a_beep_is_seen_at_the_robot_also_without_sound_and_motion(
+    studio: Studio, watch: Watch
+) -> None:
+    watch.expect("willReadFrequently")
+    studio.page.emulate_media(reduced_motion="reduce")
+    studio.enter_new_group()
+    write_program(
+        studio,
+        "robot.wait(0.5)\nfor n in steps(1, 3):\n    robot.beep()\n    robot.wait(0.3)\n"
+        "robot.wait(2.5)\n",
+    )
+    studio["mute"].click()
+    calm = pixels(studio, INK)
+    studio.run()
+    studio.eventually(lambda: pixels(studio, INK) > calm + SIGN_PIXELS, True)
+    expect(studio["status-line"]).to_contain_text("Bipe × 3", timeout=RUN_MS)
+    expect(studio["talk-line"]).to_have_count(1)
+    expect(studio["talk-line"]).to_contain_text("Bipe × 3")
+    studio.eventually(lambda: pixels(studio, INK) < calm + SIGN_PIXELS, True)
+    studio.wait_for_phase("finished")
+
+    studio.page.evaluate("run => { location.hash = `#/run/${run}` }", newest_run(studio))
+    slider = studio["replay-slider"]
+    for tick, seen in (("20", True), ("5", False), ("80", False), ("20", True)):
+        slider.fill(tick)
+        studio.eventually(lambda: pixels(studio, INK) > calm + SIGN_PIXELS, seen)
+    studio.page.wait_for_timeout(1500)
+    assert pixels(studio, INK) > calm + SIGN_PIXELS  # for as long as the moment is looked at
 
 
 def test_a_replay_beeps_unless_it_hurries(studio: Studio) -> None:

@@ -75,10 +75,10 @@ function ReplayProgram({ recording, onOpen }: ReplayProps) {
 const LOUD_SPEED = 2;
 
 function soundOf(playback: Playback): () => void {
-  let heard = playback.view.value.output.beeps;
+  let heard = playback.view.value.output.beeps.count;
   return playback.view.subscribe(({ output: { beeps } }) => {
     const { playing, speed } = playback;
-    if (beeps > heard && playing.peek() && speed.peek() <= LOUD_SPEED) beep();
-    heard = beeps;
+    if (beeps.count > heard && playing.peek() && speed.peek() <= LOUD_SPEED) beep();
+    heard = beeps.count;
   });
 }

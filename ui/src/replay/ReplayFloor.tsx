@@ -26,7 +26,12 @@ export function ReplayFloor({ recording }: { recording: Recording }) {
       <div class="floor__stage">
         <div class={`floor__view ${besides}`} hidden={plotting.value && tall.value}>
           <div class="floor__scene">
-            <Scene world={run.world_document} view={playback.view} poseAt={playback.pose} />
+            <Scene
+              world={run.world_document}
+              view={playback.view}
+              poseAt={playback.pose}
+              playing={playback.playing}
+            />
             <div class="floor__corner">
               <MuteButton view={playback.view} />
             </div>

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { RunEvent } from "../api/model";
-import { given, MOST_LINES, MOST_STROKES, NOTHING, type Output } from "./output";
+import { given, MOST_LINES, MOST_STROKES, NOTHING, type Output, ROW_TICKS } from "./output";
 import { points } from "./trail";
 
 const RUN = "run-1";
@@ -152,9 +152,30 @@ test("marks are kept at their places", () => {
   expect(outputOf(mark).marks).toEqual([{ symbol: "X", x: 1, y: -2 }]);
 });
 
-test("beeps are counted", () => {
-  const beeped = (): RunEvent => ({ ...head(0), type: "beeped", block: null });
-  expect(outputOf(beeped(), beeped()).beeps).toBe(2);
+describe("beeps", () => {
+  const beeped = (tick: number): RunEvent => ({ ...head(tick), type: "beeped", block: null });
+  const lines = ({ talk }: Output) => talk.map(({ kind, text, tick }) => [kind, text, tick]);
+
+  test("in a row are counted together, and share a line of the talk", () => {
+    const output = outputOf(beeped(0), beeped(0), beeped(ROW_TICKS));
+    expect(output.beeps).toEqual({ count: 3, inRow: 3, tick: ROW_TICKS });
+    expect(lines(output)).toEqual([["beeped", 3, 0]]);
+  });
+
+  test("begin a new row after a while", () => {
+    const output = outputOf(beeped(0), beeped(0), beeped(ROW_TICKS + 1));
+    expect(output.beeps).toEqual({ count: 3, inRow: 1, tick: ROW_TICKS + 1 });
+    expect(lines(output)).toEqual([
+      ["beeped", 2, 0],
+      ["beeped", 1, ROW_TICKS + 1],
+    ]);
+  });
+
+  test("stand in the talk where they were heard", () => {
+    const output = outputOf(beeped(0), said("Olá", 1), beeped(2));
+    expect(output.beeps.inRow).toBe(2);
+    expect(lines(output).map(([kind]) => kind)).toEqual(["beeped", "said", "beeped"]);
+  });
 });
 
 test("the watch tells variables and the functions that run, without the program itself", () => {

@@ -3,8 +3,8 @@ import { EMPTY_TRAIL, extend, lastPoint, type Point, type Trail } from "./trail"
 
 /** A line of the dialogue between the program and the group. */
 export interface Line {
-  readonly kind: "said" | "asked" | "answered";
-  /** A number where the group's answer can be read as one. */
+  readonly kind: "said" | "asked" | "answered" | "beeped";
+  /** A number where the group's answer can be read as one; for beeps, how many there were in a row. */
   readonly text: string | number;
   readonly block: string | null;
   readonly tick: number;
@@ -37,6 +37,15 @@ export interface Call {
   readonly block: string | null;
 }
 
+/** The beeps so far. */
+export interface Beeps {
+  readonly count: number;
+  /** Beeps in a row, up to the newest one. */
+  readonly inRow: number;
+  /** Of the newest one. */
+  readonly tick: number;
+}
+
 /** All outputs of a program besides motion, with its variables and calls. */
 export interface Output {
   /** The newest lines, oldest first. */
@@ -48,7 +57,7 @@ export interface Output {
   readonly pen: Stroke | null;
   /** The pending question, until it is answered or the run goes on without an answer. */
   readonly question: Question | null;
-  readonly beeps: number;
+  readonly beeps: Beeps;
   readonly variables: Readonly<Record<string, unknown>>;
   /** The call stack, outermost first. */
   readonly calls: readonly Call[];
@@ -60,7 +69,7 @@ export const NOTHING: Output = {
   strokes: [],
   pen: null,
   question: null,
-  beeps: 0,
+  beeps: { count: 0, inRow: 0, tick: 0 },
   variables: {},
   calls: [],
 };
@@ -69,6 +78,9 @@ export const NOTHING: Output = {
 export const MOST_LINES = 200;
 export const MOST_MARKS = 1000;
 export const MOST_STROKES = 1000;
+
+/** A beep that comes later than this after the one before begins a new row, in ticks of the robot. */
+export const ROW_TICKS = 36;
 
 /** The output after an event; the same object when the event changes nothing. `at` is the robot's true position. */
 export function given(output: Output, event: RunEvent, at: Point): Output {
@@ -82,7 +94,7 @@ export function given(output: Output, event: RunEvent, at: Point): Output {
       return { ...output, marks: newest(output.marks, mark, MOST_MARKS) };
     }
     case "beeped":
-      return { ...output, beeps: output.beeps + 1 };
+      return beeped(output, event.block, event.tick);
     case "pen":
       return withPen(output, event.down ? event.color : null, at);
     case "asked": {
@@ -119,6 +131,19 @@ function told(
 ): readonly Line[] {
   const number = (talk.at(-1)?.number ?? -1) + 1;
   return newest(talk, { kind, text, block, tick, number }, MOST_LINES);
+}
+
+/** Beeps in a row share a line of the talk, unless something was said between them. */
+function beeped(output: Output, block: string | null, tick: number): Output {
+  const { beeps: before } = output;
+  const isNext = before.count > 0 && tick - before.tick <= ROW_TICKS;
+  const beeps = { count: before.count + 1, inRow: isNext ? before.inRow + 1 : 1, tick };
+  const last = output.talk.at(-1);
+  const talk =
+    isNext && last?.kind === "beeped"
+      ? output.talk.with(-1, { ...last, text: Number(last.text) + 1 })
+      : told(output, "beeped", 1, block, tick);
+  return { ...output, beeps, talk };
 }
 
 function newest<T>(all: readonly T[], one: T, most: number): readonly T[] {

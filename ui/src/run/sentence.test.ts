@@ -118,6 +118,17 @@ describe("what the robot does, in words", () => {
     expect(sentenceOf({ ...view, output: heard(31) }, voice)?.more).toBe("Diz: “Olá!”");
   });
 
+  test("a beep is told beside what was said, and how many there were in a row", () => {
+    const talk = [{ kind: "said", text: "Olá!", block: "b", tick: 30, number: 0 }] as const;
+    const beeps = { count: 5, inRow: 2, tick: 35 };
+    const view = { ...moving("wait", 3, 1), tick: 40 };
+    const more = (output: object) =>
+      sentenceOf({ ...view, output: { ...IDLE.output, ...output } }, voice)?.more;
+    expect(more({ beeps })).toBe("Bipe × 2");
+    expect(more({ beeps, talk })).toBe("Diz: “Olá!” · Bipe × 2");
+    expect(more({ beeps: { ...beeps, tick: -60 } })).toBe("");
+  });
+
   test("a function that runs is named", () => {
     const output = { ...IDLE.output, calls: [{ function: "lado", block: "c" }] };
     expect(sentenceOf({ ...moving("turn", 90, 1), output }, voice)?.more).toBe("na função “lado”");

@@ -126,7 +126,9 @@ function around(view: RunView, voice: Voice): string {
   // robot time stands still in a capture: what was said before it may be of the same tick
   const answer = heard && heard.tick > (view.captured?.tick ?? 0) ? "" : answered(view, voice);
   if (answer) return answer;
-  if (heard && view.tick - heard.tick < HEARD_TICKS) return status.says(String(heard.text));
+  const isHeard = heard && view.tick - heard.tick < HEARD_TICKS;
+  const sounds = [isHeard ? status.says(String(heard.text)) : "", beeped(view, voice)];
+  if (sounds.some(Boolean)) return sounds.filter(Boolean).join(" · ");
   const call = view.output.calls.at(-1);
   const isWaiting = view.motion?.kind === "wait" || view.stack.at(-1)?.action === "wait_until";
   return [
@@ -136,6 +138,12 @@ function around(view: RunView, voice: Voice): string {
   ]
     .filter(Boolean)
     .join(" · ");
+}
+
+/** The beeps in a row, unless the newest was some time ago. */
+function beeped({ output: { beeps }, tick }: RunView, { texts }: Voice): string {
+  const isRecent = beeps.count > 0 && tick - beeps.tick < HEARD_TICKS;
+  return isRecent ? texts.show.beeps(beeps.inRow) : "";
 }
 
 /** The answer of a capture, unless it was some time ago. */

@@ -6,6 +6,7 @@ import { language, texts } from "../i18n";
 import { degrees, headingDegrees, metres } from "../i18n/format";
 import { useInstance } from "../kit/instance";
 import { listen } from "../kit/listen";
+import { showBeeps } from "../run/beep_sign";
 import type { Pose, RunView } from "../run/reducer";
 import { program } from "../shell/session";
 import { TEST } from "../shell/testids";
@@ -37,10 +38,12 @@ interface SceneProps {
   companion?: ReadonlySignal<Companion | null>;
   /** Absent where a run is only displayed. */
   hold?: RobotHold;
+  /** Whether a recording plays; absent where the run is live. */
+  playing?: ReadonlySignal<boolean>;
 }
 
 /** The floor from above. Wheel and buttons zoom, dragging pans or moves the robot, tools measure. */
-export function Scene({ world, view, poseAt, companion, hold }: SceneProps) {
+export function Scene({ world, view, poseAt, companion, hold, playing }: SceneProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const renderer = useRef<SceneRenderer | null>(null);
   const tools = useInstance(() => new SceneTools());
@@ -63,6 +66,11 @@ export function Scene({ world, view, poseAt, companion, hold }: SceneProps) {
       effect(() => scene.setMovable(hold?.grip.value.isAtStart ?? false)),
       effect(() => scene.setRanges(hold?.ranges.value ?? null)),
       effect(() => scene.setCompanion(companion?.value ?? null)),
+      showBeeps(
+        view,
+        () => playing?.value === false,
+        (n) => scene.setBeep(n > 0 ? texts.peek().show.beeps(n) : ""),
+      ),
       showMeasure(scene, tools),
       listenToPointer({
         element,
@@ -78,7 +86,7 @@ export function Scene({ world, view, poseAt, companion, hold }: SceneProps) {
       sizes.disconnect();
       scene.dispose();
     };
-  }, [view, poseAt, companion, hold]);
+  }, [view, poseAt, companion, hold, playing]);
 
   useEffect(() => renderer.current?.setWorld(world), [world]);
 

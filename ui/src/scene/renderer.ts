@@ -1,6 +1,7 @@
 import type { World } from "../api/model";
 import { IDLE, type Pose, type RunView } from "../run/reducer";
 import type { Point } from "../run/trail";
+import { drawBeep, GROWING_MS } from "./beep_view";
 import {
   approach,
   type Camera,
@@ -9,6 +10,7 @@ import {
   EDGE_WITH_TOOLS,
   type Size,
   toFloor,
+  toScreen,
 } from "./camera";
 import { type Companion, drawCompanion } from "./companion";
 import { drawRulers, drawThings } from "./floor";
@@ -61,6 +63,7 @@ export class SceneRenderer {
   private held = false;
   private overlay: Overlay | null = null;
   private companion: Companion | null = null;
+  private beep: { words: string; since: number } | null = null;
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -100,6 +103,13 @@ export class SceneRenderer {
 
   setOverlay(overlay: Overlay | null): void {
     this.overlay = overlay;
+    this.wake();
+  }
+
+  /** Sets the words that are seen at the robot while it beeps; "" while it does not. */
+  setBeep(words: string): void {
+    const since = this.beep?.since ?? performance.now();
+    this.beep = words ? { words, since } : null;
     this.wake();
   }
 
@@ -256,6 +266,7 @@ export class SceneRenderer {
     const input = { world, view, palette, size, ratio };
     const camera = this.cache.aligned(this.camera, ratio);
     const blurred = this.paintCached(this.ctx, input, this.cache, camera, now);
+    this.drawBeep(pose, camera, now);
     this.overlay?.(this.ctx, camera, size, palette);
     return moving || pushing || blurred;
   }
@@ -292,6 +303,14 @@ export class SceneRenderer {
     });
     drawRulers(ctx, world, camera, size, palette);
     return blurred;
+  }
+
+  private drawBeep(pose: Pose, camera: Camera, now: number): void {
+    const { beep, world, size, palette } = this;
+    if (!beep) return;
+    const at = toScreen(camera, size, toWorld(startOf(world), pose.x, pose.y));
+    const grown = this.still() ? 1 : Math.min(1, Math.max(0, now - beep.since) / GROWING_MS);
+    drawBeep(this.ctx, { words: beep.words, grown }, at, [camera.scale, size], palette);
   }
 
   private drawRobot(

@@ -131,7 +131,7 @@ export const blocks: typeof first = {
   SAY_TIP: "Shows a text or a number on the screen for the group to read.",
   HELLO: "Hello!",
   BEEP: "%1 beep",
-  BEEP_TIP: "The robot makes a beep.",
+  BEEP_TIP: "The robot makes a beep, which is also seen on the floor beside it.",
   PEN_DOWN: "%1 pen down: %2",
   PEN_DOWN_TIP: "From here on the robot draws on the floor in this colour.",
   PEN_UP: "%1 pen up %2",

@@ -183,6 +183,7 @@ export const page: typeof first = {
     yes: "true",
     no: "false",
     emptyText: "(empty)",
+    beeps: (n: number) => (n === 1 ? "Beep" : `Beep × ${n}`),
     mute: "Turn the sound off",
     unmute: "Turn the sound on",
   },

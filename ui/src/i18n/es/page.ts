@@ -183,6 +183,7 @@ export const page: typeof first = {
     yes: "verdadero",
     no: "falso",
     emptyText: "(vacío)",
+    beeps: (n: number) => (n === 1 ? "Pitido" : `Pitido × ${n}`),
     mute: "Apagar el sonido",
     unmute: "Encender el sonido",
   },

@@ -130,7 +130,7 @@ export const blocks = {
   SAY_TIP: "Mostra um texto ou um número na tela, para o grupo ler.",
   HELLO: "Olá!",
   BEEP: "%1 apitar",
-  BEEP_TIP: "O robô faz um bipe.",
+  BEEP_TIP: "O robô faz um bipe, que também se vê no chão ao lado dele.",
   PEN_DOWN: "%1 abaixar a caneta: %2",
   PEN_DOWN_TIP: "Daqui em diante o robô risca o chão com essa cor.",
   PEN_UP: "%1 levantar a caneta %2",

@@ -182,6 +182,7 @@ export const page = {
     yes: "verdadeiro",
     no: "falso",
     emptyText: "(vazio)",
+    beeps: (n: number) => (n === 1 ? "Bipe" : `Bipe × ${n}`),
     mute: "Desligar o som",
     unmute: "Ligar o som",
   },

@@ -14,7 +14,7 @@ interface MuteButtonProps {
 
 /** Turns sound on or off; hidden where the run makes no sound. */
 export function MuteButton({ view, expected = false }: MuteButtonProps) {
-  const loud = useComputed(() => view.value.output.beeps > 0);
+  const loud = useComputed(() => view.value.output.beeps.count > 0);
   if (!loud.value && !expected) return null;
   const { show } = texts.value;
   return (

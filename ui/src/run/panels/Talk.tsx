@@ -1,4 +1,4 @@
-import { CircleQuestionMark, MessageCircle, Reply } from "lucide-preact";
+import { BellRing, CircleQuestionMark, MessageCircle, Reply } from "lucide-preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { language, texts } from "../../i18n";
 import { seconds } from "../../i18n/format";
@@ -6,7 +6,12 @@ import { TEST } from "../../shell/testids";
 import type { Line } from "../output";
 import { numberWords } from "../values";
 
-const ICONS = { said: MessageCircle, asked: CircleQuestionMark, answered: Reply } as const;
+const ICONS = {
+  said: MessageCircle,
+  asked: CircleQuestionMark,
+  answered: Reply,
+  beeped: BellRing,
+} as const;
 
 /** The list scrolls to its newest line while it is scrolled to within this of its end, in pixels. */
 const AT_END_PX = 48;
@@ -48,13 +53,17 @@ export function Talk({ lines }: { lines: readonly Line[] }) {
 
 function TalkLine({ line: { kind, text, tick } }: { line: Line }) {
   const Icon = ICONS[kind];
-  const words = typeof text === "number" ? numberWords(text, language.value) : text;
   return (
     <li class={`talk__line talk__line--${kind}`} data-kind={kind} data-testid={TEST.talkLine}>
       <Icon class="icon" aria-hidden="true" />
-      <span class="visually-hidden">{texts.value.show[kind]}</span>
-      <span class="talk__text">{words}</span>
+      {kind !== "beeped" && <span class="visually-hidden">{texts.value.show[kind]}</span>}
+      <span class="talk__text">{wordsOf(kind, text)}</span>
       <time class="talk__time">{seconds(tick / 30, language.value)}</time>
     </li>
   );
+}
+
+function wordsOf(kind: Line["kind"], text: Line["text"]): string {
+  if (kind === "beeped") return texts.value.show.beeps(Number(text));
+  return typeof text === "number" ? numberWords(text, language.value) : text;
 }

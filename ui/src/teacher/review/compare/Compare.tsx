@@ -95,6 +95,7 @@ function OneFloor({ pair: { sides } }: { pair: Pair }) {
         world={first.recording.run.world_document}
         view={first.view}
         poseAt={first.pose}
+        playing={first.playing}
         companion={companion}
       />
     </div>

@@ -36,7 +36,12 @@ export function ComparedRun({ side, number, groups, together }: ComparedRunProps
       <RunHead side={side} group={group} number={number} swatch={together} />
       {!together && (
         <div class="compare__scene">
-          <Scene world={run.world_document} view={side.view} poseAt={side.pose} />
+          <Scene
+            world={run.world_document}
+            view={side.view}
+            poseAt={side.pose}
+            playing={side.playing}
+          />
         </div>
       )}
       <ReplayWords run={run} view={side.view} />

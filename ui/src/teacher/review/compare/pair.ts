@@ -7,6 +7,7 @@ import type { Pose, RunView } from "../../../run/reducer";
 export interface Side {
   readonly recording: Recording;
   readonly view: ReadonlySignal<RunView>;
+  readonly playing: ReadonlySignal<boolean>;
   /** Interpolated pose of its robot. */
   pose(): Pose;
 }
@@ -26,11 +27,13 @@ export class Pair {
   private sideOf(recording: Recording): Side {
     const { playback: clock } = this;
     const { playback } = recording;
-    if (playback === clock) return { recording, view: clock.view, pose: clock.pose };
+    const { playing } = clock;
+    if (playback === clock) return { recording, playing, view: clock.view, pose: clock.pose };
     const { history } = playback;
     const tick = computed(() => Math.min(Math.floor(clock.tick.value), playback.end));
     return {
       recording,
+      playing,
       view: computed(() => history.at(tick.value)),
       pose: () => history.poseAt(clock.tick.peek()),
     };

@@ -1,0 +1,89 @@
+import type { Size } from "./camera";
+import type { XY } from "./frames";
+import type { Palette } from "./palette";
+
+type Ctx = CanvasRenderingContext2D;
+
+/** Half the angle that an arc spans, in radians; distance of the arcs and widths of their lines in pixels. */
+const HALF_ARC = 0.75;
+const GAP_PX = 11;
+const LINE_PX = 5;
+const EDGE_PX = 9;
+const ARCS = 3;
+
+/** Radius around the robot's centre that the sign leaves free, in metres; in pixels where the floor is shown small. */
+const FREE_M = 0.3;
+const FREE_PX = 16;
+
+/** Duration in which the arcs leave the robot, in ms. Only the first beep of a row moves them. */
+export const GROWING_MS = 160;
+
+/** Words closer to the edge than this would lie under the controls over the floor, in pixels. */
+const TOP_PX = 76;
+const CHIP_PX = 36;
+
+/** The sign of a beep. */
+export interface Beeping {
+  /** Upright and short. */
+  readonly words: string;
+  /** How far the arcs have left the robot, 0 to 1. */
+  readonly grown: number;
+}
+
+/** Draws sound waves beside the robot at `at` and the words above it, in pixels of the canvas. `scale` in pixels per metre. */
+export function drawBeep(
+  ctx: Ctx,
+  { words, grown }: Beeping,
+  at: XY,
+  [scale, size]: readonly [number, Size],
+  palette: Palette,
+): void {
+  const free = Math.max(FREE_PX, FREE_M * scale);
+  ctx.save();
+  ctx.lineCap = "round";
+  for (const [colour, width] of [
+    [palette.tile, EDGE_PX],
+    [palette.ink, LINE_PX],
+  ] as const) {
+    ctx.beginPath();
+    for (let arc = 0; arc < ARCS; arc++) wave(ctx, at, free + arc * GAP_PX * grown);
+    ctx.strokeStyle = colour;
+    ctx.lineWidth = width;
+    ctx.stroke();
+  }
+  drawWords(ctx, words, at, [free + GAP_PX * ARCS, size], palette);
+  ctx.restore();
+}
+
+function wave(ctx: Ctx, { x, y }: XY, radius: number): void {
+  for (const middle of [0, Math.PI]) {
+    ctx.moveTo(x + radius * Math.cos(middle - HALF_ARC), y + radius * Math.sin(middle - HALF_ARC));
+    ctx.arc(x, y, radius, middle - HALF_ARC, middle + HALF_ARC);
+  }
+}
+
+function drawWords(
+  ctx: Ctx,
+  words: string,
+  at: XY,
+  [reach, size]: readonly [number, Size],
+  palette: Palette,
+): void {
+  ctx.font = `700 20px ${palette.font}`;
+  ctx.textAlign = "center";
+  ctx.textBaseline = "middle";
+  const half = ctx.measureText(words).width / 2 + 14;
+  const above = at.y - reach - CHIP_PX / 2;
+  const wanted = above < TOP_PX ? at.y + reach + CHIP_PX / 2 : above;
+  const x = Math.min(size.width - half - 4, Math.max(half + 4, at.x));
+  const y = Math.min(size.height - CHIP_PX, Math.max(CHIP_PX, wanted));
+  ctx.beginPath();
+  ctx.roundRect(x - half, y - CHIP_PX / 2, 2 * half, CHIP_PX, CHIP_PX / 2);
+  ctx.fillStyle = palette.ink;
+  ctx.fill();
+  ctx.strokeStyle = palette.tile;
+  ctx.lineWidth = 2;
+  ctx.stroke();
+  ctx.fillStyle = palette.tile;
+  ctx.fillText(words, x, y + 1);
+}
