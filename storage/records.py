@@ -110,7 +110,11 @@ class FaultRow:
 
 @dataclass(frozen=True, slots=True)
 class VersionRow:
-    """One state of a program; `document` is None while it has faults, `world` where none was made for it."""
+    """One state of a program; `document` is None while it has faults, `world` where none was made for it.
+
+    Attributes:
+        setup: name of the world, start, robot setting, speed and activity of its runs; None where an earlier release saved it.
+    """
 
     id: str
     program_id: str
@@ -119,6 +123,7 @@ class VersionRow:
     document: Json | None
     faults: tuple[FaultRow, ...]
     world: Json | None = None
+    setup: Json | None = None
     number: int = 0
     label: str = ""
     parent_id: str | None = None
@@ -133,6 +138,7 @@ class VersionMark:
         label: the name that its group gave it, "" without.
         n_runs: how often it was run.
         n_passed: how often the activity was passed with it.
+        setup: as in `VersionRow`.
     """
 
     id: str
@@ -145,6 +151,7 @@ class VersionMark:
     computer: str | None
     n_runs: int
     n_passed: int
+    setup: Json | None
 
 
 @dataclass(frozen=True, slots=True)

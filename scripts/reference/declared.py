@@ -43,6 +43,8 @@ def declared() -> str:
             _numbers("PROGRAM_LIMITS", _PROGRAM),
             "/** Limits of a world: sim/document.py, floor.py, world.py. */",
             _numbers("WORLD_LIMITS", _WORLD),
+            "/** The world of a program for which none was chosen: sim/world.py. */",
+            f'export const DEFAULT_WORLD = "{world.DEFAULT_WORLD}";\n',
             "/** Limits of stored texts, in characters: storage/limits.py. */",
             _numbers("STORE_LIMITS", _STORE),
             "/** Colours of groups: storage/choices.py. */",

@@ -177,4 +177,5 @@ MIGRATIONS: dict[str, tuple[str, ...]] = {
         ) STRICT""",
         "CREATE INDEX taught_signs_classroom ON taught_signs (classroom_id, id)",
     ),
+    "setup_of_versions": ("ALTER TABLE versions ADD COLUMN setup TEXT",),
 }

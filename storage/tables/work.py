@@ -156,6 +156,14 @@ VERSIONS = ReplicatedTable(
             parquet=False,
         ),
         Column("world", JSON, "the group's own world", rules.world, optional=True, parquet=False),
+        Column(
+            "setup",
+            JSON,
+            "where and how it runs: name of the world, start, robot setting, speed, activity",
+            rules.json_object,
+            optional=True,
+            parquet=False,
+        ),
     ),
     figures=(figure("n_faults", "how many faults it has", "json_array_length(faults)"),),
 )

@@ -26,8 +26,8 @@ _MARK = selected(
     n_runs="SELECT count(*) FROM runs WHERE version_id = versions.id",
     n_passed="SELECT count(*) FROM runs WHERE version_id = versions.id AND passed",
 )
-_CONTENT = ("workspace", "document", "faults", "world")
-_Content = tuple[str, str | None, str, str | None]
+_CONTENT = ("workspace", "document", "faults", "world", "setup")
+_Content = tuple[str, str | None, str, str | None, str | None]
 # by number, not by time: the clocks of school PCs are often wrong
 _NEWEST_FIRST = "ORDER BY number DESC, id DESC"
 _NEWEST = f"{_SELECT} WHERE program_id = ? {_NEWEST_FIRST} LIMIT 1"
@@ -58,6 +58,7 @@ class Versions(Repository):
         faults: Sequence[FaultRow] = (),
         world: Json | None = None,
         *,
+        setup: Json | None = None,
         parent_id: str | None = None,
     ) -> VersionRow:
         """Keeps a state; on disk when this returns. The same content as the newest version is that version.
@@ -75,6 +76,7 @@ class Versions(Repository):
             None if document is None else dumped(document),
             dumped([astuple(fault) for fault in faults]),
             None if world is None else dumped(world),
+            None if setup is None else dumped(setup),
         )
         _require_readable(content)
         now = self._database.moment()
@@ -140,8 +142,8 @@ def _insert(
 
 def _require_readable(content: _Content) -> None:
     """Refuses what no bundle could carry: it would be left out of every export, with what belongs to it."""
-    workspace, document, faults, world = content
-    others = [text for text in (document, faults, world) if text is not None]
+    workspace, *texts = content
+    others = [text for text in texts if text is not None]
     if not is_object(workspace) or any(parsed(text) is None for text in others):
         raise StoreError("work_unreadable")
 
@@ -153,7 +155,8 @@ def _require_own(db: sqlite3.Connection, program_id: str, version_id: str) -> No
 
 
 def _mark(row: sqlite3.Row) -> VersionMark:
-    return VersionMark(**{**dict(row), "can_run": bool(row["can_run"])})
+    parsed = {"can_run": bool(row["can_run"]), "setup": loaded(row["setup"])}
+    return VersionMark(**{**dict(row), **parsed})
 
 
 def _record(row: sqlite3.Row) -> VersionRow:

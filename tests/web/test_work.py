@@ -295,3 +295,20 @@ def test_a_world_that_is_none_does_not_keep_a_program_from_opening(
     app._store.versions.save(program["id"], {"a": 1}, None, world={"pinel_world": 1, "name": "x"})
     opened = browser.get(f"/api/programs/{program['id']}")
     assert (opened.status, opened.data["version"]["world"]) == (200, None)
+
+
+def test_a_setup_of_a_newer_release_does_not_close_the_program(app: App, browser: Browser) -> None:
+    group = browser.post("/api/groups", {"name": "Os Tatus"}).data
+    program = browser.post(f"/api/groups/{group['id']}/programs", {"name": "Um"}).data
+    path = f"/api/programs/{program['id']}"
+    setup = {"world": "maze", "preset": "realistic", "speed": 2}
+    body = {"workspace": {"a": 1}, "document": None, "setup": setup}
+    assert browser.post(f"{path}/versions", body).status == 200
+    kept = browser.get(path).data["version"]["setup"]
+    assert kept == {**setup, "speed": 2.0, "start": None, "feedback": "pose", "activity": None}
+    app._store.versions.save(program["id"], {"a": 2}, None, setup={"planet": "Mars"})
+    assert browser.get(path).data["version"]["setup"] is None
+    marks = browser.get(f"{path}/versions").data["versions"]
+    assert [mark["setup"] for mark in marks] == [None, kept]
+    wrong = browser.post(f"{path}/versions", {**body, "setup": {"world": "maze", "speed": 0}})
+    assert wrong.status == 422

@@ -17,6 +17,7 @@ from pinel_desktop.web.models.work import (
     ProgramName,
     ProgramWithVersion,
     SavedVersion,
+    Setup,
     Version,
     VersionLabel,
     VersionLine,
@@ -39,7 +40,7 @@ def list_programs(path: IdPath) -> Response:
 
 
 def _mark(row: MarkRow) -> VersionMark:
-    return VersionMark.of(row)
+    return VersionMark.of(row, setup=_readable_setup(row.setup))
 
 
 def _programs(rows: list[ProgramRow]) -> Response:
@@ -96,7 +97,13 @@ def save_version(path: IdPath, body: NewVersion) -> Response:
         faults = [_fault_row(fault) for fault in reading.faults[:MAX_FAULTS]]
     world = None if body.world is None else _world_to_keep(path.id, body.world, parts)
     row = parts.store.versions.save(
-        path.id, body.workspace, document, faults, world, parent_id=body.parent_id
+        path.id,
+        body.workspace,
+        document,
+        faults,
+        world,
+        setup=body.setup.model_dump() if body.setup else None,
+        parent_id=body.parent_id,
     )
     program = parts.store.programs.get(path.id)
     before = parts.store.versions.line_of(path.id, before=row.id, limit=1)
@@ -181,7 +188,16 @@ def version_model(row: VersionRow) -> Version:
         document=row.document,
         faults=describe_faults(row.faults, language),
         world=None if row.world is None else _readable_world(row.world),
+        setup=_readable_setup(row.setup),
     )
+
+
+def _readable_setup(kept: Json | None) -> Setup | None:
+    """What a version keeps of its runs; None if invalid, as in a file of a newer release."""
+    try:
+        return None if kept is None else Setup.model_validate(kept)
+    except ValidationError:
+        return None
 
 
 def _readable_world(document: Json) -> World | None:

@@ -4,9 +4,11 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
+from pinel_desktop.engine.commands import SpeedFactor
+from pinel_desktop.robot import Feedback, Preset
 from pinel_desktop.web.models import Body, Id, Json, Shape, Time
 from pinel_desktop.web.models.errors import Fault
-from pinel_desktop.web.models.worlds import World
+from pinel_desktop.web.models.worlds import Start, World
 
 Name = Annotated[
     str, Field(max_length=1000, description="1 to 60 characters; spaces at the ends do not count")
@@ -78,10 +80,24 @@ class ProgramName(Body):
     name: Name
 
 
+class Setup(Shape):
+    """Where and how a program runs; it belongs to the program and is kept with each version."""
+
+    world: Annotated[str, Field(max_length=100, description="a name, or `own`: the version's")]
+    start: Annotated[Start | None, Field(description="another start than the world's")] = None
+    preset: Preset = "ideal"
+    feedback: Feedback = "pose"
+    speed: SpeedFactor = 1.0
+    activity: Annotated[
+        str | None, Field(max_length=100, description="the activity that it is to solve")
+    ] = None
+
+
 class Version(Shape):
     """One state of a program, never overwritten; `document` is null if the blocks have faults.
 
-    `world` is the group's own world; null if the program runs in a world chosen by name.
+    `world` is the group's own world; null if the program runs in a world chosen by name. `setup` is null where an
+    earlier release saved it.
     """
 
     id: Id
@@ -90,6 +106,7 @@ class Version(Shape):
     document: Json | None
     faults: list[Fault]
     world: World | None
+    setup: Setup | None
 
 
 class VersionMark(Shape):
@@ -108,6 +125,7 @@ class VersionMark(Shape):
     computer: str | None
     n_runs: int
     n_passed: int
+    setup: Setup | None
 
 
 class ProgramWithVersion(Program):
@@ -146,6 +164,7 @@ class NewVersion(Body):
     workspace: Json
     document: dict[str, Any] | list[Any] | None
     world: Annotated[Json | None, Field(description="a world of the group's own")] = None
+    setup: Setup | None = None
     parent_id: Annotated[Id | None, Field(description="the version edited; the newest if null")] = (
         None
     )

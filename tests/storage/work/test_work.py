@@ -206,3 +206,17 @@ def test_the_file_explains_itself(store: Store, version: VersionRow, path: Path)
         views = {row[0] for row in db.execute("SELECT name FROM sqlite_master WHERE type = 'view'")}
     db.close()
     assert named == (tables | views) - {"_sqlite_migrations", "about"}
+
+
+def test_where_and_how_it_runs_is_part_of_a_version(
+    store: Store, program: ProgramRow, version: VersionRow
+) -> None:
+    assert version.setup is None
+    setup = {"world": "maze", "speed": 2}
+    content = (program.id, version.workspace, version.document)
+    in_the_maze = store.versions.save(*content, setup=setup)
+    assert in_the_maze.id != version.id
+    assert store.versions.get(in_the_maze.id).setup == setup
+    assert store.versions.save(*content, setup=dict(setup)).id == in_the_maze.id
+    newest, before = store.versions.line_of(program.id)[:2]
+    assert (newest.setup, before.setup) == (setup, None)

@@ -20,6 +20,9 @@ export const WORLD_LIMITS = {
   MAX_MOVABLE_KG: 20,
 } as const;
 
+/** The world of a program for which none was chosen: sim/world.py. */
+export const DEFAULT_WORLD = "empty_room";
+
 /** Limits of stored texts, in characters: storage/limits.py. */
 export const STORE_LIMITS = {
   MAX_NAME: 60,

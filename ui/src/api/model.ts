@@ -1,4 +1,13 @@
-import type { Event, NewRun, NewVersion, SavedVersion, Status, Subscribe, World } from "./types";
+import type {
+  Event,
+  NewRun,
+  NewVersion,
+  SavedVersion,
+  Setup,
+  Status,
+  Subscribe,
+  World,
+} from "./types";
 
 /** Every object of the server's description, by its name there. */
 export type * from "./types";
@@ -18,6 +27,7 @@ export interface Content extends Pick<NewVersion, "parent_id"> {
   workspace: object;
   document: object | null;
   world?: World | null;
+  setup?: Setup | null;
 }
 
 /** The name under which a version's own world is run in. */

@@ -221,6 +221,7 @@ export const TEST = {
   versionBlocks: "version-blocks",
   differenceSide: "difference-side", // of each; a select, data-side: before | after
   difference: "difference", // of each; data-kind: added | removed | changed | moved
+  setupDifferences: "setup-differences",
   differenceNext: "difference-next",
   differencePrevious: "difference-previous",
   differenceCount: "difference-count",

@@ -1,23 +1,19 @@
-import { batch, computed, type ReadonlySignal, signal } from "@preact/signals";
+import { batch, computed, type ReadonlySignal } from "@preact/signals";
 import type { Start, World } from "../api/model";
 import * as robot from "../run/live";
 import { isLive } from "../run/reducer";
 import { startOf, toWorld } from "../scene/frames";
 import { onTurn, turned } from "../scene/tools/measure";
-
-/** Chosen starts by program and world, for the lifetime of the page. */
-const chosen = signal<ReadonlyMap<string, Start>>(new Map());
+import type { OpenProgram } from "./program/open_program";
 
 interface Place {
-  readonly name: ReadonlySignal<string>;
   readonly world: ReadonlySignal<World | null>;
 }
 
 /** The robot's start pose of a program: the world's, or one set by dragging. */
 export class StartChoice {
-  private readonly key = computed(() => `${this.program} ${this.place.name.value}`);
   /** The chosen start; null for that of the world. */
-  readonly start = computed(() => chosen.value.get(this.key.value) ?? null);
+  readonly start = computed<Start | null>(() => this.open.setup.value.start ?? null);
   /** The world with the effective start. */
   readonly world = computed<World | null>(() => {
     const { value: world } = this.place.world;
@@ -35,7 +31,7 @@ export class StartChoice {
   });
 
   constructor(
-    private readonly program: string,
+    private readonly open: OpenProgram,
     private readonly place: Place,
   ) {}
 
@@ -67,9 +63,6 @@ export class StartChoice {
   }
 
   private keep(start: Start | null): void {
-    const all = new Map(chosen.peek());
-    if (start) all.set(this.key.peek(), start);
-    else all.delete(this.key.peek());
-    chosen.value = all;
+    this.open.changeSetup({ start });
   }
 }

@@ -20,6 +20,7 @@ import { breakpoints, runSettings, tellRun } from "./debug/debugging";
 import { watchSensors } from "./debug/sensor_values";
 import type { OpenProgram } from "./program/open_program";
 import { renameProgram } from "./program/rename";
+import { setupOf } from "./program/setup";
 import { StoredUndo } from "./program/stored_undo";
 import { StartChoice } from "./start_choice";
 import { WorldControl } from "./world_control";
@@ -72,7 +73,7 @@ export class StudioControl {
   constructor(readonly open: OpenProgram) {
     this.storedUndo = new StoredUndo(open);
     this.worlds = new WorldControl(open);
-    this.start = new StartChoice(open.id, this.worlds);
+    this.start = new StartChoice(open, this.worlds);
   }
 
   /** The world of the current or next run. */
@@ -100,7 +101,7 @@ export class StudioControl {
   attach(editor: Editor): () => void {
     this.editor = editor;
     const stops = [
-      tellRun(report),
+      tellRun(this.open, report),
       subscribeToRings(report),
       watchSensors(() => (this.mine.peek() ? this.documentThatRuns() : null)),
       effect(() => editor.highlight(this.lit.value)),
@@ -126,9 +127,10 @@ export class StudioControl {
 
   /** Restores a stored version as an undo step: redo reverts it. */
   async backTo(id: string): Promise<void> {
-    const { workspace, world } = await versionsApi.version(id);
-    this.editor?.undoTo(workspace);
-    this.open.setWorld(world);
+    const version = await versionsApi.version(id);
+    this.editor?.undoTo(version.workspace);
+    this.open.setWorld(version.world);
+    this.open.changeSetup(setupOf(version));
     this.open.remember(id);
   }
 
@@ -195,7 +197,7 @@ export class StudioControl {
       this.edited.value = false;
       this.runDocument = open.content.value?.document ?? null;
       const start = this.start.start.value;
-      const wanted = { ...runSettings(paused), ...(start ? { start } : {}) };
+      const wanted = { ...runSettings(open, paused), ...(start ? { start } : {}) };
       await robot.start(version.id, this.worlds.name.value, wanted);
     } catch (error) {
       if (error instanceof ApiError && error.faults.length > 0) open.faults.value = error.faults;

@@ -1,4 +1,5 @@
 import { batch, computed, signal } from "@preact/signals";
+import { DEFAULT_WORLD } from "../api/declared";
 import { OWN_WORLD, type World } from "../api/model";
 import { texts } from "../i18n";
 import * as robot from "../run/live";
@@ -7,12 +8,8 @@ import { worlds } from "../shell/session";
 import { EditorStore } from "../world_editor/editor_store";
 import type { OpenProgram } from "./program/open_program";
 
-/** The selected shipped world; remains selected across programs. */
-const chosen = signal<string | null>(null);
-
 /** Selects the world of a program's runs: a shipped one or the group's own. */
 export class WorldControl {
-  private readonly usesOwn = signal(false);
   /** The own world that was just deleted, for undo. */
   readonly forgotten = signal<World | null>(null);
   /** The editor's store while the editor is open. */
@@ -22,8 +19,8 @@ export class WorldControl {
   readonly name = computed(() => {
     const { value: run } = robot.liveRun;
     if (run && isLive(robot.live.value)) return run.world;
-    if (this.usesOwn.value && this.open.ownWorld.now.value) return OWN_WORLD;
-    return chosen.value ?? worlds.value[0]?.name ?? "";
+    const { world } = this.open.setup.value;
+    return this.isThere(world) ? world : DEFAULT_WORLD;
   });
   readonly world = computed<World | null>(() => {
     const { value: run } = robot.liveRun;
@@ -37,17 +34,18 @@ export class WorldControl {
   );
   /** Whether a change in the editor would replace the group's own world. */
   readonly replaces = computed(
-    () => this.store.value !== null && !this.usesOwn.value && this.open.ownWorld.now.value !== null,
+    () =>
+      this.store.value !== null &&
+      this.open.setup.value.world !== OWN_WORLD &&
+      this.open.ownWorld.now.value !== null,
   );
 
-  constructor(private readonly open: OpenProgram) {
-    this.usesOwn.value = open.ownWorld.now.peek() !== null;
-  }
+  constructor(private readonly open: OpenProgram) {}
 
+  /** Selects a world, with its own start. */
   choose(name: string): void {
     batch(() => {
-      this.usesOwn.value = name === OWN_WORLD;
-      if (name !== OWN_WORLD) chosen.value = name;
+      this.open.changeSetup({ world: name, start: null });
       robot.clear();
     });
   }
@@ -73,15 +71,20 @@ export class WorldControl {
     batch(() => {
       this.forgotten.value = this.open.ownWorld.now.peek();
       this.done();
-      this.usesOwn.value = false;
       this.open.setWorld(null);
-      robot.clear();
+      this.choose(DEFAULT_WORLD);
     });
   }
 
   bringBack(): void {
     const { value: world } = this.forgotten;
     if (world) this.keep(world);
+  }
+
+  /** A world of a newer release, or an own world that was deleted, is not. */
+  private isThere(name: string): boolean {
+    if (name === OWN_WORLD) return this.open.ownWorld.now.value !== null;
+    return worlds.value.length === 0 || worlds.value.some((world) => world.name === name);
   }
 
   /** The undo history is reused while nothing else has changed the world. */
@@ -101,8 +104,8 @@ export class WorldControl {
   private keep(world: World): void {
     batch(() => {
       this.forgotten.value = null;
-      this.usesOwn.value = true;
       this.open.setWorld(world);
+      this.open.changeSetup({ world: OWN_WORLD });
       robot.clear();
     });
   }

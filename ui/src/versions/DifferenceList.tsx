@@ -1,14 +1,16 @@
 import { ArrowLeft, ChevronDown, ChevronUp } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
 import type { Difference } from "../editor/reader/difference_sign";
-import { texts } from "../i18n";
+import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { LinkButton } from "../kit/LinkButton";
 import { hashOf } from "../shell/route";
 import { TEST } from "../shell/testids";
+import { setupOf } from "../studio/program/setup";
 import type { ComparedBlocks } from "./compared_blocks";
 import type { Differing } from "./differences";
 import { Sign } from "./Sign";
+import { type SetupChange, setupChanges } from "./setup_words";
 
 interface DifferenceListProps {
   sides: ComparedBlocks;
@@ -19,16 +21,20 @@ interface DifferenceListProps {
 export function DifferenceList({ sides, programId }: DifferenceListProps) {
   const words = texts.value.keeping;
   const list = sides.list.value;
+  const { before, after } = sides.compared;
+  const changes = setupChanges(setupOf(before), setupOf(after), texts.value, language.value);
   const history = hashOf({
     screen: "versions",
     program: programId,
-    version: sides.compared.before.id,
+    version: before.id,
   });
   return (
     <section class="differences__list">
       <div class="differences__head">
         <LinkButton icon={ArrowLeft} label={words.backToHistory} href={history} />
-        <h2 data-testid={TEST.differenceCount}>{words.differences(list.length)}</h2>
+        <h2 data-testid={TEST.differenceCount}>
+          {words.differences(list.length + changes.length)}
+        </h2>
         <Button
           icon={ChevronUp}
           label={words.previous}
@@ -44,6 +50,7 @@ export function DifferenceList({ sides, programId }: DifferenceListProps) {
           onPress={() => sides.step(1)}
         />
       </div>
+      <SetupDifferences changes={changes} />
       {list.length === 0 && sides.drawn.value > 0 && (
         <p class="differences__none">
           <strong>{words.nothingDiffers}</strong> {words.nothingDiffersHow}
@@ -64,6 +71,22 @@ export function DifferenceList({ sides, programId }: DifferenceListProps) {
       </ol>
       {list.length > 1 && <p class="differences__keys">{words.keys}</p>}
     </section>
+  );
+}
+
+/** What differs in where and how the two versions run. */
+function SetupDifferences({ changes }: { changes: readonly SetupChange[] }) {
+  const { keeping } = texts.value;
+  if (changes.length === 0) return null;
+  return (
+    <dl class="differences__setup" aria-label={keeping.setup} data-testid={TEST.setupDifferences}>
+      {changes.map((one) => (
+        <div key={one.what}>
+          <dt>{one.what}</dt>
+          <dd>{keeping.became(one.before, one.after)}</dd>
+        </div>
+      ))}
+    </dl>
   );
 }
 

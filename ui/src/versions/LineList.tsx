@@ -19,6 +19,7 @@ import { program } from "../shell/session";
 import { TEST } from "../shell/testids";
 import type { VersionHistory } from "./history";
 import { type Fork, faceOf, type Section, type Step } from "./line";
+import { setupChanges } from "./setup_words";
 import { factsOf, sectionWords, spanOf, stepWords } from "./words";
 
 /** The versions by lesson and day, with bursts of edits folded into one entry. */
@@ -170,7 +171,10 @@ function Line({ inner = false, ...line }: LineProps) {
 function LineButton({ version, step, history, current }: LineProps & { current: boolean }) {
   const first = step.versions[0] ?? version;
   const Icon = iconOf(version);
-  const facts = version.label ? factsOf(version, texts.value) : [];
+  const facts = [
+    ...(version.label ? factsOf(version, texts.value) : []),
+    ...setupFacts(history.lineBefore(first) ?? first, version),
+  ];
   const times = spanOf(first.created_at, version.created_at, language.value);
   return (
     <Button
@@ -189,6 +193,12 @@ function LineButton({ version, step, history, current }: LineProps & { current: 
       </span>
     </Button>
   );
+}
+
+/** "Mundo: Labirinto", for each part of the setup that a step changed. */
+function setupFacts(before: VersionMark, version: VersionMark): string[] {
+  const changes = setupChanges(before.setup, version.setup, texts.value, language.value);
+  return changes.map(({ what, after }) => texts.value.keeping.setupFact(what, after));
 }
 
 function iconOf({ label, n_passed, n_runs }: VersionMark) {

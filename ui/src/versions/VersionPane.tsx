@@ -123,9 +123,9 @@ async function goOn(history: VersionHistory, blocks: BlocksReader | null): Promi
   const { value: version } = history.shown;
   const { value: now } = program;
   if (!version || !blocks || !now || version.id !== history.chosen.value?.id) return;
-  const { workspace, world } = version;
+  const { workspace, world, setup } = version;
   const document = blocks.document(now.name);
-  await versionsApi.goOnFrom(now.id, version.id, { workspace, document, world });
+  await versionsApi.goOnFrom(now.id, version.id, { workspace, document, world, setup });
   const { value: from } = history.chosen;
   const instead = history.line.value.at(-1);
   if (from && instead) restoredFrom.value = { program: now.id, from, instead };

@@ -16,6 +16,7 @@ function line(): VersionMark[] {
     computer: null,
     n_runs: number === 4 ? 1 : 0,
     n_passed: 0,
+    setup: null,
   }));
 }
 

@@ -52,6 +52,12 @@ export class VersionHistory {
     return parent ?? line[line.findIndex((one) => one.id === id) - 1] ?? null;
   }
 
+  /** The version before another in the line, whatever it was made of. */
+  lineBefore({ id }: VersionMark): VersionMark | undefined {
+    const line = this.line.value;
+    return line[line.findIndex((one) => one.id === id) - 1];
+  }
+
   go(place: number): void {
     this.place.value = Math.max(0, Math.min(place, this.line.value.length - 1));
   }

@@ -18,6 +18,7 @@ function version(number: number, seconds: number, more: Partial<VersionMark> = {
     computer: "PC 1",
     n_runs: 0,
     n_passed: 0,
+    setup: null,
     ...more,
   };
 }

@@ -1,11 +1,19 @@
 import { computed, effect, type Signal, signal } from "@preact/signals";
 import { api } from "../../api/client";
 import { ServerGone } from "../../api/errors";
-import type { Content, Fault, ProgramWithVersion, SavedVersion, World } from "../../api/model";
+import type {
+  Content,
+  Fault,
+  ProgramWithVersion,
+  SavedVersion,
+  Setup,
+  World,
+} from "../../api/model";
 import { route } from "../../shell/route";
 import { changed, group, program, report } from "../../shell/session";
 import { Autosave } from "./autosave";
 import { OwnWorld } from "./own_world";
+import { setupOf } from "./setup";
 import { VersionLineage } from "./version_lineage";
 import { Windows } from "./windows";
 
@@ -15,6 +23,8 @@ export class OpenProgram {
   readonly content = signal<Content | null>(null);
   readonly faults = signal<Fault[]>([]);
   readonly ownWorld: OwnWorld;
+  /** Where and how it runs. */
+  readonly setup: Signal<Setup>;
   /** Whether the program or its group was deleted for good in another window; the screen keeps its content. */
   readonly deleted = signal<"program" | "group" | null>(null);
   readonly inBin: Signal<boolean>;
@@ -26,6 +36,7 @@ export class OpenProgram {
     const { id, version } = program;
     this.inBin = signal(program.deleted_at !== null);
     this.windows = new Windows(version?.id ?? null);
+    this.setup = signal(setupOf(version));
     this.ownWorld = new OwnWorld(id, version?.world ?? null, api.checkWorld);
     this.autosave = new Autosave(
       (content, last) =>
@@ -58,7 +69,7 @@ export class OpenProgram {
   /** Records that the current content is that version: the next edit has it as its parent. */
   remember(version: string): void {
     const { value: content } = this.content;
-    if (content) this.lineage.keep({ ...content, world: this.ownWorld.now.peek() }, version);
+    if (content) this.lineage.keep(this.whole(content), version);
   }
 
   edit(content: Content): void {
@@ -69,6 +80,12 @@ export class OpenProgram {
   /** Sets the program's own world; null removes it. */
   setWorld(world: World | null): void {
     this.ownWorld.now.value = world;
+    this.save();
+  }
+
+  /** Changes where and how the program runs. */
+  changeSetup(changes: Partial<Setup>): void {
+    this.setup.value = { ...this.setup.peek(), ...changes };
     this.save();
   }
 
@@ -117,7 +134,12 @@ export class OpenProgram {
 
   private save(): void {
     const { value: content } = this.content;
-    if (content) this.autosave.edit({ ...content, world: this.ownWorld.now.value });
+    if (content) this.autosave.edit(this.whole(content));
+  }
+
+  /** The editor's content with what else belongs to the program. */
+  private whole(content: Content): Content {
+    return { ...content, world: this.ownWorld.now.peek(), setup: this.setup.peek() };
   }
 }
 

@@ -4,6 +4,7 @@ const MOST = 64;
 interface StoredContent {
   workspace: object;
   world?: object | null;
+  setup?: object | null;
 }
 
 /**
@@ -32,6 +33,6 @@ export class VersionLineage {
   }
 }
 
-function keyOf({ workspace, world }: StoredContent): string {
-  return JSON.stringify([workspace, world ?? null]);
+function keyOf({ workspace, world, setup }: StoredContent): string {
+  return JSON.stringify([workspace, world ?? null, setup ?? null]);
 }

@@ -4,30 +4,30 @@ import { decimal } from "../../i18n/format";
 import { Select } from "../../kit/Select";
 import { isUnderWay } from "../../run/reducer";
 import { TEST } from "../../shell/testids";
-import { LIFELIKE, lifelike, SPEEDS, speed } from "../debug/debugging";
+import type { OpenProgram } from "../program/open_program";
+import { LIFELIKE, type LifelikeName, lifelikeOf, SPEEDS } from "../program/setup";
 import { ActionButton, type ActionsProps } from "./ActionButton";
 import { STEPS } from "./actions";
 
 /** Single steps, and the speed of the simulated robot. */
 export function DebugBar(props: ActionsProps) {
   const { debug } = texts.value;
+  const { open } = props.control;
   return (
     <section class="debug-bar" aria-label={debug.bar}>
       {STEPS.filter(({ isShown }) => isShown(props.state)).map((action) => (
         <ActionButton key={action.name} {...props} action={action} />
       ))}
-      {!isUnderWay(props.state.phase) && <LifelikeChoice />}
+      {!isUnderWay(props.state.phase) && <LifelikeChoice open={open} />}
       <Select
         class="debug-bar__speed"
         icon={Gauge}
         label={debug.speed}
         tip={debug.speed}
         testId={TEST.speed}
-        value={speed.value}
+        value={open.setup.value.speed}
         options={SPEEDS.map((factor) => [factor, debug.times(timesOf(factor))])}
-        onChange={(factor) => {
-          speed.value = factor;
-        }}
+        onChange={(speed) => open.changeSetup({ speed })}
       />
     </section>
   );
@@ -36,21 +36,20 @@ export function DebugBar(props: ActionsProps) {
 const timesOf = (factor: number) => decimal(factor, factor < 1 ? 2 : 0, language.value);
 
 /** Selects preset and feedback of the next simulated run. */
-function LifelikeChoice() {
+function LifelikeChoice({ open }: { open: OpenProgram }) {
   const { debug } = texts.value;
-  const names = Object.keys(LIFELIKE) as (keyof typeof LIFELIKE)[];
+  const names = Object.keys(LIFELIKE) as LifelikeName[];
+  const now = lifelikeOf(open.setup.value);
   return (
     <Select
       class="debug-bar__lifelike"
       icon={Bot}
       label={debug.lifelike}
-      tip={`${debug.lifelike}. ${debug[`${lifelike.value}Help`]}`}
+      tip={`${debug.lifelike}. ${debug[`${now}Help`]}`}
       testId={TEST.lifelike}
-      value={lifelike.value}
+      value={now}
       options={names.map((name) => [name, debug[name], { title: debug[`${name}Help`] }])}
-      onChange={(name) => {
-        lifelike.value = name;
-      }}
+      onChange={(name) => open.changeSetup(LIFELIKE[name])}
     />
   );
 }

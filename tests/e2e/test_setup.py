@@ -1,0 +1,69 @@
+"""World, robot setting and speed belong to a program: they are there tomorrow, and in no other program."""
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.e2e.app_process import AppProcess
+from tests.e2e.conftest import OpenStudio
+from tests.e2e.studio import Studio
+from tests.e2e.watch import Watch
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
+
+SETTINGS = ("world", "lifelike", "speed")
+
+
+def chosen(studio: Studio) -> list[str]:
+    return [studio[name].input_value() for name in SETTINGS]
+
+
+def test_what_was_chosen_for_a_program_is_there_tomorrow_and_nowhere_else(
+    studio: Studio, open_studio: OpenStudio, app: AppProcess, watch: Watch
+) -> None:
+    watch.expect("Failed to load resource")  # the open page asks for a server that is gone
+    studio.enter_group("Os Tatus")
+    at_first = chosen(studio)
+    blocks = studio.blocks
+    blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
+    studio.eventually(studio.actions, ["move_forward"])
+    for name, value in zip(SETTINGS, ("maze", "camera", "2"), strict=True):
+        studio[name].select_option(value)
+    expect(studio["world"]).to_have_value("maze")
+    now = chosen(studio)
+    studio.wait_until_saved()
+    assert at_first[0] == "empty_room"
+
+    app.stop()
+    expect(studio["gone"]).to_be_visible()
+    app.start()
+    later = open_studio()
+    later.enter_group("Robôs")
+    assert chosen(later) == at_first
+    later.page.goto(f"{later.origin}/#/")
+    later["group-card"].filter(has_text="Os Tatus").click()
+    later.wait_until_open()
+    expect(later["world"]).to_have_value("maze")
+    assert chosen(later) == now
+    later.run()
+    later.wait_for_phase("finished")
+    (run,) = later.api(f"/groups/{later.api('/groups')['groups'][0]['id']}/runs")["runs"]
+    assert run["world"] == "maze"
+
+
+def test_the_history_and_the_comparison_name_the_world(studio: Studio) -> None:
+    studio.enter_new_group()
+    blocks = studio.blocks
+    blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
+    studio.eventually(studio.actions, ["move_forward"])
+    studio.wait_until_saved()
+    program, page = studio.program_id, studio.page
+    studio["world"].select_option("maze")
+    studio.eventually(
+        lambda: studio.api(f"/programs/{program}")["version"]["setup"]["world"], "maze"
+    )
+    first, last = reversed(studio.api(f"/programs/{program}/versions")["versions"][:2])
+    page.goto(f"{studio.origin}/#/versions/{program}")
+    expect(studio["version-step"].last).to_contain_text("Mundo: Labirinto")
+    page.goto(f"{studio.origin}/#/differences/{program}/{first['id']}/{last['id']}")
+    expect(studio["setup-differences"]).to_have_text("MundoSala vazia → Labirinto")
+    expect(studio["difference-count"]).to_have_text("1 diferença")

@@ -1,0 +1,26 @@
+import { DEFAULT_WORLD } from "../../api/declared";
+import { type Lifelike, OWN_WORLD, type Setup, type Version } from "../../api/model";
+
+/** Speed factors of the simulated robot. */
+export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10] as const;
+
+/** Choices of preset and feedback. */
+export const LIFELIKE = {
+  ideal: { preset: "ideal", feedback: "pose" },
+  camera: { preset: "realistic", feedback: "pose" },
+  wheels: { preset: "realistic", feedback: "odometry" },
+} as const satisfies Record<string, Lifelike>;
+
+export type LifelikeName = keyof typeof LIFELIKE;
+
+/** Where and how a version runs; of a version of an earlier release its own world, if it has one. */
+export function setupOf(version: Pick<Version, "setup" | "world"> | null): Setup {
+  const world = version?.world ? OWN_WORLD : DEFAULT_WORLD;
+  return version?.setup ?? { ...LIFELIKE.ideal, world, start: null, speed: 1, activity: null };
+}
+
+/** The robot setting of a setup, as the page names it. */
+export function lifelikeOf({ preset, feedback }: Setup): LifelikeName {
+  if (preset === "ideal") return "ideal";
+  return feedback === "pose" ? "camera" : "wheels";
+}

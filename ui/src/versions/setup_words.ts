@@ -1,0 +1,50 @@
+import { OWN_WORLD, type Setup, worldTitle } from "../api/model";
+import type { Language, Texts } from "../i18n";
+import { decimal } from "../i18n/format";
+import { worlds } from "../shell/session";
+import { lifelikeOf } from "../studio/program/setup";
+
+/** A changed part of where and how a program runs, in words. */
+export interface SetupChange {
+  readonly what: string;
+  readonly before: string;
+  readonly after: string;
+}
+
+/** What differs between the setups of two versions; nothing where an earlier release saved one of them. */
+export function setupChanges(
+  before: Setup | null | undefined,
+  after: Setup | null | undefined,
+  texts: Texts,
+  language: Language,
+): SetupChange[] {
+  if (!before || !after) return [];
+  const [old, now] = [partsOf(before, texts, language), partsOf(after, texts, language)];
+  return now.flatMap(([what, value], index) => {
+    const was = old[index]?.[1] ?? "";
+    return was === value ? [] : [{ what, before: was, after: value }];
+  });
+}
+
+/** Each part of a setup with its name. */
+function partsOf(setup: Setup, texts: Texts, language: Language): [string, string][] {
+  const { debug, keeping, run } = texts;
+  return [
+    [run.world, worldWords(setup.world, texts, language)],
+    [keeping.start, startWords(setup, texts, language)],
+    [keeping.robot, debug[lifelikeOf(setup)]],
+    [debug.speed, debug.times(decimal(setup.speed, setup.speed < 1 ? 2 : 0, language))],
+  ];
+}
+
+function worldWords(name: string, texts: Texts, language: Language): string {
+  if (name === OWN_WORLD) return texts.world.own;
+  const world = worlds.value.find((one) => one.name === name);
+  return world ? worldTitle(world, language) : name;
+}
+
+function startWords({ start }: Setup, { keeping }: Texts, language: Language): string {
+  if (!start) return keeping.worldStart;
+  const [x, y] = [decimal(start.x_m, 2, language), decimal(start.y_m, 2, language)];
+  return keeping.ownStart(x, y, decimal(start.heading_deg, 0, language));
+}
