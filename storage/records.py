@@ -113,7 +113,7 @@ class VersionRow:
     """One state of a program; `document` is None while it has faults, `world` where none was made for it.
 
     Attributes:
-        setup: name of the world, start, robot setting, speed and activity of its runs; None where an earlier release saved it.
+        setup: name of the world, start, robot setting, speed, activity; None if an earlier release saved it.
     """
 
     id: str
