@@ -143,7 +143,7 @@ class App:
         undo.callback(self._store.close)
         self._preferences = Preferences(self._store)
         self._hub = Hub()
-        self._recorder = Recorder(self._store, self._tell_recording, kept=KEPT, urgent=URGENT)
+        self._recorder = Recorder(self._store, self._publish_recording, kept=KEPT, urgent=URGENT)
         undo.callback(self._end_recording)
         self._grader = Grader(
             self._store,
@@ -152,7 +152,7 @@ class App:
             lambda: self._preferences.language,
         )
         undo.callback(self._grader.close)
-        self._maintenance = Maintenance(self._store, self._tell_keeping)
+        self._maintenance = Maintenance(self._store, self._publish_keeping)
         undo.callback(self._maintenance.close)
         if self._store.unfinished:
             self._recorder.flush()  # goes on trying until the disk has room
@@ -165,7 +165,7 @@ class App:
         self._camera = Camera(
             self._camera_source or self._preferences.camera,
             self._hub.publish,
-            self._tell_camera,
+            self._publish_camera,
             self._answer_capture,
         )
         undo.callback(self._camera.close)
@@ -235,13 +235,13 @@ class App:
         notice = notice or self._maintenance.notice
         return DatabaseState(path=str(self._store.path), writable=writable, notice=notice)
 
-    def _tell_recording(self, problem: StoreError | None) -> None:
-        """The run goes on; the page is told that it is not being kept, or that it is kept again."""
-        self._tell(problem, "recording_resumed")
+    def _publish_recording(self, problem: StoreError | None) -> None:
+        """The run goes on; the page learns that it is not being kept, or that it is kept again."""
+        self._publish_notice(problem, "recording_resumed")
 
-    def _tell_keeping(self, notice: Problem | None) -> None:
-        """Work goes on; the page is told what threatens it, or that nothing does any more."""
-        self._tell(notice, "keeping_well_again")
+    def _publish_keeping(self, notice: Problem | None) -> None:
+        """Work goes on; the page learns what threatens it, or that nothing does any more."""
+        self._publish_notice(notice, "keeping_well_again")
 
     def _answer_capture(self, run_id: str, capture: Capture) -> None:
         from pinel_desktop.engine.commands import AnswerCapture  # noqa: PLC0415 - see above
@@ -250,7 +250,7 @@ class App:
         command = AnswerCapture(result=capture.label, by=by, confidence=confidence, second=second)
         self._engine.command(run_id, command)
 
-    def _tell_camera(self, state: CameraState) -> None:
+    def _publish_camera(self, state: CameraState) -> None:
         code, message, remedy = None, "", ""
         if state.problem:
             code = state.problem.code
@@ -258,7 +258,7 @@ class App:
             message, remedy = words.message, words.remedy
         self._hub.publish(CameraChanged(state.mode, code, message, remedy).flat())
 
-    def _tell(self, problem: Problem | None, well_again: str) -> None:
+    def _publish_notice(self, problem: Problem | None, well_again: str) -> None:
         code, params = (problem.code, problem.params) if problem else (well_again, {})
         words = describe(code, params, self._preferences.language)
         self._hub.publish(Notice(code=code, message=words.message, remedy=words.remedy).flat())

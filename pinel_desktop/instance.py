@@ -1,4 +1,4 @@
-"""One app for one database: a lock, and a file that tells a second start how to reach the first.
+"""One app for one database: a lock, and a file from which a second start learns how to reach the first.
 
 The lock is the system's own, so it is gone when the process is, however it ended; the file may be stale and is
 believed only while the lock is held and the address answers.
@@ -80,7 +80,7 @@ class Instance:
 
     @classmethod
     def of_parent(cls, database: Path) -> "Instance":
-        """For a process whose parent has the lock and keeps it: it only tells others how to be reached."""
+        """For a process whose parent has the lock and keeps it: it only writes the file."""
         instance = cls(database)
         instance._lock_is_parents = True
         return instance
@@ -98,7 +98,7 @@ class Instance:
             if running is not None:
                 raise AlreadyRunningError(running)
             if time.monotonic() >= deadline:
-                raise PinelError("instance_silent", pid=self._told().get("pid", "?"))
+                raise PinelError("instance_silent", pid=self._announced().get("pid", "?"))
             time.sleep(_POLL_S)  # the other one may be starting, or be about to end
 
     def announce(self, url: str, secret: str) -> None:
@@ -114,9 +114,8 @@ class Instance:
     def release(self) -> None:
         """Takes the file away and gives the lock back."""
         if self._is_ours():
-            if (
-                self._told().get("pid") == os.getpid()
-            ):  # not that of a successor, when the parent died first
+            # a successor's file stays, when the parent died first
+            if self._announced().get("pid") == os.getpid():
                 self._file.unlink(missing_ok=True)
             if self._lock is not None:
                 self._lock.release()
@@ -141,15 +140,17 @@ class Instance:
 
     def _running(self) -> RunningInstance | None:
         """The process that holds the lock, if its file can be read and its address answers."""
-        told = self._told()
+        announced = self._announced()
         try:
-            running = RunningInstance(str(told["url"]), str(told["secret"]), int(str(told["pid"])))
+            running = RunningInstance(
+                str(announced["url"]), str(announced["secret"]), int(str(announced["pid"]))
+            )
             running.fresh_link()
         except (KeyError, ValueError, PinelError):
             return None
         return running
 
-    def _told(self) -> dict[str, object]:
+    def _announced(self) -> dict[str, object]:
         try:
             found = json.loads(self._file.read_text("utf-8"))
         except (OSError, ValueError):

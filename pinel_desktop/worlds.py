@@ -20,7 +20,7 @@ def read_own_world(
     """A world document, as JSON text or as parsed data, in its normal form; or None, and its faults.
 
     Args:
-        robot: which one must have room at the start; the largest when not told, so that any has.
+        robot: which one must have room at the start; the largest by default, so that any has.
 
     Raises:
         PinelError: `unknown_robot`.
