@@ -2,6 +2,7 @@
 
 import base64
 import contextlib
+import logging
 import threading
 import time
 from collections.abc import Callable, Generator, Sequence
@@ -19,12 +20,15 @@ from pinel_desktop.processes import own_command
 from pinel_desktop.processes.messages import Message
 from pinel_desktop.processes.owned import OwnedProcess
 
+_log = logging.getLogger(__name__)
+
 CameraMode = Literal["off", "opening", "on", "failed"]
 WireEvent = dict[str, Any]
 Taught = tuple[tuple[str, bytes], ...]
 
 LINGER_S = 20.0  # the camera stays on so long after its last use: the next capture finds it open
 _SILENT_S = 5.0  # a process that says nothing for so long while the camera is on hangs
+_START_S = 60.0  # so does one that is not ready after so long
 _TEND_S = 0.5
 _NO_PICTURE_S = 5.0
 
@@ -166,13 +170,16 @@ class Camera:
 
     def previews(self) -> Generator[bytes]:
         """Mirrored JPEG pictures as they come, for one who watches; ends when none comes for a while."""
+        self.use()
         try:
-            self._set_watched(self._preview.enter())
+            with self._lock:  # held while counting: one who leaves takes the picture from nobody
+                self._want(preview=self._preview.enter())
             for picture in self._preview.pictures(_NO_PICTURE_S):
                 self.use()
                 yield picture
         finally:
-            self._set_watched(self._preview.leave())
+            with self._lock:
+                self._want(preview=self._preview.leave())
 
     def close(self) -> None:
         """Ends the process and all previews."""
@@ -197,12 +204,6 @@ class Camera:
             self._run = None
             self._want(capture=None)
 
-    def _set_watched(self, is_watched: bool) -> None:
-        if is_watched:
-            self.use()
-        with self._lock:
-            self._want(preview=is_watched)
-
     def _want(self, **changes: Any) -> None:
         """Tells the process what changed; called with the lock held."""
         wanted = replace(self._wanted, **changes)
@@ -215,6 +216,7 @@ class Camera:
     def _tell_all(self) -> None:
         """A process that has just started knows nothing."""
         with self._lock:
+            self._heard_s = time.monotonic()
             if self._taught:
                 self._tell_taught()
             self._tell_wanted()
@@ -233,6 +235,14 @@ class Camera:
 
     def _receive(self, message: Message) -> None:
         self._heard_s = time.monotonic()
+        try:
+            self._take(message)
+        except (KeyError, TypeError, ValueError):
+            _log.warning(
+                "the camera process sent what is no message: %.200s", message, exc_info=True
+            )
+
+    def _take(self, message: Message) -> None:
         match message.get("type"):
             case "camera_state":
                 code = message["code"]
@@ -285,10 +295,11 @@ class Camera:
                 is_used = self._run is not None or self._recording is not None
                 if is_on and not is_used and now_s - self._used_s > self._linger_s:
                     self._want(source=None)
-                hangs = (
-                    is_on and self._process.state == "ready" and now_s - self._heard_s > _SILENT_S
-                )
+                patience_s = _SILENT_S if self._process.state == "ready" else _START_S
+                hangs = is_on and now_s - self._heard_s > patience_s
                 is_given_up = self._recording is not None and self._recording.is_given_up
+                if hangs:
+                    self._heard_s = now_s  # the next one has its time too
             if hangs:
                 self._process.kill()
             if is_given_up:

@@ -73,7 +73,7 @@ class CameraServer:
         self._send({"type": "camera_ready"})
         while (order := self._next_order(session)) is not _END:
             if order:
-                session.obey(order)
+                _obey(session, order)
             session.look()
         session.want(Wanted())
 
@@ -209,6 +209,13 @@ class _Session:
         if state != self._state:
             self._state = state
             self._send(state)
+
+
+def _obey(session: _Session, order: Message) -> None:
+    try:
+        session.obey(order)
+    except (KeyError, TypeError):
+        _log.warning("what the app wants is not understood: %.200s", order, exc_info=True)
 
 
 def _ballot(frame: Frame, hands: list[SeenSign]) -> Ballot:

@@ -2,15 +2,18 @@
 
 import contextlib
 import logging
+import queue
 import subprocess
 import threading
 import time
 from collections.abc import Callable, Sequence
 from typing import Any, BinaryIO, Literal, cast
 
-from pinel_desktop.processes.messages import Message, read_messages, write_message
+from pinel_desktop.processes.messages import Message, encoded, read_messages
 
 ProcessState = Literal["starting", "ready", "lost"]
+
+Outbox = queue.SimpleQueue[bytes | None]
 
 _log = logging.getLogger(__name__)
 _CLOSE_TIMEOUT_S = 4.0
@@ -20,7 +23,7 @@ _SHORT_LIVES = 3
 
 
 class OwnedProcess:
-    """Keeps one process running and exchanges JSON lines with it; thread-safe.
+    """Keeps one process running and exchanges JSON lines with it; thread-safe. No call waits for a process that hangs.
 
     The process tells that it is ready with a message of the type `NAME_ready`, and ends when its standard input ends.
 
@@ -45,6 +48,7 @@ class OwnedProcess:
         self._lock = threading.RLock()
         self._process: subprocess.Popen[bytes] | None = None
         self._reader: threading.Thread | None = None
+        self._outbox: Outbox = queue.SimpleQueue()
         self._state: ProcessState = "starting"
         self._closing = False
         self._n_short_lives = 0
@@ -78,6 +82,13 @@ class OwnedProcess:
                 _log.error("the %s does not start: %s", self._name, error)
                 self._give_up()
                 return
+            self._outbox = queue.SimpleQueue()
+            threading.Thread(
+                target=_write,
+                args=(_pipe(self._process.stdin), self._outbox),
+                name=f"{self._name}-writer",
+                daemon=True,
+            ).start()
             self._reader = threading.Thread(
                 target=self._read, args=(self._process,), name=f"{self._name}-reader", daemon=True
             )
@@ -89,14 +100,11 @@ class OwnedProcess:
         return self._state == "ready"
 
     def send(self, message: Message) -> None:
-        """Sends a message; one to a process that has ended is lost, and its death is reported."""
+        """Sends a message, in order, without waiting; one to a process that has ended is lost."""
+        line = encoded(message)
         with self._lock:
-            if self._closing:
-                return
-            try:
-                write_message(_pipe(self._process.stdin if self._process else None), message)
-            except OSError:
-                _log.warning("the %s has ended; its reader reports it", self._name)
+            if not self._closing:
+                self._outbox.put(line)
 
     def kill(self) -> None:
         """Ends a process that hangs at once; the next one starts by itself."""
@@ -105,16 +113,15 @@ class OwnedProcess:
                 self._process.kill()
 
     def close(self) -> None:
-        """Ends the pipe, whereupon the process exits, and waits for it."""
+        """Ends the pipe after all that was sent, whereupon the process exits, and waits for it."""
         with self._lock:
             self._closing = True
-            process, reader = self._process, self._reader
+            process, reader, outbox = self._process, self._reader, self._outbox
         if process is None or reader is None:
             return
         if self._state == "starting":  # it does nothing yet, and its imports would keep us waiting
             process.kill()
-        with contextlib.suppress(OSError):  # the process may have ended already
-            _pipe(process.stdin).close()
+        outbox.put(None)
         try:
             process.wait(_CLOSE_TIMEOUT_S)
         except subprocess.TimeoutExpired:
@@ -136,13 +143,12 @@ class OwnedProcess:
         messages.close()
         process.wait()
         if not self._closing:
-            self._revive(process, short_life=time.monotonic() - born < _SHORT_LIFE_S)
+            self._revive(short_life=time.monotonic() - born < _SHORT_LIFE_S)
 
-    def _revive(self, process: subprocess.Popen[bytes], *, short_life: bool) -> None:
+    def _revive(self, *, short_life: bool) -> None:
         with self._lock:
             self._state = "starting"
-        with contextlib.suppress(OSError):
-            _pipe(process.stdin).close()
+            self._outbox.put(None)
         _log.error("the %s died", self._name)
         self._on_death()
         self._n_short_lives = self._n_short_lives + 1 if short_life else 0
@@ -154,6 +160,16 @@ class OwnedProcess:
     def _give_up(self) -> None:
         self._state = "lost"
         self._ready.set()
+
+
+def _write(pipe: BinaryIO, outbox: Outbox) -> None:
+    """Writes lines to a process until None comes; a pipe that is full holds up nobody else."""
+    with contextlib.suppress(OSError):  # the process has ended; its reader reports it
+        while (line := outbox.get()) is not None:
+            pipe.write(line)
+            pipe.flush()
+    with contextlib.suppress(OSError):
+        pipe.close()
 
 
 def _pipe(pipe: Any) -> BinaryIO:

@@ -3,6 +3,7 @@
 import os
 import queue
 import signal
+import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -12,7 +13,7 @@ from typing import Any
 import psutil
 import pytest
 
-from pinel_desktop.camera import sample_recording
+from pinel_desktop.camera import client, sample_recording
 from pinel_desktop.camera.client import Camera, CameraState
 from pinel_desktop.camera.recording import read_recording
 from pinel_desktop.execution.inputs import Capture
@@ -20,6 +21,7 @@ from pinel_desktop.gestures.features import N_FEATURES
 from tests.camera.taught_hands import packed, shown, write_strange_hand
 
 WAIT_S = 30.0
+SLOW = "time.sleep(2.5); say('camera_ready'); time.sleep(0.8)"
 RECORDINGS = Path(__file__).parent / "recordings"
 
 
@@ -46,6 +48,13 @@ class Harness:
             state = self.states.get(timeout=WAIT_S)
             if state.mode == mode:
                 return state
+
+
+def talking(script: str, then: str = "") -> list[str]:
+    """A process in place of the camera's: says what a script says, then the same thing again and again."""
+    head = "import json, sys, time; say = lambda kind, **more: print(json.dumps({'type': kind, **more}), flush=True)"
+    tail = f"while True: time.sleep(0.1); say({then!r})" if then else ""
+    return [sys.executable, "-c", f"{head}\n{script}\n{tail}"]
 
 
 @pytest.fixture
@@ -148,6 +157,76 @@ def test_process_that_hangs_is_replaced(harness: Harness) -> None:
     assert harness.answers.get(timeout=WAIT_S)[1].label == "B"
     assert harness.camera.pid != before
     assert not psutil.pid_exists(before)
+
+
+def test_process_that_hangs_before_the_camera_is_on_holds_up_nobody(harness: Harness) -> None:
+    harness.camera.wake()
+    assert harness.camera.wait_until_ready(WAIT_S)
+    wait_for(lambda: old_enough(harness.camera.pid))
+    os.kill(harness.camera.pid or 0, signal.SIGSTOP)
+    began_s = time.monotonic()
+    hands = packed(shown("B")[:10])
+    harness.camera.know((("B", 5 * hands),))  # more than a pipe takes
+    harness.event("capture_started")
+    assert time.monotonic() - began_s < 1.0
+    assert harness.answers.get(timeout=WAIT_S)[1].by == "taught"
+
+
+def test_process_that_is_slow_to_start_is_left_its_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(client, "_SILENT_S", 1.0)
+    harness = Harness(command=talking(SLOW, then="alive"))
+    harness.camera.use()
+    assert harness.camera.wait_until_ready(WAIT_S)
+    pid = harness.camera.pid
+    threading.Event().wait(1.5)
+    assert harness.camera.pid == pid
+    harness.camera.close()
+
+
+def test_process_that_never_starts_is_replaced(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(client, "_START_S", 0.5)
+    harness = Harness(command=talking("time.sleep(600)"))
+    harness.camera.use()
+    first = harness.camera.pid
+    wait_for(lambda: harness.camera.pid != first)
+    harness.camera.close()
+
+
+def test_messages_that_are_none_are_passed_over() -> None:
+    garbage = [
+        "say('camera_ready')",
+        *(f"say({kind!r})" for kind in ("camera_state", "sight", "recognised", "sample")),
+        "say('preview', jpeg='?')",
+        "say('camera_state', state='on', code=7, params=[])",
+        "sys.stdout.write('[' * 200_000 + chr(10))",
+        "say('camera_state', state='on', code=None, params={})",
+    ]
+    harness = Harness(command=talking("; ".join(garbage), then="alive"))
+    harness.camera.use()
+    harness.event("capture_started")
+    assert harness.until("on").problem is None
+    harness.camera.close()
+
+
+def test_an_order_that_is_none_is_passed_over(harness: Harness) -> None:
+    harness.camera.use()
+    harness.until("on")
+    pid = harness.camera.pid
+    for order in ({}, {"type": "want"}, {"type": "signs"}, {"type": "signs", "signs": [{}]}):
+        harness.camera._process.send(order)
+    harness.event("capture_started")
+    assert harness.answers.get(timeout=WAIT_S)[1].label == "B"
+    assert harness.camera.pid == pid
+
+
+def test_one_who_leaves_takes_the_picture_from_nobody(harness: Harness) -> None:
+    leaving, staying = harness.camera.previews(), harness.camera.previews()
+    assert next(leaving)
+    assert next(staying)
+    leaving.close()
+    for _ in range(3):
+        assert next(staying)
+    staying.close()
 
 
 def test_source_that_cannot_be_opened_is_told_and_another_can_be_chosen(harness: Harness) -> None:

@@ -1,0 +1,42 @@
+"""A process that the app owns: what is sent to it arrives, and one that hangs holds up nobody."""
+
+import sys
+import threading
+import time
+from collections.abc import Callable
+from typing import Any
+
+from pinel_desktop.processes.owned import OwnedProcess
+
+WAIT_S = 30.0
+READY = 'print(\'{"type": "some_ready"}\', flush=True)'
+DEAF = f"import time; {READY}; time.sleep(600)"
+ECHO = f"import sys; {READY}\nfor line in sys.stdin: sys.stdout.write(line)"
+
+
+def process(script: str, on_message: Callable[[dict[str, Any]], None]) -> OwnedProcess:
+    made = OwnedProcess("some", [sys.executable, "-c", script], on_message, lambda: None)
+    made.start()
+    assert made.wait_until_ready(WAIT_S)
+    return made
+
+
+def test_all_that_was_sent_arrives_in_order_before_the_process_ends() -> None:
+    heard: list[dict[str, Any]] = []
+    owned = process(ECHO, heard.append)
+    for n in range(500):
+        owned.send({"n": n})
+    owned.close()
+    assert heard == [{"n": n} for n in range(500)]
+
+
+def test_process_that_does_not_read_holds_up_neither_who_sends_nor_who_ends_it() -> None:
+    owned = process(DEAF, lambda message: None)
+    first, began_s = owned.pid, time.monotonic()
+    owned.send({"much": "a" * 10_000_000})
+    owned.kill()
+    assert time.monotonic() - began_s < 1.0
+    while owned.pid == first:
+        assert time.monotonic() - began_s < WAIT_S
+        threading.Event().wait(0.02)
+    owned.close()
