@@ -161,9 +161,9 @@ def _shot(picture: Picture | None) -> Shot | None:
 
 
 def _picture_or_none(file: Path) -> Picture | None:
-    """None for a file that is no picture, damaged or too large."""
+    """None for a file that is no picture, damaged, too large, or too narrow for a hand."""
     try:
-        return read_picture(file)
+        return _reduced(read_picture(file))
     except PinelError:
         return None
 
@@ -179,9 +179,17 @@ def as_rgb(frame: object) -> Picture | None:
     channels = frame.shape[2] if frame.ndim == 3 else 1
     if min(frame.shape[:2]) < SHORTEST_SIDE or channels not in _TO_RGB:
         return None
-    scale = min(1.0, _LONGEST_SIDE / max(frame.shape[:2]))
-    small = cv2.resize(frame, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
-    return np.asarray(cv2.cvtColor(small, _TO_RGB[channels]), np.uint8)
+    small = _reduced(np.asarray(frame, np.uint8))
+    return None if small is None else np.asarray(cv2.cvtColor(small, _TO_RGB[channels]), np.uint8)
+
+
+def _reduced(picture: Picture) -> Picture | None:
+    """The picture with at most 1280 px a side; None where the shorter side would be too short."""
+    scale = min(1.0, _LONGEST_SIDE / max(picture.shape[:2]))
+    if scale * min(picture.shape[:2]) < SHORTEST_SIDE:
+        return None
+    small = cv2.resize(picture, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
+    return np.asarray(small, np.uint8)
 
 
 def _wait_until(due_s: float) -> float:

@@ -49,6 +49,8 @@ def read_recording(path: Path) -> list[tuple[RecordedHand, ...]]:
     shapes = (points.shape, features.shape, is_left.shape)
     if not 0 < n <= _MOST_FRAMES or shapes != ((n, 21, 2), (n, N_FEATURES), (n,)):
         raise PinelError("camera_source_unreadable", path=str(path))
+    if not (np.isfinite(points).all() and np.isfinite(features).all()):
+        raise PinelError("camera_source_unreadable", path=str(path))
     return [
         (RecordedHand(points[i], features[i], bool(is_left[i])),) if is_there[i] else ()
         for i in range(n)

@@ -1,5 +1,6 @@
 """An opened camera: its newest frame, and what is wrong with it. The reading blocks, so it has a thread of its own."""
 
+import logging
 import threading
 import time
 from collections.abc import Callable
@@ -10,6 +11,8 @@ import numpy as np
 from pinel_desktop.camera.frames import FrameReader, Shot, open_reader
 from pinel_desktop.errors import PinelError
 from pinel_desktop.gestures.pictures import Picture
+
+_log = logging.getLogger(__name__)
 
 NO_FRAME_S = 2.0  # without a frame for so long the camera is gone or hangs
 SAME_FRAME_S = 3.0  # a real camera's noise makes every frame another one
@@ -82,14 +85,19 @@ class CameraSource:
         while not self._closing.is_set():
             try:
                 reader = self._open_reader(self.address)
+                try:
+                    self._read_until_gone(reader)
+                finally:
+                    reader.close()
             except PinelError as error:
-                self._set_problem(error)
-                self._closing.wait(_RETRY_S)
-                continue
-            try:
-                self._read_until_gone(reader)
-            finally:
-                reader.close()
+                self._try_again_after(error)
+            except Exception:  # whatever a driver comes up with: the camera may be of use later
+                _log.exception("the camera %s cannot be read", self.address)
+                self._try_again_after(PinelError("camera_no_picture"))
+
+    def _try_again_after(self, error: PinelError) -> None:
+        self._set_problem(error)
+        self._closing.wait(_RETRY_S)
 
     def _read_until_gone(self, reader: FrameReader) -> None:
         with self._changed:

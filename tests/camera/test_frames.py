@@ -142,3 +142,29 @@ def test_opencv_is_loaded_with_its_limits_only() -> None:
         if re.search(r"^import cv2|^from cv2", path.read_text("utf-8"), re.M)
     ]
     assert alone == ["opencv.py"]
+
+
+def test_frame_too_narrow_for_a_hand_is_no_frame(tmp_path: Path) -> None:
+    for width, height in ((20, 20_000), (16_000, 16)):
+        assert as_rgb(np.zeros((height, width, 3), np.uint8)) is None
+        cv2.imwrite(str(tmp_path / f"{width}.png"), picture(width, height))
+    cv2.imwrite(str(tmp_path / "z.png"), picture())
+    assert shapes(open_reader(str(tmp_path)), 60) == {(48, 64, 3)}
+
+
+def test_large_pictures_of_a_folder_are_reduced(tmp_path: Path) -> None:
+    cv2.imwrite(str(tmp_path / "a.png"), picture(7680, 4320))
+    assert shapes(open_reader(str(tmp_path)), 1) == {(720, 1280, 3)}
+
+
+@pytest.mark.parametrize("wrong", [np.nan, np.inf])
+def test_recording_of_what_is_no_number_is_refused(tmp_path: Path, wrong: float) -> None:
+    for points, features in ((wrong, 0.0), (0.0, wrong)):
+        hand = RecordedHand(
+            np.full((21, 2), points, np.float32),
+            np.full(N_SHAPE + N_SEEN, features, np.float32),
+            False,
+        )
+        write_recording(tmp_path / "hand.npz", [hand])
+        with pytest.raises(PinelError, match="camera_source_unreadable"):
+            read_recording(tmp_path / "hand.npz")

@@ -120,3 +120,18 @@ def test_driver_that_blocks_for_ever_is_noticed(driver: Driver, camera: CameraSo
     driver.give = block
     wait_for_problem(camera, "camera_no_picture")
     release.set()
+
+
+def test_driver_that_fails_in_its_own_way_is_told_and_tried_again(
+    driver: Driver, camera: CameraSource
+) -> None:
+    assert camera.next_frame(0.0, WAIT_S)
+
+    def broken() -> Shot | None:
+        raise RuntimeError("select timeout")
+
+    driver.give = broken
+    wait_for_problem(camera, "camera_no_picture")
+    driver.give = lambda: noisy(120)
+    wait_for_problem(camera, None)
+    assert driver.n_opened >= 2
