@@ -79,6 +79,14 @@ class SignTeaching:
         self._camera.know(tuple((one.sign, one.samples) for one in taught))
         self._classroom_id = classroom_id
 
+    def refresh(self) -> None:
+        """To be called when work was deleted or came from another PC: the camera knows what the store has now."""
+        try:
+            self.use(self._classroom_id)
+        except StoreError as error:
+            if error.code == "classroom_not_found":
+                self.use(None)
+
     def record(self, classroom_id: str, name: str) -> str:
         """Begins to record a sign; events tell how it goes on. Returns the name as the class spells it.
 

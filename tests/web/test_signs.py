@@ -112,3 +112,39 @@ def test_a_run_brings_the_signs_of_its_group(app: App, browser: Browser, classro
     begun = browser.post("/api/runs", {"version_id": version.id, "world": "empty_room"})
     assert begun.status == 200, begun.body
     assert known(app) == ["7"]
+
+
+def test_the_camera_forgets_the_signs_of_a_class_that_is_deleted(
+    app: App, browser: Browser, classroom: str
+) -> None:
+    record(browser, classroom, "7")
+    browser.put("/api/camera/classroom", {"classroom_id": classroom})
+    assert known(app) == ["7"]
+    browser.put("/api/teacher/pin", {"pin": "314159"})
+    assert browser.delete(f"/api/classrooms/{classroom}").status == 200
+    assert known(app) == []
+
+
+def test_a_class_that_is_deleted_while_it_records_keeps_nothing_and_is_told(
+    app: App, browser: Browser, classroom: str
+) -> None:
+    browser.put("/api/teacher/pin", {"pin": "314159"})
+    with browser.stream() as stream:
+        browser.post(f"/api/classrooms/{classroom}/signs/7/samples")
+        assert browser.delete(f"/api/classrooms/{classroom}").status == 200
+        told = next(event for event in stream.events() if event.get("code"))
+    assert (told["type"], told["code"]) == ("sign_recording", "classroom_not_found")
+
+
+def test_of_two_windows_that_record_the_second_one_does(browser: Browser, classroom: str) -> None:
+    with browser.stream() as stream:
+        browser.post(f"/api/classrooms/{classroom}/signs/7/samples")
+        browser.post(f"/api/classrooms/{classroom}/signs/8/samples")
+        told = []
+        for event in stream.events():
+            if event["type"] == "sign_recording" and (event["is_kept"] or event["code"]):
+                told.append((event["sign"], event["code"]))
+                if event["is_kept"]:
+                    break
+    assert told == [("7", "sign_recording_stopped"), ("8", None)]
+    assert taught(browser, classroom) == {"8": 10}

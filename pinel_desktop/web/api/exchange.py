@@ -106,6 +106,7 @@ def merge_bundles(body: BundlesToMerge) -> Response:
     """Merges bundles; a refused one does not stop the others. For the teacher."""
     require_teacher()
     merged = [_merged(Path(path), delete=body.delete) for path in body.paths]
+    services().signs.refresh()
     return answer(MergeList(merged=merged, content_hash=services().store.exchange.content_hash()))
 
 

@@ -39,6 +39,7 @@ def delete_note(path: IdPath) -> Response:
 def _delete(kind: str, key: str) -> Response:
     require_teacher()
     removal = services().store.exchange.remove(kind, key)
+    services().signs.refresh()  # children's hands are forgotten by the camera too
     return answer(
         Removed(
             n_groups=removal.counts.get("groups", 0),
