@@ -5,22 +5,32 @@ The photographs are in no repository: they show faces. Where they are missing th
 `make nightly`; `make test` looks at some pictures of each letter.
 """
 
+import base64
 import json
 import os
+import threading
 from collections import Counter
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from filelock import FileLock
+from numpy.typing import NDArray
 
+from pinel_desktop.camera.learning import Learner, SampleTaker
+from pinel_desktop.camera.sight import SeenSign
 from pinel_desktop.gestures import weights_file
+from pinel_desktop.gestures.classifier import USUAL_DOUBT, Reading, SignClassifier
 from pinel_desktop.gestures.recognition import Recogniser, clearest
 from pinel_desktop.gestures.training import evaluation, learning
-from pinel_desktop.gestures.training.folds import PEOPLE
+from pinel_desktop.gestures.training.evaluation import TAUGHT_PEOPLE, first_of_each_letter
+from pinel_desktop.gestures.training.figures import Share
+from pinel_desktop.gestures.training.folds import PEOPLE, strict
 from pinel_desktop.gestures.training.photos import read_photos
 from pinel_desktop.gestures.training.recordings import Recordings, recorded
 from pinel_desktop.gestures.training.sequences import sequences_report
+from storage import open_store
 from tests.gestures.photo_folder import SOURCES
 
 PHOTOS = os.environ.get("PINEL_LIBRAS", "")
@@ -78,6 +88,62 @@ def test_the_figures_of_unseen_people_hold(recordings: Recordings) -> None:
     for part in (unseen, strict):
         assert share(part, "painted_over_answered") <= 0.005
         assert part["calibration_error"] <= 0.05
+
+
+def in_the_app(classifier: SignClassifier, shown: Recordings, database: Path) -> SignClassifier:
+    """What the classifier becomes when a class shows it these hands: recorded, kept, sent and learnt as in the app."""
+    with open_store(database) as store:
+        classroom = store.classrooms.create("5º B").id
+        for letter in np.unique(shown.letters):
+            hands = shown.where(shown.letters == letter).features
+            samples = [base64.b64decode(packed) for packed in recorded_at_rest(hands)]
+            assert len(samples) == len(hands)
+            store.taught_signs.add(classroom, str(letter), b"".join(samples))
+        kept = store.taught_signs.of_classroom(classroom)
+    learner = Learner(classifier)
+    learner.learn([{"sign": one.sign, "samples": base64.b64encode(one.samples)} for one in kept])
+    while (learnt := learner.take()) is None:
+        threading.Event().wait(0.02)
+    assert learnt.taught == frozenset(map(str, np.unique(shown.letters)))
+    return learnt.classifier
+
+
+def recorded_at_rest(hands: NDArray[np.float32]) -> list[str]:
+    """What the camera process takes of hands that are each held for a moment."""
+    taker, taken = SampleTaker(), []
+    points = np.random.default_rng(0).uniform(100, 300, (21, 2)).astype(np.float32)
+    reading = Reading(None, "A", 0.5, "B", 0.3)
+    for n, features in enumerate(hands):
+        seen = [SeenSign(points, "right", features, reading, is_taught=False)]
+        taken += [taker.take(n + elapsed_s, seen) for elapsed_s in (0.0, 0.07)]
+    return [sample for sample in taken if sample]
+
+
+@pytest.mark.nightly
+def test_an_unseen_person_who_teaches_the_app_four_frames_a_letter_is_read(
+    recordings: Recordings, tmp_path: Path
+) -> None:
+    right, answered = [], []
+    for fold in strict(recordings.sources):
+        if fold.source in TAUGHT_PEOPLE:
+            own = recordings.where(fold.test)
+            taught = first_of_each_letter(own)
+            classifier = learning.learn(recordings.where(fold.train))
+            database = tmp_path / f"{fold.source}.db"
+            classifier = in_the_app(classifier, own.where(taught), database)
+            rest = own.where(~taught)
+            judged = classifier.judge(rest.features)
+            right.append(np.array(classifier.signs)[judged.best] == rest.letters)
+            answered.append(judged.is_clear(USUAL_DOUBT))
+    correct, sure = np.concatenate(right), np.concatenate(answered)
+    shares = {
+        "accuracy": Share.among(correct).as_object(),
+        "answered": Share.among(sure).as_object(),
+        "right_of_answered": Share.among(correct[sure]).as_object(),
+    }
+    print(json.dumps(shares))
+    assert share(shares, "accuracy") >= 0.98
+    assert share(shares, "right_of_answered") >= 0.985
 
 
 @pytest.mark.nightly

@@ -30,7 +30,7 @@ from pinel_desktop.gestures.training.recordings import Recordings
 
 N_TAUGHT = 4  # frames a letter
 # who has enough photographs of each letter to be taught and tested
-_TAUGHT = ("p1_webcam", "p2_webcam", "p3_webcam")
+TAUGHT_PEOPLE = ("p1_webcam", "p2_webcam", "p3_webcam")
 
 Report = dict[str, Any]
 Folds = Callable[[NDArray[np.str_]], Iterator[Fold]]
@@ -146,10 +146,10 @@ def _taught(recordings: Recordings, seed: int) -> Report:
     """Accuracy on a person's other photographs after four of each letter were taught, the first by name."""
     sources, right = [], []
     for fold in strict(recordings.sources):
-        if fold.source not in _TAUGHT:
+        if fold.source not in TAUGHT_PEOPLE:
             continue
         own = recordings.where(fold.test)
-        taught = _first_of_each_letter(own)
+        taught = first_of_each_letter(own)
         classifier = learn(recordings.where(fold.train), seed)
         classifier = classifier.teach(own.where(taught).samples())
         rest = own.where(~taught)
@@ -163,7 +163,8 @@ def _taught(recordings: Recordings, seed: int) -> Report:
     }
 
 
-def _first_of_each_letter(recordings: Recordings) -> NDArray[np.bool_]:
+def first_of_each_letter(recordings: Recordings) -> NDArray[np.bool_]:
+    """Which photographs are taught: four of each letter, the first by name, (n,)."""
     taught = np.zeros(len(recordings), bool)
     by_name = np.argsort(recordings.files, kind="stable")
     for letter in np.unique(recordings.letters):
