@@ -251,12 +251,16 @@ class App:
         self._engine.command(run_id, command)
 
     def _publish_camera(self, state: CameraState) -> None:
-        code, message, remedy = None, "", ""
-        if state.problem:
-            code = state.problem.code
-            words = explain(state.problem, self._preferences.language)
-            message, remedy = words.message, words.remedy
-        self._hub.publish(CameraChanged(state.mode, code, message, remedy).flat())
+        problem = state.problem
+        words = explain(problem, self._preferences.language) if problem else None
+        changed = CameraChanged(
+            state=state.mode,
+            code=problem.code if problem else None,
+            params=problem.params if problem else {},
+            message=words.message if words else "",
+            remedy=words.remedy if words else "",
+        )
+        self._hub.publish(changed.flat())
 
     def _publish_notice(self, problem: Problem | None, well_again: str) -> None:
         code, params = (problem.code, problem.params) if problem else (well_again, {})

@@ -6,6 +6,8 @@ from typing import Any, NamedTuple
 from storage.limits import N_FEATURES
 from storage.text import readable_object, readable_points
 
+_SAMPLE_BYTES = 2 * N_FEATURES
+
 Json = dict[str, Any]
 
 
@@ -81,7 +83,13 @@ class SignSamples:
 
     @property
     def n_samples(self) -> int:
-        return len(self.samples) // (2 * N_FEATURES)
+        return len(self.samples) // _SAMPLE_BYTES
+
+    @property
+    def hands(self) -> list[bytes]:
+        """Each sample by itself."""
+        starts = range(0, len(self.samples), _SAMPLE_BYTES)
+        return [self.samples[start : start + _SAMPLE_BYTES] for start in starts]
 
 
 @dataclass(frozen=True, slots=True)

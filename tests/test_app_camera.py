@@ -11,10 +11,12 @@ import cv2
 import pytest
 
 from pinel_desktop.app import App
+from pinel_desktop.camera.recording import read_recording
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.gestures.training.photos import read_photos
 from pinel_desktop.runs.verification import verify_run
 from storage import open_store
+from tests.camera.taught_hands import packed, write_strange_hand
 from tests.live_runs import begun, command, saved
 from tests.web.browser import Browser, Stream
 
@@ -93,6 +95,43 @@ def test_signs_decide_what_the_robot_draws_and_the_run_is_identical_without_a_ca
     assert events[-1]["state"] == "finished"
     assert events[-1]["n_executed"] == 2 + 4 * 2 + 3 * 2
     app.close()
+    with open_store(tmp_path / "pinel.db") as store:
+        assert verify_run(store, store.runs.get(run)).outcome == "identical"
+
+
+def test_a_sign_that_the_class_taught_decides_too_and_the_run_is_identical_without_a_camera(
+    tmp_path: Path,
+) -> None:
+    strange = write_strange_hand(tmp_path / "strange.npz")
+    document = {
+        "pinel_ir": 1,
+        "name": "go",
+        "commands": [
+            capture(30),
+            {
+                "action": "conditional_execution",
+                "condition": "result == 'VAI'",  # capitals do not matter
+                "commands": regular(3),
+            },
+        ],
+    }
+    with App(tmp_path / "pinel.db", camera=str(strange)) as app:
+        browser = signed_in(app)
+        classroom = app._store.classrooms.create("5º B").id
+        hands = [hand for hands in read_recording(strange)[:10] for hand in hands]
+        app._store.taught_signs.add(classroom, "vai", packed(hands))
+        group = app._store.groups.create("Onças", classroom_id=classroom)
+        program = app._store.programs.create(group.id, "P")
+        path = f"/api/programs/{program.id}/versions"
+        content = {"workspace": {"blocks": {}}, "document": document, "world": None}
+        version_id = browser.post(path, content).data["id"]
+        with browser.stream() as stream:
+            stream.next()
+            run = begun(browser, version_id)
+            events = stream.until("run_ended")
+    (result,) = results(events)
+    assert (result["result"], result["by"]) == ("vai", "taught")
+    assert events[-1]["n_executed"] == 1 + 3 * 2
     with open_store(tmp_path / "pinel.db") as store:
         assert verify_run(store, store.runs.get(run)).outcome == "identical"
 

@@ -1,7 +1,7 @@
 """What the app itself tells all pages on the stream. None of it belongs to the record of a run."""
 
 from dataclasses import dataclass
-from typing import ClassVar, Literal, TypedDict
+from typing import Any, ClassVar, Literal, TypedDict
 
 from pinel_desktop.events.model import StreamEvent
 
@@ -116,6 +116,7 @@ class CameraChanged(StreamEvent):
     Attributes:
         state: what it does now.
         code: of the message why it is of no use; null when it is of use, or may become so.
+        params: parameters of the message.
         message: what is wrong, in words of the chosen language.
         remedy: what to do.
     """
@@ -123,6 +124,7 @@ class CameraChanged(StreamEvent):
     type: ClassVar[str] = "camera_state"
     state: Literal["off", "opening", "on", "failed"]
     code: str | None
+    params: dict[str, Any]
     message: str
     remedy: str
 
@@ -138,6 +140,7 @@ class SignRecording(StreamEvent):
         n_wanted: hands of a whole recording.
         is_kept: whether they are on disk.
         code: of the message why the recording was given up; null where it was not.
+        params: parameters of the message.
         message: why, in words of the chosen language.
         remedy: what to do.
     """
@@ -149,5 +152,18 @@ class SignRecording(StreamEvent):
     n_wanted: int
     is_kept: bool
     code: str | None
+    params: dict[str, Any]
     message: str
     remedy: str
+
+
+@dataclass(frozen=True, slots=True)
+class SignsChanged(StreamEvent):
+    """The signs that a class taught are no longer those that were listed last.
+
+    Attributes:
+        classroom: id of the class; null where it may be any.
+    """
+
+    type: ClassVar[str] = "signs_changed"
+    classroom: str | None

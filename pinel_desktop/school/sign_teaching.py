@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.events.app_events import SignRecording
+from pinel_desktop.events.app_events import SignRecording, SignsChanged
 from pinel_desktop.gestures.letters import LETTERS
+from pinel_desktop.gestures.typical_hand import Landmarks, typical_landmarks
 from pinel_desktop.messages import explain
 from storage import Store, StoreError
 
@@ -33,11 +34,15 @@ class Camera(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class KnownSign:
-    """A sign that captures of a class can answer: a letter that ships, with the class's samples of it, or its own."""
+    """A sign that captures of a class can answer: a letter that ships, with the class's samples of it, or its own.
+
+    `landmarks` are those to draw a sign of the class from; None for a letter, whose drawing ships.
+    """
 
     name: str
     is_letter: bool
     n_samples: int
+    landmarks: Landmarks | None = None
 
 
 class SignTeaching:
@@ -66,8 +71,12 @@ class SignTeaching:
         """
         taught = self._store.taught_signs.of_classroom(classroom_id) if classroom_id else []
         counts = {one.sign: one.n_samples for one in taught}
-        letters = [KnownSign(letter, True, counts.pop(letter, 0)) for letter in LETTERS]
-        return letters + [KnownSign(name, False, n) for name, n in counts.items()]
+        letters = [KnownSign(letter, True, counts.get(letter, 0)) for letter in LETTERS]
+        return letters + [
+            KnownSign(one.sign, False, one.n_samples, typical_landmarks(one.hands))
+            for one in taught
+            if one.sign not in LETTERS
+        ]
 
     def use(self, classroom_id: str | None) -> None:
         """From now on the camera knows what this class taught; None is a group without a class.
@@ -86,6 +95,7 @@ class SignTeaching:
         except StoreError as error:
             if error.code == "classroom_not_found":
                 self.use(None)
+        self._publish(SignsChanged(classroom=None).flat())
 
     def record(self, classroom_id: str, name: str) -> str:
         """Begins to record a sign; events tell how it goes on. Returns the name as the class spells it.
@@ -135,6 +145,7 @@ class SignTeaching:
         if classroom_id == self._classroom_id:
             with contextlib.suppress(StoreError):
                 self.use(classroom_id)
+        self._publish(SignsChanged(classroom=classroom_id).flat())
 
     def _tell(
         self,
@@ -153,6 +164,7 @@ class SignTeaching:
             n_wanted=N_SAMPLES,
             is_kept=is_kept,
             code=problem.code if problem else None,
+            params=dict(problem.params) if problem else {},
             message=words.message if words else "",
             remedy=words.remedy if words else "",
         )

@@ -89,6 +89,9 @@ class KnownSign(Protocol):
     @property
     def n_samples(self) -> int: ...
 
+    @property
+    def landmarks(self) -> list[list[float]] | None: ...
+
 
 class Signs(Protocol):
     """What the handlers need of `school.sign_teaching.SignTeaching`."""

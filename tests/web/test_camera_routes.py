@@ -63,6 +63,8 @@ def test_chosen_camera_is_remembered_and_one_that_is_not_there_is_told(tmp_path:
                     pass
                 assert told["code"] == "camera_missing"
                 assert "8" in told["message"]
+                assert told["params"] == {"number": 8}
                 assert told["remedy"]
-                assert browser.get("/api/camera").data["problem"]["code"] == "camera_missing"
+                problem = browser.get("/api/camera").data["problem"]
+                assert problem == {name: told[name] for name in problem}
             connection.close()

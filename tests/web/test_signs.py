@@ -8,6 +8,7 @@ import pytest
 
 from pinel_desktop.app import App
 from pinel_desktop.gestures.letters import LETTERS
+from tests.camera.taught_hands import packed, shown
 from tests.web.browser import Browser
 
 RECORDING = Path(__file__).parents[1] / "camera" / "recordings" / "b.npz"
@@ -55,7 +56,9 @@ def record(browser: Browser, classroom: str, sign: str) -> list[dict[str, Any]]:
 
 
 def test_letters_are_known_untaught(browser: Browser, classroom: str) -> None:
-    letters = [{"name": name, "is_letter": True, "n_samples": 0} for name in LETTERS]
+    letters = [
+        {"name": name, "is_letter": True, "n_samples": 0, "landmarks": None} for name in LETTERS
+    ]
     assert browser.get("/api/signs").data["signs"] == letters
     assert browser.get(f"/api/classrooms/{classroom}/signs").data["signs"] == letters
     assert browser.get("/api/classrooms/x/signs").error["code"] == "classroom_not_found"
@@ -148,3 +151,48 @@ def test_of_two_windows_that_record_the_second_one_does(browser: Browser, classr
                     break
     assert told == [("7", "sign_recording_stopped"), ("8", None)]
     assert taught(browser, classroom) == {"8": 10}
+
+
+def test_a_sign_of_the_class_can_be_drawn_and_a_letter_has_its_drawing(
+    app: App, browser: Browser, classroom: str
+) -> None:
+    for sign in ("B", "vai"):
+        app._store.taught_signs.add(classroom, sign, packed(shown("B")[:10]))
+    listed = browser.get(f"/api/classrooms/{classroom}/signs").data["signs"]
+    landmarks = {sign["name"]: sign["landmarks"] for sign in listed}
+    assert landmarks["B"] is None
+    assert [len(landmark) for landmark in landmarks["vai"]] == [3] * 21
+
+
+def test_whoever_lists_the_signs_hears_that_they_are_others(
+    app: App, browser: Browser, classroom: str
+) -> None:
+    with browser.stream() as stream:
+        record(browser, classroom, "7")
+        assert stream.until("signs_changed")[-1]["classroom"] == classroom
+        browser.delete(f"/api/classrooms/{classroom}/signs/7")
+        assert stream.until("signs_changed")[-1]["classroom"] == classroom
+        browser.put("/api/teacher/pin", {"pin": "314159"})
+        browser.delete(f"/api/classrooms/{classroom}")
+        assert stream.until("signs_changed")[-1]["classroom"] is None
+    gone = browser.put("/api/camera/classroom", {"classroom_id": classroom})
+    assert gone.error["code"] == "classroom_not_found"
+
+
+def test_signs_of_another_pc_are_known_at_once(
+    app: App, browser: Browser, classroom: str, tmp_path: Path
+) -> None:
+    browser.put("/api/camera/classroom", {"classroom_id": classroom})
+    browser.put("/api/teacher/pin", {"pin": "2468"})
+    bundle = browser.post("/api/bundles", {"folder": str(tmp_path), "classroom_id": classroom})
+    with App(tmp_path / "other" / "pinel.db") as other:
+        elsewhere = Browser.signed_in(other.address)
+        elsewhere.put("/api/teacher/pin", {"pin": "2468"})
+        elsewhere.post("/api/bundles/merge", {"paths": [bundle.data["path"]]})
+        other._store.taught_signs.add(classroom, "vai", packed(shown("B")[:10]))
+        (tmp_path / "back").mkdir()
+        back = elsewhere.post("/api/bundles", {"folder": str(tmp_path / "back")})
+    assert known(app) == []
+    merged = browser.post("/api/bundles/merge", {"paths": [back.data["path"]]})
+    assert merged.data["merged"][0]["problem"] is None
+    assert known(app) == ["vai"]

@@ -4,9 +4,11 @@ from collections.abc import Iterator
 
 from flask import Response
 
+from pinel_desktop.errors import PinelError
+from pinel_desktop.messages import explain
 from pinel_desktop.web.api import answers, resource
-from pinel_desktop.web.models.camera import CameraChoice, CameraStatus
-from pinel_desktop.web.responses import answer, notice
+from pinel_desktop.web.models.camera import CameraChoice, CameraProblem, CameraStatus
+from pinel_desktop.web.responses import answer, json_safe
 from pinel_desktop.web.services import Services, services
 
 api = resource("camera", "The camera that sees signs.", __name__)
@@ -56,7 +58,12 @@ def _parts(pictures: Iterator[bytes]) -> Iterator[bytes]:
 
 def _state(parts: Services) -> Response:
     state = parts.camera.state
-    problem = state.problem
-    language = parts.preferences.language
-    shown = notice(problem.code, problem.params, language) if problem else None
-    return answer(CameraStatus(state=state.mode, source=parts.camera.source, problem=shown))
+    problem = _explained(state.problem, parts.preferences.language) if state.problem else None
+    return answer(CameraStatus(state=state.mode, source=parts.camera.source, problem=problem))
+
+
+def _explained(problem: PinelError, language: str) -> CameraProblem:
+    words, params = explain(problem, language), json_safe(problem.params)
+    return CameraProblem(
+        code=problem.code, params=params, message=words.message, remedy=words.remedy
+    )

@@ -159,6 +159,7 @@ def read_program_file(query: NameOfFile, raw: ProgramFile) -> Response:
                 file.write(chunk)
         with _naming_file(path, query.name or path.name):
             report, program_id = services().store.exchange.merge_program(path)
+    services().signs.refresh()
     # raises program_not_found if the program was deleted here for good
     program = services().store.programs.get(program_id)
     return answer(

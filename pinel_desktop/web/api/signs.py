@@ -31,7 +31,7 @@ def list_signs_of_classroom(path: IdPath) -> Response:
 
 @api.put("/camera/classroom", responses=answers(SignList, "classroom_not_found"))
 def choose_classroom_of_camera(body: ClassroomOfCamera) -> Response:
-    """Chooses the class whose taught signs the camera knows from now on; a run chooses that of its group."""
+    """Chooses the class whose taught signs the camera knows from now on: that of a program that is opened, or run."""
     services().signs.use(body.classroom_id)
     return _signs(body.classroom_id)
 

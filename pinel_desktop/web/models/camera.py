@@ -4,8 +4,16 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from pinel_desktop.web.models import Body, Shape
-from pinel_desktop.web.models.errors import Notice
+from pinel_desktop.web.models import Body, Json, Shape
+
+
+class CameraProblem(Shape):
+    """Why the camera is of no use, and what to do."""
+
+    code: str
+    params: Json
+    message: str
+    remedy: str
 
 
 class CameraStatus(Shape):
@@ -13,7 +21,7 @@ class CameraStatus(Shape):
 
     state: Literal["off", "opening", "on", "failed"]
     source: str
-    problem: Notice | None
+    problem: CameraProblem | None
 
 
 class CameraChoice(Body):

@@ -14,8 +14,8 @@ const { Teaching } = await import("./Teaching");
 const { receive } = await import("../camera/sight");
 const { classroom } = await import("../shell/classroom");
 
-const A = { name: "A", is_letter: true, n_samples: 0 };
-const GO = { name: "vai", is_letter: false, n_samples: 10 };
+const A = { name: "A", is_letter: true, n_samples: 0, landmarks: null };
+const GO = { name: "vai", is_letter: false, n_samples: 10, landmarks: null };
 
 const told = (more: Partial<SignRecordingEvent>): SignRecordingEvent => ({
   type: "sign_recording",
@@ -25,6 +25,7 @@ const told = (more: Partial<SignRecordingEvent>): SignRecordingEvent => ({
   n_wanted: 10,
   is_kept: false,
   code: null,
+  params: {},
   message: "",
   remedy: "",
   ...more,

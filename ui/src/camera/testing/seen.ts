@@ -28,6 +28,7 @@ export const changed = (
   type: "camera_state",
   state,
   code,
+  params: code ? { number: 1 } : {},
   message: code ? "Não há câmera." : "",
   remedy: code ? "Liguem o cabo." : "",
 });

@@ -1,0 +1,33 @@
+"""The hand that shows a taught sign best, as landmarks to draw it from. Without numpy: the app does not import it."""
+
+import struct
+from collections.abc import Iterable, Sequence
+
+_N_BENEATH = 20  # landmarks but the wrist, which is the origin
+# a sample begins with x and y of the landmarks from the wrist, then their z (`features.features`)
+_POSITION = struct.Struct(f"<{3 * _N_BENEATH}e")
+
+Landmarks = list[list[float]]
+
+
+def typical_landmarks(samples: Iterable[bytes]) -> Landmarks:
+    """The landmarks (21, 3) of the sample that is nearest to the mean of all.
+
+    Args:
+        samples: the features of one hand each, float16, little-endian; at least one.
+
+    Returns:
+        x to the right, y down, z away from who looks, from the wrist, in units of the hand's size: as a right hand
+        sees itself in a mirror.
+    """
+    hands = [_POSITION.unpack_from(sample) for sample in samples]
+    mean = [sum(numbers) / len(hands) for numbers in zip(*hands, strict=True)]
+    nearest = min(hands, key=lambda hand: _distance(hand, mean))
+    flat, depths = nearest[: 2 * _N_BENEATH], nearest[2 * _N_BENEATH :]
+    # what a camera sees of a right hand is the other way round in a mirror
+    points = zip(flat[::2], flat[1::2], depths, strict=True)
+    return [[0.0, 0.0, 0.0], *([round(-x, 3), round(y, 3), round(z, 3)] for x, y, z in points)]
+
+
+def _distance(hand: Sequence[float], other: Sequence[float]) -> float:
+    return sum((a - b) ** 2 for a, b in zip(hand, other, strict=True))

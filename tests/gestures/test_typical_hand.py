@@ -1,0 +1,47 @@
+"""The landmarks from which a taught sign is drawn."""
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from pinel_desktop.gestures.features import features
+from pinel_desktop.gestures.hands import HandFinder
+from pinel_desktop.gestures.landmarks import Hand
+from pinel_desktop.gestures.typical_hand import typical_landmarks
+from tests.gestures.drawn import OPEN, drawn_hand, mirrored
+
+Landmarks = NDArray[np.float64]
+
+
+def hand_in(picture: NDArray[np.uint8]) -> Hand:
+    return HandFinder().find(picture)[0]
+
+
+def packed(hand: Hand) -> bytes:
+    return features(hand).astype("<f2").tobytes()
+
+
+def from_wrist(points: Landmarks) -> Landmarks:
+    """In units of the hand's size."""
+    beneath = points - points[0]
+    scaled: Landmarks = beneath / np.sqrt((beneath[:, :2] ** 2).sum(1).mean())
+    return scaled
+
+
+def test_landmarks_of_a_right_hand_are_those_of_its_mirror_image() -> None:
+    hand = hand_in(mirrored(drawn_hand(OPEN)))
+    assert hand.handedness == "right"
+    seen = from_wrist(hand.points * [-1, 1, 1])
+    assert np.array(typical_landmarks([packed(hand)])) == pytest.approx(seen, abs=2e-3)
+
+
+def test_landmarks_of_a_left_hand_are_those_of_a_right_one() -> None:
+    hand = hand_in(drawn_hand(OPEN))
+    assert hand.handedness == "left"
+    seen = from_wrist(hand.points)  # its mirror image, a right hand, in a mirror
+    assert np.array(typical_landmarks([packed(hand)])) == pytest.approx(seen, abs=2e-3)
+
+
+def test_of_several_hands_the_one_most_like_all_is_drawn() -> None:
+    one, other = (packed(hand_in(drawn_hand(bent))) for bent in (OPEN, ()))
+    assert typical_landmarks([one, other, other]) == typical_landmarks([other])
