@@ -4,9 +4,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Locator, expect
 
 from pinel_desktop.messages import LANGUAGES
+from storage import open_store
+from tests.camera.taught_hands import packed, shown, write_strange_hand
 from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
 from tests.e2e.conftest import OpenStudio
@@ -18,6 +20,7 @@ pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
 RECORDINGS = Path(__file__).parents[1] / "camera" / "recordings"
 NO_CAMERA = "9"
+STRANGE = "strange"
 IF_B = 'if robot.gesture_result == "B":\n    robot.move_forward(0.2)\n'
 WAITS_FOR_B = f"robot.classify_gestures(timeout=60)\n{IF_B}"
 # the camera may be slow to open on a busy PC
@@ -31,6 +34,8 @@ def camera() -> str:
 
 @pytest.fixture
 def app(tmp_path: Path, camera: str) -> Iterator[AppProcess]:
+    if camera == STRANGE:  # a hand that shows no letter
+        camera = str(write_strange_hand(tmp_path / "strange.npz"))
     app = AppProcess(tmp_path, "--camera", camera)
     app.start()
     yield app
@@ -119,3 +124,101 @@ def test_a_class_teaches_a_sign_and_takes_it_back(studio: Studio) -> None:
     expect(studio["taught-sign"]).to_have_count(0)
     signs = studio.api(f"/classrooms/{classroom}/signs")["signs"]
     assert {sign["n_samples"] for sign in signs} == {0}
+
+
+def sign_on_block(studio: Studio) -> Locator:
+    """The sign that the only comparison names."""
+    field = studio.page.locator(".blocklyDropdownField")
+    return studio.page.locator(".blocklyBlockCanvas .blocklyShadow").filter(has=field).last
+
+
+def choose_sign(studio: Studio, name: str) -> None:
+    sign_on_block(studio).click()
+    menu = studio.page.locator(".blocklyDropDownDiv .blocklyMenuItem")
+    menu.get_by_text(name, exact=True).click()
+    expect(sign_on_block(studio)).to_contain_text(name)
+
+
+def warned(studio: Studio) -> Locator:
+    """Blocks that name a sign which the camera does not know."""
+    return studio.page.locator(".blocklyBlockCanvas .pinelUnknownSign")
+
+
+@pytest.mark.parametrize("camera", [STRANGE])
+def test_what_a_class_teaches_is_offered_by_blocks_answered_by_the_camera_and_replayed(
+    studio: Studio,
+) -> None:
+    studio.tell("PUT", "/teacher/pin", {"pin": "2468"})
+    studio.tell("POST", "/classrooms", {"name": "5º B"})
+    studio["practice"].click()
+    studio.page.locator(".teaching__title").click()
+    studio["teach-name"].fill("vai")
+    studio["teach-record"].click()
+    expect(studio["taught-sign"]).to_have_attribute("data-sign", "vai", timeout=CAMERA_MS)
+    studio["home"].click()
+    studio.enter_new_group()
+    write_program(studio, WAITS_FOR_B)
+    choose_sign(studio, "vai")
+    expect(warned(studio)).to_have_count(0)
+    studio.run()
+    studio.wait_for_phase("finished", RUN_MS + CAMERA_MS)
+    assert studio.number("pose-x") == pytest.approx(0.2, abs=0.001)
+    expect(studio["status-line"]).to_contain_text("A câmera viu vai, um sinal da turma (")
+    group = studio.api(f"/programs/{studio.program_id}")["group_id"]
+    (run,) = studio.api(f"/groups/{group}/runs")["runs"]
+    events = studio.api(f"/runs/{run['id']}/events")["events"]
+    taught = [event for event in events if event["type"] == "gesture_result"]
+    assert [(event["result"], event["by"]) for event in taught] == [("vai", "taught")]
+    studio.page.goto(f"{studio.origin}/#/run/{run['id']}")
+    expect(studio["replay-slider"]).to_be_visible()
+
+
+@pytest.mark.parametrize("camera", [NO_CAMERA])
+def test_a_sign_that_the_class_does_not_know_is_warned_of_and_can_be_answered(
+    studio: Studio,
+) -> None:
+    studio.enter_new_group()
+    write_program(studio, WAITS_FOR_B.replace('"B"', '"pare"'))
+    expect(warned(studio)).to_have_count(1)
+    assert studio.commands()[1]["condition"]["args"][1] == "pare"
+    studio.page.locator(".pinelUnknownSign > .blocklyWarningIcon").click()
+    expect(studio.blocks.fault_words()).to_contain_text("pare")
+    studio.run()
+    answer = studio["capture-letter"].and_(studio.page.locator('[data-letter="pare"]'))
+    expect(answer).to_be_visible()
+    assert violations(studio) == []
+    answer.click()
+    studio.wait_for_phase("finished")
+    assert studio.number("pose-x") == pytest.approx(0.2, abs=0.001)
+    choose_sign(studio, "W")
+    expect(warned(studio)).to_have_count(0)
+
+
+@pytest.mark.parametrize("camera", [NO_CAMERA])
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_sixty_signs_of_a_class_leave_nothing_cut_off(
+    open_studio: OpenStudio, language: str, app: AppProcess
+) -> None:
+    app.stop()
+    with open_store(app.database) as store:
+        classroom = store.classrooms.create("5º B").id
+        for n in range(60):
+            name = f"sinal de nome comprido {n}" if n % 7 == 0 else f"sinal {n}"
+            store.taught_signs.add(classroom, name, packed(shown("B")[:2]))
+    studio = open_studio(app.start())
+    studio["language"].select_option(language)
+    studio.page.locator(f'html[lang="{language}"]').wait_for(state="attached")
+    studio.enter_new_group()
+    write_program(studio, WAITS_FOR_B.replace('"B"', '"sinal 33"'))
+    studio.run()
+    field = studio["capture-find"]
+    for width, height in SCREENS:
+        studio.page.set_viewport_size({"width": width, "height": height})
+        assert cut(studio.page) == [], f"{width} x {height}"
+        expect(field).to_be_in_viewport(ratio=1)
+        expect(studio["capture-letter"].first).to_be_in_viewport(ratio=1)
+    assert violations(studio) == []
+    field.fill("l 33")
+    field.press("Enter")
+    studio.wait_for_phase("finished")
+    assert studio.number("pose-x") == pytest.approx(0.2, abs=0.001)

@@ -4,6 +4,7 @@ import { IconField } from "./fields/icon_field";
 import { MeasureField } from "./fields/measure_field";
 import { NameField } from "./fields/name_field";
 import { OwnNameField } from "./fields/own_name_field";
+import { SignField } from "./fields/sign_field";
 import { iconArgument, iconSource } from "./icons";
 import { branches } from "./shapes/branches";
 import { callShape } from "./shapes/call";
@@ -34,6 +35,7 @@ function registerFields(): void {
   Blockly.fieldRegistry.register("field_measure", MeasureField);
   Blockly.fieldRegistry.register("field_name", NameField);
   Blockly.fieldRegistry.register("field_function_name", OwnNameField);
+  Blockly.fieldRegistry.register("field_sign", SignField);
 }
 
 function registerShapes(): void {

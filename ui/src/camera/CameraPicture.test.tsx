@@ -67,7 +67,9 @@ describe("the picture of the camera", () => {
     const page = draw();
     act(() => receive(changed("failed", "camera_missing")));
     expect(page.state()).toBe("failed");
-    expect(page.trouble()).toBe("Não há câmera. Liguem o cabo.");
+    expect(page.trouble()).toBe(
+      "A câmera 1 não foi encontrada. Liguem o cabo da câmera, ou escolham outra.",
+    );
     act(() => void vi.advanceTimersByTime(9000));
     expect(page.source()).toBe("/preview/2");
     act(() => receive(changed("on")));

@@ -1,11 +1,18 @@
 import { TriangleAlert } from "lucide-preact";
+import type { CameraProblem } from "../api/model";
 import { TEST } from "../shell/testids";
-import type { CameraProblem } from "./sight";
+import { problemWords } from "./problem_words";
 
 /** Why the camera is of no use, and what to do. */
-export function CameraTrouble({ problem: { code, message, remedy } }: { problem: CameraProblem }) {
+export function CameraTrouble({ problem }: { problem: CameraProblem }) {
+  const { message, remedy } = problemWords(problem);
   return (
-    <div class="camera-trouble" role="status" data-testid={TEST.cameraTrouble} data-code={code}>
+    <div
+      class="camera-trouble"
+      role="status"
+      data-testid={TEST.cameraTrouble}
+      data-code={problem.code}
+    >
       <TriangleAlert class="icon" aria-hidden="true" />
       <p>
         <strong>{message}</strong> {remedy}

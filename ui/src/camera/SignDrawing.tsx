@@ -1,5 +1,6 @@
 import { texts } from "../i18n";
 import { type HandSide, handShape, type Landmark, type Piece } from "./hand_shape";
+import { signs } from "./signs";
 import drawn from "./signs.json";
 
 /** Landmarks of a right hand in a mirror for each sign that can be drawn. */
@@ -14,22 +15,54 @@ interface SignDrawingProps {
   class?: string;
 }
 
-/** How a hand shows a sign; the letter itself where there is no drawing. */
+/** How a hand shows a sign: a drawing that ships, else of the class's own hands; its name where there is neither. */
 export function SignDrawing({ sign, hand = "right", class: more = "" }: SignDrawingProps) {
   const words = texts.value.camera;
-  const landmarks = DRAWN[sign];
+  const landmarks = landmarksOf(sign);
   const name = landmarks ? words.sign(sign) : words.noDrawing(sign);
   return (
     <svg class={`sign-drawing ${more}`} viewBox="0 0 100 100" role="img" aria-label={name}>
       {landmarks ? (
         handShape(landmarks, hand).map((piece) => <Part key={piece.name} piece={piece} />)
       ) : (
-        <text class="sign-drawing__letter" x="50" y="50">
-          {sign}
-        </text>
+        <Name name={sign} />
       )}
     </svg>
   );
+}
+
+/** Whether there is more to show of a sign than its name. */
+export function hasDrawing(sign: string): boolean {
+  return landmarksOf(sign) !== null;
+}
+
+function landmarksOf(sign: string): readonly Landmark[] | null {
+  return DRAWN[sign] ?? signs.value?.find(({ name }) => name === sign)?.landmarks ?? null;
+}
+
+/** Of a letter's height: a line below another. */
+const LINE = 1.1;
+/** Of a letter's height: its width. */
+const LETTER = 0.62;
+const LARGEST = 64;
+
+/** A name as large as there is room, a line for each of its words. */
+function Name({ name }: { name: string }) {
+  const words = name.split(" ");
+  const longest = Math.max(...words.map(({ length }) => length));
+  const size = Math.min(LARGEST, 96 / (LETTER * longest), 96 / (LINE * words.length));
+  const first = 50 - ((words.length - 1) * LINE * size) / 2;
+  return words.map((word, line) => (
+    <text
+      key={`${line} ${word}`}
+      class="sign-drawing__name"
+      x="50"
+      y={first + line * LINE * size}
+      font-size={size}
+    >
+      {word}
+    </text>
+  ));
 }
 
 function Part({ piece: { name, path, width, seam } }: { piece: Piece }) {

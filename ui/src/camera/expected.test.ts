@@ -31,6 +31,16 @@ describe("the signs that a program expects", () => {
     expect(expectedSigns(document)).toEqual(["L"]);
   });
 
+  test("are words too, as they are written; capitals do not matter", () => {
+    const document = program(
+      capture,
+      when(is(RESULT, "vai"), when(is(RESULT, "Vai"))),
+      when(is(RESULT, "b")),
+      when(is(RESULT, "x".repeat(101))),
+    );
+    expect(expectedSigns(document)).toEqual(["vai", "B"]);
+  });
+
   test("are found in functions, and no empty answer is among them", () => {
     const ask = { name: "perguntar", commands: [capture, when(is(RESULT, "V"))] };
     const document = { ...program(when(is(RESULT, ""))), functions: [ask] };

@@ -1,3 +1,5 @@
+import { isSameSign } from "../blocks/known_signs";
+
 type Tree = { readonly [key: string]: unknown } | readonly unknown[];
 
 const isTree = (value: unknown): value is Tree => typeof value === "object" && value !== null;
@@ -15,6 +17,9 @@ export function hasCapture(document: unknown): boolean {
   return [...within(document)].some(({ action }) => action === "classify_gestures");
 }
 
+/** The server takes no longer answer. */
+const MAX_ANSWER = 100;
+
 /** The signs that a program compares the answer of its captures with, also by way of a variable, in their order. */
 export function expectedSigns(document: unknown): string[] {
   const nodes = [...within(document)];
@@ -27,9 +32,10 @@ export function expectedSigns(document: unknown): string[] {
       ({ op, args }) => COMPARING.has(String(op)) && Array.isArray(args) && args.some(isAnswer),
     )
     .flatMap(({ args }) => args as unknown[])
-    .filter((value) => typeof value === "string" && value.trim() !== "")
-    .map((value) => String(value).trim().toUpperCase());
-  return [...new Set(signs)];
+    .filter((value): value is string => typeof value === "string" && value.trim() !== "")
+    .filter((name) => name.length <= MAX_ANSWER)
+    .map((name) => (name.length === 1 ? name.toUpperCase() : name));
+  return signs.filter((one, at) => signs.findIndex((other) => isSameSign(one, other)) === at);
 }
 
 const isResult = (value: unknown) => isTree(value) && "gesture" in value;

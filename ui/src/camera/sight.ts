@@ -2,17 +2,13 @@ import { batch, computed, signal } from "@preact/signals";
 import { cameraApi } from "../api/camera";
 import type {
   CameraChangedEvent,
+  CameraProblem,
   CameraSightEvent,
   CameraStatus,
   SignRecordingEvent,
+  SignsChangedEvent,
 } from "../api/model";
-
-/** Why the camera is of no use, and what to do. */
-export interface CameraProblem {
-  readonly code: string;
-  readonly message: string;
-  readonly remedy: string;
-}
+import { askForSigns, chooseSignsAgain } from "./signs";
 
 export interface CameraNow {
   readonly mode: CameraStatus["state"];
@@ -40,12 +36,16 @@ export const aspect = signal(4 / 3);
 /** The recording of a sign that a class teaches, as it was told last; null before the first one. */
 export const recording = signal<SignRecordingEvent | null>(null);
 
-export function receive(event: CameraSightEvent | CameraChangedEvent | SignRecordingEvent): void {
+type CameraEvent = CameraSightEvent | CameraChangedEvent | SignRecordingEvent | SignsChangedEvent;
+
+export function receive(event: CameraEvent): void {
   if (event.type === "sign_recording") {
     recording.value = event;
+  } else if (event.type === "signs_changed") {
+    void askForSigns(event.classroom);
   } else if (event.type === "camera_state") {
-    const { state, code, message, remedy } = event;
-    change(state, code === null ? null : { code, message, remedy });
+    const { state, code, params, message, remedy } = event;
+    change(state, code === null ? null : { code, params, message, remedy });
   } else if (camera.peek().mode !== "off") {
     batch(() => {
       sight.value = event;
@@ -63,6 +63,7 @@ export async function refresh(): Promise<CameraStatus> {
 
 /** The stream begins again. */
 export async function resync(): Promise<void> {
+  void chooseSignsAgain();
   if (camera.peek().mode !== "off") await refresh();
 }
 

@@ -3,6 +3,7 @@ import "./editor.css";
 import { registerBlocks } from "../blocks";
 import type { Level } from "../blocks/definition";
 import { generateDocument } from "../blocks/generator";
+import { type KnownSigns, setKnownSigns } from "../blocks/known_signs";
 import { EVERYTHING, toolbox } from "../blocks/toolbox/toolbox";
 import { upgradeWorkspace } from "../blocks/upgrade";
 import type { Language } from "../i18n";
@@ -14,6 +15,7 @@ import { Breakpoints } from "./marks/breakpoints";
 import { type Fault, Faults } from "./marks/faults";
 import { bringIntoView, Highlight } from "./marks/highlight";
 import { StartHint } from "./marks/start_hint";
+import { UnknownSigns } from "./marks/unknown_signs";
 import { ValueBubble } from "./marks/value_bubble";
 import type { EditorOptions } from "./options";
 import { Overview } from "./overview";
@@ -42,6 +44,8 @@ export interface Editor {
   setTheme(theme: ThemeName): void;
   /** Sets the toolbox level; blocks of higher levels that are already in the program stay. */
   setLevel(level: Level): void;
+  /** Sets the signs that blocks offer; a block that names another one is marked. Null while they are not known. */
+  setSigns(signs: KnownSigns | null): void;
   setReadOnly(readOnly: boolean): void;
   undo(): void;
   redo(): void;
@@ -72,6 +76,7 @@ class BlockEditor implements Editor {
   private readonly workspace: Blockly.WorkspaceSvg;
   private readonly faults: Faults;
   private readonly running: Highlight;
+  private readonly unknownSigns: UnknownSigns;
   private readonly breakpoints: Breakpoints | undefined;
   private readonly values: ValueBubble | undefined;
   private readonly overview: Overview;
@@ -90,6 +95,7 @@ class BlockEditor implements Editor {
     this.workspace = injectWorkspace({ ...options, level: this.level });
     this.faults = new Faults(this.workspace);
     this.running = new Highlight(this.workspace);
+    this.unknownSigns = new UnknownSigns(this.workspace);
     const { onBreakpoints } = options;
     this.breakpoints = onBreakpoints && new Breakpoints(this.workspace, onBreakpoints);
     this.overview = new Overview(this.workspace);
@@ -161,6 +167,11 @@ class BlockEditor implements Editor {
     this.updateToolbox();
   }
 
+  setSigns(signs: KnownSigns | null): void {
+    setKnownSigns(signs);
+    this.unknownSigns.refresh();
+  }
+
   setReadOnly(readOnly: boolean): void {
     Blockly.hideChaff();
     this.workspace.setIsReadOnly(readOnly);
@@ -207,6 +218,7 @@ class BlockEditor implements Editor {
     Blockly.hideChaff();
     this.onContent();
     this.disposed = true;
+    setKnownSigns(null);
     this.sizes.disconnect();
     this.zoomControls.remove();
     this.values?.dispose();
@@ -267,6 +279,8 @@ class BlockEditor implements Editor {
       ensureStartBlock(this.workspace);
       markLooseBlocks(this.workspace);
     });
+    this.unknownSigns.forget();
+    this.unknownSigns.refresh();
     this.overview.refresh();
     this.breakpoints?.refresh();
     this.refreshHint();
@@ -290,6 +304,7 @@ class BlockEditor implements Editor {
   private onContent(): void {
     markLooseBlocks(this.workspace);
     this.breakpoints?.refresh();
+    this.unknownSigns.refresh();
     this.refreshHint();
     const fingerprint = this.fingerprint();
     if (fingerprint === this.known) return;

@@ -25,7 +25,7 @@ function leaves(node: object, path = ""): [string, string][] {
 
 /** The texts that are the page's own: no words of the server, none of Blockly. */
 function own(language: Language): Partial<Texts> {
-  const { blockly, reasons, figures, ...texts } = textsOf(language);
+  const { blockly, reasons, figures, cameraProblems, ...texts } = textsOf(language);
   return texts;
 }
 

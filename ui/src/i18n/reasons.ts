@@ -10,7 +10,23 @@ export function reasonWords(
   params: Record<string, unknown>,
   language: Language,
 ): Message | null {
-  const words = code === null ? undefined : textsOf(language).reasons[code];
+  return filled(code === null ? undefined : textsOf(language).reasons[code], params, language);
+}
+
+/** What is wrong with the camera or with the recording of a sign; null for a code that has no words there. */
+export function cameraWords(
+  code: string,
+  params: Record<string, unknown>,
+  language: Language,
+): Message | null {
+  return filled(textsOf(language).cameraProblems?.[code], params, language);
+}
+
+function filled(
+  words: Message | undefined,
+  params: Record<string, unknown>,
+  language: Language,
+): Message | null {
   if (!words) return null;
   const fill = (text: string) =>
     text.replace(/\{(\w+)\}/g, (whole, name: string) =>

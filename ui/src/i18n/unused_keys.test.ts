@@ -24,7 +24,7 @@ function parts(key: string): string[] {
   return [key, whole.toLowerCase(), whole.replace(/^[A-Z]+_/, "").toLowerCase()];
 }
 
-const { blocks, blockly, reasons, figures, ...page } = textsOf("pt-BR");
+const { blocks, blockly, reasons, figures, cameraProblems, ...page } = textsOf("pt-BR");
 
 test("every text of the page is used somewhere", () => {
   const names = (path: string) => {

@@ -1,11 +1,12 @@
-import { type Signal, useSignal } from "@preact/signals";
+import type { Signal } from "@preact/signals";
 import { CircleCheck } from "lucide-preact";
 import { useLayoutEffect } from "preact/hooks";
+import { drawnHand } from "../camera/drawn_hand";
 import type { HandSide } from "../camera/hand_shape";
 import { readingOf } from "../camera/reading";
 import { SignDrawing } from "../camera/SignDrawing";
 import { sight } from "../camera/sight";
-import { LETTERS, listenForLetters } from "../camera/signs";
+import { listenForSigns, signNames } from "../camera/signs";
 import { texts } from "../i18n";
 import { Choice } from "../kit/Choice";
 import { TEST } from "../shell/testids";
@@ -13,18 +14,17 @@ import { TEST } from "../shell/testids";
 /** A letter to imitate: its drawing, and whether the camera sees it now. */
 export function Imitation({ letter }: { letter: Signal<string> }) {
   const { practice } = texts.value;
-  const hand = useSignal<HandSide>("right");
   const choose = (chosen: string) => {
     letter.value = chosen;
   };
-  useLayoutEffect(() => listenForLetters(choose), []);
+  useLayoutEffect(() => listenForSigns(choose), []);
   const reading = readingOf(sight.value);
   const isMatched = reading.kind === "sure" && reading.best === letter.value;
   return (
     <section class="imitation card" aria-label={practice.imitate} data-matched={String(isMatched)}>
       <div class="imitation__model">
         <h2 class="imitation__title">{practice.imitate}</h2>
-        <SignDrawing sign={letter.value} hand={hand.value} class="imitation__drawing" />
+        <SignDrawing sign={letter.value} hand={drawnHand.value} class="imitation__drawing" />
         <Matched letter={isMatched ? letter.value : null} />
       </div>
       <div class="imitation__choices">
@@ -34,7 +34,7 @@ export function Imitation({ letter }: { letter: Signal<string> }) {
           optionClass="imitation__letter"
           testId={TEST.practiceSign}
           value={letter.value}
-          options={LETTERS.map((one) => [one, one, { "data-letter": one }] as const)}
+          options={signNames.value.map((one) => [one, one, { "data-letter": one }] as const)}
           onChange={choose}
         />
         <Choice
@@ -42,13 +42,13 @@ export function Imitation({ letter }: { letter: Signal<string> }) {
           legendClass="imitation__legend"
           class="imitation__hands"
           testId={TEST.practiceHand}
-          value={hand.value}
+          value={drawnHand.value}
           options={[
             ["left", practice.left],
             ["right", practice.right],
           ]}
           onChange={(side: HandSide) => {
-            hand.value = side;
+            drawnHand.value = side;
           }}
         />
       </div>

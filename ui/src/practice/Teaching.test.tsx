@@ -4,7 +4,7 @@ import type { SignRecordingEvent } from "../api/model";
 import { passesAxe } from "../kit/testing/control";
 import { TEST } from "../shell/testids";
 
-const signsApi = { use: vi.fn(), record: vi.fn(), stop: vi.fn(), forget: vi.fn() };
+const signsApi = { use: vi.fn(), list: vi.fn(), record: vi.fn(), stop: vi.fn(), forget: vi.fn() };
 vi.mock("../api/signs", () => ({ signsApi }));
 
 const classes = vi.fn();
@@ -37,7 +37,8 @@ beforeEach(() => {
   signsApi.use.mockReset().mockResolvedValue([A, GO]);
   signsApi.record.mockReset().mockResolvedValue({ name: "vai" });
   signsApi.stop.mockReset().mockResolvedValue({});
-  signsApi.forget.mockReset().mockResolvedValue([A]);
+  signsApi.forget.mockReset().mockResolvedValue({});
+  signsApi.list.mockReset().mockResolvedValue([A, GO]);
 });
 afterEach(cleanup);
 
@@ -50,7 +51,7 @@ describe("teaching a sign", () => {
     const { container } = render(<Teaching />);
     await act(async () => {});
     expect(container.textContent).toBe("");
-    expect(signsApi.use).not.toHaveBeenCalled();
+    expect(signsApi.use.mock.calls).toEqual([[null]]);
   });
 
   test("begins with its name, counts what is recorded, and says when the camera knows it", async () => {
@@ -63,8 +64,17 @@ describe("teaching a sign", () => {
     expect(status()).toContain("3 de 10");
     act(() => receive(told({ n_samples: 10, is_kept: true })));
     expect(status()).toContain("vai");
-    await waitFor(() => expect(signsApi.use).toHaveBeenCalledTimes(2));
     await passesAxe(container);
+  });
+
+  test("shows what the class has now whenever it is told that this is something else", async () => {
+    render(<Teaching />);
+    await waitFor(() => expect(taught()).toEqual(["vai"]));
+    signsApi.list.mockResolvedValue([A, GO, { ...GO, name: "7" }]);
+    act(() => receive({ type: "signs_changed", classroom: "other" }));
+    act(() => receive({ type: "signs_changed", classroom: "c" }));
+    await waitFor(() => expect(taught()).toEqual(["vai", "7"]));
+    expect(signsApi.list.mock.calls).toEqual([["c"]]);
   });
 
   test("says why it was given up", async () => {
@@ -72,20 +82,24 @@ describe("teaching a sign", () => {
     await screen.findByTestId(TEST.teachTold);
     act(() => receive(told({ code: "x", message: "Sem mão.", remedy: "Mostrem a mão." })));
     expect(status()).toBe("Sem mão. Mostrem a mão.");
+    act(() => receive(told({ code: "sign_recording_stopped", message: "No hand.", remedy: "" })));
+    expect(status()).toContain("Não deu para ver a mão parada.");
     act(() => receive(told({ classroom: "other" })));
     expect(status()).toBe("");
   });
 
   test("is taken back", async () => {
     render(<Teaching />);
+    signsApi.list.mockResolvedValue([A]);
     fireEvent.click(await screen.findByTestId(TEST.forgetSign));
+    await waitFor(() => expect(signsApi.forget).toHaveBeenCalledWith("c", "vai"));
+    act(() => receive({ type: "signs_changed", classroom: "c" }));
     await waitFor(() => expect(taught()).toEqual([]));
-    expect(signsApi.forget).toHaveBeenCalledWith("c", "vai");
   });
 
   test("stops with the screen", async () => {
     const { unmount } = render(<Teaching />);
-    await screen.findByTestId(TEST.teachTold);
+    await waitFor(() => expect(signsApi.use).toHaveBeenCalled());
     unmount();
     expect(signsApi.stop).toHaveBeenCalled();
   });

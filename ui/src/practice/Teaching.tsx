@@ -5,12 +5,13 @@ import { NO_CLASS } from "../api/classes";
 import { STORE_LIMITS } from "../api/declared";
 import type { Sign } from "../api/model";
 import { signsApi } from "../api/signs";
+import { problemWords } from "../camera/problem_words";
 import { recording } from "../camera/sight";
+import { chooseSigns, signs } from "../camera/signs";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Field } from "../kit/Field";
 import { Form } from "../kit/Form";
-import { Loaded } from "../kit/requests/Loaded";
 import { useLoaded } from "../kit/requests/useLoaded";
 import { classroom, shownClass } from "../shell/classroom";
 import { groupsAndClasses } from "../shell/first_answers";
@@ -21,7 +22,7 @@ import { TEST } from "../shell/testids";
 export function Teaching() {
   if (!group.value) return <OfShownClass />;
   const { classroom_id } = group.value;
-  return classroom_id && <OfClass key={classroom_id} id={classroom_id} />;
+  return classroom_id ? <OfClass key={classroom_id} id={classroom_id} /> : <WithoutClass />;
 }
 
 function OfShownClass() {
@@ -29,17 +30,20 @@ function OfShownClass() {
   if (found.status !== "ready") return null;
   const [groups, classes] = found.value;
   const id = shownClass(classroom.value, classes, groups);
-  return id === NO_CLASS ? null : <OfClass key={id} id={id} />;
+  return id === NO_CLASS ? <WithoutClass /> : <OfClass key={id} id={id} />;
+}
+
+/** The camera knows the letters only. */
+function WithoutClass() {
+  useEffect(() => void chooseSigns(null), []);
+  return null;
 }
 
 /** A sign is shown to the camera, counted while it is recorded, listed, and deleted again. */
 function OfClass({ id }: { id: string }) {
   const words = texts.value.teaching;
-  const signs = useLoaded(id, () => signsApi.use(id), { onFailed: () => {} });
   const told = recording.value?.classroom === id ? recording.value : null;
-  useEffect(() => {
-    if (told?.is_kept) void signs.again();
-  }, [told]);
+  useEffect(() => void chooseSigns(id), [id]);
   useEffect(() => () => void signsApi.stop().catch(() => {}), []);
   return (
     <details class="teaching card">
@@ -48,14 +52,10 @@ function OfClass({ id }: { id: string }) {
       <p class="teaching__told" role="status" data-testid={TEST.teachTold}>
         {told && wordsOfRecording(told)}
       </p>
-      <Loaded of={signs}>
-        {(found) => (
-          <Taught
-            signs={found.filter((one) => one.n_samples > 0)}
-            onForget={async (sign) => signs.set(await signsApi.forget(id, sign))}
-          />
-        )}
-      </Loaded>
+      <Taught
+        signs={(signs.value ?? []).filter((one) => one.n_samples > 0)}
+        onForget={(sign) => signsApi.forget(id, sign)}
+      />
     </details>
   );
 }
@@ -84,7 +84,7 @@ function NewSamples({ id }: { id: string }) {
 
 interface TaughtProps {
   signs: readonly Sign[];
-  onForget(sign: string): Promise<void>;
+  onForget(sign: string): Promise<unknown>;
 }
 
 function Taught({ signs, onForget }: TaughtProps) {
@@ -108,7 +108,10 @@ function Taught({ signs, onForget }: TaughtProps) {
 
 function wordsOfRecording(told: NonNullable<typeof recording.value>): string {
   const words = texts.value.teaching;
-  if (told.code !== null) return `${told.message} ${told.remedy}`;
+  if (told.code !== null) {
+    const { message, remedy } = problemWords({ ...told, code: told.code });
+    return `${message} ${remedy}`;
+  }
   return told.is_kept
     ? words.learnt(told.sign)
     : words.counted(told.sign, told.n_samples, told.n_wanted);

@@ -11,6 +11,7 @@ import type {
   ProgramChangedEvent,
   RunEvent,
   SignRecordingEvent,
+  SignsChangedEvent,
   Status,
   StreamEvent,
   World,
@@ -119,7 +120,9 @@ interface Follower {
 
 /** Who follows the camera. */
 interface CameraFollower {
-  receive(event: CameraSightEvent | CameraChangedEvent | SignRecordingEvent): void;
+  receive(
+    event: CameraSightEvent | CameraChangedEvent | SignRecordingEvent | SignsChangedEvent,
+  ): void;
   /** The stream begins, or begins again. */
   resync(): Promise<void>;
 }
@@ -134,6 +137,7 @@ function onStream(event: StreamEvent, runs: Follower, camera: CameraFollower): v
     case "camera_sight":
     case "camera_state":
     case "sign_recording":
+    case "signs_changed":
       camera.receive(event);
       break;
     case "notice":

@@ -117,6 +117,9 @@ export const TEST = {
   irJson: "ir-json",
   irCopy: "ir-copy",
   capture: "capture",
+  captureKind: "capture-kind", // tabs
+  captureFind: "capture-find",
+  drawnHand: "drawn-hand", // data-hand
   captureLetter: "capture-letter", // of each; data-letter, "" for none
   cameraPicture: "camera-picture", // data-state: off | opening | on | failed
   cameraTrouble: "camera-trouble", // data-code

@@ -1,3 +1,4 @@
+import { chooseSigns } from "../camera/signs";
 import { texts } from "../i18n";
 import { Loaded } from "../kit/requests/Loaded";
 import { useLoaded } from "../kit/requests/useLoaded";
@@ -30,6 +31,7 @@ async function open(programId: string, signal: AbortSignal): Promise<OpenProgram
   signal.throwIfAborted();
   group.value = groups.find((one) => one.id === loaded.group_id) ?? null;
   program.value = loaded;
+  void chooseSigns(group.value?.classroom_id ?? null);
   opened.value = new OpenProgram(loaded);
   forgetOtherRun(programId);
   return opened.value;

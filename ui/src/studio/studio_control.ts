@@ -4,6 +4,7 @@ import { ApiError } from "../api/errors";
 import type { Content, Fault, LiveCommand } from "../api/model";
 import { versionsApi } from "../api/versions";
 import { expectedSigns, hasCapture } from "../camera/expected";
+import { asKnown } from "../camera/signs";
 import type { Editor } from "../editor";
 import { language, texts } from "../i18n";
 import { Refused, wordsOf } from "../kit/requests/problem";
@@ -51,7 +52,7 @@ export class StudioControl {
   );
   /** The signs that the program which runs compares the answer of a capture with. */
   readonly expectedSigns = computed(() =>
-    this.mine.value ? expectedSigns(this.documentThatRuns()) : [],
+    this.mine.value ? expectedSigns(this.documentThatRuns()).map(asKnown) : [],
   );
   /** The program has a block that waits for a sign. */
   readonly captures = computed(() => hasCapture(this.open.content.value?.document ?? null));

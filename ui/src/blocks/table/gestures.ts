@@ -25,7 +25,7 @@ export const gestures = [
     style: "gestures",
     level: 1,
     makes: { expression: "literal" },
-    args0: [{ type: "field_input", name: "TEXT", text: "B", spellcheck: false }],
+    args0: [{ type: "field_sign", name: "TEXT" }],
     output: TEXT_LITERAL,
   },
   {

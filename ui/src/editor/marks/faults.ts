@@ -69,7 +69,7 @@ export class Faults {
 }
 
 /** Places the bubble beside its block, where it covers no other and needs no tail. Without room it stays put. */
-function placeBeside(block: Blockly.BlockSvg, bubble: Blockly.IBubble | null): void {
+export function placeBeside(block: Blockly.BlockSvg, bubble: Blockly.IBubble | null): void {
   if (!(bubble instanceof Blockly.bubbles.TextBubble)) return;
   const view = block.workspace.getMetricsManager().getViewMetrics(true);
   const { left, right } = block.getBoundingRectangleWithoutChildren();

@@ -120,12 +120,20 @@ export const blocks: typeof first = {
   CLASSIFY_GESTURES_TIP:
     "Waits for someone to sign a LIBRAS letter to the camera and keeps it. Up to 600 seconds.",
   GESTURE_RESULT: "gesture read",
-  GESTURE_RESULT_TIP: "The letter of the last gesture. Empty if no gesture was recognised.",
+  GESTURE_RESULT_TIP:
+    "The last sign: a letter or a sign of the class. Empty if none was recognised.",
   TEXT_LETTER: "%1",
-  TEXT_LETTER_TIP: "A letter to compare with the gesture. Click to change it.",
+  TEXT_LETTER_TIP:
+    "A sign to compare with the gesture: a letter or a sign of the class. Click to change it.",
+  NO_SIGN: "no sign",
+  OTHER_SIGN: "Another sign…",
+  ASK_SIGN: "What is the sign called?",
+  SIGN_UNKNOWN: "The camera does not know the sign “%1” yet.",
+  SIGN_TO_TEACH: "Teach it in “Sign practice”, or answer with its button when the program asks.",
+  SIGN_BY_HAND: "Answer with its button when the program asks: only a class teaches new signs.",
   SET_GESTURE_RESULT: "%1 pretend the gesture is %2",
   SET_GESTURE_RESULT_TIP:
-    "Keeps this letter as if it were a gesture. Good for testing without a camera.",
+    "Keeps this sign as if it were a gesture. Good for testing without a camera.",
 
   SAY: "%1 say %2",
   SAY_TIP: "Shows a text or a number on the screen for the group to read.",

@@ -1,3 +1,5 @@
+import { namedSign } from "./named_sign";
+
 /** The camera that sees signs, and practising them. */
 export const camera = {
   picture: "Picture of the camera, as in a mirror",
@@ -12,11 +14,15 @@ export const camera = {
   either: (one: string, other: string) => `${one} or ${other}?`,
   orElse: (letter: string) => `or ${letter}`,
   hold: "Keep your hand still",
-  sure: (letter: string, share: string) => `Letter ${letter}, ${share} sure`,
+  sure: (sign: string, share: string) => `${namedSign(sign)}, ${share} sure`,
   steady: "How long until the sign counts",
   expected: "The program expects:",
-  sign: (letter: string) => `Sign of the letter ${letter}`,
-  noDrawing: (letter: string) => `Letter ${letter}, without a drawing yet`,
+  sign: (sign: string) => `Drawing: ${namedSign(sign)}`,
+  noDrawing: (sign: string) => `${namedSign(sign)}, without a drawing yet`,
+  hands: {
+    left: "Drawings of the left hand: change",
+    right: "Drawings of the right hand: change",
+  },
 };
 
 export const practice = {
@@ -28,7 +34,7 @@ export const practice = {
   hand: "Hand",
   right: "Right",
   left: "Left",
-  matched: (letter: string) => `That is it! Letter ${letter}.`,
+  matched: (sign: string) => `That is it! ${namedSign(sign)}.`,
   text: "What you have spelled",
   placeholder: "The letters appear here",
   space: "Space",

@@ -1,3 +1,5 @@
+import cameraMessages from "../../../../pinel_desktop/messages/catalogue/en/camera.json";
+import gestureMessages from "../../../../pinel_desktop/messages/catalogue/en/gestures.json";
 import figures from "../../../../pinel_desktop/messages/catalogue/en/review.json";
 import type { LaterTexts } from "../texts";
 import { camera, practice, teaching } from "./camera";
@@ -5,4 +7,13 @@ import { exchange } from "./exchange";
 import { review } from "./review";
 import { teacher } from "./teacher";
 
-export const later: LaterTexts = { camera, exchange, figures, practice, review, teacher, teaching };
+export const later: LaterTexts = {
+  camera,
+  cameraProblems: { ...cameraMessages, ...gestureMessages },
+  exchange,
+  figures,
+  practice,
+  review,
+  teacher,
+  teaching,
+};

@@ -1,4 +1,5 @@
 import type { page as first } from "../pt-BR/page";
+import { namedSign } from "./named_sign";
 
 export const page: typeof first = {
   titles: {
@@ -256,7 +257,12 @@ export const page: typeof first = {
     byHand: "Or answer with the buttons:",
     none: "None",
     noneHelp: "None: no sign",
-    letter: (letter: string) => `Letter ${letter}`,
+    answer: namedSign,
+    kinds: "Letters or signs of the class",
+    letters: "Letters",
+    signs: (n: number) => `Signs of the class (${n})`,
+    find: "Find a sign",
+    nothing: "No sign has that name.",
     left: (seconds: string) => `${seconds} s`,
     leftHelp: (seconds: string) => `${seconds} seconds left`,
   },

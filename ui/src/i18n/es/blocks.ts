@@ -123,11 +123,21 @@ export const blocks: typeof first = {
   CLASSIFY_GESTURES_TIP:
     "Espera a que alguien haga una letra de LIBRAS ante la cámara y la guarda. Hasta 600 segundos.",
   GESTURE_RESULT: "gesto leído",
-  GESTURE_RESULT_TIP: "La letra del último gesto. Queda vacío si no se reconoció ninguno.",
+  GESTURE_RESULT_TIP:
+    "La última seña: una letra o una seña del curso. Queda vacío si no se reconoció ninguna.",
   TEXT_LETTER: "%1",
-  TEXT_LETTER_TIP: "Una letra para comparar con el gesto. Hagan clic para cambiarla.",
+  TEXT_LETTER_TIP:
+    "Una seña para comparar con el gesto: una letra o una seña del curso. Hagan clic para cambiarla.",
+  NO_SIGN: "ninguna seña",
+  OTHER_SIGN: "Otra seña…",
+  ASK_SIGN: "¿Cómo se llama la seña?",
+  SIGN_UNKNOWN: "La cámara todavía no conoce la seña “%1”.",
+  SIGN_TO_TEACH:
+    "Enséñenla en “Practicar señas”, o respondan con su botón cuando el programa pregunte.",
+  SIGN_BY_HAND:
+    "Respondan con su botón cuando el programa pregunte: solo un curso enseña señas nuevas.",
   SET_GESTURE_RESULT: "%1 hacer como si el gesto fuera %2",
-  SET_GESTURE_RESULT_TIP: "Guarda esta letra como si fuera un gesto. Útil para probar sin cámara.",
+  SET_GESTURE_RESULT_TIP: "Guarda esta seña como si fuera un gesto. Útil para probar sin cámara.",
 
   SAY: "%1 decir %2",
   SAY_TIP: "Muestra un texto o un número en la pantalla, para que el grupo lo lea.",

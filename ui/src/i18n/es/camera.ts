@@ -1,3 +1,5 @@
+import { namedSign } from "./named_sign";
+
 /** The camera that sees signs, and practising them. */
 export const camera = {
   picture: "Imagen de la cámara, como en un espejo",
@@ -12,11 +14,15 @@ export const camera = {
   either: (one: string, other: string) => `¿${one} o ${other}?`,
   orElse: (letter: string) => `o ${letter}`,
   hold: "Dejen la mano quieta",
-  sure: (letter: string, share: string) => `Letra ${letter}, ${share} de seguridad`,
+  sure: (sign: string, share: string) => `${namedSign(sign)}, ${share} de seguridad`,
   steady: "Cuánto falta para que la seña valga",
   expected: "El programa espera:",
-  sign: (letter: string) => `Seña de la letra ${letter}`,
-  noDrawing: (letter: string) => `Letra ${letter}, todavía sin dibujo`,
+  sign: (sign: string) => `Dibujo: ${namedSign(sign)}`,
+  noDrawing: (sign: string) => `${namedSign(sign)}, todavía sin dibujo`,
+  hands: {
+    left: "Dibujos de la mano izquierda: cambiar",
+    right: "Dibujos de la mano derecha: cambiar",
+  },
 };
 
 export const practice = {
@@ -28,7 +34,7 @@ export const practice = {
   hand: "Mano",
   right: "Derecha",
   left: "Izquierda",
-  matched: (letter: string) => `¡Eso es! Letra ${letter}.`,
+  matched: (sign: string) => `¡Eso es! ${namedSign(sign)}.`,
   text: "Lo que escribieron",
   placeholder: "Las letras aparecen aquí",
   space: "Espacio",

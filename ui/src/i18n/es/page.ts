@@ -1,4 +1,5 @@
 import type { page as first } from "../pt-BR/page";
+import { namedSign } from "./named_sign";
 
 export const page: typeof first = {
   titles: {
@@ -256,7 +257,12 @@ export const page: typeof first = {
     byHand: "O respondan con los botones:",
     none: "Ninguna",
     noneHelp: "Ninguna seña",
-    letter: (letter: string) => `Letra ${letter}`,
+    answer: namedSign,
+    kinds: "Letras o señas del curso",
+    letters: "Letras",
+    signs: (n: number) => `Señas del curso (${n})`,
+    find: "Buscar seña",
+    nothing: "Ninguna seña tiene ese nombre.",
     left: (seconds: string) => `${seconds} s`,
     leftHelp: (seconds: string) => `Quedan ${seconds} segundos`,
   },

@@ -120,11 +120,21 @@ export const blocks = {
   CLASSIFY_GESTURES_TIP:
     "Espera alguém fazer uma letra em LIBRAS para a câmera e guarda o gesto. Até 600 segundos.",
   GESTURE_RESULT: "gesto lido",
-  GESTURE_RESULT_TIP: "A letra do último gesto. Fica vazio se nenhum gesto foi reconhecido.",
+  GESTURE_RESULT_TIP:
+    "O último sinal: uma letra ou um sinal da turma. Fica vazio se nenhum foi reconhecido.",
   TEXT_LETTER: "%1",
-  TEXT_LETTER_TIP: "Uma letra para comparar com o gesto. Cliquem para trocar.",
+  TEXT_LETTER_TIP:
+    "Um sinal para comparar com o gesto: uma letra ou um sinal da turma. Cliquem para trocar.",
+  NO_SIGN: "nenhum sinal",
+  OTHER_SIGN: "Outro sinal…",
+  ASK_SIGN: "Como se chama o sinal?",
+  SIGN_UNKNOWN: "A câmera ainda não conhece o sinal “%1”.",
+  SIGN_TO_TEACH:
+    "Ensinem em “Praticar sinais”, ou respondam com o botão quando o programa perguntar.",
+  SIGN_BY_HAND:
+    "Respondam com o botão quando o programa perguntar: só uma turma ensina sinais novos.",
   SET_GESTURE_RESULT: "%1 fazer de conta que o gesto é %2",
-  SET_GESTURE_RESULT_TIP: "Guarda essa letra como se fosse um gesto. Bom para testar sem câmera.",
+  SET_GESTURE_RESULT_TIP: "Guarda esse sinal como se fosse um gesto. Bom para testar sem câmera.",
 
   SAY: "%1 dizer %2",
   SAY_TIP: "Mostra um texto ou um número na tela, para o grupo ler.",

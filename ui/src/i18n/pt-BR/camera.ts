@@ -1,3 +1,5 @@
+import { namedSign } from "./named_sign";
+
 /** The camera that sees signs, and practising them. */
 export const camera = {
   picture: "Imagem da câmera, como num espelho",
@@ -12,11 +14,15 @@ export const camera = {
   either: (one: string, other: string) => `${one} ou ${other}?`,
   orElse: (letter: string) => `ou ${letter}`,
   hold: "Fiquem com a mão parada",
-  sure: (letter: string, share: string) => `Letra ${letter}, ${share} de certeza`,
+  sure: (sign: string, share: string) => `${namedSign(sign)}, ${share} de certeza`,
   steady: "Quanto falta para o sinal valer",
   expected: "O programa espera:",
-  sign: (letter: string) => `Sinal da letra ${letter}`,
-  noDrawing: (letter: string) => `Letra ${letter}, ainda sem desenho`,
+  sign: (sign: string) => `Desenho: ${namedSign(sign)}`,
+  noDrawing: (sign: string) => `${namedSign(sign)}, ainda sem desenho`,
+  hands: {
+    left: "Desenhos da mão esquerda: trocar",
+    right: "Desenhos da mão direita: trocar",
+  },
 };
 
 export const practice = {
@@ -28,7 +34,7 @@ export const practice = {
   hand: "Mão",
   right: "Direita",
   left: "Esquerda",
-  matched: (letter: string) => `É isso! Letra ${letter}.`,
+  matched: (sign: string) => `É isso! ${namedSign(sign)}.`,
   text: "O que vocês escreveram",
   placeholder: "As letras aparecem aqui",
   space: "Espaço",

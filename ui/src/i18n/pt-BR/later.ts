@@ -1,3 +1,5 @@
+import cameraMessages from "../../../../pinel_desktop/messages/catalogue/pt-BR/camera.json";
+import gestureMessages from "../../../../pinel_desktop/messages/catalogue/pt-BR/gestures.json";
 import figures from "../../../../pinel_desktop/messages/catalogue/pt-BR/review.json";
 import type { Catalogue } from "../message";
 import { camera, practice, teaching } from "./camera";
@@ -7,6 +9,8 @@ import { teacher } from "./teacher";
 
 export const later = {
   camera,
+  /** What is wrong with the camera, and with the recording of a sign. */
+  cameraProblems: { ...cameraMessages, ...gestureMessages } as Catalogue,
   exchange,
   /** What each number of the review counts. */
   figures: figures as Catalogue,

@@ -1,3 +1,5 @@
+import { namedSign } from "./named_sign";
+
 /** The first catalogue: its shape is what every other language must have. */
 export const page = {
   /** What the browser calls each screen of `shell/route`. */
@@ -253,7 +255,12 @@ export const page = {
     byHand: "Ou respondam com os botões:",
     none: "Nenhum",
     noneHelp: "Nenhum sinal",
-    letter: (letter: string) => `Letra ${letter}`,
+    answer: namedSign,
+    kinds: "Letras ou sinais da turma",
+    letters: "Letras",
+    signs: (n: number) => `Sinais da turma (${n})`,
+    find: "Procurar sinal",
+    nothing: "Nenhum sinal com esse nome.",
     left: (seconds: string) => `${seconds} s`,
     leftHelp: (seconds: string) => `Faltam ${seconds} segundos`,
   },

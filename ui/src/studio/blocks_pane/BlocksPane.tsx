@@ -7,6 +7,8 @@ import {
   Undo2,
 } from "lucide-preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
+import type { KnownSigns } from "../../blocks/known_signs";
+import { classOfSigns, LETTERS, signNames, signs } from "../../camera/signs";
 import { createEditor, type Editor } from "../../editor";
 import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
@@ -158,6 +160,7 @@ function Workspace({ control }: { control: StudioControl }) {
 
   useEffect(() => editor.current?.setTheme(theme.value), [theme.value]);
   useEffect(() => editor.current?.setLevel(level.value), [level.value]);
+  useEffect(() => editor.current?.setSigns(signsForBlocks()), [signs.value, control]);
 
   useEffect(() => {
     const now = editor.current;
@@ -168,6 +171,12 @@ function Workspace({ control }: { control: StudioControl }) {
   }, [language.value, control]);
 
   return <div class="blocks__editor" ref={container} data-testid={TEST.editor} />;
+}
+
+function signsForBlocks(): KnownSigns | null {
+  if (!signs.value) return null;
+  const named = signNames.value.filter((name) => !LETTERS.includes(name));
+  return { named, hasClass: classOfSigns.value !== null };
 }
 
 function openIn(editor: Editor, { open }: StudioControl): void {

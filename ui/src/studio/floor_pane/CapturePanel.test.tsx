@@ -1,28 +1,46 @@
 import { act, cleanup, fireEvent, render, waitFor } from "@testing-library/preact";
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { changed, hand, seen } from "../../camera/testing/seen";
+import { speak } from "../../i18n";
 import { passesAxe } from "../../kit/testing/control";
 import { TEST } from "../../shell/testids";
 
 const cameraApi = { status: vi.fn(), choose: vi.fn(), wake: vi.fn() };
 vi.mock("../../api/camera", () => ({ cameraApi, previewAddress: () => "" }));
 
+const signsApi = { use: vi.fn() };
+vi.mock("../../api/signs", () => ({ signsApi }));
+
 const { CapturePanel } = await import("./CapturePanel");
+const { SignDrawing } = await import("../../camera/SignDrawing");
+const { chooseSigns, LETTERS } = await import("../../camera/signs");
 const { receive } = await import("../../camera/sight");
 
 const capture = { block: "b", timeoutS: 10, leftS: 7.2 };
 const onAnswer = vi.fn();
 
-beforeEach(() => {
+/** A class that taught these signs. */
+const knows = (...names: string[]) => {
+  const taught = names.map((name) => ({ name, is_letter: false, n_samples: 10, landmarks: HAND }));
+  const letters = LETTERS.map((name) => ({
+    ...{ name, is_letter: true, n_samples: 0, landmarks: null },
+  }));
+  signsApi.use.mockResolvedValue([...letters, ...taught]);
+  return act(() => chooseSigns("c"));
+};
+const HAND = Array.from({ length: 21 }, (_, n) => [n / 20, (n % 5) / 5, 0]);
+
+beforeEach(async () => {
   vi.clearAllMocks();
   cameraApi.status.mockResolvedValue({ state: "on", source: "0", problem: null });
   cameraApi.choose.mockResolvedValue({ state: "opening", source: "1", problem: null });
+  await knows();
   receive(changed("on"));
 });
 afterEach(cleanup);
 
-const draw = () =>
-  render(<CapturePanel capture={capture} expected={["B", "L"]} onAnswer={onAnswer} />);
+const draw = (expected: readonly string[] = ["B", "L"]) =>
+  render(<CapturePanel capture={capture} expected={expected} onAnswer={onAnswer} />);
 
 describe("a program that waits for a sign", () => {
   test("can be answered by hand at once, whatever the camera does", () => {
@@ -73,5 +91,84 @@ describe("a program that waits for a sign", () => {
     fireEvent.change(choice, { target: { value: "1" } });
     await waitFor(() => expect(choice.value).toBe("1"));
     expect(cameraApi.choose).toHaveBeenCalledWith("1");
+  });
+
+  test("can be answered with a sign that the class taught, and with one that only the program knows", async () => {
+    await knows("vai", "7");
+    const { container, getAllByTestId } = draw(["B", "pare"]);
+    const kinds = getAllByTestId(TEST.captureKind);
+    expect(kinds[0]?.getAttribute("aria-selected")).toBe("true");
+    fireEvent.click(kinds[1] as HTMLElement);
+    const answers = getAllByTestId(TEST.captureLetter);
+    expect(answers.map((one) => one.dataset.letter)).toEqual(["vai", "7", "pare", ""]);
+    fireEvent.click(answers[0] as HTMLElement);
+    fireEvent.keyDown(document.body, { key: "7" });
+    expect(onAnswer.mock.calls).toEqual([["vai"], ["7"]]);
+    await passesAxe(container);
+  });
+
+  test("begins with the signs of the class where the program expects no letter", async () => {
+    await knows("vai");
+    const { getAllByTestId, findAllByTestId } = draw(["vai"]);
+    expect(getAllByTestId(TEST.captureLetter).map((one) => one.dataset.letter)).toEqual([
+      "vai",
+      "",
+    ]);
+    const [expected] = await findAllByTestId(TEST.expectedSign);
+    expect(expected?.querySelectorAll("path").length).toBeGreaterThan(10);
+    fireEvent.click(expected as HTMLElement);
+    expect(onAnswer).toHaveBeenCalledWith("vai");
+  });
+
+  test("has a drawing for what the class taught, and its name where there is none", async () => {
+    await knows("vai");
+    const { findAllByTestId } = draw(["vai", "bom dia"]);
+    const [taught, unknown] = await findAllByTestId(TEST.expectedSign);
+    expect(taught?.querySelector("svg path")).toBeTruthy();
+    expect(unknown?.querySelector("svg")).toBeNull();
+    expect(unknown?.textContent).toBe("bom dia");
+    const { container } = render(<SignDrawing sign="bom dia" />);
+    expect([...container.querySelectorAll("text")].map((one) => one.textContent)).toEqual([
+      ...["bom", "dia"],
+    ]);
+  });
+
+  test("finds one of many signs by its name, and answers it with Enter", async () => {
+    await knows(...Array.from({ length: 58 }, (_, n) => `sinal ${n}`), "coração", "cor");
+    const { getAllByTestId, getByTestId } = draw(["cor"]);
+    const field = getByTestId(TEST.captureFind);
+    fireEvent.keyDown(field, { key: "Enter" });
+    fireEvent.input(field, { target: { value: "CORAÇ" } });
+    expect(getAllByTestId(TEST.captureLetter).map((one) => one.dataset.letter)).toEqual([
+      ...["", "coração"],
+    ]);
+    fireEvent.keyDown(field, { key: "Enter" });
+    expect(onAnswer.mock.calls).toEqual([["coração"]]);
+  });
+
+  test("turns its drawings to the hand that is seen, or chosen", async () => {
+    const { findByTestId, findAllByTestId } = draw();
+    const path = async () => {
+      const [first] = await findAllByTestId(TEST.expectedSign);
+      return first?.querySelector("path")?.getAttribute("d");
+    };
+    const right = await path();
+    act(() => {
+      for (let n = 0; n < 4; n++) receive(seen(hand({ handedness: "left" })));
+    });
+    expect(await path()).not.toBe(right);
+    fireEvent.click(await findByTestId(TEST.drawnHand));
+    expect(await path()).toBe(right);
+  });
+
+  test("says what is wrong with the camera in the language of the page", async () => {
+    const { findByTestId } = draw();
+    await findByTestId(TEST.reading);
+    act(() => receive(changed("failed", "camera_missing")));
+    const trouble = await findByTestId(TEST.cameraTrouble);
+    expect(trouble.textContent).toContain("A câmera 1 não foi encontrada.");
+    await act(() => speak("en"));
+    expect(trouble.textContent).toContain("Camera 1");
+    await act(() => speak("pt-BR"));
   });
 });

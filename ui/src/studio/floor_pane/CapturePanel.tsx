@@ -1,13 +1,13 @@
 import { Hand } from "lucide-preact";
 import { useLayoutEffect } from "preact/hooks";
 import { hasPicture, wake } from "../../camera/sight";
-import { LETTERS, listenForLetters } from "../../camera/signs";
+import { listenForSigns } from "../../camera/signs";
 import { language, texts } from "../../i18n";
 import { decimal } from "../../i18n/format";
-import { Button } from "../../kit/Button";
 import type { Capture } from "../../run/reducer";
 import { fetchPart, later } from "../../shell/later";
 import { TEST } from "../../shell/testids";
+import { SignAnswers } from "./SignAnswers";
 
 const load = async () => (await import("./CaptureCamera")).CaptureCamera;
 const CaptureCamera = later(load);
@@ -29,7 +29,7 @@ interface CapturePanelProps {
 /** The program waits for a sign: the camera sees it, or the group says which one it was. */
 export function CapturePanel({ capture, expected, onAnswer }: CapturePanelProps) {
   const words = texts.value.capture;
-  useLayoutEffect(() => listenForLetters(onAnswer));
+  useLayoutEffect(() => listenForSigns(onAnswer));
   return (
     <section
       class={`capture ${hasPicture.value ? "capture--camera" : ""}`}
@@ -37,18 +37,8 @@ export function CapturePanel({ capture, expected, onAnswer }: CapturePanelProps)
       data-testid={TEST.capture}
     >
       <Head capture={capture} />
-      <CaptureCamera expected={expected} />
-      <p class="capture__by-hand">{words.byHand}</p>
-      <div class="capture__letters">
-        {LETTERS.map((letter) => (
-          <Answer key={letter} result={letter} label={words.letter(letter)} onAnswer={onAnswer}>
-            {letter}
-          </Answer>
-        ))}
-        <Answer result="" label={words.noneHelp} onAnswer={onAnswer}>
-          {words.none}
-        </Answer>
-      </div>
+      <CaptureCamera expected={expected} onAnswer={onAnswer} />
+      <SignAnswers expected={expected} onAnswer={onAnswer} />
     </section>
   );
 }
@@ -70,26 +60,5 @@ function Head({ capture: { leftS, timeoutS } }: { capture: Capture }) {
         <div style={{ width: `${(100 * leftS) / timeoutS}%` }} />
       </div>
     </>
-  );
-}
-
-interface AnswerProps {
-  result: string;
-  label: string;
-  children: string;
-  onAnswer(result: string): void;
-}
-
-function Answer({ result, label, children, onAnswer }: AnswerProps) {
-  return (
-    <Button
-      class={`capture__letter ${result === "" ? "capture__none" : ""}`}
-      label={label}
-      testId={TEST.captureLetter}
-      data-letter={result}
-      onPress={() => onAnswer(result)}
-    >
-      {children}
-    </Button>
   );
 }

@@ -1,0 +1,145 @@
+import { useSignal } from "@preact/signals";
+import { LETTERS, signNames } from "../../camera/signs";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { rove } from "../../kit/roving";
+import { Tabs } from "../../kit/Tabs";
+import { TEST } from "../../shell/testids";
+
+/** With more signs than these one looks for them by name. */
+const MOST_AT_A_GLANCE = 12;
+
+interface SignAnswersProps {
+  /** The signs that the program compares the answer with. */
+  expected: readonly string[];
+  onAnswer(result: string): void;
+}
+
+/** A button for every answer: letters, signs that the class taught, signs that only the program knows, none. */
+export function SignAnswers({ expected, onAnswer }: SignAnswersProps) {
+  const words = texts.value.capture;
+  const others = [...new Set([...signNames.value, ...expected])].filter(
+    (name) => !LETTERS.includes(name),
+  );
+  const first = expected.length > 0 && expected.every((name) => others.includes(name));
+  const shown = useSignal<"letters" | "signs">(first ? "signs" : "letters");
+  const kinds = [
+    ["letters", words.letters],
+    ["signs", words.signs(others.length)],
+  ] as const;
+  const hasSigns = others.length > 0;
+  return (
+    <>
+      <div class="capture__by-hand">
+        <p>{words.byHand}</p>
+        {hasSigns && (
+          <Tabs
+            label={words.kinds}
+            value={shown.value}
+            options={kinds}
+            testId={TEST.captureKind}
+            onChange={(kind) => {
+              shown.value = kind;
+            }}
+          />
+        )}
+      </div>
+      {hasSigns && shown.value === "signs" ? (
+        <Signs names={others} onAnswer={onAnswer} />
+      ) : (
+        <div class="capture__letters">
+          {LETTERS.map((letter) => (
+            <Answer key={letter} result={letter} onAnswer={onAnswer} />
+          ))}
+          <None onAnswer={onAnswer} />
+        </div>
+      )}
+    </>
+  );
+}
+
+interface SignsProps {
+  names: readonly string[];
+  onAnswer(result: string): void;
+}
+
+/** One stop of the Tab key; arrow keys go from sign to sign. Enter answers the first that was found. */
+function Signs({ names, onAnswer }: SignsProps) {
+  const words = texts.value.capture;
+  const wanted = useSignal("");
+  const found = names.filter((name) => folded(name).includes(folded(wanted.value)));
+  const isLong = names.length > MOST_AT_A_GLANCE;
+  const answerFirst = (event: KeyboardEvent) => {
+    if (event.key === "Enter" && wanted.value.trim() && found[0]) onAnswer(found[0]);
+  };
+  return (
+    <>
+      {isLong && (
+        <div class="capture__find">
+          <input
+            type="search"
+            class="field"
+            aria-label={words.find}
+            placeholder={words.find}
+            autocomplete="off"
+            spellcheck={false}
+            data-testid={TEST.captureFind}
+            onInput={(event) => {
+              wanted.value = event.currentTarget.value;
+            }}
+            onKeyDown={answerFirst}
+          />
+          <None onAnswer={onAnswer} />
+        </div>
+      )}
+      <fieldset class="capture__signs" aria-label={words.signs(found.length)} onKeyDown={rove}>
+        {found.map((name, at) => (
+          <Answer key={name} result={name} tabIndex={at === 0 ? 0 : -1} onAnswer={onAnswer} />
+        ))}
+        {!isLong && <None onAnswer={onAnswer} />}
+        {found.length === 0 && <p class="capture__nothing">{words.nothing}</p>}
+      </fieldset>
+    </>
+  );
+}
+
+function folded(text: string): string {
+  return text.trim().normalize("NFD").replace(/\p{M}/gu, "").toLowerCase();
+}
+
+interface AnswerProps {
+  result: string;
+  /** Where one of several is a stop of the Tab key. */
+  tabIndex?: number;
+  onAnswer(result: string): void;
+}
+
+function Answer({ result, tabIndex, onAnswer }: AnswerProps) {
+  return (
+    <Button
+      class="capture__letter"
+      label={texts.value.capture.answer(result)}
+      testId={TEST.captureLetter}
+      data-letter={result}
+      {...(tabIndex === undefined ? {} : { tabIndex, "data-rove": "" })}
+      onPress={() => onAnswer(result)}
+    >
+      {result}
+    </Button>
+  );
+}
+
+function None({ onAnswer }: Pick<AnswerProps, "onAnswer">) {
+  const words = texts.value.capture;
+  return (
+    <Button
+      class="capture__letter capture__none"
+      label={words.noneHelp}
+      testId={TEST.captureLetter}
+      data-letter=""
+      onPress={() => onAnswer("")}
+    >
+      {words.none}
+    </Button>
+  );
+}
