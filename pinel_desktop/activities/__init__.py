@@ -2,7 +2,8 @@
 
 from pinel_desktop.activities.batch import check_files
 from pinel_desktop.activities.checking import Report, check_program
-from pinel_desktop.activities.faults import ActivityError
+from pinel_desktop.activities.faults import ActivityError, world_of
+from pinel_desktop.activities.goals import Goal, goal_of, shipped_goal
 from pinel_desktop.activities.model import Activity
 from pinel_desktop.activities.reading import (
     PATHS,
@@ -18,13 +19,17 @@ __all__ = [
     "PATHS",
     "Activity",
     "ActivityError",
+    "Goal",
     "Report",
     "activity_names",
     "activity_titles",
     "check_files",
     "check_program",
     "choose_activity",
+    "goal_of",
+    "shipped_goal",
     "shipped_texts",
     "solution_of",
+    "world_of",
     "world_title",
 ]

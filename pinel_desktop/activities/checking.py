@@ -68,19 +68,24 @@ def check_program(activity: Activity, reading: Reading, program: str = "") -> Re
     return Report(program, (), tuple(_case(activity, case, reading) for case in activity.cases))
 
 
-def _case(activity: Activity, case: Case, reading: Reading) -> CaseReport:
+def spec_of(activity: Activity, case: Case, reading: Reading) -> RunSpec:
+    """The run of a program without faults in a case. Raises what `world_of` raises."""
     assert reading.program is not None
     assert reading.document is not None
-    document = world_of(activity, case)
-    spec = RunSpec(
+    return RunSpec(
         document=reading.document,
-        world=document,
+        world=world_of(activity, case),
         setting=Setting(activity.model, activity.preset, activity.feedback),
         seed=case.seed,
         inputs=ScriptedInputs(case.gestures, case.answers),
         program=reading.program,
     )
-    observed = RunObserver(world_from_document(document))
+
+
+def _case(activity: Activity, case: Case, reading: Reading) -> CaseReport:
+    assert reading.document is not None
+    spec = spec_of(activity, case, reading)
+    observed = RunObserver(world_from_document(world_of(activity, case)))
     control, last_tick = RunControl(), round(activity.limit_s * TICK_HZ)
 
     def observe(tick: int, event: Event) -> None:

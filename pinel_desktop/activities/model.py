@@ -128,6 +128,8 @@ class Activity(Model):
         question: asked by the teacher afterwards.
         diagnoses: what is said about a run that does not pass.
         solution: a program that passes, as a document.
+        shows_path: whether the picture of the goal shows what the solution drives. Without it the pupils see where to
+            go, and find the way themselves.
     """
 
     pinel_activity: Annotated[Literal[1, 2], BeforeValidator(_number)]
@@ -151,6 +153,7 @@ class Activity(Model):
     checks: list[Check] = Field(default_factory=list, max_length=MOST)
     diagnoses: list[Diagnosis] = Field(default_factory=list, max_length=MOST)
     solution: dict[str, Any] | None = None
+    shows_path: bool = True
 
 
 # the keys of an activity in format 1, whose cases have no `start`

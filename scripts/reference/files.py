@@ -4,6 +4,7 @@ from pathlib import Path
 
 from scripts.reference import database, events_page, http_page, language_tables, schemas
 from scripts.reference.declared import declared
+from scripts.reference.goals import goals
 from scripts.reference.sensor_rows import sensor_rows
 
 _TABLES = {
@@ -35,6 +36,7 @@ def files(root: Path) -> dict[str, str]:
         "ui/src/blocks/table/sensor_rows.ts": sensor_rows(),
         "docs/http-api.md": http_page.text(),
         "docs/events.md": events_page.text(),
+        **goals(),
         **pages,
     }
 

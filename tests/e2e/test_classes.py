@@ -152,6 +152,12 @@ def test_pupils_see_the_lesson_that_the_teacher_opened(
     studio.enter_group("Os Tatus")
     expect(studio["lesson-chip"]).to_contain_text("Quadrados")
     expect(studio["lesson-chip"]).to_contain_text("Um quadrado de 1 m")
+    studio["show-goal"].click()
+    expect(studio["lesson-goal"]).to_contain_text("Um quadrado de 1 m")
+    expect(studio["lesson-goal"].locator("svg .goal__line")).to_be_in_viewport()
+    assert violations(studio) == []
+    studio.page.keyboard.press("Escape")
+    expect(studio["lesson-goal"]).to_have_count(0)
 
     teacher = open_studio()
     teacher["teacher-link"].click()
@@ -162,6 +168,15 @@ def test_pupils_see_the_lesson_that_the_teacher_opened(
     studio.page.reload()
     studio.wait_until_open()
     expect(studio["lesson-chip"]).to_have_count(0)
+
+
+def test_the_teacher_sees_the_goal_of_an_activity_before_opening_it(studio: Studio) -> None:
+    prepare(studio)
+    to_part(studio, "lessons")
+    expect(studio["lesson-goal"]).to_have_count(0)
+    studio["lesson-activity"].select_option("b_or_a")
+    expect(studio["lesson-goal"].locator(".goal__letter")).to_have_text(["B", "A"])
+    assert violations(studio) == []
 
 
 def test_a_lesson_that_is_opened_while_a_group_works_is_shown_before_its_run_is_judged(

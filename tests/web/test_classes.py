@@ -97,14 +97,23 @@ def test_a_lesson_is_opened_changed_joined_and_closed(
 
 
 def test_activities_have_titles_in_the_page_s_language(browser: Browser) -> None:
-    titles = {
-        one["name"]: one["title"] for one in browser.get("/api/activities").data["activities"]
-    }
-    assert titles["square"] == "A square of 1 m"
+    assert activities(browser)["square"]["title"] == "A square of 1 m"
     browser.put("/api/settings", {"language": "pt-BR"})
-    assert {"name": "square", "title": "Um quadrado de 1 m"} in browser.get("/api/activities").data[
-        "activities"
-    ]
+    assert activities(browser)["square"]["title"] == "Um quadrado de 1 m"
+
+
+def test_activities_have_a_picture_of_their_goal(browser: Browser) -> None:
+    pictures = {name: one["goal_picture"] for name, one in activities(browser).items()}
+    assert pictures["maze"]["world"]["name"] == "maze"
+    assert pictures["maze"]["zones"] == ["meta"]
+    assert pictures["maze"]["lines"] == []  # the pupils find the way themselves
+    assert [line["sign"] for line in pictures["b_or_a"]["lines"]] == ["B", "A"]
+    assert pictures["square"]["lines"][0]["points"][1] == [1.0, 0.0]
+    assert pictures["pushing"]["boxes"] == {"0": [3.0, 0.0, 0.0]}
+
+
+def activities(browser: Browser) -> dict[str, Any]:
+    return {one["name"]: one for one in browser.get("/api/activities").data["activities"]}
 
 
 def test_a_program_goes_into_the_bin_and_comes_back(

@@ -6,12 +6,13 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.web.api import TEACHER, WRITES, answers, resource
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.classes import (
+    ActivityChoice,
     ActivityList,
-    ActivityTitle,
     Classroom,
     ClassroomList,
     ClassroomName,
     CurrentLesson,
+    GoalPicture,
     Lesson,
     LessonChanges,
     LessonList,
@@ -97,8 +98,21 @@ def list_activities() -> Response:
 
     titles = activity_titles(services().preferences.language).items()
     return answer(
-        ActivityList(activities=[ActivityTitle(name=name, title=title) for name, title in titles])
+        ActivityList(
+            activities=[
+                ActivityChoice(name=name, title=title, goal_picture=_goal_picture(name))
+                for name, title in titles
+            ]
+        )
     )
+
+
+def _goal_picture(activity: str) -> GoalPicture:
+    from pinel_desktop.activities import choose_activity, shipped_goal, world_of  # noqa: PLC0415 - heavy
+
+    chosen = choose_activity(activity)
+    goal = shipped_goal(activity).model_dump()
+    return GoalPicture.model_validate({"world": world_of(chosen, chosen.cases[0]), **goal})
 
 
 def _lesson(row: LessonRow) -> Lesson:

@@ -50,7 +50,7 @@ function Robot({ at: [x, y] }: { at: readonly [number, number] }) {
 }
 
 /** Nothing has been driven yet: the robot stands at the start pose. */
-function WaitingRobot({ at: [x, y] }: { at: readonly [number, number] }) {
+export function WaitingRobot({ at: [x, y] }: { at: readonly [number, number] }) {
   return (
     <g class="path-picture__waiting" transform={`translate(${x} ${y})`}>
       <rect x="-5" y="-14" width="14" height="5" rx="2" />

@@ -66,11 +66,7 @@ export function Scene({ world, view, poseAt, companion, hold, playing }: ScenePr
       effect(() => scene.setMovable(hold?.grip.value.isAtStart ?? false)),
       effect(() => scene.setRanges(hold?.ranges.value ?? null)),
       effect(() => scene.setCompanion(companion?.value ?? null)),
-      showBeeps(
-        view,
-        () => playing?.value === false,
-        (n) => scene.setBeep(n > 0 ? texts.peek().show.beeps(n) : ""),
-      ),
+      showBeepSign(scene, view, playing),
       showMeasure(scene, tools),
       listenToPointer({
         element,
@@ -155,6 +151,15 @@ function MeasureHint({ tools }: { tools: SceneTools }) {
       {words || scene[tool === "ruler" ? "rulerHint" : "protractorHint"]}
     </output>
   );
+}
+
+function showBeepSign(
+  scene: SceneRenderer,
+  view: SceneProps["view"],
+  playing: SceneProps["playing"],
+): () => void {
+  const isStill = () => playing?.value === false;
+  return showBeeps(view, isStill, (n) => scene.setBeep(n > 0 ? texts.peek().show.beeps(n) : ""));
 }
 
 function showMeasure(scene: SceneRenderer, tools: SceneTools): () => void {

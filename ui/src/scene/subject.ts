@@ -21,22 +21,27 @@ export function subjectOf(
   const start = startOf(world);
   const box: Box = { left: start.x, right: start.x, bottom: start.y, top: start.y };
   include(box, start.x, start.y, AROUND_START);
-  for (const thing of world?.boxes ?? []) {
+  if (world) includeThings(box, world);
+  includePath(box, start, view.path);
+  if (companion) includePath(box, startOf(companion.world), companion.view.path);
+  return inside(box, room);
+}
+
+/** Includes everything that stands in a room or is marked on its floor. */
+export function includeThings(box: Box, world: World): void {
+  for (const thing of world.boxes) {
     const [x, y] = thing.center;
     include(box, x ?? 0, y ?? 0, Math.hypot(...thing.size) / 2);
   }
-  for (const area of [...(world?.zones ?? []), ...(world?.floor ?? [])]) {
+  for (const area of [...world.zones, ...world.floor]) {
     const [x, y] = area.center;
     const reach = area.radius ?? Math.hypot(...(area.size ?? [])) / 2;
     include(box, x ?? 0, y ?? 0, reach);
   }
-  for (const wall of world?.walls ?? []) {
-    if (isOuter(wall, room)) continue;
+  for (const wall of world.walls) {
+    if (isOuter(wall, roomOf(world))) continue;
     for (const [x, y] of [wall.from, wall.to]) include(box, x ?? 0, y ?? 0);
   }
-  includePath(box, start, view.path);
-  if (companion) includePath(box, startOf(companion.world), companion.view.path);
-  return inside(box, room);
 }
 
 function includePath(box: Box, start: StartPose, path: Trail): void {

@@ -58,6 +58,8 @@ export const TEST = {
   makeGroup: "make-group",
   lessonTitle: "lesson-title",
   lessonActivity: "lesson-activity", // a select
+  lessonGoal: "lesson-goal", // picture of the activity's goal
+  showGoal: "show-goal", // in the header, shows it large
   openLesson: "open-lesson",
   lessonNow: "lesson-now",
   closeLesson: "close-lesson",
@@ -122,6 +124,8 @@ export const TEST = {
   drawnHand: "drawn-hand", // data-hand
   captureLetter: "capture-letter", // of each; data-letter, "" for none
   cameraPicture: "camera-picture", // data-state: off | opening | on | failed
+  cameraReady: "camera-ready", // data-ready
+  cameraPoint: "camera-point", // data-name, data-finding
   cameraTrouble: "camera-trouble", // data-code
   cameraChoice: "camera-choice", // a select: 0, 1, 2
   reading: "reading", // data-kind: blind | no hand | no letter | two signs | unsure | sure

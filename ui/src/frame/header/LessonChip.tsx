@@ -4,6 +4,7 @@ import { language, texts } from "../../i18n";
 import { isRunning } from "../../run/live";
 import { group } from "../../shell/session";
 import { TEST } from "../../shell/testids";
+import { LessonGoal } from "./LessonGoal";
 import { lesson, loadOpenLesson } from "./lesson";
 
 /** The teacher may open a lesson in another window while the group is at work. */
@@ -26,9 +27,13 @@ export function LessonChip() {
   if (!now) return null;
   const whole = [texts.value.classes.lesson(now.title), now.activity].filter(Boolean).join(" · ");
   return (
-    <p class="lesson-chip" title={whole} data-testid={TEST.lessonChip}>
-      <BookOpen class="icon" aria-hidden="true" />
-      <span class="lesson-chip__words">
+    <div class="lesson-chip" title={whole} data-testid={TEST.lessonChip}>
+      {now.goal ? (
+        <LessonGoal activity={now.activity} goal={now.goal} />
+      ) : (
+        <BookOpen class="icon" aria-hidden="true" />
+      )}
+      <p class="lesson-chip__words">
         <span class="lesson-chip__title" data-shortened>
           {now.title}
         </span>
@@ -37,7 +42,7 @@ export function LessonChip() {
             {now.activity}
           </span>
         )}
-      </span>
-    </p>
+      </p>
+    </div>
   );
 }

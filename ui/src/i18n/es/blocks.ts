@@ -143,7 +143,7 @@ export const blocks: typeof first = {
   SAY_TIP: "Muestra un texto o un número en la pantalla, para que el grupo lo lea.",
   HELLO: "¡Hola!",
   BEEP: "%1 pitar",
-  BEEP_TIP: "El robot hace un pitido, que también se ve en el suelo a su lado.",
+  BEEP_TIP: "El robot hace un pitido, que también se ve en el piso a su lado.",
   PEN_DOWN: "%1 bajar el lápiz: %2",
   PEN_DOWN_TIP: "Desde aquí el robot dibuja en el piso con ese color.",
   PEN_UP: "%1 levantar el lápiz %2",

@@ -1,17 +1,18 @@
 import { BookOpen, Square } from "lucide-preact";
 import { classesApi } from "../../api/classes";
-import type { ActivityTitle, Lesson } from "../../api/model";
+import type { ActivityChoice, Lesson } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { useAct } from "../../kit/requests/act";
 import { FaultLine } from "../../kit/requests/FaultLine";
+import { GoalPicture } from "../../scene/goal/GoalPicture";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 import { TEST } from "../../shell/testids";
 import { dateAndTime } from "../time_words";
 
 interface LessonNowProps {
   lesson: Lesson;
-  activities: readonly ActivityTitle[];
+  activities: readonly ActivityChoice[];
   onClosed(): Promise<void>;
 }
 
@@ -27,7 +28,13 @@ export function LessonNow({ lesson, activities, onClosed }: LessonNowProps) {
   };
   return (
     <div class="lesson-now" data-testid={TEST.lessonNow}>
-      <BookOpen class="icon lesson-now__icon" aria-hidden="true" />
+      {activity ? (
+        <div class="lesson-goal">
+          <GoalPicture goal={activity.goal_picture} />
+        </div>
+      ) : (
+        <BookOpen class="icon lesson-now__icon" aria-hidden="true" />
+      )}
       <p class="lesson-now__words">
         <span>
           {say.now} · {since}

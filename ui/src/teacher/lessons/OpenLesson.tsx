@@ -2,7 +2,7 @@ import { Play } from "lucide-preact";
 import { useState } from "preact/hooks";
 import { classesApi } from "../../api/classes";
 import { STORE_LIMITS } from "../../api/declared";
-import type { ActivityTitle } from "../../api/model";
+import type { ActivityChoice } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { Field } from "../../kit/Field";
@@ -10,13 +10,14 @@ import { Form } from "../../kit/Form";
 import { useAct } from "../../kit/requests/act";
 import { FaultLine } from "../../kit/requests/FaultLine";
 import { Select, type SelectOption } from "../../kit/Select";
+import { GoalPicture } from "../../scene/goal/GoalPicture";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 import { TEST } from "../../shell/testids";
 import { useDraft } from "../useDraft";
 
 interface OpenLessonProps {
   classroom: string;
-  activities: readonly ActivityTitle[];
+  activities: readonly ActivityChoice[];
   /** Another lesson is open; opening this one closes it. */
   another: boolean;
   onOpened(): Promise<void>;
@@ -29,6 +30,7 @@ export function OpenLesson({ classroom, activities, another, onOpened }: OpenLes
   const { busy, fault, act, refuse, clear } = useAct(asTeacher);
   const { draft, field, reset } = useDraft({ title: "" }, clear);
   const options = activities.map(({ name, title }): SelectOption<string> => [name, title]);
+  const goal = activities.find(({ name }) => name === activity)?.goal_picture;
   const open = async () => {
     await classesApi.openLesson(classroom, { title: draft.title, activity: activity || null });
     await onOpened();
@@ -61,6 +63,11 @@ export function OpenLesson({ classroom, activities, another, onOpened }: OpenLes
           {say.go}
         </Button>
       </div>
+      {goal && (
+        <div class="lesson-goal" data-testid={TEST.lessonGoal}>
+          <GoalPicture goal={goal} label={texts.value.activity.goal} />
+        </div>
+      )}
       <FaultLine fault={fault} />
       <p class="labelled__hint">{say.same}</p>
     </Form>

@@ -1,0 +1,18 @@
+robot.classify_gestures(timeout=10)
+if robot.gesture_result == "B":
+    robot.move_forward(1.0)
+    robot.turn(-90)
+    robot.move_forward(1.0)
+    robot.turn(-90)
+    robot.move_forward(1.0)
+    robot.turn(-90)
+    robot.move_forward(1.0)
+    robot.turn(-90)
+robot.classify_gestures(timeout=10)
+if robot.gesture_result == "A":
+    robot.move_forward(1.0)
+    robot.turn(120)
+    robot.move_forward(1.0)
+    robot.turn(120)
+    robot.move_forward(1.0)
+    robot.turn(120)

@@ -1,0 +1,140 @@
+"""The goal of an activity as data for a picture: what its solution drives or draws, and where it has to get."""
+
+from functools import cache
+from importlib import resources
+
+from pydantic import BaseModel, ConfigDict
+
+from pinel_desktop.activities import check_kinds
+from pinel_desktop.activities.checking import spec_of
+from pinel_desktop.activities.faults import world_of
+from pinel_desktop.activities.model import Activity, Case
+from pinel_desktop.events.model import Event, Pen, Telemetry, Things
+from pinel_desktop.program.reading import Reading
+from pinel_desktop.robot import Pose2D
+from pinel_desktop.runs.start import start
+from sim.world import world_from_document
+from storage.runs.simplify_path import outline_of_trail
+
+GOAL_FILE = "goal.json"
+_DECIMALS = 2
+
+Place = tuple[float, float, float]
+
+
+class _Model(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class GoalLine(_Model):
+    """What the robot drives, or draws where the solution has a pen.
+
+    Attributes:
+        sign: the sign that it answers; None for a case without a sign, or with several.
+        color: of the pen; None for a path.
+        points: x and y in m, world frame.
+    """
+
+    sign: str | None
+    color: str | None
+    points: list[tuple[float, float]]
+
+
+class Goal(_Model):
+    """What to draw on the activity's world.
+
+    Attributes:
+        zones: names of the zones that count, in their order.
+        boxes: x and y in m and yaw in rad, world frame, at the end; of boxes that were pushed, by their index.
+    """
+
+    lines: list[GoalLine]
+    zones: list[str]
+    boxes: dict[str, Place]
+
+
+@cache
+def shipped_goal(name: str) -> Goal:
+    """The goal of a shipped activity, as `python -m scripts.reference` has made it."""
+    file = resources.files(__name__.rpartition(".")[0]) / "catalogue" / name / GOAL_FILE
+    return Goal.model_validate_json(file.read_text("utf-8"))
+
+
+def goal_of(activity: Activity, solution: Reading | None) -> Goal:
+    """Runs a program that passes the activity and keeps what it does; without one the zones are the goal.
+
+    Cases of a single sign are drawn each, because cases of several only repeat these; otherwise the first case is.
+    """
+    signed = [case for case in activity.cases if _sign(case)]
+    cases = (signed or activity.cases[:1]) if solution else []
+    drives = [_Drive(activity, case, solution) for case in cases if solution]
+    lines = [line for drive in drives for line in drive.lines()]
+    boxes = drives[0].boxes if drives else {}
+    return Goal(lines=lines if activity.shows_path else [], zones=_zones(activity), boxes=boxes)
+
+
+class _Drive:
+    """One case of the activity, driven."""
+
+    def __init__(self, activity: Activity, case: Case, solution: Reading) -> None:
+        self.boxes: dict[str, Place] = {}
+        self._sign = _sign(case)
+        self._start = Pose2D(*world_from_document(world_of(activity, case)).start)
+        self._pose = self._start
+        self._path = self._begun()
+        self._strokes: list[tuple[str, list[float]]] = []
+        self._is_down = False
+        start(spec_of(activity, case, solution), self._observe)
+
+    def lines(self) -> list[GoalLine]:
+        """The strokes of the pen; the path where nothing was drawn."""
+        if not self._strokes:
+            return [self._line(None, self._path)]
+        return [self._line(color, trail) for color, trail in self._strokes]
+
+    def _line(self, color: str | None, trail: list[float]) -> GoalLine:
+        return GoalLine(sign=self._sign, color=color, points=_points(trail))
+
+    def _observe(self, _tick: int, event: Event) -> None:
+        if type(event) is Telemetry:
+            self._drive_to(self._start.compose(Pose2D(event.x_m, event.y_m)))
+        elif type(event) is Pen:
+            self._is_down = event.down
+            if event.down:
+                self._strokes.append((event.color, self._begun()))
+        elif type(event) is Things:
+            for index, (x, y, yaw) in event.boxes.items():
+                self.boxes[index] = (_rounded(x), _rounded(y), _rounded(yaw))
+
+    def _begun(self) -> list[float]:
+        return [self._pose.x_m, self._pose.y_m]
+
+    def _drive_to(self, pose: Pose2D) -> None:
+        self._pose = pose
+        self._path += self._begun()
+        if self._is_down:
+            self._strokes[-1][1].extend(self._begun())
+
+
+def _sign(case: Case) -> str | None:
+    signs = [sign for sign in case.gestures if sign]
+    return signs[0] if len(signs) == 1 else None
+
+
+def _points(trail: list[float]) -> list[tuple[float, float]]:
+    return [(_rounded(x), _rounded(y)) for x, y in outline_of_trail(trail)]
+
+
+def _rounded(value: float) -> float:
+    return round(value, _DECIMALS) + 0.0  # no -0.0
+
+
+def _zones(activity: Activity) -> list[str]:
+    named: list[str] = []
+    for check in (*activity.checks, *(one for case in activity.cases for one in case.checks)):
+        match check:
+            case check_kinds.EndsIn() | check_kinds.Marks() | check_kinds.Pushed():
+                named.append(check.zone)
+            case check_kinds.Visits():
+                named += check.zones
+    return list(dict.fromkeys(named))

@@ -1,0 +1,54 @@
+import { useSignal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import type { GoalPicture as Goal } from "../../api/model";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { listen } from "../../kit/listen";
+import { later } from "../../shell/later";
+import { TEST } from "../../shell/testids";
+
+const GoalPicture = later(async () => (await import("../../scene/goal/GoalPicture")).GoalPicture);
+
+interface LessonGoalProps {
+  activity: string;
+  goal: Goal;
+}
+
+/** The goal of the lesson's activity: small in the header, and large under it when pressed. */
+export function LessonGoal({ activity, goal }: LessonGoalProps) {
+  const { goal: label, showGoal } = texts.value.activity;
+  const open = useSignal(false);
+  const place = useRef<HTMLDivElement>(null);
+  const close = () => {
+    open.value = false;
+  };
+  useEffect(() => {
+    if (!open.value) return;
+    return listen(window, {
+      keydown: ({ key }) => key === "Escape" && close(),
+      pointerdown: ({ target }) => !place.current?.contains(target as Node) && close(),
+    });
+  }, [open.value]);
+  return (
+    <div class="lesson-goal-chip" ref={place}>
+      <Button
+        kind="bare"
+        class="lesson-goal-chip__button"
+        label={`${showGoal}: ${activity}`}
+        open={open.value}
+        testId={TEST.showGoal}
+        onPress={() => {
+          open.value = !open.value;
+        }}
+      >
+        <GoalPicture goal={goal} />
+      </Button>
+      {open.value && (
+        <figure class="lesson-goal-chip__large card" data-testid={TEST.lessonGoal}>
+          <GoalPicture goal={goal} label={label} />
+          <figcaption>{activity}</figcaption>
+        </figure>
+      )}
+    </div>
+  );
+}
