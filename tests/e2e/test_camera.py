@@ -222,3 +222,31 @@ def test_sixty_signs_of_a_class_leave_nothing_cut_off(
     field.press("Enter")
     studio.wait_for_phase("finished")
     assert studio.number("pose-x") == pytest.approx(0.2, abs=0.001)
+
+
+def test_the_teacher_tries_the_camera_which_is_off_again_afterwards(studio: Studio) -> None:
+    studio.tell("PUT", "/teacher/pin", {"pin": "2468"})
+    studio.page.goto(f"{studio.origin}/#/teacher/camera")
+    studio.page.reload()
+    expect(studio["camera-ready"]).to_have_attribute("data-ready", "true", timeout=CAMERA_MS)
+    points = studio["camera-point"].all()
+    assert [point.get_attribute("data-finding") for point in points] == ["good"] * 4
+    expect(studio["camera-point"].last).to_have_text("Sinal visto: B")
+    assert violations(studio) == []
+    for width, height in SCREENS:
+        studio.page.set_viewport_size({"width": width, "height": height})
+        assert cut(studio.page) == [], f"{width} x {height}"
+    assert studio.api("/camera")["state"] == "on"
+    studio.page.goto(f"{studio.origin}/#/teacher/lessons")
+    studio.eventually(lambda: studio.api("/camera")["state"], "off")
+
+
+@pytest.mark.parametrize("camera", [NO_CAMERA])
+def test_the_teacher_is_told_that_there_is_no_camera_and_what_to_do(studio: Studio) -> None:
+    studio.tell("PUT", "/teacher/pin", {"pin": "2468"})
+    studio.page.goto(f"{studio.origin}/#/teacher/camera")
+    studio.page.reload()
+    expect(studio["camera-trouble"]).to_contain_text("Liguem o cabo", timeout=CAMERA_MS)
+    expect(studio["camera-ready"]).to_have_attribute("data-ready", "false")
+    expect(studio["camera-point"].first).to_have_attribute("data-finding", "missing")
+    assert violations(studio) == []

@@ -16,6 +16,7 @@ import "./versions/versions.css";
 import "./versions/differences.css";
 import "./teacher/teacher.css";
 import "./teacher/lessons/lessons.css";
+import "./teacher/camera/camera.css";
 import "./teacher/exchange/exchange.css";
 import "./teacher/review/parts.css";
 import "./teacher/review/runs/runs.css";

@@ -1,8 +1,9 @@
-import { BookOpen, Monitor, Usb, UsersRound } from "lucide-preact";
+import { BookOpen, Camera, Monitor, Usb, UsersRound } from "lucide-preact";
 import { texts } from "../i18n";
 import { Loaded } from "../kit/requests/Loaded";
 import { hashOf, TEACHER_PARTS, type TeacherPart } from "../shell/route";
 import { TEST } from "../shell/testids";
+import { CameraPart } from "./camera/CameraPart";
 import { ClassesPart } from "./classes/ClassesPart";
 import { ComputerPart } from "./computer/ComputerPart";
 import { ExchangePanel } from "./exchange/ExchangePanel";
@@ -11,13 +12,19 @@ import { loadSchool } from "./school";
 import { RequireTeacher } from "./sign_in/RequireTeacher";
 import { useTeacherLoaded } from "./useTeacherLoaded";
 
-const ICONS = { lessons: BookOpen, classes: UsersRound, files: Usb, computer: Monitor } as const;
+const ICONS = {
+  lessons: BookOpen,
+  classes: UsersRound,
+  camera: Camera,
+  files: Usb,
+  computer: Monitor,
+} as const;
 
 interface TeacherScreenProps {
   part: TeacherPart;
 }
 
-/** The teacher's page: lessons, classes and groups, files, this PC. */
+/** The teacher's page: lessons, classes and groups, camera, files, this PC. */
 export function TeacherScreen({ part }: TeacherScreenProps) {
   return (
     <RequireTeacher>
@@ -56,6 +63,7 @@ function PartLinks({ part }: TeacherScreenProps) {
 }
 
 function Part({ part }: TeacherScreenProps) {
+  if (part === "camera") return <CameraPart />;
   if (part === "files") return <ExchangePanel />;
   if (part === "computer") return <ComputerPart />;
   return <SchoolPart part={part} />;

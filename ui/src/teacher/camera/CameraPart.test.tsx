@@ -1,0 +1,66 @@
+import { act, cleanup, render, screen } from "@testing-library/preact";
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { changed, hand, seen } from "../../camera/testing/seen";
+import { passesAxe } from "../../kit/testing/control";
+import { TEST } from "../../shell/testids";
+
+const cameraApi = { status: vi.fn() };
+vi.mock("../../api/camera", () => ({ cameraApi, previewAddress: () => "" }));
+
+const { CameraPart } = await import("./CameraPart");
+const { receive } = await import("../../camera/sight");
+
+beforeEach(() => {
+  cameraApi.status.mockReturnValue(new Promise(() => {}));
+  receive(changed("on"));
+});
+afterEach(() => {
+  cleanup();
+  receive(changed("off"));
+});
+
+const findings = () => screen.getAllByTestId(TEST.cameraPoint).map((one) => one.dataset.finding);
+const isReady = () => screen.getByTestId(TEST.cameraReady).dataset.ready;
+/** A hand that fills this part of the picture's height. */
+const tall = (part: number, top = 0.05) =>
+  hand({ points: Array.from({ length: 21 }, (_, n) => [0.5, top + (part * n) / 20]) });
+
+test("the camera is ready when a sign was read, and stays so when the hand is put down", async () => {
+  const { container } = render(<CameraPart />);
+  expect(findings()).toEqual(["good", "good", "open", "open"]);
+  expect(isReady()).toBe("false");
+  act(() => receive(seen(tall(0.5))));
+  expect(isReady()).toBe("true");
+  expect(screen.getByText("Sinal visto: B")).toBeTruthy();
+  act(() => receive(seen()));
+  expect(isReady()).toBe("true");
+  await passesAxe(container);
+});
+
+test.each([
+  ["far", tall(0.1)],
+  ["near", tall(0.9)],
+  ["near", tall(0.5, -0.1)],
+])("a hand that is %s is told", (finding, one) => {
+  render(<CameraPart />);
+  act(() => receive(seen(one)));
+  expect(findings()[2]).toBe(finding);
+  expect(isReady()).toBe("false");
+});
+
+test.each([
+  ["camera_missing", ["missing", "open", "open", "open"]],
+  ["camera_busy", ["missing", "open", "open", "open"]],
+  ["camera_frozen", ["frozen", "open", "open", "open"]],
+  ["camera_dark", ["good", "dark", "open", "open"]],
+  ["camera_black", ["good", "dark", "open", "open"]],
+])("what is wrong is in the list, with what to do beside it: %s", async (code, expected) => {
+  const { container } = render(<CameraPart />);
+  act(() => receive(seen(tall(0.5))));
+  act(() => receive(changed("failed", code)));
+  act(() => receive(seen()));
+  expect(findings()).toEqual(expected);
+  expect(isReady()).toBe("false");
+  expect(screen.getByTestId(TEST.cameraTrouble).dataset.code).toBe(code);
+  await passesAxe(container);
+});
