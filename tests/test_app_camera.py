@@ -16,7 +16,7 @@ from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.gestures.training.photos import read_photos
 from pinel_desktop.runs.verification import verify_run
 from storage import open_store
-from tests.camera.taught_hands import packed, write_strange_hand
+from tests.camera.taught_hands import packed, shown, write_strange_hand
 from tests.live_runs import begun, command, saved
 from tests.web.browser import Browser, Stream
 
@@ -177,6 +177,7 @@ def test_stop_is_not_late_when_the_camera_fails_in_the_middle_of_a_capture(
     app._camera.wake()
     assert app._camera.wait_until_ready(WAIT_S)
     os.kill(app._camera.pid or 0, how)
+    app._camera.know((("B", 5 * packed(shown("B")[:10])),))  # more than a pipe takes
     with browser.stream() as stream:
         stream.next()
         run = begun(browser, version_id)

@@ -21,7 +21,7 @@ def path_of(source: str) -> Path:
     """The file or folder of that path. Raises PinelError `camera_source_missing`."""
     path = Path(source)
     try:
-        is_there = bool(source) and path.exists()
+        is_there = bool(source) and (path.is_file() or path.is_dir())
     except OSError:  # a name that no file can have, or a folder that may not be entered
         is_there = False
     if not is_there:

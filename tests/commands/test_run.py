@@ -1,6 +1,7 @@
 """`pinel run` on the command line."""
 
 import json
+import os
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -332,6 +333,12 @@ def no_video(folder: Path) -> Path:
     return path
 
 
+def pipe(folder: Path) -> Path:
+    """Whoever opens it waits for ever."""
+    os.mkfifo(folder / "pipe.mp4")
+    return folder / "pipe.mp4"
+
+
 @pytest.mark.parametrize(
     ("make", "reason"),
     [
@@ -339,6 +346,7 @@ def no_video(folder: Path) -> Path:
         (lambda folder: folder / ("a" * 300), "camera_source_missing"),
         (lambda folder: folder, "camera_folder_empty"),
         (no_video, "camera_source_unreadable"),
+        (pipe, "camera_source_missing"),
     ],
 )
 def test_camera_that_cannot_be_meant_ends_with_2_before_the_robot_moves(

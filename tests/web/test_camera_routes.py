@@ -42,7 +42,7 @@ def test_preview_needs_the_cookie_and_is_a_stream_of_pictures(browser: Browser) 
     connection.close()
 
 
-@pytest.mark.parametrize("source", ["/etc/passwd", "-1", "12", "http://example.org/a.mp4", ""])
+@pytest.mark.parametrize("source", ["/etc/passwd", "-1", "12", "http://example.org/a.mp4", "", "٣"])
 def test_only_a_webcam_can_be_chosen(browser: Browser, source: str) -> None:
     assert browser.put("/api/camera", {"source": source}).status == 422
     assert browser.get("/api/camera").data["source"] == str(RECORDING)

@@ -27,4 +27,4 @@ class CameraStatus(Shape):
 class CameraChoice(Body):
     """The camera to look through: the number of a webcam, "0" for the first."""
 
-    source: Annotated[str, Field(pattern=r"^\d$")]
+    source: Annotated[str, Field(pattern=r"^[0-9]$")]
