@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Locator, expect
 
+from pinel_desktop.camera.client import LINGER_S
 from pinel_desktop.messages import LANGUAGES
 from storage import open_store
 from tests.camera.taught_hands import packed, shown, write_strange_hand
@@ -238,7 +239,12 @@ def test_the_teacher_tries_the_camera_which_is_off_again_afterwards(studio: Stud
         assert cut(studio.page) == [], f"{width} x {height}"
     assert studio.api("/camera")["state"] == "on"
     studio.page.goto(f"{studio.origin}/#/teacher/lessons")
-    studio.eventually(lambda: studio.api("/camera")["state"], "off")
+    expect(studio["camera-picture"]).to_have_count(0)
+    for _ in range(round(LINGER_S) + 10):
+        if studio.api("/camera")["state"] == "off":
+            break
+        studio.page.wait_for_timeout(1000)
+    assert studio.api("/camera")["state"] == "off"
 
 
 @pytest.mark.parametrize("camera", [NO_CAMERA])

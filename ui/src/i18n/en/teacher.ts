@@ -110,7 +110,7 @@ export const teacher: typeof first = {
   },
   camera: {
     title: "Try the camera",
-    hint: "Before the lesson, on the PC and in the place where the group will work. No picture is kept, and the camera is switched off when you leave.",
+    hint: "Before the lesson, on the PC and in the place where the group will work. No picture is kept, and the camera switches itself off half a minute after you leave.",
     ready: "Ready: the camera will do for the lesson.",
     notReady: "Not yet: follow the list.",
     points: {

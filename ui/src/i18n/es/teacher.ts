@@ -113,7 +113,7 @@ export const teacher: typeof first = {
   },
   camera: {
     title: "Probar la cámara",
-    hint: "Antes de la clase, en la computadora y en el lugar donde va a trabajar el grupo. No se guarda ninguna imagen, y la cámara se apaga cuando usted sale de aquí.",
+    hint: "Antes de la clase, en la computadora y en el lugar donde va a trabajar el grupo. No se guarda ninguna imagen, y la cámara se apaga sola medio minuto después de que usted sale de aquí.",
     ready: "Lista: la cámara sirve para la clase.",
     notReady: "Todavía no: siga la lista.",
     points: {

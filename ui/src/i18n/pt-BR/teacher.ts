@@ -110,7 +110,7 @@ export const teacher = {
   },
   camera: {
     title: "Experimentar a câmera",
-    hint: "Antes da aula, no computador e no lugar em que o grupo vai trabalhar. Nenhuma imagem é guardada, e a câmera desliga quando você sai daqui.",
+    hint: "Antes da aula, no computador e no lugar em que o grupo vai trabalhar. Nenhuma imagem é guardada, e a câmera se desliga meio minuto depois que você sai daqui.",
     ready: "Pronto: a câmera serve para a aula.",
     notReady: "Ainda não: siga a lista.",
     points: {
