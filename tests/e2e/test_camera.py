@@ -223,6 +223,12 @@ def test_sixty_signs_of_a_class_leave_nothing_cut_off(
     field.press("Enter")
     studio.wait_for_phase("finished")
     assert studio.number("pose-x") == pytest.approx(0.2, abs=0.001)
+    studio["practice"].click()
+    expect(studio["practice-sign"]).to_have_count(21 + 60)
+    for width, height in SCREENS:
+        studio.page.set_viewport_size({"width": width, "height": height})
+        assert cut(studio.page) == [], f"practice, {width} x {height}"
+        expect(studio["practice-hand"].first).to_be_in_viewport(ratio=1)
 
 
 def test_the_teacher_tries_the_camera_which_is_off_again_afterwards(studio: Studio) -> None:

@@ -34,7 +34,7 @@ export function Imitation({ letter }: { letter: Signal<string> }) {
           optionClass="imitation__letter"
           testId={TEST.practiceSign}
           value={letter.value}
-          options={signNames.value.map((one) => [one, one, { "data-letter": one }] as const)}
+          options={signNames.value.map(option)}
           onChange={choose}
         />
         <Choice
@@ -55,6 +55,9 @@ export function Imitation({ letter }: { letter: Signal<string> }) {
     </section>
   );
 }
+
+const option = (name: string) =>
+  [name, name, { "data-letter": name, "data-long": String(name.length > 1) }] as const;
 
 function Matched({ letter }: { letter: string | null }) {
   return (
