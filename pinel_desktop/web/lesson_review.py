@@ -14,6 +14,7 @@ from pinel_desktop.school.review import (
     Run,
     review_group,
     review_lesson,
+    summary,
     versions_needed,
 )
 from pinel_desktop.web.mark_table import mark_table
@@ -28,12 +29,14 @@ class ReadLesson:
     """A lesson with its review.
 
     Attributes:
+        activity: of all its parts; None without one, or if they differ.
         reasons: messages why runs ended, by run id.
     """
 
     lesson: LessonRow
     lines: LessonLines
     review: LessonReview
+    activity: str | None
     reasons: dict[str, str]
     language: str
 
@@ -50,7 +53,12 @@ class ReadLesson:
             for group in self.review.groups
         ]
         lesson = Lesson.of(self.lesson)
-        return shapes.LessonReview(lesson=lesson, groups=groups)
+        return shapes.LessonReview(lesson=lesson, summary=self._summary(), groups=groups)
+
+    def _summary(self) -> shapes.LessonSummary:
+        found = summary(self.review, self.activity)
+        fault = self.reasons.get(found.fault_run or "")
+        return shapes.LessonSummary.of(found, stuck=list(found.stuck), fault=fault)
 
     def table(self) -> str:
         """The marks as CSV text."""
@@ -73,7 +81,14 @@ def read_lesson(lesson_id: str, parts: Services) -> ReadLesson:
         work = _work(group, lines.work[group.id])
         workspaces = store.lesson_records.workspaces(versions_needed(work))
         groups.append(review_group(work, workspaces, activity))
-    return ReadLesson(lesson, lines, review_lesson(groups), _reasons(lines, language), language)
+    return ReadLesson(
+        lesson=lesson,
+        lines=lines,
+        review=review_lesson(groups),
+        activity=activity,
+        reasons=_reasons(lines, language),
+        language=language,
+    )
 
 
 def _one_activity(store: Store, lessons: list[str]) -> str | None:

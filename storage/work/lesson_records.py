@@ -11,7 +11,7 @@ from storage.text import loaded
 _IN = "IN (SELECT value FROM json_each(?))"
 _EDITS = f"""
     SELECT programs.group_id, versions.id, versions.program_id, programs.name, versions.number, versions.created_at,
-           versions.computer_id, versions.parent_id
+           versions.computer_id, versions.parent_id, coalesce(json_extract(versions.setup, '$.n_hints'), 0)
     FROM versions JOIN programs ON programs.id = versions.program_id
     WHERE versions.lesson_id {_IN} ORDER BY versions.id"""
 _RUNS = f"""
@@ -41,6 +41,7 @@ class EditLine(NamedTuple):
     at: str
     computer_id: str | None
     parent_id: str | None
+    n_hints: int
 
 
 class LessonRun(NamedTuple):

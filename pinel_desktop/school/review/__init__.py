@@ -19,6 +19,7 @@ from pinel_desktop.school.review.lesson import (
 from pinel_desktop.school.review.marks import Mark
 from pinel_desktop.school.review.records import Edit, GroupWork, Run
 from pinel_desktop.school.review.spreadsheet import spreadsheet
+from pinel_desktop.school.review.summary import Summary, summary
 
 __all__ = [
     "BlocksInUse",
@@ -33,10 +34,12 @@ __all__ = [
     "LessonReview",
     "Mark",
     "Run",
+    "Summary",
     "blocks_in_use",
     "difference",
     "review_group",
     "review_lesson",
     "spreadsheet",
+    "summary",
     "versions_needed",
 ]

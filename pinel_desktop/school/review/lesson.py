@@ -30,6 +30,7 @@ class Figures:
             are involved.
         attempts_until_passed: ended runs of the activity, up to and including the first that passed; None if none
             passed. The activity is the lesson's, else that of the first run that passed.
+        n_hints: hints of activities that were opened, of all programs of the lesson.
         active_s: time with edits and runs, without pauses of more than five minutes.
     """
 
@@ -38,6 +39,7 @@ class Figures:
     n_failed: int
     time_to_first_run_s: float | None
     attempts_until_passed: int | None
+    n_hints: int
     active_s: float
 
 
@@ -119,6 +121,7 @@ def _figures(work: GroupWork, marks: tuple[Mark, ...], activity: str | None) -> 
         n_failed=sum(run.state == "failed" for run in runs),
         time_to_first_run_s=_time_to_first_run(marks),
         attempts_until_passed=_attempts(runs, activity),
+        n_hints=_hints(work.edits),
         active_s=sum(map(_active, lines_of(work))),
     )
 
@@ -150,6 +153,13 @@ def _attempts(runs: list[Run], activity: str | None) -> int | None:
         return None
     tries = runs[: runs.index(first) + 1]
     return sum(run.activity == first.activity and run.state != "running" for run in tries)
+
+
+def _hints(edits: Iterable[Edit]) -> int:
+    opened: Counter[str] = Counter()
+    for edit in edits:
+        opened[edit.program_id] = max(opened[edit.program_id], edit.n_hints)
+    return opened.total()
 
 
 def _active(line: Iterable[Event]) -> float:

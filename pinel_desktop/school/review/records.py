@@ -11,6 +11,7 @@ class Edit:
         number: of the version in its program.
         computer_id: the PC's key; only times of one PC can be compared.
         parent_id: the version that was edited.
+        n_hints: hints of the program's activity that were open.
     """
 
     version_id: str
@@ -20,6 +21,7 @@ class Edit:
     at: str
     computer_id: str | None = None
     parent_id: str | None = None
+    n_hints: int = 0
 
 
 @dataclass(frozen=True, slots=True)

@@ -65,6 +65,7 @@ class Figures(Shape):
     n_failed: int
     time_to_first_run_s: float | None
     attempts_until_passed: int | None
+    n_hints: int
     active_s: float
 
 
@@ -85,10 +86,25 @@ class GroupReview(Shape):
     blocks: list[BlockCount]
 
 
+class LessonSummary(Shape):
+    """What a teacher reads first; it names groups in the order of the review, which is no ranking."""
+
+    n_groups: int
+    n_passed: Annotated[int | None, Field(description="groups that passed; null without activity")]
+    stuck: Annotated[
+        list[str], Field(description="groups whose last three runs or more did not succeed")
+    ]
+    fault: Annotated[
+        str | None, Field(description="message of the commonest error, if groups share one")
+    ]
+    n_with_fault: Annotated[int, Field(description="groups that had this error")]
+
+
 class LessonReview(Shape):
     """All groups that worked in the lesson, ordered by name."""
 
     lesson: Lesson
+    summary: LessonSummary
     groups: list[GroupReview]
 
 

@@ -261,6 +261,7 @@ export const TEST = {
   lessonPage: "lesson-page",
   lessonEmpty: "lesson-empty",
   lessonTime: "lesson-time", // of each; data-value: group | clock
+  lessonSummary: "lesson-summary",
   lessonTable: "lesson-table",
   lessonPrint: "lesson-print",
   lessonExplained: "lesson-explained",

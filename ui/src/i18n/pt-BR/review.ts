@@ -5,6 +5,11 @@ export const review = {
     opening: "Buscando a aula…",
     activities: (n: number, names: string) =>
       n === 1 ? `Atividade: ${names}` : `Atividades: ${names}`,
+    summary: "Em resumo",
+    passedBy: (n: number, all: number) =>
+      `${n} de ${all} ${all === 1 ? "grupo cumpriu" : "grupos cumpriram"} a atividade`,
+    stuck: (names: string) => `Precisam de ajuda: ${names}`,
+    commonFault: (n: number, what: string) => `Erro mais comum (${n} grupos): ${what}`,
     freeWork: "Trabalho livre",
     computers: (names: string) => `Computadores: ${names}`,
     noClass: "Sem turma",
@@ -84,6 +89,7 @@ export const review = {
     time_to_first_run_s: (_n: number): string => "até a 1ª rodada",
     attempts_until_passed: (n: number): string =>
       n === 1 ? "tentativa até cumprir" : "tentativas até cumprir",
+    n_hints: (n: number): string => (n === 1 ? "dica aberta" : "dicas abertas"),
     active_s: (_n: number): string => "de atividade",
     unknown: "–",
     ask: (figure: string) => `${figure}: o que conta?`,

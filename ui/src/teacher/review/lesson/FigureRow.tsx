@@ -15,6 +15,7 @@ export const FIGURES: readonly FigureName[] = [
   "n_failed",
   "time_to_first_run_s",
   "attempts_until_passed",
+  "n_hints",
   "active_s",
 ];
 

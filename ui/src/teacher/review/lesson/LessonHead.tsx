@@ -37,6 +37,7 @@ export function LessonHead({ page, timeOf, refresh }: LessonHeadProps) {
         <p class="lesson__facts">{factsOf(page).join(" · ")}</p>
         {refresh}
       </div>
+      <Summary review={review} />
     </>
   );
 }
@@ -48,6 +49,26 @@ function Title({ page: { review, classroom } }: Pick<LessonHeadProps, "page">) {
     <h1 title={lesson.title}>
       <span class="lesson__class">{classroom ?? say.noClass}</span> · {say.title(lesson.title)}
     </h1>
+  );
+}
+
+/** Where the teacher should go first; groups are not ranked. */
+function Summary({ review: { summary } }: { review: LessonReview }) {
+  const say = texts.value.review.lesson;
+  const { n_passed, n_groups, stuck, fault, n_with_fault } = summary;
+  if (n_groups === 0) return null;
+  const lines = [
+    n_passed !== null && say.passedBy(n_passed, n_groups),
+    stuck.length > 0 && say.stuck(inList(stuck)),
+    fault && say.commonFault(n_with_fault, fault),
+  ].filter(Boolean);
+  if (lines.length === 0) return null;
+  return (
+    <ul class="lesson__summary" aria-label={say.summary} data-testid={TEST.lessonSummary}>
+      {lines.map((line) => (
+        <li key={line}>{line}</li>
+      ))}
+    </ul>
   );
 }
 
