@@ -46,6 +46,13 @@ def activity_names() -> list[str]:
     return list(_shipped())
 
 
+def shipped_activity(name: str) -> Activity:
+    """A shipped activity, never a file: the name may come from another PC. Raises PinelError `unknown_activity`."""
+    if name not in _shipped():
+        raise PinelError("unknown_activity", value=name, allowed=activity_names())
+    return _shipped()[name]
+
+
 @cache
 def solution_of(activity_name: str) -> dict[str, Any] | None:
     """A program that passes a shipped activity, as a document; None where none ships."""

@@ -13,12 +13,14 @@ def record_of(
     world_name: str,
     app_version: str,
     version_id: str | None = None,
+    activity: str | None = None,
     more: dict[str, Any] | None = None,
 ) -> RunStart:
     """What is kept of a run when it begins; its inputs follow as events.
 
     Args:
         version_id: of the stored version that holds the document; without one the document itself is kept.
+        activity: what was to be solved.
         more: further parameters, for people to look up.
     """
     assert isinstance(spec.world, dict)
@@ -31,6 +33,7 @@ def record_of(
         world_document=spec.world,
         seed=spec.seed,
         app_version=app_version,
+        activity=activity,
         parameters={**spec.setting.as_parameters(), **(more or {})},
     )
 

@@ -15,6 +15,7 @@ from pydantic import BaseModel
 from pinel_desktop import __version__
 from pinel_desktop.web.api import (
     Resource,
+    activities,
     camera,
     classrooms,
     exchange,
@@ -26,7 +27,6 @@ from pinel_desktop.web.api import (
     python,
     removal,
     review,
-    robots,
     runs,
     signs,
     status,
@@ -43,6 +43,7 @@ _RESOURCES = (
     teacher,
     classrooms,
     groups,
+    activities,
     programs,
     versions,
     runs,
@@ -53,7 +54,6 @@ _RESOURCES = (
     removal,
     python,
     worlds,
-    robots,
     camera,
     signs,
     stream,

@@ -1,7 +1,8 @@
-"""Whether runs have passed the activity of their lesson, which is found out after they have ended."""
+"""Whether runs have passed their activity, which is found out after they have ended."""
 
 from storage.file.repository import Repository
 from storage.records import Json
+from storage.sql import require
 from storage.text import dumped
 
 
@@ -15,6 +16,18 @@ class Checks(Repository):
                AND passed IS NULL AND state != 'running' ORDER BY id"""
         )
         return [str(row["id"]) for row in rows]
+
+    def of_group(self, group_id: str) -> dict[str, bool]:
+        """The activities that a group has runs for, with whether one of these passed.
+
+        Raises:
+            StoreError: `group_not_found`.
+        """
+        query = """SELECT activity, coalesce(max(passed), 0) AS passed FROM runs
+            WHERE group_id = ? AND activity IS NOT NULL GROUP BY activity"""
+        with self._database.reading() as db:
+            require(db, "groups", group_id)
+            return {row["activity"]: bool(row["passed"]) for row in db.execute(query, [group_id])}
 
     def record(self, run_id: str, passed: bool, report: Json) -> None:
         """On disk when this returns; a run gets one result."""

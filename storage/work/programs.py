@@ -14,18 +14,36 @@ _SELECT = selected(
     n_versions="SELECT count(*) FROM versions WHERE program_id = programs.id",
     n_runs="SELECT count(*) FROM runs WHERE program_id = programs.id",
 )
+# by id, not by time: the clocks of school PCs are often wrong
+_LAST_CHANGED_FIRST = """ORDER BY
+    coalesce((SELECT max(id) FROM versions WHERE program_id = programs.id), programs.id) DESC"""
+_ACTIVITY = """(SELECT json_extract(setup, '$.activity') FROM versions
+    WHERE program_id = programs.id ORDER BY number DESC, id DESC LIMIT 1)"""
 
 
 class Programs(Repository):
     """The programs of the file."""
 
     def of_group(self, group_id: str, *, in_bin: bool = False) -> list[ProgramRow]:
-        """Newest first; with `in_bin` those in the bin. Raises StoreError `group_not_found`."""
+        """Last changed first; with `in_bin` those in the bin. Raises StoreError `group_not_found`."""
         which = "deleted_at IS NOT NULL" if in_bin else "deleted_at IS NULL"
-        query = f"{_SELECT} WHERE group_id = ? AND {which} ORDER BY id DESC"
+        query = f"{_SELECT} WHERE group_id = ? AND {which} {_LAST_CHANGED_FIRST}"
         with self._database.reading() as db:
             require(db, "groups", group_id)
             return [ProgramRow(**dict(row)) for row in db.execute(query, [group_id])]
+
+    def of_activity(self, group_id: str, activity: str) -> ProgramRow | None:
+        """The group's program that was changed last of those for an activity; none in the bin.
+
+        Raises:
+            StoreError: `group_not_found`.
+        """
+        query = f"""{_SELECT} WHERE group_id = ? AND deleted_at IS NULL AND {_ACTIVITY} = ?
+            {_LAST_CHANGED_FIRST} LIMIT 1"""
+        with self._database.reading() as db:
+            require(db, "groups", group_id)
+            row = db.execute(query, [group_id, activity]).fetchone()
+        return ProgramRow(**dict(row)) if row else None
 
     def get(self, program_id: str) -> ProgramRow:
         """Raises StoreError `program_not_found`."""

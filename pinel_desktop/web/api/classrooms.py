@@ -2,17 +2,13 @@
 
 from flask import Response
 
-from pinel_desktop.errors import PinelError
 from pinel_desktop.web.api import TEACHER, WRITES, answers, resource
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.classes import (
-    ActivityChoice,
-    ActivityList,
     Classroom,
     ClassroomList,
     ClassroomName,
     CurrentLesson,
-    GoalPicture,
     Lesson,
     LessonChanges,
     LessonList,
@@ -91,30 +87,6 @@ def change_lesson(path: IdPath, body: LessonChanges) -> Response:
     return answer(_lesson(lessons.close(path.id) if body.closed else row))
 
 
-@api.get("/activities", responses=answers(ActivityList))
-def list_activities() -> Response:
-    """The activities that a lesson may have."""
-    from pinel_desktop.activities import activity_titles  # noqa: PLC0415 - heavy
-
-    titles = activity_titles(services().preferences.language).items()
-    return answer(
-        ActivityList(
-            activities=[
-                ActivityChoice(name=name, title=title, goal_picture=_goal_picture(name))
-                for name, title in titles
-            ]
-        )
-    )
-
-
-def _goal_picture(activity: str) -> GoalPicture:
-    from pinel_desktop.activities import choose_activity, shipped_goal, world_of  # noqa: PLC0415 - heavy
-
-    chosen = choose_activity(activity)
-    goal = shipped_goal(activity).model_dump()
-    return GoalPicture.model_validate({"world": world_of(chosen, chosen.cases[0]), **goal})
-
-
 def _lesson(row: LessonRow) -> Lesson:
     return Lesson.of(row)
 
@@ -127,7 +99,6 @@ def _require_activity(name: str | None) -> None:
     """Refuses all but shipped activities: a lesson must not name a file of this PC."""
     if name is None:
         return
-    from pinel_desktop.activities import activity_names  # noqa: PLC0415 - heavy
+    from pinel_desktop.activities import shipped_activity  # noqa: PLC0415 - heavy
 
-    if name not in activity_names():
-        raise PinelError("unknown_activity", value=name, allowed=activity_names())
+    shipped_activity(name)

@@ -2,6 +2,7 @@
 
 import contextlib
 import json
+from typing import TYPE_CHECKING
 
 from flask import Response
 from pydantic import ValidationError
@@ -13,6 +14,7 @@ from pinel_desktop.robot import Setting
 from pinel_desktop.runs.record import record_of
 from pinel_desktop.runs.spec import RunSpec
 from pinel_desktop.web.api import OCTETS, WRITES, answers, resource
+from pinel_desktop.web.api.activities import world_name
 from pinel_desktop.web.api.programs import version_model
 from pinel_desktop.web.errors import InvalidProgramError
 from pinel_desktop.web.models import IdPath
@@ -29,6 +31,9 @@ from pinel_desktop.web.models.worlds import Start, World
 from pinel_desktop.web.responses import answer, describe_faults
 from pinel_desktop.web.services import Services, services
 from storage import RunLine, RunRow, StoreError, VersionRow
+
+if TYPE_CHECKING:
+    from pinel_desktop.activities import Activity
 
 api = resource("runs", "Runs: live and recorded.", __name__)
 
@@ -61,15 +66,21 @@ def list_runs(path: IdPath, query: RunPage) -> Response:
 def begin_run(body: NewRun) -> Response:
     """Begins a live run of a version.
 
-    A start pose where the robot does not fit is refused with 422 and the reason, such as `start_in_wall`.
+    World, start and robot of a version that is to solve an activity are the activity's, whatever is asked for. A start
+    pose where the robot does not fit is refused with 422 and the reason, such as `start_in_wall`.
     """
     parts = services()
     version = parts.store.versions.get(body.version_id)
     spec = _spec(version, body, parts)
     if parts.engine.live_run is not None:
         raise PinelError("run_in_progress")
+    activity = _activity(version)
     record = record_of(
-        spec, world_name=body.world, app_version=parts.app_version, version_id=version.id
+        spec,
+        world_name=world_name(activity) if activity else body.world,
+        app_version=parts.app_version,
+        version_id=version.id,
+        activity=activity.name if activity else None,
     )
     row = parts.store.runs.begin(record)
     _use_signs_of(row.group_id, parts)
@@ -94,12 +105,33 @@ def _runnable(version: VersionRow, parts: Services) -> dict[str, object]:
 
 
 def _spec(version: VersionRow, body: NewRun, parts: Services) -> RunSpec:
-    document = _runnable(version, parts)
+    document, activity = _runnable(version, parts), _activity(version)
+    if activity:
+        world, setting = _stage(activity)
+        return RunSpec(document, world, setting=setting, seed=body.seed or 0, pace="live")
     world = _world(version, body.world, parts)
     if body.start:
         world = _moved(world, body.start, body.model, parts)
     setting = _setting(body)
     return RunSpec(document, world, setting=setting, seed=body.seed or 0, pace="live")
+
+
+def _activity(version: VersionRow) -> "Activity | None":
+    """The activity that a version is to solve; None without one, and for one of a newer release."""
+    name = (version.setup or {}).get("activity")
+    if name is None:
+        return None
+    from pinel_desktop.activities import activity_names, shipped_activity  # noqa: PLC0415 - heavy
+
+    return shipped_activity(name) if name in activity_names() else None
+
+
+def _stage(activity: "Activity") -> tuple[dict[str, object], Setting]:
+    """World and robot setting of every run of an activity, whatever was asked for."""
+    from pinel_desktop.activities import world_of  # noqa: PLC0415 - heavy
+
+    setting = Setting(activity.model, activity.preset, activity.feedback)
+    return world_of(activity, activity.cases[0]), setting
 
 
 def _first_commands(body: NewRun) -> list[Command]:

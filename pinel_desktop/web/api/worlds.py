@@ -1,16 +1,18 @@
-"""Worlds for runs."""
+"""Worlds of runs, and robot models of the simulator."""
 
 from typing import Any
 
 from flask import Response
 
+from pinel_desktop.robot import ROBOTS, RobotModel
 from pinel_desktop.web.api import answers, resource
 from pinel_desktop.web.errors import InvalidWorldError
+from pinel_desktop.web.models.robots import Robot, RobotList
 from pinel_desktop.web.models.worlds import CheckedWorld, World, WorldList, WorldToCheck
 from pinel_desktop.web.responses import answer, describe_faults
 from pinel_desktop.web.services import services
 
-api = resource("worlds", "Worlds for runs.", __name__)
+api = resource("worlds", "Worlds of runs, and robot models of the simulator.", __name__)
 
 
 @api.get("/worlds", responses=answers(WorldList))
@@ -38,3 +40,14 @@ def sound_world(document: dict[str, Any]) -> dict[str, Any]:
 
 def _model(document: dict[str, Any]) -> World:
     return World.model_validate(document)
+
+
+@api.get("/robots", responses=answers(RobotList))
+def list_robots() -> Response:
+    """All robot models, the default first."""
+    return answer(RobotList(robots=[_robot(robot) for robot in ROBOTS.values()]))
+
+
+def _robot(robot: RobotModel) -> Robot:
+    angles, range_m = list(robot.sonar_angles_rad), robot.lidar_range_m or None
+    return Robot.of(robot, sonar_angles_rad=angles, lidar_range_m=range_m)

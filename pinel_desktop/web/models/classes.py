@@ -6,7 +6,6 @@ from pydantic import Field
 
 from pinel_desktop.web.models import Body, Id, Shape, Time
 from pinel_desktop.web.models.work import Name
-from pinel_desktop.web.models.worlds import Metres2, World
 
 
 class Classroom(Shape):
@@ -135,37 +134,3 @@ class ComputerName(Body):
     """A name for this PC."""
 
     name: Name
-
-
-class GoalLine(Shape):
-    """What the robot is to drive, or to draw."""
-
-    sign: Annotated[str | None, Field(description="the sign that it answers; null without signs")]
-    color: Annotated[str | None, Field(description="of the pen; null for a path")]
-    points: Annotated[list[Metres2], Field(description="x and y in m, world frame")]
-
-
-class GoalPicture(Shape):
-    """What to draw of an activity's goal."""
-
-    world: World
-    lines: list[GoalLine]
-    zones: Annotated[list[str], Field(description="names of the zones that count, in order")]
-    boxes: Annotated[
-        dict[str, tuple[float, float, float]],
-        Field(description="x and y in m and yaw in rad of boxes to push, world frame, by index"),
-    ]
-
-
-class ActivityChoice(Shape):
-    """An activity that a lesson may have; its title is in the language of the page."""
-
-    name: str
-    title: str
-    goal_picture: GoalPicture
-
-
-class ActivityList(Shape):
-    """The shipped activities."""
-
-    activities: list[ActivityChoice]

@@ -91,6 +91,7 @@ class Setup(Shape):
     activity: Annotated[
         str | None, Field(max_length=100, description="the activity that it is to solve")
     ] = None
+    n_hints: Annotated[int, Field(ge=0, le=100, description="hints of it that were opened")] = 0
 
 
 class Version(Shape):

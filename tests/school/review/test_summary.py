@@ -27,7 +27,7 @@ def test_it_counts_who_passed_and_names_who_is_stuck_in_the_order_of_the_review(
     )
     found = summary(review, "square")
     assert (found.n_passed, found.n_groups, found.stuck) == (1, 4, ("Araras", "Tatus"))
-    assert (found.fault_run, found.n_with_fault) == ("a2", 3)
+    assert (found.fault_run, found.n_with_fault) == ("r2", 3)
 
 
 def test_a_run_that_was_stopped_by_hand_says_nothing() -> None:

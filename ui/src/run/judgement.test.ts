@@ -5,7 +5,7 @@ import type { Sentence } from "./sentence";
 
 const ptBR = textsOf("pt-BR");
 
-const ended: Sentence = { text: "Terminou.", more: "Em 3 s.", tone: "notice" };
+const ended: Sentence = { text: "Terminou.", more: "Em 3 s.", tone: "done" };
 
 function judged(passed: boolean, missing: string | null) {
   return { type: "judged", run: "r", passed, missing } as const;
@@ -18,7 +18,7 @@ test("a run that passed says so first", () => {
 
 test("a run that did not pass says what is missing, after how it ended", () => {
   const said = withJudgement(ended, "r", judged(false, "O robô termina no início."), ptBR);
-  expect(said.text).toBe("Terminou.");
+  expect([said.text, said.tone]).toEqual(["Terminou.", "notice"]);
   expect(said.more).toContain("O robô termina no início.");
   expect(withJudgement(ended, "r", judged(false, null), ptBR).more).toBe(ptBR.activity.toTheEnd);
 });

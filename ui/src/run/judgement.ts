@@ -11,6 +11,7 @@ export function withJudgement(
 ): Sentence {
   if (!judged || judged.run !== run) return ended;
   if (judged.passed) return { text: activity.passed, more: ended.text, tone: "done" };
-  if (judged.missing) return { ...ended, more: activity.missing(judged.missing) };
-  return { ...ended, more: activity.toTheEnd };
+  const tone = ended.tone === "done" ? "notice" : ended.tone;
+  if (judged.missing) return { ...ended, tone, more: activity.missing(judged.missing) };
+  return { ...ended, tone, more: activity.toTheEnd };
 }

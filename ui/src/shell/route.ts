@@ -32,6 +32,12 @@ const ROWS = {
     ofGroup: true,
     load: async (): Screen<{ group: string }> => (await import("../work/WorkScreen")).WorkScreen,
   },
+  activities: {
+    pattern: "activities/:group",
+    ofGroup: true,
+    load: async (): Screen<{ group: string }> =>
+      (await import("../activities/ActivitiesScreen")).ActivitiesScreen,
+  },
   practice: {
     pattern: "practice",
     load: async (): Screen => (await import("../practice/PracticeScreen")).PracticeScreen,

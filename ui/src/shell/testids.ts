@@ -228,6 +228,14 @@ export const TEST = {
   versionBlocks: "version-blocks",
   differenceSide: "difference-side", // of each; a select, data-side: before | after
   difference: "difference", // of each; data-kind: added | removed | changed | moved
+  openActivities: "open-activities",
+  activityCard: "activity-card", // of each; data-activity, data-state: new | tried | passed
+  mission: "mission", // data-done
+  missionFold: "mission-fold",
+  missionHint: "mission-hint",
+  missionDone: "mission-done",
+  missionNext: "mission-next",
+  worldLocked: "world-locked",
   setupDifferences: "setup-differences",
   differenceNext: "difference-next",
   differencePrevious: "difference-previous",

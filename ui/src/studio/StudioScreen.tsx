@@ -1,3 +1,5 @@
+import type { Activity } from "../api/model";
+import type { Level } from "../blocks/definition";
 import { chooseSigns } from "../camera/signs";
 import { texts } from "../i18n";
 import { Loaded } from "../kit/requests/Loaded";
@@ -5,6 +7,7 @@ import { useLoaded } from "../kit/requests/useLoaded";
 import { clear, live, liveRun } from "../run/live";
 import { isLive } from "../run/reducer";
 import { programAndGroups } from "../shell/first_answers";
+import { LEVELS, missionLevel } from "../shell/level";
 import { group, program } from "../shell/session";
 import { couldNotOpen, OpenProgram, opened, reloads } from "./program/open_program";
 import { Studio } from "./Studio";
@@ -32,9 +35,18 @@ async function open(programId: string, signal: AbortSignal): Promise<OpenProgram
   group.value = groups.find((one) => one.id === loaded.group_id) ?? null;
   program.value = loaded;
   void chooseSigns(group.value?.classroom_id ?? null);
-  opened.value = new OpenProgram(loaded);
+  const made = new OpenProgram(loaded);
+  await made.loadMission();
+  signal.throwIfAborted();
+  missionLevel.value = levelOf(made.mission.peek());
+  opened.value = made;
   forgetOtherRun(programId);
   return opened.value;
+}
+
+/** The level in which a mission opens. */
+function levelOf(mission: Activity | null): Level | null {
+  return LEVELS.find((one) => one === mission?.level) ?? null;
 }
 
 /** Clears the last run from the floor if it is of another program. */

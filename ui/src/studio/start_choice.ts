@@ -13,7 +13,9 @@ interface Place {
 /** The robot's start pose of a program: the world's, or one set by dragging. */
 export class StartChoice {
   /** The chosen start; null for that of the world. */
-  readonly start = computed<Start | null>(() => this.open.setup.value.start ?? null);
+  readonly start = computed<Start | null>(() =>
+    this.open.mission.value ? null : (this.open.setup.value.start ?? null),
+  );
   /** The world with the effective start. */
   readonly world = computed<World | null>(() => {
     const { value: world } = this.place.world;
@@ -35,11 +37,11 @@ export class StartChoice {
     private readonly place: Place,
   ) {}
 
-  /** Current pose of the robot, as a start; null during a run. */
+  /** Current pose of the robot, as a start; null during a run, and where a mission determines the start. */
   readonly hereNow = computed<Start | null>(() => {
     const { value: view } = robot.live;
     const { value: world } = this.world;
-    if (isLive(view) || !world) return null;
+    if (isLive(view) || !world || this.open.mission.value) return null;
     if (view.run === null) return world.start;
     const start = startOf(world);
     const { x, y } = toWorld(start, view.truth.x, view.truth.y);

@@ -89,7 +89,7 @@ export class StudioControl {
       return {
         world: start.world.value,
         here: start.hereNow.value,
-        isAtStart: robot.live.value.phase === "idle",
+        isAtStart: robot.live.value.phase === "idle" && start.hereNow.value !== null,
         put: (wanted) => start.put(wanted),
       };
     }),

@@ -16,15 +16,19 @@ export class WorldControl {
   readonly store = signal<EditorStore | null>(null);
   private lastStore: EditorStore | null = null;
 
+  /** The activity that determines the world; null where the group chooses it. */
+  readonly mission = computed(() => this.open.mission.value);
   readonly name = computed(() => {
     const { value: run } = robot.liveRun;
     if (run && isLive(robot.live.value)) return run.world;
+    if (this.mission.value) return this.mission.value.world;
     const { world } = this.open.setup.value;
     return this.isThere(world) ? world : DEFAULT_WORLD;
   });
   readonly world = computed<World | null>(() => {
     const { value: run } = robot.liveRun;
     if (run && isLive(robot.live.value) && "world_document" in run) return run.world_document;
+    if (this.mission.value) return this.mission.value.goal_picture.world;
     if (this.name.value === OWN_WORLD) return this.open.ownWorld.now.value;
     return worlds.value.find((world) => world.name === this.name.value) ?? null;
   });

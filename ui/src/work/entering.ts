@@ -1,4 +1,5 @@
-import { NO_CLASS } from "../api/classes";
+import { activitiesApi } from "../api/activities";
+import { classesApi, NO_CLASS } from "../api/classes";
 import { api } from "../api/client";
 import type { Group, Program } from "../api/model";
 import { versionsApi } from "../api/versions";
@@ -19,8 +20,8 @@ async function once(key: string, enter: () => Promise<void>): Promise<void> {
 }
 
 /**
- * Opens the newest program of a group, creating its first one if needed; with unread notes of the teacher it opens the
- * group's work instead. Also makes the group's class the shown one of the start screen.
+ * Opens a group's program for the activity of the lesson, or without one its newest program, creating it if needed; with
+ * unread notes of the teacher it opens the group's work instead. Also makes the group's class the shown one of the start screen.
  */
 export function enterGroup(group: Group): Promise<void> {
   return once(`enter ${group.id}`, () => enter(group));
@@ -28,10 +29,24 @@ export function enterGroup(group: Group): Promise<void> {
 
 async function enter(group: Group): Promise<void> {
   setClassroom(group.classroom_id ?? NO_CLASS);
-  const [[newest], notes] = await Promise.all([api.programs(group.id), unseenNotes(group)]);
+  const [notes, activity] = await Promise.all([unseenNotes(group), activityOfLesson(group)]);
   if (notes.length > 0) return go({ screen: "work", group: group.id });
-  const program = newest ?? (await createProgram(group.id, []));
+  const program = activity
+    ? await activitiesApi.begin(group.id, activity)
+    : await newestProgram(group.id);
   go({ screen: "studio", program: program.id });
+}
+
+async function newestProgram(group: string): Promise<Program> {
+  const [newest] = await api.programs(group);
+  return newest ?? createProgram(group, []);
+}
+
+/** The activity of the class's open lesson. A lesson that fails to load must not keep the group from its work. */
+async function activityOfLesson({ classroom_id }: Group): Promise<string | null> {
+  if (!classroom_id) return null;
+  const lesson = await classesApi.currentLesson(classroom_id).catch(() => null);
+  return lesson?.activity ?? null;
 }
 
 /** Notes that fail to load must not keep the group from its work; they are shown the next time. */

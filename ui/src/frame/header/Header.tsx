@@ -1,4 +1,4 @@
-import { ArrowLeft, Contrast, Hand, Languages, Moon, Route, Sun } from "lucide-preact";
+import { ArrowLeft, Contrast, Hand, Languages, Moon, Route, Sun, Target } from "lucide-preact";
 import { hasCapture } from "../../camera/expected";
 import { language, texts } from "../../i18n";
 import { LANGUAGES, languageRow } from "../../i18n/languages";
@@ -6,7 +6,7 @@ import { Button } from "../../kit/Button";
 import { LinkButton } from "../../kit/LinkButton";
 import { GroupPicture } from "../../kit/pictures/GroupPicture";
 import { Select } from "../../kit/Select";
-import { go, hashOf, ROUTES, route } from "../../shell/route";
+import { go, hashOf, ROUTES, route, type ScreenName } from "../../shell/route";
 import { chooseLanguage, group } from "../../shell/session";
 import { reviewOrigin } from "../../shell/teacher/review_origin";
 import { TEST } from "../../shell/testids";
@@ -36,13 +36,16 @@ export function Header() {
       <span class="header__space" />
       <TeacherChip />
       {route.value.screen === "studio" && <PracticeLink />}
+      {inside && route.value.screen !== "activities" && <ActivitiesLink />}
       {inside && <WorkButton />}
-      {route.value.screen === "practice" && <BackToProgram />}
+      {isBesideProgram(route.value.screen) && <BackToProgram />}
       <ThemeButton />
       <LanguageChoice />
     </header>
   );
 }
+
+const isBesideProgram = (screen: ScreenName) => screen === "practice" || screen === "activities";
 
 function GroupChip() {
   const now = group.value;
@@ -96,6 +99,22 @@ function WorkButton() {
     >
       <span class="header__word">{header.work}</span>
     </Button>
+  );
+}
+
+function ActivitiesLink() {
+  const { value: now } = group;
+  if (!now || reviewOrigin.value) return null;
+  const { open } = texts.value.activity;
+  return (
+    <LinkButton
+      icon={Target}
+      label={open}
+      href={hashOf({ screen: "activities", group: now.id })}
+      testId={TEST.openActivities}
+    >
+      <span class="header__word">{open}</span>
+    </LinkButton>
   );
 }
 

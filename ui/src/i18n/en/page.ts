@@ -13,6 +13,7 @@ export const page: typeof first = {
     lesson: "Lesson",
     runs: "All runs",
     compare: "Two runs side by side",
+    activities: "Activities",
     practice: "Sign practice",
   },
   header: {

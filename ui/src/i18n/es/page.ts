@@ -13,6 +13,7 @@ export const page: typeof first = {
     lesson: "Clase",
     runs: "Todos los recorridos",
     compare: "Dos recorridos lado a lado",
+    activities: "Actividades",
     practice: "Practicar señas",
   },
   header: {

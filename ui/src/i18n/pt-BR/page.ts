@@ -14,6 +14,7 @@ export const page = {
     lesson: "Aula",
     runs: "Todas as rodadas",
     compare: "Duas rodadas lado a lado",
+    activities: "Atividades",
     practice: "Praticar sinais",
   },
   header: {

@@ -14,6 +14,7 @@ import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { Select } from "../../kit/Select";
 import { WayBack } from "../../kit/WayBack";
+import { later } from "../../shell/later";
 import { LEVELS, level, setLevel } from "../../shell/level";
 import { go } from "../../shell/route";
 import { problem, program, refreshStatus } from "../../shell/session";
@@ -28,11 +29,14 @@ import { InBin } from "./InBin";
 import { OtherWindow } from "./OtherWindow";
 import { Turns } from "./Turns";
 
+const MissionCard = later(async () => (await import("../mission/MissionCard")).MissionCard);
+
 export function BlocksPane({ control }: { control: StudioControl }) {
   const { studio } = texts.value;
   return (
     <section class="blocks" aria-label={studio.blocks}>
       <Tools control={control} />
+      {control.open.setup.value.activity && <MissionCard open={control.open} />}
       <InBin open={control.open} />
       <Elsewhere program={control.open.program} />
       <OtherWindow open={control.open} />

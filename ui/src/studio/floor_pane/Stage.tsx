@@ -1,5 +1,5 @@
 import { type Signal, useComputed } from "@preact/signals";
-import { Pencil } from "lucide-preact";
+import { Lock, Pencil } from "lucide-preact";
 import { worldTitle } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
@@ -90,6 +90,8 @@ function Corner({ control }: { control: StudioControl }) {
   const busy = useComputed(() => isLive(robot.live.value));
   const own = control.open.ownWorld.now.value;
   const words = texts.value.world;
+  const { mission } = control.worlds;
+  if (mission.value) return <MissionCorner control={control} />;
   return (
     <div class="floor__corner">
       <WorldChoice
@@ -109,6 +111,21 @@ function Corner({ control }: { control: StudioControl }) {
       >
         {words.change}
       </Button>
+      <MuteButton view={robot.live} expected={control.beeps.value} />
+    </div>
+  );
+}
+
+/** A mission determines the world. */
+function MissionCorner({ control }: { control: StudioControl }) {
+  const { world } = control.worlds;
+  return (
+    <div class="floor__corner">
+      <p class="floor__locked" title={texts.value.activity.locked} data-testid={TEST.worldLocked}>
+        <Lock class="icon" aria-hidden="true" />
+        {world.value && worldTitle(world.value, language.value)}
+        <span class="visually-hidden">{texts.value.activity.locked}</span>
+      </p>
       <MuteButton view={robot.live} expected={control.beeps.value} />
     </div>
   );

@@ -1,7 +1,9 @@
 import { computed, effect, type Signal, signal } from "@preact/signals";
+import { activitiesApi } from "../../api/activities";
 import { api } from "../../api/client";
-import { ServerGone } from "../../api/errors";
+import { ApiError, ServerGone } from "../../api/errors";
 import type {
+  Activity,
   Content,
   Fault,
   ProgramWithVersion,
@@ -23,6 +25,8 @@ export class OpenProgram {
   readonly content = signal<Content | null>(null);
   readonly faults = signal<Fault[]>([]);
   readonly ownWorld: OwnWorld;
+  /** What it is to solve; null without an activity, or for one of a newer release. */
+  readonly mission = signal<Activity | null>(null);
   /** Where and how it runs. */
   readonly setup: Signal<Setup>;
   /** Whether the program or its group was deleted for good in another window; the screen keeps its content. */
@@ -83,6 +87,11 @@ export class OpenProgram {
     this.save();
   }
 
+  async loadMission(): Promise<void> {
+    const { activity } = this.setup.peek();
+    if (activity) this.mission.value = await knownActivity(activity);
+  }
+
   /** Changes where and how the program runs. */
   changeSetup(changes: Partial<Setup>): void {
     this.setup.value = { ...this.setup.peek(), ...changes };
@@ -140,6 +149,16 @@ export class OpenProgram {
   /** The editor's content with what else belongs to the program. */
   private whole(content: Content): Content {
     return { ...content, world: this.ownWorld.now.peek(), setup: this.setup.peek() };
+  }
+}
+
+/** An activity, or null for one that only a newer release knows. */
+async function knownActivity(name: string): Promise<Activity | null> {
+  try {
+    return await activitiesApi.one(name);
+  } catch (error) {
+    if (error instanceof ApiError && error.code === "unknown_activity") return null;
+    throw error;
   }
 }
 

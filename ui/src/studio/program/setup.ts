@@ -16,7 +16,16 @@ export type LifelikeName = keyof typeof LIFELIKE;
 /** Where and how a version runs; of a version of an earlier release its own world, if it has one. */
 export function setupOf(version: Pick<Version, "setup" | "world"> | null): Setup {
   const world = version?.world ? OWN_WORLD : DEFAULT_WORLD;
-  return version?.setup ?? { ...LIFELIKE.ideal, world, start: null, speed: 1, activity: null };
+  return (
+    version?.setup ?? {
+      ...LIFELIKE.ideal,
+      world,
+      start: null,
+      speed: 1,
+      activity: null,
+      n_hints: 0,
+    }
+  );
 }
 
 /** The robot setting of a setup, as the page names it. */

@@ -18,7 +18,7 @@ export function DebugBar(props: ActionsProps) {
       {STEPS.filter(({ isShown }) => isShown(props.state)).map((action) => (
         <ActionButton key={action.name} {...props} action={action} />
       ))}
-      {!isUnderWay(props.state.phase) && <LifelikeChoice open={open} />}
+      {!isUnderWay(props.state.phase) && !open.mission.value && <LifelikeChoice open={open} />}
       <Select
         class="debug-bar__speed"
         icon={Gauge}

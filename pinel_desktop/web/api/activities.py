@@ -1,0 +1,129 @@
+"""Activities: what there is to solve, and the program of a group that is to solve one."""
+
+from typing import TYPE_CHECKING, Any
+
+from flask import Response
+
+from pinel_desktop.web.api import WRITES, answers, resource
+from pinel_desktop.web.models import IdPath
+from pinel_desktop.web.models.activities import (
+    Activity,
+    ActivityChoice,
+    ActivityList,
+    ActivityPath,
+    ChosenActivity,
+    GoalPicture,
+    NextActivity,
+    TriedActivities,
+    TriedActivity,
+)
+from pinel_desktop.web.models.work import Program, Setup
+from pinel_desktop.web.responses import answer
+from pinel_desktop.web.services import Services, services
+from storage import ProgramRow
+
+if TYPE_CHECKING:
+    from pinel_desktop.activities import Activity as Mission
+
+api = resource("activities", "Activities, and the programs that are to solve them.", __name__)
+
+
+@api.get("/activities", responses=answers(ActivityList))
+def list_activities() -> Response:
+    """The activities that a lesson or a group may choose, along the paths."""
+    from pinel_desktop.activities import activity_names, shipped_activity  # noqa: PLC0415 - heavy
+
+    chosen = [ActivityChoice(**_choice(shipped_activity(name))) for name in activity_names()]
+    return answer(ActivityList(activities=chosen))
+
+
+@api.get("/activities/<name>", responses=answers(Activity, "unknown_activity"))
+def get_activity(path: ActivityPath) -> Response:
+    """An activity with what its card says."""
+    from pinel_desktop.activities import shipped_activity  # noqa: PLC0415 - heavy
+
+    mission, language = shipped_activity(path.name), services().preferences.language
+    return answer(
+        Activity(
+            **_choice(mission),
+            story=mission.story.of(language) if mission.story else "",
+            criteria=mission.criteria.of(language) if mission.criteria else "",
+            hints=[hint.of(language) for hint in mission.hints],
+            question=mission.question.of(language) if mission.question else "",
+            world=world_name(mission),
+            preset=mission.preset,
+            feedback=mission.feedback,
+            next=_after(mission),
+        )
+    )
+
+
+@api.get("/groups/<id>/activities", responses=answers(TriedActivities, "group_not_found"))
+def list_tried(path: IdPath) -> Response:
+    """The activities that a group has run programs for, with whether it has passed them."""
+    tried = services().store.checks.of_group(path.id)
+    models = [TriedActivity(name=name, passed=passed) for name, passed in tried.items()]
+    return answer(TriedActivities(activities=models))
+
+
+@api.post(
+    "/groups/<id>/activities",
+    responses=answers(Program, "group_not_found", "unknown_activity", *WRITES),
+)
+def begin_activity(path: IdPath, body: ChosenActivity) -> Response:
+    """The group's program for an activity, the one changed last; created if there is none."""
+    from pinel_desktop.activities import shipped_activity  # noqa: PLC0415 - heavy
+
+    parts, mission = services(), shipped_activity(body.activity)
+    row = parts.store.programs.of_activity(path.id, mission.name)
+    return answer(Program.of(row or _begin(path.id, mission, parts)))
+
+
+def world_name(mission: "Mission") -> str:
+    """The name under which runs of an activity keep their world."""
+    return mission.world if isinstance(mission.world, str) else "own"
+
+
+def _begin(group_id: str, mission: "Mission", parts: Services) -> ProgramRow:
+    """Creates a program without blocks whose setup names the activity."""
+    name = mission.title.of(parts.preferences.language)
+    program = parts.store.programs.create(group_id, name)
+    setup = Setup(
+        world=world_name(mission),
+        preset=mission.preset,
+        feedback=mission.feedback,
+        activity=mission.name,
+    )
+    empty = {"pinel_ir": 1, "name": name, "functions": [], "commands": []}
+    parts.store.versions.save(program.id, {}, empty, setup=setup.model_dump())
+    return program
+
+
+def _after(mission: "Mission") -> NextActivity | None:
+    from pinel_desktop.activities import activity_names, shipped_activity  # noqa: PLC0415 - heavy
+
+    names = activity_names()
+    later = names[names.index(mission.name) + 1 :]
+    found = next((one for one in map(shipped_activity, later) if one.path == mission.path), None)
+    if found is None or mission.path is None:
+        return None
+    return NextActivity(name=found.name, title=found.title.of(services().preferences.language))
+
+
+def _choice(mission: "Mission") -> dict[str, Any]:
+    return {
+        "name": mission.name,
+        "title": mission.title.of(services().preferences.language),
+        "path": mission.path,
+        "number": mission.number,
+        "minutes": mission.minutes,
+        "level": mission.level,
+        "goal_picture": _goal_picture(mission),
+    }
+
+
+def _goal_picture(mission: "Mission") -> GoalPicture:
+    from pinel_desktop.activities import shipped_goal, world_of  # noqa: PLC0415 - heavy
+
+    goal = shipped_goal(mission.name).model_dump()
+    return GoalPicture.model_validate({"world": world_of(mission, mission.cases[0]), **goal})

@@ -1,0 +1,96 @@
+"""Activities: what a group is to solve, and the stage on which it is solved."""
+
+from typing import Annotated
+
+from pydantic import Field
+
+from pinel_desktop.robot import Feedback, Preset
+from pinel_desktop.web.models import Body, Shape
+from pinel_desktop.web.models.worlds import Metres2, World
+
+
+class GoalLine(Shape):
+    """What the robot is to drive, or to draw."""
+
+    sign: Annotated[str | None, Field(description="the sign that it answers; null without signs")]
+    color: Annotated[str | None, Field(description="of the pen; null for a path")]
+    points: Annotated[list[Metres2], Field(description="x and y in m, world frame")]
+
+
+class GoalPicture(Shape):
+    """What to draw of an activity's goal."""
+
+    world: World
+    lines: list[GoalLine]
+    zones: Annotated[list[str], Field(description="names of the zones that count, in order")]
+    boxes: Annotated[
+        dict[str, tuple[float, float, float]],
+        Field(description="x and y in m and yaw in rad of boxes to push, world frame, by index"),
+    ]
+
+
+class ActivityChoice(Shape):
+    """An activity to choose; its title is in the language of the page."""
+
+    name: str
+    title: str
+    path: Annotated[str | None, Field(description="the path of activities that it belongs to")]
+    number: Annotated[str | None, Field(description="its place on the path, as `1.2`")]
+    minutes: int | None
+    level: Annotated[int | None, Field(ge=1, le=3, description="of the toolbox")]
+    goal_picture: GoalPicture
+
+
+class NextActivity(Shape):
+    """An activity to go on with."""
+
+    name: str
+    title: str
+
+
+class Activity(ActivityChoice):
+    """An activity as a group sees it. Texts are in the language of the page, "" where there are none.
+
+    World (`goal_picture.world`), its start and the robot setting are those of every run of a program that is to solve
+    it.
+    """
+
+    story: str
+    criteria: str
+    hints: list[str]
+    question: str
+    world: Annotated[str, Field(description="name of the world, `own` for one of the activity's")]
+    preset: Preset
+    feedback: Feedback
+    next: Annotated[NextActivity | None, Field(description="the one after it on its path")]
+
+
+class ActivityList(Shape):
+    """The shipped activities, along the paths."""
+
+    activities: list[ActivityChoice]
+
+
+class ActivityPath(Body):
+    """The `{name}` in a path."""
+
+    name: Annotated[str, Field(max_length=100)]
+
+
+class TriedActivity(Shape):
+    """An activity that a group has a program for, or has run one for."""
+
+    name: str
+    passed: Annotated[bool, Field(description="a run passed it")]
+
+
+class TriedActivities(Shape):
+    """What a group has tried."""
+
+    activities: list[TriedActivity]
+
+
+class ChosenActivity(Body):
+    """The activity that a group wants to solve."""
+
+    activity: Annotated[str, Field(max_length=100)]

@@ -1,0 +1,83 @@
+"""An activity sets the stage: its world, its start, its robot; the group is told what to do and when it is done."""
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.e2e.axe import violations
+from tests.e2e.conftest import OpenStudio
+from tests.e2e.studio import RUN_MS, Studio
+from tests.e2e.test_classes import open_lesson, prepare, to_part
+from tests.e2e.test_layout import cut
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
+
+MOVE = "andar para frente"
+
+
+def put_move(studio: Studio, distance: str) -> None:
+    blocks = studio.blocks
+    blocks.drag_from_toolbox("motion", MOVE, blocks.below(blocks.start()))
+    blocks.type_into(blocks.by_words(MOVE), distance)
+    studio.eventually(lambda: studio.values("distance"), [float(distance.replace(",", "."))])
+
+
+def test_the_group_stands_in_the_world_of_the_lesson(
+    studio: Studio, open_studio: OpenStudio
+) -> None:
+    prepare(studio)
+    to_part(studio, "lessons")
+    open_lesson(studio, "Sair do labirinto", "maze")
+    studio["sign-out"].click()
+    pupils = open_studio()
+    pupils.enter_group("Os Tatus")
+    expect(pupils["mission"]).to_contain_text("labirinto", ignore_case=True)
+    expect(pupils["world-locked"]).to_contain_text("Labirinto")
+    expect(pupils["world"]).to_have_count(0)
+    put_move(pupils, "1")
+    pupils.run()
+    pupils.wait_for_phase("finished")
+    group = pupils.api("/groups")["groups"][0]["id"]
+    (run,) = pupils.api(f"/groups/{group}/runs")["runs"]
+    assert (run["world"], run["activity"]) == ("maze", "maze")
+    expect(pupils["status-line"]).to_contain_text("Ainda falta", timeout=RUN_MS)
+
+
+def test_a_group_chooses_a_mission_solves_it_and_goes_on(studio: Studio) -> None:
+    studio.enter_group("Os Tatus")
+    studio["open-activities"].click()
+    card = studio.page.locator("[data-testid=activity-card][data-activity=pushing]")
+    expect(card).to_have_attribute("data-state", "new")
+    card.click()
+    studio.wait_until_open()
+    expect(studio["mission"]).to_be_visible()
+    put_move(studio, "5,6")
+    studio.run()
+    expect(studio["mission-done"]).to_be_visible(timeout=RUN_MS)
+    assert violations(studio) == []
+    studio["open-activities"].click()
+    expect(card).to_have_attribute("data-state", "passed")
+    assert violations(studio) == []
+    assert cut(studio.page) == []
+
+
+def test_hints_are_opened_one_by_one_and_stay_open(studio: Studio) -> None:
+    studio.enter_group("Os Tatus")
+    group = studio.api("/groups")["groups"][0]["id"]
+    studio.tell("POST", f"/groups/{group}/activities", {"activity": "square"})
+    studio["open-activities"].click()
+    studio.page.locator("[data-testid=activity-card][data-activity=square]").click()
+    studio.wait_until_open()
+    program = studio.program_id
+    n_hints = len(studio.api("/activities/square")["hints"])
+    for n in range(1, n_hints + 1):
+        studio["mission-hint"].click()
+        expect(studio["mission"].get_by_role("listitem")).to_have_count(n)
+    expect(studio["mission-hint"]).to_have_count(0)
+    assert cut(studio.page) == []
+    studio.eventually(
+        lambda: studio.api(f"/programs/{program}")["version"]["setup"]["n_hints"], n_hints
+    )
+    studio.page.reload()
+    expect(studio["mission"].get_by_role("listitem")).to_have_count(n_hints)
+    studio["mission-fold"].click()
+    expect(studio["mission"].get_by_role("listitem")).to_have_count(0)

@@ -1,0 +1,119 @@
+import { CircleCheck, Clock, Footprints } from "lucide-preact";
+import { activitiesApi } from "../api/activities";
+import type { ActivityChoice } from "../api/model";
+import { language, texts } from "../i18n";
+import { Button } from "../kit/Button";
+import { Loaded } from "../kit/requests/Loaded";
+import { useLoaded } from "../kit/requests/useLoaded";
+import { GoalPicture } from "../scene/goal/GoalPicture";
+import { beginActivity } from "../shell/begin_activity";
+import { nameInHeader } from "../shell/named";
+import { TEST } from "../shell/testids";
+import { couldNotOpen, opened } from "../studio/program/open_program";
+
+type State = "new" | "tried" | "passed";
+
+interface Offer {
+  readonly activities: readonly ActivityChoice[];
+  readonly states: ReadonlyMap<string, State>;
+}
+
+/** All activities as cards along their paths; a press opens the group's program for it. */
+export function ActivitiesScreen({ group }: { group: string }) {
+  const offer = useLoaded([group, language.value], () => load(group), { onFailed: couldNotOpen });
+  const { activity } = texts.value;
+  return (
+    <Loaded of={offer} as="screen">
+      {({ activities, states }) => (
+        <main class="screen activities">
+          <h1>{activity.choose}</h1>
+          {pathsOf(activities).map(([path, list]) => (
+            <section key={path} class="activities__path">
+              <h2>{activity.paths[path]}</h2>
+              <ol>
+                {list.map((one) => (
+                  <li key={one.name}>
+                    <ActivityCard
+                      choice={one}
+                      state={states.get(one.name) ?? "new"}
+                      group={group}
+                    />
+                  </li>
+                ))}
+              </ol>
+            </section>
+          ))}
+        </main>
+      )}
+    </Loaded>
+  );
+}
+
+async function load(group: string): Promise<Offer> {
+  const program = opened.peek()?.program;
+  const [activities, tried] = await Promise.all([
+    activitiesApi.list(),
+    activitiesApi.tried(group),
+    nameInHeader(program?.group_id === group ? program.id : null, group),
+  ]);
+  const states = tried.map(({ name, passed }): [string, State] => [
+    name,
+    passed ? "passed" : "tried",
+  ]);
+  return { activities, states: new Map(states) };
+}
+
+type Path = keyof typeof texts.value.activity.paths;
+
+/** The activities of each path; those of no path come last. */
+function pathsOf(activities: readonly ActivityChoice[]): [Path, ActivityChoice[]][] {
+  const paths = new Map<Path, ActivityChoice[]>();
+  for (const one of activities) {
+    const path = isPath(one.path) ? one.path : "others";
+    paths.set(path, [...(paths.get(path) ?? []), one]);
+  }
+  return [...paths];
+}
+
+const isPath = (path: string | null): path is Path =>
+  path !== null && path in texts.peek().activity.paths;
+
+const ICONS = { new: null, tried: Footprints, passed: CircleCheck } as const;
+
+interface ActivityCardProps {
+  choice: ActivityChoice;
+  state: State;
+  group: string;
+}
+
+function ActivityCard({ choice, state, group }: ActivityCardProps) {
+  const { activity } = texts.value;
+  const Icon = ICONS[state];
+  return (
+    <Button
+      kind="bare"
+      class="activities__card"
+      testId={TEST.activityCard}
+      data-activity={choice.name}
+      data-state={state}
+      onPress={() => beginActivity(group, choice.name)}
+    >
+      <GoalPicture goal={choice.goal_picture} />
+      <strong class="activities__title">
+        {choice.number} {choice.title}
+      </strong>
+      <span class="activities__facts">
+        {choice.minutes !== null && (
+          <span>
+            <Clock class="icon" aria-hidden="true" /> {activity.minutes(choice.minutes)}
+          </span>
+        )}
+        {Icon && (
+          <span class="activities__state">
+            <Icon class="icon" aria-hidden="true" /> {activity.states[state]}
+          </span>
+        )}
+      </span>
+    </Button>
+  );
+}
