@@ -6,12 +6,18 @@ from playwright.sync_api import expect
 from tests.e2e.axe import violations
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.studio import RUN_MS, Studio
-from tests.e2e.test_classes import open_lesson, prepare, to_part
+from tests.e2e.test_classes import PIN, open_lesson, prepare, to_part
 from tests.e2e.test_layout import cut
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
 MOVE = "andar para frente"
+
+
+def sign_in_with(studio: Studio) -> None:
+    studio["teacher-link"].click()
+    studio["pin"].fill(PIN)
+    studio["sign-in"].click()
 
 
 def put_move(studio: Studio, distance: str) -> None:
@@ -40,6 +46,23 @@ def test_the_group_stands_in_the_world_of_the_lesson(
     (run,) = pupils.api(f"/groups/{group}/runs")["runs"]
     assert (run["world"], run["activity"]) == ("maze", "maze")
     expect(pupils["status-line"]).to_contain_text("Ainda falta", timeout=RUN_MS)
+
+
+def test_a_mission_that_the_teacher_opens_later_is_offered(
+    studio: Studio, open_studio: OpenStudio
+) -> None:
+    prepare(studio)
+    studio["sign-out"].click()
+    studio.enter_group("Os Tatus")
+    expect(studio["lesson-mission"]).to_have_count(0)
+    teacher = open_studio()
+    sign_in_with(teacher)
+    to_part(teacher, "lessons")
+    open_lesson(teacher, "Sair do labirinto", "maze")
+    expect(studio["lesson-mission"]).to_be_visible(timeout=RUN_MS)
+    studio["lesson-mission"].click()
+    expect(studio["world-locked"]).to_contain_text("Labirinto")
+    expect(studio["lesson-mission"]).to_have_count(0)
 
 
 def test_a_group_chooses_a_mission_solves_it_and_goes_on(studio: Studio) -> None:

@@ -231,6 +231,7 @@ export const TEST = {
   openActivities: "open-activities",
   activityCard: "activity-card", // of each; data-activity, data-state: new | tried | passed
   mission: "mission", // data-done
+  lessonMission: "lesson-mission",
   missionFold: "mission-fold",
   missionHint: "mission-hint",
   missionDone: "mission-done",

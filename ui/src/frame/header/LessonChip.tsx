@@ -2,10 +2,10 @@ import { BookOpen } from "lucide-preact";
 import { useEffect } from "preact/hooks";
 import { language, texts } from "../../i18n";
 import { isRunning } from "../../run/live";
+import { lesson, loadOpenLesson } from "../../shell/lesson";
 import { group } from "../../shell/session";
 import { TEST } from "../../shell/testids";
 import { LessonGoal } from "./LessonGoal";
-import { lesson, loadOpenLesson } from "./lesson";
 
 /** The teacher may open a lesson in another window while the group is at work. */
 const EVERY_MS = 15_000;
@@ -29,7 +29,7 @@ export function LessonChip() {
   return (
     <div class="lesson-chip" title={whole} data-testid={TEST.lessonChip}>
       {now.goal ? (
-        <LessonGoal activity={now.activity} goal={now.goal} />
+        <LessonGoal activity={now.activity || now.title} goal={now.goal} />
       ) : (
         <BookOpen class="icon" aria-hidden="true" />
       )}

@@ -6,6 +6,8 @@ export const activity: typeof first = {
   toTheEnd: "The program solves the activity: now let it run to its end.",
   goal: "Picture of what the robot should do",
   showGoal: "See what the robot should do",
+  ofLesson: (title: string) => `The mission of the lesson is “${title}”.`,
+  openOfLesson: "Open the mission",
   mission: "Mission",
   fold: "Fold the mission",
   unfold: "Show the mission",

@@ -6,6 +6,8 @@ export const activity: typeof first = {
   toTheEnd: "El programa resuelve la actividad: ahora déjenlo correr hasta el final.",
   goal: "Dibujo de lo que el robot debe hacer",
   showGoal: "Ver lo que el robot debe hacer",
+  ofLesson: (title: string) => `La misión de la clase es «${title}».`,
+  openOfLesson: "Abrir la misión",
   mission: "Misión",
   fold: "Plegar la misión",
   unfold: "Mostrar la misión",

@@ -5,6 +5,8 @@ export const activity = {
   toTheEnd: "O programa resolve a atividade: agora deixem rodar até o fim.",
   goal: "Desenho do que o robô deve fazer",
   showGoal: "Ver o que o robô deve fazer",
+  ofLesson: (title: string) => `A missão da aula é “${title}”.`,
+  openOfLesson: "Abrir a missão",
   mission: "Missão",
   fold: "Recolher a missão",
   unfold: "Mostrar a missão",

@@ -26,6 +26,7 @@ import { BackFromOld } from "./BackFromOld";
 import { Elsewhere } from "./Elsewhere";
 import { FaultList } from "./FaultList";
 import { InBin } from "./InBin";
+import { LessonMission } from "./LessonMission";
 import { OtherWindow } from "./OtherWindow";
 import { Turns } from "./Turns";
 
@@ -37,6 +38,7 @@ export function BlocksPane({ control }: { control: StudioControl }) {
     <section class="blocks" aria-label={studio.blocks}>
       <Tools control={control} />
       {control.open.setup.value.activity && <MissionCard open={control.open} />}
+      <LessonMission open={control.open} />
       <InBin open={control.open} />
       <Elsewhere program={control.open.program} />
       <OtherWindow open={control.open} />

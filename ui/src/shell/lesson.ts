@@ -1,13 +1,16 @@
 import { signal } from "@preact/signals";
-import { classesApi } from "../../api/classes";
-import { ServerGone } from "../../api/errors";
-import type { GoalPicture } from "../../api/model";
-import { group, report } from "../../shell/session";
+import { activitiesApi } from "../api/activities";
+import { classesApi } from "../api/classes";
+import { ServerGone } from "../api/errors";
+import type { GoalPicture } from "../api/model";
+import { group, report } from "./session";
 
 /** Title and activity of the lesson that is open for a class. */
 export interface LessonWords {
   title: string;
   activity: string;
+  /** Name of the activity; null without one. */
+  mission: string | null;
   /** Null without an activity. */
   goal: GoalPicture | null;
 }
@@ -28,12 +31,19 @@ export async function loadOpenLesson(): Promise<void> {
 
 async function wordsOf(classroom: string): Promise<LessonWords | null> {
   const now = await classesApi.currentLesson(classroom);
-  if (!now?.title) return null;
-  const activities = now.activity ? await classesApi.activities() : [];
-  const activity = activities.find((one) => one.name === now.activity);
+  const mission = now?.activity ?? null;
+  if (!now || !(now.title || mission)) return null;
+  const activity = mission ? await activitiesApi.one(mission).catch(unlessGone) : null;
   return {
-    title: now.title,
-    activity: activity?.title ?? "",
+    title: now.title || (activity?.title ?? ""),
+    activity: now.title ? (activity?.title ?? "") : "",
+    mission: activity && mission,
     goal: activity?.goal_picture ?? null,
   };
+}
+
+/** An activity of a newer release is not shown. */
+function unlessGone(error: unknown): null {
+  if (error instanceof ServerGone) throw error;
+  return null;
 }

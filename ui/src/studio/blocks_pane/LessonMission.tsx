@@ -1,0 +1,29 @@
+import { useSignal } from "@preact/signals";
+import { Target } from "lucide-preact";
+import { texts } from "../../i18n";
+import { WayBack } from "../../kit/WayBack";
+import { beginActivity } from "../../shell/begin_activity";
+import { lesson } from "../../shell/lesson";
+import { TEST } from "../../shell/testids";
+import type { OpenProgram } from "../program/open_program";
+
+/** Offers the activity of the lesson to a group that is at another program. */
+export function LessonMission({ open }: { open: OpenProgram }) {
+  const closedFor = useSignal<string | null>(null);
+  const { value: now } = lesson;
+  const mission = now?.mission;
+  if (!mission || mission === open.setup.value.activity || mission === closedFor.value) return null;
+  const { activity } = texts.value;
+  return (
+    <WayBack
+      words={activity.ofLesson(now.activity || now.title)}
+      action={activity.openOfLesson}
+      Icon={Target}
+      testId={TEST.lessonMission}
+      onBack={() => beginActivity(open.program.group_id, mission)}
+      onClose={() => {
+        closedFor.value = mission;
+      }}
+    />
+  );
+}
