@@ -14,7 +14,8 @@ MAX_VALUE = 16 * 2**20
 MAX_NAME = 60  # letters
 MAX_NOTE = 1000  # letters
 MAX_SIGN = 30  # letters of a taught sign's name
-MAX_TAUGHT_SAMPLES = 20  # of one sign of a class
+MAX_TAUGHT_SAMPLES = 20  # of one sign of a class: hands at rest, and as many movements
 MAX_TAUGHT_SIGNS = 60  # of a class that count; it does not record more
-N_FEATURES = 1748  # of a hand, as the application's gestures/features.py computes them
+# of a hand, as the application's gestures/features.py computes them; a movement (gestures/movements.py) has as many
+N_FEATURES = 1748
 MAX_SAMPLES = 200_000  # in a chunk of telemetry, and in all of a run: an hour has 108,000

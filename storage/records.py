@@ -76,10 +76,14 @@ class NoteRow:
 
 @dataclass(frozen=True, slots=True)
 class SignSamples:
-    """A sign that a class taught; `samples` are rows of `N_FEATURES` float16, little-endian, the newest first."""
+    """A sign that a class taught.
+
+    samples, movements: hands at rest, and movements; rows of `N_FEATURES` float16, little-endian, the newest first.
+    """
 
     sign: str
-    samples: bytes
+    samples: bytes = b""
+    movements: bytes = b""
 
     @property
     def n_samples(self) -> int:
@@ -90,6 +94,10 @@ class SignSamples:
         """Each sample by itself."""
         starts = range(0, len(self.samples), _SAMPLE_BYTES)
         return [self.samples[start : start + _SAMPLE_BYTES] for start in starts]
+
+    @property
+    def n_movements(self) -> int:
+        return len(self.movements) // _SAMPLE_BYTES
 
 
 @dataclass(frozen=True, slots=True)

@@ -177,7 +177,7 @@ def test_stop_is_not_late_when_the_camera_fails_in_the_middle_of_a_capture(
     app._camera.wake()
     assert app._camera.wait_until_ready(WAIT_S)
     os.kill(app._camera.pid or 0, how)
-    app._camera.know((("B", 5 * packed(shown("B")[:10])),))  # more than a pipe takes
+    app._camera.know((("B", 5 * packed(shown("B")[:10]), b""),))  # more than a pipe takes
     with browser.stream() as stream:
         stream.next()
         run = begun(browser, version_id)

@@ -6,7 +6,7 @@ import logging
 import threading
 import time
 from collections.abc import Callable, Generator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from itertools import count
 from typing import Any, Literal
 
@@ -24,7 +24,7 @@ _log = logging.getLogger(__name__)
 
 CameraMode = Literal["off", "opening", "on", "failed"]
 WireEvent = dict[str, Any]
-Taught = tuple[tuple[str, bytes], ...]
+Taught = tuple[tuple[str, bytes, bytes], ...]
 
 LINGER_S = 20.0  # the camera stays on so long after its last use: the next capture finds it open
 _SILENT_S = 5.0  # a process that says nothing for so long while the camera is on hangs
@@ -125,7 +125,11 @@ class Camera:
                 self._want(source=source)
 
     def know(self, taught: Taught) -> None:
-        """Knows these signs besides the letters that ship, from now on: names with samples, as the store keeps them."""
+        """Knows these signs besides the letters that ship, from now on.
+
+        Args:
+            taught: of each its name, hands at rest and movements, as the store keeps them.
+        """
         with self._lock:
             if taught != self._taught:
                 self._taught = taught
@@ -136,17 +140,19 @@ class Camera:
         n_samples: int,
         on_samples: Callable[[tuple[bytes, ...]], None],
         on_stop: Callable[[], None],
+        *,
+        is_moving: bool = False,
     ) -> None:
-        """Records hands at rest, one for each frame; a recording that goes on is stopped.
+        """Records hands at rest, one for each frame, or movements; a recording that goes on is stopped.
 
         Args:
             on_samples: called with all samples so far after each one, at last with `n_samples`.
-            on_stop: called when no hand was at rest for so long that it is given up.
+            on_stop: called when nothing was recorded for so long that it is given up.
         """
         self.stop_recording()
         with self._lock:
             self._recording = SampleRecording(n_samples, on_samples, on_stop)
-            self._want(record=str(next(self._numbers)))
+            self._want(record=str(next(self._numbers)), record_moving=is_moving)
         self.use()
 
     def stop_recording(self) -> None:
@@ -224,8 +230,8 @@ class Camera:
     def _tell_taught(self) -> None:
         if self._process.state == "ready":
             signs = [
-                {"sign": sign, "samples": base64.b64encode(samples).decode("ascii")}
-                for sign, samples in self._taught
+                {"sign": sign, "samples": _base64(samples), "movements": _base64(movements)}
+                for sign, samples, movements in self._taught
             ]
             self._process.send({"type": "signs", "signs": signs})
 
@@ -249,9 +255,8 @@ class Camera:
                 problem = PinelError(code, **message["params"]) if code else None
                 self._change(CameraState(message["state"], problem))
             case "sight":
-                hands, label = message["hands"], message["label"]
-                sight = CameraSight(hands, label, message["progress"], message["aspect"])
-                self._publish(sight.flat())
+                told = {field.name: message[field.name] for field in fields(CameraSight)}
+                self._publish(CameraSight(**told).flat())
             case "recognised":
                 self._recognised(message)
             case "sample":
@@ -304,3 +309,7 @@ class Camera:
                 self._process.kill()
             if is_given_up:
                 self.stop_recording()
+
+
+def _base64(octets: bytes) -> str:
+    return base64.b64encode(octets).decode("ascii")

@@ -1,10 +1,10 @@
-"""What a class taught, put into the classifier beside the frames, and the frames from which it is to learn."""
+"""What a class taught, learnt beside the frames, and the frames and movements from which it is to learn."""
 
 import base64
 import logging
 import threading
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 from pinel_desktop.camera.sight import SeenSign
 from pinel_desktop.gestures.classifier import Samples, SignClassifier
 from pinel_desktop.gestures.features import N_FEATURES
+from pinel_desktop.gestures.movements import N_FRAMES, N_NUMBERS, Glimpse, MovementWatch
+from pinel_desktop.gestures.moving_signs import MovingSigns
 from pinel_desktop.gestures.vote import rests
 
 _log = logging.getLogger(__name__)
@@ -23,10 +25,11 @@ _LARGEST = float(np.finfo(np.float16).max)
 
 @dataclass(frozen=True, slots=True)
 class Learnt:
-    """A classifier, and the names of the signs in it that a class taught."""
+    """A classifier, the names of the signs in it that a class taught, and the signs that move."""
 
     classifier: SignClassifier
-    taught: frozenset[str]
+    taught: frozenset[str] = frozenset()
+    moving: MovingSigns = field(default_factory=lambda: MovingSigns({}))
 
 
 class Learner:
@@ -45,7 +48,11 @@ class Learner:
         return self._is_busy
 
     def learn(self, signs: Sequence[dict[str, Any]]) -> None:
-        """Begins with the letters that ship and these signs, `sign` and `samples` (base64 of float16, n x 1748)."""
+        """Begins with the letters that ship and these signs.
+
+        Args:
+            signs: of each `sign`, and `samples` and `movements`, base64 of float16 (n, 1748).
+        """
         with self._lock:
             self._n_begun += 1
             self._is_busy = True
@@ -66,19 +73,22 @@ class Learner:
             learnt = self._taught(signs)
         except (KeyError, TypeError, ValueError, np.linalg.LinAlgError):
             _log.exception("signs cannot be learnt")
-            learnt = Learnt(self._letters, frozenset())
+            learnt = Learnt(self._letters)
         with self._lock:
             if number == self._n_begun:  # else it is another class's turn already
                 self._learnt = learnt
 
     def _taught(self, signs: Sequence[dict[str, Any]]) -> Learnt:
-        if not signs:
-            return Learnt(self._letters, frozenset())
+        moves = {sign["sign"]: _unpacked(sign["movements"]) for sign in signs}
+        moving = {name: rows.reshape(-1, N_FRAMES, N_NUMBERS) for name, rows in moves.items()}
+        known = MovingSigns({name: rows for name, rows in moving.items() if len(rows)})
         samples = [_unpacked(sign["samples"]) for sign in signs]
         names = [sign["sign"] for sign, found in zip(signs, samples, strict=True) for _ in found]
+        if not names:
+            return Learnt(self._letters, moving=known)
         classifier = self._letters.teach(Samples(np.concatenate(samples), tuple(names)))
         classifier.read(np.zeros(N_FEATURES, np.float32))  # derives what is derived once
-        return Learnt(classifier, frozenset(names))
+        return Learnt(classifier, frozenset(names), known)
 
 
 class SampleTaker:
@@ -98,11 +108,38 @@ class SampleTaker:
         self._points, self._seen_s = (hands[0].points if len(hands) == 1 else None), time_s
         if self._points is None or before is None or not rests(before, self._points, elapsed_s):
             return None
-        features = hands[0].features
-        if time_s - self._taken_s < _SAMPLE_S or not (np.abs(features) <= _LARGEST).all():
+        if time_s - self._taken_s < _SAMPLE_S:
             return None
-        self._taken_s = time_s
-        return base64.b64encode(features.astype(_KEPT_AS).tobytes()).decode("ascii")
+        packed = pack(hands[0].features)
+        self._taken_s = time_s if packed else self._taken_s
+        return packed
+
+
+class MovementTaker:
+    """Cuts out the movements from which a sign is to be learnt: of one hand, from rest to rest."""
+
+    def __init__(self) -> None:
+        self._watch = MovementWatch()
+
+    def begin_anew(self) -> None:
+        """Forgets the frames so far."""
+        self._watch.begin_anew()
+
+    def take(self, time_s: float, hands: Sequence[SeenSign]) -> str | None:
+        """The movement that ends with this frame, packed as messages carry it; None without one."""
+        if len(hands) != 1:
+            self._watch.begin_anew() if hands else None
+            return None
+        seen = hands[0]
+        movement = self._watch.see(Glimpse(time_s, seen.points, seen.handedness == "left"))
+        return None if movement is None else pack(movement)
+
+
+def pack(numbers: NDArray[np.float32]) -> str | None:
+    """Numbers of a sample as messages carry them; None for what half precision cannot hold."""
+    if not (np.abs(numbers) <= _LARGEST).all():
+        return None
+    return base64.b64encode(numbers.astype(_KEPT_AS).tobytes()).decode("ascii")
 
 
 def _unpacked(packed: str) -> NDArray[np.float32]:

@@ -3,7 +3,7 @@
 import time
 from collections.abc import Callable
 
-_PATIENCE_S = 15.0  # without a hand at rest
+_PATIENCE_S = 15.0  # without a hand at rest, or without a movement
 
 
 class SampleRecording:
@@ -32,7 +32,7 @@ class SampleRecording:
 
     @property
     def is_given_up(self) -> bool:
-        """No hand at rest was seen for too long."""
+        """Nothing was recorded for too long."""
         return time.monotonic() - self._added_s > _PATIENCE_S
 
     def add(self, sample: bytes) -> tuple[bytes, ...]:

@@ -12,14 +12,15 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
-from pinel_desktop.camera.learning import Learner, SampleTaker
+from pinel_desktop.camera.learning import Learner, MovementTaker, SampleTaker
 from pinel_desktop.camera.sight import SeenSign, Sight
 from pinel_desktop.camera.source import CameraSource, Frame
 from pinel_desktop.camera.wanted import Wanted
 from pinel_desktop.errors import PinelError
 from pinel_desktop.gestures.opencv import cv2
 from pinel_desktop.gestures.pictures import Picture
-from pinel_desktop.gestures.vote import Ballot, Vote
+from pinel_desktop.gestures.sign_watch import SignWatch
+from pinel_desktop.gestures.vote import Ballot, Decision
 from pinel_desktop.processes.messages import Message, read_messages, write_message
 
 _END: Message = {"type": "end"}
@@ -30,6 +31,7 @@ _PREVIEW_SIDE = 480  # px, of the longer side
 _JPEG_QUALITY = 70
 _IDLE_S = 0.1
 _ALIVE_S = 1.0
+_MOVED_S = 1.2  # so long a sign that moved is told: an event may be lost, and people look up late
 
 
 class CameraServer:
@@ -110,9 +112,11 @@ class _Session:
         self._sight, self._send, self._open_source = sight, send, open_source
         self._source: CameraSource | None = None
         self._wanted = Wanted()
-        self._vote = Vote()
+        self._signs = SignWatch()
         self._learner = Learner(sight.classifier)
-        self._taker = SampleTaker()
+        self._hand_taker, self._movement_taker = SampleTaker(), MovementTaker()
+        self._moved: Decision | None = None
+        self._moved_s = float("-inf")
         self._seen_s = self._told_s = self._alive_s = 0.0
         self._state: Message = _state("off")
 
@@ -132,9 +136,10 @@ class _Session:
         if wanted.source != self._wanted.source:
             self._change_source(wanted.source)
         if wanted.capture != self._wanted.capture:
-            self._vote.begin_anew()
+            self._signs.begin_anew()
         if wanted.record != self._wanted.record:
-            self._taker.begin_anew()
+            self._hand_taker.begin_anew()
+            self._movement_taker.begin_anew()
         self._wanted = wanted
 
     def look(self) -> None:
@@ -155,7 +160,7 @@ class _Session:
             self._source.close()
         self._source = self._open_source(address) if address is not None else None
         self._sight.begin_anew()
-        self._vote.begin_anew()
+        self._signs.begin_anew()
         self._tell_state(_state("opening" if self._source else "off"))
 
     def _tell_how_it_is(self, source: CameraSource) -> None:
@@ -171,12 +176,16 @@ class _Session:
     def _see(self, frame: Frame) -> None:
         if learnt := self._learner.take():
             self._sight.know(learnt.classifier, learnt.taught)
-            self._vote.begin_anew()
+            self._signs.know(learnt.moving)
         hands = self._sight.look(frame.shot)
         self._record(frame, hands)
-        decision = self._vote.count(_ballot(frame, hands))
+        decision = self._signs.see(*_ballot(frame, hands))
+        if decision and decision.is_moving:
+            self._moved, self._moved_s = decision, frame.time_s
         if self._wanted.capture and decision and not self._learner.is_busy:
-            taught = any(hand.is_taught for hand in hands if hand.reading.best == decision.label)
+            taught = decision.is_moving or any(
+                hand.is_taught for hand in hands if hand.reading.best == decision.label
+            )
             self._send(
                 {
                     "type": "recognised",
@@ -194,14 +203,25 @@ class _Session:
 
     def _record(self, frame: Frame, hands: list[SeenSign]) -> None:
         number = self._wanted.record
-        if number and (sample := self._taker.take(frame.time_s, hands)):
+        taker = self._movement_taker if self._wanted.record_moving else self._hand_taker
+        if number and (sample := taker.take(frame.time_s, hands)):
             self._send({"type": "sample", "id": number, "hand": sample})
 
     def _tell(self, picture: Picture, hands: list[SeenSign]) -> None:
         height, width = picture.shape[:2]
         told = [_as_message(hand, width, height, mirror=self._wanted.mirror) for hand in hands]
-        steady = {"label": self._vote.label, "progress": round(self._vote.progress, 2)}
-        self._send({"type": "sight", "hands": told, **steady, "aspect": round(width / height, 4)})
+        moved = self._moved if self._told_s - self._moved_s < _MOVED_S else None
+        self._send(
+            {
+                "type": "sight",
+                "hands": told,
+                "label": self._signs.label,
+                "progress": round(self._signs.progress, 2),
+                "moved": moved.label if moved else "",
+                "moved_confidence": moved.confidence if moved else 0.0,
+                "aspect": round(width / height, 4),
+            }
+        )
         if self._wanted.preview:
             self._send({"type": "preview", "jpeg": _jpeg(picture, mirror=self._wanted.mirror)})
 
@@ -218,15 +238,16 @@ def _obey(session: _Session, order: Message) -> None:
         _log.warning("what the app wants is not understood: %.200s", order, exc_info=True)
 
 
-def _ballot(frame: Frame, hands: list[SeenSign]) -> Ballot:
-    """What the frame says; nothing where two hands show different signs."""
+def _ballot(frame: Frame, hands: list[SeenSign]) -> tuple[Ballot, bool]:
+    """What the frame says, nothing where two hands show different signs; and whether the hand is a left one."""
     if not hands:
-        return Ballot(frame.time_s, None)
+        return Ballot(frame.time_s, None), False
     sure = [hand for hand in hands if hand.reading.sign is not None]
     first = sure[0] if sure else hands[0]
     reading = first.reading
     label = reading.sign if len({hand.reading.sign for hand in sure}) == 1 else None
-    return Ballot(frame.time_s, label, reading.confidence, reading.second, first.points)
+    ballot = Ballot(frame.time_s, label, reading.confidence, reading.second, first.points)
+    return ballot, first.handedness == "left"
 
 
 def _as_message(hand: SeenSign, width: int, height: int, *, mirror: bool) -> dict[str, Any]:

@@ -15,7 +15,8 @@ class Wanted:
         mirror: whether pupils are to see themselves as in a mirror; signs are recognised alike.
         capture: id of the run whose capture waits for a sign; None while none does.
         preview: whether somebody watches the picture.
-        record: id of the recording that waits for hands at rest; None while none does.
+        record: id of the recording that waits for hands; None while none does.
+        record_moving: whether it waits for movements, not for hands at rest.
     """
 
     source: str | None = None
@@ -23,6 +24,7 @@ class Wanted:
     capture: str | None = None
     preview: bool = False
     record: str | None = None
+    record_moving: bool = False
 
     def as_message(self) -> Message:
         return {"type": "want", **asdict(self)}

@@ -98,6 +98,8 @@ class CameraSight(StreamEvent):
         hands: the hands in the picture, at most two.
         label: the sign that is becoming steady; "" while none is.
         progress: how near it is to being the answer of a capture, 0 to 1.
+        moved: the sign that a movement has shown, told for about a second; "" while there is none.
+        moved_confidence: of `moved`, 0 to 1; higher for a movement that is nearer to what the class showed.
         aspect: width of the picture divided by its height.
     """
 
@@ -106,6 +108,8 @@ class CameraSight(StreamEvent):
     hands: list[SeenSign]
     label: str
     progress: float
+    moved: str
+    moved_confidence: float
     aspect: float
 
 
@@ -131,13 +135,14 @@ class CameraChanged(StreamEvent):
 
 @dataclass(frozen=True, slots=True)
 class SignRecording(StreamEvent):
-    """A class teaches the camera a sign: another hand was recorded, all of them were kept, or it was given up.
+    """A class teaches the camera a sign: another sample was recorded, all of them were kept, or it was given up.
 
     Attributes:
         classroom: id of the class.
         sign: name of the sign.
-        n_samples: hands recorded so far.
-        n_wanted: hands of a whole recording.
+        is_moving: whether movements are recorded, not hands at rest.
+        n_samples: hands or movements recorded so far.
+        n_wanted: of a whole recording.
         is_kept: whether they are on disk.
         code: of the message why the recording was given up; null where it was not.
         params: parameters of the message.
@@ -148,6 +153,7 @@ class SignRecording(StreamEvent):
     type: ClassVar[str] = "sign_recording"
     classroom: str
     sign: str
+    is_moving: bool
     n_samples: int
     n_wanted: int
     is_kept: bool

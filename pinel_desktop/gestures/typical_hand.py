@@ -6,6 +6,8 @@ from collections.abc import Iterable, Sequence
 _N_BENEATH = 20  # landmarks but the wrist, which is the origin
 # a sample begins with x and y of the landmarks from the wrist, then their z (`features.features`)
 _POSITION = struct.Struct(f"<{3 * _N_BENEATH}e")
+# a movement begins with x and y of all landmarks in its first frame (`movements.movement`)
+_BEGINNING = struct.Struct(f"<{2 * (_N_BENEATH + 1)}e")
 
 Landmarks = list[list[float]]
 
@@ -27,6 +29,14 @@ def typical_landmarks(samples: Iterable[bytes]) -> Landmarks:
     # what a camera sees of a right hand is the other way round in a mirror
     points = zip(flat[::2], flat[1::2], depths, strict=True)
     return [[0.0, 0.0, 0.0], *([round(-x, 3), round(y, 3), round(z, 3)] for x, y, z in points)]
+
+
+def landmarks_of_movement(samples: bytes) -> Landmarks:
+    """The hand (21, 3) with which the first of these movements begins, as `typical_landmarks` gives it; flat."""
+    numbers = _BEGINNING.unpack_from(samples)
+    points = list(zip(numbers[::2], numbers[1::2], strict=True))
+    (wrist_x, wrist_y), *_ = points
+    return [[round(wrist_x - x, 3), round(y - wrist_y, 3), 0.0] for x, y in points]
 
 
 def _distance(hand: Sequence[float], other: Sequence[float]) -> float:

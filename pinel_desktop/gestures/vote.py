@@ -34,11 +34,15 @@ class Ballot:
 
 @dataclass(frozen=True, slots=True)
 class Decision:
-    """The steady sign, the mean confidence of its frames, and the second best of the last one."""
+    """The steady sign, the mean confidence of its frames, and the second best of the last one.
+
+    is_moving: it is a movement that a class taught.
+    """
 
     label: str
     confidence: float
     second: str
+    is_moving: bool = False
 
 
 def rests(before: NDArray[np.float32], now: NDArray[np.float32], elapsed_s: float) -> bool:
@@ -54,6 +58,7 @@ class Vote:
     def __init__(self) -> None:
         self._frames: deque[Ballot] = deque(maxlen=_MOST_FRAMES)
         self._last: Ballot | None = None
+        self._least_s = LEAST_S
 
     @property
     def progress(self) -> float:
@@ -61,16 +66,17 @@ class Vote:
         if not self._frames:
             return 0.0
         lasted_s = self._frames[-1].time_s - self._frames[0].time_s
-        return min(1.0, len(self._frames) / N_FRAMES, lasted_s / LEAST_S)
+        return min(1.0, len(self._frames) / N_FRAMES, lasted_s / self._least_s)
 
     @property
     def label(self) -> str:
         """The sign that is being counted; "" while there is none."""
         return self._frames[-1].label or "" if self._frames else ""
 
-    def count(self, frame: Ballot) -> Decision | None:
-        """Takes the next frame; gives the decision once it is steady, and then begins anew."""
+    def count(self, frame: Ballot, least_s: float = LEAST_S) -> Decision | None:
+        """Takes the next frame; gives the decision once it is steady for `least_s`, and then begins anew."""
         moved = self._moved(frame)
+        self._least_s = least_s
         self._last = frame
         if frame.label is None or moved:
             self._frames.clear()

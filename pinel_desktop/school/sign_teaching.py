@@ -9,24 +9,27 @@ from typing import Any, Protocol
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.app_events import SignRecording, SignsChanged
 from pinel_desktop.gestures.letters import LETTERS
-from pinel_desktop.gestures.typical_hand import Landmarks, typical_landmarks
+from pinel_desktop.gestures.typical_hand import Landmarks, landmarks_of_movement, typical_landmarks
 from pinel_desktop.messages import explain
-from storage import Store, StoreError
+from storage import SignSamples, Store, StoreError
 
 N_SAMPLES = 10  # hands of one recording
+N_MOVEMENTS = 5
 Samples = tuple[bytes, ...]
 
 
 class Camera(Protocol):
     """The part of `camera.client.Camera` that learns."""
 
-    def know(self, taught: tuple[tuple[str, bytes], ...]) -> None: ...
+    def know(self, taught: tuple[tuple[str, bytes, bytes], ...]) -> None: ...
 
     def record(
         self,
         n_samples: int,
         on_samples: Callable[[Samples], None],
         on_stop: Callable[[], None],
+        *,
+        is_moving: bool,
     ) -> None: ...
 
     def stop_recording(self) -> None: ...
@@ -37,12 +40,32 @@ class KnownSign:
     """A sign that captures of a class can answer: a letter that ships, with the class's samples of it, or its own.
 
     `landmarks` are those to draw a sign of the class from; None for a letter, whose drawing ships.
+    n_samples, n_movements: how often the class showed it at rest and in motion.
     """
 
     name: str
     is_letter: bool
     n_samples: int
+    n_movements: int
     landmarks: Landmarks | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class _Recording:
+    """What is being recorded."""
+
+    classroom_id: str
+    sign: str
+    is_moving: bool
+
+    @property
+    def n_wanted(self) -> int:
+        return N_MOVEMENTS if self.is_moving else N_SAMPLES
+
+    @property
+    def code_of_stop(self) -> str:
+        """Of the message that it was given up."""
+        return "movement_recording_stopped" if self.is_moving else "sign_recording_stopped"
 
 
 class SignTeaching:
@@ -70,13 +93,10 @@ class SignTeaching:
             StoreError: `classroom_not_found`.
         """
         taught = self._store.taught_signs.of_classroom(classroom_id) if classroom_id else []
-        counts = {one.sign: one.n_samples for one in taught}
-        letters = [KnownSign(letter, True, counts.get(letter, 0)) for letter in LETTERS]
-        return letters + [
-            KnownSign(one.sign, False, one.n_samples, typical_landmarks(one.hands))
-            for one in taught
-            if one.sign not in LETTERS
-        ]
+        samples = {one.sign: one for one in taught}
+        unknown = SignSamples("")
+        letters = [_known(samples.get(letter, unknown), letter) for letter in LETTERS]
+        return letters + [_known(one) for one in taught if one.sign not in LETTERS]
 
     def use(self, classroom_id: str | None) -> None:
         """From now on the camera knows what this class taught; None is a group without a class.
@@ -85,7 +105,7 @@ class SignTeaching:
             StoreError: `classroom_not_found`; the camera then knows what it knew.
         """
         taught = self._store.taught_signs.of_classroom(classroom_id) if classroom_id else []
-        self._camera.know(tuple((one.sign, one.samples) for one in taught))
+        self._camera.know(tuple((one.sign, one.samples, one.movements) for one in taught))
         self._classroom_id = classroom_id
 
     def refresh(self) -> None:
@@ -97,23 +117,28 @@ class SignTeaching:
                 self.use(None)
         self._publish(SignsChanged(classroom=None).flat())
 
-    def record(self, classroom_id: str, name: str) -> str:
+    def record(self, classroom_id: str, name: str, *, is_moving: bool = False) -> str:
         """Begins to record a sign; events tell how it goes on. Returns the name as the class spells it.
+
+        Args:
+            is_moving: records movements, not hands at rest.
 
         Raises:
             StoreError: as `TaughtSigns.name_to_teach`.
         """
-        sign = self._store.taught_signs.name_to_teach(classroom_id, name)
+        sign = self._store.taught_signs.name_to_teach(classroom_id, name, is_moving=is_moving)
+        recording = _Recording(classroom_id, sign, is_moving)
 
         def on_samples(samples: Samples) -> None:
-            self._tell(classroom_id, sign, len(samples))
-            if len(samples) == N_SAMPLES:
-                self._keep(classroom_id, sign, samples)
+            self._tell(recording, len(samples))
+            if len(samples) == recording.n_wanted:
+                self._keep(recording, samples)
 
         self._camera.record(
-            N_SAMPLES,
+            recording.n_wanted,
             on_samples,
-            lambda: self._tell(classroom_id, sign, 0, problem=PinelError("sign_recording_stopped")),
+            lambda: self._tell(recording, 0, problem=PinelError(recording.code_of_stop)),
+            is_moving=is_moving,
         )
         return sign
 
@@ -132,14 +157,17 @@ class SignTeaching:
         self._store.exchange.remove("taught_sign", *keys)
         self._use_again(classroom_id)
 
-    def _keep(self, classroom_id: str, sign: str, samples: Samples) -> None:
+    def _keep(self, recording: _Recording, samples: Samples) -> None:
+        classroom_id, sign = recording.classroom_id, recording.sign
         try:
-            self._store.taught_signs.add(classroom_id, sign, b"".join(samples))
+            self._store.taught_signs.add(
+                classroom_id, sign, b"".join(samples), is_moving=recording.is_moving
+            )
         except StoreError as error:  # the disk is full, or the class was deleted meanwhile
-            self._tell(classroom_id, sign, 0, problem=error)
+            self._tell(recording, 0, problem=error)
             return
         self._use_again(classroom_id)
-        self._tell(classroom_id, sign, len(samples), is_kept=True)
+        self._tell(recording, len(samples), is_kept=True)
 
     def _use_again(self, classroom_id: str) -> None:
         if classroom_id == self._classroom_id:
@@ -149,8 +177,7 @@ class SignTeaching:
 
     def _tell(
         self,
-        classroom_id: str,
-        sign: str,
+        recording: _Recording,
         n_samples: int,
         *,
         is_kept: bool = False,
@@ -158,10 +185,11 @@ class SignTeaching:
     ) -> None:
         words = explain(problem, self._language()) if problem else None
         event = SignRecording(
-            classroom=classroom_id,
-            sign=sign,
+            classroom=recording.classroom_id,
+            sign=recording.sign,
+            is_moving=recording.is_moving,
             n_samples=n_samples,
-            n_wanted=N_SAMPLES,
+            n_wanted=recording.n_wanted,
             is_kept=is_kept,
             code=problem.code if problem else None,
             params=dict(problem.params) if problem else {},
@@ -169,3 +197,12 @@ class SignTeaching:
             remedy=words.remedy if words else "",
         )
         self._publish(event.flat())
+
+
+def _known(taught: SignSamples, letter: str | None = None) -> KnownSign:
+    counts = taught.n_samples, taught.n_movements
+    if letter:
+        return KnownSign(letter, True, *counts)
+    if taught.hands:
+        return KnownSign(taught.sign, False, *counts, typical_landmarks(taught.hands))
+    return KnownSign(taught.sign, False, *counts, landmarks_of_movement(taught.movements))

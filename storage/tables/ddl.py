@@ -178,4 +178,5 @@ MIGRATIONS: dict[str, tuple[str, ...]] = {
         "CREATE INDEX taught_signs_classroom ON taught_signs (classroom_id, id)",
     ),
     "setup_of_versions": ("ALTER TABLE versions ADD COLUMN setup TEXT",),
+    "moving_signs": ("ALTER TABLE taught_signs ADD COLUMN is_moving INTEGER NOT NULL DEFAULT 0",),
 }

@@ -80,7 +80,7 @@ def blob(value: Any) -> bool:
 
 
 def hands(value: Any) -> bool:
-    """Samples of a taught sign: 1 to `MAX_TAUGHT_SAMPLES` rows of float16 features, all finite."""
+    """Samples of a taught sign: 1 to `MAX_TAUGHT_SAMPLES` rows of `N_FEATURES` float16, all finite."""
     if not isinstance(value, bytes):
         return False
     n_samples, rest = divmod(len(value), 2 * N_FEATURES)

@@ -98,9 +98,11 @@ TAUGHT_SIGNS = ReplicatedTable(
         Column(
             "samples",
             BLOB,
-            f"hands that show it: rows of {N_FEATURES} features as float16, little-endian",
+            f"hands that show it: rows of {N_FEATURES} numbers as float16, little-endian; of each the features of a"
+            " hand at rest, or a movement",
             rules.hands,
         ),
+        Column("is_moving", FLAG, "whether the samples are movements"),
     ),
     own_tombstone=True,
     anonymous=False,

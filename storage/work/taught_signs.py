@@ -1,12 +1,13 @@
-"""Signs that a class taught: recordings of hands that show them.
+"""Signs that a class taught: recordings of hands that show them, at rest or in motion.
 
 A recording is one row that never changes, so that the union of those of two PCs is a merge. Of one sign the newest
-samples count; a name is one sign whatever its case.
+samples of each kind count; a name is one sign whatever its case.
 """
 
 import sqlite3
 import unicodedata
 from collections.abc import Iterable
+from dataclasses import replace
 
 from storage.errors import StoreError
 from storage.file.repository import Repository
@@ -27,8 +28,11 @@ class TaughtSigns(Repository):
             require(db, "classrooms", classroom_id)
             return _signs(_recordings(db, classroom_id))
 
-    def name_to_teach(self, classroom_id: str, name: str) -> str:
+    def name_to_teach(self, classroom_id: str, name: str, *, is_moving: bool = False) -> str:
         """How the class spells the sign of that name, which may be new.
+
+        Args:
+            is_moving: whether a movement is to be taught.
 
         Raises:
             StoreError: `classroom_not_found`; `sign_name_wrong`; `sign_taught_enough` where it has samples enough;
@@ -38,22 +42,25 @@ class TaughtSigns(Repository):
         known = next((one for one in taught if name_key(one.sign) == name_key(clean)), None)
         if known is None and len(taught) >= MAX_TAUGHT_SIGNS:
             raise StoreError("signs_too_many", max=MAX_TAUGHT_SIGNS)
-        if known and known.n_samples >= MAX_TAUGHT_SAMPLES:
-            raise StoreError("sign_taught_enough", sign=known.sign)
+        if known:
+            n_samples = known.n_movements if is_moving else known.n_samples
+            if n_samples >= MAX_TAUGHT_SAMPLES:
+                raise StoreError("sign_taught_enough", sign=known.sign)
         return known.sign if known else clean
 
-    def add(self, classroom_id: str, sign: str, samples: bytes) -> None:
+    def add(self, classroom_id: str, sign: str, samples: bytes, *, is_moving: bool = False) -> None:
         """Adds a recording.
 
         Args:
             samples: at most `MAX_TAUGHT_SAMPLES` rows of `N_FEATURES` finite float16, little-endian.
+            is_moving: whether they are movements.
 
         Raises:
             StoreError: as `name_to_teach`.
         """
-        name, now = self.name_to_teach(classroom_id, sign), self._database.now()
+        name = self.name_to_teach(classroom_id, sign, is_moving=is_moving)
         row: dict[str, object] = {"id": new_id(), "classroom_id": classroom_id, "sign": name}
-        row |= {"created_at": now, "samples": samples}
+        row |= {"created_at": self._database.now(), "samples": samples, "is_moving": is_moving}
 
         def write(db: sqlite3.Connection) -> None:
             require(db, "classrooms", classroom_id)
@@ -74,7 +81,8 @@ class TaughtSigns(Repository):
 
 def _recordings(db: sqlite3.Connection, classroom_id: str) -> list[sqlite3.Row]:
     """The newest first."""
-    query = "SELECT id, sign, samples FROM taught_signs WHERE classroom_id = ? ORDER BY id DESC"
+    query = """SELECT id, sign, samples, is_moving FROM taught_signs
+        WHERE classroom_id = ? ORDER BY id DESC"""
     return db.execute(query, [classroom_id]).fetchall()
 
 
@@ -82,9 +90,10 @@ def _signs(recordings: Iterable[sqlite3.Row]) -> list[SignSamples]:
     by_key: dict[str, SignSamples] = {}
     for row in recordings:
         key = name_key(row["sign"])
-        newer = by_key[key].samples if key in by_key else b""
-        kept = (newer + row["samples"])[: MAX_TAUGHT_SAMPLES * _SAMPLE_BYTES]
-        by_key[key] = SignSamples(row["sign"], kept)
+        newer = by_key.get(key, SignSamples(row["sign"]))
+        field = "movements" if row["is_moving"] else "samples"
+        kept = (getattr(newer, field) + row["samples"])[: MAX_TAUGHT_SAMPLES * _SAMPLE_BYTES]
+        by_key[key] = replace(newer, **{field: kept}, sign=row["sign"])
     # a merge may bring more signs than one PC records
     return [by_key[key] for key in sorted(by_key)[:MAX_TAUGHT_SIGNS]]
 

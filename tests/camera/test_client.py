@@ -18,6 +18,9 @@ from pinel_desktop.camera.client import Camera, CameraState
 from pinel_desktop.camera.recording import read_recording
 from pinel_desktop.execution.inputs import Capture
 from pinel_desktop.gestures.features import N_FEATURES
+from pinel_desktop.gestures.training import moving_hands as hands
+from tests.camera.moving_hands import movements, write_moving_hand
+from tests.camera.moving_hands import packed as packed_movements
 from tests.camera.taught_hands import packed, shown, write_strange_hand
 
 WAIT_S = 30.0
@@ -109,7 +112,8 @@ def test_what_is_seen_is_told_at_most_ten_times_a_second_and_never_as_a_picture(
     began_s, n = time.monotonic(), 0
     while time.monotonic() - began_s < 2.0:
         event = harness.seen.get(timeout=WAIT_S)
-        assert set(event) == set(began) == {"type", "hands", "label", "progress", "aspect"}
+        steady, moved = {"label", "progress"}, {"moved", "moved_confidence"}
+        assert set(event) == set(began) == {"type", "hands", "aspect"} | steady | moved
         assert all(
             0.0 <= value <= 1.0 for hand in event["hands"] for p in hand["points"] for value in p
         )
@@ -166,7 +170,7 @@ def test_process_that_hangs_before_the_camera_is_on_holds_up_nobody(harness: Har
     os.kill(harness.camera.pid or 0, signal.SIGSTOP)
     began_s = time.monotonic()
     hands = packed(shown("B")[:10])
-    harness.camera.know((("B", 5 * hands),))  # more than a pipe takes
+    harness.camera.know((("B", 5 * hands, b""),))  # more than a pipe takes
     harness.event("capture_started")
     assert time.monotonic() - began_s < 1.0
     assert harness.answers.get(timeout=WAIT_S)[1].by == "taught"
@@ -260,8 +264,8 @@ class TestTeaching:
         self, harness: Harness, tmp_path: Path
     ) -> None:
         strange = write_strange_hand(tmp_path / "strange.npz")
-        hands = [hand for frame in read_recording(strange)[:10] for hand in frame]
-        harness.camera.know((("vai", packed(hands)),))
+        first = [hand for frame in read_recording(strange)[:10] for hand in frame]
+        harness.camera.know((("vai", packed(first), b""),))
         harness.camera.choose(str(strange))
         harness.event("capture_started")
         _, capture = harness.answers.get(timeout=WAIT_S)
@@ -274,7 +278,7 @@ class TestTeaching:
     def test_what_is_not_taught_any_more_is_not_answered(
         self, harness: Harness, tmp_path: Path
     ) -> None:
-        harness.camera.know((("B", packed(shown("B")[:10])),))
+        harness.camera.know((("B", packed(shown("B")[:10]), b""),))
         harness.event("capture_started")
         assert harness.answers.get(timeout=WAIT_S)[1].by == "taught"
         harness.camera.know(())
@@ -284,7 +288,7 @@ class TestTeaching:
     def test_the_process_that_takes_the_place_of_another_knows_it_too(
         self, harness: Harness
     ) -> None:
-        harness.camera.know((("B", packed(shown("B")[:10])),))
+        harness.camera.know((("B", packed(shown("B")[:10]), b""),))
         harness.camera.use()
         harness.until("on")
         wait_for(lambda: old_enough(harness.camera.pid))
@@ -309,3 +313,35 @@ class TestTeaching:
         stopped = threading.Event()
         harness.camera.record(10, lambda samples: None, stopped.set)
         assert stopped.wait(WAIT_S)
+
+
+class TestSignsThatMove:
+    WAY = hands.letter_path("Z")
+
+    def test_five_movements_are_recorded_and_then_answer(
+        self, harness: Harness, tmp_path: Path
+    ) -> None:
+        harness.camera.choose(
+            str(write_moving_hand(tmp_path / "taught.npz", "B", self.WAY, range(5)))
+        )
+        told: queue.Queue[tuple[bytes, ...]] = queue.Queue()
+        harness.camera.record(5, told.put, lambda: told.put(()), is_moving=True)
+        for n in range(1, 6):
+            samples = told.get(timeout=WAIT_S)
+            assert len(samples) == n
+        assert {len(sample) for sample in samples} == {2 * N_FEATURES}
+        harness.camera.know((("Z", b"", b"".join(samples)),))
+        other = write_moving_hand(tmp_path / "other.npz", "B", self.WAY, range(50, 54))
+        harness.camera.choose(str(other))
+        harness.event("capture_started")
+        _, capture = harness.answers.get(timeout=WAIT_S)
+        assert (capture.label, capture.by) == ("Z", "taught")
+        assert capture.confidence is not None
+        assert 0.3 < capture.confidence <= 1.0
+
+    def test_a_letter_at_rest_is_still_the_letter(self, harness: Harness) -> None:
+        taught = packed_movements(movements("B", self.WAY, range(5)))
+        harness.camera.know((("Z", b"", taught),))
+        harness.event("capture_started")
+        _, capture = harness.answers.get(timeout=WAIT_S)
+        assert (capture.label, capture.by) == ("B", "camera")

@@ -8,12 +8,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pinel_desktop.camera.learning import Learner, Learnt, SampleTaker
+from pinel_desktop.camera.learning import Learner, Learnt, MovementTaker, SampleTaker
 from pinel_desktop.camera.sight import SeenSign
 from pinel_desktop.gestures import weights_file
 from pinel_desktop.gestures.classifier import Reading, SignClassifier
 from pinel_desktop.gestures.features import N_FEATURES
 from pinel_desktop.gestures.letters import LETTERS
+from pinel_desktop.gestures.training.moving_hands import letter_path
+from tests.camera.moving_hands import glimpses, movements
+from tests.camera.moving_hands import packed as packed_movements
 from tests.camera.taught_hands import packed, shown
 
 WAIT_S = 30.0
@@ -31,8 +34,9 @@ def letters() -> SignClassifier:
     return weights_file.load()
 
 
-def message(sign: str, samples: bytes) -> dict[str, str]:
-    return {"sign": sign, "samples": base64.b64encode(samples).decode("ascii")}
+def message(sign: str, samples: bytes, movements: bytes = b"") -> dict[str, str]:
+    hands, ways = (base64.b64encode(octets).decode("ascii") for octets in (samples, movements))
+    return {"sign": sign, "samples": hands, "movements": ways}
 
 
 def learnt_by(learner: Learner) -> Learnt:
@@ -61,6 +65,16 @@ def test_a_sign_of_the_class_is_known_besides_the_letters(letters: SignClassifie
     assert learnt_by(learner).classifier is letters
 
 
+def test_a_sign_that_moves_is_known_beside_the_letters_as_they_are(
+    letters: SignClassifier,
+) -> None:
+    learner, ways = Learner(letters), movements("B", letter_path("Z"), range(3))
+    learner.learn([message("Z", b"", packed_movements(ways))])
+    learnt = learnt_by(learner)
+    assert (learnt.classifier, learnt.taught, learnt.moving.signs) == (letters, frozenset(), ("Z",))
+    assert learnt.moving.read(ways[0]).sign == "Z"
+
+
 def test_of_two_classes_the_later_one_counts(letters: SignClassifier) -> None:
     learner, samples = Learner(letters), packed(shown("B")[:1])
     for sign in ("7", "8", "9"):
@@ -73,8 +87,10 @@ def test_of_two_classes_the_later_one_counts(letters: SignClassifier) -> None:
 @pytest.mark.parametrize("samples", ["no base64!", base64.b64encode(b"abc").decode(), None])
 def test_samples_that_are_none_leave_the_letters(letters: SignClassifier, samples: object) -> None:
     learner = Learner(letters)
-    learner.learn([{"sign": "7", "samples": samples}])
-    assert learnt_by(learner) == Learnt(letters, frozenset())
+    for kinds in (("samples", "movements"), ("movements", "samples")):
+        learner.learn([{"sign": "7", **dict(zip(kinds, (samples, ""), strict=True))}])
+        learnt = learnt_by(learner)
+        assert (learnt.classifier, learnt.moving.signs) == (letters, ())
 
 
 class Taking:
@@ -113,3 +129,17 @@ def test_a_hand_whose_numbers_are_none_is_not_taken(taking: Taking) -> None:
     for value in (np.nan, 1e6):
         hand = replace(HAND, features=np.full(N_FEATURES, value, np.float32))
         assert not any(taking.take(hand) for _ in range(30))
+
+
+def test_a_movement_from_rest_to_rest_is_taken_once_and_none_of_two_hands() -> None:
+    def taken(n_hands: int) -> list[str]:
+        taker = MovementTaker()
+        seen = [
+            taker.take(one.time_s, [replace(HAND, points=one.points)] * n_hands)
+            for one in glimpses("B", letter_path("Z"), 1)
+        ]
+        return [movement for movement in seen if movement]
+
+    (movement,) = taken(1)
+    assert len(base64.b64decode(movement)) == 2 * N_FEATURES
+    assert taken(2) == taken(0) == []

@@ -121,6 +121,13 @@ def test_a_class_teaches_a_sign_and_takes_it_back(studio: Studio) -> None:
     for width, height in SCREENS:
         studio.page.set_viewport_size({"width": width, "height": height})
         assert cut(studio.page) == [], f"{width} x {height}"
+    for language in LANGUAGES:
+        studio["language"].select_option(language)
+        studio.page.locator(f'html[lang="{language}"]').wait_for(state="attached")
+        studio["teach-letter"].and_(studio.page.locator('[data-letter="J"]')).click()
+        for width, height in SCREENS:
+            studio.page.set_viewport_size({"width": width, "height": height})
+            assert cut(studio.page) == [], f"{language}, {width} x {height}"
     studio["forget-sign"].click()
     expect(studio["taught-sign"]).to_have_count(0)
     signs = studio.api(f"/classrooms/{classroom}/signs")["signs"]

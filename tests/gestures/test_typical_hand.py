@@ -7,7 +7,10 @@ from numpy.typing import NDArray
 from pinel_desktop.gestures.features import features
 from pinel_desktop.gestures.hands import HandFinder
 from pinel_desktop.gestures.landmarks import Hand
-from pinel_desktop.gestures.typical_hand import typical_landmarks
+from pinel_desktop.gestures.movements import SHAPE
+from pinel_desktop.gestures.training.moving_hands import letter_path
+from pinel_desktop.gestures.typical_hand import landmarks_of_movement, typical_landmarks
+from tests.camera.moving_hands import movements
 from tests.gestures.drawn import OPEN, drawn_hand, mirrored
 
 Landmarks = NDArray[np.float64]
@@ -45,3 +48,12 @@ def test_landmarks_of_a_left_hand_are_those_of_a_right_one() -> None:
 def test_of_several_hands_the_one_most_like_all_is_drawn() -> None:
     one, other = (packed(hand_in(drawn_hand(bent))) for bent in (OPEN, ()))
     assert typical_landmarks([one, other, other]) == typical_landmarks([other])
+
+
+def test_a_sign_that_moves_is_drawn_as_its_hand_begins() -> None:
+    (first, *_) = movements("B", letter_path("Z"), range(1))
+    drawn = landmarks_of_movement(first.astype("<f2").tobytes())
+    assert drawn[0] == [0.0, 0.0, 0.0]
+    assert len(drawn) == 21
+    (wrist, tip) = first[0, SHAPE].reshape(21, 2)[[0, 12]]
+    assert drawn[12] == pytest.approx([wrist[0] - tip[0], tip[1] - wrist[1], 0.0], abs=0.01)

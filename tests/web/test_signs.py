@@ -37,7 +37,7 @@ def taught(browser: Browser, classroom: str) -> dict[str, int]:
 
 def known(app: App) -> list[str]:
     """Taught signs that the camera is to know."""
-    return [sign for sign, _ in app._camera._taught]
+    return [sign for sign, *_ in app._camera._taught]
 
 
 def record(browser: Browser, classroom: str, sign: str) -> list[dict[str, Any]]:
@@ -56,9 +56,8 @@ def record(browser: Browser, classroom: str, sign: str) -> list[dict[str, Any]]:
 
 
 def test_letters_are_known_untaught(browser: Browser, classroom: str) -> None:
-    letters = [
-        {"name": name, "is_letter": True, "n_samples": 0, "landmarks": None} for name in LETTERS
-    ]
+    none = {"is_letter": True, "n_samples": 0, "n_movements": 0, "landmarks": None}
+    letters = [{"name": name, **none} for name in LETTERS]
     assert browser.get("/api/signs").data["signs"] == letters
     assert browser.get(f"/api/classrooms/{classroom}/signs").data["signs"] == letters
     assert browser.get("/api/classrooms/x/signs").error["code"] == "classroom_not_found"

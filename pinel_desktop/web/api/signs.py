@@ -53,6 +53,24 @@ def record_sign(path: SignPath) -> Response:
     return answer(SignName(name=services().signs.record(path.id, path.sign)))
 
 
+@api.post(
+    "/classrooms/<id>/signs/<sign>/movements",
+    responses=answers(
+        SignName,
+        "classroom_not_found",
+        "name_empty",
+        "sign_name_wrong",
+        "sign_taught_enough",
+        "signs_too_many",
+        *WRITES,
+    ),
+)
+def record_moving_sign(path: SignPath) -> Response:
+    """Begins to record movements of the hand as a sign of the class; `sign_recording` tells of each."""
+    name = services().signs.record(path.id, path.sign, is_moving=True)
+    return answer(SignName(name=name))
+
+
 @api.delete("/signs/recording", responses=answers(Empty))
 def stop_recording_sign() -> Response:
     """Gives up the recording of a sign; does nothing without one."""

@@ -10,8 +10,8 @@ from pinel_desktop.web.models import DEFERRED, Body, Id, Shape
 class Sign(Shape):
     """A sign that the camera knows.
 
-    `n_samples` are hands that the class has shown of it. `landmarks` (21 of x to the right, y down, z away) show a
-    typical one, as a right hand sees itself in a mirror; null for letters, whose drawings ship.
+    `n_samples` are hands that the class has shown of it, `n_movements` movements. `landmarks` (21 of x to the right,
+    y down, z away) show a typical hand, as a right one sees itself in a mirror; null for letters, whose drawings ship.
     """
 
     name: str
@@ -19,6 +19,7 @@ class Sign(Shape):
         bool, Field(description="one of the letters that the camera knows untaught")
     ]
     n_samples: int
+    n_movements: int
     landmarks: list[list[float]] | None
 
 

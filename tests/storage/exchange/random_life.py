@@ -82,7 +82,10 @@ class RandomLife:
             sign, value = self._chance.choice("F78"), self._chance.random()
             with suppress(StoreError):  # taught enough
                 self._store.taught_signs.add(
-                    classroom.id, sign, struct.pack("<e", value) * N_FEATURES
+                    classroom.id,
+                    sign,
+                    struct.pack("<e", value) * N_FEATURES,
+                    is_moving=self._chance.random() < 0.3,
                 )
 
     def _forget_sign(self) -> None:

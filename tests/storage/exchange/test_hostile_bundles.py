@@ -241,6 +241,7 @@ VALUES = {
     "telemetry without rows": "UPDATE telemetry SET n_rows = 0",
     "hands that are none": "UPDATE taught_signs SET samples = x'00112233'",
     "a hand with infinity": "UPDATE taught_signs SET samples = CAST(substr(samples, 3) || x'007c' AS BLOB)",
+    "a sign that moves neither nor rests": "UPDATE taught_signs SET is_moving = 2",
     "a sign's name that is a path": "UPDATE taught_signs SET sign = '../7'",
     "a note that is too long": "UPDATE notes SET text = printf('%.*c', 1001, 'x')",
     "a run of nobody": f"UPDATE runs SET group_id = '{_UUID}1' WHERE group_id IS NOT NULL",

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from pinel_desktop.gestures import features
+from pinel_desktop.gestures import features, movements
 from storage import Store, open_store
 from storage.exchange.parquet import FILES
 from storage.exchange.scope import Scope
@@ -35,7 +35,7 @@ def taught(store: Store, classroom_id: str) -> dict[str, int]:
 
 
 def test_a_hand_has_as_many_numbers_in_the_file_as_it_has_to_the_recognition() -> None:
-    assert N_FEATURES == features.N_FEATURES
+    assert N_FEATURES == features.N_FEATURES == movements.N_FRAMES * movements.N_NUMBERS
 
 
 def test_signs_are_listed_by_name_with_their_newest_samples(store: Store, fifth: str) -> None:
@@ -45,6 +45,20 @@ def test_signs_are_listed_by_name_with_their_newest_samples(store: Store, fifth:
     (_, go) = store.taught_signs.of_classroom(fifth)
     assert go.samples == hands(3.0) + hands(1.0)
     assert taught(store, store.classrooms.create("6º").id) == {}
+
+
+def test_a_sign_has_hands_at_rest_and_movements_each_counted_for_itself(
+    store: Store, fifth: str
+) -> None:
+    for value, is_moving in ((1.0, True), (2.0, False), (3.0, True)):
+        store.taught_signs.add(fifth, "Y", hands(value), is_moving=is_moving)
+    (sign,) = store.taught_signs.of_classroom(fifth)
+    assert (sign.samples, sign.movements) == (hands(2.0), hands(3.0) + hands(1.0))
+    teach = store.taught_signs.name_to_teach
+    assert code_of(lambda: teach(fifth, "y", is_moving=True)) == "sign_taught_enough"
+    assert teach(fifth, "y") == "Y"
+    store.exchange.remove("taught_sign", *store.taught_signs.keys(fifth, "Y"))
+    assert store.taught_signs.of_classroom(fifth) == []
 
 
 def test_a_letter_is_a_capital_whichever_is_typed(store: Store, fifth: str) -> None:
@@ -96,12 +110,14 @@ def test_two_pcs_that_taught_one_sign_have_the_samples_of_both(
     other = opened(tmp_path / "other.db")
     merged(other, exported(store, tmp_path / "class.pinel").path)
     store.taught_signs.add(fifth, "vai", hands(1, 12))
+    store.taught_signs.add(fifth, "vai", hands(4, 5), is_moving=True)
     other.taught_signs.add(fifth, "Vai", hands(2, 12))
     other.taught_signs.add(fifth, "F", hands(2))
     bundles = [exported(one, tmp_path / f"{i}.pinel").path for i, one in enumerate((store, other))]
     merged(store, bundles[1])
     merged(other, bundles[0])
     assert taught(store, fifth) == taught(other, fifth) == {"F": 10, "vai": 20}
+    assert {one.n_movements for one in other.taught_signs.of_classroom(fifth)} == {0, 5}
     assert hash_of(store) == hash_of(other)
     assert merged(store, bundles[1]).nothing_new
 
@@ -185,5 +201,18 @@ def test_a_file_of_an_earlier_release_gets_the_table(path: Path) -> None:
         assert taught(store, fifth) == {"7": 10}
 
 
+def test_what_an_earlier_release_recorded_are_hands_at_rest(path: Path) -> None:
+    with open_store(path) as store:
+        fifth = store.classrooms.create("5º B").id
+        store.taught_signs.add(fifth, "7", hands(1))
+    with closing(opened_file(path, "rw")) as db:
+        db.executescript(_WITHOUT_MOVEMENTS)
+    with open_store(path) as store:
+        (sign,) = store.taught_signs.of_classroom(fifth)
+        assert (sign.n_samples, sign.n_movements) == (10, 0)
+
+
+_WITHOUT_MOVEMENTS = """ALTER TABLE taught_signs DROP COLUMN is_moving;
+    DELETE FROM _sqlite_migrations WHERE name = 'moving_signs';"""
 _AS_BEFORE = """DROP TABLE taught_signs;
-    DELETE FROM _sqlite_migrations WHERE name = 'taught_signs';"""
+    DELETE FROM _sqlite_migrations WHERE name IN ('taught_signs', 'moving_signs');"""

@@ -13,6 +13,9 @@ export const signsApi = {
   /** Begins to record what the camera sees; events tell how it goes on. */
   record: (classroom: string, sign: string) =>
     post("/api/classrooms/{id}/signs/{sign}/samples", ofClass(classroom, sign)),
+  /** Begins to record movements, each from rest to rest. */
+  recordMoving: (classroom: string, sign: string) =>
+    post("/api/classrooms/{id}/signs/{sign}/movements", ofClass(classroom, sign)),
   stop: () => del("/api/signs/recording"),
   /** Deletes what was recorded; an event tells that the list is another one. */
   forget: (classroom: string, sign: string) =>

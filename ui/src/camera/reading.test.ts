@@ -29,4 +29,9 @@ describe("what can be said of a sign", () => {
       kind: "two signs",
     });
   });
+
+  test("names a sign that has just moved, whatever the hand shows at rest", () => {
+    const sight = { ...seen(hand({ best: "I" })), moved: "J", moved_confidence: 0.7 };
+    expect(readingOf(sight)).toEqual({ kind: "sure", best: "J", second: "", confidence: 0.7 });
+  });
 });

@@ -5,9 +5,12 @@ export type Reading =
   | { readonly kind: "blind" | "no hand" | "no letter" | "two signs" }
   | ({ readonly kind: "unsure" | "sure" } & Pick<SeenSign, "best" | "second" | "confidence">);
 
-/** Reads what the camera sees; as in a capture, two hands that show different signs count for nothing. */
+/** Reads what the camera sees; as in a capture, a sign that has just moved counts, and two different hands do not. */
 export function readingOf(sight: CameraSightEvent | null): Reading {
   if (!sight) return { kind: "blind" };
+  if (sight.moved) {
+    return { kind: "sure", best: sight.moved, second: "", confidence: sight.moved_confidence };
+  }
   const sure = sight.hands.filter((hand) => hand.sure);
   if (new Set(sure.map(({ best }) => best)).size > 1) return { kind: "two signs" };
   const hand = sure[0] ?? sight.hands[0];

@@ -5,7 +5,7 @@ const signsApi = { use: vi.fn(), list: vi.fn() };
 vi.mock("../api/signs", () => ({ signsApi }));
 
 const named = (...names: string[]): Sign[] =>
-  names.map((name) => ({ name, is_letter: false, n_samples: 10, landmarks: null }));
+  names.map((name) => ({ name, is_letter: false, n_samples: 10, n_movements: 0, landmarks: null }));
 
 let page: typeof import("./signs");
 

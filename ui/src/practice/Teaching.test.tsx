@@ -4,7 +4,14 @@ import type { SignRecordingEvent } from "../api/model";
 import { passesAxe } from "../kit/testing/control";
 import { TEST } from "../shell/testids";
 
-const signsApi = { use: vi.fn(), list: vi.fn(), record: vi.fn(), stop: vi.fn(), forget: vi.fn() };
+const signsApi = {
+  use: vi.fn(),
+  list: vi.fn(),
+  record: vi.fn(),
+  recordMoving: vi.fn(),
+  stop: vi.fn(),
+  forget: vi.fn(),
+};
 vi.mock("../api/signs", () => ({ signsApi }));
 
 const classes = vi.fn();
@@ -14,13 +21,14 @@ const { Teaching } = await import("./Teaching");
 const { receive } = await import("../camera/sight");
 const { classroom } = await import("../shell/classroom");
 
-const A = { name: "A", is_letter: true, n_samples: 0, landmarks: null };
-const GO = { name: "vai", is_letter: false, n_samples: 10, landmarks: null };
+const A = { name: "A", is_letter: true, n_samples: 0, n_movements: 0, landmarks: null };
+const GO = { name: "vai", is_letter: false, n_samples: 10, n_movements: 0, landmarks: null };
 
 const told = (more: Partial<SignRecordingEvent>): SignRecordingEvent => ({
   type: "sign_recording",
   classroom: "c",
   sign: "vai",
+  is_moving: false,
   n_samples: 3,
   n_wanted: 10,
   is_kept: false,
@@ -36,6 +44,7 @@ beforeEach(() => {
   classes.mockReset().mockResolvedValue([[], [{ id: "c", name: "5º B" }]]);
   signsApi.use.mockReset().mockResolvedValue([A, GO]);
   signsApi.record.mockReset().mockResolvedValue({ name: "vai" });
+  signsApi.recordMoving.mockReset().mockResolvedValue({ name: "J" });
   signsApi.stop.mockReset().mockResolvedValue({});
   signsApi.forget.mockReset().mockResolvedValue({});
   signsApi.list.mockReset().mockResolvedValue([A, GO]);
@@ -75,6 +84,33 @@ describe("teaching a sign", () => {
     act(() => receive({ type: "signs_changed", classroom: "c" }));
     await waitFor(() => expect(taught()).toEqual(["vai", "7"]));
     expect(signsApi.list.mock.calls).toEqual([["c"]]);
+  });
+
+  test("of a letter that moves records movements, and says how to make them", async () => {
+    const J = { name: "J", is_letter: false, n_samples: 0, n_movements: 5, landmarks: null };
+    signsApi.use.mockResolvedValue([A, J]);
+    const { container } = render(<Teaching />);
+    await waitFor(() => expect(taught()).toEqual(["J"]));
+    expect(screen.getByText("5 movimentos")).toBeTruthy();
+    fireEvent.click(screen.getByRole("button", { name: "J" }));
+    expect(container.textContent).toContain("Cinco vezes");
+    fireEvent.click(screen.getByTestId(TEST.teachRecord));
+    await waitFor(() => expect(signsApi.recordMoving).toHaveBeenCalledWith("c", "J"));
+    act(() => receive(told({ sign: "J", is_moving: true, n_samples: 2, n_wanted: 5 })));
+    expect(status()).toContain("J: 2 de 5. Parem a mão");
+    await passesAxe(container);
+  });
+
+  test("of Y and of any name chosen so records a hand at rest", async () => {
+    render(<Teaching />);
+    await screen.findByTestId(TEST.teachTold);
+    fireEvent.click(screen.getByRole("button", { name: "Z" }));
+    fireEvent.click(screen.getByRole("button", { name: "Y" }));
+    fireEvent.click(screen.getByTestId(TEST.teachRecord));
+    await waitFor(() => expect(signsApi.record).toHaveBeenCalledWith("c", "Y"));
+    fireEvent.click(screen.getByRole("button", { name: "Se mexe (experimental)" }));
+    fireEvent.click(screen.getByTestId(TEST.teachRecord));
+    await waitFor(() => expect(signsApi.recordMoving).toHaveBeenCalledWith("c", "Y"));
   });
 
   test("says why it was given up", async () => {

@@ -1,8 +1,6 @@
-import { useSignal } from "@preact/signals";
-import { Trash2, Video } from "lucide-preact";
+import { Trash2 } from "lucide-preact";
 import { useEffect } from "preact/hooks";
 import { NO_CLASS } from "../api/classes";
-import { STORE_LIMITS } from "../api/declared";
 import type { Sign } from "../api/model";
 import { signsApi } from "../api/signs";
 import { problemWords } from "../camera/problem_words";
@@ -10,13 +8,12 @@ import { recording } from "../camera/sight";
 import { chooseSigns, signs } from "../camera/signs";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
-import { Field } from "../kit/Field";
-import { Form } from "../kit/Form";
 import { useLoaded } from "../kit/requests/useLoaded";
 import { classroom, shownClass } from "../shell/classroom";
 import { groupsAndClasses } from "../shell/first_answers";
 import { group } from "../shell/session";
 import { TEST } from "../shell/testids";
+import { NewSamples } from "./NewSamples";
 
 /** The class of the group that works, or the one that the start screen shows; only a class teaches signs. */
 export function Teaching() {
@@ -48,37 +45,15 @@ function OfClass({ id }: { id: string }) {
   return (
     <details class="teaching card">
       <summary class="teaching__title">{words.title}</summary>
-      <NewSamples id={id} />
+      <NewSamples classroom={id} />
       <p class="teaching__told" role="status" data-testid={TEST.teachTold}>
         {told && wordsOfRecording(told)}
       </p>
       <Taught
-        signs={(signs.value ?? []).filter((one) => one.n_samples > 0)}
+        signs={(signs.value ?? []).filter((one) => one.n_samples + one.n_movements > 0)}
         onForget={(sign) => signsApi.forget(id, sign)}
       />
     </details>
-  );
-}
-
-function NewSamples({ id }: { id: string }) {
-  const words = texts.value.teaching;
-  const name = useSignal("");
-  const isEmpty = name.value.trim() === "";
-  return (
-    <Form class="teaching__form" onSubmit={() => isEmpty || signsApi.record(id, name.value.trim())}>
-      <Field
-        label={words.name}
-        value={name.value}
-        maxLength={STORE_LIMITS.MAX_SIGN}
-        data-testid={TEST.teachName}
-        onText={(text) => {
-          name.value = text;
-        }}
-      />
-      <Button submit icon={Video} disabled={isEmpty} testId={TEST.teachRecord}>
-        {words.record}
-      </Button>
-    </Form>
   );
 }
 
@@ -91,9 +66,11 @@ function Taught({ signs, onForget }: TaughtProps) {
   const words = texts.value.teaching;
   return (
     <ul class="teaching__signs">
-      {signs.map(({ name, n_samples }) => (
+      {signs.map(({ name, n_samples, n_movements }) => (
         <li key={name} data-testid={TEST.taughtSign} data-sign={name}>
-          <strong>{name}</strong> {words.samples(n_samples)}
+          <strong>{name}</strong>
+          {n_samples > 0 && <span>{words.samples(n_samples)}</span>}
+          {n_movements > 0 && <span>{words.movements(n_movements)}</span>}
           <Button
             icon={Trash2}
             label={words.forget(name)}
@@ -112,7 +89,7 @@ function wordsOfRecording(told: NonNullable<typeof recording.value>): string {
     const { message, remedy } = problemWords({ ...told, code: told.code });
     return `${message} ${remedy}`;
   }
-  return told.is_kept
-    ? words.learnt(told.sign)
-    : words.counted(told.sign, told.n_samples, told.n_wanted);
+  if (told.is_kept) return words.learnt(told.sign);
+  const counted = told.is_moving ? words.countedMoving : words.counted;
+  return counted(told.sign, told.n_samples, told.n_wanted);
 }

@@ -65,6 +65,13 @@ describe("what signs spell", () => {
   });
 });
 
+describe("a sign that moved", () => {
+  test("is spelled once, at once, and again when it is made again", () => {
+    for (const moved of ["", "J", "J", "", "J", "Z"]) receive({ ...seen(), moved });
+    expect(spelling.text.value).toBe("JJZ");
+  });
+});
+
 describe("the text", () => {
   test("is written with the keyboard too, and its last letter taken away", () => {
     spelling.write("JOÃO");

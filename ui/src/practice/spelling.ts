@@ -34,11 +34,12 @@ export class Spelling {
   readonly held = signal<Held | null>(null);
   /** What was cleared last, for who wants it back. */
   readonly cleared = signal("");
+  private moved = "";
   private readonly stop: () => void;
 
   constructor(clock: () => number = () => performance.now()) {
     this.stop = effect(() => {
-      if (sight.value) this.see(sight.value.label, clock());
+      if (sight.value) this.see(sight.value.label, sight.value.moved, clock());
       else this.held.value = null;
     });
   }
@@ -67,7 +68,9 @@ export class Spelling {
     this.write(this.cleared.peek() + this.text.peek());
   }
 
-  private see(sign: string, nowMs: number): void {
+  private see(sign: string, moved: string, nowMs: number): void {
+    if (moved && moved !== this.moved) this.write(this.text.peek() + moved);
+    this.moved = moved;
     const before = this.held.peek();
     const now = hold(before, sign, nowMs);
     this.held.value = now;

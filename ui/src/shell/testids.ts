@@ -140,6 +140,8 @@ export const TEST = {
   practiceBack: "practice-back",
   practiceClear: "practice-clear",
   teachName: "teach-name", // an input
+  teachKind: "teach-kind", // still | moves
+  teachLetter: "teach-letter", // of each letter that the camera does not know untaught; data-letter
   teachRecord: "teach-record",
   teachTold: "teach-told",
   taughtSign: "taught-sign", // of each; data-sign

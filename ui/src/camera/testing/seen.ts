@@ -17,6 +17,8 @@ export const seen = (...hands: SeenSign[]): CameraSightEvent => ({
   hands,
   label: hands.find(({ sure }) => sure)?.best ?? "",
   progress: 0,
+  moved: "",
+  moved_confidence: 0,
   aspect: 4 / 3,
 });
 

@@ -41,7 +41,7 @@ export const practice = {
   back: "Delete letter",
   clear: "Clear",
   bringBack: "Bring it back",
-  moving: "H, J, X, Y and Z: by the keyboard only, for now.",
+  moving: "H, J, X, Y and Z: with the keyboard, or taught by the class (experimental).",
   credits:
     "Letters learnt from “Alfabeto em libras” (elainesilva, CC BY 4.0); hands: MediaPipe (Apache 2.0).",
 };
@@ -54,5 +54,15 @@ export const teaching = {
   samples: (n: number) => `${n} pictures`,
   forget: (sign: string) => `Delete what was recorded of ${sign}`,
   counted: (sign: string, n: number, of: number) => `${sign}: ${n} of ${of}. Keep your hand still.`,
+  kind: "How the sign is made",
+  still: "It keeps still",
+  moves: "It moves",
+  experimental: "experimental",
+  suggested: "Letters still missing",
+  howStill: "Hold your hand still until ten pictures are recorded.",
+  howMoving: "Five times: hold your hand still, make the movement, hold it still again.",
+  movements: (n: number) => (n === 1 ? "1 movement" : `${n} movements`),
+  countedMoving: (sign: string, n: number, of: number) =>
+    `${sign}: ${n} of ${of}. Hold still, make the movement, hold still again.`,
   learnt: (sign: string) => `Done: the camera knows the sign ${sign}.`,
 };

@@ -41,7 +41,7 @@ export const practice = {
   back: "Borrar letra",
   clear: "Limpiar",
   bringBack: "Traer de vuelta",
-  moving: "H, J, X, Y y Z: por ahora solo con el teclado.",
+  moving: "H, J, X, Y y Z: con el teclado, o enseñadas por el curso (experimental).",
   credits:
     "Letras aprendidas de “Alfabeto em libras” (elainesilva, CC BY 4.0); manos: MediaPipe (Apache 2.0).",
 };
@@ -55,5 +55,15 @@ export const teaching = {
   forget: (sign: string) => `Borrar lo que se grabó de ${sign}`,
   counted: (sign: string, n: number, of: number) =>
     `${sign}: ${n} de ${of}. Mantengan la mano quieta.`,
+  kind: "Cómo es la seña",
+  still: "Queda quieta",
+  moves: "Se mueve",
+  experimental: "experimental",
+  suggested: "Letras que faltan",
+  howStill: "Muestren la mano quieta hasta grabar diez imágenes.",
+  howMoving: "Cinco veces: mano quieta, hagan el movimiento, mano quieta otra vez.",
+  movements: (n: number) => (n === 1 ? "1 movimiento" : `${n} movimientos`),
+  countedMoving: (sign: string, n: number, of: number) =>
+    `${sign}: ${n} de ${of}. Paren la mano, hagan el movimiento, paren otra vez.`,
   learnt: (sign: string) => `Listo: la cámara conoce la seña ${sign}.`,
 };

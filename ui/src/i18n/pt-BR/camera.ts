@@ -41,7 +41,7 @@ export const practice = {
   back: "Apagar letra",
   clear: "Limpar",
   bringBack: "Trazer de volta",
-  moving: "H, J, X, Y e Z: só pelo teclado, por enquanto.",
+  moving: "H, J, X, Y e Z: pelo teclado, ou ensinadas pela turma (experimental).",
   credits:
     "Letras aprendidas de “Alfabeto em libras” (elainesilva, CC BY 4.0); mãos: MediaPipe (Apache 2.0).",
 };
@@ -55,5 +55,15 @@ export const teaching = {
   forget: (sign: string) => `Apagar o que foi gravado de ${sign}`,
   counted: (sign: string, n: number, of: number) =>
     `${sign}: ${n} de ${of}. Fiquem com a mão parada.`,
+  kind: "Como é o sinal",
+  still: "Fica parado",
+  moves: "Se mexe",
+  experimental: "experimental",
+  suggested: "Letras que faltam",
+  howStill: "Mostrem a mão parada até gravar dez imagens.",
+  howMoving: "Cinco vezes: mão parada, façam o movimento, mão parada de novo.",
+  movements: (n: number) => (n === 1 ? "1 movimento" : `${n} movimentos`),
+  countedMoving: (sign: string, n: number, of: number) =>
+    `${sign}: ${n} de ${of}. Parem a mão, façam o movimento, parem de novo.`,
   learnt: (sign: string) => `Pronto: a câmera conhece o sinal ${sign}.`,
 };

@@ -21,9 +21,15 @@ const onAnswer = vi.fn();
 
 /** A class that taught these signs. */
 const knows = (...names: string[]) => {
-  const taught = names.map((name) => ({ name, is_letter: false, n_samples: 10, landmarks: HAND }));
+  const taught = names.map((name) => ({
+    name,
+    is_letter: false,
+    n_samples: 10,
+    n_movements: 0,
+    landmarks: HAND,
+  }));
   const letters = LETTERS.map((name) => ({
-    ...{ name, is_letter: true, n_samples: 0, landmarks: null },
+    ...{ name, is_letter: true, n_samples: 0, n_movements: 0, landmarks: null },
   }));
   signsApi.use.mockResolvedValue([...letters, ...taught]);
   return act(() => chooseSigns("c"));

@@ -1,0 +1,157 @@
+"""Movements of a hand: cut out of a video from rest to rest, and brought to one form.
+
+A movement is 38 frames of 46 numbers: the 21 landmarks from the middle of the palm, the way of the palm from where it
+began, how much larger the hand is than on average, and the time. Lengths are in sizes of the hand, whose chirality is
+always that of a right hand. Speed stays in the time alone: the frames divide the movement evenly.
+"""
+
+from collections import deque
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Points = NDArray[np.float32]
+Movement = NDArray[np.float32]
+
+N_FRAMES, N_NUMBERS = 38, 46
+SHAPE, WAY, GROWTH, TIME = slice(0, 42), slice(42, 44), 44, 45
+
+BEGINS_HZ = 0.9  # hand sizes a second from which a hand moves
+RESTS_HZ = 0.7  # and below which it rests
+REST_S = 0.25  # so long it must rest; the corners of a Z are shorter
+LEAST_S, MOST_S = 0.25, 4.0  # of a movement
+LEAST_WAY = 0.2  # hand sizes, of the landmarks from where they were
+_SPAN_S = 0.18  # speed is measured over it: from frame to frame the landmarks tremble
+_LEAST_FRAMES = 4
+_GAP_S = 0.3  # a hand that was not seen for so long is another one
+_PALM = [0, 1, 5, 9, 13, 17]
+
+
+@dataclass(frozen=True, slots=True)
+class Glimpse:
+    """A hand in one frame: when, its landmarks (21, 2) in px, whether it is a left one."""
+
+    time_s: float
+    points: Points
+    is_left: bool
+
+
+def movement(glimpses: list[Glimpse]) -> Movement:
+    """At least two frames, the earliest first, as a movement (38, 46)."""
+    times = np.array([one.time_s for one in glimpses]) - glimpses[0].time_s
+    points = np.array([one.points for one in glimpses], np.float64)
+    if 2 * sum(one.is_left for one in glimpses) > len(glimpses):
+        points[..., 0] *= -1
+    points = _smoothed(points)
+    middles = points[:, _PALM].mean(1)
+    sizes = _sizes(points)
+    size = float(np.median(sizes)) + 1e-6
+    numbers = np.empty((len(times), N_NUMBERS))
+    numbers[:, SHAPE] = ((points - middles[:, None]) / size).reshape(len(times), -1)
+    numbers[:, WAY] = (middles - middles[0]) / size
+    numbers[:, GROWTH] = np.log((sizes + 1e-6) / size)
+    numbers[:, TIME] = times
+    at = np.linspace(0.0, times[-1], N_FRAMES)
+    columns = [np.interp(at, times, column) for column in numbers.T]
+    return np.stack(columns, axis=1).astype(np.float32)
+
+
+def shape(points: Points, *, is_left: bool) -> NDArray[np.float64]:
+    """The landmarks (21, 2) of one frame as the frames of a movement have them, (42,)."""
+    upright = points.astype(np.float64)
+    if is_left:
+        upright[:, 0] *= -1
+    size = float(_sizes(upright[None])[0]) + 1e-6
+    numbers: NDArray[np.float64] = ((upright - upright[_PALM].mean(0)) / size).ravel()
+    return numbers
+
+
+class MovementWatch:
+    """Cuts movements out of a video, frame by frame: from a hand at rest to the same hand at rest again."""
+
+    def __init__(self) -> None:
+        self.begin_anew()
+
+    def begin_anew(self) -> None:
+        """Forgets the frames so far."""
+        self._glimpses: deque[Glimpse] = deque()
+        self._is_moving = False
+        self._has_rested = False
+        self._rests_since_s: float | None = None
+
+    @property
+    def is_moving(self) -> bool:
+        return self._is_moving
+
+    def see(self, glimpse: Glimpse) -> Movement | None:
+        """Takes the next frame with a hand; gives the movement that has just come to rest."""
+        if self._glimpses and glimpse.time_s - self._glimpses[-1].time_s > _GAP_S:
+            self.begin_anew()
+        self._glimpses.append(glimpse)
+        speed = self._speed()
+        if speed is None:
+            return None
+        if not self._is_moving:
+            self._wait(speed)
+            return None
+        if speed >= RESTS_HZ:
+            self._rests_since_s = None
+            if glimpse.time_s - self._glimpses[0].time_s > MOST_S:
+                self._has_rested = False  # too long ago
+                self._glimpses.popleft()
+            return None
+        if self._rests_since_s is None:
+            self._rests_since_s = glimpse.time_s
+        return self._ended() if glimpse.time_s - self._rests_since_s >= REST_S else None
+
+    def _wait(self, speed: float) -> None:
+        """Until the hand moves, no more is kept than what its speed is measured by."""
+        self._has_rested = self._has_rested or speed < RESTS_HZ
+        self._is_moving = speed >= BEGINS_HZ
+        oldest_s = self._glimpses[-1].time_s - 2 * _SPAN_S
+        while not self._is_moving and self._glimpses[0].time_s < oldest_s:
+            self._glimpses.popleft()
+
+    def _ended(self) -> Movement | None:
+        """The frames until the hand came to rest, if they are a movement at all."""
+        rests_since_s = self._rests_since_s or 0.0
+        frames = [one for one in self._glimpses if one.time_s <= rests_since_s]
+        kept = [one for one in self._glimpses if one.time_s > rests_since_s]
+        has_rested = self._has_rested
+        self.begin_anew()
+        self._glimpses.extend(kept)
+        lasted_s = frames[-1].time_s - frames[0].time_s if frames else 0.0
+        if not has_rested or len(frames) < _LEAST_FRAMES or not LEAST_S <= lasted_s <= MOST_S:
+            return None
+        farthest = max(_apart(frames[0].points, one.points) for one in frames)
+        return movement(frames) if farthest >= LEAST_WAY else None
+
+    def _speed(self) -> float | None:
+        """Hand sizes a second over the last moment; None when the hand has just come."""
+        now = self._glimpses[-1]
+        for before in reversed(self._glimpses):
+            elapsed_s = now.time_s - before.time_s
+            if elapsed_s >= _SPAN_S:
+                return _apart(before.points, now.points) / elapsed_s
+        return None
+
+
+def _apart(before: Points, now: Points) -> float:
+    """How far the landmarks moved, root mean square, in sizes of the hand."""
+    size = float(np.ptp(now, axis=0).max()) + 1e-6
+    return float(np.sqrt(((now - before) ** 2).sum(axis=1).mean())) / size
+
+
+def _sizes(points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Root mean square distance of the landmarks (n, 21, 2) from their middle, (n,)."""
+    spread = points - points.mean(1, keepdims=True)
+    sizes: NDArray[np.float64] = np.sqrt((spread**2).sum(2).mean(1))
+    return sizes
+
+
+def _smoothed(points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Each frame as the mean of itself and its neighbours."""
+    padded = np.concatenate([points[:1], points, points[-1:]])
+    mean: NDArray[np.float64] = (padded[:-2] + padded[1:-1] + padded[2:]) / 3
+    return mean

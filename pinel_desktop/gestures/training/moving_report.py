@@ -1,0 +1,303 @@
+"""How well moving letters are recognised, and what they cost the letters at rest: synthetic movements of real hands.
+
+Each person at a webcam shows five examples of each letter. Who is tested signs to what another one, the three others,
+or he or she taught. The classifier of letters at rest, which reads the same frames, has not learnt from who is tested.
+While a hand turns or bends in a computed way, its letter is read as if it did neither: that is the worst case for what
+keeps the two apart.
+"""
+
+import time
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import product
+from statistics import median
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pinel_desktop.gestures import weights_file
+from pinel_desktop.gestures.classifier import SignClassifier
+from pinel_desktop.gestures.hands import HandFinder
+from pinel_desktop.gestures.movements import Glimpse, Movement, MovementWatch
+from pinel_desktop.gestures.moving_signs import MovingSigns
+from pinel_desktop.gestures.sign_watch import SignWatch
+from pinel_desktop.gestures.training import moving_hands as hands
+from pinel_desktop.gestures.training.figures import Share
+from pinel_desktop.gestures.training.folds import strict
+from pinel_desktop.gestures.training.learning import SEED, learn
+from pinel_desktop.gestures.training.moving_hands import MOVING, Model, Random
+from pinel_desktop.gestures.training.photos import Photo
+from pinel_desktop.gestures.training.recordings import Recordings
+from pinel_desktop.gestures.training.sequences import video
+from pinel_desktop.gestures.vote import Ballot, Decision
+
+N_EXAMPLES = 5
+_N_PHOTOS, _N_OTHER_PHOTOS = 6, 2  # of a moving letter's hand, and of each other letter
+_N_EACH = 4  # movements of a photograph
+_N_ROUNDS = 3  # of what is no moving letter
+_LEAST_FRAMES = 12  # in which the hand of a photograph must be found
+
+
+@dataclass(frozen=True)
+class Actor:
+    """A photographed hand that can be moved, and what the classifier says of its frames."""
+
+    letter: str
+    model: Model
+    readings: tuple[Ballot, ...]
+
+    def ballots(self, glimpses: Sequence[Glimpse]) -> Iterator[tuple[Ballot, bool]]:
+        """The frames of a video of it, each with whether it shows a left hand."""
+        for i, one in enumerate(glimpses):
+            read = self.readings[i % len(self.readings)]
+            yield replace(read, time_s=one.time_s, points=one.points), one.is_left
+
+
+@dataclass(frozen=True)
+class Person:
+    """Someone whose hands are moved: those that teach and those that are tested, by letter."""
+
+    teaches: dict[str, list[Actor]]
+    signs: dict[str, list[Actor]]
+
+    def models(self, sign: str, *, teaches: bool = False) -> list[Actor]:
+        """Hands that make a moving letter."""
+        actors = (self.teaches if teaches else self.signs).get(MOVING[sign], [])
+        hooked = [replace(one, model=one.model.hooked()) for one in actors]
+        return hooked if sign == "X" else actors
+
+
+@dataclass
+class _Counted:
+    """What captures said, by what was shown."""
+
+    answers: dict[str, dict[str, list[str]]]
+    false: dict[str, list[bool]]
+    steady_s: list[float | None]
+    steady_alone_s: list[float | None]
+    steady_right: list[bool]
+    changes: list[bool]
+    changes_alone: list[bool]
+
+    @classmethod
+    def empty(cls) -> "_Counted":
+        return cls({}, {}, [], [], [], [], [])
+
+
+def moving_report(
+    photos: Sequence[Photo], recordings: Recordings, seed: int = SEED
+) -> dict[str, Any]:
+    """Shares with 95 % intervals; `photos` and `recordings` are the same photographs in the same order."""
+    random = np.random.default_rng(seed)
+    finder = HandFinder()
+    people = {
+        fold.source: _person(finder, photos, recordings, fold.source, fold.train, random)
+        for fold in strict(recordings.sources)
+    }
+    counted = _Counted.empty()
+    examples = {name: _examples(person, random) for name, person in people.items()}
+    for name, pupil in people.items():
+        others = [examples[other] for other in people if other != name]
+        _count_signs(counted, "who_signs", MovingSigns(examples[name]), pupil, random)
+        for other in others:
+            _count_signs(counted, "another_person", MovingSigns(other), pupil, random)
+        known = MovingSigns(_joined(others))
+        _count_signs(counted, "three_others", known, pupil, random)
+        for _ in range(_N_ROUNDS):
+            _count_others(counted, known, pupil, random)
+    return {**_as_report(counted), "speed_ms": speed_ms(random)}
+
+
+def speed_ms(random: Random, n_signs: int = 60) -> dict[str, float]:
+    """Milliseconds for a frame of a hand that moves, and for the end of a movement; a class with so many signs."""
+    examples = {str(i): random.normal(0, 1, (N_EXAMPLES, 38, 46)) for i in range(n_signs)}
+    known = MovingSigns({sign: shown.astype(np.float32) for sign, shown in examples.items()})
+    watch = SignWatch()
+    watch.know(known)
+    points = random.uniform(100, 300, (300, 21, 2)).astype(np.float32)
+    frame_ms = _median_ms(
+        lambda i: watch.see(Ballot(i / 15, "A", 0.9, "B", points[i]), is_left=False), len(points)
+    )
+    end_ms = _median_ms(lambda i: known.read(examples["0"][i % N_EXAMPLES]), 20)
+    return {"frame": frame_ms, "end_of_a_movement": end_ms}
+
+
+def _median_ms(work: Callable[[int], object], n: int) -> float:
+    times = []
+    for i in range(n):
+        started = time.perf_counter()
+        work(i)
+        times.append(1000 * (time.perf_counter() - started))
+    return round(median(times), 2)
+
+
+def _person(
+    finder: HandFinder,
+    photos: Sequence[Photo],
+    recordings: Recordings,
+    source: str,
+    train: NDArray[np.bool_],
+    random: Random,
+) -> Person:
+    classifier = replace(
+        learn(recordings.where(train), SEED), calibration=weights_file.load().calibration
+    )
+    own = (recordings.sources == source) & recordings.is_hand
+    teaches: dict[str, list[Actor]] = {}
+    signs: dict[str, list[Actor]] = {}
+    for letter in sorted(set(map(str, recordings.letters[own]))):
+        n = _N_PHOTOS if letter in MOVING.values() else _N_OTHER_PHOTOS
+        chosen = random.permutation(np.flatnonzero(own & (recordings.letters == letter)))[:n]
+        actors = list(_actors(finder, classifier, (photos[i] for i in chosen), random))
+        half = len(actors) // 2 if letter in MOVING.values() else 0
+        teaches[letter], signs[letter] = actors[:half], actors[half:]
+    return Person(teaches, signs)
+
+
+def _actors(
+    finder: HandFinder, classifier: SignClassifier, photos: Iterable[Photo], random: Random
+) -> Iterator[Actor]:
+    for photo in photos:
+        seen = video(finder, photo, random)
+        if len(seen.features) < _LEAST_FRAMES:
+            continue
+        readings = [classifier.read(row) for row in seen.features]
+        ballots = [Ballot(0.0, one.sign, one.confidence, one.second) for one in readings]
+        yield Actor(photo.letter, Model.of(seen.features), tuple(ballots))
+
+
+def _examples(teacher: Person, random: Random) -> dict[str, NDArray[np.float32]]:
+    """Five movements of each letter of which there are photographs."""
+    examples = {}
+    for sign in MOVING:
+        actors = teacher.models(sign, teaches=True)
+        shown: list[Movement] = []
+        while actors and len(shown) < N_EXAMPLES:
+            actor = actors[int(random.integers(len(actors)))]
+            shown += _movements(hands.signed(actor.model, *hands.letter_path(sign), random))
+        if shown:
+            examples[sign] = np.array(shown[:N_EXAMPLES])
+    return examples
+
+
+def _joined(examples: Sequence[dict[str, NDArray[np.float32]]]) -> dict[str, NDArray[np.float32]]:
+    """What several people showed, as the examples of one class."""
+    signs = [sign for sign in MOVING if any(sign in shown for shown in examples)]
+    return {
+        sign: np.concatenate([shown[sign] for shown in examples if sign in shown]) for sign in signs
+    }
+
+
+def _movements(glimpses: Iterable[Glimpse]) -> list[Movement]:
+    watch = MovementWatch()
+    return [found for one in glimpses if (found := watch.see(one)) is not None]
+
+
+def _count_signs(
+    counted: _Counted, taught_by: str, known: MovingSigns, pupil: Person, random: Random
+) -> None:
+    """The first answer to each moving letter: the letter, a wrong one, or none."""
+    for sign in known.signs:
+        for actor, _ in product(pupil.models(sign), range(_N_EACH)):
+            glimpses = hands.signed(actor.model, *hands.letter_path(sign), random)
+            first = next((d for _, d in _decisions(known, actor.ballots(glimpses))), None)
+            label = first.label if first else ""
+            for name in ("all", sign):
+                said = counted.answers.setdefault(taught_by, {}).setdefault(name, [])
+                said.append("right" if label == sign else "wrong" if label else "refused")
+
+
+def _count_others(counted: _Counted, known: MovingSigns, pupil: Person, random: Random) -> None:
+    """What is no moving letter: hands held, that change or move for nothing; movements with another letter's hand."""
+    every = [actor for actors in pupil.signs.values() for actor in actors]
+    for actor in every:
+        held = hands.signed(actor.model, *hands.still(2.0), random)
+        other = every[int(random.integers(len(every)))]
+        change = hands.changed(actor.model, other.model, random)
+        sign = str(random.choice(known.signs))
+        copied = hands.signed(actor.model, *hands.letter_path(sign), random)
+        idle = hands.signed(actor.model, *hands.aimless(random), random)
+        _count_steady(counted, known, actor, held)
+        _count_false(counted, "held letters", known, actor.ballots(held))
+        _count_false(counted, "transitions", known, _changing(actor, other, change))
+        letters = {actor.letter, other.letter}
+        for signs, times in ((known, counted.changes), (MovingSigns({}), counted.changes_alone)):
+            found = _decisions(signs, _changing(actor, other, change))
+            times.append(any(not d.is_moving and d.label not in letters for _, d in found))
+        may_sign = actor.letter in MOVING.values()
+        kind = "aimless, hand of a moving letter" if may_sign else "aimless, other hands"
+        _count_false(counted, kind, known, actor.ballots(idle))
+        if not may_sign:
+            _count_false(counted, "movement of a letter, other hand", known, actor.ballots(copied))
+
+
+def _changing(
+    first: Actor, second: Actor, glimpses: Sequence[Glimpse]
+) -> Iterator[tuple[Ballot, bool]]:
+    middle = len(glimpses) // 2
+    yield from first.ballots(glimpses[:middle])
+    yield from second.ballots(glimpses[middle:])
+
+
+def _count_false(
+    counted: _Counted, kind: str, known: MovingSigns, frames: Iterable[tuple[Ballot, bool]]
+) -> None:
+    found = any(decision.is_moving for _, decision in _decisions(known, frames))
+    counted.false.setdefault(kind, []).append(found)
+
+
+def _count_steady(
+    counted: _Counted, known: MovingSigns, actor: Actor, glimpses: Sequence[Glimpse]
+) -> None:
+    """When a letter at rest is decided, while moving letters are known and while none is."""
+    for signs, times in ((known, counted.steady_s), (MovingSigns({}), counted.steady_alone_s)):
+        first = next(_decisions(signs, actor.ballots(glimpses)), None)
+        times.append(first[0] if first else None)
+        if signs is known and first:
+            counted.steady_right.append(first[1].label == actor.letter)
+
+
+def _decisions(
+    known: MovingSigns, frames: Iterable[tuple[Ballot, bool]]
+) -> Iterator[tuple[float, Decision]]:
+    """All decisions, each with its time."""
+    watch = SignWatch()
+    watch.know(known)
+    for ballot, is_left in frames:
+        if decision := watch.see(ballot, is_left):
+            yield ballot.time_s, decision
+
+
+def _as_report(counted: _Counted) -> dict[str, Any]:
+    return {
+        "taught_by": {
+            taught_by: {sign: _answers(said) for sign, said in signs.items()}
+            for taught_by, signs in counted.answers.items()
+        },
+        "false": {kind: _share(found) for kind, found in counted.false.items()},
+        "letters_at_rest": {
+            "with_moving_letters": _steady(counted.steady_s, counted.changes),
+            "without": _steady(counted.steady_alone_s, counted.changes_alone),
+            "right_of_decided": _share(counted.steady_right),
+        },
+    }
+
+
+def _answers(said: Sequence[str]) -> dict[str, Any]:
+    kinds = ("right", "wrong", "refused")
+    return {kind: _share([one == kind for one in said]) for kind in kinds}
+
+
+def _steady(times: Sequence[float | None], false_letters: Sequence[bool]) -> dict[str, Any]:
+    decided = [time_s for time_s in times if time_s is not None]
+    return {
+        "decided_within_1_s": _share([t is not None and t <= 1.0 for t in times]),
+        "decided_within_2_s": _share([t is not None and t <= 2.0 for t in times]),
+        "median_s": round(median(decided), 3) if decided else None,
+        "wrong_letter_in_a_transition": _share(false_letters),
+    }
+
+
+def _share(holds: Sequence[bool]) -> dict[str, float | int | None]:
+    return Share.among(holds).as_object()

@@ -1,0 +1,47 @@
+"""Recordings of hands that move: the hand of a committed recording, on the computed way of a moving letter."""
+
+from pathlib import Path
+
+import numpy as np
+
+from pinel_desktop.camera.recording import RecordedHand, write_recording
+from pinel_desktop.gestures.movements import Glimpse, Movement, MovementWatch
+from pinel_desktop.gestures.training import moving_hands as hands
+from pinel_desktop.gestures.training.moving_hands import Model
+from pinel_desktop.gestures.training.moving_hands import Path as Way
+from tests.camera.taught_hands import shown
+
+N_EMPTY = 8  # frames without a hand, so that the recording's end is not a movement to its beginning
+
+
+def glimpses(letter: str, way: tuple[Way, float], seed: int) -> list[Glimpse]:
+    """A video of the hand that shows a letter at rest, on a way."""
+    model = Model.of(np.stack([hand.features for hand in shown(letter)]))
+    return hands.signed(model, *way, np.random.default_rng(seed))
+
+
+def movements(letter: str, way: tuple[Way, float], seeds: range) -> list[Movement]:
+    """What is cut out of such videos."""
+    found = []
+    for seed in seeds:
+        watch = MovementWatch()
+        seen = (watch.see(one) for one in glimpses(letter, way, seed))
+        found += [movement for movement in seen if movement is not None]
+    return found
+
+
+def packed(movements: list[Movement]) -> bytes:
+    """As the store keeps them."""
+    return np.stack(movements).astype("<f2").tobytes()
+
+
+def write_moving_hand(path: Path, letter: str, way: tuple[Way, float], seeds: range) -> Path:
+    """A recording of such videos, one after the other."""
+    frames: list[RecordedHand | None] = []
+    features = [hand.features for hand in shown(letter)]
+    for seed in seeds:
+        for i, one in enumerate(glimpses(letter, way, seed)):
+            frames.append(RecordedHand(one.points, features[i % len(features)], one.is_left))
+        frames += [None] * N_EMPTY
+    write_recording(path, frames)
+    return path

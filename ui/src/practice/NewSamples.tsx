@@ -1,0 +1,72 @@
+import { useSignal } from "@preact/signals";
+import { Video } from "lucide-preact";
+import { STORE_LIMITS } from "../api/declared";
+import { signsApi } from "../api/signs";
+import { texts } from "../i18n";
+import { Button } from "../kit/Button";
+import { Choice } from "../kit/Choice";
+import { Field } from "../kit/Field";
+import { Form } from "../kit/Form";
+import { TEST } from "../shell/testids";
+import { MISSING_LETTERS, MovementDrawing } from "./MovementDrawing";
+
+/** A sign that is to be taught: its name, whether it moves, and how it is shown to the camera. */
+export function NewSamples({ classroom }: { classroom: string }) {
+  const words = texts.value.teaching;
+  const name = useSignal("");
+  const moves = useSignal(false);
+  const sign = name.value.trim();
+  const record = () => {
+    const begin = moves.value ? signsApi.recordMoving : signsApi.record;
+    return sign !== "" && begin(classroom, sign);
+  };
+  return (
+    <Form class="teaching__new" onSubmit={record}>
+      <Choice
+        label={words.suggested}
+        legendClass="imitation__legend"
+        class="teaching__letters"
+        optionClass="imitation__letter"
+        testId={TEST.teachLetter}
+        value={sign}
+        options={MISSING_LETTERS.map(({ letter }) => [
+          letter,
+          <MovementDrawing key={letter} letter={letter} />,
+          { "data-letter": letter, label: letter },
+        ])}
+        onChange={(letter: string) => {
+          name.value = letter;
+          moves.value = MISSING_LETTERS.some((one) => one.letter === letter && one.moves);
+        }}
+      />
+      <div class="teaching__form">
+        <Field
+          label={words.name}
+          value={name.value}
+          maxLength={STORE_LIMITS.MAX_SIGN}
+          data-testid={TEST.teachName}
+          onText={(text) => {
+            name.value = text;
+          }}
+        />
+        <Choice
+          label={words.kind}
+          class="imitation__hands"
+          testId={TEST.teachKind}
+          value={moves.value}
+          options={[
+            [false, words.still],
+            [true, `${words.moves} (${words.experimental})`],
+          ]}
+          onChange={(chosen: boolean) => {
+            moves.value = chosen;
+          }}
+        />
+        <Button submit icon={Video} disabled={sign === ""} testId={TEST.teachRecord}>
+          {words.record}
+        </Button>
+      </div>
+      <p class="teaching__how">{moves.value ? words.howMoving : words.howStill}</p>
+    </Form>
+  );
+}
