@@ -1,12 +1,23 @@
 """Opens the database for commands, even while the app uses it; errors become `Failure`."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Protocol
 
 from pinel_desktop.commands.printing import Failure
 from pinel_desktop.errors import PinelError
 from storage import Store, StoreError, open_for_reading, open_store
+from storage.text import name_key
+
+
+class Named(Protocol):
+    """A row that a person names."""
+
+    @property
+    def id(self) -> str: ...
+    @property
+    def name(self) -> str: ...
 
 
 @contextmanager
@@ -32,6 +43,16 @@ def opened_store(path: Path, *, may_be_new: bool) -> Iterator[Store]:
             _require(path)
         with open_store(path) as store:
             yield store
+
+
+def key_of(wanted: str, rows: Sequence[Named]) -> str:
+    """The key of the one row of that name or key. Raises PinelError `export_unknown`, `export_ambiguous`."""
+    ids = [row.id for row in rows if wanted == row.id or name_key(row.name) == name_key(wanted)]
+    if not ids:
+        raise PinelError("export_unknown", name=wanted, known=[row.name for row in rows])
+    if len(ids) > 1:
+        raise PinelError("export_ambiguous", name=wanted, ids=ids)
+    return ids[0]
 
 
 @contextmanager

@@ -3,24 +3,22 @@
 import json
 import platform
 import re
-from collections.abc import Sequence
 from dataclasses import asdict
 from datetime import datetime
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import click
 
 from pinel_desktop import __version__
 from pinel_desktop.activities.reading import shipped_texts
-from pinel_desktop.commands.database import opened_store
+from pinel_desktop.commands.database import key_of, opened_store
 from pinel_desktop.commands.options import chosen_database, database_option
-from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, language_of_system
 from storage import Store, StoreError
 from storage.exchange.bundle_writing import SUFFIX, BundleInfo
 from storage.exchange.scope import Scope
-from storage.text import name_key, new_id
+from storage.text import new_id
 
 
 @click.command()
@@ -70,32 +68,16 @@ def command(
     click.echo(json.dumps(_as_object(info), ensure_ascii=False) if as_json else _as_text(info))
 
 
-class _Named(Protocol):
-    @property
-    def id(self) -> str: ...
-    @property
-    def name(self) -> str: ...
-
-
 def _scope(store: Store, *, classroom: str | None, group: str | None, program: str | None) -> Scope:
     if classroom is not None:
-        return Scope(classroom_id=_found(classroom, store.classrooms.all()))
+        return Scope(classroom_id=key_of(classroom, store.classrooms.all()))
     if group is not None:
-        return Scope(group_id=_found(group, store.groups.all()))
+        return Scope(group_id=key_of(group, store.groups.all()))
     if program is not None:
         groups = store.groups.all()
         programs = [one for group in groups for one in store.programs.of_group(group.id)]
-        return Scope(program_id=_found(program, programs))
+        return Scope(program_id=key_of(program, programs))
     return Scope()
-
-
-def _found(wanted: str, rows: Sequence[_Named]) -> str:
-    ids = [row.id for row in rows if wanted == row.id or name_key(row.name) == name_key(wanted)]
-    if not ids:
-        raise PinelError("export_unknown", name=wanted, known=[row.name for row in rows])
-    if len(ids) > 1:
-        raise PinelError("export_ambiguous", name=wanted, ids=ids)
-    return ids[0]
 
 
 def _computer(store: Store) -> tuple[str, str]:

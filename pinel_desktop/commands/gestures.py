@@ -11,14 +11,18 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from pinel_desktop.commands.database import key_of, opened_store
+from pinel_desktop.commands.options import chosen_database, database_option
 from pinel_desktop.commands.printing import Failure, print_problem
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import language_of_system
+from storage.limits import MAX_TAUGHT_SAMPLES
 
 if TYPE_CHECKING:
     from pinel_desktop.gestures.recognition import Recogniser
     from pinel_desktop.gestures.training.photos import Photo
     from pinel_desktop.gestures.training.recordings import Recordings
+    from storage import Store
 
 _UNUSABLE = 2
 _FOLDER = click.Path(path_type=Path, file_okay=False)
@@ -89,7 +93,7 @@ def classify(ctx: click.Context, images: tuple[Path, ...], aspect: float | None)
     help="Train without each source in turn and test on it.",
 )
 @click.option(
-    "--sequences", is_flag=True, help="Also make short videos of the pictures; a minute more."
+    "--sequences", is_flag=True, help="Also make short videos of the pictures; some minutes more."
 )
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @_recordings_option
@@ -113,9 +117,13 @@ def evaluate(
             report = evaluation.evaluate_known(recorded, weights_file.load())
         report["speed_ms"] = evaluation.speed_ms(found)
         if sequences:
+            from pinel_desktop.gestures.training.moving_report import (  # noqa: PLC0415
+                moving_report,
+            )
             from pinel_desktop.gestures.training.sequences import sequences_report  # noqa: PLC0415
 
             report["sequences"] = sequences_report(found, recorded)
+            report["signs_that_move"] = moving_report(found, recorded)
     if as_json:
         click.echo(json.dumps(report, ensure_ascii=False))
     else:
@@ -139,6 +147,91 @@ def train(folder: Path, output: Path | None, seed: int | None, recordings: Path 
         weights_file.save(learnt, target)
     size = target.stat().st_size
     click.echo(f"{target}: {len(learnt.signs)} letters, {len(learnt.points)} samples, {size} bytes")
+
+
+@command.command()
+@click.argument("name", metavar="NAME")
+@click.argument("images", metavar="IMAGE...", nargs=-1, type=_FILE)
+@click.option("--class", "classroom", required=True, help="The class that teaches (name or key).")
+@click.option(
+    "--camera",
+    "source",
+    metavar="SOURCE",
+    help="Instead of pictures: number of a webcam from 0, or a video, folder or recording that stands in for one.",
+)
+@click.option("--moving", is_flag=True, help="The sign moves (experimental); needs --camera.")
+@click.option(
+    "--aspect", type=_Aspect(), help="Shape of the pictures before they were stretched, e.g. 16:9."
+)
+@database_option
+@click.pass_context
+def teach(
+    ctx: click.Context,
+    name: str,
+    images: tuple[Path, ...],
+    classroom: str,
+    source: str | None,
+    moving: bool,
+    aspect: float | None,
+) -> None:
+    """Teach a class's camera the sign NAME, from pictures with one hand each or through a camera.
+
+    Through a camera ten hands at rest are recorded, or with --moving five movements, each from a hand at rest to a hand
+    at rest. Prints one JSON object: class, sign, is_moving, added, and samples and movements that count now. A running
+    app knows the sign when a program of the class or the practice screen is opened next. Exit status: 0, or 2 if a
+    picture was of no use; the others are learnt nevertheless.
+    """
+    if bool(images) == bool(source) or (moving and not source):
+        raise click.UsageError("give either pictures or --camera; --moving needs --camera")
+    with opened_store(chosen_database(ctx), may_be_new=False) as store:
+        found = key_of(classroom, store.classrooms.all())
+        sign = store.taught_signs.name_to_teach(found, name, is_moving=moving)
+        with _told():
+            samples = (
+                _samples_of_camera(source, is_moving=moving)
+                if source
+                else _samples_of_pictures(images, aspect)
+            )
+        if samples:
+            store.taught_signs.add(found, sign, b"".join(samples), is_moving=moving)
+            told = _taught(store, found, sign, len(samples), is_moving=moving)
+            click.echo(json.dumps(told, ensure_ascii=False))
+    ctx.exit(0 if source or len(samples) == len(images) else _UNUSABLE)
+
+
+def _samples_of_camera(source: str, *, is_moving: bool) -> list[bytes]:
+    from pinel_desktop.camera.teaching_samples import samples_of_camera  # noqa: PLC0415 - slow
+    from pinel_desktop.school.sign_teaching import N_MOVEMENTS, N_SAMPLES  # noqa: PLC0415
+
+    return samples_of_camera(source, N_MOVEMENTS if is_moving else N_SAMPLES, is_moving=is_moving)
+
+
+def _samples_of_pictures(images: tuple[Path, ...], aspect: float | None) -> list[bytes]:
+    """Of each picture that is of use; tells of the others."""
+    from pinel_desktop.camera.teaching_samples import sample_of_picture  # noqa: PLC0415 - slow
+    from pinel_desktop.gestures.recognition import Recogniser  # noqa: PLC0415
+
+    recogniser, samples = Recogniser(), []
+    for image in images[:MAX_TAUGHT_SAMPLES]:
+        try:
+            samples.append(sample_of_picture(recogniser, image, aspect))
+        except PinelError as error:
+            print_problem(error, language_of_system())
+    return samples
+
+
+def _taught(
+    store: "Store", classroom: str, sign: str, n_added: int, *, is_moving: bool
+) -> dict[str, Any]:
+    known = next(one for one in store.taught_signs.of_classroom(classroom) if one.sign == sign)
+    return {
+        "class": store.classrooms.get(classroom).name,
+        "sign": sign,
+        "is_moving": is_moving,
+        "added": n_added,
+        "samples": known.n_samples,
+        "movements": known.n_movements,
+    }
 
 
 @contextmanager

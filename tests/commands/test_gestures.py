@@ -9,6 +9,10 @@ import numpy as np
 import pytest
 
 from pinel_desktop.gestures import networks
+from pinel_desktop.gestures.training.moving_hands import letter_path
+from pinel_desktop.paths import database_path
+from storage import open_store
+from tests.camera.moving_hands import write_moving_hand
 from tests.commands.typed import pinel
 from tests.gestures.drawn import drawn_hand
 from tests.gestures.photo_folder import make_photos
@@ -100,3 +104,69 @@ def test_a_folder_without_a_table_is_said_to_hold_no_pictures(tmp_path: Path) ->
         done = pinel("gestures", command, str(tmp_path))
         assert done.exit_code == 1
         assert "There are no labelled pictures here" in done.stderr
+
+
+class TestTeach:
+    @pytest.fixture
+    def classroom(self, home: Path) -> str:
+        with open_store(database_path()) as store:
+            return store.classrooms.create("5º B").id
+
+    def taught(self, classroom: str) -> dict[str, tuple[int, int]]:
+        with open_store(database_path()) as store:
+            found = store.taught_signs.of_classroom(classroom)
+        return {one.sign: (one.n_samples, one.n_movements) for one in found}
+
+    def test_pictures_teach_a_sign_and_those_of_no_use_are_named(
+        self, classroom: str, tmp_path: Path
+    ) -> None:
+        hand = written(tmp_path / "l.png", drawn_hand())
+        wall = written(tmp_path / "wall.png", np.full((480, 640, 3), 90, np.uint8))
+        done = pinel("gestures", "teach", "vai", hand, hand, wall, "--class", "5º b")
+        assert done.exit_code == 2
+        assert wall in done.stderr
+        (told,) = lines(done.stdout)
+        assert told == {
+            "class": "5º B",
+            "sign": "vai",
+            "is_moving": False,
+            "added": 2,
+            "samples": 2,
+            "movements": 0,
+        }
+        assert self.taught(classroom) == {"vai": (2, 0)}
+
+    def test_a_camera_teaches_hands_at_rest_and_movements(
+        self, classroom: str, tmp_path: Path
+    ) -> None:
+        way = letter_path("Z")
+        recording = str(write_moving_hand(tmp_path / "z.npz", "B", way, range(5)))
+        for options, added in ((("--moving",), 5), ((), 10)):
+            done = pinel(
+                "gestures", "teach", "z", "--class", classroom, "--camera", recording, *options
+            )
+            assert done.exit_code == 0, done.output
+            assert lines(done.stdout)[0]["added"] == added
+        assert self.taught(classroom) == {"Z": (10, 5)}
+
+    @pytest.mark.parametrize(
+        "words",
+        [
+            ("J", "--class", "5º B"),
+            ("J", "a.png", "--camera", "0", "--class", "5º B"),
+            ("J", "a.png", "--moving", "--class", "5º B"),
+            ("J", "a.png"),
+            ("J", "a.png", "--class", "9º Z"),
+            ("a/b", "a.png", "--class", "5º B"),
+            ("J", "missing.png", "--class", "5º B"),
+            ("J", "--camera", "missing.mp4", "--class", "5º B"),
+        ],
+    )
+    def test_bad_input_is_told_and_nothing_is_taught(
+        self, classroom: str, words: tuple[str, ...]
+    ) -> None:
+        done = pinel("gestures", "teach", *words)
+        assert done.exit_code != 0
+        assert done.stdout == ""
+        assert done.stderr
+        assert self.taught(classroom) == {}

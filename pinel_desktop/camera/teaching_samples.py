@@ -1,0 +1,65 @@
+"""Samples of a sign to teach without the app: from pictures, or through a camera as the app takes them."""
+
+import base64
+import time
+from pathlib import Path
+
+from pinel_desktop.camera.learning import MovementTaker, SampleTaker, pack
+from pinel_desktop.camera.sight import Sight
+from pinel_desktop.camera.source import CameraSource
+from pinel_desktop.errors import PinelError
+from pinel_desktop.gestures.pictures import read_picture
+from pinel_desktop.gestures.recognition import Recogniser
+
+_PATIENCE_S = 15.0  # without a sample
+_FRAME_S = 0.5
+
+
+def sample_of_picture(recogniser: Recogniser, path: Path, aspect: float | None) -> bytes:
+    """The one hand of a picture, as the store keeps it.
+
+    Args:
+        aspect: width by height of the picture before it was stretched; None if it was not.
+
+    Raises:
+        PinelError: of a picture that cannot be read; `teach_hand_missing` where it shows no hand, or two.
+    """
+    seen = recogniser.read(read_picture(path, aspect))
+    packed = pack(seen[0].features) if len(seen) == 1 else None
+    if packed is None:
+        raise PinelError("teach_hand_missing", file=str(path))
+    return base64.b64decode(packed)
+
+
+def samples_of_camera(source: str, n_samples: int, *, is_moving: bool) -> list[bytes]:
+    """Hands at rest, or movements, as the store keeps them; takes as long as a person needs to show them.
+
+    Args:
+        source: as `camera.frames.open_reader` takes it.
+
+    Raises:
+        PinelError: what is wrong with the camera; `sign_recording_stopped` or `movement_recording_stopped` where
+            nothing was seen for too long.
+    """
+    sight = Sight(Recogniser())
+    taker = MovementTaker() if is_moving else SampleTaker()
+    camera = CameraSource(source)
+    samples: list[bytes] = []
+    seen_s, taken_s = 0.0, time.monotonic()
+    try:
+        while len(samples) < n_samples:
+            if problem := camera.problem:
+                raise problem
+            if time.monotonic() - taken_s > _PATIENCE_S:
+                kind = "movement" if is_moving else "sign"
+                raise PinelError(f"{kind}_recording_stopped")
+            frame = camera.next_frame(seen_s, _FRAME_S)
+            if frame is None:
+                continue
+            seen_s = frame.time_s
+            if sample := taker.take(frame.time_s, sight.look(frame.shot)):
+                samples.append(base64.b64decode(sample))
+                taken_s = time.monotonic()
+    finally:
+        camera.close()
+    return samples
