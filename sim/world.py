@@ -11,7 +11,10 @@ from typing import Any
 from sim.floor import Paint, Zone, paint_from_document, point, zone_from_document
 
 DEFAULT_WORLD = "empty_room"
-_LESSONS = (DEFAULT_WORLD, "tic_tac_toe", "obstacles", "slalom", "maze", "lines", "pushing")
+_LESSONS = (
+    *(DEFAULT_WORLD, "tic_tac_toe", "obstacles", "slalom", "maze", "lines", "pushing"),
+    *("neighbourhood", "corridor", "colour_mat", "city_block", "slalom_gates"),
+)
 DEFAULT_BOX_MASS_KG = 2.0
 WALL_RADIUS_M = 0.01
 # limits of movable boxes: thinner or lighter ones would visibly penetrate walls and the robot

@@ -1,7 +1,16 @@
 """Activities: missions as data, and the checks that tell whether a program passes."""
 
 from pinel_desktop.activities.batch import check_files
-from pinel_desktop.activities.checking import Report, check_program
+from pinel_desktop.activities.checking import (
+    CaseReport,
+    CheckReport,
+    RecordedRun,
+    Report,
+    check_program,
+    judge_run,
+)
+from pinel_desktop.activities.diagnosis import Advice
+from pinel_desktop.activities.evidence import RunLog
 from pinel_desktop.activities.faults import ActivityError, world_of
 from pinel_desktop.activities.goals import Goal, goal_of, shipped_goal
 from pinel_desktop.activities.model import Activity
@@ -15,19 +24,27 @@ from pinel_desktop.activities.reading import (
     solution_of,
     world_title,
 )
+from pinel_desktop.activities.recorded import case_of_run
 
 __all__ = [
     "PATHS",
     "Activity",
     "ActivityError",
+    "Advice",
+    "CaseReport",
+    "CheckReport",
     "Goal",
+    "RecordedRun",
     "Report",
+    "RunLog",
     "activity_names",
     "activity_titles",
+    "case_of_run",
     "check_files",
     "check_program",
     "choose_activity",
     "goal_of",
+    "judge_run",
     "shipped_activity",
     "shipped_goal",
     "shipped_texts",

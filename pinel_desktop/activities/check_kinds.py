@@ -104,6 +104,98 @@ class PathLength(Model):
     at_most_m: Length = 10_000.0
 
 
+Point = Annotated[list[Metres], Field(min_length=2, max_length=2)]
+Line = Annotated[list[Point], Field(min_length=2, max_length=500)]
+
+
+class Draws(Model):
+    """What the pen drew, or the path, is the template: no point of either is farther than `tolerance` from the other.
+
+    Attributes:
+        template: lines in m; `scale`, `rotate` and `move` tell whether size, direction and place are free.
+        mirror: whether the mirrored figure is right as well.
+        figure: its name where several figures are right.
+    """
+
+    check: Literal["draws"]
+    template: Annotated[list[Line], Field(min_length=1, max_length=MOST)]
+    tolerance: Annotated[float, Field(gt=0, le=10)] = 0.06
+    scale: bool = True
+    rotate: bool = True
+    move: bool = True
+    mirror: bool = False
+    of: Literal["trail", "path"] = "trail"
+    figure: Name | None = None
+
+
+class Closed(Model):
+    """The last point that the pen drew is within `within_m` of the first."""
+
+    check: Literal["closed"]
+    within_m: Length = 0.05
+
+
+class Symmetric(Model):
+    """What the pen drew has at least so many mirror axes through its centroid; `tolerance` is in r.m.s. radii."""
+
+    check: Literal["symmetric"]
+    axes: Annotated[int, Field(ge=1, le=180)]
+    tolerance: Annotated[float, Field(gt=0, le=1)] = 0.06
+
+
+class TurnedTotal(Model):
+    """All turning is within limits, and what remains with sign (positive: left) is `net_deg`."""
+
+    check: Literal["turned_total"]
+    at_least_deg: Annotated[float, Field(ge=0, le=1_000_000)] = 0.0
+    at_most_deg: Annotated[float, Field(gt=0, le=1_000_000)] = 1_000_000.0
+    net_deg: Annotated[float, Field(ge=-1_000_000, le=1_000_000)] | None = None
+    net_within: Annotated[float, Field(gt=0, le=1_000_000)] = 10.0
+
+
+class BlockCount(Model):
+    """The program has at most so many commands."""
+
+    check: Literal["block_count"]
+    at_most: Annotated[int, Field(ge=1, le=20_000)]
+
+
+class Nesting(Model):
+    """The program has loops in loops, so many deep."""
+
+    check: Literal["nesting"]
+    at_least: Annotated[int, Field(ge=1, le=100)]
+
+
+class Executed(Model):
+    """A kind of command begins so many times in the run."""
+
+    check: Literal["executed"]
+    action: Name
+    n: Annotated[int, Field(ge=0, le=1_000_000)]
+
+
+class MarkCount(Model):
+    """The run leaves so many marks."""
+
+    check: Literal["mark_count"]
+    n: Annotated[int, Field(ge=0, le=10_000)]
+
+
+class Time(Model):
+    """The run takes at most so much robot time."""
+
+    check: Literal["time"]
+    at_most_s: Annotated[float, Field(gt=0, le=3600)]
+
+
+class AnyOf(Model):
+    """One of several checks holds."""
+
+    check: Literal["any_of"]
+    checks: "Annotated[list[Check], Field(min_length=1, max_length=MOST)]"
+
+
 Check = Annotated[
     Finished
     | EndsAt
@@ -115,6 +207,18 @@ Check = Annotated[
     | Uses
     | Marks
     | Says
-    | PathLength,
+    | PathLength
+    | Draws
+    | Closed
+    | Symmetric
+    | TurnedTotal
+    | BlockCount
+    | Nesting
+    | Executed
+    | MarkCount
+    | Time
+    | AnyOf,
     Field(discriminator="check"),
 ]
+
+AnyOf.model_rebuild()

@@ -1,11 +1,15 @@
-"""Whether a program passes an activity: runs each case and evaluates every check."""
+"""Whether a program passes an activity: runs each case, or takes a recorded run of it, and evaluates every check."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
-from pinel_desktop.activities.checks import Evidence, RunObserver, holds
+from pinel_desktop.activities.checks import Finding, Value, find
+from pinel_desktop.activities.diagnosis import Advice, Facts, advice_of, fits
+from pinel_desktop.activities.evidence import Evidence, LogWriter, RunLog
 from pinel_desktop.activities.faults import world_of
 from pinel_desktop.activities.model import Activity, Case
+from pinel_desktop.activities.wording import Words, words_of
 from pinel_desktop.events.model import Event
 from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.execution.control import RunControl
@@ -17,26 +21,53 @@ from pinel_desktop.runs.spec import RunSpec
 from pinel_desktop.runs.start import start
 from sim.world import world_from_document
 
+_REST_S = 1.0  # the robot may roll on for that long when it is stopped at the limit
+
 
 @dataclass(frozen=True, slots=True)
 class CheckReport:
-    """Result of one check; `kind` and `params` select the message."""
+    """Result of one check.
+
+    Attributes:
+        kind, params: the check.
+        measured, target: in the unit of the check: m, degrees, s, a number or a name.
+        block, pointer: the block to look at, and the JSON pointer of its command; None where there is none.
+        words: what is said where it does not hold, by language.
+    """
 
     kind: str
     params: dict[str, Any]
     holds: bool
+    measured: Value
+    target: Value
+    block: str | None
+    pointer: str | None
+    words: Words
 
 
 @dataclass(frozen=True, slots=True)
 class CaseReport:
-    """One run of the program; `reason` is `too_long` if the activity's time limit ended it."""
+    """One run of the program; `reason` is `too_long` if it took longer than the activity allows.
+
+    Attributes:
+        case: number of the case, from 1.
+        recorded: whether it is the run that the group saw, not one that was run for the checks.
+        advice: what is said about this run alone; None if it passes.
+    """
 
     state: str
     reason: str | None
     params: dict[str, Any]
     duration_s: float
-    telemetry_sha256: str
+    telemetry_sha256: str | None
     checks: tuple[CheckReport, ...]
+    case: int = 1
+    recorded: bool = False
+    advice: Advice | None = None
+
+    @property
+    def passed(self) -> bool:
+        return bool(self.checks) and all(check.holds for check in self.checks)
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,22 +81,50 @@ class Report:
     @property
     def passed(self) -> bool:
         """True if the program passes the activity."""
-        checks = [check for case in self.cases for check in case.checks]
-        return not self.faults and bool(checks) and all(check.holds for check in checks)
+        return not self.faults and bool(self.cases) and all(case.passed for case in self.cases)
+
+    @property
+    def advice(self) -> Advice | None:
+        """The one thing to say: the first diagnosis that fits a run, else the first check that fails."""
+        found = [case.advice for case in self.cases if case.advice is not None]
+        return min(found, key=_rank, default=None)
 
 
-def check_program(activity: Activity, reading: Reading, program: str = "") -> Report:
+def _rank(advice: Advice) -> float:
+    return float("inf") if advice.diagnosis is None else advice.diagnosis
+
+
+@dataclass(frozen=True, slots=True)
+class RecordedRun:
+    """A run that the group saw: all that it told, and the number of the case that it is, from 1."""
+
+    log: RunLog
+    case: int = 1
+
+
+def check_program(
+    activity: Activity, reading: Reading, program: str = "", recorded: RecordedRun | None = None
+) -> Report:
     """Runs a program in each case of the activity.
 
     Args:
         program: its name in the report.
+        recorded: a run of one of the cases, which is judged instead of running that case.
 
     Raises:
         PinelError: `unknown_robot`, or what `world_of` raises.
     """
-    if reading.program is None:
+    if reading.program is None or reading.document is None:
         return Report(program, reading.faults, ())
-    return Report(program, (), tuple(_case(activity, case, reading) for case in activity.cases))
+    reports = []
+    for number in range(1, len(activity.cases) + 1):
+        if recorded is not None and recorded.case == number:
+            reports.append(
+                judge_run(activity, number, reading.document, recorded.log, recorded=True)
+            )
+        else:
+            reports.append(_run(activity, number, reading))
+    return Report(program, (), tuple(reports))
 
 
 def spec_of(activity: Activity, case: Case, reading: Reading) -> RunSpec:
@@ -77,35 +136,105 @@ def spec_of(activity: Activity, case: Case, reading: Reading) -> RunSpec:
         world=world_of(activity, case),
         setting=Setting(activity.model, activity.preset, activity.feedback),
         seed=case.seed,
-        inputs=ScriptedInputs(case.gestures, case.answers),
+        inputs=ScriptedInputs(case.gestures, case.answers, all_gestures=True),
         program=reading.program,
     )
 
 
-def _case(activity: Activity, case: Case, reading: Reading) -> CaseReport:
+def _run(activity: Activity, number: int, reading: Reading) -> CaseReport:
     assert reading.document is not None
-    spec = spec_of(activity, case, reading)
-    observed = RunObserver(world_from_document(world_of(activity, case)))
-    control, last_tick = RunControl(), round(activity.limit_s * TICK_HZ)
+    spec = spec_of(activity, activity.cases[number - 1], reading)
+    writer, control = LogWriter(), RunControl()
+    last_tick = round(activity.limit_s * TICK_HZ)
 
     def observe(tick: int, event: Event) -> None:
-        observed.observe(event)
+        writer.observe(tick, event)
         if tick >= last_tick:
             control.stop()
 
-    result = start(spec, observe, control)
-    ended = result.ended
-    evidence = Evidence(reading.document, result, observed)
-    checks = [
-        CheckReport(check.check, check.model_dump(exclude={"check"}), holds(check, evidence))
-        for check in (*activity.checks, *case.checks)
-    ]
-    stopped = ended.state == "stopped"
-    return CaseReport(
-        state="failed" if stopped else ended.state,
-        reason="too_long" if stopped else ended.reason,
-        params={"limit": activity.limit_s} if stopped else ended.params,
-        duration_s=ended.duration_s,
-        telemetry_sha256=ended.telemetry_sha256,
-        checks=tuple(checks),
+    start(spec, observe, control)
+    return judge_run(activity, number, reading.document, writer.log())
+
+
+def judge_run(
+    activity: Activity,
+    number: int,
+    document: Mapping[str, Any],
+    log: RunLog,
+    *,
+    recorded: bool = False,
+) -> CaseReport:
+    """Judges one run of a program, executed just now or long ago.
+
+    Args:
+        number: the case, from 1.
+        document: the program in its normal form.
+        recorded: whether it is a run that the group saw.
+
+    Raises:
+        PinelError: what `world_of` raises.
+    """
+    case = activity.cases[number - 1]
+    log = _limited(log, activity.limit_s)
+    evidence = Evidence(document, world_from_document(world_of(activity, case)), log)
+    checks = [*activity.checks, *case.checks]
+    findings = [find(check, evidence) for check in checks]
+    reports = tuple(
+        _check_report(check, finding, evidence)
+        for check, finding in zip(checks, findings, strict=True)
     )
+    ended = log.ended
+    return CaseReport(
+        state=str(ended["state"]),
+        reason=ended.get("reason"),
+        params=dict(ended.get("params") or {}),
+        duration_s=evidence.duration_s,
+        telemetry_sha256=ended.get("telemetry_sha256"),
+        checks=reports,
+        case=number,
+        recorded=recorded,
+        advice=_advice(activity, case, number, evidence, reports),
+    )
+
+
+def _limited(log: RunLog, limit_s: float) -> RunLog:
+    """The log of a run that took too long, whoever stopped it, ends as a failure."""
+    duration_s = (len(log.poses) - 1) / TICK_HZ
+    ended = log.ended
+    is_stopped = ended["state"] == "stopped" and duration_s >= limit_s
+    if not is_stopped and duration_s <= limit_s + _REST_S:
+        return log
+    end = {**ended, "state": "failed", "reason": "too_long", "params": {"limit": limit_s}}
+    return replace(log, events=(*log.events[:-1], end))
+
+
+def _check_report(check: Any, finding: Finding, evidence: Evidence) -> CheckReport:
+    command = evidence.command_at(finding.pointer) if finding.pointer else None
+    return CheckReport(
+        kind=check.check,
+        params=check.model_dump(exclude={"check"}),
+        holds=finding.holds,
+        measured=finding.measured,
+        target=finding.target,
+        block=command.block if command else None,
+        pointer=finding.pointer,
+        words={} if finding.holds else words_of(finding.code, finding.values, command),
+    )
+
+
+def _advice(
+    activity: Activity,
+    case: Case,
+    number: int,
+    evidence: Evidence,
+    reports: tuple[CheckReport, ...],
+) -> Advice | None:
+    """What is said about a run: the first diagnosis that fits, else the words of the first check that fails."""
+    failed = next((report for report in reports if not report.holds), None)
+    if failed is None:
+        return None
+    facts = Facts(evidence, case, number, [*activity.checks, *case.checks])
+    for index, diagnosis in enumerate(activity.diagnoses):
+        if fits(diagnosis, facts):
+            return advice_of(diagnosis, index, facts)
+    return Advice(failed.words, failed.block, failed.pointer)

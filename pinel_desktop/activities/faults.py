@@ -194,7 +194,7 @@ def _is_block(which: str) -> bool:
     place, _, action = which.partition(" ")
     if place in ("first", "last"):
         return action in action_names()
-    return which in ("touching", "running", "worst")
+    return which in ("touching", "running", "moving", "worst")
 
 
 def _world(activity: Activity) -> tuple[dict[str, Any] | None, list[Fault]]:

@@ -71,10 +71,21 @@ class Case(Model):
 # with them, `n_ACTION`: how many of that block the program has, and `x_ACTION`: how many were begun in the run
 NUMBER_FACTS = frozenset(
     {"gap_m", "net_deg", "turned_deg", "path_m", "time_s", "end_x", "end_y", "to_goal_m"}
-    | {"blocks", "nesting", "done", "amount", "missing_m", "extra_m", "axes"}
+    | {
+        "blocks",
+        "nesting",
+        "done",
+        "amount",
+        "missing_m",
+        "extra_m",
+        "mirror_m",
+        "axes",
+        "pushed_m",
+        "box_left_m",
+    }
     | {"marks", "mark_x", "mark_y", "case"}
 )
-TEXT_FACTS = frozenset({"reason", "zones", "end_zone", "input", "nearest"})
+TEXT_FACTS = frozenset({"reason", "zones", "end_zone", "input", "nearest", "mirrored"})
 
 
 def _one_or_two(wanted: Any) -> Any:
@@ -92,7 +103,7 @@ class Diagnosis(Model):
 
     Attributes:
         when: facts of the run with the value, the two limits or the text that each must have.
-        block: which block to look at: `first ACTION`, `last ACTION`, `touching`, `running` or `worst`.
+        block: which block to look at: `first ACTION`, `last ACTION`, `touching`, `running`, `moving` or `worst`.
         say: the words, with facts in braces.
         general: instead of `say`, the name of words that many activities use.
         parts: for the general words `parts`, how many there should be.

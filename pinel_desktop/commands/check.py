@@ -93,8 +93,14 @@ def _as_object(report: Report, language: str) -> dict[str, Any]:
         reason = case["reason"]
         case["message"] = describe(reason, case["params"], language).message if reason else None
         for check in case["checks"]:
-            check["message"] = describe(f"check_{check['kind']}", check["params"], language).message
-    return {"program": report.program, "passed": report.passed, **found}
+            check["message"] = check.pop("words").get(language)
+        case["advice"] = case["advice"] and _in_language(case["advice"], language)
+    advice = report.advice and _in_language(asdict(report.advice), language)
+    return {"program": report.program, "passed": report.passed, "advice": advice, **found}
+
+
+def _in_language(advice: dict[str, Any], language: str) -> dict[str, Any]:
+    return {**advice, "words": advice["words"][language]}
 
 
 def _lines(report: Report, language: str) -> list[str]:
@@ -107,11 +113,7 @@ def _lines(report: Report, language: str) -> list[str]:
         lines.append(f"    … (+{len(report.faults) - _MOST_FAULTS})")
     for i, case in enumerate(report.cases):
         where = f"{i + 1}. " if len(report.cases) > 1 else ""
-        if case.reason is not None:
-            words = describe(case.reason, case.params, language)
-            lines.append(f"    {where}{words.line}")
-        for check in case.checks:
-            if not check.holds:
-                words = describe(f"check_{check.kind}", check.params, language)
-                lines.append(f"    {where}{words.line}")
+        lines += [f"    {where}{one.words[language]}" for one in case.checks if not one.holds]
+    if report.advice is not None:
+        lines.append(f"    > {report.advice.words[language]}")
     return lines

@@ -1,7 +1,7 @@
 """Grades the runs of lessons with an activity.
 
-A run passes if it finished and its program passes every case of the activity. The cases are run again in the
-simulator after the run, on a thread of their own, which takes a fraction of a second.
+The run that the group saw is judged where it was a case of the activity; the other cases are run in the simulator
+afterwards, on a thread of their own, which takes a fraction of a second. It passes if it finished and all cases pass.
 """
 
 import contextlib
@@ -14,10 +14,11 @@ from typing import TYPE_CHECKING, Any
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.app_events import Judged
 from pinel_desktop.messages import describe
-from storage import Store, StoreError
+from pinel_desktop.robot import setting_from
+from storage import RunRow, Store, StoreError
 
 if TYPE_CHECKING:
-    from pinel_desktop.activities import Activity, Report
+    from pinel_desktop.activities import Activity, RecordedRun, Report
 
 _log = logging.getLogger(__name__)
 
@@ -65,7 +66,7 @@ class Grader:
             if run.activity is None or run.passed is not None or run.state == "running":
                 return
             activity = self._activity(run.activity)
-            report = self._report(activity, run.version_id)
+            report = self._report(activity, run)
             passed = run.state == "finished" and report.passed
             kept = {"cases": [asdict(case) for case in report.cases]}
             self._store.checks.record(run_id, passed, kept)
@@ -75,21 +76,15 @@ class Grader:
             _log.warning("run %s was not graded: %s", run_id, error)
 
     def _missing(self, activity: "Activity", world: str, report: "Report") -> str | None:
-        """Message of the first check that fails; None if all hold. Where the group's run was in another world, that
-        comes first: it has not seen what the checks are about.
+        """What to tell the group; None if the program passes. Where its run was in another world, that comes first: it
+        has not seen what the checks are about.
         """
         from pinel_desktop.activities import world_title  # noqa: PLC0415 - heavy
 
         title = world_title(activity, self._language())
         if title is not None and world != activity.world and not report.passed:
             return describe("check_other_world", {"world": title}, self._language()).message
-        for case in report.cases:
-            if case.reason is not None:
-                return describe(case.reason, case.params, self._language()).message
-            for check in case.checks:
-                if not check.holds:
-                    return describe(f"check_{check.kind}", check.params, self._language()).message
-        return None
+        return report.advice.words[self._language()] if report.advice else None
 
     @staticmethod
     def _activity(name: str) -> "Activity":
@@ -97,9 +92,21 @@ class Grader:
 
         return shipped_activity(name)
 
-    def _report(self, activity: "Activity", version_id: str | None) -> "Report":
+    def _report(self, activity: "Activity", run: RunRow) -> "Report":
         from pinel_desktop.activities import check_program  # noqa: PLC0415 - heavy
         from pinel_desktop.program.reading import read_document  # noqa: PLC0415
 
-        document = self._store.versions.get(version_id).document if version_id else None
-        return check_program(activity, read_document(document or {}))
+        document = self._store.versions.get(run.version_id).document if run.version_id else None
+        recorded = self._recorded(activity, run)
+        return check_program(activity, read_document(document or {}), recorded=recorded)
+
+    def _recorded(self, activity: "Activity", run: RunRow) -> "RecordedRun | None":
+        """The run that the group saw, where it was a case of the activity and its record is whole."""
+        from pinel_desktop.activities import RecordedRun, RunLog, case_of_run  # noqa: PLC0415 - heavy
+
+        telemetry = self._store.runs.telemetry(run.id)
+        log = RunLog.of_columns(telemetry.column, self._store.runs.events(run.id))
+        if run.link != "sim" or run.state == "stopped" or len(telemetry.rows) == 0:
+            return None
+        case = case_of_run(activity, run.world_document, setting_from(run.parameters), log)
+        return None if case is None else RecordedRun(log, case)

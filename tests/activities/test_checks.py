@@ -1,4 +1,4 @@
-"""Each kind of check, true and false, on real runs; and the shipped activities."""
+"""Each kind of check, true and false, on real runs: what it measures, what it says, which block it points at."""
 
 from pathlib import Path
 from typing import Any
@@ -9,12 +9,10 @@ from pydantic import TypeAdapter
 from pinel_desktop.activities import (
     Activity,
     Report,
-    activity_names,
     check_program,
-    choose_activity,
 )
 from pinel_desktop.activities.check_kinds import Check
-from pinel_desktop.messages import LANGUAGES, SOURCE_LANGUAGE, catalogue, describe
+from pinel_desktop.messages import LANGUAGES, SOURCE_LANGUAGE, catalogue
 from pinel_desktop.program.reading import read_document
 from sim.world import world_document
 
@@ -40,6 +38,15 @@ def turn(angle: float) -> dict[str, Any]:
     return {"action": "turn", "angle": angle}
 
 
+def twice(command: dict[str, Any]) -> dict[str, Any]:
+    return {"action": "repeat", "times": 2, "commands": [command]}
+
+
+PEN = {"action": "pen", "down": True}
+ARC = {"action": "arc", "radius": 0.8, "angle": 360}
+CORNER = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0]]
+L = [PEN, move(2), turn(90), move(1)]
+IN_B = {"check": "ends_in", "zone": "B"}
 MARK = {"action": "mark", "symbol": "X"}
 HELLO = {"action": "say", "text": "Olá, Turma"}
 TO_B: list[dict[str, Any]] = [move(2), MARK, HELLO]  # from left of A through A into B
@@ -76,14 +83,72 @@ TO_B: list[dict[str, Any]] = [move(2), MARK, HELLO]  # from left of A through A 
         ({"check": "says", "text": "tchau"}, TO_B, False),
         ({"check": "path_length", "at_least_m": 1.99, "at_most_m": 2.01}, TO_B, True),
         ({"check": "path_length", "at_least_m": 2.01}, TO_B, False),
+        ({"check": "path_length", "at_most_m": 0.02}, TO_B, False),
+        ({"check": "draws", "template": [CORNER]}, L, True),
+        ({"check": "draws", "template": [CORNER], "of": "path"}, L, True),
+        (
+            {"check": "draws", "template": [CORNER], "scale": False},
+            [PEN, move(1), turn(90), move(0.5)],
+            False,
+        ),
+        (
+            {"check": "draws", "template": [CORNER], "scale": True},
+            [PEN, move(1), turn(90), move(0.5)],
+            True,
+        ),
+        ({"check": "draws", "template": [CORNER]}, [PEN, move(2), turn(-90), move(1)], False),
+        (
+            {"check": "draws", "template": [CORNER], "mirror": True},
+            [PEN, move(2), turn(-90), move(1)],
+            True,
+        ),
+        ({"check": "draws", "template": [CORNER], "rotate": False}, [turn(45), *L], False),
+        ({"check": "draws", "template": [CORNER], "move": False, "scale": False}, L, True),
+        (
+            {"check": "draws", "template": [CORNER], "move": False, "scale": False},
+            [move(0.5), *L],
+            False,
+        ),
+        ({"check": "draws", "template": [CORNER]}, [move(2), turn(90), move(1)], False),
+        ({"check": "draws", "template": [CORNER]}, [], False),
+        ({"check": "closed"}, [PEN, ARC], True),
+        ({"check": "closed"}, L, False),
+        ({"check": "closed"}, [move(1)], False),
+        ({"check": "symmetric", "axes": 9}, [PEN, ARC], True),
+        ({"check": "symmetric", "axes": 2}, [PEN, move(1)], True),
+        ({"check": "symmetric", "axes": 1}, L, False),
+        (
+            {"check": "turned_total", "at_least_deg": 269, "at_most_deg": 271},
+            [turn(180), turn(-90)],
+            True,
+        ),
+        ({"check": "turned_total", "at_least_deg": 271}, [turn(180), turn(-90)], False),
+        ({"check": "turned_total", "at_most_deg": 269}, [turn(180), turn(-90)], False),
+        ({"check": "turned_total", "net_deg": 90}, [turn(180), turn(-90)], True),
+        ({"check": "turned_total", "net_deg": 270}, [turn(180), turn(-90)], False),
+        ({"check": "block_count", "at_most": 3}, TO_B, True),
+        ({"check": "block_count", "at_most": 2}, TO_B, False),
+        ({"check": "nesting", "at_least": 2}, [twice(twice(HELLO))], True),
+        ({"check": "nesting", "at_least": 2}, [twice(HELLO), twice(HELLO)], False),
+        ({"check": "executed", "action": "say", "n": 4}, [twice(twice(HELLO))], True),
+        ({"check": "executed", "action": "say", "n": 1}, [twice(twice(HELLO))], False),
+        ({"check": "executed", "action": "move_forward", "n": 2}, [twice(move(0.1))], True),
+        ({"check": "mark_count", "n": 1}, TO_B, True),
+        ({"check": "mark_count", "n": 0}, TO_B, False),
+        ({"check": "time", "at_most_s": 5}, TO_B, True),
+        ({"check": "time", "at_most_s": 3}, TO_B, False),
+        ({"check": "any_of", "checks": [{"check": "ends_in", "zone": "A"}, IN_B]}, TO_B, True),
+        ({"check": "any_of", "checks": [{"check": "ends_in", "zone": "A"}]}, TO_B, False),
     ],
 )
 def test_a_check_holds_or_not(
     check: dict[str, Any], commands: list[dict[str, Any]], expected: bool
 ) -> None:
     report = run(activity(check), *commands)
-    assert [one.holds for one in report.cases[0].checks] == [expected]
-    assert report.passed == expected
+    (found,) = report.cases[0].checks
+    assert found.holds == report.passed == expected
+    assert set(found.words) == (set() if expected else set(LANGUAGES))
+    assert not any("{" in text for text in found.words.values())
 
 
 def test_a_box_is_pushed_into_a_zone() -> None:
@@ -139,11 +204,36 @@ def test_every_kind_has_words_and_a_row_in_the_docs(kind: str) -> None:
     assert f"| `{kind}` |" in DOCS.read_text("utf-8")
 
 
-@pytest.mark.parametrize("name", activity_names())
-def test_activities_that_ship_have_words_for_all_they_ask(name: str) -> None:
-    wanted = choose_activity(name)
-    assert set(wanted.title.model_dump(by_alias=True)) == set(LANGUAGES)
-    for check in [*wanted.checks, *(one for case in wanted.cases for one in case.checks)]:
-        for language in LANGUAGES:
-            params = check.model_dump(exclude={"check"})
-            assert "{" not in describe(f"check_{check.check}", params, language).message
+def test_a_check_tells_what_it_measured_and_which_block_to_look_at() -> None:
+    home = {"check": "ends_at", "x_m": 0.0, "y_m": 0.0, "within_m": 0.05}
+    turned = [move(1), {**turn(180), "block": "t"}, {**move(0.88), "block": "m"}]
+    (found,) = run(activity(home), *turned).cases[0].checks
+    assert (round(float(found.measured or 0), 2), found.target, found.block) == (0.12, 0.0, "m")
+    assert found.words["pt-BR"] == (
+        "O caminho termina a 12 cm da partida. Olhem “andar para frente 0,88 m”."
+    )
+    assert found.words["en"].startswith("The path ends 12 cm from the start.")
+
+
+def test_a_missing_block_is_named_as_on_the_screen() -> None:
+    (found,) = run(activity({"check": "uses", "action": "classify_gestures"})).cases[0].checks
+    assert found.words["pt-BR"] == "Usem o bloco “ler gesto”."
+
+
+def test_jitter_of_the_measured_pose_is_no_way() -> None:
+    """A square of 1 m: 4 m, with the realistic robot too."""
+    square = [{"action": "repeat", "times": 4, "commands": [move(1), turn(90)]}]
+    check = {"check": "path_length", "at_least_m": 3.97, "at_most_m": 4.03}
+    assert run(activity(check, world="empty_room"), *square).passed
+    assert run(activity(check, world="empty_room", preset="realistic"), *square).passed
+
+
+def test_a_program_that_reads_on_after_the_last_gesture_fails_with_that_reason() -> None:
+    read: dict[str, Any] = {"action": "classify_gestures"}
+    is_b = {"op": "==", "args": [{"gesture": "result"}, "B"]}
+    until: dict[str, Any] = {"action": "until", "condition": is_b, "commands": [read]}
+    wanted = activity({"check": "finished"}, cases=[{"gestures": ["A", ""]}])
+    (case,) = run(wanted, until).cases
+    assert (case.state, case.reason) == ("failed", "no_more_gestures")
+    assert case.duration_s < 1.0
+    assert run(wanted, read, read).passed

@@ -36,7 +36,7 @@ def test_a_program_that_fulfils_it_passes() -> None:
 def test_what_does_not_hold_is_said_in_words() -> None:
     done = check("square", TRIANGLE, "--processes", "1")
     assert done.exit_code == 1
-    assert "The way is from 3.95 to 4.05 m long." in done.stdout
+    assert "The path is 3 m long; it needs at least 3.95 m." in done.stdout
 
 
 def test_many_programs_come_in_their_order_whoever_is_first(tmp_path: Path) -> None:

@@ -109,7 +109,7 @@ def test_activities_have_a_picture_of_their_goal(browser: Browser) -> None:
     assert pictures["maze"]["lines"] == []  # the pupils find the way themselves
     assert [line["sign"] for line in pictures["b_or_a"]["lines"]] == ["B", "A"]
     assert pictures["square"]["lines"][0]["points"][1] == [1.0, 0.0]
-    assert pictures["pushing"]["boxes"] == {"0": [3.0, 0.0, 0.0]}
+    assert pictures["pushing"]["boxes"] == {"0": [2.87, 0.0, 0.0]}
 
 
 def activities(browser: Browser) -> dict[str, Any]:

@@ -41,7 +41,7 @@ def begin(app: App, browser: Browser) -> Begin:
             [{"action": "move_forward", "distance": 1}],
             "finished",
             False,
-            "The way is from 3.95 to 4.05 m long.",
+            "The path is 1 m long; it needs at least 3.95 m. Look at “move forward 1 m”.",
         ),
         (SQUARE["commands"], "stopped", False, None),
     ],

@@ -101,16 +101,36 @@ class Script(Generic[T]):
 
 
 class ScriptedInputs:
-    """Inputs of a run without a person; past the end a capture gives no sign and a question fails the run."""
+    """Inputs of a run without a person; past the end a capture gives no sign and a question fails the run.
+
+    Args:
+        all_gestures: whether `gestures` are all there are: past their end a capture fails the run too, since a program
+            that waits for another sign would wait for ever.
+    """
 
     is_live = False
 
-    def __init__(self, gestures: Iterable[str] = (), answers: Iterable[str] = ()) -> None:
-        self.gestures = Script((Capture(sign, "list") for sign in gestures), lambda _: NO_CAPTURE)
+    def __init__(
+        self,
+        gestures: Iterable[str] = (),
+        answers: Iterable[str] = (),
+        *,
+        all_gestures: bool = False,
+    ) -> None:
+        at_end = _no_more_gestures if all_gestures else _no_sign
+        self.gestures = Script((Capture(sign, "list") for sign in gestures), at_end)
         self.answers = Script(answers, _missing)
 
     def attach(self, control: object) -> None:
         """Does nothing: these inputs do not depend on the run."""
+
+
+def _no_sign(_question: str) -> Capture:
+    return NO_CAPTURE
+
+
+def _no_more_gestures(_question: str) -> Capture:
+    raise RunFailureError("no_more_gestures")
 
 
 def _missing(question: str) -> str:

@@ -1,18 +1,10 @@
 robot.classify_gestures(timeout=10)
 if robot.gesture_result == "B":
-    robot.move_forward(1.0)
-    robot.turn(-90)
-    robot.move_forward(1.0)
-    robot.turn(-90)
-    robot.move_forward(1.0)
-    robot.turn(-90)
-    robot.move_forward(1.0)
-    robot.turn(-90)
+    for _ in range(4):
+        robot.move_forward(1.0)
+        robot.turn(-90)
 robot.classify_gestures(timeout=10)
 if robot.gesture_result == "A":
-    robot.move_forward(1.0)
-    robot.turn(120)
-    robot.move_forward(1.0)
-    robot.turn(120)
-    robot.move_forward(1.0)
-    robot.turn(120)
+    for _ in range(3):
+        robot.move_forward(1.0)
+        robot.turn(120)

@@ -1,1 +1,1 @@
-robot.move_forward(5.7275)
+robot.move_forward(5.6)

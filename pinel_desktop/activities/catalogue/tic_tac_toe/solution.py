@@ -1,3 +1,4 @@
 robot.move_forward(1.0)
 robot.turn(-45)
-robot.move_forward(2.83)
+for _ in range(2):
+    robot.move_forward(1.41)

@@ -1,0 +1,5 @@
+robot.turn(-90)
+robot.pen(down=True)
+robot.move_forward(2.0)
+robot.turn(90)
+robot.move_forward(1.0)

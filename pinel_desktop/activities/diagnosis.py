@@ -1,0 +1,344 @@
+"""Facts of a run, and the first diagnosis of an activity that fits them."""
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from pinel_desktop.activities import check_kinds as kinds
+from pinel_desktop.activities.checks import (
+    axes_of,
+    drawing_of,
+    fit_of,
+    gap_of,
+    zone_center,
+)
+from pinel_desktop.activities.commands import Command, nesting_of
+from pinel_desktop.activities.drawing import Fit
+from pinel_desktop.activities.evidence import Begun, Evidence
+from pinel_desktop.activities.model import Case, Diagnosis, Wanted
+from pinel_desktop.activities.wording import Words, filled, number
+from pinel_desktop.execution.clock import TICK_HZ
+from pinel_desktop.messages import LANGUAGES, catalogue, describe
+
+Fact = float | str | None
+_ROUNDING = {"m": 0.005, "deg": 0.5, "s": 0.05}
+
+
+@dataclass(frozen=True, slots=True)
+class Advice:
+    """What a group is told about a run that does not pass: one thing, with the block to look at.
+
+    Attributes:
+        words: by language.
+        block, pointer: id of the block and JSON pointer of its command; None where there is none.
+        diagnosis: place of the diagnosis in the activity; None for the words of a check.
+    """
+
+    words: Words
+    block: str | None
+    pointer: str | None
+    diagnosis: int | None = None
+
+
+class Facts:
+    """The facts of one run by their names, each worked out when it is first asked for."""
+
+    def __init__(
+        self, evidence: Evidence, case: Case, number: int, checks: Sequence[kinds.Check]
+    ) -> None:
+        self._evidence, self._case, self._number = evidence, case, number
+        self._checks = list(_flat(checks))
+        self._known: dict[str, Fact] = {}
+
+    def __getitem__(self, name: str) -> Fact:
+        if name not in self._known:
+            self._known[name] = self._work_out(name)
+        return self._known[name]
+
+    def _work_out(self, name: str) -> Fact:
+        if name[:2] == "n_":
+            return sum(one.action == name[2:] for one in self._evidence.commands)
+        if name[:2] == "x_":
+            return self._evidence.n_begun(name[2:])
+        return _FACTS[name](self) if name in _FACTS else None
+
+    def input(self) -> str:
+        """What the case gives to the program."""
+        return ", ".join([*self._case.gestures, *self._case.answers])
+
+    def to_goal_m(self) -> float | None:
+        """Distance at the end from the place where the run should end."""
+        x, y, _ = self._evidence.end
+        for check in self._checks:
+            if isinstance(check, kinds.EndsAt):
+                return math.hypot(x - check.x_m, y - check.y_m)
+            if isinstance(check, kinds.EndsIn):
+                center = zone_center(self._evidence, check.zone)
+                goal = self._evidence.to_start(*center) if center else (x, y)
+                return math.hypot(x - goal[0], y - goal[1])
+        return None
+
+    def stopped_motion(self) -> Begun | None:
+        """The motion that did not come to its goal, else the one that touched something."""
+        running, tick = self._evidence.running, self._evidence.touch_tick
+        if running is not None and running.amount is not None:
+            return running
+        return self._evidence.motion_at(tick) if tick is not None else None
+
+    def amount(self) -> float | None:
+        motion = self.stopped_motion()
+        return None if motion is None or motion.amount is None else abs(motion.amount)
+
+    def done(self) -> float | None:
+        motion = self.stopped_motion()
+        if motion is None:
+            return None
+        until = motion.ended if motion.ended is not None else len(self._evidence.log.done) - 1
+        part = self._evidence.log.done[motion.tick + 1 : until + 1]
+        return float(max(abs(part.max()), abs(part.min()))) if len(part) else 0.0
+
+    @cached_property
+    def drawn(self) -> tuple[Fit, str] | None:
+        """The fit of the nearest template, and its name."""
+        return self._nearest(mirrored=False)
+
+    @cached_property
+    def drawn_mirrored(self) -> tuple[Fit, str] | None:
+        """The fit of the nearest mirrored template, and its name."""
+        return self._nearest(mirrored=True)
+
+    def _nearest(self, *, mirrored: bool) -> tuple[Fit, str] | None:
+        found: list[tuple[Fit, str]] = []
+        for check in self.templates():
+            drawing = drawing_of(check, self._evidence)
+            if len(drawing.points):
+                found.append((fit_of(check, drawing, mirrored=mirrored), check.figure or ""))
+        return min(found, key=lambda one: one[0].off_m, default=None)
+
+    def box(self) -> tuple[float, float] | None:
+        """How far the box of the activity was pushed, and how far its centre is from that of its zone, in m."""
+        wanted = next((one for one in self._checks if isinstance(one, kinds.Pushed)), None)
+        center = zone_center(self._evidence, wanted.zone) if wanted else None
+        if wanted is None or center is None or wanted.box not in self._evidence.boxes:
+            return None
+        begin, end = self._evidence.world.boxes[wanted.box].center, self._evidence.boxes[wanted.box]
+        return math.dist(begin, end), math.dist(end, center)
+
+    def axes(self) -> float | None:
+        wanted = next((one for one in self._checks if isinstance(one, kinds.Symmetric)), None)
+        return axes_of(self._evidence, wanted.tolerance if wanted else 0.06)
+
+    def templates(self) -> list[kinds.Draws]:
+        return [check for check in self._checks if isinstance(check, kinds.Draws)]
+
+    @property
+    def case(self) -> Case:
+        return self._case
+
+    @property
+    def evidence(self) -> Evidence:
+        return self._evidence
+
+    @property
+    def case_number(self) -> int:
+        return self._number
+
+
+def _flat(checks: Sequence[kinds.Check]) -> Iterator[kinds.Check]:
+    for check in checks:
+        yield check
+        if isinstance(check, kinds.AnyOf):
+            yield from _flat(check.checks)
+
+
+def _drawn(of: Callable[[Fit], float], *, mirrored: bool = False) -> Callable[[Facts], Fact]:
+    """A distance of the nearest template, in the drawing's metres."""
+
+    def fact(facts: Facts) -> Fact:
+        found = facts.drawn_mirrored if mirrored else facts.drawn
+        return None if found is None else of(found[0]) / found[0].scale
+
+    return fact
+
+
+def _figure(*, mirrored: bool) -> Callable[[Facts], Fact]:
+    def fact(facts: Facts) -> Fact:
+        found = facts.drawn_mirrored if mirrored else facts.drawn
+        return None if found is None else found[1]
+
+    return fact
+
+
+def _box(index: int) -> Callable[[Facts], Fact]:
+    def fact(facts: Facts) -> Fact:
+        found = facts.box()
+        return None if found is None else found[index]
+
+    return fact
+
+
+def _mark(name: str) -> Callable[[Facts], Fact]:
+    def fact(facts: Facts) -> Fact:
+        marks = facts.evidence.marks
+        return float(marks[0][name]) if marks else None
+
+    return fact
+
+
+_FACTS: dict[str, Callable[[Facts], Fact]] = {
+    "gap_m": lambda facts: gap_of(facts.evidence),
+    "turned_deg": lambda facts: math.degrees(facts.evidence.turned_rad[0]),
+    "net_deg": lambda facts: math.degrees(facts.evidence.turned_rad[1]),
+    "path_m": lambda facts: facts.evidence.path_m,
+    "time_s": lambda facts: facts.evidence.duration_s,
+    "end_x": lambda facts: facts.evidence.end[0],
+    "end_y": lambda facts: facts.evidence.end[1],
+    "to_goal_m": Facts.to_goal_m,
+    "blocks": lambda facts: len(facts.evidence.commands),
+    "nesting": lambda facts: nesting_of(facts.evidence.commands),
+    "reason": lambda facts: str(facts.evidence.log.ended.get("reason") or ""),
+    "done": Facts.done,
+    "amount": Facts.amount,
+    "zones": lambda facts: ", ".join(facts.evidence.zones),
+    "end_zone": lambda facts: facts.evidence.end_zone,
+    "missing_m": _drawn(lambda fit: fit.missing_m),
+    "extra_m": _drawn(lambda fit: fit.extra_m),
+    "mirror_m": _drawn(lambda fit: fit.off_m, mirrored=True),
+    "nearest": _figure(mirrored=False),
+    "mirrored": _figure(mirrored=True),
+    "pushed_m": _box(0),
+    "box_left_m": _box(1),
+    "axes": Facts.axes,
+    "marks": lambda facts: len(facts.evidence.marks),
+    "mark_x": _mark("x_m"),
+    "mark_y": _mark("y_m"),
+    "case": lambda facts: facts.case_number,
+    "input": Facts.input,
+}
+
+
+def fits(diagnosis: Diagnosis, facts: Facts) -> bool:
+    """Whether all facts of a diagnosis are as it says."""
+    return all(_is(name, facts[name], wanted) for name, wanted in diagnosis.when.items())
+
+
+def _is(name: str, fact: Fact, wanted: Wanted) -> bool:
+    if fact is None:
+        return False
+    if isinstance(wanted, str):
+        return _visits(str(fact), wanted) if name == "zones" else fact == wanted
+    assert not isinstance(fact, str)
+    if isinstance(wanted, list):
+        return wanted[0] <= fact <= wanted[1]
+    unit = name.rpartition("_")[2]
+    slack = 0.01 if name in ("end_x", "end_y", "mark_x", "mark_y", "done") else 1e-6
+    return abs(fact - wanted) <= _ROUNDING.get(unit, slack)
+
+
+def _visits(zones: str, wanted: str) -> bool:
+    """Whether zones were visited in that order; "" for none at all."""
+    if not wanted:
+        return not zones
+    rest = iter(zones.split(", "))
+    return all(zone in rest for zone in wanted.split(", "))
+
+
+def advice_of(diagnosis: Diagnosis, index: int, facts: Facts) -> Advice:
+    """The words of a diagnosis that fits."""
+    evidence = facts.evidence
+    pointer = _pointer(diagnosis.block, facts)
+    command = evidence.command_at(pointer) if pointer else None
+    words = {}
+    for language in LANGUAGES:
+        if diagnosis.say is not None:
+            text = diagnosis.say.of(language)
+        else:
+            text = catalogue(language)[f"diagnosis_{diagnosis.general}"]["message"]
+        values = _values(text, diagnosis, facts, command, language)
+        words[language] = filled(text, values, language)
+    block = command.block if command else None
+    return Advice(words, block, pointer, index)
+
+
+def _pointer(which: str | None, facts: Facts) -> str | None:
+    evidence = facts.evidence
+    if which is None:
+        return None
+    if which == "running":
+        return evidence.running.pointer if evidence.running else None
+    if which == "touching":
+        motion = facts.stopped_motion()
+        return motion.pointer if motion else None
+    if which == "moving":
+        return evidence.last_motion.pointer if evidence.last_motion else None
+    if which == "worst":
+        return _worst(facts)
+    place, _, action = which.partition(" ")
+    found = [one.pointer for one in evidence.commands if one.action == action]
+    if not found:
+        return None
+    return found[0] if place == "first" else found[-1]
+
+
+def _worst(facts: Facts) -> str | None:
+    """The command that drew the point farthest from the nearest template."""
+    best: tuple[float, str | None] | None = None
+    for check in facts.templates():
+        drawing = drawing_of(check, facts.evidence)
+        if len(drawing.points):
+            fit = fit_of(check, drawing)
+            motion = facts.evidence.motion_at(int(drawing.places[fit.worst]))
+            if best is None or fit.off_m < best[0]:
+                best = fit.off_m, motion.pointer if motion else None
+    return best[1] if best else None
+
+
+def _values(
+    text: str, diagnosis: Diagnosis, facts: Facts, command: Command | None, language: str
+) -> Mapping[str, Any]:
+    """The values of the facts that a text names."""
+    values: dict[str, Any] = {"parts": diagnosis.parts or 0}
+    named = set(_names_in(text))
+    for name in _FACTS:
+        bare = name.removesuffix("_m").removesuffix("_deg").removesuffix("_s")
+        if named & {name, bare, f"{bare}_cm"}:
+            values[name] = facts[name]
+    for name in named:
+        if name[:2] in ("n_", "x_"):
+            values[name] = facts[name]
+    if "input" in named:
+        values["input"] = _input_words(facts, language)
+    if command is not None:
+        values |= _of_block(command, facts)
+    return {name: value for name, value in values.items() if value is not None}
+
+
+def _names_in(text: str) -> Iterator[str]:
+    for part in text.split("{")[1:]:
+        yield part.partition("}")[0]
+
+
+def _of_block(command: Command, facts: Facts) -> dict[str, Any]:
+    """The block, how often it repeats, its goal and when it began for the first time."""
+    begun = [one for one in facts.evidence.begun if one.pointer == command.pointer]
+    times = command.data.get("times")
+    values: dict[str, Any] = {"block": command}
+    if isinstance(times, int | float):
+        values["times"] = times
+    if begun:
+        values["at_s"] = begun[0].tick / TICK_HZ
+        if begun[0].amount is not None:
+            values["value"] = abs(begun[0].amount)
+    return values
+
+
+def _input_words(facts: Facts, language: str) -> str:
+    case = facts.case
+    if case.start is not None:
+        values = {"x": number(case.start.x_m, language)}
+        return describe("diagnosis_start", values, language).message
+    given = [*case.gestures, *case.answers]
+    none = describe("diagnosis_no_sign", {}, language).message
+    return ", ".join(one or none for one in given)

@@ -1,0 +1,238 @@
+"""Figures on the floor: how far a drawing is from a template, and its axes of symmetry.
+
+Points have shape (n, 2), in m. Lines are sampled every 2 cm, and of each cell of 2 cm one point counts, so that a line
+that was drawn twice weighs no more than another.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Points = NDArray[np.float64]
+STEP_M = 0.02
+_SMALLEST_M = 0.01  # r.m.s. size below which a drawing is a dot
+_SEARCH_DEG = 3
+_N_SEARCH, _N_FIT, _N_ROUNDS, _N_BEST = 90, 240, 20, 4
+_AXIS_STEP_DEG = 0.5
+
+
+@dataclass(frozen=True, slots=True)
+class Sampled:
+    """Points of lines, and the place along the lines of each as an index of the recorded samples."""
+
+    points: Points
+    places: NDArray[np.int64]
+
+
+@dataclass(frozen=True, slots=True)
+class Fit:
+    """How well a drawing fits a template, in the template's metres.
+
+    Attributes:
+        missing_m: distance of the template's farthest point from the drawing.
+        extra_m: distance of the drawing's farthest point from the template.
+        worst: index of that point of the drawing.
+        scale: the template's size by the drawing's.
+    """
+
+    missing_m: float
+    extra_m: float
+    worst: int
+    scale: float
+
+    @property
+    def off_m(self) -> float:
+        return max(self.missing_m, self.extra_m)
+
+
+@dataclass(frozen=True, slots=True)
+class Freedom:
+    """What a fit may choose: size, direction, place, and which side is left."""
+
+    scale: bool = True
+    rotate: bool = True
+    move: bool = True
+    mirror: bool = False
+
+
+def sampled(
+    lines: Sequence[Points], starts: Sequence[int] | None = None, step_m: float = STEP_M
+) -> Sampled:
+    """Points of lines, one for each step.
+
+    Args:
+        starts: index of the first sample of each line; 0 when not told.
+    """
+    points: list[Points] = [np.empty((0, 2))]
+    places: list[NDArray[np.int64]] = [np.empty(0, dtype=np.int64)]
+    for i, line in enumerate(lines):
+        along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(line, axis=0).T))])
+        at = np.append(np.arange(0.0, along[-1], step_m), along[-1])
+        points.append(np.column_stack([np.interp(at, along, line[:, k]) for k in (0, 1)]))
+        index = np.searchsorted(along, at, side="left").clip(0, len(line) - 1)
+        places.append(index + (starts[i] if starts else 0))
+    together, where = np.concatenate(points), np.concatenate(places)
+    cells = np.rint(together / step_m).astype(np.int64)
+    _, first = np.unique(cells, axis=0, return_index=True)
+    first.sort()
+    return Sampled(together[first], where[first])
+
+
+def best_fit(template: Points, drawing: Points, freedom: Freedom) -> Fit:
+    """The best fit of a drawing to a template; both as `sampled` gives them."""
+    if not len(drawing):
+        far = float(np.max(_lengths(template - template.mean(axis=0)), initial=0.0))
+        return Fit(far, 0.0, 0, 1.0)
+    sides = (1.0, -1.0) if freedom.mirror else (1.0,)
+    fits = [_fit(template * (1.0, side), drawing, freedom) for side in sides]
+    return min(fits, key=lambda fit: fit.off_m)
+
+
+def _fit(template: Points, drawing: Points, freedom: Freedom) -> Fit:
+    middle = template.mean(axis=0) if freedom.move else np.zeros(2)
+    wanted = template - middle
+    drawn = drawing - (drawing.mean(axis=0) if freedom.move else 0.0)
+    size, wanted_size = _rms(drawn), _rms(wanted)
+    scale = wanted_size / size if freedom.scale and size > _SMALLEST_M else 1.0
+    drawn = drawn * scale
+    starts = _best_turns(wanted, drawn) if freedom.rotate else [0.0]
+    fits = [_refined(wanted, _turned(drawn, turn), freedom, scale) for turn in starts]
+    return min(fits, key=lambda fit: fit.off_m)
+
+
+def _best_turns(wanted: Points, drawn: Points) -> list[float]:
+    """The most promising rotations, in rad."""
+    few, others = _thinned(wanted, _N_SEARCH), _thinned(drawn, _N_SEARCH)
+    turns = np.radians(np.arange(0, 360, _SEARCH_DEG))
+    costs = []
+    for turn in turns:
+        far = _distances(few, _turned(others, turn))
+        costs.append(float(far.min(axis=0).mean() + far.min(axis=1).mean()))
+    return [float(turns[i]) for i in np.argsort(costs, kind="stable")[:_N_BEST]]
+
+
+def _refined(wanted: Points, drawn: Points, freedom: Freedom, scale: float) -> Fit:
+    """Moves, turns and scales the drawing to its closest points of the template, and back, until it rests."""
+    few, moving = _thinned(wanted, _N_FIT), _thinned(drawn, _N_FIT)
+    whole = drawn
+    for _ in range(_N_ROUNDS):
+        far = _distances(few, moving)
+        sources = np.concatenate([moving, moving[far.argmin(axis=1)]])
+        targets = np.concatenate([few[far.argmin(axis=0)], few])
+        turn, factor, shift = _similarity(sources, targets, freedom)
+        moving, whole = (_turned(points, turn) * factor + shift for points in (moving, whole))
+        scale *= factor
+        if abs(turn) + abs(factor - 1.0) + float(np.abs(shift).sum()) < 1e-4:
+            break
+    missing, extra, worst = _extremes(wanted, whole)
+    return Fit(missing, extra, worst, scale)
+
+
+def _similarity(sources: Points, targets: Points, freedom: Freedom) -> tuple[float, float, Points]:
+    """Rotation (rad), factor and shift that bring points closest to others, pair by pair."""
+    from_, to = (
+        (sources.mean(axis=0), targets.mean(axis=0)) if freedom.move else (np.zeros(2), np.zeros(2))
+    )
+    a, b = sources - from_, targets - to
+    along = float((a * b).sum())
+    across = float((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum())
+    turn = float(np.arctan2(across, along)) if freedom.rotate else 0.0
+    factor = 1.0
+    if freedom.scale and (square := float((a * a).sum())) > 0.0:
+        factor = float((_turned(a, turn) * b).sum()) / square
+        factor = min(max(factor, 0.9), 1.1)
+    shift: Points = to - _turned(from_[None, :], turn)[0] * factor
+    return turn, factor, shift
+
+
+def _extremes(wanted: Points, drawn: Points) -> tuple[float, float, int]:
+    missing, extra = nearest(wanted, drawn), nearest(drawn, wanted)
+    worst = int(extra.argmax())
+    return float(missing.max()), float(extra[worst]), worst
+
+
+def nearest(points: Points, others: Points) -> Points:
+    """Distance of each point from the nearest of the others, in m, shape (n,)."""
+    parts = [
+        _distances(points[i : i + 500], others).min(axis=1) for i in range(0, len(points), 500)
+    ]
+    found: Points = np.concatenate(parts) if parts else np.empty(0)
+    return found
+
+
+def fine_step_m(drawing: Points) -> float:
+    """The step that is small beside a drawing, for comparing it with itself."""
+    size = _rms(drawing - drawing.mean(axis=0)) if len(drawing) else 1.0
+    return min(STEP_M, max(0.004, size * 0.015))
+
+
+def axes_of_symmetry(drawing: Points, tolerance: float) -> int:
+    """Number of mirror axes through the centroid; at most 180.
+
+    Args:
+        tolerance: how far a mirrored point may be from the drawing, in r.m.s. radii.
+    """
+    if not len(drawing):
+        return 0
+    points = drawing - drawing.mean(axis=0)
+    size = _rms(points)
+    if size < _SMALLEST_M:
+        return 0
+    points = points / size
+    angles = np.radians(np.arange(0.0, 180.0, _AXIS_STEP_DEG))
+    few = _thinned(points, _N_SEARCH)
+    rough = [_mirror_error(few, points, angle) for angle in angles[:: int(2 / _AXIS_STEP_DEG)]]
+    errors = np.full(len(angles), np.inf)
+    more = _thinned(points, _N_FIT)
+    for i in range(len(angles)):
+        around = rough[(i // 4) % len(rough)], rough[(i // 4 + 1) % len(rough)]
+        if (
+            min(around) <= tolerance + 0.08
+        ):  # an axis 2 degrees away shifts the farthest points by that
+            errors[i] = _mirror_error(more, points, angles[i])
+    return _valleys(errors <= tolerance)
+
+
+def _mirror_error(few: Points, points: Points, angle: float) -> float:
+    cos, sin = np.cos(2 * angle), np.sin(2 * angle)
+    mirrored = few @ np.array([[cos, sin], [sin, -cos]])
+    return float(nearest(mirrored, points).max())
+
+
+def _valleys(low: NDArray[np.bool_]) -> int:
+    """Number of runs of True on a circle; where all are True, their number."""
+    if low.all():
+        return int(len(low) * _AXIS_STEP_DEG)
+    return int(np.count_nonzero(low & ~np.roll(low, 1)))
+
+
+def _thinned(points: Points, n_at_most: int) -> Points:
+    if len(points) <= n_at_most:
+        return points
+    thinned: Points = points[np.linspace(0, len(points) - 1, n_at_most).astype(int)]
+    return thinned
+
+
+def _distances(points: Points, others: Points) -> Points:
+    """Shape (n, m), in m."""
+    x = points[:, 0, None] - others[None, :, 0]
+    y = points[:, 1, None] - others[None, :, 1]
+    far: Points = np.sqrt(x * x + y * y)
+    return far
+
+
+def _turned(points: Points, angle_rad: float) -> Points:
+    cos, sin = np.cos(angle_rad), np.sin(angle_rad)
+    turned: Points = points @ np.array([[cos, sin], [-sin, cos]])
+    return turned
+
+
+def _lengths(points: Points) -> Points:
+    lengths: Points = np.hypot(points[:, 0], points[:, 1])
+    return lengths
+
+
+def _rms(points: Points) -> float:
+    return float(np.sqrt((points * points).sum(axis=1).mean()))

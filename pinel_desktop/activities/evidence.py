@@ -1,0 +1,379 @@
+"""What checks know of a run: its document, its world and its events, and nothing else.
+
+The same evidence comes from a run that was just executed and from one that the store recorded: poses are rounded as the
+record rounds them, so that both are judged alike.
+"""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pinel_desktop.activities.commands import MOTIONS, Command, commands_of
+from pinel_desktop.activities.drawing import Points, Sampled, sampled
+from pinel_desktop.events.model import Event, RunEnded, Telemetry
+from pinel_desktop.execution.clock import TICK_HZ
+from sim.floor import Disc, Rectangle, Zone
+from sim.world import World
+
+STEP_M, STEP_RAD, STEP_DONE = 1e-4, 1e-4, 1e-3  # what a record rounds to
+# a shorter motion is the wheels' slip in a turn; of a measured pose, noise
+_COUNTED_M, _COUNTED_MEASURED_M = 0.002, 0.02
+_DOT_M = 0.01  # a shorter line is not seen
+_COUNTED_RAD = np.radians(2.0)
+_COLUMNS = ("x_m", "y_m", "yaw_rad", "done", "bumper", "true_x_m", "true_y_m", "true_yaw_rad")
+_NO_END: Mapping[str, Any] = {"state": "failed", "reason": "interrupted", "params": {}}
+
+Wire = Mapping[str, Any]
+Rows = NDArray[np.float64]
+
+
+class Begun(NamedTuple):
+    """A command that began.
+
+    Attributes:
+        tick: the tick before its first.
+        amount: its goal in m, degrees or s; None without one.
+        ended: the tick of its end; None where it had none.
+    """
+
+    tick: int
+    pointer: str
+    action: str
+    amount: float | None
+    block: str | None
+    ended: int | None
+
+
+@dataclass(frozen=True)
+class RunLog:
+    """All that a run told.
+
+    Attributes:
+        poses: true poses in the start frame, shape (n + 1, 3), m and rad; row i is tick i, row 0 the start. The
+            robot's own where nobody knows the true ones.
+        done: how much of the running motion was done, shape (n + 1,).
+        bumper: whether the robot touched something, shape (n + 1,).
+        is_true: whether they are the true ones.
+        events: the other events, as they are on the wire.
+    """
+
+    poses: Rows
+    done: Rows
+    bumper: NDArray[np.bool_]
+    is_true: bool
+    events: tuple[Wire, ...]
+
+    @classmethod
+    def of_columns(cls, column: Callable[[str], Rows], events: Iterable[Wire]) -> "RunLog":
+        """From columns of telemetry in their order, NaN for null, and the other events."""
+        values = {name: column(name) for name in _COLUMNS}
+        own = np.column_stack([values["x_m"], values["y_m"], values["yaw_rad"]])
+        true = np.column_stack([values[f"true_{name}"] for name in ("x_m", "y_m", "yaw_rad")])
+        known = ~np.isnan(true).any(axis=1, keepdims=True)
+        poses = np.where(known, true, own)
+        start = np.zeros((1, 3))
+        steps = np.array([STEP_M, STEP_M, STEP_RAD])
+        return cls(
+            poses=np.concatenate([start, np.rint(poses / steps) * steps]),
+            done=np.concatenate([[0.0], np.rint(values["done"] / STEP_DONE) * STEP_DONE]),
+            bumper=np.concatenate([[False], values["bumper"] > 0.5]),
+            is_true=bool(known.all()),
+            events=tuple(event for event in events if event["type"] != Telemetry.type),
+        )
+
+    @classmethod
+    def of_events(cls, events: Iterable[Wire]) -> "RunLog":
+        """From all events of a run as they are on the wire, telemetry included."""
+        every = list(events)
+        samples = [event for event in every if event["type"] == Telemetry.type]
+        missing = float("nan")
+
+        def column(name: str) -> Rows:
+            values = [event.get(name) for event in samples]
+            return np.array([missing if v is None else float(v) for v in values], dtype=np.float64)
+
+        return cls.of_columns(column, every)
+
+    @property
+    def ended(self) -> Wire:
+        """The closing event; that of an interrupted run where there is none."""
+        last = self.events[-1] if self.events else _NO_END
+        return last if last.get("type") == RunEnded.type else _NO_END
+
+
+class LogWriter:
+    """Makes the log of a run that is being executed; `observe` must receive all its events."""
+
+    def __init__(self) -> None:
+        self._samples: list[tuple[float, ...]] = []
+        self._events: list[Wire] = []
+
+    def observe(self, tick: int, event: Event) -> None:
+        if type(event) is Telemetry:
+            self._samples.append(tuple(_MISSING if v is None else float(v) for v in _values(event)))
+        elif event.kept:
+            self._events.append({**event.flat(), "tick": tick})
+
+    def log(self) -> RunLog:
+        rows = np.array(self._samples, dtype=np.float64).reshape(-1, len(_COLUMNS))
+        return RunLog.of_columns(lambda name: rows[:, _COLUMNS.index(name)], self._events)
+
+
+_MISSING = float("nan")
+
+
+def _values(event: Telemetry) -> tuple[float | None, ...]:
+    return (
+        event.x_m,
+        event.y_m,
+        event.yaw_rad,
+        event.done,
+        event.bumper,
+        event.true_x_m,
+        event.true_y_m,
+        event.true_yaw_rad,
+    )
+
+
+class Trail(NamedTuple):
+    """A line on the floor in the start frame, shape (n, 2), and the tick of its first point."""
+
+    line: Points
+    tick: int
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """The input of all checks."""
+
+    document: Mapping[str, Any]
+    world: World
+    log: RunLog
+    commands: tuple[Command, ...] = field(init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "commands", commands_of(self.document))
+
+    @cached_property
+    def end(self) -> tuple[float, float, float]:
+        """The last pose in the start frame, m and rad."""
+        x, y, yaw = self.log.poses[-1]
+        return float(x), float(y), float(yaw)
+
+    @cached_property
+    def path(self) -> Points:
+        """The path in the start frame without what is noise, shape (n, 2)."""
+        step_m = _COUNTED_M if self.log.is_true else _COUNTED_MEASURED_M
+        return _at_steps(self.log.poses[:, :2], step_m)
+
+    @cached_property
+    def path_m(self) -> float:
+        """Length of the path, without what is noise."""
+        return _length(self.path)
+
+    @cached_property
+    def turned_rad(self) -> tuple[float, float]:
+        """All turning without and with sign (positive: left), without what is noise."""
+        yaw = np.unwrap(self.log.poses[:, 2])
+        return _swing(yaw.tolist(), _COUNTED_RAD), float(yaw[-1] - yaw[0])
+
+    @cached_property
+    def duration_s(self) -> float:
+        """Robot time."""
+        return (len(self.log.poses) - 1) / TICK_HZ
+
+    @cached_property
+    def in_world(self) -> Points:
+        """The positions of all ticks in the world's frame, shape (n + 1, 2)."""
+        return self.to_world(self.log.poses[:, :2])
+
+    def to_world(self, points: Points) -> Points:
+        """Transforms points, shape (n, 2), from the start frame to the world's frame."""
+        x, y, yaw = self.world.start
+        cos, sin = np.cos(yaw), np.sin(yaw)
+        moved: Points = points @ np.array([[cos, sin], [-sin, cos]]) + (x, y)
+        return moved
+
+    def to_start(self, x_m: float, y_m: float) -> tuple[float, float]:
+        """Transforms a point from the world's frame to the start frame."""
+        x, y, yaw = self.world.start
+        cos, sin = np.cos(yaw), np.sin(yaw)
+        dx, dy = x_m - x, y_m - y
+        return float(cos * dx + sin * dy), float(cos * dy - sin * dx)
+
+    @cached_property
+    def zones(self) -> tuple[str, ...]:
+        """Names of the zones that the robot's centre entered, in order, the same not twice in a row."""
+        names = _zone_indices(self.world.zones, self.in_world)
+        changes = np.flatnonzero(np.diff(names, prepend=-2))
+        entered: list[str] = []
+        for index in names[changes].tolist():
+            name = self.world.zones[index].name if index >= 0 else ""
+            if name and (not entered or entered[-1] != name):
+                entered.append(name)
+        return tuple(entered)
+
+    def zone_at(self, x_m: float, y_m: float) -> str:
+        """Name of the zone at a point in the world's frame; "" outside of all zones."""
+        index = int(_zone_indices(self.world.zones, np.array([[x_m, y_m]]))[0])
+        return self.world.zones[index].name if index >= 0 else ""
+
+    @cached_property
+    def end_zone(self) -> str:
+        x, y = self.in_world[-1]
+        return self.zone_at(float(x), float(y))
+
+    @cached_property
+    def trails(self) -> tuple[Trail, ...]:
+        """What the pen drew, one line from each lowering to the next change."""
+        found: list[Trail] = []
+        last = len(self.log.poses) - 1
+        pens = [event for event in self.log.events if event["type"] == "pen"]
+        for i, event in enumerate(pens):
+            until = pens[i + 1]["tick"] if i + 1 < len(pens) else last
+            if event["down"] and until > event["tick"]:
+                line = self.log.poses[event["tick"] : until + 1, :2]
+                if _length(_at_steps(line, _DOT_M)) > _DOT_M:
+                    found.append(Trail(line, event["tick"]))
+        return tuple(found)
+
+    @cached_property
+    def trail_points(self) -> Sampled:
+        return sampled([one.line for one in self.trails], [one.tick for one in self.trails])
+
+    @cached_property
+    def path_points(self) -> Sampled:
+        return sampled([self.log.poses[:, :2]])
+
+    @cached_property
+    def boxes(self) -> dict[int, tuple[float, float]]:
+        """Centres of all boxes at the end, in the world's frame, by index in the world's list."""
+        places = {
+            i: (float(b.center[0]), float(b.center[1])) for i, b in enumerate(self.world.boxes)
+        }
+        for event in self.log.events:
+            if event["type"] == "things":
+                places |= {int(i): (place[0], place[1]) for i, place in event["boxes"].items()}
+        return places
+
+    @cached_property
+    def marks(self) -> tuple[Wire, ...]:
+        return self._of_type("marked")
+
+    @cached_property
+    def said(self) -> tuple[str, ...]:
+        return tuple(str(event["text"]) for event in self._of_type("said"))
+
+    @cached_property
+    def captures(self) -> int:
+        """How many signs were read, with or without a result."""
+        return len(self._of_type("capture_started"))
+
+    def _of_type(self, kind: str) -> tuple[Wire, ...]:
+        return tuple(event for event in self.log.events if event["type"] == kind)
+
+    @cached_property
+    def begun(self) -> tuple[Begun, ...]:
+        """The commands that began, in order. Of commands that take no time at most five a second and place are told."""
+        open_at: dict[str, int] = {}
+        found: list[Begun] = []
+        for event in self.log.events:
+            if event["type"] == "block_started":
+                open_at[event["pointer"]] = len(found)
+                one = (event["pointer"], event["action"], event.get("amount"), event.get("block"))
+                found.append(Begun(event["tick"], *one, None))
+            elif event["type"] == "block_ended" and event["pointer"] in open_at:
+                index = open_at.pop(event["pointer"])
+                found[index] = found[index]._replace(ended=event["tick"])
+        return tuple(found)
+
+    def n_begun(self, action: str) -> int:
+        """How often a command was begun; exact for what takes time, for texts, marks, questions and signs."""
+        counted = {"mark": "marked", "say": "said", "ask": "asked", "beep": "beeped"}
+        if action in counted:
+            return len(self._of_type(counted[action]))
+        if action == "classify_gestures":
+            return self.captures
+        return sum(one.action == action for one in self.begun)
+
+    def motion_at(self, tick: int) -> Begun | None:
+        """The motion that moved the robot in a tick."""
+        before = [one for one in self.begun if one.action in MOTIONS and one.tick < max(tick, 1)]
+        return before[-1] if before else None
+
+    @cached_property
+    def last_motion(self) -> Begun | None:
+        return self.motion_at(len(self.log.poses))
+
+    @cached_property
+    def touch_tick(self) -> int | None:
+        """The first tick in which the robot touched something."""
+        ticks = np.flatnonzero(self.log.bumper)
+        return int(ticks[0]) if len(ticks) else None
+
+    @cached_property
+    def running(self) -> Begun | None:
+        """The command without commands inside that the run ended in; None where it finished."""
+        flow = {"conditional_execution", "call", "repeat", "while", "until", "for", "forever"}
+        never = [one for one in self.begun if one.ended is None]
+        inner = [one for one in never if one.action not in flow]
+        return (inner or never)[-1] if never else None
+
+    def command_at(self, pointer: str) -> Command | None:
+        return next((one for one in self.commands if one.pointer == pointer), None)
+
+
+def _at_steps(points: Points, step_m: float) -> Points:
+    """The points that are a step from the one before, and the last."""
+    kept = [points[0]]
+    x, y = float(points[0, 0]), float(points[0, 1])
+    for index, (px, py) in enumerate(points.tolist()):
+        if (px - x) ** 2 + (py - y) ** 2 >= step_m**2:
+            kept.append(points[index])
+            x, y = px, py
+    return np.array([*kept, points[-1]])
+
+
+def _swing(values: Sequence[float], least: float) -> float:
+    """How far values go up and down in all, without reversals that are less than `least`."""
+    turning_point = extreme = values[0]
+    total, direction = 0.0, 0.0
+    for value in values:
+        beyond = (value - extreme) * (direction or 1.0)
+        if direction == 0.0 and abs(value - extreme) >= least:
+            direction, extreme = (1.0 if value > extreme else -1.0), value
+        elif direction != 0.0 and beyond > 0.0:
+            extreme = value
+        elif direction != 0.0 and -beyond >= least:
+            total += abs(extreme - turning_point)
+            turning_point, extreme, direction = extreme, value, -direction
+    return total + abs(extreme - turning_point)
+
+
+def _length(points: Points) -> float:
+    return float(np.hypot(*np.diff(points, axis=0).T).sum())
+
+
+def _zone_indices(zones: Sequence[Zone], points: Points) -> NDArray[np.int64]:
+    """Index of the zone at each point, the last where several overlap; -1 outside all."""
+    found = np.full(len(points), -1, dtype=np.int64)
+    for i, zone in enumerate(zones):
+        found[_inside(zone, points)] = i
+    return found
+
+
+def _inside(zone: Zone, points: Points) -> NDArray[np.bool_]:
+    shape = zone.shape
+    if isinstance(shape, Disc):
+        away: Points = points - np.array(shape.center)
+        return np.hypot(away[:, 0], away[:, 1]) <= shape.radius
+    assert isinstance(shape, Rectangle)
+    dx, dy = (points - np.array(shape.center)).T
+    cos, sin = np.cos(shape.angle_rad), np.sin(shape.angle_rad)
+    ahead, left = np.abs(cos * dx + sin * dy), np.abs(cos * dy - sin * dx)
+    inside: NDArray[np.bool_] = (ahead <= shape.size[0] / 2) & (left <= shape.size[1] / 2)
+    return inside

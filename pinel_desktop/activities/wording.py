@@ -1,0 +1,131 @@
+"""Words of findings and diagnoses: numbers in the language's form with sensible digits, blocks by their labels.
+
+A value's unit is the ending of its name: `_m`, `_deg`, `_s`. `{gap_m}` becomes "12 cm" or "1,62 m", `{gap}` the bare
+number in that unit, `{gap_cm}` the centimetres.
+"""
+
+import re
+from collections.abc import Mapping
+from typing import Any
+
+from pinel_desktop.activities.commands import Command
+from pinel_desktop.messages import LANGUAGES, catalogue, decimal_sign, describe
+
+Words = dict[str, str]
+_PLACEHOLDER = re.compile(r"\{(\w+)\}")
+_UNITS = ("_m", "_deg", "_s")
+
+
+def number(value: float, language: str, digits: int = 2) -> str:
+    """A number with at most so many decimals; a true minus sign, no negative zero."""
+    text = f"{value:.{digits}f}"
+    if "." in text:
+        text = text.rstrip("0").rstrip(".")
+    text = "0" if text in ("-0", "") else text
+    return text.replace("-", "−").replace(".", decimal_sign(language))
+
+
+def length(metres: float, language: str) -> str:
+    """A length as a pupil would measure it: metres, below one centimetres, below one of them millimetres."""
+    size = abs(metres)
+    if size < 0.00995 and size >= 0.0005:
+        return f"{number(metres * 1000, language, 0)} mm"
+    if size < 0.995:
+        return f"{number(metres * 100, language, 0)} cm"
+    return f"{number(metres, language)} m"
+
+
+def shown(values: Mapping[str, Any], language: str) -> dict[str, Any]:
+    """Values by the names that texts may use, as texts in a language."""
+    texts: dict[str, Any] = {}
+    for name, value in values.items():
+        if isinstance(value, Command):
+            texts[name] = block_words(value, language)
+        elif name == "name":
+            texts[name] = short_name(str(value), language)
+        elif isinstance(value, bool) or not isinstance(value, int | float):
+            texts[name] = value
+        else:
+            texts |= _forms(name, float(value), language)
+    return texts
+
+
+def _forms(name: str, value: float, language: str) -> dict[str, str]:
+    unit = next((one for one in _UNITS if name.endswith(one)), "")
+    bare = name.removesuffix(unit)
+    if unit == "_m":
+        cm = number(value * 100, language, 0)
+        return {name: length(value, language), bare: number(value, language), f"{bare}_cm": cm}
+    if unit == "_deg":
+        degrees = number(value, language, 0)
+        return {name: f"{degrees}°", bare: degrees}
+    if unit == "_s":
+        seconds = number(value, language, 1)
+        return {name: f"{seconds} s", bare: seconds}
+    return {name: number(value, language)}
+
+
+def short_name(action: str, language: str) -> str:
+    """The name of a kind of block."""
+    key = f"block_{action}" if action != "pen" else "block_pen_down"
+    return describe(key, {}, language).remedy
+
+
+def block_words(command: Command, language: str) -> str:
+    """The label of a block with its values; its short name where one of them is worked out in the run."""
+    data, action = command.data, command.action
+    if action == "pen":
+        action = "pen_down" if data.get("down") else "pen_up"
+    key = f"block_{action}"
+    if key not in catalogue(language):
+        return action
+    values = _parameters(data, language)
+    words = describe(key, values, language)
+    wanted = _PLACEHOLDER.findall(catalogue(language)[key]["message"])
+    return words.message if all(name in values for name in wanted) else words.remedy
+
+
+def _parameters(data: Mapping[str, Any], language: str) -> dict[str, str]:
+    values = {
+        name: number(value, language) if isinstance(value, int | float) else f"“{value}”"
+        for name, value in data.items()
+        if isinstance(value, str | int | float) and not isinstance(value, bool)
+    }
+    for name in ("name", "variable", "list", "function", "symbol"):
+        if name in values:
+            values[name] = str(data[name])
+    angle = data.get("angle")
+    if isinstance(angle, int | float):
+        side = "block_left" if angle >= 0 else "block_right"
+        values |= {"side": describe(side, {}, language).message}
+        values |= {"angle": number(abs(angle), language)}
+    if data.get("action") == "pen":
+        color = f"block_color_{data.get('color') or 'blue'}"
+        values["color"] = describe(color, {}, language).message
+    if data.get("action") == "go_to":
+        way = "block_around" if data.get("avoid") else "block_straight"
+        values["way"] = describe(way, {}, language).message
+    return values
+
+
+def words_of(code: str, values: Mapping[str, Any], command: Command | None) -> Words:
+    """The words of a code in every language, and which block to look at."""
+    words: Words = {}
+    for language in LANGUAGES:
+        said = describe(code, shown(values, language), language)
+        remedy = said.remedy
+        if command is not None:
+            block = block_words(command, language)
+            remedy = describe("check_look_at", {"block": block}, language).message
+        words[language] = f"{said.message} {remedy}".strip()
+    return words
+
+
+def filled(text: str, values: Mapping[str, Any], language: str) -> str:
+    """A text of an activity with the values of a run; unknown names stay as they are."""
+    texts = shown(values, language)
+
+    def fill(match: re.Match[str]) -> str:
+        return str(texts.get(match[1], match[0]))
+
+    return _PLACEHOLDER.sub(fill, text)

@@ -1,0 +1,2 @@
+robot.move_forward(3)
+robot.move_backward(3)

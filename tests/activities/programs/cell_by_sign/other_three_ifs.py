@@ -1,0 +1,10 @@
+robot.classify_gestures(timeout=10)
+if robot.gesture_result == "A":
+    robot.go_to(1, 0)
+    robot.mark("X")
+if robot.gesture_result == "E":
+    robot.go_to(2, -1)
+    robot.mark("X")
+if robot.gesture_result == "L":
+    robot.go_to(3, -2)
+    robot.mark("X")

@@ -1,0 +1,5 @@
+robot.move_forward(3)
+robot.turn(90)
+robot.move_forward(3)
+robot.turn(270)
+robot.move_forward(3)

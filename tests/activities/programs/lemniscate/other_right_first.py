@@ -1,0 +1,3 @@
+robot.pen(down=True)
+robot.arc(0.6, -360)
+robot.arc(0.6, 360)

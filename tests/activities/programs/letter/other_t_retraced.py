@@ -1,0 +1,6 @@
+robot.turn(90)
+robot.pen(down=True)
+robot.move_forward(2)
+robot.turn(90)
+robot.move_forward(0.6)
+robot.move_backward(1.2)

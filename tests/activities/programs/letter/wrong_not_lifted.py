@@ -1,0 +1,6 @@
+robot.pen(down=True)
+robot.go_to(-1, 0)
+robot.go_to(-1, -2)
+robot.go_to(0, -2)
+robot.go_to(-1, -1)
+robot.go_to(0, -1)

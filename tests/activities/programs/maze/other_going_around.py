@@ -1,0 +1,1 @@
+robot.go_to(7, 0, avoid=True)

@@ -1,0 +1,7 @@
+while not robot.floor == "red":
+    if robot.distance("right") > 0.5:
+        robot.turn(-90)
+    elif robot.distance("front") > 0.5:
+        robot.move_forward(1)
+    else:
+        robot.turn(90)

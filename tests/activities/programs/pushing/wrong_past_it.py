@@ -1,0 +1,2 @@
+robot.turn(20)
+robot.move_forward(5.6)

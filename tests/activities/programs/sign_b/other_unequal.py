@@ -1,0 +1,5 @@
+robot.classify_gestures(timeout=10)
+if robot.gesture_result != "B":
+    robot.stop()
+else:
+    robot.move_forward(1)

@@ -1,0 +1,4 @@
+robot.classify_gestures(timeout=10)
+if robot.gesture_result == "B":
+    robot.say("B")
+robot.move_forward(1)

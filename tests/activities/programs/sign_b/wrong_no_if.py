@@ -1,0 +1,2 @@
+robot.classify_gestures(timeout=10)
+robot.move_forward(1)

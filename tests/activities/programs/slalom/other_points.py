@@ -1,0 +1,6 @@
+robot.go_to(1.5, 0.75)
+robot.go_to(3, -0.75)
+robot.go_to(4.5, 0.75)
+robot.go_to(6, -0.75)
+robot.go_to(7.5, 0.75)
+robot.go_to(9, 0)

@@ -1,0 +1,5 @@
+robot.turn(90)
+robot.move_forward(0.75)
+robot.turn(-90)
+robot.move_forward(0.9)
+robot.move_forward(7.2)

@@ -1,0 +1,4 @@
+for _ in range(3):
+    robot.move_forward(1)
+    robot.turn(90)
+robot.move_forward(1)

@@ -1,0 +1,1 @@
+robot.move_forward(robot.lidar(0) - 0.7)

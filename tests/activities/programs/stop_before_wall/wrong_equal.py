@@ -1,0 +1,2 @@
+while not robot.distance("front") == 0.5:
+    robot.move_forward(0.1)

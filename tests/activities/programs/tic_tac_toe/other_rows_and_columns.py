@@ -1,0 +1,7 @@
+robot.move_forward(2)
+robot.turn(-90)
+robot.move_forward(1)
+robot.turn(90)
+robot.move_forward(1)
+robot.turn(-90)
+robot.move_forward(1)

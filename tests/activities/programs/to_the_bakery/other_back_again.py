@@ -1,0 +1,2 @@
+robot.move_forward(4)
+robot.move_backward(1)

@@ -1,0 +1,1 @@
+robot.move_forward(4)

@@ -1,0 +1,3 @@
+robot.drive(0.3, 0)
+robot.wait_until(robot.floor == "red")
+robot.stop()

@@ -1,0 +1,2 @@
+while robot.floor == "white":
+    robot.move_forward(0.1)

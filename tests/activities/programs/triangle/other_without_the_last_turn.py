@@ -1,0 +1,6 @@
+robot.pen(down=True)
+robot.move_forward(1)
+robot.turn(120)
+robot.move_forward(1)
+robot.turn(120)
+robot.move_forward(1)

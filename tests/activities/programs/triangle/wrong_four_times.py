@@ -1,0 +1,4 @@
+robot.pen(down=True)
+for _ in range(4):
+    robot.move_forward(1.5)
+    robot.turn(120)

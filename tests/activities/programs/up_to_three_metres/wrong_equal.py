@@ -1,0 +1,7 @@
+metros = robot.ask("Quantos metros?")
+if metros == 3:
+    robot.move_forward(metros)
+elif metros > 4:
+    robot.say("longe demais")
+else:
+    robot.move_forward(metros)

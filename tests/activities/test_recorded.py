@@ -1,0 +1,111 @@
+"""A run that the store recorded is judged as the run was that it records; and which case of an activity it was."""
+
+import json
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+
+from pinel_desktop.activities import (
+    RecordedRun,
+    RunLog,
+    case_of_run,
+    check_program,
+    choose_activity,
+)
+from pinel_desktop.activities import evidence as evidence_module
+from pinel_desktop.activities.faults import world_of
+from pinel_desktop.cli import main
+from pinel_desktop.program.python_text import read_python
+from pinel_desktop.program.reading import Reading
+from pinel_desktop.robot import setting_from
+from storage import RunRow, open_for_reading
+from storage.runs.telemetry import STEPS
+
+PROGRAMS = Path(__file__).parent / "programs"
+CATALOGUE = Path(__file__).parents[2] / "pinel_desktop" / "activities" / "catalogue"
+ENDLESS = ("until_b/wrong_no_reading", "maze/wrong_no_move")
+FILES = sorted(
+    [*CATALOGUE.glob("*/solution.py"), *PROGRAMS.glob("*/wrong_*.py")],
+    key=lambda file: (file.parent.name, file.stem),
+)
+
+
+def name_of(file: Path) -> str:
+    return f"{file.parent.name}/{file.stem}"
+
+
+@pytest.fixture(autouse=True)
+def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("PINEL_HOME", str(tmp_path))
+    monkeypatch.setenv("PINEL_LANG", "en")
+    return tmp_path
+
+
+@cache
+def read(file: Path) -> Reading:
+    return read_python(file.read_text("utf-8")).reading
+
+
+def recorded(file: Path, folder: Path, case: int, *options: str) -> tuple[RunRow, RunLog]:
+    """Runs a program as a case of its activity, records it, and reads it back."""
+    activity = choose_activity(file.parent.name)
+    wanted = activity.cases[case - 1]
+    world = folder / "world.json"
+    world.write_text(json.dumps(world_of(activity, wanted)), "utf-8")
+    words = ["--db", str(folder / "pinel.db"), "run", str(file), "--json", "--world", str(world)]
+    if wanted.gestures:
+        words += ["--gestures", ",".join(wanted.gestures)]
+    if wanted.answers:
+        words += ["--answers", ",".join(wanted.answers)]
+    done = CliRunner().invoke(main, [*words, *options])
+    run_id = json.loads(done.stdout)["run_id"]
+    with open_for_reading(folder / "pinel.db") as store:
+        telemetry, events = store.runs.telemetry(run_id), store.runs.events(run_id)
+        return store.runs.get(run_id), RunLog.of_columns(telemetry.column, events)
+
+
+def test_evidence_rounds_as_the_record_does() -> None:
+    for name in ("x_m", "y_m", "true_x_m", "true_y_m"):
+        assert STEPS[name] == evidence_module.STEP_M
+    assert STEPS["yaw_rad"] == STEPS["true_yaw_rad"] == evidence_module.STEP_RAD
+    assert STEPS["done"] == evidence_module.STEP_DONE
+
+
+@pytest.mark.parametrize(
+    "file", [file for file in FILES if name_of(file) not in ENDLESS], ids=name_of
+)
+def test_the_recorded_run_gets_the_findings_of_the_run_itself(file: Path, tmp_path: Path) -> None:
+    activity = choose_activity(file.parent.name)
+    last = len(activity.cases)
+    _, log = recorded(file, tmp_path, last)
+    live = check_program(activity, read(file))
+    again = check_program(activity, read(file), recorded=RecordedRun(log, last))
+    assert again.cases[last - 1].recorded
+    assert replace(again.cases[last - 1], recorded=False) == live.cases[last - 1]
+    assert again.advice == live.advice
+
+
+@pytest.mark.parametrize(
+    ("name", "case"),
+    [
+        ("square", 1),
+        ("stop_before_wall", 2),
+        ("polygon", 3),
+        ("up_to_three_metres", 4),
+        ("b_or_a", 3),
+    ],
+)
+def test_a_run_is_recognised_as_the_case_that_it_was(name: str, case: int, tmp_path: Path) -> None:
+    row, log = recorded(CATALOGUE / name / "solution.py", tmp_path, case)
+    activity = choose_activity(name)
+    setting = setting_from(row.parameters)
+    assert case_of_run(activity, row.world_document, setting, log) == case
+    other: dict[str, Any] = world_of(choose_activity("maze"))
+    assert case_of_run(activity, other, setting, log) is None
+    assert case_of_run(activity, {}, setting, log) is None
+    realistic = replace(setting, preset="realistic")
+    assert case_of_run(activity, row.world_document, realistic, log) is None
