@@ -63,20 +63,19 @@ async function load(group: string): Promise<Offer> {
   return { activities, states: new Map(states) };
 }
 
-type Path = keyof typeof texts.value.activity.paths;
+/** As pinel_desktop/activities/model.py names them; those of no path come last. */
+const PATHS = ["moves", "shapes", "decisions", "sensors", "games", "others"] as const;
+type Path = (typeof PATHS)[number];
 
-/** The activities of each path; those of no path come last. */
+/** The activities of each path that has some. */
 function pathsOf(activities: readonly ActivityChoice[]): [Path, ActivityChoice[]][] {
-  const paths = new Map<Path, ActivityChoice[]>();
-  for (const one of activities) {
-    const path = isPath(one.path) ? one.path : "others";
-    paths.set(path, [...(paths.get(path) ?? []), one]);
-  }
-  return [...paths];
+  return PATHS.map((path): [Path, ActivityChoice[]] => [
+    path,
+    activities.filter((one) => pathOf(one) === path),
+  ]).filter(([, list]) => list.length > 0);
 }
 
-const isPath = (path: string | null): path is Path =>
-  path !== null && path in texts.peek().activity.paths;
+const pathOf = ({ path }: ActivityChoice): Path => PATHS.find((one) => one === path) ?? "others";
 
 const ICONS = { new: null, tried: Footprints, passed: CircleCheck } as const;
 
@@ -108,7 +107,7 @@ function ActivityCard({ choice, state, group }: ActivityCardProps) {
             <Clock class="icon" aria-hidden="true" /> {activity.minutes(choice.minutes)}
           </span>
         )}
-        {Icon && (
+        {Icon && state !== "new" && (
           <span class="activities__state">
             <Icon class="icon" aria-hidden="true" /> {activity.states[state]}
           </span>

@@ -28,5 +28,5 @@ export const activity: typeof first = {
     others: "Others",
   },
   minutes: (n: number) => `${n} min`,
-  states: { new: "", tried: "tried", passed: "accomplished" },
+  states: { tried: "tried", passed: "accomplished" },
 };

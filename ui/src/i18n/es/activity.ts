@@ -29,5 +29,5 @@ export const activity: typeof first = {
     others: "Otras",
   },
   minutes: (n: number) => `${n} min`,
-  states: { new: "", tried: "ya intentada", passed: "cumplida" },
+  states: { tried: "ya intentada", passed: "cumplida" },
 };

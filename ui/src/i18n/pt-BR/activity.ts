@@ -27,5 +27,5 @@ export const activity = {
     others: "Outras",
   },
   minutes: (n: number) => `${n} min`,
-  states: { new: "", tried: "já tentaram", passed: "cumprida" },
+  states: { tried: "já tentaram", passed: "cumprida" },
 };
