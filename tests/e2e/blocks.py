@@ -65,8 +65,20 @@ class Blocks:
         before = self.all().count()
         self.category(category).click()
         outline = self.in_flyout(words).locator("> .blocklyPath")
+        parts = self._parts(words)
         self._drag(outline, to)
-        expect(self.all()).to_have_count(before + self._parts(words))
+        expect(self.all()).to_have_count(before + parts)
+
+    def click_in_toolbox(self, category: str, words: str) -> None:
+        """Opens a category and clicks a block of it."""
+        self.category(category).click()
+        self.click_in_flyout(words)
+
+    def click_in_flyout(self, words: str) -> None:
+        """Clicks near the upper left corner, where a loop is no hole."""
+        wanted = self.all().count() + self._parts(words)
+        self.in_flyout(words).click(position={"x": 12, "y": 18})
+        expect(self.all()).to_have_count(wanted)
 
     def drag(self, block: Locator, to: Place) -> None:
         """Moves a block of the workspace, with the blocks below it."""
@@ -114,10 +126,10 @@ class Blocks:
             mouse.move(end[0] + step, end[1] + step)
         mouse.up()
 
-    @staticmethod
-    def _parts(words: str) -> int:
-        """An `if` comes with its comparison of a gesture."""
-        return 3 if words.startswith(("se", "if", "si")) else 1
+    def _parts(self, words: str) -> int:
+        """Number of blocks that a block of the open category consists of."""
+        inner = ".blocklyDraggable:not(.blocklyShadow)"
+        return 1 + self.in_flyout(words).locator(inner).count()
 
 
 def box_of(locator: Locator) -> dict[str, float]:

@@ -29,15 +29,17 @@ class Studio:
     def __getitem__(self, test_id: str) -> Locator:
         return self.page.get_by_test_id(test_id)
 
-    def enter_group(self, name: str) -> None:
-        """Types a new group's name and waits for its first program."""
+    def enter_group(self, name: str, level: int | None = 3) -> None:
+        """Types a new group's name and waits for its first program; None leaves the level of new groups."""
         self["group-name"].fill(name)
         self["create-group"].click()
         self.wait_until_open()
+        if level is not None:
+            self["level"].select_option(str(level))
 
-    def enter_new_group(self, name: str = "Os Tatus") -> None:
+    def enter_new_group(self, name: str = "Os Tatus", level: int | None = 3) -> None:
         """Creates a group with a unique name, for tests that share an app."""
-        self.enter_group(f"{name} {next(_NUMBERS)}")
+        self.enter_group(f"{name} {next(_NUMBERS)}", level)
 
     def wait_until_open(self) -> None:
         expect(self.blocks.start()).to_be_visible()

@@ -9,7 +9,7 @@ pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
 
 
 class Keys:
-    """Blockly's own keys: T to the toolbox, arrows to go, Enter to take, to set down and to edit."""
+    """Blockly's own keys: T to the toolbox, arrows to go, Enter to append, to set down and to edit."""
 
     def __init__(self, studio: Studio) -> None:
         self._keyboard = studio.page.keyboard
@@ -27,10 +27,10 @@ class Keys:
             self.press(key)
         raise AssertionError(f"{key} never came to {words!r}, but to {self._said()!r}")
 
-    def take(self, category: str, block: str) -> None:
-        """Out of the toolbox, to be set down with Enter."""
-        self.press("t")
-        self.walk_to(category, "ArrowDown")
+    def take(self, category: str, block: str, key: str = "t", way: str = "ArrowDown") -> None:
+        """Out of the toolbox, which the key goes to, to the end of the loop or the program."""
+        self.press(key)
+        self.walk_to(category, way)
         self.press("ArrowRight")
         self.walk_to(block, "ArrowDown")
         self.press("Enter")
@@ -65,11 +65,10 @@ def test_a_square_is_built_and_run_by_keyboard_alone(studio: Studio) -> None:
     keys.press("w")
     keys.walk_to("quando rodar", "ArrowDown")
     keys.take("Controle", "repetir")
-    keys.press("Enter")
-    keys.take("Movimento", "andar para frente")
-    keys.press("Enter")
-    keys.take("Movimento", "girar")
-    keys.press("Enter")
+    # the palette stays open
+    keys.take("Movimento", "andar para frente", key="ArrowLeft", way="ArrowUp")
+    keys.walk_to("girar", "ArrowDown")
+    keys.press("Enter", "Escape")
 
     studio.eventually(studio.actions, ["repeat"])
     studio.eventually(lambda: inside(studio), ["move_forward", "turn"])

@@ -99,12 +99,11 @@ def test_pause_holds_and_resume_goes_on(studio: Studio) -> None:
 def test_a_block_with_a_fault_says_so_until_it_is_mended(studio: Studio) -> None:
     studio.enter_new_group()
     blocks = studio.blocks
-    blocks.drag_from_toolbox("logic", "se", blocks.below(blocks.start()))
-    comparison = blocks.by_words("=")
-    blocks.drag(comparison, blocks.beside(blocks.by_words("então")))
+    blocks.drag_from_toolbox("flow", "repetir até que", blocks.below(blocks.start()))
+    blocks.drag(blocks.by_words("bateu"), blocks.beside(blocks.by_words("até que")))
 
     expect(blocks.faulty()).to_have_count(1)
-    expect(blocks.faulty()).to_contain_text("então")
+    expect(blocks.faulty()).to_contain_text("até que")
     expect(blocks.fault_words()).to_be_visible()
     expect(studio["status-line"]).to_have_attribute("data-tone", "notice")
     expect(blocks.loose()).not_to_have_count(0)
@@ -113,15 +112,14 @@ def test_a_block_with_a_fault_says_so_until_it_is_mended(studio: Studio) -> None
     expect(blocks.faulty()).to_have_count(0)
     expect(blocks.fault_words()).to_have_count(0)
     expect(blocks.loose()).to_have_count(0)
-    condition = {"op": "==", "args": [{"gesture": "result"}, "B"]}
-    studio.eventually(lambda: studio.values("condition"), [condition])
+    studio.eventually(lambda: studio.values("condition"), [{"sensor": "bumper"}])
 
 
 def test_the_words_of_a_fault_stand_once_however_quickly_they_are_asked_for(studio: Studio) -> None:
     studio.enter_new_group()
     blocks = studio.blocks
-    blocks.drag_from_toolbox("logic", "se", blocks.below(blocks.start()))
-    blocks.drag(blocks.by_words("="), blocks.beside(blocks.by_words("então")))
+    blocks.drag_from_toolbox("flow", "repetir até que", blocks.below(blocks.start()))
+    blocks.drag(blocks.by_words("bateu"), blocks.beside(blocks.by_words("até que")))
     expect(blocks.fault_words()).to_be_visible()
     blocks.faulty().locator(".blocklyWarningIcon").click()
     expect(blocks.fault_words()).to_have_count(0)
@@ -153,6 +151,7 @@ def test_a_sign_answered_by_hand_decides_what_the_robot_does(studio: Studio) -> 
     blocks = studio.blocks
     blocks.drag_from_toolbox("gestures", "ler gesto", blocks.below(blocks.start()))
     blocks.drag_from_toolbox("logic", "se", blocks.below(blocks.by_words("ler gesto")))
+    blocks.click_in_toolbox("logic", "gesto lido")
     blocks.drag_from_toolbox(
         "motion", "andar para frente", blocks.inside(blocks.by_words("então"), row_px=56)
     )

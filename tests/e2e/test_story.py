@@ -12,7 +12,7 @@ pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
 
 def test_a_group_drags_a_square_and_sees_the_robot_drive_it(studio: Studio) -> None:
-    studio.enter_group("Os Tatus")
+    studio.enter_group("Os Tatus", level=None)
     studio.build_square(side="0,3")
 
     [loop] = studio.commands()

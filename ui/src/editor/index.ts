@@ -23,6 +23,7 @@ import { quietly } from "./quietly";
 import { ensureStartBlock, markLooseBlocks } from "./start_block";
 import { interceptEmptyUndo, undoInto } from "./steps_back";
 import { pageFont, showTheme, type ThemeName } from "./themes";
+import { Shelf } from "./toolbox/palette";
 import { addZoomControls } from "./zoom_controls";
 
 export interface Editor {
@@ -93,6 +94,7 @@ class BlockEditor implements Editor {
     this.level = options.level ?? EVERYTHING;
     this.language = options.language;
     this.workspace = injectWorkspace({ ...options, level: this.level });
+    this.keepPaletteOpen();
     this.faults = new Faults(this.workspace);
     this.running = new Highlight(this.workspace);
     this.unknownSigns = new UnknownSigns(this.workspace);
@@ -165,6 +167,7 @@ class BlockEditor implements Editor {
     this.level = level;
     Blockly.hideChaff();
     this.updateToolbox();
+    this.keepPaletteOpen();
   }
 
   setSigns(signs: KnownSigns | null): void {
@@ -176,6 +179,7 @@ class BlockEditor implements Editor {
     Blockly.hideChaff();
     this.workspace.setIsReadOnly(readOnly);
     this.workspace.getToolbox()?.setVisible(!readOnly);
+    this.keepPaletteOpen();
     this.options.container.classList.toggle("pinelReadOnly", readOnly);
     this.refreshHint();
     this.resize();
@@ -262,6 +266,13 @@ class BlockEditor implements Editor {
   private updateToolbox(): void {
     this.workspace.updateToolbox(toolbox(this.level));
     if (this.workspace.isReadOnly()) this.workspace.getToolbox()?.setVisible(false);
+  }
+
+  /** In the first level the blocks stay beside the workspace: whoever begins sees what there is. */
+  private keepPaletteOpen(): void {
+    const shelf = this.workspace.getToolbox();
+    const isStaying = this.level === 1 && !this.workspace.isReadOnly();
+    if (shelf instanceof Shelf) shelf.setStaying(isStaying);
   }
 
   private exchange(workspace: object): void {

@@ -6,6 +6,8 @@ import type { EditorOptions } from "./options";
 import { patchAriaUpdates } from "./quietly";
 import { RENDERER, registerRenderer } from "./renderer";
 import { blocklyTheme } from "./themes";
+import { patchPaletteClicks } from "./toolbox/append";
+import { PALETTE_PLUGINS } from "./toolbox/palette";
 import { registerSearchItem } from "./toolbox/search_item";
 import { registerToolboxCategory } from "./toolbox/toolbox_category";
 
@@ -21,10 +23,12 @@ export function injectWorkspace(options: EditorOptions): Blockly.WorkspaceSvg {
   Blockly.dialog.setConfirm((_message, answer) => answer(true));
   adaptMenus();
   patchAriaUpdates();
+  patchPaletteClicks();
   const workspace = Blockly.inject(options.container, {
     toolbox: toolbox(options.level),
     theme: blocklyTheme(options.theme),
     renderer: RENDERER,
+    plugins: PALETTE_PLUGINS,
     media: options.mediaPath,
     sounds: false,
     trashcan: true,

@@ -19,7 +19,7 @@ function newStart(workspace: Blockly.WorkspaceSvg): Blockly.BlockSvg {
 }
 
 /** Blocks at which a stack of the program may begin. */
-const ROOTS = [START, "function_def"];
+export const ROOTS = [START, "function_def"];
 
 /** Only blocks below the start block or in a function definition run. All others are kept and drawn dimmed. */
 export function markLooseBlocks(workspace: Blockly.WorkspaceSvg): void {

@@ -15,8 +15,8 @@ type Control = keyof typeof SHAPES;
 /** Adds zoom buttons large enough for touch; Blockly's own are 32 pixels and hard to see. */
 export function addZoomControls(workspace: Blockly.WorkspaceSvg, zoomToFit: () => void) {
   const actions: Record<Control, () => void> = {
-    ZOOM_IN: () => workspace.zoomCenter(1),
-    ZOOM_OUT: () => workspace.zoomCenter(-1),
+    ZOOM_IN: () => zoom(workspace, 1),
+    ZOOM_OUT: () => zoom(workspace, -1),
     ZOOM_TO_FIT: zoomToFit,
   };
   const bar = document.createElement("div");
@@ -36,6 +36,12 @@ export function addZoomControls(workspace: Blockly.WorkspaceSvg, zoomToFit: () =
   relabel();
   workspace.getInjectionDiv().append(bar);
   return { relabel, remove: () => bar.remove() };
+}
+
+/** Keeps the upper left corner, where programs begin; around the centre they would slip under the palette. */
+function zoom(workspace: Blockly.WorkspaceSvg, steps: number): void {
+  const { left, top } = workspace.getMetricsManager().getAbsoluteMetrics();
+  workspace.zoom(left, top, steps);
 }
 
 function zoomButton(control: Control): HTMLButtonElement {

@@ -1,5 +1,6 @@
 import type { Activity } from "../api/model";
 import type { Level } from "../blocks/definition";
+import { levelNeeded } from "../blocks/toolbox/level_needed";
 import { chooseSigns } from "../camera/signs";
 import { texts } from "../i18n";
 import { Loaded } from "../kit/requests/Loaded";
@@ -7,7 +8,7 @@ import { useLoaded } from "../kit/requests/useLoaded";
 import { clear, live, liveRun } from "../run/live";
 import { isLive } from "../run/reducer";
 import { programAndGroups } from "../shell/first_answers";
-import { LEVELS, missionLevel } from "../shell/level";
+import { LEVELS, levelInUse, missionLevel } from "../shell/level";
 import { group, program } from "../shell/session";
 import { couldNotOpen, OpenProgram, opened, reloads } from "./program/open_program";
 import { Studio } from "./Studio";
@@ -34,6 +35,7 @@ async function open(programId: string, signal: AbortSignal): Promise<OpenProgram
   signal.throwIfAborted();
   group.value = groups.find((one) => one.id === loaded.group_id) ?? null;
   program.value = loaded;
+  levelInUse.value = levelNeeded(loaded.version?.workspace);
   void chooseSigns(group.value?.classroom_id ?? null);
   const made = new OpenProgram(loaded);
   await made.loadMission();

@@ -142,7 +142,7 @@ const listShadow = () => ({
 });
 
 const FILLED: Partial<Record<BlockType, () => Inputs>> = {
-  if: () => ({ CONDITION: { block: { type: "compare", inputs: sides() } } }),
+  if: () => ({ CONDITION: { shadow: { type: "boolean", fields: { BOOL: "TRUE" } } } }),
   compare: sides,
   while: () => ({ CONDITION: { block: { type: "not", inputs: { A: bumper } } } }),
   until: () => ({ CONDITION: bumper }),

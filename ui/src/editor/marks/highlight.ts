@@ -28,9 +28,22 @@ export class Highlight {
   }
 }
 
+/** Height of what trash and zoom buttons cover at the bottom of the workspace, in pixels. */
+const CONTROLS_PX = 128;
+
 /** Scrolls until the block is in view, unless the user is dragging. */
 export function bringIntoView(workspace: Blockly.WorkspaceSvg, blockId: string): void {
   const block = workspace.getBlockById(blockId);
-  if (!block || workspace.isDragging()) return;
-  workspace.scrollBoundsIntoView(block.getBoundingRectangleWithoutChildren(), 24);
+  if (block) bringBoundsIntoView(workspace, block.getBoundingRectangleWithoutChildren());
+}
+
+/** Scrolls until the rectangle, in workspace units, is in view and above trash and zoom buttons. */
+export function bringBoundsIntoView(
+  workspace: Blockly.WorkspaceSvg,
+  bounds: Blockly.utils.Rect,
+): void {
+  if (workspace.isDragging()) return;
+  const clear = bounds.clone();
+  if (!workspace.isReadOnly()) clear.bottom += CONTROLS_PX / workspace.scale;
+  workspace.scrollBoundsIntoView(clear, 24);
 }

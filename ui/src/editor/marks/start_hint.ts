@@ -1,7 +1,7 @@
 import * as Blockly from "blockly/core";
 import { word } from "../../blocks/words";
 
-const WIDTH = 300;
+const WIDTH = 316;
 const HEIGHT = 48;
 
 /** Placeholder below a start block that has no blocks under it, as a hint where the first block goes. */

@@ -103,7 +103,7 @@ export const page: typeof first = {
   },
   status: {
     label: "What the robot does now",
-    empty: "Drag a block to begin.",
+    empty: "Click a block to begin, or drag it.",
     emptyRun: "There is nothing to run yet: attach a block below the start block.",
     ready: "All set. Press Run.",
     faults: (n: number) =>

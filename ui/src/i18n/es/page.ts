@@ -104,7 +104,7 @@ export const page: typeof first = {
   },
   status: {
     label: "Qué hace el robot ahora",
-    empty: "Arrastren un bloque para empezar.",
+    empty: "Hagan clic en un bloque para empezar, o arrástrenlo.",
     emptyRun: "Todavía no hay nada que ejecutar: encajen un bloque debajo del bloque de inicio.",
     ready: "Todo listo. Presionen Ejecutar.",
     faults: (n: number) =>

@@ -104,7 +104,7 @@ export const page = {
   },
   status: {
     label: "O que o robô faz agora",
-    empty: "Arrastem um bloco para começar.",
+    empty: "Cliquem em um bloco para começar, ou arrastem.",
     emptyRun: "Ainda não há nada para rodar: encaixem um bloco embaixo do bloco de início.",
     ready: "Tudo pronto. Apertem Rodar.",
     faults: (n: number) =>

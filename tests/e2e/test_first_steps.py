@@ -1,0 +1,166 @@
+"""The first five minutes: blocks beside the workspace, appended by a click, a tap or Enter."""
+
+import pytest
+from playwright.sync_api import Locator, expect
+
+from tests.e2e.app_process import AppProcess
+from tests.e2e.blocks import box_of
+from tests.e2e.conftest import OpenStudio
+from tests.e2e.studio import Studio
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
+
+MOST_ACTIONS = 8  # for a square
+ROOM_PX = 340  # of the workspace beside the open palette: a turn inside a loop is 310 px wide
+
+_COUNT_ACTIONS = """() => {
+  window.actions = 0;
+  addEventListener("pointerup", () => window.actions++, true);
+}"""
+
+
+@pytest.fixture
+def app(lasting_app: AppProcess) -> AppProcess:
+    return lasting_app
+
+
+@pytest.fixture
+def beginners(studio: Studio) -> Studio:
+    studio.enter_new_group(level=None)
+    return studio
+
+
+def said(studio: Studio) -> Locator:
+    """What a screen reader announces."""
+    return studio.page.locator("#blocklyAriaAnnounce")
+
+
+def inside(studio: Studio) -> list[list[str]]:
+    return [[inner["action"] for inner in loop.get("commands", [])] for loop in studio.commands()]
+
+
+def test_a_square_takes_at_most_eight_clicks(beginners: Studio) -> None:
+    studio = beginners
+    studio.page.evaluate(_COUNT_ACTIONS)
+    studio.blocks.click_in_toolbox("flow", "repetir")
+    studio.blocks.click_in_toolbox("motion", "andar para frente")
+    studio.blocks.click_in_flyout("girar")
+    studio["run"].click()
+    studio.wait_for_phase("finished")
+
+    assert inside(studio) == [["move_forward", "turn"]]
+    assert abs(studio.number("pose-x")) < 0.001
+    assert abs(studio.number("pose-y")) < 0.001
+    actions = studio.page.evaluate("window.actions")
+    print(f"\na square: {actions} actions")
+    assert actions <= MOST_ACTIONS
+
+
+def test_the_blocks_stay_open_beside_a_workspace_with_room(beginners: Studio) -> None:
+    studio = beginners
+    palette = studio.page.locator(".blocklyToolboxFlyout")
+    expect(palette).to_be_visible()
+    for category in ("motion", "flow", "logic", "gestures", "show", "show"):
+        studio.blocks.category(category).click()
+        expect(palette).to_be_visible()
+        right = box_of(palette)["x"] + box_of(palette)["width"]
+        blocks = palette.locator(".blocklyBlockCanvas > .blocklyDraggable > .blocklyPath")
+        for block in blocks.all():
+            box = block.bounding_box()
+            assert box is not None
+            assert box["x"] + box["width"] < right, "a block is cut off"
+    pane = box_of(studio["editor"])
+    assert pane["x"] + pane["width"] - right >= ROOM_PX
+    assert box_of(studio.blocks.start())["x"] > right
+    studio.blocks.select(studio.blocks.start())
+    expect(palette).to_be_visible()
+    studio["level"].select_option("2")
+    expect(palette).to_be_hidden()
+
+
+def test_a_click_appends_in_the_loop_that_is_selected_else_at_the_end(beginners: Studio) -> None:
+    studio, blocks = beginners, beginners.blocks
+    blocks.click_in_toolbox("motion", "andar para frente")
+    expect(said(studio)).to_contain_text("“andar para frente 1 m” entrou no fim do programa.")
+    blocks.click_in_toolbox("flow", "repetir")
+    blocks.click_in_toolbox("motion", "girar")
+    expect(said(studio)).to_contain_text("entrou dentro de “repetir 4 vezes”.")
+    studio.eventually(studio.actions, ["move_forward", "repeat"])
+    studio.eventually(lambda: inside(studio), [[], ["turn"]])
+
+    blocks.select(blocks.start())
+    blocks.click_in_flyout("parar")
+    studio.eventually(studio.actions, ["move_forward", "repeat", "stop"])
+    blocks.select(blocks.by_words("girar"))
+    blocks.click_in_flyout("andar para trás")
+    studio.eventually(lambda: inside(studio), [[], ["turn", "move_backward"], []])
+
+    studio["undo"].click()
+    studio.eventually(lambda: inside(studio), [[], ["turn"], []])
+    studio["undo"].click()
+    studio.eventually(studio.actions, ["move_forward", "repeat"])
+
+
+def test_a_value_goes_where_it_fits_or_lies_loose(beginners: Studio) -> None:
+    studio, blocks = beginners, beginners.blocks
+    blocks.click_in_toolbox("logic", "se")
+    blocks.click_in_flyout("gesto lido")
+    wanted = {"op": "==", "args": [{"gesture": "result"}, "B"]}
+    studio.eventually(lambda: studio.values("condition"), [wanted])
+    blocks.select(blocks.start())
+    blocks.click_in_toolbox("gestures", "gesto lido")
+    expect(blocks.loose()).to_have_count(1)
+    expect(said(studio)).to_contain_text("ficou solto")
+
+
+def test_what_is_appended_below_a_long_program_is_brought_into_view(beginners: Studio) -> None:
+    studio, blocks = beginners, beginners.blocks
+    for _ in range(14):
+        blocks.click_in_flyout("girar")
+    last = blocks.all().last.locator("> .blocklyPath").first.bounding_box()
+    trash = studio.page.locator(".blocklyTrash").bounding_box()
+    assert last is not None
+    assert trash is not None
+    assert last["y"] + last["height"] <= trash["y"]
+
+
+def test_a_tap_appends_as_well(open_studio: OpenStudio) -> None:
+    studio = open_studio(has_touch=True)
+    studio.enter_new_group(level=None)
+    studio.blocks.in_flyout("girar").tap(position={"x": 20, "y": 20})
+    studio.eventually(studio.actions, ["turn"])
+
+
+def test_a_click_appends_in_the_other_levels_and_closes_the_category(studio: Studio) -> None:
+    studio.enter_new_group()
+    studio.blocks.click_in_toolbox("flow", "repetir para sempre")
+    expect(studio.page.locator(".blocklyToolboxFlyout")).to_be_hidden()
+    studio.blocks.click_in_toolbox("motion", "andar para frente")
+    studio.eventually(lambda: inside(studio), [["move_forward"]])
+
+
+def test_trash_zoom_and_search_work_beside_the_open_palette(beginners: Studio) -> None:
+    studio, blocks = beginners, beginners.blocks
+    studio["toolbox-search"].fill("repetir")
+    blocks.click_in_flyout("repetir")
+    studio.eventually(studio.actions, ["repeat"])
+    before = box_of(blocks.by_words("repetir"))["width"]
+    palette = box_of(blocks.in_flyout("repetir"))["width"]
+    studio["editor-zoom-in"].click()
+    assert box_of(blocks.by_words("repetir"))["width"] > before
+    assert box_of(blocks.in_flyout("repetir"))["width"] == palette
+
+    blocks.select(blocks.by_words("repetir"))
+    studio.page.keyboard.press("Delete")
+    expect(blocks.all()).to_have_count(1)
+    studio.page.locator(".blocklyTrash").click()
+    lost = studio.page.locator(".blocklyTrashcanFlyout .blocklyDraggable:not(.blocklyShadow)")
+    lost.first.click(position={"x": 20, "y": 20})
+    studio.eventually(studio.actions, ["repeat"])
+
+
+def test_a_new_choice_asks_nothing_about_signs(studio: Studio) -> None:
+    studio.enter_new_group(level=None)
+    studio.blocks.click_in_toolbox("logic", "se")
+    expect(studio.blocks.by_words("se")).to_contain_text("verdadeiro")
+    studio.eventually(lambda: studio.values("condition"), [True])

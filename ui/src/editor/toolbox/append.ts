@@ -1,0 +1,175 @@
+import * as Blockly from "blockly/core";
+import { word } from "../../blocks/words";
+import { bringIntoView } from "../marks/highlight";
+import { ROOTS } from "../start_block";
+
+const { ConnectionType } = Blockly;
+
+/** Distance of a block that fits nowhere from the blocks above it, in workspace units. */
+const GAP = 24;
+
+/**
+ * Puts a copy of a block of the palette where a pupil expects it, as one undo step, selects it, brings it into view and
+ * announces it. A command goes to the end of the program; while a block inside a loop, a branch or a function is
+ * selected, to the end of what is in there; while such a block itself is selected, into it. A value goes into the first
+ * place of the selected block that takes it. What fits nowhere lies loose below everything.
+ */
+export function appendFromPalette(source: Blockly.BlockSvg): void {
+  const workspace = source.workspace.targetWorkspace;
+  const state = Blockly.serialization.blocks.save(source, { saveIds: false });
+  if (!workspace || !state) return;
+  const selected = selectedBlock(workspace);
+  const group = Blockly.Events.getGroup();
+  Blockly.Events.setGroup(true);
+  try {
+    const below = workspace.getBlocksBoundingBox();
+    const { blocks } = Blockly.serialization;
+    const block = blocks.append(state, workspace, { recordUndo: true }) as Blockly.BlockSvg;
+    const place = placeFor(block, workspace, selected);
+    if (place) connect(place, block);
+    else block.moveTo(new Blockly.utils.Coordinate(below.left, below.bottom + GAP));
+    finish(block, workspace);
+  } finally {
+    Blockly.Events.setGroup(group);
+  }
+}
+
+function finish(block: Blockly.BlockSvg, workspace: Blockly.WorkspaceSvg): void {
+  const focus = Blockly.getFocusManager();
+  const source = focus.getFocusedNode();
+  const isByKeyboard = Blockly.keyboardNavigationController.getIsActive();
+  focus.focusNode(block);
+  const staysOpen = workspace.getFlyout()?.autoClose === false;
+  if (!staysOpen) workspace.hideChaff();
+  // the next block is often from the same category
+  else if (isByKeyboard && source) focus.focusNode(source);
+  void Blockly.renderManagement
+    .finishQueuedRenders()
+    .then(() => bringIntoView(workspace, block.id));
+  Blockly.utils.aria.announceDynamicAriaState(whereWords(block));
+}
+
+/** The block of the program that was last selected, while the palette has the focus too. */
+function selectedBlock(workspace: Blockly.WorkspaceSvg): Blockly.BlockSvg | null {
+  const node = Blockly.FocusableTreeTraverser.findFocusedNode(workspace);
+  const block = workspace.getNavigator().getSourceBlockFromNode(node);
+  return block?.isShadow() ? block.getParent() : block;
+}
+
+function placeFor(
+  block: Blockly.BlockSvg,
+  workspace: Blockly.WorkspaceSvg,
+  selected: Blockly.BlockSvg | null,
+): Blockly.Connection | null {
+  if (block.outputConnection) return selected && socketFor(block.outputConnection, selected);
+  if (!block.previousConnection) return null;
+  const command = selected && commandOf(selected);
+  if (command && ROOTS.includes(command.getRootBlock().type)) return insideOf(command);
+  const [start] = workspace.getBlocksByType("program_start");
+  return start ? endAfter(start) : null;
+}
+
+/** The first place of a block that takes the value and that no other block has taken. */
+function socketFor(
+  value: Blockly.RenderedConnection,
+  block: Blockly.BlockSvg,
+): Blockly.Connection | null {
+  const free = block.inputList
+    .map(({ connection }) => connection)
+    .find(
+      (one) =>
+        one?.type === ConnectionType.INPUT_VALUE &&
+        (one.targetBlock()?.isShadow() ?? true) &&
+        block.workspace.connectionChecker.canConnect(value, one, false),
+    );
+  return free ?? null;
+}
+
+/** The command that a value belongs to. */
+function commandOf(block: Blockly.BlockSvg): Blockly.BlockSvg {
+  const parent = block.outputConnection?.targetBlock() as Blockly.BlockSvg | undefined;
+  return parent ? commandOf(parent) : block;
+}
+
+function insideOf(block: Blockly.Block): Blockly.Connection | null {
+  const mouth = mouthOf(block);
+  return mouth ? endOfMouth(mouth) : endAfter(block);
+}
+
+/** The first empty place for commands of a loop or a branch, else the last one. */
+function mouthOf(block: Blockly.Block): Blockly.Connection | null {
+  const mouths = block.inputList.flatMap(({ connection }) =>
+    connection?.type === ConnectionType.NEXT_STATEMENT ? [connection] : [],
+  );
+  return mouths.find((mouth) => !mouth.targetBlock()) ?? mouths.at(-1) ?? null;
+}
+
+function endOfMouth(mouth: Blockly.Connection): Blockly.Connection | null {
+  const first = mouth.targetBlock();
+  return first ? endAfter(first) : mouth;
+}
+
+/** Below the last block: inside of an endless loop, and above what ends a loop or a function. */
+function endAfter(block: Blockly.Block): Blockly.Connection | null {
+  const next = block.getNextBlock();
+  if (next) return endAfter(next);
+  const mouth = mouthOf(block);
+  if (block.nextConnection) return block.nextConnection;
+  return mouth ? endOfMouth(mouth) : (block.previousConnection?.targetConnection ?? null);
+}
+
+function connect(place: Blockly.Connection, block: Blockly.BlockSvg): void {
+  const end = block.outputConnection ?? block.previousConnection;
+  if (end) place.connect(end);
+}
+
+function whereWords(block: Blockly.BlockSvg): string {
+  const words = block.toString();
+  const around = block.getSurroundParent();
+  if (around) return word("APPENDED_INSIDE", words, nameOf(around));
+  if (ROOTS.includes(block.getRootBlock().type)) return word("APPENDED", words);
+  return word("APPENDED_LOOSE", words);
+}
+
+/** A block in words, without what is inside of it. */
+function nameOf(block: Blockly.Block): string {
+  return block.inputList
+    .filter(({ connection }) => connection?.type !== ConnectionType.NEXT_STATEMENT)
+    .flatMap(({ fieldRow, connection }) => [
+      ...fieldRow.map((field) => field.getText()),
+      connection?.targetBlock()?.toString() ?? "",
+    ])
+    .filter(Boolean)
+    .join(" ");
+}
+
+let patched = false;
+
+/** What of Blockly's gesture is needed here; it has no public place for a click on a block of a flyout. */
+interface FlyoutClick {
+  flyout: Blockly.IFlyout | null;
+  targetBlock: Blockly.BlockSvg | null;
+  doBlockClick(): void;
+}
+
+/**
+ * Makes a click on a block of the palette, anywhere on it, and Enter append it. Blockly would drop a copy over the
+ * blocks at the same place of the screen, and let the keyboard carry it.
+ */
+export function patchPaletteClicks(): void {
+  if (patched) return;
+  patched = true;
+  Blockly.Field.prototype.isClickableInFlyout = () => false;
+  const gesture = Blockly.Gesture.prototype as unknown as FlyoutClick;
+  const { doBlockClick } = gesture;
+  gesture.doBlockClick = function (this: FlyoutClick) {
+    if (!this.flyout || !this.targetBlock) doBlockClick.call(this);
+    else appendFromPalette(this.targetBlock);
+  };
+  const block = Blockly.BlockSvg.prototype;
+  const { performAction } = block;
+  block.performAction = function (this: Blockly.BlockSvg, event?: KeyboardEvent) {
+    if (this.isInFlyout) appendFromPalette(this);
+    else performAction.call(this, event);
+  };
+}
