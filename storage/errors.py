@@ -1,9 +1,11 @@
 """Errors of the store: a code and what fills its words."""
 
+import contextlib
 import errno
 import os
 import shutil
 import sqlite3
+import sys
 from pathlib import Path
 
 _BY_PREFIX = {
@@ -43,9 +45,19 @@ def translated(error: sqlite3.Error, path: Path) -> StoreError:
     for prefix, code in _BY_PREFIX.items():
         if name.startswith(prefix):
             return StoreError(code, path=str(path))
-    if name.startswith("SQLITE_IOERR") and (_is_nearly_full(path) or _is_quota_used_up(path)):
+    if name.startswith("SQLITE_IOERR") and _is_without_room(path):
         return StoreError("disk_full", path=str(path))
     return StoreError("database_failed", path=str(path), problem=str(error))
+
+
+def is_full(error: OSError) -> bool:
+    """True where no more could be written: the disk, this user's quota or the greatest size of a file is used up."""
+    return error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+
+
+def _is_without_room(path: Path) -> bool:
+    """Why SQLite could not write, where it says only that input or output failed."""
+    return _is_nearly_full(path) or _is_file_limit_reached(path) or _is_quota_used_up(path)
 
 
 def _is_nearly_full(path: Path) -> bool:
@@ -53,6 +65,24 @@ def _is_nearly_full(path: Path) -> bool:
         return shutil.disk_usage(path.parent).free < _NEARLY_FULL
     except OSError:
         return False
+
+
+def _is_file_limit_reached(path: Path) -> bool:
+    """True where the system lets no file of this user grow (`ulimit -f`) to what the file, its WAL included, needs."""
+    if sys.platform == "win32":
+        return False
+    import resource  # noqa: PLC0415 - not available on every system
+
+    limit, _ = resource.getrlimit(resource.RLIMIT_FSIZE)
+    return limit != resource.RLIM_INFINITY and _size_with_wal(path) + _PROBE > limit
+
+
+def _size_with_wal(path: Path) -> int:
+    size = 0
+    for part in (path, path.with_name(path.name + "-wal")):
+        with contextlib.suppress(OSError):
+            size += part.stat().st_size
+    return size
 
 
 def _is_quota_used_up(path: Path) -> bool:
@@ -65,5 +95,5 @@ def _is_quota_used_up(path: Path) -> bool:
             file.flush()
             os.fsync(file.fileno())
     except OSError as error:
-        return error.errno in (errno.ENOSPC, errno.EDQUOT)
+        return is_full(error)
     return False

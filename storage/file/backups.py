@@ -5,7 +5,6 @@ what the PC took for 2099 must not be the newest for ever.
 """
 
 import contextlib
-import errno
 import re
 import shutil
 import sqlite3
@@ -17,7 +16,7 @@ from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
-from storage.errors import StoreError, translated
+from storage.errors import StoreError, is_full, translated
 from storage.file.filesystems import Free, free_bytes
 from storage.file.whole_files import whole_file
 from storage.sql import Stop, damage, opened
@@ -105,7 +104,7 @@ def make_backup(
     except sqlite3.Error as error:
         raise _failure(path, translated(error, path).code, str(error)) from error
     except OSError as error:
-        code = "disk_full" if _is_full(error) else ""
+        code = "disk_full" if is_full(error) else ""
         raise _failure(path, code, str(error.strerror)) from error
     return list_backups(path)[0]
 
@@ -173,7 +172,7 @@ def restored_copy(
             with whole_file(target) as part:
                 shutil.copyfile(backup.path, part)
         except OSError as error:
-            if _is_full(error):
+            if is_full(error):
                 raise StoreError("disk_full", path=str(path)) from error
             raise
         if _is_good(target, is_ours):
@@ -310,7 +309,3 @@ def _failure(path: Path, code: str, problem: str) -> StoreError:
     if code == "database_damaged":
         return StoreError("backup_found_damage", path=str(path), problem=problem)
     return StoreError("backup_failed", folder=folder, problem=problem)
-
-
-def _is_full(error: OSError) -> bool:
-    return error.errno in (errno.ENOSPC, errno.EDQUOT)

@@ -2,6 +2,7 @@
 
 import contextlib
 import sqlite3
+from collections.abc import Iterator
 from contextlib import closing
 from dataclasses import dataclass
 from datetime import datetime
@@ -221,7 +222,7 @@ def _set_aside(path: Path, now: datetime) -> Path:
 def _migrate(path: Path, now: datetime) -> Notice | None:
     """Brings the tables up to date; raises _ReadOnlyError where the file can be read but not written."""
     try:
-        with closing(_connect_writing(path)) as connection:
+        with closing(_connect_writing(path)) as connection, _told_when_full(path):
             notice = _choose_journal(connection, path)
             connection.execute("BEGIN IMMEDIATE")
             connection.execute("ROLLBACK")
@@ -237,6 +238,18 @@ def _migrate(path: Path, now: datetime) -> Notice | None:
         if translated(error, path).code != "database_read_only" or not path.exists():
             raise
         raise _ReadOnlyError(_readable_address(path)) from error
+
+
+@contextlib.contextmanager
+def _told_when_full(path: Path) -> Iterator[None]:
+    """Raises `disk_full` while the WAL is there, whose size can be the only sign of it; closing removes the WAL."""
+    try:
+        yield
+    except sqlite3.Error as error:
+        problem = translated(error, path)
+        if problem.code == "disk_full":
+            raise problem from error
+        raise
 
 
 def _continue_ids(connection: sqlite3.Connection) -> None:

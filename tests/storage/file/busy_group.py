@@ -37,12 +37,13 @@ def say(kept: str, **about: Any) -> None:
 
 
 def edit(store: Store, group_id: str) -> None:
-    program = store.programs.create(group_id, "P")
+    program = None
     for n in count():
         try:
+            program = program or store.programs.create(group_id, "P")
             version = store.versions.save(program.id, {"text": text_of(n)}, {"pinel_ir": 1})
         except StoreError as error:
-            say("refused", code=error.code)
+            say("refused", code=error.code, problem=str(error))
         else:
             say("version", id=version.id, n=n)
 
@@ -61,7 +62,7 @@ def run(store: Store, version_id: str) -> None:
             recorder(ended(run_id, 1 + n_samples, n_samples))
             recorder.flush().result()
         except StoreError as error:
-            say("refused", code=error.code)
+            say("refused", code=error.code, problem=str(error))
         else:
             say("end of run", id=run_id, n=n_samples)
 
@@ -83,7 +84,7 @@ def back_up(path: Path) -> None:
         try:
             make_backup(path, datetime.fromtimestamp(86_400.0 * n, UTC))
         except StoreError as error:
-            say("refused", code=error.code)
+            say("refused", code=error.code, problem=str(error))
         else:
             say("backup")
 
@@ -124,7 +125,7 @@ def child(path: Path, disk: list[Any] | None) -> None:
     try:
         be_busy(path, disk)
     except StoreError as error:
-        say("refused", code=error.code)
+        say("refused", code=error.code, problem=str(error))
     except BaseException as error:
         say("crashed", why=repr(error))
     finally:

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from storage import Recorder, RunRow, RunStart, Store, StoreError, VersionRow, open_store
+from storage.file.backups import make_backup
 from tests.storage.file.refusals import code_of
 from tests.storage.sample_runs import ended, square
 
@@ -281,6 +282,48 @@ def test_a_quota_that_is_used_up_is_told_apart_from_a_broken_disk(
 
     monkeypatch.setattr("tempfile.TemporaryFile", refuse)
     assert code_of(lambda: store._database.write(fail)) == code
+
+
+@contextlib.contextmanager
+def largest_file(size_bytes: int) -> Iterator[None]:
+    """The system lets no file of this process grow beyond that size."""
+    resource = pytest.importorskip("resource", reason="this system has no such limit")
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size_bytes, before[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+
+
+def test_a_file_that_may_not_grow_is_told_as_a_full_disk_and_keeps_what_was_saved(
+    path: Path, store: Store, version: VersionRow, opened: Callable[..., Store]
+) -> None:
+    big = {"blocks": "x" * 50_000}
+    with largest_file(path.with_name(f"{path.name}-wal").stat().st_size):
+        assert code_of(lambda: store.versions.save(version.program_id, big, None)) == "disk_full"
+        assert code_of(lambda: store.groups.create("B")) == "disk_full"
+    assert opened().versions.newest(version.program_id) == version
+    assert store.versions.save(version.program_id, big, None).workspace == big
+
+
+@pytest.mark.parametrize("size_bytes", [0, 4096, 30_000, 100_000, 300_000])
+def test_a_new_file_that_may_not_become_large_enough_is_told_as_a_full_disk(
+    path: Path, size_bytes: int
+) -> None:
+    with largest_file(size_bytes):
+        assert code_of(lambda: open_store(path)) == "disk_full"
+    with open_store(path) as store:
+        assert store.groups.create("A").name == "A"
+
+
+def test_a_backup_that_may_not_become_as_large_as_the_file_has_no_room(
+    path: Path, store: Store, version: VersionRow
+) -> None:
+    store.versions.save(version.program_id, {"blocks": "x" * 500_000}, None)
+    with largest_file(path.stat().st_size // 2):
+        assert code_of(lambda: make_backup(path, NOON)) == "backup_no_room"
+    assert make_backup(path, NOON) is not None
 
 
 def test_an_io_error_on_a_disk_with_room_is_not_taken_for_a_full_one(store: Store) -> None:
