@@ -66,7 +66,12 @@ class Camera:
         self._source, self._linger_s = source, linger_s
         self._publish, self._on_change, self._answer = publish, on_change, answer
         self._process = OwnedProcess(
-            "camera", command or own_command("camera"), self._receive, self._died, self._tell_all
+            "camera",
+            command or own_command("camera"),
+            self._receive,
+            self._died,
+            self._tell_all,
+            self._lost,
         )
         self._lock = threading.RLock()
         self._wanted = Wanted()
@@ -290,7 +295,12 @@ class Camera:
         self._on_change(state)
 
     def _died(self) -> None:
-        self._change(CameraState("failed", PinelError("camera_process_died")))
+        known = self._state.problem
+        if not (known and known.code == "camera_process_lost"):  # which holds until it works again
+            self._change(CameraState("failed", PinelError("camera_process_died")))
+
+    def _lost(self) -> None:
+        self._change(CameraState("failed", PinelError("camera_process_lost")))
 
     def _tend(self) -> None:
         """Switches the camera off after its last use; ends a process that hangs."""

@@ -2,9 +2,11 @@
 
 import threading
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 
 from pinel_desktop.camera.address import check_address
 from pinel_desktop.camera.client import Camera, CameraState
+from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import CaptureStarted, Event, GestureResult, RunEnded, RunState
 from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.inputs import Capture, PersonInput, ScriptedInputs
@@ -69,7 +71,7 @@ class CameraInputs:
         self._camera.wait_until_ready(_READY_S)
         self._camera.use()
         self._is_tried.wait(_OPEN_S)
-        problem = self._camera.state.problem
+        problem = self._as_typed(self._camera.state).problem
         if problem and problem.code in WRONG_SOURCE:
             raise problem
 
@@ -78,7 +80,13 @@ class CameraInputs:
         if state.mode in ("on", "failed"):
             self._is_tried.set()
         if was_tried or not (state.problem and state.problem.code in WRONG_SOURCE):
-            self._on_change(state)  # else it is raised
+            self._on_change(self._as_typed(state))  # else it is raised
+
+    def _as_typed(self, state: CameraState) -> CameraState:
+        """The state with the number as it was typed: the page counts cameras from 1, the option from 0."""
+        if state.problem and "number" in state.problem.params:
+            return replace(state, problem=PinelError(state.problem.code, number=self._source))
+        return state
 
     def _answer(self, _run: str, capture: Capture) -> None:
         self.gestures.answer(capture)

@@ -33,6 +33,7 @@ class OwnedProcess:
         on_message: called on the reader thread with every further message, in order.
         on_death: called on the reader thread when the process has died by itself, before the next one starts.
         on_ready: called on the reader thread when it, or the next one after its death, is ready.
+        on_lost: called when the process is not started again by itself; must not wait.
     """
 
     def __init__(
@@ -42,9 +43,11 @@ class OwnedProcess:
         on_message: Callable[[Message], None],
         on_death: Callable[[], None],
         on_ready: Callable[[], None] = lambda: None,
+        on_lost: Callable[[], None] = lambda: None,
     ) -> None:
         self._name, self._command = name, list(command)
-        self._on_message, self._on_death, self._on_ready = on_message, on_death, on_ready
+        self._on_message, self._on_death = on_message, on_death
+        self._on_ready, self._on_lost = on_ready, on_lost
         self._lock = threading.RLock()
         self._process: subprocess.Popen[bytes] | None = None
         self._reader: threading.Thread | None = None
@@ -56,7 +59,7 @@ class OwnedProcess:
 
     @property
     def state(self) -> ProcessState:
-        """`starting` until the process has said it is ready; `lost` when it cannot be started again."""
+        """`starting` until the process has said it is ready; `lost` when it is not started again by itself."""
         return self._state
 
     @property
@@ -159,6 +162,7 @@ class OwnedProcess:
 
     def _give_up(self) -> None:
         self._state = "lost"
+        self._on_lost()  # before anybody who waits finds that it is lost
         self._ready.set()
 
 

@@ -196,6 +196,33 @@ def test_process_that_never_starts_is_replaced(monkeypatch: pytest.MonkeyPatch) 
     harness.camera.close()
 
 
+def test_process_that_dies_at_once_is_told_and_stays_so_until_it_works(tmp_path: Path) -> None:
+    repaired = tmp_path / "repaired"
+    script = f"""
+import pathlib
+if not pathlib.Path({str(repaired)!r}).exists():
+    sys.exit(1)
+say('camera_ready')
+say('camera_state', state='on', code=None, params={{}})"""
+    harness = Harness(command=talking(script, then="alive"))
+    harness.camera.use()
+    assert not harness.camera.wait_until_ready(WAIT_S)
+    assert harness.camera.state.problem is not None
+    assert harness.camera.state.problem.code == "camera_process_lost"
+    told = [harness.states.get_nowait() for _ in range(4)]
+    assert [state.problem and state.problem.code for state in told] == [
+        *3 * ["camera_process_died"],
+        "camera_process_lost",
+    ]
+    harness.camera.use()
+    assert not harness.camera.wait_until_ready(WAIT_S)
+    assert harness.states.get_nowait().problem == harness.camera.state.problem
+    repaired.touch()
+    harness.camera.use()
+    assert harness.until("on").problem is None
+    harness.camera.close()
+
+
 def test_messages_that_are_none_are_passed_over() -> None:
     garbage = [
         "say('camera_ready')",

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -362,6 +363,7 @@ def test_camera_that_cannot_be_meant_ends_with_2_before_the_robot_moves(
 def test_webcam_that_is_not_there_ends_with_2_before_the_robot_moves(number: str) -> None:
     status, printed = run_json(SQUARE, "--camera", number, "--no-store")
     assert (status, printed["reason"], printed["pose"]) == (2, "camera_missing", None)
+    assert re.findall(r"\d+", printed["message"]) == [number]
 
 
 def test_page_is_not_served_with_a_camera_that_is_not_there(tmp_path: Path) -> None:

@@ -40,3 +40,28 @@ def test_process_that_does_not_read_holds_up_neither_who_sends_nor_who_ends_it()
         assert time.monotonic() - began_s < WAIT_S
         threading.Event().wait(0.02)
     owned.close()
+
+
+def lost(command: list[str]) -> list[str]:
+    """What is told of a process that cannot live, until it is not started again."""
+    told: list[str] = []
+    owned = OwnedProcess(
+        "some",
+        command,
+        lambda message: None,
+        lambda: told.append("died"),
+        on_lost=lambda: told.append("lost"),
+    )
+    owned.start()
+    assert not owned.wait_until_ready(WAIT_S)
+    assert owned.state == "lost"
+    owned.close()
+    return told
+
+
+def test_process_that_dies_three_times_soon_after_its_start_is_told_to_be_lost() -> None:
+    assert lost([sys.executable, "-c", ""]) == ["died", "died", "died", "lost"]
+
+
+def test_process_that_cannot_be_started_is_told_to_be_lost() -> None:
+    assert lost(["/nowhere/some"]) == ["lost"]
