@@ -29,7 +29,7 @@ from pinel_desktop.gestures.training.learning import SEED, learn
 from pinel_desktop.gestures.training.moving_hands import MOVING, Model, Random
 from pinel_desktop.gestures.training.photos import Photo
 from pinel_desktop.gestures.training.recordings import Recordings
-from pinel_desktop.gestures.training.sequences import video
+from pinel_desktop.gestures.training.sequences import video_of
 from pinel_desktop.gestures.vote import Ballot, Decision
 
 N_EXAMPLES = 5
@@ -159,7 +159,7 @@ def _actors(
     finder: HandFinder, classifier: SignClassifier, photos: Iterable[Photo], random: Random
 ) -> Iterator[Actor]:
     for photo in photos:
-        seen = video(finder, photo, random)
+        seen = video_of(finder, photo, random)
         if len(seen.features) < _LEAST_FRAMES:
             continue
         readings = [classifier.read(row) for row in seen.features]

@@ -73,7 +73,7 @@ def sequences_report(
         classifier = replace(learnt, calibration=weights_file.load().calibration)
         own = np.flatnonzero(fold.test & recordings.is_hand)
         chosen = random.choice(own, min(n_photos // 4, len(own)), replace=False)
-        videos = [video(finder, photos[i], random) for i in chosen]
+        videos = [video_of(finder, photos[i], random) for i in chosen]
         for video in videos:
             time_s, decision = _decided(classifier, _frames(video))
             times_s.append(time_s)
@@ -98,7 +98,7 @@ def sequences_report(
     }
 
 
-def video(finder: HandFinder, photo: Photo, random: Random) -> Video:
+def video_of(finder: HandFinder, photo: Photo, random: Random) -> Video:
     """A photograph as a second of video, each frame through the networks."""
     picture = photo.picture()
     tracker = HandTracker(finder)
