@@ -12,6 +12,7 @@ DATA_FOLDERS = {
     "pinel_desktop/web/static": "pinel_desktop/web/static",
     "pinel_desktop/messages/catalogue": "pinel_desktop/messages/catalogue",
     "pinel_desktop/activities/catalogue": "pinel_desktop/activities/catalogue",
+    "pinel_desktop/activities/example_catalogue": "pinel_desktop/activities/example_catalogue",
     "pinel_desktop/camera/recordings": "pinel_desktop/camera/recordings",
     "pinel_desktop/gestures/weights": "pinel_desktop/gestures/weights",
     "sim/worlds": "sim/worlds",

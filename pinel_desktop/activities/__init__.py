@@ -11,6 +11,12 @@ from pinel_desktop.activities.checking import (
 )
 from pinel_desktop.activities.diagnosis import Advice
 from pinel_desktop.activities.evidence import RunLog
+from pinel_desktop.activities.examples import (
+    EXAMPLES,
+    example,
+    example_picture,
+    program_of_example,
+)
 from pinel_desktop.activities.faults import ActivityError, world_of
 from pinel_desktop.activities.goals import Goal, goal_of, shipped_goal
 from pinel_desktop.activities.model import Activity
@@ -27,6 +33,7 @@ from pinel_desktop.activities.reading import (
 from pinel_desktop.activities.recorded import case_of_run
 
 __all__ = [
+    "EXAMPLES",
     "PATHS",
     "Activity",
     "ActivityError",
@@ -43,8 +50,11 @@ __all__ = [
     "check_files",
     "check_program",
     "choose_activity",
+    "example",
+    "example_picture",
     "goal_of",
     "judge_run",
+    "program_of_example",
     "shipped_activity",
     "shipped_goal",
     "shipped_texts",

@@ -164,3 +164,17 @@ def test_this_pc_has_a_name_that_the_teacher_chooses(browser: Browser, teacher: 
     assert browser.patch("/api/computer", {"name": "PC 7"}).error["code"] == "teacher_only"
     assert teacher.patch("/api/computer", {"name": "PC 7"}).data["name"] == "PC 7"
     assert browser.get("/api/computer").data["name"] == "PC 7"
+
+
+def test_examples_are_in_the_page_s_language_with_a_program_and_a_picture(browser: Browser) -> None:
+    game = examples(browser)["guessing_game"]
+    assert (game["title"], game["world"]) == ("Guess", "empty_room")
+    assert game["document"]["name"] == "Guess"
+    assert game["document"]["commands"][0]["name"] == "secret"
+    assert game["picture"]["lines"][0]["points"] == [[0.0, 0.0], [0.5, 0.0]]
+    browser.put("/api/settings", {"language": "pt-BR"})
+    assert examples(browser)["guessing_game"]["document"]["commands"][0]["name"] == "segredo"
+
+
+def examples(browser: Browser) -> dict[str, Any]:
+    return {one["name"]: one for one in browser.get("/api/examples").data["examples"]}

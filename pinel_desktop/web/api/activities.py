@@ -1,4 +1,4 @@
-"""Activities: what there is to solve, and the program of a group that is to solve one."""
+"""Activities: what there is to solve, the program of a group that is to solve one, and examples to take apart."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +12,8 @@ from pinel_desktop.web.models.activities import (
     ActivityList,
     ActivityPath,
     ChosenActivity,
+    Example,
+    ExampleList,
     GoalPicture,
     NextActivity,
     TriedActivities,
@@ -24,8 +26,11 @@ from storage import ProgramRow
 
 if TYPE_CHECKING:
     from pinel_desktop.activities import Activity as Mission
+    from pinel_desktop.activities import Goal
 
-api = resource("activities", "Activities, and the programs that are to solve them.", __name__)
+api = resource(
+    "activities", "Activities, the programs that are to solve them, and examples.", __name__
+)
 
 
 @api.get("/activities", responses=answers(ActivityList))
@@ -35,6 +40,14 @@ def list_activities() -> Response:
 
     chosen = [ActivityChoice(**_choice(shipped_activity(name))) for name in activity_names()]
     return answer(ActivityList(activities=chosen))
+
+
+@api.get("/examples", responses=answers(ExampleList))
+def list_examples() -> Response:
+    """The examples that a group may open as copies."""
+    from pinel_desktop.activities import EXAMPLES  # noqa: PLC0415 - heavy
+
+    return answer(ExampleList(examples=[_example(name) for name in EXAMPLES]))
 
 
 @api.get("/activities/<name>", responses=answers(Activity, "unknown_activity"))
@@ -122,8 +135,35 @@ def _choice(mission: "Mission") -> dict[str, Any]:
     }
 
 
-def _goal_picture(mission: "Mission") -> GoalPicture:
-    from pinel_desktop.activities import shipped_goal, world_of  # noqa: PLC0415 - heavy
+def _example(name: str) -> Example:
+    from pinel_desktop.activities import (  # noqa: PLC0415 - heavy
+        example,
+        example_picture,
+        program_of_example,
+    )
 
-    goal = shipped_goal(mission.name).model_dump()
-    return GoalPicture.model_validate({"world": world_of(mission, mission.cases[0]), **goal})
+    shown, language = example(name), services().preferences.language
+    return Example(
+        name=name,
+        title=shown.title.of(language),
+        about=shown.story.of(language) if shown.story else "",
+        world=world_name(shown),
+        picture=_picture(shown, example_picture(name)),
+        document={
+            **(program_of_example(name, language).document or {}),
+            "name": shown.title.of(language),
+        },
+    )
+
+
+def _goal_picture(mission: "Mission") -> GoalPicture:
+    from pinel_desktop.activities import shipped_goal  # noqa: PLC0415 - heavy
+
+    return _picture(mission, shipped_goal(mission.name))
+
+
+def _picture(mission: "Mission", goal: "Goal") -> GoalPicture:
+    from pinel_desktop.activities import world_of  # noqa: PLC0415 - heavy
+
+    world = world_of(mission, mission.cases[0])
+    return GoalPicture.model_validate({"world": world, **goal.model_dump()})

@@ -5,7 +5,7 @@ from typing import Annotated
 from pydantic import Field
 
 from pinel_desktop.robot import Feedback, Preset
-from pinel_desktop.web.models import Body, Shape
+from pinel_desktop.web.models import Body, Json, Shape
 from pinel_desktop.web.models.worlds import Metres2, World
 
 
@@ -94,3 +94,20 @@ class ChosenActivity(Body):
     """The activity that a group wants to solve."""
 
     activity: Annotated[str, Field(max_length=100)]
+
+
+class Example(Shape):
+    """A finished program to open as a copy; texts and names in it are in the language of the page."""
+
+    name: str
+    title: str
+    about: Annotated[str, Field(description="what it does, in a sentence")]
+    world: Annotated[str, Field(description="name of the world that it is made for")]
+    picture: GoalPicture
+    document: Json
+
+
+class ExampleList(Shape):
+    """The shipped examples, in the order in which they are offered."""
+
+    examples: list[Example]

@@ -1,6 +1,6 @@
-import { CircleCheck, Clock, Footprints } from "lucide-preact";
+import { ArrowDown, CircleCheck, Clock, Footprints } from "lucide-preact";
 import { activitiesApi } from "../api/activities";
-import type { ActivityChoice } from "../api/model";
+import type { ActivityChoice, Example } from "../api/model";
 import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { Loaded } from "../kit/requests/Loaded";
@@ -10,23 +10,30 @@ import { beginActivity } from "../shell/begin_activity";
 import { nameInHeader } from "../shell/named";
 import { TEST } from "../shell/testids";
 import { couldNotOpen, opened } from "../studio/program/open_program";
+import { Examples } from "./Examples";
 
 type State = "new" | "tried" | "passed";
 
 interface Offer {
   readonly activities: readonly ActivityChoice[];
   readonly states: ReadonlyMap<string, State>;
+  readonly examples: readonly Example[];
 }
 
-/** All activities as cards along their paths; a press opens the group's program for it. */
+/** All activities as cards along their paths, and examples; a press opens the group's program for it. */
 export function ActivitiesScreen({ group }: { group: string }) {
   const offer = useLoaded([group, language.value], () => load(group), { onFailed: couldNotOpen });
   const { activity } = texts.value;
   return (
     <Loaded of={offer} as="screen">
-      {({ activities, states }) => (
+      {({ activities, states, examples }) => (
         <main class="screen activities">
-          <h1>{activity.choose}</h1>
+          <div class="activities__head">
+            <h1>{activity.choose}</h1>
+            <Button icon={ArrowDown} testId={TEST.toExamples} onPress={showExamples}>
+              {texts.value.help.examples.title}
+            </Button>
+          </div>
           {pathsOf(activities).map(([path, list]) => (
             <section key={path} class="activities__path">
               <h2>{activity.paths[path]}</h2>
@@ -43,6 +50,7 @@ export function ActivitiesScreen({ group }: { group: string }) {
               </ol>
             </section>
           ))}
+          <Examples examples={examples} group={group} />
         </main>
       )}
     </Loaded>
@@ -51,16 +59,23 @@ export function ActivitiesScreen({ group }: { group: string }) {
 
 async function load(group: string): Promise<Offer> {
   const program = opened.peek()?.program;
-  const [activities, tried] = await Promise.all([
+  const [activities, tried, examples] = await Promise.all([
     activitiesApi.list(),
     activitiesApi.tried(group),
+    activitiesApi.examples(),
     nameInHeader(program?.group_id === group ? program.id : null, group),
   ]);
   const states = tried.map(({ name, passed }): [string, State] => [
     name,
     passed ? "passed" : "tried",
   ]);
-  return { activities, states: new Map(states) };
+  return { activities, states: new Map(states), examples };
+}
+
+function showExamples(): void {
+  const title = document.getElementById("examples");
+  title?.scrollIntoView();
+  title?.focus({ preventScroll: true });
 }
 
 /** As pinel_desktop/activities/model.py names them; those of no path come last. */

@@ -232,6 +232,9 @@ export const TEST = {
   difference: "difference", // of each; data-kind: added | removed | changed | moved
   openActivities: "open-activities",
   activityCard: "activity-card", // of each; data-activity, data-state: new | tried | passed
+  examples: "examples",
+  toExamples: "to-examples",
+  exampleCard: "example-card", // of each; data-example
   mission: "mission", // data-done
   lessonMission: "lesson-mission",
   missionFold: "mission-fold",

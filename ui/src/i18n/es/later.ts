@@ -4,6 +4,7 @@ import figures from "../../../../pinel_desktop/messages/catalogue/es/review.json
 import type { LaterTexts } from "../texts";
 import { camera, practice, teaching } from "./camera";
 import { exchange } from "./exchange";
+import { help } from "./help";
 import { review } from "./review";
 import { teacher } from "./teacher";
 
@@ -12,6 +13,7 @@ export const later: LaterTexts = {
   cameraProblems: { ...cameraMessages, ...gestureMessages },
   exchange,
   figures,
+  help,
   practice,
   review,
   teacher,

@@ -4,6 +4,7 @@ import figures from "../../../../pinel_desktop/messages/catalogue/pt-BR/review.j
 import type { Catalogue } from "../message";
 import { camera, practice, teaching } from "./camera";
 import { exchange } from "./exchange";
+import { help } from "./help";
 import { review } from "./review";
 import { teacher } from "./teacher";
 
@@ -14,6 +15,7 @@ export const later = {
   exchange,
   /** What each number of the review counts. */
   figures: figures as Catalogue,
+  help,
   practice,
   review,
   teacher,

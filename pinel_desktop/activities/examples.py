@@ -1,0 +1,48 @@
+"""Examples: finished programs that a group opens as copies, to run them and to take them apart."""
+
+from functools import cache
+from importlib import resources
+
+from pinel_desktop.activities.goals import GOAL_FILE, Goal
+from pinel_desktop.activities.model import Activity
+from pinel_desktop.program.python_text import read_python
+from pinel_desktop.program.reading import Reading
+
+_CATALOGUE = resources.files(__name__.rpartition(".")[0]) / "example_catalogue"
+
+# in the order in which they are offered
+EXAMPLES = (
+    "flower_of_arcs",
+    "spiral",
+    "vacuum_cleaner",
+    "dice",
+    "snail",
+    "dance_of_signs",
+    "line_follower",
+    "snowflake",
+    "guessing_game",
+    "shy",
+)
+
+
+@cache
+def example(name: str) -> Activity:
+    """An example: an activity without checks. Its only case has the inputs of its picture; `story` is its sentence."""
+    return Activity.model_validate_json((_CATALOGUE / name / "example.json").read_text("utf-8"))
+
+
+@cache
+def program_of_example(name: str, language: str) -> Reading:
+    """The program of an example; words that pupils chose are in the language where it ships so, else in Portuguese."""
+    folder = _CATALOGUE / name
+    of_language = folder / f"program.{language}.py"
+    file = of_language if of_language.is_file() else folder / "program.py"
+    reading = read_python(file.read_text("utf-8")).reading
+    assert reading.document is not None, f"{file}: {reading.faults}"
+    return reading
+
+
+@cache
+def example_picture(name: str) -> Goal:
+    """What the program of an example drives or draws, as `python -m scripts.reference` has made it."""
+    return Goal.model_validate_json((_CATALOGUE / name / GOAL_FILE).read_text("utf-8"))

@@ -1,0 +1,64 @@
+"""Finished programs to play with: a press opens a copy that runs at once and can be taken apart."""
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.e2e.axe import violations
+from tests.e2e.studio import RUN_MS, Studio
+from tests.e2e.test_layout import cut
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
+
+
+def open_example(studio: Studio, name: str) -> None:
+    studio["open-activities"].click()
+    studio["to-examples"].click()
+    card = studio.page.locator(f"[data-testid=example-card][data-example={name}]")
+    expect(card).to_be_in_viewport()
+    card.click()
+    studio.wait_until_open()
+
+
+def test_an_example_opens_as_a_copy_that_runs_in_its_world(studio: Studio) -> None:
+    studio.enter_group("Os Tatus")
+    before = studio.program_id
+    open_example(studio, "shy")
+    assert studio.program_id != before
+    expect(studio["program-name"]).to_have_value("Tímido")
+    expect(studio["world"]).to_have_value("obstacles")
+    studio["speed"].select_option("10")
+    studio.run()
+    studio.wait_for_phase("finished")
+    group = studio.api("/groups")["groups"][0]["id"]
+    (run,) = studio.api(f"/groups/{group}/runs")["runs"]
+    assert (run["world"], run["state"]) == ("obstacles", "finished")
+    assert run["path_length_m"] == pytest.approx(5.6, abs=0.05)
+
+
+def test_a_copy_has_one_version_until_it_is_changed(studio: Studio) -> None:
+    studio.enter_group("Os Tatus")
+    open_example(studio, "dice")
+    program = studio.program_id
+    studio.run()
+    studio.wait_for_phase("finished")
+    assert studio.api(f"/programs/{program}")["n_versions"] == 1
+    blocks = studio.blocks
+    blocks.drag_from_toolbox("motion", "girar", blocks.below(blocks.start()))
+    studio.eventually(lambda: studio.actions()[0], "turn")
+    studio["open-activities"].click()
+    expect(studio["example-card"]).to_have_count(10)
+    studio.page.locator("[data-testid=example-card][data-example=dice]").click()
+    studio.wait_until_open()
+    assert studio.program_id != program
+    assert "turn" not in studio.actions()
+
+
+def test_the_examples_are_read_in_every_language_and_theme(studio: Studio) -> None:
+    studio.enter_group("Os Tatus")
+    studio["open-activities"].click()
+    for language, title in {"en": "Examples", "es": "Ejemplos", "pt-BR": "Exemplos"}.items():
+        studio["language"].select_option(language)
+        expect(studio["examples"].get_by_role("heading")).to_have_text(title, timeout=RUN_MS)
+        studio["to-examples"].click()
+        assert cut(studio.page) == []
+        assert violations(studio) == []

@@ -1,0 +1,41 @@
+import type { Example } from "../api/model";
+import { texts } from "../i18n";
+import { Button } from "../kit/Button";
+import { GoalPicture } from "../scene/goal/GoalPicture";
+import { TEST } from "../shell/testids";
+import { openExample } from "./open_example";
+
+interface ExamplesProps {
+  examples: readonly Example[];
+  group: string;
+}
+
+/** Finished programs as cards with the picture of their path; a press opens a copy, ready to run. */
+export function Examples({ examples, group }: ExamplesProps) {
+  const words = texts.value.help.examples;
+  return (
+    <section class="activities__path" data-testid={TEST.examples}>
+      <h2 id="examples" tabIndex={-1}>
+        {words.title}
+      </h2>
+      <p class="activities__hint">{words.hint}</p>
+      <ul>
+        {examples.map((one) => (
+          <li key={one.name}>
+            <Button
+              kind="bare"
+              class="activities__card"
+              testId={TEST.exampleCard}
+              data-example={one.name}
+              onPress={() => openExample(group, one)}
+            >
+              <GoalPicture goal={one.picture} />
+              <strong class="activities__title">{one.title}</strong>
+              <span class="activities__about">{one.about}</span>
+            </Button>
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}
