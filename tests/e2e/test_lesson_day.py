@@ -147,7 +147,7 @@ def passes_at_once(pc: Studio) -> None:
 def repairs(pc: Studio) -> None:
     write_program(pc, SQUARE.format(side=0.5))
     finish(pc)
-    expect(pc["status-line"]).to_contain_text("Ainda falta para a atividade")
+    expect(pc["status-line"]).to_contain_text("Ainda não para a atividade")
     pc.blocks.type_into(pc.blocks.by_words("andar para frente"), "1")
     pc.eventually(lambda: pc.commands()[0]["commands"][0]["distance"], 1)
     finish(pc)

@@ -45,7 +45,7 @@ def test_the_group_stands_in_the_world_of_the_lesson(
     group = pupils.api("/groups")["groups"][0]["id"]
     (run,) = pupils.api(f"/groups/{group}/runs")["runs"]
     assert (run["world"], run["activity"]) == ("maze", "maze")
-    expect(pupils["status-line"]).to_contain_text("Ainda falta", timeout=RUN_MS)
+    expect(pupils["status-line"]).to_contain_text("Ainda não", timeout=RUN_MS)
 
 
 def test_a_mission_that_the_teacher_opens_later_is_offered(

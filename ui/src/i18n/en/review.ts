@@ -7,7 +7,7 @@ export const review: typeof first = {
     activities: (n, names) => (n === 1 ? `Activity: ${names}` : `Activities: ${names}`),
     summary: "In short",
     passedBy: (n, all) =>
-      `${n} of ${all} ${all === 1 ? "group has" : "groups have"} passed the activity`,
+      `Passed the activity: ${n} of ${all}`,
     stuck: (names) => `In need of help: ${names}`,
     commonFault: (n, what) => `Commonest error (${n} groups): ${what}`,
     freeWork: "Free work",

@@ -7,7 +7,7 @@ export const review: typeof first = {
     activities: (n, names) => (n === 1 ? `Actividad: ${names}` : `Actividades: ${names}`),
     summary: "En resumen",
     passedBy: (n, all) =>
-      `${n} de ${all} ${all === 1 ? "grupo cumplió" : "grupos cumplieron"} la actividad`,
+      `Cumplieron la actividad: ${n} de ${all}`,
     stuck: (names) => `Necesitan ayuda: ${names}`,
     commonFault: (n, what) => `Error más común (${n} grupos): ${what}`,
     freeWork: "Trabajo libre",

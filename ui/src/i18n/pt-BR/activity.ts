@@ -1,7 +1,7 @@
 /** What is said of the activity of a lesson. */
 export const activity = {
   passed: "Conseguiram! A atividade está resolvida.",
-  missing: (what: string) => `Ainda falta para a atividade: ${what}`,
+  missing: (what: string) => `Ainda não: ${what}`,
   toTheEnd: "O programa resolve a atividade: agora deixem rodar até o fim.",
   goal: "Desenho do que o robô deve fazer",
   showGoal: "Ver o que o robô deve fazer",

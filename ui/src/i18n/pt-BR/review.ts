@@ -7,7 +7,7 @@ export const review = {
       n === 1 ? `Atividade: ${names}` : `Atividades: ${names}`,
     summary: "Em resumo",
     passedBy: (n: number, all: number) =>
-      `${n} de ${all} ${all === 1 ? "grupo cumpriu" : "grupos cumpriram"} a atividade`,
+      `Cumpriram a atividade: ${n} de ${all}`,
     stuck: (names: string) => `Precisam de ajuda: ${names}`,
     commonFault: (n: number, what: string) => `Erro mais comum (${n} grupos): ${what}`,
     freeWork: "Trabalho livre",

@@ -35,7 +35,7 @@ export function MissionCard({ open }: { open: OpenProgram }) {
           <>
             <p>{mission.story}</p>
             <p class="mission__criteria">{mission.criteria}</p>
-            <Hints open={open} mission={mission} />
+            <Hints open={open} mission={mission} done={done} />
           </>
         )}
       </div>
@@ -68,8 +68,14 @@ function MissionHead(props: { mission: Activity; done: boolean; folded: boolean 
   );
 }
 
+interface HintsProps {
+  open: OpenProgram;
+  mission: Activity;
+  done: boolean;
+}
+
 /** Hints are opened one after the other; the program remembers how many were. */
-function Hints({ open, mission: { hints } }: { open: OpenProgram; mission: Activity }) {
+function Hints({ open, mission: { hints }, done }: HintsProps) {
   const { activity } = texts.value;
   const n = Math.min(open.setup.value.n_hints, hints.length);
   return (
@@ -81,7 +87,7 @@ function Hints({ open, mission: { hints } }: { open: OpenProgram; mission: Activ
           ))}
         </ol>
       )}
-      {n < hints.length && (
+      {n < hints.length && !done && (
         <Button
           kind="plain"
           icon={Lightbulb}
