@@ -159,6 +159,16 @@ def test_trash_zoom_and_search_work_beside_the_open_palette(beginners: Studio) -
     studio.eventually(studio.actions, ["repeat"])
 
 
+def test_the_search_knows_what_pupils_say_and_where_a_block_is(beginners: Studio) -> None:
+    palette = beginners.page.locator(".blocklyToolboxFlyout")
+    beginners["toolbox-search"].fill("VIRAR")
+    expect(beginners.blocks.in_flyout("girar")).to_be_visible()
+    beginners["toolbox-search"].fill("parede")
+    expect(palette).to_contain_text("em outro nível")
+    beginners["toolbox-search"].fill("xyzw")
+    expect(palette).to_contain_text("Nenhum bloco")
+
+
 def test_a_new_choice_asks_nothing_about_signs(studio: Studio) -> None:
     studio.enter_new_group(level=None)
     studio.blocks.click_in_toolbox("logic", "se")

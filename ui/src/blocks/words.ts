@@ -5,11 +5,18 @@ export type TextKey = keyof Texts["blocks"];
 
 const PREFIX = "PINEL_";
 
+let pupilsWords: Readonly<Record<string, string>> = {};
+
 /** Puts our words where Blockly looks for them; blocks made from now on speak this language. */
 export function setBlockLanguage(language: Language): void {
-  for (const [key, text] of Object.entries(textsOf(language).blocks)) {
-    Blockly.Msg[PREFIX + key] = text;
-  }
+  const { blocks, searchWords } = textsOf(language);
+  for (const [key, text] of Object.entries(blocks)) Blockly.Msg[PREFIX + key] = text;
+  pupilsWords = searchWords;
+}
+
+/** What pupils call a block besides the words on it. */
+export function wordsToFind(type: string): string {
+  return pupilsWords[type] ?? "";
 }
 
 /** A word of the current language, its placeholders filled in. */

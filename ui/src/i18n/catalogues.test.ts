@@ -23,9 +23,9 @@ function leaves(node: object, path = ""): [string, string][] {
   });
 }
 
-/** The texts that are the page's own: no words of the server, none of Blockly. */
+/** The texts that are the page's own: no words of the server, none of Blockly, none that pupils bring to the search. */
 function own(language: Language): Partial<Texts> {
-  const { blockly, reasons, figures, cameraProblems, ...texts } = textsOf(language);
+  const { blockly, reasons, figures, cameraProblems, searchWords, ...texts } = textsOf(language);
   return texts;
 }
 

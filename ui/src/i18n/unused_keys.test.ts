@@ -24,7 +24,8 @@ function parts(key: string): string[] {
   return [key, whole.toLowerCase(), whole.replace(/^[A-Z]+_/, "").toLowerCase()];
 }
 
-const { blocks, blockly, reasons, figures, cameraProblems, ...page } = textsOf("pt-BR");
+const { blocks, blockly, searchWords, reasons, figures, cameraProblems, ...page } =
+  textsOf("pt-BR");
 
 test("every text of the page is used somewhere", () => {
   const names = (path: string) => {
@@ -33,6 +34,10 @@ test("every text of the page is used somewhere", () => {
   };
   const unused = keys(page).filter((path) => !names(path).some((name) => said.has(name)));
   expect(unused).toEqual([]);
+});
+
+test("every word that the search knows belongs to a block", () => {
+  expect(Object.keys(searchWords).filter((type) => !(type.toUpperCase() in blocks))).toEqual([]);
 });
 
 test("every text of the blocks belongs to something in the sources", () => {

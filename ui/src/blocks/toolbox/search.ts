@@ -3,14 +3,15 @@ import type { BlockArgument, Level } from "../definition";
 import { argumentsOf, type Row } from "../definitions";
 import { definitionsIn, functionName, givesValue } from "../names";
 import type { TextKey } from "../words";
-import { word } from "../words";
+import { word, wordsToFind } from "../words";
 import { block, callBlock, offeredRows } from "./toolbox";
 
 type ToolboxBlock = Blockly.utils.toolbox.BlockInfo;
 
 /**
  * The blocks of a level that say all of the words, or beginnings of them, in the language of the page: first those
- * that say them on the block, then those that say them in their help. Accents and capitals do not matter.
+ * that have them on the block or are called so by pupils, then those that say them in their help. Accents and capitals
+ * do not matter.
  */
 export function searchBlocks(
   query: string,
@@ -38,7 +39,10 @@ function calls(wanted: readonly string[], workspace: Blockly.Workspace): Toolbox
 
 function rank(row: Row, wanted: readonly string[]): number {
   const key = row.type.toUpperCase();
-  const onBlock = [word(key as TextKey), ...choicesOf(row)].join(" ").replace(/%\d/g, " ");
+  const label = [word(key as TextKey), ...choicesOf(row)].join(" ").replace(/%\d/g, " ");
+  const onBlock = `${label} ${wordsToFind(row.type)}`;
+  const said = new Set(wordsOf(onBlock));
+  if (wanted.every((one) => said.has(one))) return 3;
   if (saysAll(onBlock, wanted)) return 2;
   const category = word(`CATEGORY_${row.style.toUpperCase()}` as TextKey);
   const help = word(`${key}_TIP` as TextKey);

@@ -2,7 +2,7 @@ import * as Blockly from "blockly/core";
 import type { Level } from "../../blocks/definition";
 import { iconShape } from "../../blocks/icons";
 import { searchBlocks } from "../../blocks/toolbox/search";
-import { SEARCH_KIND } from "../../blocks/toolbox/toolbox";
+import { EVERYTHING, SEARCH_KIND } from "../../blocks/toolbox/toolbox";
 import { word } from "../../blocks/words";
 import { svgIcon } from "../svg_icon";
 
@@ -76,15 +76,20 @@ class SearchItem extends Blockly.ToolboxCategory {
     const query = this.field.value.trim();
     const { level } = this.toolboxItemDef_ as unknown as { level: Level };
     const found = query ? searchBlocks(query, level, this.workspace_) : [];
-    this.flyoutItems_ = found.length > 0 ? found : [noteOf(query)];
+    const note = query ? this.nothingFound(query) : word("SEARCH_HINT");
+    this.flyoutItems_ = found.length > 0 ? found : [label(note)];
     if (!query) return;
-    const said = found.length > 0 ? word("SEARCH_FOUND", String(found.length)) : noteOf(query).text;
+    const said = found.length > 0 ? word("SEARCH_FOUND", String(found.length)) : note;
     Blockly.utils.aria.announceDynamicAriaState(said);
+  }
+
+  private nothingFound(query: string): string {
+    const elsewhere = searchBlocks(query, EVERYTHING, this.workspace_);
+    return word(elsewhere.length > 0 ? "SEARCH_HIGHER" : "SEARCH_NOTHING");
   }
 }
 
-function noteOf(query: string) {
-  const text = word(query ? "SEARCH_NOTHING" : "SEARCH_HINT");
+function label(text: string) {
   return { kind: "label" as const, text, "web-class": "pinelFlyoutNote" };
 }
 

@@ -228,6 +228,7 @@ export const blocks: typeof first = {
   SEARCH: "Search",
   SEARCH_HINT: "Write what the block does.",
   SEARCH_NOTHING: "No block has these words.",
+  SEARCH_HIGHER: "Another level has such a block.",
   SEARCH_FOUND: "%1 blocks found",
   OVERVIEW: "The whole program. Drag to go to a part.",
   BREAKPOINT_ADD: "Pause here",

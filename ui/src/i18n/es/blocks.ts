@@ -233,6 +233,7 @@ export const blocks: typeof first = {
   SEARCH: "Buscar",
   SEARCH_HINT: "Escriban lo que hace el bloque.",
   SEARCH_NOTHING: "Ningún bloque tiene esas palabras.",
+  SEARCH_HIGHER: "Hay un bloque así en otro nivel.",
   SEARCH_FOUND: "%1 bloques encontrados",
   OVERVIEW: "El programa entero. Arrastren para ir a una parte.",
   BREAKPOINT_ADD: "Pausar aquí",

@@ -230,6 +230,7 @@ export const blocks = {
   SEARCH: "Procurar",
   SEARCH_HINT: "Escrevam o que o bloco faz.",
   SEARCH_NOTHING: "Nenhum bloco tem essas palavras.",
+  SEARCH_HIGHER: "Há um bloco assim em outro nível.",
   SEARCH_FOUND: "%1 blocos encontrados",
   OVERVIEW: "O programa inteiro. Arrastem para ir até uma parte.",
   BREAKPOINT_ADD: "Pausar aqui",

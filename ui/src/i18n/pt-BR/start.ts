@@ -10,6 +10,7 @@ import { keeping } from "./keeping";
 import { page } from "./page";
 import { plots } from "./plots";
 import { programFile } from "./program_file";
+import { searchWords } from "./search_words";
 import { world } from "./world";
 
 export const start = {
@@ -20,6 +21,7 @@ export const start = {
   keeping,
   plots,
   programFile,
+  searchWords,
   world,
   blockly: { ...(blockly as object), ...editor } as BlocklyMessages,
   /** Why a run ended. */
