@@ -1,6 +1,6 @@
 """Motion profile, tracking controller, goal check. PURE: no IO, thread or clock."""
 
-from pinel_desktop.control.goal import GoalCheck, ProgressCheck
+from pinel_desktop.control.goal import ApproachCheck, GoalCheck, ProgressCheck
 from pinel_desktop.control.profile import s_curve
 from pinel_desktop.control.tracking import (
     DEFAULT_GAINS,
@@ -15,6 +15,7 @@ from pinel_desktop.control.trim import Trim
 __all__ = [
     "DEFAULT_GAINS",
     "SLIPPING_GAINS",
+    "ApproachCheck",
     "Arc",
     "Gains",
     "GoalCheck",

@@ -55,3 +55,20 @@ class ProgressCheck:
         if self._mark is None or abs(done - self._mark) >= self._step:
             self._mark, self._due = done, tick + self._patience
         return tick >= self._due
+
+
+class ApproachCheck:
+    """Detects a motion whose distance to its goal shrinks by less than `step` (m) in `patience` ticks.
+
+    Attributes:
+        nearest_m: the smallest distance so far.
+    """
+
+    def __init__(self, step: float, patience: int) -> None:
+        self._progress = ProgressCheck(step, patience)
+        self.nearest_m = math.inf
+
+    def stuck(self, distance_m: float, tick: int) -> bool:
+        """`distance_m` is the robot's distance to the goal; `tick` is the current tick's number."""
+        self.nearest_m = min(self.nearest_m, distance_m)
+        return self._progress.stuck(self.nearest_m, tick)

@@ -53,6 +53,10 @@ class Line:
         """Progress of `pose` along the line, in metres."""
         return self._cos * (pose.x_m - self.start.x_m) + self._sin * (pose.y_m - self.start.y_m)
 
+    def across(self, pose: Pose2D) -> float:
+        """Cross-track error: distance of `pose` from the line, in metres, to the left."""
+        return self._cos * (pose.y_m - self.start.y_m) - self._sin * (pose.x_m - self.start.x_m)
+
     def point(self, distance_m: float) -> Pose2D:
         """The pose on the line `distance_m` from its start."""
         x, y, yaw = self.start

@@ -13,6 +13,7 @@ from pinel_desktop.execution.expressions.variables import Variables
 from pinel_desktop.execution.failure import RunFailureError
 from pinel_desktop.execution.inputs import Capture, InputSource
 from pinel_desktop.execution.output import Output
+from pinel_desktop.execution.semantics import CURRENT
 from pinel_desktop.robot import STANDSTILL, Pose2D, RobotModel, Sensors, Twist2D
 
 __all__ = ["START", "RunContext", "RunFailureError", "Sources"]
@@ -46,6 +47,7 @@ class RunContext:
         command_delay_s: delay (s) of a commanded velocity on this link.
         gains: gains of the controller.
         trim: wheel correction learned by the controller.
+        semantics: version of what commands and sensors mean (`semantics.py`).
         sources: gestures, answers, measurements and random numbers.
         emit: reports an event.
         observed: whether `setpoint` and `done` are read; otherwise primitives need not set them.
@@ -78,6 +80,7 @@ class RunContext:
     observed: bool = True
     gains: Gains = DEFAULT_GAINS
     trim: Trim = field(default_factory=Trim)
+    semantics: int = CURRENT
     tick: int = 1
     origin: Pose2D = START
     pose: Pose2D = START

@@ -19,6 +19,7 @@ from pinel_desktop.execution.debug.sensor_stream import SensorStream
 from pinel_desktop.execution.debug.variable_watch import VariableWatch
 from pinel_desktop.execution.inputs import Inputs, ScriptedInputs
 from pinel_desktop.execution.recorder import Recorder
+from pinel_desktop.execution.semantics import CURRENT
 from pinel_desktop.execution.stack import ProgramStack
 from pinel_desktop.program.limits import MAX_RUN_S, MAX_STEPS_PER_TICK
 from pinel_desktop.program.model import Program
@@ -64,6 +65,7 @@ class RunOptions:
         seed: seed of the run's random generator.
         robot: dimensions and limits of the robot.
         gains: gains of the controller; None for the link's defaults.
+        semantics: version of what commands and sensors mean (`semantics.py`).
     """
 
     observer: Observer | None = None
@@ -74,6 +76,7 @@ class RunOptions:
     seed: int = 0
     robot: RobotModel = PIONEER_3DX
     gains: Gains | None = None
+    semantics: int = CURRENT
 
 
 def execute(program: Program, link: RobotLink, options: RunOptions | None = None) -> RunResult:
@@ -101,6 +104,7 @@ class _Run:
             self._emit,
             observed=options.observer is not None,
             gains=options.gains or (SLIPPING_GAINS if link.slips else DEFAULT_GAINS),
+            semantics=options.semantics,
         )
         self._stack = ProgramStack(program, self._context)
         observed = options.observer is not None

@@ -3,11 +3,12 @@
 import math
 from collections.abc import Callable
 
-from pinel_desktop.control import Arc, Line, ProgressCheck, hold_position, s_curve
+from pinel_desktop.control import ApproachCheck, Arc, Line, ProgressCheck, hold_position, s_curve
 from pinel_desktop.control.goal import MOVE_GOAL, TURN_GOAL, at_rest
 from pinel_desktop.execution.clock import TICK_HZ, TICK_S
 from pinel_desktop.execution.context import RunContext, RunFailureError
 from pinel_desktop.execution.requests import Routine
+from pinel_desktop.execution.semantics import BLOCKS_SLIDING
 from pinel_desktop.program.limits import MAX_RUN_S
 from pinel_desktop.robot import STANDSTILL, Pose2D, Twist2D, wrap_angle
 
@@ -16,6 +17,7 @@ _MOVE_STEP_M = 0.01
 _TURN_STEP_RAD = math.radians(1.0)
 _NEARLY_DONE_RAD = math.radians(5.0)
 _BESIDE_M = 0.05  # cross-track error at the end of an arc; the next motion corrects less
+_OFF_LINE_M = 0.1  # cross-track error of a straight motion that was pushed off its line; arcs hand on up to 0.05 m
 _ALREADY_THERE_M = 1e-6
 _SLOWEST = 1e-6  # m/s, rad/s; such a motion ends as blocked
 _LONGEST_S = MAX_RUN_S + 60.0
@@ -68,13 +70,50 @@ class _Setpoints:
         return self._points[min(max(index, 0), self._last)]
 
 
+class _Sliding:
+    """Whether an obstacle has pushed a straight motion off its line, and it comes no nearer to its goal.
+
+    Sliding along a wall makes way along the line, too, and ends beside the goal or beyond it.
+    """
+
+    def __init__(self, context: RunContext, line: Line, distance_m: float) -> None:
+        self._context, self._line, self._distance_m = context, line, distance_m
+        self._goal = line.point(distance_m)
+        self._start()
+
+    def _start(self) -> None:
+        self._n_resumed = self._context.n_resumed
+        self._approach = ApproachCheck(_MOVE_STEP_M, _BLOCKED_TICKS)
+
+    def is_beside(self) -> bool:
+        """Whether the robot is off its line, farther than the controller lets it go by itself."""
+        if self._context.semantics < BLOCKS_SLIDING:
+            return False
+        return abs(self._line.across(self._context.pose)) > _OFF_LINE_M
+
+    def is_stuck(self) -> bool:
+        """Whether it is off its line and came no nearer to its goal for two seconds; asked at every tick."""
+        context = self._context
+        if self._n_resumed != context.n_resumed:  # somebody may have moved the robot
+            self._start()
+        stuck = self._approach.stuck(context.pose.distance_to(self._goal), context.tick)
+        return stuck and self.is_beside()
+
+    def done_m(self, along_m: float) -> float:
+        """How much of the motion is done: off its line, how much nearer to its goal the robot came."""
+        if not self.is_beside():
+            return along_m
+        nearer_m = max(abs(self._distance_m) - self._approach.nearest_m, 0.0)
+        return math.copysign(nearer_m, self._distance_m)
+
+
 def drive_straight(
     context: RunContext, distance_m: float, interrupted: Callable[[], bool] = _never
 ) -> Routine:
     """Drives from the reference along its heading, backwards for a negative distance; closed loop.
 
     Ends early, at rest and without a reference, when `interrupted()`, which is polled at every tick, is true.
-    Raises RunFailureError `blocked`.
+    Raises RunFailureError `blocked`, also where the robot slides along an obstacle and does not get to its goal.
     """
     line = Line(_begin(context), context.gains, context.trim)
     robot = context.robot
@@ -84,20 +123,28 @@ def drive_straight(
 
     setpoints = _Setpoints(context, distance_m, plan)
     progress = ProgressCheck(_MOVE_STEP_M, _BLOCKED_TICKS)
+    sliding = _Sliding(context, line, distance_m)
     while True:
         along = line.along(context.pose)
         expected, speed, past_end = setpoints.next(along)
-        if past_end >= 0 and MOVE_GOAL.arrived(distance_m - along, context.twist, past_end):
+        if (
+            past_end >= 0
+            and MOVE_GOAL.arrived(distance_m - along, context.twist, past_end)
+            and not sliding.is_beside()
+        ):
             break
-        if progress.stuck(along, context.tick):
-            raise RunFailureError("blocked", done=round(along, 3), amount=distance_m, unit="m")
+        stuck = progress.stuck(along, context.tick), sliding.is_stuck()
+        if any(stuck):
+            done_m = round(sliding.done_m(along), 3)
+            raise RunFailureError("blocked", done=done_m, amount=distance_m, unit="m")
         if interrupted():
             context.reference_lost = True
             yield from come_to_rest(context)
             return None
         context.command = line.correct(context.pose, expected - along, speed)
         if context.observed:
-            context.setpoint, context.done = line.point(expected), along
+            context.setpoint = line.point(expected)
+            context.done = sliding.done_m(along)
         yield None
     _end(context, line.point(distance_m))
     return None

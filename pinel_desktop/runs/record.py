@@ -1,10 +1,15 @@
 """A run's spec as the store keeps it, and back."""
 
+from collections.abc import Mapping
 from typing import Any
 
+from pinel_desktop.errors import PinelError
+from pinel_desktop.execution.semantics import CURRENT, FIRST
 from pinel_desktop.robot import setting_from
 from pinel_desktop.runs.spec import Document, RunInputs, RunSpec
 from storage import RunRow, RunStart
+
+_SEMANTICS = "semantics"
 
 
 def record_of(
@@ -34,12 +39,16 @@ def record_of(
         seed=spec.seed,
         app_version=app_version,
         activity=activity,
-        parameters={**spec.setting.as_parameters(), **(more or {})},
+        parameters={
+            **spec.setting.as_parameters(),
+            _SEMANTICS: spec.semantics,
+            **(more or {}),
+        },
     )
 
 
 def spec_of(row: RunRow, document: Document, inputs: RunInputs) -> RunSpec:
-    """The spec of a recorded run. Raises PinelError `run_damaged`."""
+    """The spec of a recorded run. Raises PinelError `run_damaged`, `run_newer`."""
     return RunSpec(
         document=document,
         world=row.world_document,
@@ -47,4 +56,15 @@ def spec_of(row: RunRow, document: Document, inputs: RunInputs) -> RunSpec:
         setting=setting_from(row.parameters),
         seed=row.seed,
         inputs=inputs,
+        semantics=_semantics_of(row.parameters),
     )
+
+
+def _semantics_of(parameters: Mapping[str, Any]) -> int:
+    """What commands and sensors meant in a recorded run; records of the first releases do not tell."""
+    version = parameters.get(_SEMANTICS, FIRST)
+    if not isinstance(version, int) or isinstance(version, bool) or version < FIRST:
+        raise PinelError("run_damaged", part="parameters")
+    if version > CURRENT:
+        raise PinelError("run_newer")
+    return version

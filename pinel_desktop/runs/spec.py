@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 from pinel_desktop.execution.inputs import Inputs, ScriptedInputs
+from pinel_desktop.execution.semantics import CURRENT
 from pinel_desktop.robot import Setting, setting_from
 
 if TYPE_CHECKING:  # heavy, and the app starts without it
@@ -42,6 +43,7 @@ class RunSpec:
         seed: of the run's random numbers.
         inputs: where results of captures and answers to questions come from.
         pace: `live` for ticks in real time, `max` for as fast as they can; a real robot runs live only.
+        semantics: version of what commands and sensors mean (`execution.semantics`).
         program: `document` when it has been read before, which spares `start` the reading.
     """
 
@@ -53,6 +55,7 @@ class RunSpec:
     seed: int = 0
     inputs: RunInputs = field(default_factory=ScriptedInputs)
     pace: Pace = "max"
+    semantics: int = CURRENT
     program: Program | None = field(default=None, compare=False)
 
     def as_message(self) -> dict[str, Any]:
@@ -65,6 +68,7 @@ class RunSpec:
             "setting": self.setting.as_parameters(),
             "seed": self.seed,
             "pace": self.pace,
+            "semantics": self.semantics,
         }
 
 

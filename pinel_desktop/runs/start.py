@@ -50,6 +50,7 @@ def start(
         inputs=spec.inputs,
         seed=spec.seed,
         robot=spec.setting.robot,
+        semantics=spec.semantics,
     )
     with _frozen_garbage() if spec.pace == "live" else contextlib.nullcontext():
         return execute(program, link, options)

@@ -52,9 +52,10 @@ class Verdict:
 def verify_run(store: Store, row: RunRow) -> Verdict:
     """Runs a recorded run again in this process and compares all that the store holds of it.
 
-    Raises PinelError `run_not_simulated` for a real robot's, `run_not_ended` for one that has not, `run_not_repeatable`
-    for a record of an earlier release that does not tell all that is needed, `run_damaged` and StoreError `run_damaged`
-    for one that cannot be read, and what reading and opening raise.
+    It is run with what commands and sensors meant then (`execution.semantics`). Raises PinelError `run_not_simulated`
+    for a real robot's, `run_not_ended` for one that has not, `run_not_repeatable` for a record of an earlier release
+    that does not tell all that is needed, `run_newer` for one of a later release, `run_damaged` and StoreError
+    `run_damaged` for one that cannot be read, and what reading and opening raise.
     """
     if row.link != "sim":
         raise PinelError("run_not_simulated", link=row.link)

@@ -120,6 +120,49 @@ def test_arc_that_slid_along_a_wall_tells_how_far_it_is_from_its_end(execute_com
     assert params["away"] == pytest.approx(4.0 - (2.9 - 0.01 - 0.2225), abs=0.1)
 
 
+def test_sliding_along_a_wall_is_blocked_where_the_robot_came_nearest(
+    execute_commands: Any,
+) -> None:
+    slide = [turn(45), forward(3.8, block="slide"), forward(0.1)]
+    result, log = execute_commands(*slide, world="tic_tac_toe")
+    ended = result.ended
+    assert (ended.state, ended.reason, ended.block) == ("failed", "blocked", "slide")
+    last = telemetry(log)[-1]
+    away = math.hypot(
+        last.x_m - 3.8 * math.cos(math.pi / 4), last.y_m - 3.8 * math.sin(math.pi / 4)
+    )
+    assert ended.params["amount"] == 3.8
+    assert 3.8 - away <= ended.params["done"] <= 3.8 - away + 0.5
+    assert last.done == pytest.approx(
+        ended.params["done"], abs=0.01
+    )  # as the page and activities show it
+
+
+@pytest.mark.parametrize("action", ["move_forward", "move_backward", "go_to"])
+def test_motion_that_ends_beside_its_goal_is_blocked(action: str, execute_commands: Any) -> None:
+    """A corner pushes the robot aside shortly before its goal."""
+    way = -1 if action == "move_backward" else 1
+    corner = {"center": [way * 2.2, 0.1], "size": [0.4, 0.4], "heading_deg": 45}
+    start = {"x_m": 0, "y_m": 0, "heading_deg": 0}
+    world = {"name": "w", "start": start, "walls": [], "boxes": [corner]}
+    goal = {"x": 2.1, "y": 0} if action == "go_to" else {"distance": 2.1}
+    result, log = execute_commands({"action": action, **goal, "block": "m"}, world=world)
+    ended, last = result.ended, telemetry(log)[-1]
+    assert (ended.state, ended.reason, ended.block) == ("failed", "blocked", "m")
+    assert abs(last.y_m) > 0.1
+    assert 0 < way * ended.params["done"] < 2.1
+
+
+def test_grazing_a_corner_does_not_end_a_motion(execute_commands: Any) -> None:
+    """The robot is pushed aside by less than its radius, goes back to its line and arrives."""
+    box = {"center": [1.5, 0.38], "size": [0.4, 0.4], "heading_deg": 45}
+    start = {"x_m": 0, "y_m": 0, "heading_deg": 0}
+    world = {"name": "w", "start": start, "walls": [], "boxes": [box]}
+    result, log = execute_commands(forward(3), world=world)
+    assert min(event.y_m for event in telemetry(log)) < -0.1
+    assert pose(result)[:2] == pytest.approx((3, 0), abs=0.05)
+
+
 def test_done_of_an_arc_counts_up_to_its_angle(execute_commands: Any) -> None:
     _, log = execute_commands(arc(0.5, -120))
     assert [e.amount for _, e in log if isinstance(e, BlockStarted)] == [-120]
