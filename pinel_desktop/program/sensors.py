@@ -93,7 +93,8 @@ _ROWS = (
     Sensor(
         "distance",
         "number",
-        "how much room there is on a side: what the nearest of its sonars measures",
+        "how much room there is on a side: what the nearest of its sonars measures; "
+        "ahead and behind without walls beside the way",
         level=2,
         unit="m",
         low=0.0,

@@ -27,7 +27,7 @@ class RobotModel:
             `radius_m` from the centre.
         sonar_range_m: reading of a sonar with nothing in range.
         distance_sonars: indices of the sonars of each direction, possibly none; their smallest reading is the
-            distance in that direction.
+            distance in that direction. Ahead and behind it passes over walls beside the robot's way.
         lidar_range_m: reading of the laser scanner, in the robot's centre, with nothing in range; 0 without a scanner.
     """
 

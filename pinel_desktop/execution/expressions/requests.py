@@ -34,6 +34,7 @@ class EvaluationContext(Protocol):
     tick: int
     variables: Variables
     gesture_result: str
+    semantics: int
     n_evaluated: int
 
     @property

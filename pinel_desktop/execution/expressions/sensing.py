@@ -7,10 +7,16 @@ from typing import Any
 from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.execution.expressions.requests import EvaluationContext
 from pinel_desktop.execution.expressions.values import Value
+from pinel_desktop.execution.semantics import LOOKS_ALONG_THE_WAY
 from pinel_desktop.program.sensors import DEGREES, SENSORS, Argument
+from pinel_desktop.robot import RobotModel
 from pinel_desktop.robot.sensors import missing
 
 _ROUNDING_DEG = 1e-9
+_WAYS = ("front", "back")  # the robot cannot drive sideways
+_ALONG = math.sin(math.radians(15.0))
+# beside the hull; what is nearer than half a metre then always counts, also between the beams that look along the way
+_CLEAR_M = 0.15
 
 
 def reader(context: EvaluationContext, name: str) -> Callable[..., Value]:
@@ -48,11 +54,28 @@ def _in_degrees(read: Callable[..., Any]) -> Callable[..., Value]:
 
 
 def _distance(context: EvaluationContext, direction: str) -> Value:
-    """Smallest measurement (m) of the sonars in a direction."""
-    indices = context.robot.distance_sonars[direction]  # type: ignore[index]
+    """Smallest measurement (m) of the sonars in a direction; ahead and behind, of what lies in the robot's way."""
+    robot, measured = context.robot, context.sensors.sonar
+    indices = robot.distance_sonars[direction]  # type: ignore[index]
     if not indices:
         missing("distance")
-    return float(min(context.sensors.sonar(index) for index in indices))
+    if direction not in _WAYS or context.semantics < LOOKS_ALONG_THE_WAY:
+        return float(min(measured(index) for index in indices))
+    echoes = [(robot.sonar_angles_rad[index], measured(index)) for index in indices]
+    return min(
+        (found for angle, found in echoes if _is_in_the_way(robot, angle, found)),
+        default=robot.sonar_range_m,
+    )
+
+
+def _is_in_the_way(robot: RobotModel, angle_rad: float, measured_m: float) -> bool:
+    """Whether an echo counts ahead or behind.
+
+    That of a sonar that looks along the way always does: nothing is known of the way beyond it. That of one beside it
+    does where the hull would touch it, or nearly so; it is a side wall otherwise.
+    """
+    aside = abs(math.sin(angle_rad))
+    return aside <= _ALONG or (robot.radius_m + measured_m) * aside <= robot.radius_m + _CLEAR_M
 
 
 def _heading_deg(yaw_rad: float) -> float:

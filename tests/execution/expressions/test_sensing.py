@@ -5,7 +5,9 @@ from typing import Any
 
 import pytest
 
-from pinel_desktop.execution.executor import execute
+from pinel_desktop.events.model import Event, Telemetry
+from pinel_desktop.execution.executor import RunOptions, execute
+from pinel_desktop.links import open_link
 from pinel_desktop.links.sim import SimLink
 from pinel_desktop.program.reading import read_document
 from pinel_desktop.program.sensors import SENSORS
@@ -76,6 +78,63 @@ def test_distance_looks_where_its_name_says(direction: str, angle: float, value_
     assert min(near) == pytest.approx(
         beyond if direction in ("front", "back") else 1.99 - HULL, abs=2e-3
     )
+
+
+def corridor(width: float, length: float) -> dict[str, Any]:
+    """The robot stands in its middle and looks along it, `length` metres from its end."""
+    sides = [{"from": [-9, y], "to": [length, y]} for y in (width / 2, -width / 2)]
+    end = {"from": [length, -width / 2], "to": [length, width / 2]}
+    start = {"x_m": 0, "y_m": 0, "heading_deg": 0}
+    return {"name": "w", "start": start, "walls": [*sides, end]}
+
+
+@pytest.mark.parametrize(("direction", "angle"), [("front", 0), ("back", 180)])
+def test_distance_along_a_corridor_is_that_to_its_end(
+    direction: str, angle: float, value_of: Any
+) -> None:
+    ahead = value_of(distance(direction), turn(angle), world=corridor(2.4, 7))
+    assert ahead == 5.0
+    ahead = value_of(distance(direction), turn(angle), world=corridor(2.4, 4))
+    assert ahead == pytest.approx(4 / math.cos(math.radians(10)) - HULL, abs=0.02)
+
+
+def test_distance_in_a_narrow_corridor_tells_no_more_than_is_known(value_of: Any) -> None:
+    """Beams along the way meet its sides before its end, which may be nearer than their range."""
+    ahead = value_of(distance("front"), world=corridor(1.0, 4))
+    assert ahead == pytest.approx(0.5 / math.sin(math.radians(10)) - HULL, abs=0.1)
+    assert ahead < 4 - HULL
+
+
+@pytest.mark.parametrize("angle", range(-80, 81, 10))
+@pytest.mark.parametrize("preset", ["ideal", "realistic"])
+def test_a_robot_that_stops_by_distance_does_not_touch_a_wall_met_at_any_angle(
+    angle: int, preset: Any
+) -> None:
+    """The wall crosses the way 4 m ahead."""
+    away = math.radians(angle)
+    x, y = 30 * math.sin(away), 30 * math.cos(away)
+    start = {"x_m": 0, "y_m": 0, "heading_deg": 0}
+    world = {"name": "w", "start": start, "walls": [{"from": [4 + x, -y], "to": [4 - x, y]}]}
+    near = {"op": "<", "args": [distance("front"), 0.3]}
+    steps = {"action": "until", "condition": near, "commands": [forward(0.1)]}
+    program = read_document({"pinel_ir": 1, "name": "", "commands": [steps]}).program
+    assert program is not None
+    touched = []
+
+    def observe(_: int, event: Event) -> None:
+        if isinstance(event, Telemetry):
+            touched.append(event.bumper)
+
+    link = open_link("sim", world=world, setting=Setting(preset=preset))
+    result = execute(program, link, RunOptions(observer=observe))
+    assert result.ended.state == "finished"
+    assert not any(touched)
+    assert result.telemetry.path_length_m() > 0.5
+
+
+def test_distance_of_recorded_runs_of_earlier_releases_counts_side_walls(value_of: Any) -> None:
+    ahead = value_of(distance("front"), world=corridor(2.4, 7), semantics=1)
+    assert ahead == pytest.approx(1.2 / math.sin(math.radians(30)) - HULL, abs=0.05)
 
 
 def test_distance_at_the_wall_is_nothing_and_never_negative(value_of: Any) -> None:
