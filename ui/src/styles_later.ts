@@ -13,6 +13,8 @@ import "./work/notes.css";
 import "./work/group_head.css";
 import "./work/work.css";
 import "./work/keeping.css";
+import "./run/panels/time_strip.css";
+import "./studio/floor_pane/past_run.css";
 import "./replay/replay.css";
 import "./versions/versions.css";
 import "./versions/differences.css";

@@ -1,11 +1,12 @@
 import { computed, signal } from "@preact/signals";
 import { record } from "../run/live_record";
+import { moment, showMoment } from "../run/moment";
 import { program } from "../shell/session";
 import type { PlotSource } from "./plot_source";
 
 const pointed = signal<number | null>(null);
 
-/** Samples of the live run for the plots of the studio. */
+/** Samples of the live run for the plots of the studio. A press on a plot of a run that is over shows that moment. */
 export const liveSource: PlotSource = {
   get samples() {
     return record.samples;
@@ -14,13 +15,14 @@ export const liveSource: PlotSource = {
     return record.stretches;
   },
   revision: record.revision,
-  moment: computed(() => pointed.value),
+  moment: computed(() => pointed.value ?? moment.value?.tick ?? null),
   input: {
     onPoint: (tick) => {
       pointed.value = tick;
     },
     onPress: (tick) => {
       pointed.value = tick;
+      showMoment(tick);
     },
   },
   name: () => program.peek()?.name ?? "",

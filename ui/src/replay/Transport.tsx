@@ -1,58 +1,13 @@
-import {
-  ArrowDown,
-  ArrowUp,
-  ChevronsUp,
-  CircleQuestionMark,
-  Clock,
-  Crosshair,
-  Hand,
-  Hourglass,
-  MapPin,
-  MessageCircle,
-  Pause,
-  Pencil,
-  Play,
-  RotateCcw,
-  RotateCw,
-  Spline,
-  Square,
-  StepBack,
-  StepForward,
-} from "lucide-preact";
+import { Pause, Play, RotateCcw, StepBack, StepForward } from "lucide-preact";
 import { useLayoutEffect } from "preact/hooks";
-import { CATEGORY_COLOURS } from "../blocks/categories";
-import { categoryOf } from "../blocks/definitions";
 import { language, texts } from "../i18n";
 import { decimal, duration } from "../i18n/format";
 import { Button } from "../kit/Button";
 import { listen } from "../kit/listen";
 import { Select } from "../kit/Select";
-import { coarse, type Playback, SPEEDS, type Stretch, stepFrom } from "../run/playback";
+import { TimeStrip } from "../run/panels/TimeStrip";
+import { type Playback, SPEEDS, type Stretch, stepFrom } from "../run/playback";
 import { TEST } from "../shell/testids";
-
-/** A stretch narrower than this fraction of the slider has no room for an icon. */
-const LEGIBLE_PART = 0.035;
-
-const ICONS: Record<string, typeof Play> = {
-  move_forward: ArrowUp,
-  move_backward: ArrowDown,
-  stop: Square,
-  wait: Clock,
-  classify_gestures: Hand,
-  set_gesture_result: Pencil,
-  arc: Spline,
-  go_to: MapPin,
-  drive: ChevronsUp,
-  wait_until: Hourglass,
-  ask: CircleQuestionMark,
-  say: MessageCircle,
-  mark: Crosshair,
-};
-
-function iconOf({ action, amount }: Stretch): typeof Play | null {
-  if (action === "turn") return (amount ?? 0) < 0 ? RotateCw : RotateCcw;
-  return ICONS[action] ?? null;
-}
 
 interface TransportProps {
   playback: Playback;
@@ -113,37 +68,16 @@ function PlayButton({ playback }: { playback: Playback }) {
 
 function Slider({ playback, tracks }: TransportProps) {
   const { replay } = texts.value;
-  const end = Math.max(1, playback.end);
   const time = (tick: number) => duration(tick / 30, language.value);
-  const said = replay.at(time(playback.tick.value), time(playback.end));
   return (
-    <div class="slider">
-      {tracks.map((stretches, index) => (
-        <div
-          key={index}
-          class={`slider__track ${tracks.length > 1 ? `slider__track--half slider__track--${index}` : ""}`}
-          aria-hidden="true"
-        >
-          <Stretches stretches={stretches} end={end} />
-        </div>
-      ))}
-      <input
-        type="range"
-        class="slider__input"
-        min="0"
-        max={playback.end}
-        step="1"
-        value={Math.floor(playback.tick.value)}
-        aria-label={replay.slider}
-        aria-valuetext={said}
-        data-testid={TEST.replaySlider}
-        style={{ "--at": `${(100 * playback.tick.value) / end}%` }}
-        onInput={(event) => playback.seek(event.currentTarget.valueAsNumber)}
-      />
-      <output class="slider__time" aria-hidden="true">
-        {said}
-      </output>
-    </div>
+    <TimeStrip
+      tracks={tracks}
+      tick={playback.tick.value}
+      end={playback.end}
+      time={replay.at(time(playback.tick.value), time(playback.end))}
+      testId={TEST.replaySlider}
+      onTick={(tick) => playback.seek(tick)}
+    />
   );
 }
 
@@ -151,31 +85,6 @@ function Slider({ playback, tracks }: TransportProps) {
 function inOrder(tracks: TransportProps["tracks"]): readonly Stretch[] {
   const [only, ...others] = tracks;
   return only && others.length === 0 ? only : tracks.flat().sort((a, b) => a.from - b.from);
-}
-
-function Stretches({ stretches, end }: { stretches: readonly Stretch[]; end: number }) {
-  return (
-    <>
-      {coarse(stretches, end).map((stretch) => {
-        const { from, to, action } = stretch;
-        const part = (to - from) / end;
-        const Icon = part > LEGIBLE_PART ? iconOf(stretch) : null;
-        return (
-          <span
-            key={`${from}/${action}`}
-            class="slider__stretch"
-            style={{
-              left: `${(100 * from) / end}%`,
-              width: `${100 * part}%`,
-              background: CATEGORY_COLOURS[categoryOf(action)],
-            }}
-          >
-            {Icon && <Icon class="icon" />}
-          </span>
-        );
-      })}
-    </>
-  );
 }
 
 function Speed({ playback }: { playback: Playback }) {

@@ -1,7 +1,7 @@
 import type { TelemetryEvent } from "../api/model";
-import type { Telemetry } from "./telemetry";
+import { NO_TELEMETRY, type Telemetry } from "./telemetry";
 
-/** Columns of the telemetry that plots and tables use; metres, radians and seconds, start frame. */
+/** Columns of the telemetry that plots, tables and past moments use; metres, radians and seconds, start frame. */
 export const COLUMNS = [
   "tick",
   "x_m",
@@ -17,6 +17,7 @@ export const COLUMNS = [
   "true_x_m",
   "true_y_m",
   "true_yaw_rad",
+  "done",
 ] as const;
 
 export type Column = (typeof COLUMNS)[number];
@@ -43,6 +44,12 @@ export class Samples {
   /** A view of the current samples; it does not grow. */
   column(name: Column): Float32Array {
     return (this.columns[COLUMNS.indexOf(name)] ?? new Float32Array(0)).subarray(0, this.rows);
+  }
+
+  /** The current samples in the form of a recorded run. */
+  get telemetry(): Telemetry {
+    const columns = new Map(COLUMNS.map((name) => [name, this.column(name)]));
+    return { ...NO_TELEMETRY, rows: this.rows, columns };
   }
 
   push(event: TelemetryEvent): void {

@@ -34,6 +34,8 @@ interface SceneProps {
   view: ReadonlySignal<RunView>;
   /** The robot's pose at a time of the screen's clock, interpolated between the ticks of `view`. */
   poseAt(now: number): Pose;
+  /** The state whose path the camera takes in; by default that of `view`. */
+  whole?: ReadonlySignal<RunView>;
   /** A second run drawn on the same floor. */
   companion?: ReadonlySignal<Companion | null>;
   /** Absent where a run is only displayed. */
@@ -43,7 +45,7 @@ interface SceneProps {
 }
 
 /** The floor from above. Wheel and buttons zoom, dragging pans or moves the robot, tools measure. */
-export function Scene({ world, view, poseAt, companion, hold, playing }: SceneProps) {
+export function Scene({ world, view, poseAt, whole, companion, hold, playing }: SceneProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const renderer = useRef<SceneRenderer | null>(null);
   const tools = useInstance(() => new SceneTools());
@@ -58,7 +60,7 @@ export function Scene({ world, view, poseAt, companion, hold, playing }: ScenePr
     const sizes = new ResizeObserver(() => scene.resize(element.clientWidth, element.clientHeight));
     sizes.observe(element);
     const stops = [
-      effect(() => scene.setView(view.value)),
+      effect(() => scene.setView(view.value, whole?.value)),
       effect(() => {
         theme.value;
         scene.setTheme();
@@ -82,7 +84,7 @@ export function Scene({ world, view, poseAt, companion, hold, playing }: ScenePr
       sizes.disconnect();
       scene.dispose();
     };
-  }, [view, poseAt, companion, hold, playing]);
+  }, [view, poseAt, whole, companion, hold, playing]);
 
   useEffect(() => renderer.current?.setWorld(world), [world]);
 

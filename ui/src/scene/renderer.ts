@@ -45,6 +45,8 @@ export class SceneRenderer {
   private palette: Palette = readPalette();
   private world: World | null = null;
   private view: RunView = IDLE;
+  /** The camera takes in what this state has driven. */
+  private whole: RunView = IDLE;
   private size: Size = { width: 1, height: 1 };
   private ratio = 1;
   private camera: Camera | null = null;
@@ -154,8 +156,10 @@ export class SceneRenderer {
     return toWorld(startOf(this.world), pose.x, pose.y);
   }
 
-  setView(view: RunView): void {
+  /** Draws a state. The camera takes in `whole`, so that it stands still while moments of one run are shown. */
+  setView(view: RunView, whole = view): void {
     this.view = view;
+    this.whole = whole;
     // the camera is aimed at the next redraw, because many events may arrive before it
     this.moved = true;
     this.wake();
@@ -230,7 +234,7 @@ export class SceneRenderer {
     if (this.held) return;
     if (this.framing === "subject")
       this.target = cameraFor(
-        subjectOf(this.world, this.view, this.companion),
+        subjectOf(this.world, this.whole, this.companion),
         this.size,
         EDGE_WITH_TOOLS,
       );

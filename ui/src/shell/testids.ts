@@ -247,6 +247,11 @@ export const TEST = {
   differencePrevious: "difference-previous",
   differenceCount: "difference-count",
 
+  // the run that is over, under the floor of the studio
+  pastRun: "past-run",
+  pastRunSlider: "past-run-slider", // a range; its value is the tick
+  pastRunReplay: "past-run-replay",
+
   // replay
   replaySlider: "replay-slider", // a range; its value is the tick
   replayPlay: "replay-play", // data-does: play | pause

@@ -1,6 +1,7 @@
 import { batch, computed, type ReadonlySignal } from "@preact/signals";
 import type { Start, World } from "../api/model";
 import * as robot from "../run/live";
+import { moment } from "../run/moment";
 import { isLive } from "../run/reducer";
 import { startOf, toWorld } from "../scene/frames";
 import { onTurn, turned } from "../scene/tools/measure";
@@ -37,11 +38,11 @@ export class StartChoice {
     private readonly place: Place,
   ) {}
 
-  /** Current pose of the robot, as a start; null during a run, and where a mission determines the start. */
+  /** Current pose of the robot, as a start; null where it cannot be moved: in a run, in a mission, at a past moment. */
   readonly hereNow = computed<Start | null>(() => {
     const { value: view } = robot.live;
     const { value: world } = this.world;
-    if (isLive(view) || !world || this.open.mission.value) return null;
+    if (isLive(view) || moment.value || !world || this.open.mission.value) return null;
     if (view.run === null) return world.start;
     const start = startOf(world);
     const { x, y } = toWorld(start, view.truth.x, view.truth.y);

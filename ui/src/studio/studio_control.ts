@@ -7,12 +7,14 @@ import { expectedSigns, hasCapture } from "../camera/expected";
 import { asKnown } from "../camera/signs";
 import type { Editor } from "../editor";
 import { language, texts } from "../i18n";
+import { duration } from "../i18n/format";
 import { Refused, wordsOf } from "../kit/requests/problem";
 import { failureOf } from "../run/failure";
 import { withJudgement } from "../run/judgement";
 import * as robot from "../run/live";
+import { moment, shown } from "../run/moment";
 import { isLive, runningBlock } from "../run/reducer";
-import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
+import { parameterIn, type Sentence, sentenceOf, type Voice } from "../run/sentence";
 import { valueWords } from "../run/values";
 import type { RobotHold } from "../scene/Scene";
 import { subscribeToRings } from "../scene/tools/sensor_rings";
@@ -44,8 +46,8 @@ export class StudioControl {
   readonly worlds: WorldControl;
   readonly start: StartChoice;
   readonly sentence = computed<Sentence>(() => this.say());
-  /** The innermost running block of this program. */
-  readonly running = computed(() => (this.mine.value ? runningBlock(robot.live.value) : null));
+  /** The innermost running block of this program, now or at the past moment that is shown. */
+  readonly running = computed(() => (this.mine.value ? runningBlock(shown.value) : null));
   /** Whether the program has a block that beeps. */
   readonly beeps = computed(() =>
     JSON.stringify(this.open.content.value?.document ?? null).includes('"action":"beep"'),
@@ -249,6 +251,7 @@ export class StudioControl {
         parameterIn(this.documentThatRuns(), pointer, name),
     };
     const calm = (text: string): Sentence => ({ text, more: "", tone: "calm" });
+    if (moment.value && this.mine.value) return pastSentence(voice) ?? calm(status.ready);
     if (isLive(view) && view.run && !this.mine.value) {
       return { text: run.other, more: "", tone: "notice" };
     }
@@ -279,4 +282,14 @@ export class StudioControl {
     const { value: run } = robot.liveRun;
     return run && "version" in run ? run.version?.document : this.runDocument;
   }
+}
+
+/** What the robot did at the past moment that is shown, with its time. */
+function pastSentence(voice: Voice): Sentence | null {
+  const { tick = 0, history } = moment.value ?? {};
+  const said = sentenceOf(shown.value, { ...voice, past: true });
+  if (!said || !history) return said;
+  const time = (ticks: number) => duration(ticks / 30, voice.language);
+  const at = voice.texts.replay.at(time(tick), time(history.lastTick));
+  return { ...said, more: [at, said.more].filter(Boolean).join(" · ") };
 }

@@ -79,6 +79,9 @@ export const page: typeof first = {
     bar: "Robot controls",
     other: "The robot is running another program. Press Stop first.",
     otherEnded: "The other program has ended. Press Run to run this one.",
+    time: "The time of the last run",
+    timeHelp:
+      "Press or drag: the robot goes back to that moment and its block lights up. Arrow keys go from block to block.",
   },
   debug: {
     bar: "Step by step",

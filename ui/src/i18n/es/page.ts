@@ -79,6 +79,9 @@ export const page: typeof first = {
     bar: "Mandos del robot",
     other: "El robot está ejecutando otro programa. Presionen Parar antes.",
     otherEnded: "El otro programa terminó. Presionen Ejecutar para ejecutar este.",
+    time: "El tiempo del último recorrido",
+    timeHelp:
+      "Toquen o arrastren: el robot vuelve a ese momento y se enciende su bloque. Las flechas van de bloque en bloque.",
   },
   debug: {
     bar: "Paso a paso",

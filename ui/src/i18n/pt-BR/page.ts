@@ -81,6 +81,9 @@ export const page = {
     bar: "Comandos do robô",
     other: "O robô está rodando outro programa. Apertem Parar antes.",
     otherEnded: "O outro programa parou. Apertem Rodar para rodar este.",
+    time: "O tempo da última rodada",
+    timeHelp:
+      "Toquem ou arrastem: o robô volta a esse momento e o bloco dele acende. As setas vão de bloco em bloco.",
   },
   debug: {
     bar: "Passo a passo",

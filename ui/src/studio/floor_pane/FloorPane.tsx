@@ -1,17 +1,22 @@
-import { useSignal, useSignalEffect } from "@preact/signals";
+import { useComputed, useSignal, useSignalEffect } from "@preact/signals";
 import { ChartLine, FileCode } from "lucide-preact";
 import { texts } from "../../i18n";
 import { FootButton } from "../../kit/FootButton";
 import { WayBack } from "../../kit/WayBack";
 import * as robot from "../../run/live";
+import { shown } from "../../run/moment";
 import { Readout } from "../../run/panels/Readout";
 import { StatusLine } from "../../run/panels/StatusLine";
+import { isLive } from "../../run/reducer";
+import { later } from "../../shell/later";
 import { TEST } from "../../shell/testids";
 import { Controls } from "../run_bar/Controls";
 import type { StudioControl } from "../studio_control";
 import { DRAWER, type DrawerState } from "../text/drawer";
 import { prepareCapture } from "./CapturePanel";
 import { Stage } from "./Stage";
+
+const PastRun = later(async () => (await import("./PastRun")).PastRun);
 
 export function FloorPane({ control }: { control: StudioControl }) {
   const drawer = useSignal(DRAWER);
@@ -31,8 +36,9 @@ export function FloorPane({ control }: { control: StudioControl }) {
       <Status control={control} />
       <Forgotten control={control} />
       <Stage control={control} drawer={drawer} />
+      <RunTime control={control} />
       <div class="floor__foot card">
-        <Readout view={robot.live} />
+        <Readout view={shown} />
         <FootButton
           testId={TEST.plotsToggle}
           icon={ChartLine}
@@ -58,6 +64,13 @@ export function FloorPane({ control }: { control: StudioControl }) {
 
 function Status({ control }: { control: StudioControl }) {
   return <StatusLine sentence={control.sentence.value} />;
+}
+
+/** The time of the run that is over. While it is live its room is kept, so that the floor does not jump at its end. */
+function RunTime({ control }: { control: StudioControl }) {
+  const has = useComputed(() => control.mine.value && robot.live.value.phase !== "idle");
+  const over = useComputed(() => !isLive(robot.live.value));
+  return has.value ? <div class="floor__time">{over.value && <PastRun />}</div> : null;
 }
 
 /** Offers undo after the group's own world was deleted. */

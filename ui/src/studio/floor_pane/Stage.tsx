@@ -5,6 +5,7 @@ import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { liveSource } from "../../plots/live_source";
 import * as robot from "../../run/live";
+import { isNow, shown, shownPose } from "../../run/moment";
 import type { Question } from "../../run/output";
 import { MuteButton } from "../../run/panels/MuteButton";
 import { Shown } from "../../run/panels/Shown";
@@ -47,13 +48,15 @@ export function Stage({ control, drawer }: StageProps) {
         <div class="floor__scene">
           <Scene
             world={control.world.value}
-            view={robot.live}
-            poseAt={robot.livePose}
+            view={shown}
+            poseAt={shownPose}
+            whole={robot.live}
             hold={control.hold}
+            playing={isNow}
           />
           <Corner control={control} />
         </div>
-        {!waits && <Shown view={robot.live} more={sensorValues} />}
+        {!waits && <Shown view={shown} more={sensorValues} />}
       </div>
       {capturing.value && <CaptureWhileAsked control={control} />}
       {asked.value && <Asked control={control} question={asked.value} />}

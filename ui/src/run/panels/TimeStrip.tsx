@@ -1,0 +1,123 @@
+import {
+  ArrowDown,
+  ArrowUp,
+  ChevronsUp,
+  CircleQuestionMark,
+  Clock,
+  Crosshair,
+  Hand,
+  Hourglass,
+  type LucideIcon,
+  MapPin,
+  MessageCircle,
+  Pencil,
+  RotateCcw,
+  RotateCw,
+  Spline,
+  Square,
+} from "lucide-preact";
+import { CATEGORY_COLOURS } from "../../blocks/categories";
+import { categoryOf } from "../../blocks/definitions";
+import { texts } from "../../i18n";
+import { coarse, type Stretch } from "../playback";
+
+/** A stretch narrower than this fraction of the slider has no room for an icon. */
+const LEGIBLE_PART = 0.035;
+
+const ICONS: Record<string, LucideIcon> = {
+  move_forward: ArrowUp,
+  move_backward: ArrowDown,
+  stop: Square,
+  wait: Clock,
+  classify_gestures: Hand,
+  set_gesture_result: Pencil,
+  arc: Spline,
+  go_to: MapPin,
+  drive: ChevronsUp,
+  wait_until: Hourglass,
+  ask: CircleQuestionMark,
+  say: MessageCircle,
+  mark: Crosshair,
+};
+
+function iconOf({ action, amount }: Stretch): LucideIcon | null {
+  if (action === "turn") return (amount ?? 0) < 0 ? RotateCw : RotateCcw;
+  return ICONS[action] ?? null;
+}
+
+interface TimeStripProps {
+  /** The stretches of each run that is shown. */
+  tracks: readonly (readonly Stretch[])[];
+  tick: number;
+  /** The last tick. */
+  end: number;
+  /** The tick in words. */
+  time: string;
+  testId: string;
+  onTick(tick: number): void;
+  /** Keys other than those of a slider; true where the key was used. */
+  onKey?(key: string): boolean;
+}
+
+/** The time of a run, coloured by block: a press, a drag or a key selects a tick. */
+export function TimeStrip({ tracks, tick, end, time, testId, onTick, onKey }: TimeStripProps) {
+  const { replay } = texts.value;
+  const length = Math.max(1, end);
+  return (
+    <div class="slider">
+      {tracks.map((stretches, index) => (
+        <div
+          key={index}
+          class={`slider__track ${tracks.length > 1 ? `slider__track--half slider__track--${index}` : ""}`}
+          aria-hidden="true"
+        >
+          <Stretches stretches={stretches} end={length} />
+        </div>
+      ))}
+      <input
+        type="range"
+        class="slider__input"
+        min="0"
+        max={end}
+        step="1"
+        value={Math.floor(tick)}
+        aria-label={replay.slider}
+        aria-valuetext={time}
+        data-testid={testId}
+        style={{ "--at": `${(100 * tick) / length}%` }}
+        onInput={(event) => onTick(event.currentTarget.valueAsNumber)}
+        onKeyDown={(event) => {
+          if (onKey?.(event.key)) event.preventDefault();
+        }}
+      />
+      <output class="slider__time" aria-hidden="true">
+        {time}
+      </output>
+    </div>
+  );
+}
+
+function Stretches({ stretches, end }: { stretches: readonly Stretch[]; end: number }) {
+  return (
+    <>
+      {coarse(stretches, end).map((stretch) => {
+        const { from, to, action } = stretch;
+        const part = (to - from) / end;
+        const Icon = part > LEGIBLE_PART ? iconOf(stretch) : null;
+        return (
+          <span
+            key={`${from}/${action}`}
+            class="slider__stretch"
+            style={{
+              left: `${(100 * from) / end}%`,
+              width: `${100 * part}%`,
+              background: CATEGORY_COLOURS[categoryOf(action)],
+            }}
+          >
+            {Icon && <Icon class="icon" />}
+          </span>
+        );
+      })}
+    </>
+  );
+}

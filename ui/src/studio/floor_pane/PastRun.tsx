@@ -1,0 +1,81 @@
+import { Film } from "lucide-preact";
+import { useEffect } from "preact/hooks";
+import { language, texts } from "../../i18n";
+import { duration } from "../../i18n/format";
+import { LinkButton } from "../../kit/LinkButton";
+import { listen } from "../../kit/listen";
+import { live } from "../../run/live";
+import { record } from "../../run/live_record";
+import { moment, showMoment } from "../../run/moment";
+import { TimeStrip } from "../../run/panels/TimeStrip";
+import { stepFrom } from "../../run/playback";
+import { hashOf } from "../../shell/route";
+import { TEST } from "../../shell/testids";
+
+const WAYS: Readonly<Record<string, -1 | 1>> = { ArrowLeft: -1, ArrowRight: 1 };
+
+/** The time of the run that is over: shows its moments on the floor and in the blocks, until the group does something else. */
+export function PastRun() {
+  useEffect(returnsToEnd, []);
+  const { work, replay } = texts.value;
+  const { run } = live.value;
+  if (!run) return null;
+  return (
+    <section class="past-run" aria-label={texts.value.run.time} data-testid={TEST.pastRun}>
+      {record.isWhole && <Strip />}
+      <LinkButton
+        icon={Film}
+        tip={replay.title}
+        href={hashOf({ screen: "replay", run })}
+        testId={TEST.pastRunReplay}
+      >
+        {work.replay}
+      </LinkButton>
+    </section>
+  );
+}
+
+function Strip() {
+  record.revision.value; // the last samples may come after the end
+  const { lastTick: end, stretches } = record;
+  const tick = moment.value?.tick ?? end;
+  const time = (ticks: number) => duration(ticks / 30, language.value);
+  const step = (key: string) => {
+    const way = WAYS[key];
+    if (way) showMoment(stepFrom(stretches, tick, way, end));
+    return way !== undefined;
+  };
+  return (
+    <div class="past-run__strip" title={texts.value.run.timeHelp}>
+      <TimeStrip
+        tracks={[stretches]}
+        tick={tick}
+        end={end}
+        time={texts.value.replay.at(time(tick), time(end))}
+        testId={TEST.pastRunSlider}
+        onTick={showMoment}
+        onKey={step}
+      />
+    </div>
+  );
+}
+
+/** A press or the focus outside of the floor's side, Escape, or another screen ends the moment. */
+function returnsToEnd(): () => void {
+  const leave = ({ target }: Event) => {
+    if (target instanceof Element && !target.closest(".floor")) showMoment(null);
+  };
+  const stop = listen(
+    window,
+    {
+      pointerdown: leave,
+      focusin: leave,
+      keydown: ({ key }) => key === "Escape" && showMoment(null),
+    },
+    { capture: true },
+  );
+  return () => {
+    stop();
+    showMoment(null);
+  };
+}
