@@ -134,6 +134,7 @@ class SignTeaching:
             if len(samples) == recording.n_wanted:
                 self._keep(recording, samples)
 
+        self._tell(recording, 0)  # a hand may take seconds to come
         self._camera.record(
             recording.n_wanted,
             on_samples,

@@ -68,7 +68,7 @@ def test_a_sign_is_recorded_listed_used_and_deleted(
 ) -> None:
     assert browser.put("/api/camera/classroom", {"classroom_id": classroom}).status == 200
     told = record(browser, classroom, "b")
-    assert [event["n_samples"] for event in told] == [*range(1, 11), 10]
+    assert [event["n_samples"] for event in told] == [*range(11), 10]
     assert {event["sign"] for event in told} == {"B"}
     assert taught(browser, classroom) == {"B": 10}
     assert known(app) == ["B"]
