@@ -155,6 +155,7 @@ class VersionMark:
         n_runs: how often it was run.
         n_passed: how often the activity was passed with it.
         setup: as in `VersionRow`.
+        setup_only: True if it has the blocks of its parent: only its setup or the group's own world changed.
     """
 
     id: str
@@ -168,6 +169,7 @@ class VersionMark:
     n_runs: int
     n_passed: int
     setup: Json | None
+    setup_only: bool
 
 
 @dataclass(frozen=True, slots=True)

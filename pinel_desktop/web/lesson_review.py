@@ -98,7 +98,9 @@ def _one_activity(store: Store, lessons: list[str]) -> str | None:
 
 
 def _work(group: GroupLine, lines: GroupLines) -> GroupWork:
-    edits = tuple(Edit(**edit._asdict()) for edit in lines.edits)
+    edits = tuple(
+        Edit(**edit._asdict() | {"setup_only": bool(edit.setup_only)}) for edit in lines.edits
+    )
     fields = Run.__dataclass_fields__
     runs = (Run(**{name: getattr(run, name) for name in fields}) for run in lines.runs)
     return GroupWork(group.id, group.name, edits, tuple(runs))

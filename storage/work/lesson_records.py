@@ -7,12 +7,15 @@ from typing import Any, NamedTuple
 
 from storage.file.repository import Repository
 from storage.text import loaded
+from storage.work.versions import SETUP_ONLY
 
 _IN = "IN (SELECT value FROM json_each(?))"
 _EDITS = f"""
     SELECT programs.group_id, versions.id, versions.program_id, programs.name, versions.number, versions.created_at,
-           versions.computer_id, versions.parent_id, coalesce(json_extract(versions.setup, '$.n_hints'), 0)
+           versions.computer_id, versions.parent_id, coalesce(json_extract(versions.setup, '$.n_hints'), 0),
+           {SETUP_ONLY}
     FROM versions JOIN programs ON programs.id = versions.program_id
+        LEFT JOIN versions AS parents ON parents.id = versions.parent_id
     WHERE versions.lesson_id {_IN} ORDER BY versions.id"""
 _RUNS = f"""
     SELECT runs.group_id, runs.id, runs.program_id, runs.program_name, runs.version_id, versions.number,
@@ -32,7 +35,11 @@ class GroupLine(NamedTuple):
 
 
 class EditLine(NamedTuple):
-    """A version that was saved in a lesson, without its content."""
+    """A version that was saved in a lesson, without its content.
+
+    Attributes:
+        setup_only: 1 if it has the blocks of its parent, else 0.
+    """
 
     version_id: str
     program_id: str
@@ -42,6 +49,7 @@ class EditLine(NamedTuple):
     computer_id: str | None
     parent_id: str | None
     n_hints: int
+    setup_only: int
 
 
 class LessonRun(NamedTuple):

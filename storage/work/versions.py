@@ -16,6 +16,9 @@ from storage.work.groups import mark_used
 from storage.work.lessons import lesson_for
 
 _LABEL = "coalesce((SELECT text FROM version_labels WHERE version_labels.id = versions.id), '')"
+# of `versions` beside `parents`; the workspaces, which are long, are compared only where something else changed
+SETUP_ONLY = """CASE WHEN versions.setup IS NOT parents.setup OR versions.world IS NOT parents.world
+           THEN versions.workspace IS parents.workspace ELSE 0 END"""
 _SELECT = selected(VersionRow, "versions", label=_LABEL)
 _MARK = selected(
     VersionMark,
@@ -25,6 +28,7 @@ _MARK = selected(
     computer="SELECT name FROM computers WHERE computers.id = versions.computer_id",
     n_runs="SELECT count(*) FROM runs WHERE version_id = versions.id",
     n_passed="SELECT count(*) FROM runs WHERE version_id = versions.id AND passed",
+    setup_only=f"SELECT {SETUP_ONLY} FROM versions AS parents WHERE parents.id = versions.parent_id",
 )
 _CONTENT = ("workspace", "document", "faults", "world", "setup")
 _Content = tuple[str, str | None, str, str | None, str | None]
@@ -155,8 +159,8 @@ def _require_own(db: sqlite3.Connection, program_id: str, version_id: str) -> No
 
 
 def _mark(row: sqlite3.Row) -> VersionMark:
-    parsed = {"can_run": bool(row["can_run"]), "setup": loaded(row["setup"])}
-    return VersionMark(**{**dict(row), **parsed})
+    flags = {name: bool(row[name]) for name in ("can_run", "setup_only")}
+    return VersionMark(**{**dict(row), **flags, "setup": loaded(row["setup"])})
 
 
 def _record(row: sqlite3.Row) -> VersionRow:

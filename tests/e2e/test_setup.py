@@ -63,6 +63,7 @@ def test_the_history_and_the_comparison_name_the_world(studio: Studio) -> None:
     )
     first, last = reversed(studio.api(f"/programs/{program}/versions")["versions"][:2])
     page.goto(f"{studio.origin}/#/versions/{program}")
+    expect(studio["version-step"].last).to_contain_text("1 mudança")
     expect(studio["version-step"].last).to_contain_text("Mundo: Labirinto")
     page.goto(f"{studio.origin}/#/differences/{program}/{first['id']}/{last['id']}")
     expect(studio["setup-differences"]).to_have_text("MundoSala vazia → Labirinto")

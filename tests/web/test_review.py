@@ -15,6 +15,7 @@ from tests.storage.sample_runs import ended
 from tests.web.browser import Browser
 from tests.web.conftest import SQUARE
 from tests.web.fake_engine import FakeEngine
+from tests.web.test_worlds import OWN
 
 PIN = "314159"
 
@@ -30,8 +31,8 @@ class Pupils:
         place = f"/api/groups/{self.group['id']}/programs"
         self.program = browser.post(place, {"name": f"=Programa de {name}"}).data
 
-    def edit(self, *blocks: Sketch) -> str:
-        body = {"workspace": workspace_of([start(), *blocks]), "document": SQUARE}
+    def edit(self, *blocks: Sketch, **more: Any) -> str:
+        body = {"workspace": workspace_of([start(), *blocks]), "document": SQUARE, **more}
         place = f"/api/programs/{self.program['id']}/versions"
         return str(self.browser.post(place, body).data["id"])
 
@@ -112,6 +113,27 @@ def test_the_review_of_a_lesson_tells_what_each_group_did(
     assert figures["attempts_until_passed"] == 2
     assert 0 <= figures["time_to_first_run_s"] < 60
     assert robots["blocks"] == [{"type": "move_forward", "count": 2, "loose": 0}]
+
+
+def test_another_world_speed_or_hint_is_no_change_of_blocks(
+    teacher: Browser, pupils: Pupils, lesson: Any
+) -> None:
+    setup = {"world": "maze", "speed": 2.0, "activity": "square"}
+    pupils.edit(move())
+    pupils.edit(move(), setup=setup)
+    pupils.edit(move(), setup={**setup, "n_hints": 1})
+    last = pupils.edit(move(metres=2), setup={**setup, "n_hints": 2})
+    pupils.run(last)
+    hint = pupils.edit(move(metres=2), setup={**setup, "n_hints": 3})
+    assert pupils.edit(move(metres=2), setup={**setup, "n_hints": 3}, world=OWN) != hint
+    found = teacher.get(f"/api/lessons/{lesson['id']}/review").data["groups"][0]
+    assert [(mark["kind"], mark["n_edits"]) for mark in found["marks"]] == [
+        ("edit", 2),
+        ("run", None),
+    ]
+    assert (found["figures"]["n_edits"], found["figures"]["n_hints"]) == (2, 3)
+    line = teacher.get(f"/api/programs/{pupils.program['id']}/versions").data["versions"]
+    assert [mark["setup_only"] for mark in line] == [True, True, False, True, True, False]
 
 
 def test_a_joined_lesson_is_part_of_the_review(

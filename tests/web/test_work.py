@@ -305,7 +305,14 @@ def test_a_setup_of_a_newer_release_does_not_close_the_program(app: App, browser
     body = {"workspace": {"a": 1}, "document": None, "setup": setup}
     assert browser.post(f"{path}/versions", body).status == 200
     kept = browser.get(path).data["version"]["setup"]
-    assert kept == {**setup, "speed": 2.0, "start": None, "feedback": "pose", "activity": None}
+    assert kept == {
+        **setup,
+        "speed": 2.0,
+        "start": None,
+        "feedback": "pose",
+        "activity": None,
+        "n_hints": 0,
+    }
     app._store.versions.save(program["id"], {"a": 2}, None, setup={"planet": "Mars"})
     assert browser.get(path).data["version"]["setup"] is None
     marks = browser.get(f"{path}/versions").data["versions"]

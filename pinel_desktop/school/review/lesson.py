@@ -22,7 +22,7 @@ class Figures:
     """Figures of a group in one lesson.
 
     Attributes:
-        n_edits: saved versions, one for each change of blocks.
+        n_edits: saved versions whose blocks changed.
         n_runs: runs begun, including stopped ones.
         n_failed: runs that ended with an error; a stop by hand or a failed activity is not an error.
         time_to_first_run_s: from the first edit to the first run after it, by the clock of the PC, without absences
@@ -31,7 +31,7 @@ class Figures:
         attempts_until_passed: ended runs of the activity, up to and including the first that passed; None if none
             passed. The activity is the lesson's, else that of the first run that passed.
         n_hints: hints of activities that were opened, of all programs of the lesson.
-        active_s: time with edits and runs, without pauses of more than five minutes.
+        active_s: time with runs and saved versions of any kind, without pauses of more than five minutes.
     """
 
     n_edits: int
@@ -64,7 +64,8 @@ class LessonReview:
 def versions_needed(work: GroupWork) -> frozenset[str]:
     """Ids of the versions whose workspaces `review_group` needs: before and after each burst, and the last ones."""
     marks = marks_of(work)
-    compared = {key for mark in marks if mark.since is not None for key in _compared(mark)}
+    differing = (mark for mark in marks if mark.is_shown and mark.since is not None)
+    compared = {key for mark in differing for key in _compared(mark)}
     return frozenset(compared.union(_last_versions(marks)) - {NOTHING})
 
 
@@ -78,8 +79,9 @@ def review_group(
         activity: the activity of the lesson, None without one.
     """
     flat = {NOTHING: FlatWorkspace(), **{key: flatten(one) for key, one in workspaces.items()}}
-    marks = tuple(with_changes(mark, flat) for mark in marks_of(work))
-    uses = [blocks_in_flat(flat[key]) for key in _last_versions(marks) if key in flat]
+    all_marks = marks_of(work)
+    uses = [blocks_in_flat(flat[key]) for key in _last_versions(all_marks) if key in flat]
+    marks = tuple(with_changes(mark, flat) for mark in all_marks if mark.is_shown)
     return GroupReview(work.id, work.name, marks, _figures(work, marks, activity), _sum(uses))
 
 
@@ -116,7 +118,7 @@ def _sum(uses: Iterable[BlocksInUse]) -> BlocksInUse:
 def _figures(work: GroupWork, marks: tuple[Mark, ...], activity: str | None) -> Figures:
     runs = [mark.run for mark in marks if mark.run]
     return Figures(
-        n_edits=len(work.edits),
+        n_edits=sum(mark.n_edits for mark in marks),
         n_runs=len(runs),
         n_failed=sum(run.state == "failed" for run in runs),
         time_to_first_run_s=_time_to_first_run(marks),

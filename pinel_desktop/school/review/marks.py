@@ -19,9 +19,10 @@ class Mark:
 
     Attributes:
         version_id: the last version saved in a burst, or the version that ran.
-        at, until: begin and end by the clock of the PC; `until` is None while a run is live.
+        at, until: begin and end by the clock of the PC, of a burst its first and last change of blocks; `until` is None
+            while a run is live.
         number: number of that version in its program.
-        n_edits: number of versions saved in the burst; 0 for a run.
+        n_edits: number of versions in the burst that changed blocks; 0 for a run, and for a burst that is not shown.
         run: None for edits.
         since: the version with which `changes` compares: the one before the burst, or the one whose run is repaired;
             "" for the empty program, None if unknown.
@@ -48,9 +49,14 @@ class Mark:
         """ "edit" or "run"."""
         return "run" if self.run else "edit"
 
+    @property
+    def is_shown(self) -> bool:
+        """False for a burst in which only world, start, robot, speed or hints changed."""
+        return self.run is not None or self.n_edits > 0
+
 
 def marks_of(work: GroupWork) -> tuple[Mark, ...]:
-    """The marks in chronological order, without `changes`."""
+    """The marks in chronological order, without `changes`; also bursts without a change of blocks (`is_shown`)."""
     marks: list[Mark] = []
     seen: dict[str, str] = {}  # program -> its latest version so far
     for line in lines_of(work):
@@ -109,7 +115,10 @@ def _burst(edits: list[Edit], seen: dict[str, str]) -> Mark:
     began_with = NOTHING if first.number == 1 else None
     since = seen.get(first.program_id) or first.parent_id or began_with
     seen[last.program_id] = last.version_id
-    return replace(_mark(last, first.at, last.at), n_edits=len(edits), since=since)
+    of_blocks = [edit for edit in edits if not edit.setup_only]
+    shown = of_blocks or edits
+    mark = _mark(last, shown[0].at, shown[-1].at)
+    return replace(mark, n_edits=len(of_blocks), since=since)
 
 
 def _run(run: Run) -> Mark:

@@ -12,6 +12,7 @@ class Edit:
         computer_id: the PC's key; only times of one PC can be compared.
         parent_id: the version that was edited.
         n_hints: hints of the program's activity that were open.
+        setup_only: True if it has the blocks of `parent_id`: world, start, robot, speed or hints changed.
     """
 
     version_id: str
@@ -22,6 +23,7 @@ class Edit:
     computer_id: str | None = None
     parent_id: str | None = None
     n_hints: int = 0
+    setup_only: bool = False
 
 
 @dataclass(frozen=True, slots=True)

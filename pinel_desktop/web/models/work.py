@@ -113,6 +113,8 @@ class Version(Shape):
 class VersionMark(Shape):
     """A version in the history of its program; `parent_id` is the version that was edited.
 
+    `setup_only` is true if it has the blocks of that version: only its setup or the group's own world changed.
+
     Two versions of equal number come from edits on two PCs; both are kept.
     """
 
@@ -127,6 +129,7 @@ class VersionMark(Shape):
     n_runs: int
     n_passed: int
     setup: Setup | None
+    setup_only: bool
 
 
 class ProgramWithVersion(Program):

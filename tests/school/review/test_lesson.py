@@ -103,6 +103,43 @@ def test_a_burst_ends_at_a_long_pause() -> None:
     assert (found.marks[1].since, found.marks[1].changes) == ("b", Counts(changed=1))
 
 
+def test_a_version_that_changed_its_setup_only_is_no_change_of_blocks() -> None:
+    found = review(
+        edit("a", 1, 0, setup_only=True, parent_id="old"),
+        edit("b", 2, 1),
+        edit("c", 3, 2),
+        edit("d", 4, 3, setup_only=True, n_hints=1),
+        run("e", "d", 4, 4),
+        edit("f", 5, 5, setup_only=True, n_hints=2),
+        run("g", "f", 5, 6),
+        old=1,
+        a=1,
+        c=2,
+        d=2,
+        f=2,
+    )
+    assert [(mark.kind, mark.n_edits, mark.version_id) for mark in found.marks] == [
+        ("edit", 2, "d"),
+        ("run", 0, "d"),
+        ("run", 0, "f"),
+    ]
+    burst = found.marks[0]
+    assert (burst.at, burst.until) == (at(1), at(2))
+    assert (burst.since, burst.changes) == ("old", Counts(changed=1))
+    figures = found.figures
+    assert (figures.n_edits, figures.n_runs, figures.n_hints) == (2, 2, 2)
+    assert figures.time_to_first_run_s == 180.0
+    assert figures.active_s == 366.0
+
+
+def test_a_program_whose_setup_alone_was_changed_has_its_blocks_but_no_mark() -> None:
+    event = edit("b", 7, parent_id="a", setup_only=True)
+    found = review(event, b=1)
+    assert (found.marks, found.figures.n_edits) == ((), 0)
+    assert found.blocks == BlocksInUse({"move_forward": 1}, {})
+    assert versions_needed(work(event)) == {"b"}
+
+
 def test_only_the_workspaces_between_marks_are_asked_for() -> None:
     edits = [edit(f"v{number:03}", number, number / 10, parent_id="old") for number in range(5, 99)]
     group = work(*edits, run("x", "v098", 98, 20))

@@ -7,6 +7,7 @@ import {
   GitFork,
   Pencil,
   Play,
+  SlidersHorizontal,
 } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
 import type { VersionMark } from "../api/model";
@@ -19,8 +20,8 @@ import { program } from "../shell/session";
 import { TEST } from "../shell/testids";
 import type { VersionHistory } from "./history";
 import { type Fork, faceOf, type Section, type Step } from "./line";
-import { setupChanges } from "./setup_words";
-import { factsOf, sectionWords, spanOf, stepWords } from "./words";
+import { setupFacts } from "./setup_words";
+import { changesIn, sectionWords, spanOf, stepWords } from "./words";
 
 /** The versions by lesson and day, with bursts of edits folded into one entry. */
 export function LineList({ history }: { history: VersionHistory }) {
@@ -170,15 +171,13 @@ function Line({ inner = false, ...line }: LineProps) {
 
 function LineButton({ version, step, history, current }: LineProps & { current: boolean }) {
   const first = step.versions[0] ?? version;
-  const Icon = iconOf(version);
-  const facts = [
-    ...(version.label ? factsOf(version, texts.value) : []),
-    ...setupFacts(history.lineBefore(first) ?? first, version),
-  ];
+  const before = history.lineBefore(first) ?? first;
+  const setup = setupFacts(before, version, texts.value, language.value);
+  const { label, facts } = stepWords(step, setup, texts.value);
   const times = spanOf(first.created_at, version.created_at, language.value);
   return (
     <Button
-      icon={Icon}
+      icon={iconOf(step)}
       kind="bare"
       class={`line-list__step line-list__step--${toneOf(version)}`}
       current={current}
@@ -188,23 +187,19 @@ function LineButton({ version, step, history, current }: LineProps & { current: 
       onPress={() => history.choose(version)}
     >
       <span class="line-list__words">
-        <strong>{stepWords(step, texts.value)}</strong>
+        <strong>{label}</strong>
         <span>{[texts.value.keeping.version(version.number), times, ...facts].join(" · ")}</span>
       </span>
     </Button>
   );
 }
 
-/** "Mundo: Labirinto", for each part of the setup that a step changed. */
-function setupFacts(before: VersionMark, version: VersionMark): string[] {
-  const changes = setupChanges(before.setup, version.setup, texts.value, language.value);
-  return changes.map(({ what, after }) => texts.value.keeping.setupFact(what, after));
-}
-
-function iconOf({ label, n_passed, n_runs }: VersionMark) {
+function iconOf(step: Step) {
+  const { label, n_passed, n_runs } = faceOf(step);
   if (n_passed > 0) return CircleCheck;
   if (label) return Flag;
-  return n_runs > 0 ? Play : Pencil;
+  if (n_runs > 0) return Play;
+  return changesIn(step) > 0 ? Pencil : SlidersHorizontal;
 }
 
 function toneOf({ label, n_passed, n_runs }: VersionMark): string {

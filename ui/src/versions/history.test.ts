@@ -17,6 +17,7 @@ function line(): VersionMark[] {
     n_runs: number === 4 ? 1 : 0,
     n_passed: 0,
     setup: null,
+    setup_only: false,
   }));
 }
 

@@ -19,6 +19,7 @@ function version(number: number, seconds: number, more: Partial<VersionMark> = {
     n_runs: 0,
     n_passed: 0,
     setup: null,
+    setup_only: false,
     ...more,
   };
 }

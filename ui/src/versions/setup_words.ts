@@ -1,4 +1,4 @@
-import { OWN_WORLD, type Setup, worldTitle } from "../api/model";
+import { OWN_WORLD, type Setup, type VersionMark, worldTitle } from "../api/model";
 import type { Language, Texts } from "../i18n";
 import { decimal } from "../i18n/format";
 import { worlds } from "../shell/session";
@@ -24,6 +24,26 @@ export function setupChanges(
     const was = old[index]?.[1] ?? "";
     return was === value ? [] : [{ what, before: was, after: value }];
   });
+}
+
+/** What a step changed besides blocks: "Mundo: Labirinto", "Dica 2 aberta". */
+export function setupFacts(
+  before: VersionMark,
+  after: VersionMark,
+  texts: Texts,
+  language: Language,
+): string[] {
+  const { keeping } = texts;
+  const changes = setupChanges(before.setup, after.setup, texts, language);
+  const facts = changes.map((one) => keeping.setupFact(one.what, one.after));
+  const [had, has] = [before.setup?.n_hints ?? 0, after.setup?.n_hints ?? 0];
+  if (has > had) facts.push(keeping.hintsOpened(had + 1, has));
+  return facts.length === 0 && after.setup_only ? [unnamed(after, texts)] : facts;
+}
+
+/** Of a version with other setup and equal blocks, where no named part differs. */
+function unnamed({ setup }: VersionMark, { keeping, run, world }: Texts): string {
+  return setup?.world === OWN_WORLD ? keeping.setupFact(run.world, world.own) : keeping.setup;
 }
 
 /** Each part of a setup with its name. */

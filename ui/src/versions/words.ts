@@ -13,11 +13,24 @@ export function factsOf(version: VersionMark, texts: Texts): string[] {
   return facts;
 }
 
-/** Label of a step in the list. */
-export function stepWords(step: Step, texts: Texts): string {
+/**
+ * Label of a step in the list, and what is said of it besides.
+ *
+ * @param setup What it changed besides blocks; the label of a step that changed no blocks.
+ */
+export function stepWords(step: Step, setup: readonly string[], texts: Texts) {
   const face = faceOf(step);
   const [fact] = factsOf({ ...face, can_run: true }, texts);
-  return face.label || fact || texts.keeping.changes(step.versions.length);
+  const known = face.label || fact;
+  const n = changesIn(step);
+  if (!known && n === 0 && setup.length > 0) return { label: setup.join(" · "), facts: [] };
+  const facts = [...(face.label ? factsOf(face, texts) : []), ...setup];
+  return { label: known || texts.keeping.changes(n), facts };
+}
+
+/** How many versions of a step changed blocks. */
+export function changesIn({ versions }: Step): number {
+  return versions.filter(({ setup_only }) => !setup_only).length;
 }
 
 /** Time of day: "10:32". */

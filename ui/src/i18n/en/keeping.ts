@@ -17,7 +17,7 @@ export const keeping: typeof first = {
   older: "Previous version",
   newer: "Next version",
   changes: (n: number) => (n === 1 ? "1 change" : `${n} changes`),
-  showEach: (n: number) => `Show each of the ${n} changes`,
+  showEach: (n: number) => `Show each of the ${n} versions`,
   foldAgain: "Put them together again",
   passed: "passed the activity",
   incomplete: "with blocks to mend",
@@ -59,6 +59,8 @@ export const keeping: typeof first = {
   kinds: { added: "Added", removed: "Removed", changed: "Changed", moved: "Moved" },
   setup: "Where and how it runs",
   setupFact: (what: string, now: string) => `${what}: ${now}`,
+  hintsOpened: (from: number, to: number) =>
+    from === to ? `Hint ${to} opened` : `Hints ${from} to ${to} opened`,
   start: "Start",
   worldStart: "the world's",
   ownStart: (x: string, y: string, heading: string) => `x ${x} m, y ${y} m, ${heading}°`,

@@ -6,8 +6,7 @@ export const review: typeof first = {
     opening: "Fetching the lesson…",
     activities: (n, names) => (n === 1 ? `Activity: ${names}` : `Activities: ${names}`),
     summary: "In short",
-    passedBy: (n, all) =>
-      `Passed the activity: ${n} of ${all}`,
+    passedBy: (n, all) => `Passed the activity: ${n} of ${all}`,
     stuck: (names) => `In need of help: ${names}`,
     commonFault: (n, what) => `Commonest error (${n} groups): ${what}`,
     freeWork: "Free work",
@@ -28,7 +27,7 @@ export const review: typeof first = {
     empty: "When a group of this class changes a program or presses Run, its line appears here.",
     noRunsTitle: "No run in this lesson",
     noRuns: "The groups changed programs, but nobody pressed Run.",
-    nothing: "This group has done nothing in this lesson yet.",
+    nothing: "This group has changed no blocks and run nothing in this lesson yet.",
     fileName: "lesson",
     printed: (date) => `Printed on ${date}`,
     counts: "What each number counts",

@@ -61,7 +61,7 @@ export const teacher: typeof first = {
     nameMissing: "Type the title of the lesson.",
     list: "Lessons of this class",
     untitled: "Untitled, opened by itself",
-    edits: (n: number) => (n === 1 ? "1 edit" : `${n} edits`),
+    versions: (n: number) => (n === 1 ? "1 version" : `${n} versions`),
     runs: (n: number) => (n === 1 ? "1 run" : `${n} runs`),
     review: "See the lesson",
     reviewOf: (title: string) => `See the lesson: ${title}`,

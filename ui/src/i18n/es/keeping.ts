@@ -17,7 +17,7 @@ export const keeping: typeof first = {
   older: "La versión anterior",
   newer: "La versión siguiente",
   changes: (n: number) => (n === 1 ? "1 cambio" : `${n} cambios`),
-  showEach: (n: number) => `Mostrar uno por uno los ${n} cambios`,
+  showEach: (n: number) => `Mostrar una por una las ${n} versiones`,
   foldAgain: "Juntarlos de nuevo",
   passed: "cumplió la actividad",
   incomplete: "con bloques por arreglar",
@@ -59,6 +59,8 @@ export const keeping: typeof first = {
   kinds: { added: "Entró", removed: "Salió", changed: "Cambió", moved: "Cambió de lugar" },
   setup: "Dónde y cómo se ejecuta",
   setupFact: (what: string, now: string) => `${what}: ${now}`,
+  hintsOpened: (from: number, to: number) =>
+    from === to ? `Pista ${to} abierta` : `Pistas ${from} a ${to} abiertas`,
   start: "Salida",
   worldStart: "la del mundo",
   ownStart: (x: string, y: string, heading: string) => `x ${x} m, y ${y} m, ${heading}°`,

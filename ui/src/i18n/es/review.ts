@@ -6,8 +6,7 @@ export const review: typeof first = {
     opening: "Buscando la clase…",
     activities: (n, names) => (n === 1 ? `Actividad: ${names}` : `Actividades: ${names}`),
     summary: "En resumen",
-    passedBy: (n, all) =>
-      `Cumplieron la actividad: ${n} de ${all}`,
+    passedBy: (n, all) => `Cumplieron la actividad: ${n} de ${all}`,
     stuck: (names) => `Necesitan ayuda: ${names}`,
     commonFault: (n, what) => `Error más común (${n} grupos): ${what}`,
     freeWork: "Trabajo libre",
@@ -29,7 +28,7 @@ export const review: typeof first = {
       "Cuando un grupo de este curso cambie un programa o presione Ejecutar, su línea aparece aquí.",
     noRunsTitle: "Ningún recorrido en esta clase",
     noRuns: "Los grupos cambiaron programas, pero nadie presionó Ejecutar.",
-    nothing: "Este grupo todavía no hizo nada en esta clase.",
+    nothing: "Este grupo todavía no cambió bloques ni ejecutó nada en esta clase.",
     fileName: "clase",
     printed: (date) => `Impreso el ${date}`,
     counts: "Qué cuenta cada número",

@@ -63,7 +63,7 @@ export const teacher: typeof first = {
     nameMissing: "Escriba el título de la clase.",
     list: "Clases de este curso",
     untitled: "Sin título, se abrió sola",
-    edits: (n: number) => (n === 1 ? "1 cambio" : `${n} cambios`),
+    versions: (n: number) => (n === 1 ? "1 versión" : `${n} versiones`),
     runs: (n: number) => (n === 1 ? "1 recorrido" : `${n} recorridos`),
     review: "Ver la clase",
     reviewOf: (title: string) => `Ver la clase: ${title}`,

@@ -16,7 +16,7 @@ export const keeping = {
   older: "Versão anterior",
   newer: "Versão seguinte",
   changes: (n: number) => (n === 1 ? "1 mudança" : `${n} mudanças`),
-  showEach: (n: number) => `Mostrar uma por uma as ${n} mudanças`,
+  showEach: (n: number) => `Mostrar uma por uma as ${n} versões`,
   foldAgain: "Juntar de novo",
   passed: "cumpriu a atividade",
   incomplete: "com blocos para consertar",
@@ -59,6 +59,8 @@ export const keeping = {
   kinds: { added: "Entrou", removed: "Saiu", changed: "Mudou", moved: "Trocou de lugar" },
   setup: "Onde e como roda",
   setupFact: (what: string, now: string) => `${what}: ${now}`,
+  hintsOpened: (from: number, to: number) =>
+    from === to ? `Dica ${to} aberta` : `Dicas ${from} a ${to} abertas`,
   start: "Partida",
   worldStart: "a do mundo",
   ownStart: (x: string, y: string, heading: string) => `x ${x} m, y ${y} m, ${heading}°`,

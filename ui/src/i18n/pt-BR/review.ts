@@ -6,8 +6,7 @@ export const review = {
     activities: (n: number, names: string) =>
       n === 1 ? `Atividade: ${names}` : `Atividades: ${names}`,
     summary: "Em resumo",
-    passedBy: (n: number, all: number) =>
-      `Cumpriram a atividade: ${n} de ${all}`,
+    passedBy: (n: number, all: number) => `Cumpriram a atividade: ${n} de ${all}`,
     stuck: (names: string) => `Precisam de ajuda: ${names}`,
     commonFault: (n: number, what: string) => `Erro mais comum (${n} grupos): ${what}`,
     freeWork: "Trabalho livre",
@@ -29,7 +28,7 @@ export const review = {
       "Quando um grupo desta turma mudar um programa ou apertar Rodar, a linha dele aparece aqui.",
     noRunsTitle: "Nenhuma rodada nesta aula",
     noRuns: "Os grupos mudaram programas, mas ninguém apertou Rodar.",
-    nothing: "Este grupo ainda não fez nada nesta aula.",
+    nothing: "Este grupo ainda não mudou blocos nem rodou nesta aula.",
     fileName: "aula",
     printed: (date: string) => `Impresso em ${date}`,
     counts: "O que cada número conta",

@@ -61,7 +61,7 @@ export const teacher = {
     nameMissing: "Escreva o título da aula.",
     list: "Aulas desta turma",
     untitled: "Sem título, aberta sozinha",
-    edits: (n: number) => (n === 1 ? "1 mudança" : `${n} mudanças`),
+    versions: (n: number) => (n === 1 ? "1 versão" : `${n} versões`),
     runs: (n: number) => (n === 1 ? "1 rodada" : `${n} rodadas`),
     review: "Ver a aula",
     reviewOf: (title: string) => `Ver a aula: ${title}`,

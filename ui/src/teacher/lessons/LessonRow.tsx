@@ -32,7 +32,7 @@ export function LessonRow({ lesson, onChanged, isPart = false, children }: Lesso
   const facts = [
     dateAndTime(lesson.opened_at, language.value),
     lesson.computer,
-    say.edits(lesson.n_versions),
+    say.versions(lesson.n_versions),
     say.runs(lesson.n_runs),
   ];
   return (
