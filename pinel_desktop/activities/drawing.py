@@ -15,6 +15,7 @@ STEP_M = 0.02
 _SMALLEST_M = 0.01  # r.m.s. size below which a drawing is a dot
 _SEARCH_DEG = 3
 _N_SEARCH, _N_FIT, _N_ROUNDS, _N_BEST = 90, 240, 20, 4
+_N_MIRRORED = (16, 60, 240)
 _AXIS_STEP_DEG = 0.5
 
 
@@ -181,18 +182,13 @@ def axes_of_symmetry(drawing: Points, tolerance: float) -> int:
     if size < _SMALLEST_M:
         return 0
     points = points / size
+    samples = [_thinned(points, n) for n in _N_MIRRORED]
     angles = np.radians(np.arange(0.0, 180.0, _AXIS_STEP_DEG))
-    few = _thinned(points, _N_SEARCH)
-    rough = [_mirror_error(few, points, angle) for angle in angles[:: int(2 / _AXIS_STEP_DEG)]]
-    errors = np.full(len(angles), np.inf)
-    more = _thinned(points, _N_FIT)
-    for i in range(len(angles)):
-        around = rough[(i // 4) % len(rough)], rough[(i // 4 + 1) % len(rough)]
-        if (
-            min(around) <= tolerance + 0.08
-        ):  # an axis 2 degrees away shifts the farthest points by that
-            errors[i] = _mirror_error(more, points, angles[i])
-    return _valleys(errors <= tolerance)
+    # a few points show most angles to be none
+    is_axis = [
+        all(_mirror_error(few, points, angle) <= tolerance for few in samples) for angle in angles
+    ]
+    return _runs(np.array(is_axis))
 
 
 def _mirror_error(few: Points, points: Points, angle: float) -> float:
@@ -201,7 +197,7 @@ def _mirror_error(few: Points, points: Points, angle: float) -> float:
     return float(nearest(mirrored, points).max())
 
 
-def _valleys(low: NDArray[np.bool_]) -> int:
+def _runs(low: NDArray[np.bool_]) -> int:
     """Number of runs of True on a circle; where all are True, their number."""
     if low.all():
         return int(len(low) * _AXIS_STEP_DEG)

@@ -27,6 +27,7 @@ from pinel_desktop.program.reading import Reading, read_document
 
 PROGRAMS = Path(__file__).parent / "programs"
 CATALOGUE = Path(__file__).parents[2] / "pinel_desktop" / "activities" / "catalogue"
+DOCS = Path(__file__).parents[2] / "docs" / "activities.md"
 WRONG = sorted(PROGRAMS.glob("*/wrong_*.py"))
 OTHER = sorted(PROGRAMS.glob("*/other_*.py"))
 # on wheels alone the robot slips: its solution misses what counts by some centimetres
@@ -74,6 +75,13 @@ def test_there_are_twenty_five_in_four_paths() -> None:
         "decisions": 6,
         "sensors": 6,
     }
+
+
+@pytest.mark.parametrize("name", activity_names())
+def test_it_stands_in_the_docs_with_its_place(name: str) -> None:
+    one = choose_activity(name)
+    row = f"| {one.number} | `{name}` | {one.title.en} | `{one.world}` | {one.level} | {len(one.cases)} |"
+    assert row in DOCS.read_text("utf-8")
 
 
 @pytest.mark.parametrize("name", activity_names())
