@@ -42,7 +42,7 @@ def test_what_was_chosen_for_a_program_is_there_tomorrow_and_nowhere_else(
     later.page.goto(f"{later.origin}/#/")
     later["group-card"].filter(has_text="Os Tatus").click()
     later.wait_until_open()
-    later["level"].select_option("3")  # a window that did not know the group begins with the first steps
+    later["level"].select_option("3")  # this window knows no choice of the group
     expect(later["world"]).to_have_value("maze")
     assert chosen(later) == now
     later.run()
