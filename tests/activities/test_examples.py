@@ -18,7 +18,7 @@ FIGURES = {
     "line_follower": (14.20, 97.1),
     "snowflake": (12.80, 125.6),
     "guessing_game": (0.50, 6.2),
-    "shy": (5.60, 32.6),
+    "shy": (5.40, 30.3),
 }
 
 
