@@ -124,6 +124,7 @@ function PracticeLink() {
   return (
     <LinkButton
       icon={Hand}
+      class="header__practice"
       label={texts.value.titles.practice}
       href={hashOf({ screen: "practice" })}
       testId={TEST.practice}
