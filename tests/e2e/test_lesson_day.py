@@ -133,6 +133,7 @@ def with_group(pc: Studio, name: str, work: Callable[[Studio], None]) -> None:
     pc["group-card"].filter(has_text=name).click()
     pc.wait_until_open()
     expect(pc["lesson-chip"]).to_contain_text(LESSON)
+    pc["level"].select_option("3")
     pc["speed"].select_option("10")
     work(pc)
     pc.wait_until_saved()
@@ -147,7 +148,7 @@ def passes_at_once(pc: Studio) -> None:
 def repairs(pc: Studio) -> None:
     write_program(pc, SQUARE.format(side=0.5))
     finish(pc)
-    expect(pc["status-line"]).to_contain_text("Ainda não para a atividade")
+    expect(pc["status-line"]).to_contain_text("Ainda não:")
     pc.blocks.type_into(pc.blocks.by_words("andar para frente"), "1")
     pc.eventually(lambda: pc.commands()[0]["commands"][0]["distance"], 1)
     finish(pc)

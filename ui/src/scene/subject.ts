@@ -33,7 +33,8 @@ export function includeThings(box: Box, world: World): void {
     const [x, y] = thing.center;
     include(box, x ?? 0, y ?? 0, Math.hypot(...thing.size) / 2);
   }
-  for (const area of [...world.zones, ...world.floor]) {
+  // a world of the editor leaves out what is empty
+  for (const area of [...(world.zones ?? []), ...(world.floor ?? [])]) {
     const [x, y] = area.center;
     const reach = area.radius ?? Math.hypot(...(area.size ?? [])) / 2;
     include(box, x ?? 0, y ?? 0, reach);

@@ -109,6 +109,7 @@ function ActivitiesLink() {
   return (
     <LinkButton
       icon={Target}
+      class="header__activities"
       label={open}
       href={hashOf({ screen: "activities", group: now.id })}
       testId={TEST.openActivities}
