@@ -87,7 +87,9 @@ def test_a_level_offers_its_blocks_and_keeps_those_of_others(page: Page) -> None
     open_editor(page, 1, 3)
     categories = page.locator("#editor [data-testid^=toolbox-]:not(input)")
     expect(categories).to_have_count(5)
-    expect(page.locator("#editor .blocklySvg .blocklyBlockCanvas > .blocklyDraggable")).to_have_count(1)
+    expect(
+        page.locator("#editor .blocklySvg .blocklyBlockCanvas > .blocklyDraggable")
+    ).to_have_count(1)
     for level, count in ((2, 9), (3, 11), (1, 5)):
         page.evaluate("(level) => window.editor.setLevel(level)", level)
         expect(categories).to_have_count(count)
