@@ -28,11 +28,13 @@ class SemanticCheck:
 
     Attributes:
         findings: faults, in no order.
+        warnings: findings about what is valid, but can hardly be meant, in no order.
         is_large: True if there may be too many commands or levels; `shape.check_shape` decides.
         n_keys: number of keys in all objects; in a malformed document possibly fewer, never more.
     """
 
     findings: list[Finding] = field(default_factory=list)
+    warnings: list[Finding] = field(default_factory=list)
     is_large: bool = False
     n_keys: int = 0
 
@@ -41,7 +43,7 @@ def check_semantics(document: dict[str, Any]) -> SemanticCheck:
     """Checks a `pinel_ir` document, down to the maximum depth of a document."""
     checker = _Checker(document)
     checker.run()
-    return SemanticCheck(checker.found, checker.is_large, checker.n_keys)
+    return SemanticCheck(checker.found, checker.warnings, checker.is_large, checker.n_keys)
 
 
 class _Checker:
@@ -55,6 +57,10 @@ class _Checker:
         self._functions = functions if isinstance(functions, list) else []
         self._signatures, self.found = signatures(self._functions)
         self._expressions = Expressions(self._signatures, self._variables, self.found)
+
+    @property
+    def warnings(self) -> list[Finding]:
+        return self._expressions.warnings
 
     @property
     def is_large(self) -> bool:

@@ -3,7 +3,7 @@
 A parameter is a literal or an expression.
 """
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 from pydantic import BeforeValidator
 from pydantic_core import PydanticCustomError
@@ -27,8 +27,6 @@ Seconds = Annotated[Number, Takes("number", ge=0, le=MAX_WAIT_S, unit="s")]
 Timeout = Annotated[Number, Takes("number", gt=0, le=MAX_WAIT_S, unit="s")]
 Count = Annotated[Number, Takes("number", ge=0, le=MAX_REPEATS, whole=True)]
 TextValue = Annotated[str | AnyNode, Takes("text")]
-
-Color = Literal["black", "red", "orange", "yellow", "green", "blue", "purple", "white"]
 
 
 def _parsed(condition: Any) -> Any:

@@ -4,7 +4,7 @@ from typing import Any
 
 from pinel_desktop.program.conditions import ConditionError, parse_condition
 from pinel_desktop.program.functions import Signature
-from pinel_desktop.program.operators import OPERATORS, ORDER, Operator, ValueType
+from pinel_desktop.program.operators import EQUALITY, OPERATORS, ORDER, Operator, ValueType
 from pinel_desktop.program.pointers import LONGEST_PATH, Finding, Path
 from pinel_desktop.program.sensors import SENSORS
 
@@ -24,6 +24,7 @@ class Expressions:
     """Checks the expressions of one document. Adds findings to `found`, and names of variables to `variables`.
 
     Attributes:
+        warnings: findings about expressions that are valid, but can hardly be what was meant.
         deepest: length of the longest path to an expression.
         n_keys: number of keys in the objects visited.
         parameters: parameters of the enclosing function, which are not variables.
@@ -33,6 +34,7 @@ class Expressions:
         self, signatures: dict[str, Signature], variables: set[str], found: list[Finding]
     ) -> None:
         self._signatures, self._variables, self._found = signatures, variables, found
+        self.warnings: list[Finding] = []
         self.deepest = self.n_keys = 0
         self.parameters: tuple[str, ...] = ()
 
@@ -169,6 +171,8 @@ class Expressions:
             self._add(code, path, operator=name, value=len(args), min=operator.n_min)
         else:
             self._operands(name, operator, types, path)
+            if operator is EQUALITY:
+                self._equality(args, path)
         return operator.gives
 
     def _operands(self, name: str, operator: Operator, types: list[Type], path: Path) -> None:
@@ -184,6 +188,16 @@ class Expressions:
             self._add("not_comparable", path, operator=name)
         elif name == "length" and types[0] in ("number", "boolean"):
             self._add("not_text_or_list", path, operator=name)
+
+    def _equality(self, args: list[Any], path: Path) -> None:
+        """Warns of a text that the sensor beside it never gives."""
+        for i, (value, other) in enumerate((args, args[::-1])):
+            name = other.get("sensor") if isinstance(other, dict) else None
+            sensor = SENSORS.get(name) if isinstance(name, str) else None
+            if sensor is None or not sensor.texts or not isinstance(value, str):
+                continue
+            if value not in sensor.texts:
+                self.warnings.append((f"never_{name}", (*path, "args", i), {"value": value}))
 
 
 def _comparable(types: list[Type]) -> bool:

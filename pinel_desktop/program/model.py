@@ -17,7 +17,6 @@ from pinel_desktop.program.command import (
     Angle,
     AnyCommand,
     AnyNumber,
-    Color,
     Condition,
     Count,
     DegreesPerSecond,
@@ -33,6 +32,7 @@ from pinel_desktop.program.command import (
 )
 from pinel_desktop.program.expressions import Expression, Name, Text
 from pinel_desktop.program.limits import MAX_COMMANDS
+from pinel_desktop.program.sensors import Color
 
 
 class MoveForward(AnyCommand):

@@ -45,7 +45,7 @@ class Operator:
 
 
 _ARITHMETIC = Operator(2, 2, ("number",), "number")
-_EQUALITY = Operator(2, 2, (None,), "boolean")
+EQUALITY = Operator(2, 2, (None,), "boolean")
 ORDER = Operator(2, 2, (None,), "boolean")  # two numbers or two texts
 _JOINED = Operator(2, None, ("boolean",), "boolean")
 _FUNCTION = Operator(1, 1, ("number",), "number")
@@ -53,7 +53,7 @@ _EXTREME = Operator(1, None, ("number",), "number")
 
 OPERATORS: dict[str, Operator] = {
     **dict.fromkeys(("+", "-", "*", "/", "%", "**"), _ARITHMETIC),
-    **dict.fromkeys(("==", "!="), _EQUALITY),
+    **dict.fromkeys(("==", "!="), EQUALITY),
     **dict.fromkeys(("<", "<=", ">", ">="), ORDER),
     **dict.fromkeys(("and", "or"), _JOINED),
     "not": Operator(1, 1, ("boolean",), "boolean"),

@@ -27,7 +27,8 @@ class Reading:
     Attributes:
         program: the typed program; None if there are faults.
         faults: all faults, in the order of the document.
-        warnings: ignored parts, such as unknown keys in a bare list of the original PINEL.
+        warnings: ignored parts, such as unknown keys in a bare list of the original PINEL, and parts that can hardly be
+            meant, such as a text that the floor's colour never equals. Empty if there are faults of the program.
     """
 
     program: Program | None
@@ -78,7 +79,7 @@ def _read(source: str | bytes | dict[str, Any] | list[Any]) -> Reading:
         semantics, program, _ = _check(document)
         is_good = program is not None and not semantics.findings and not semantics.is_large
         if is_good and (semantics.n_keys == most_keys(text) or not duplicate_keys(text)):
-            return Reading(program)
+            return Reading(program, warnings=_warnings(document, semantics, bare=False))
     faults = check_shape(document)
     return Reading(None, tuple(faults)) if faults else _read_shaped(document, duplicate_keys(text))
 
@@ -137,7 +138,7 @@ def _read_bare_list(commands: list[Any], duplicates: list[Finding]) -> Reading:
     reading = _validate(
         cleaned, [one for one in duplicates if has_path(cleaned, one[1])], bare=True
     )
-    return Reading(reading.program, reading.faults, tuple(unknown))
+    return Reading(reading.program, reading.faults, (*unknown, *reading.warnings))
 
 
 def _without_keys(value: Any, pointers: set[str], here: str) -> Any:
@@ -162,8 +163,19 @@ def _validate(document: dict[str, Any], duplicates: list[Finding], *, bare: bool
     semantics, program, errors = _check(document)
     findings = [*duplicates, *semantics.findings]
     if program is not None and not findings:
-        return Reading(program)
+        return Reading(program, warnings=_warnings(document, semantics, bare=bare))
     return Reading(None, tuple(_faults(document, errors, findings, bare=bare)))
+
+
+def _warnings(document: Any, semantics: SemanticCheck, *, bare: bool) -> tuple[Fault, ...]:
+    """Warnings in the order of the document."""
+    if not semantics.warnings:
+        return ()  # the usual case
+    placed = {path: (code, params) for code, path, params in semantics.warnings}
+    return tuple(
+        placed_fault(document, path, *placed[path], bare=bare)
+        for path in in_document_order(document, placed)
+    )
 
 
 def _faults(

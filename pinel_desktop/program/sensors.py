@@ -15,11 +15,12 @@ fails with `sensor_missing`. Its texts on the page are in `ui/src/i18n/LANG/bloc
 
 import math
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, get_args
 
 from pinel_desktop.program.operators import ValueType
 
 DEGREES = "degrees"
+Color = Literal["black", "red", "orange", "yellow", "green", "blue", "purple", "white"]
 _TYPES: dict[ValueType, type] = {"number": float, "text": str, "boolean": bool}
 
 
@@ -55,6 +56,7 @@ class Sensor:
         level: first level whose toolbox has its block.
         unit: of the value; the link gives degrees as radians.
         low, high: range of the value; None is unbounded.
+        texts: all texts that it gives; empty where it may give others.
         argument: None for a sensor without an argument.
         block: type of its block, which sensors without an argument may share; empty is the name.
         cost: evaluation time, as a number of parts of an expression.
@@ -67,6 +69,7 @@ class Sensor:
     unit: str = ""
     low: float | None = None
     high: float | None = None
+    texts: tuple[str, ...] = ()
     argument: Argument | None = None
     block: str = ""
     cost: int = 2
@@ -107,7 +110,7 @@ _ROWS = (
     Sensor("y", "number", "how far to the left of its start", 2, "m", block="position"),
     Sensor("heading", "number", "where it looks; left is positive", 2, DEGREES, -180.0, 180.0),
     Sensor("time", "number", "how long the run has taken", 2, "s", low=0.0),
-    Sensor("floor", "text", "colour of the floor under the robot", level=2),
+    Sensor("floor", "text", "colour of the floor under the robot", level=2, texts=get_args(Color)),
     Sensor("cell", "text", 'name of the place under the robot, or ""', level=3),
     Sensor(
         "sonar",

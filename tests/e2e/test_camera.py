@@ -149,7 +149,7 @@ def choose_sign(studio: Studio, name: str) -> None:
 
 def warned(studio: Studio) -> Locator:
     """Blocks that name a sign which the camera does not know."""
-    return studio.page.locator(".blocklyBlockCanvas .pinelUnknownSign")
+    return studio.page.locator(".blocklyBlockCanvas .pinelNotice")
 
 
 @pytest.mark.parametrize("camera", [STRANGE])
@@ -189,7 +189,7 @@ def test_a_sign_that_the_class_does_not_know_is_warned_of_and_can_be_answered(
     write_program(studio, WAITS_FOR_B.replace('"B"', '"pare"'))
     expect(warned(studio)).to_have_count(1)
     assert studio.commands()[1]["condition"]["args"][1] == "pare"
-    studio.page.locator(".pinelUnknownSign > .blocklyWarningIcon").click()
+    studio.page.locator(".pinelNotice > .blocklyWarningIcon").click()
     expect(studio.blocks.fault_words()).to_contain_text("pare")
     studio.run()
     answer = studio["capture-letter"].and_(studio.page.locator('[data-letter="pare"]'))

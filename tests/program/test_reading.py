@@ -5,8 +5,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from pinel_desktop.messages import LANGUAGES, describe
 from pinel_desktop.program.limits import MAX_BYTES, MAX_COMMANDS, MAX_NESTING
 from pinel_desktop.program.reading import read_document
+from pinel_desktop.program.sensors import SENSORS
 
 
 def document(*commands: Any) -> dict[str, Any]:
@@ -305,3 +307,53 @@ def test_parsed_data_has_the_same_limit_of_size_as_text() -> None:
     big = document(*[{"action": "stop", "comment": "x" * 9000}] * 200)
     assert [code for code, _ in faults(big)] == ["document_too_large"]
     assert [code for code, _ in faults(json.dumps(big))] == ["document_too_large"]
+
+
+def until(condition: Any) -> dict[str, Any]:
+    return {"action": "until", "block": "u", "condition": condition, "commands": []}
+
+
+FLOOR = {"sensor": "floor"}
+
+
+@pytest.mark.parametrize("operator", ["==", "!="])
+@pytest.mark.parametrize("text", ["vermelho", "Red", ""])
+def test_a_colour_that_the_floor_never_has_is_a_warning_at_its_block(
+    operator: str, text: str
+) -> None:
+    never = {"op": operator, "args": [FLOOR, text]}
+    either = {"op": "or", "args": [{"sensor": "bumper"}, never]}
+    reading = read_document(json.dumps(document(until(either))))
+    assert reading.program is not None  # it ran before, and still does
+    [warning] = reading.warnings
+    assert (warning.code, warning.block, warning.params) == ("never_floor", "u", {"value": text})
+    assert warning.pointer == "/commands/0/condition/args/1/args/1"
+
+
+def test_a_warning_in_a_bare_list_has_its_place_there_beside_ignored_keys() -> None:
+    never = {"op": "==", "args": ["azul", FLOOR]}
+    reading = read_document([{**until(never), "status": "done"}])
+    assert [(one.code, one.pointer) for one in reading.warnings] == [
+        ("unknown_key", "/0/status"),
+        ("never_floor", "/0/condition/args/0"),
+    ]
+
+
+@pytest.mark.parametrize(
+    "condition",
+    [
+        {"op": "==", "args": [FLOOR, "red"]},
+        {"op": "==", "args": [FLOOR, {"var": "colour"}]},
+        {"op": "==", "args": [{"gesture": "result"}, "vermelho"]},
+        {"op": "==", "args": [{"sensor": "cell"}, "vermelho"]},
+        {"op": "<", "args": [FLOOR, "vermelho"]},
+    ],
+)
+def test_what_may_be_equal_is_no_warning(condition: Any) -> None:
+    assert read_document(document(until(condition))).warnings == ()
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_remedy_names_all_colours_of_the_floor(language: str) -> None:
+    remedy = describe("never_floor", {"value": "x"}, language).remedy
+    assert all(colour in remedy for colour in SENSORS["floor"].texts)

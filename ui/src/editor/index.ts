@@ -3,6 +3,7 @@ import "./editor.css";
 import { registerBlocks } from "../blocks";
 import type { Level } from "../blocks/definition";
 import { generateDocument } from "../blocks/generator";
+import { setKnownPlaces } from "../blocks/known_places";
 import { type KnownSigns, setKnownSigns } from "../blocks/known_signs";
 import { EVERYTHING, toolbox } from "../blocks/toolbox/toolbox";
 import { upgradeWorkspace } from "../blocks/upgrade";
@@ -14,8 +15,8 @@ import { applyLanguage } from "./locale";
 import { Breakpoints } from "./marks/breakpoints";
 import { type Fault, Faults } from "./marks/faults";
 import { bringIntoView, Highlight } from "./marks/highlight";
+import { Notices } from "./marks/notices";
 import { StartHint } from "./marks/start_hint";
-import { UnknownSigns } from "./marks/unknown_signs";
 import { ValueBubble } from "./marks/value_bubble";
 import type { EditorOptions } from "./options";
 import { Overview } from "./overview";
@@ -47,6 +48,8 @@ export interface Editor {
   setLevel(level: Level): void;
   /** Sets the signs that blocks offer; a block that names another one is marked. Null while they are not known. */
   setSigns(signs: KnownSigns | null): void;
+  /** Sets the names of the world's places; a block that compares with another one is marked. Null while not known. */
+  setPlaces(names: readonly string[] | null): void;
   setReadOnly(readOnly: boolean): void;
   undo(): void;
   redo(): void;
@@ -77,7 +80,7 @@ class BlockEditor implements Editor {
   private readonly workspace: Blockly.WorkspaceSvg;
   private readonly faults: Faults;
   private readonly running: Highlight;
-  private readonly unknownSigns: UnknownSigns;
+  private readonly notices: Notices;
   private readonly breakpoints: Breakpoints | undefined;
   private readonly values: ValueBubble | undefined;
   private readonly overview: Overview;
@@ -97,7 +100,7 @@ class BlockEditor implements Editor {
     this.keepPaletteOpen();
     this.faults = new Faults(this.workspace);
     this.running = new Highlight(this.workspace);
-    this.unknownSigns = new UnknownSigns(this.workspace);
+    this.notices = new Notices(this.workspace);
     const { onBreakpoints } = options;
     this.breakpoints = onBreakpoints && new Breakpoints(this.workspace, onBreakpoints);
     this.overview = new Overview(this.workspace);
@@ -172,7 +175,12 @@ class BlockEditor implements Editor {
 
   setSigns(signs: KnownSigns | null): void {
     setKnownSigns(signs);
-    this.unknownSigns.refresh();
+    this.notices.refresh();
+  }
+
+  setPlaces(names: readonly string[] | null): void {
+    setKnownPlaces(names);
+    this.notices.refresh();
   }
 
   setReadOnly(readOnly: boolean): void {
@@ -223,6 +231,7 @@ class BlockEditor implements Editor {
     this.onContent();
     this.disposed = true;
     setKnownSigns(null);
+    setKnownPlaces(null);
     this.sizes.disconnect();
     this.zoomControls.remove();
     this.values?.dispose();
@@ -290,8 +299,8 @@ class BlockEditor implements Editor {
       ensureStartBlock(this.workspace);
       markLooseBlocks(this.workspace);
     });
-    this.unknownSigns.forget();
-    this.unknownSigns.refresh();
+    this.notices.forget();
+    this.notices.refresh();
     this.overview.refresh();
     this.breakpoints?.refresh();
     this.refreshHint();
@@ -315,7 +324,7 @@ class BlockEditor implements Editor {
   private onContent(): void {
     markLooseBlocks(this.workspace);
     this.breakpoints?.refresh();
-    this.unknownSigns.refresh();
+    this.notices.refresh();
     this.refreshHint();
     const fingerprint = this.fingerprint();
     if (fingerprint === this.known) return;

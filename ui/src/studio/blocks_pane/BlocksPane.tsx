@@ -7,6 +7,7 @@ import {
   Undo2,
 } from "lucide-preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
+import type { World } from "../../api/model";
 import type { KnownSigns } from "../../blocks/known_signs";
 import { classOfSigns, LETTERS, signNames, signs } from "../../camera/signs";
 import { createEditor, type Editor } from "../../editor";
@@ -167,6 +168,8 @@ function Workspace({ control }: { control: StudioControl }) {
   useEffect(() => editor.current?.setTheme(theme.value), [theme.value]);
   useEffect(() => editor.current?.setLevel(level.value), [level.value]);
   useEffect(() => editor.current?.setSigns(signsForBlocks()), [signs.value, control]);
+  const { value: world } = control.world;
+  useEffect(() => editor.current?.setPlaces(world && placesOf(world)), [world, control]);
 
   useEffect(() => {
     const now = editor.current;
@@ -184,6 +187,8 @@ function signsForBlocks(): KnownSigns | null {
   const named = signNames.value.filter((name) => !LETTERS.includes(name));
   return { named, hasClass: classOfSigns.value !== null };
 }
+
+const placesOf = (world: World) => (world.zones ?? []).map(({ name }) => name);
 
 function openIn(editor: Editor, { open }: StudioControl): void {
   try {
