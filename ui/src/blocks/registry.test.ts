@@ -93,6 +93,13 @@ test("first steps are five categories, and everything is all of them", () => {
   expect(categories(3)).toEqual(TOOLBOX_CATEGORIES);
 });
 
+test("explorers drive on until a sensor tells to stop", () => {
+  expect(offered(2)).toEqual(
+    expect.arrayContaining(["drive", "wait_until", "distance_sensor", "stop"]),
+  );
+  expect(offered(1)).not.toContain("drive");
+});
+
 test("a hand is held to the limits of the place a number stands in", () => {
   for (const row of ALL_DEFINITIONS) {
     for (const { limits, shadow } of argumentsOf(row) as readonly BlockArgument[]) {

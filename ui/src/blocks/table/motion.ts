@@ -95,7 +95,7 @@ export const motion = [
   {
     ...statement,
     type: "drive",
-    level: 3,
+    level: 2,
     makes: { action: "drive" },
     icon: "chevronsUp",
     args0: [numberInput("LINEAR", "linear", 0.2), numberInput("ANGULAR", "angular", 0)],
