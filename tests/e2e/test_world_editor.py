@@ -80,6 +80,24 @@ def test_things_are_drawn_moved_turned_and_typed_exactly(board: WorldBoard) -> N
     assert board.kept("boxes", "size") == [[0.75, 1]]
 
 
+def test_a_place_has_the_numbers_that_blocks_use_for_it(studio: Studio, board: WorldBoard) -> None:
+    """The start looks along the edge of the floor; the zone lies 2 m ahead of it and 1 m to its right."""
+    board.thing("start").click()
+    for name, value in {"x": "-3", "y": "-2", "heading": "90"}.items():
+        board.number(name).fill(value)
+    expect(board["panel"]).to_contain_text("Só a partida conta do meio do chão")
+    board.choose("zone")
+    board.drag((-2.5, -0.5), (-1.5, 0.5))
+    board.eventually(lambda: board.kept("zones", "center"), [[-2, 0]])
+    expect(board.number("x")).to_have_value("2")
+    expect(board.number("y")).to_have_value("-1")
+    expect(board.number("heading")).to_have_value("-90")
+    board.number("x").fill("3")
+    board.number("heading").fill("0")
+    board.eventually(lambda: board.kept("zones", "center"), [[-2, 1]])
+    board.eventually(lambda: board.kept("zones", "heading_deg"), [90])
+
+
 def test_places_and_colours_are_kept_for_the_sensors(board: WorldBoard) -> None:
     board.choose("zone")
     board.drag((1, 1), (2, 2))

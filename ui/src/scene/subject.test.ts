@@ -33,6 +33,11 @@ describe("what is shown of a room", () => {
     expect(subjectOf(world({ floor: [paint] }), IDLE).right).toBeGreaterThan(3.3);
   });
 
+  test("is that of a world of the editor, too, which leaves empty lists out", () => {
+    const { zones, floor, ...rest } = world();
+    expect(subjectOf(rest as World, IDLE)).toEqual(subjectOf(world(), IDLE));
+  });
+
   test("grows with the path", () => {
     const path = extend(extend(EMPTY_TRAIL, [0, 0]), [3, 0]);
     expect(subjectOf(world(), { ...IDLE, path }).right).toBeGreaterThan(3.2);

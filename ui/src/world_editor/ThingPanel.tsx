@@ -17,6 +17,7 @@ import {
   type Thing,
   type Wall,
 } from "./plan";
+import { fromStart, onFloor, type Range, reach } from "./start_frame";
 import { Swatches } from "./Toolbox";
 import { nameOf } from "./words";
 
@@ -81,20 +82,19 @@ function WallFields({ store, plan, thing }: PanelProps<Wall>) {
   const end = (name: "from" | "to", axis: "x" | "y", label: string) => (
     <NumberField
       label={label}
-      value={thing[name][axis]}
-      {...reach(axis === "x" ? plan.width : plan.depth)}
+      value={fromStart(plan.start, thing[name])[axis]}
+      {...reach(plan, axis, GRID)}
       testId={`world-${name}-${axis}`}
-      onNumber={(value) =>
-        measure(
-          store,
-          thing.id,
-          name + axis,
-        )({ ...thing, [name]: { ...thing[name], [axis]: value } })
-      }
+      onNumber={(value) => {
+        const counted = { ...fromStart(plan.start, thing[name]), [axis]: value };
+        const place = onFloor(plan.start, counted);
+        measure(store, thing.id, name + axis)({ ...thing, [name]: place });
+      }}
     />
   );
   return (
     <>
+      <p class="world-panel__hint">{words.fromStart}</p>
       <h3>{words.oneEnd}</h3>
       <div class="numbers">
         {end("from", "x", words.x)}
@@ -109,8 +109,6 @@ function WallFields({ store, plan, thing }: PanelProps<Wall>) {
   );
 }
 
-const reach = (size: number) => ({ least: -size / 2, most: size / 2, step: GRID });
-
 function AreaFields({ store, plan, thing }: PanelProps<AreaThing>) {
   const words = texts.value.world;
   const number = (key: keyof Area, label: string, range: Range, among: Partial<Area> = {}) => (
@@ -124,29 +122,48 @@ function AreaFields({ store, plan, thing }: PanelProps<AreaThing>) {
       }
     />
   );
+  const place = (axis: "x" | "y", label: string) => (
+    <NumberField
+      label={label}
+      value={fromStart(plan.start, thing)[axis]}
+      {...reach(plan, axis, GRID)}
+      testId={`world-${axis}`}
+      onNumber={(value) => {
+        const counted = { ...fromStart(plan.start, thing), [axis]: value };
+        measure(store, thing.id, axis)({ ...thing, ...onFloor(plan.start, counted) });
+      }}
+    />
+  );
+  const { heading } = plan.start;
   return (
     <>
       <OwnFields store={store} plan={plan} thing={thing} />
       {thing.kind !== "box" && <ShapeChoice store={store} thing={thing} />}
       <div class="numbers">
-        {number("x", words.x, reach(plan.width))}
-        {number("y", words.y, reach(plan.depth))}
+        {place("x", words.x)}
+        {place("y", words.y)}
         {thing.radius !== null &&
           number("radius", words.radius, { ...SIDE, most: MAX_FLOOR_M / 2 })}
         {thing.radius === null && number("width", words.width, SIDE)}
         {thing.radius === null && number("depth", words.depth, SIDE)}
-        {thing.radius === null && number("heading", words.heading, TURN)}
+        {thing.radius === null && (
+          <NumberField
+            label={words.heading}
+            value={clean(thing.heading - heading)}
+            {...{ ...TURN, least: TURN.least - heading, most: TURN.most - heading }}
+            testId="world-heading"
+            onNumber={(turned) =>
+              measure(store, thing.id, "heading")({ ...thing, heading: clean(turned + heading) })
+            }
+          />
+        )}
         {thing.kind === "box" && thing.movable && <Mass store={store} thing={thing} />}
       </div>
+      <p class="world-panel__hint">{words.fromStart}</p>
     </>
   );
 }
 
-interface Range {
-  least: number;
-  most: number;
-  step: number;
-}
 const SIDE: Range = { least: MIN_MOVABLE_SIDE_M, most: MAX_FLOOR_M, step: GRID };
 const TURN: Range = { least: -360, most: 360, step: 5 };
 const MASS: Range = { least: MIN_MOVABLE_KG, most: MAX_MOVABLE_KG, step: 0.5 };
@@ -234,7 +251,9 @@ function squared(thing: Flat): Flat {
   return { ...thing, radius: null, width: side, depth: side };
 }
 
-/** Properties of the start pose. */
+const across = (size: number): Range => ({ least: -size / 2, most: size / 2, step: GRID });
+
+/** Properties of the start pose, counted from the middle of the floor: everything else is counted from the start. */
 export function StartPanel({ store, plan }: { store: EditorStore; plan: Plan }) {
   const words = texts.value.world;
   const number = (key: keyof Start, label: string, range: Range) => (
@@ -251,8 +270,8 @@ export function StartPanel({ store, plan }: { store: EditorStore; plan: Plan }) 
       <h2>{words.kinds.start}</h2>
       <p class="world-panel__hint">{words.startHint}</p>
       <div class="numbers">
-        {number("x", words.x, reach(plan.width))}
-        {number("y", words.y, reach(plan.depth))}
+        {number("x", words.x, across(plan.width))}
+        {number("y", words.y, across(plan.depth))}
         {number("heading", words.heading, TURN)}
       </div>
     </section>

@@ -49,7 +49,9 @@ export const world: typeof first = {
   rectangle: "Rectangle",
   disc: "Circle",
   zoneName: "Name of the place",
-  startHint: "0° looks to the right; 90° looks up.",
+  fromStart: "Counted from the start, as in blocks: x ahead of it, y to its left.",
+  startHint:
+    "Only the start counts from the middle of the floor: 0° looks to the right; 90° looks up.",
   onTop: "Bring to top",
   double: "Copy",
   remove: "Delete",

@@ -49,7 +49,10 @@ export const world: typeof first = {
   rectangle: "Rectángulo",
   disc: "Círculo",
   zoneName: "Nombre del lugar",
-  startHint: "0° mira a la derecha; 90°, hacia arriba.",
+  fromStart:
+    "Contado desde la partida, como en los bloques: x hacia adelante, y hacia la izquierda.",
+  startHint:
+    "Solo la partida cuenta desde el medio del piso: 0° mira a la derecha; 90°, hacia arriba.",
   onTop: "Poner encima",
   double: "Copiar",
   remove: "Borrar",

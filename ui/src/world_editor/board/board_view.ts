@@ -6,9 +6,6 @@ import { type Palette, readPalette } from "../../scene/palette";
 import { drawRobot, drawStart } from "../../scene/robot";
 import { wholeRoom } from "../../scene/subject";
 
-/** The board's numbers and tiles have their origin in the middle of the floor, as the document has. */
-const MIDDLE = { x_m: 0, y_m: 0, heading_deg: 0 };
-
 /** Camera and size of the board: where the floor is drawn. */
 export interface View {
   readonly size: Size;
@@ -45,7 +42,7 @@ export function panned(view: View, dx: number, dy: number): View {
   return { ...view, camera: { x: x - dx / scale, y: y + dy / scale, scale } };
 }
 
-/** Draws the floor with the scene's functions. */
+/** Draws the floor with the scene's functions; tiles and numbers count from the start, as blocks do. */
 export function paintBoard(canvas: HTMLCanvasElement, world: World, view: View): void {
   const ctx = canvas.getContext("2d");
   if (!ctx) return;
@@ -60,11 +57,10 @@ export function paintBoard(canvas: HTMLCanvasElement, world: World, view: View):
   ctx.translate(size.width / 2, size.height / 2);
   ctx.scale(camera.scale, -camera.scale);
   ctx.translate(-camera.x, -camera.y);
-  const centred = { ...world, start: MIDDLE };
-  drawFloor(ctx, centred, palette, camera.scale);
+  drawFloor(ctx, world, palette, camera.scale);
   drawStanding(ctx, world, palette, camera.scale * ratio);
   ctx.restore();
-  drawRulers(ctx, centred, camera, size, palette);
+  drawRulers(ctx, world, camera, size, palette);
 }
 
 function drawStanding(

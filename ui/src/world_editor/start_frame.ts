@@ -1,0 +1,35 @@
+import { type StartPose, toStart, toWorld, type XY } from "../scene/frames";
+import { clean } from "./geometry";
+import type { Plan, Start } from "./plan";
+
+/** What a number field of the editor may hold. */
+export interface Range {
+  least: number;
+  most: number;
+  step: number;
+}
+
+/** Rounds metres of the document, so that a number typed for a turned start is shown again as it was typed. */
+const exact = (value: number) => Math.round(value * 1e6) / 1e6 + 0;
+
+const poseOf = ({ x, y, heading }: Start): StartPose => ({ x, y, yaw: (heading * Math.PI) / 180 });
+
+/** A point of the floor as blocks and rulers count it: metres ahead of the start and to its left. */
+export function fromStart(start: Start, point: XY): XY {
+  const { x, y } = toStart(poseOf(start), point.x, point.y);
+  return { x: clean(x), y: clean(y) };
+}
+
+/** The point of the floor that lies so many metres ahead of the start and to its left. */
+export function onFloor(start: Start, counted: XY): XY {
+  const { x, y } = toWorld(poseOf(start), counted.x, counted.y);
+  return { x: exact(x), y: exact(y) };
+}
+
+/** From where to where the floor goes along an axis, counted from the start. */
+export function reach({ start, width, depth }: Plan, axis: "x" | "y", step: number): Range {
+  const corners = [-1, 1].flatMap((right) =>
+    [-1, 1].map((up) => fromStart(start, { x: (right * width) / 2, y: (up * depth) / 2 })[axis]),
+  );
+  return { least: Math.min(...corners), most: Math.max(...corners), step };
+}
