@@ -18,6 +18,7 @@ from pinel_desktop.events.types import KEPT, URGENT
 from pinel_desktop.execution.inputs import Capture
 from pinel_desktop.instance import Instance
 from pinel_desktop.messages import Problem, describe, explain
+from pinel_desktop.page_settings import PageSettings
 from pinel_desktop.preferences import Preferences
 from pinel_desktop.school.grading import Grader
 from pinel_desktop.school.sign_teaching import SignTeaching
@@ -141,7 +142,10 @@ class App:
         """Makes the parts so that they end in this order: engine, hub, server, recorder, store."""
         self._store = _opened(self._database)
         undo.callback(self._store.close)
-        self._preferences = Preferences(self._store)
+        page = PageSettings.beside(self._database)
+        self._preferences = Preferences(
+            self._store, self._early_server.page_settings if self._early_server else page
+        )
         self._hub = Hub()
         self._recorder = Recorder(self._store, self._publish_recording, kept=KEPT, urgent=URGENT)
         undo.callback(self._end_recording)
@@ -156,7 +160,7 @@ class App:
         undo.callback(self._maintenance.close)
         if self._store.unfinished:
             self._recorder.flush()  # goes on trying until the disk has room
-        server = self._early_server or EarlyServer(self._port)
+        server = self._early_server or EarlyServer(self._port, self._preferences.page)
         undo.callback(server.close)
         undo.callback(self._hub.close)
         self._guard = server.guard

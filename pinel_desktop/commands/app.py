@@ -22,6 +22,7 @@ import click
 from pinel_desktop.commands.printing import print_problem
 from pinel_desktop.errors import PinelError
 from pinel_desktop.instance import Instance
+from pinel_desktop.page_settings import PageSettings
 from pinel_desktop.paths import database_path
 from pinel_desktop.web.early_server import EarlyServer
 
@@ -56,9 +57,10 @@ def _serve(
         return
     # the server first: the window loads the page while the rest is being imported
     with _loading():
-        server = EarlyServer()
+        database = database_path(db)
+        server = EarlyServer(page_settings=PageSettings.beside(database))
         send(type="address", address=server.guard.fresh_link())
-        app = _started(database_path(db), camera, server, send)
+        app = _started(database, camera, server, send)
     if app is not None:
         _answer(app, messages, send)
 

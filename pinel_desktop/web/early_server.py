@@ -13,6 +13,7 @@ from werkzeug.wrappers import Request
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import LANGUAGES, language_of_system
+from pinel_desktop.page_settings import PAGE_LANGUAGE, PageSettings
 from pinel_desktop.web.guard import Guard
 from pinel_desktop.web.page import PagePath, message_page, page
 from pinel_desktop.web.protection import add_headers, check_guard
@@ -24,15 +25,19 @@ _PATIENCE_S = 60.0
 class EarlyServer:
     """Server and guard of one app; serves the page at once, the API after `open`.
 
+    Args:
+        page_settings: what the page keeps; in memory only without it.
+
     Raises:
         PinelError: `port_taken`.
     """
 
-    def __init__(self, port: int = 0) -> None:
+    def __init__(self, port: int = 0, page_settings: PageSettings | None = None) -> None:
         self.guard = Guard()
+        self.page_settings = page_settings or PageSettings()
         self._server = Server(port)
         self.guard.bind(self._server.host, self._server.port)
-        self._page = _page_alone(self.guard)
+        self._page = _page_alone(self.guard, self.page_settings)
         self._app: Wsgi | None = None
         self._decided = threading.Event()
         self._server.start(self)
@@ -72,12 +77,16 @@ class EarlyServer:
         return True
 
 
+@dataclass(frozen=True, slots=True)
 class _EarlyPreferences:
-    """The language before the store is open, from the page's cookie."""
+    """What is known before the store is open: the settings of the page, among them the language that it last spoke."""
+
+    page: PageSettings
 
     @property
     def language(self) -> str:
-        kept = request.cookies.get("pinel_language")
+        cookie = request.cookies.get(PAGE_LANGUAGE, "")  # of earlier releases
+        kept = self.page.values.get(PAGE_LANGUAGE, cookie)
         return kept if kept in LANGUAGES else language_of_system()
 
 
@@ -89,9 +98,9 @@ class _PageServices:
     preferences: _EarlyPreferences
 
 
-def _page_alone(guard: Guard) -> Flask:
+def _page_alone(guard: Guard, settings: PageSettings) -> Flask:
     app = Flask(__name__, static_folder=None)
-    app.extensions["pinel"] = _PageServices(guard, _EarlyPreferences())
+    app.extensions["pinel"] = _PageServices(guard, _EarlyPreferences(settings))
     app.url_map.converters["page_path"] = PagePath
     app.register_blueprint(page)
     app.before_request(check_guard)

@@ -1,5 +1,8 @@
 """Serves the page's static files, built from `ui/`, and error messages as HTML pages."""
 
+import json
+import re
+from collections.abc import Mapping
 from html import escape
 from pathlib import Path
 
@@ -13,6 +16,9 @@ from pinel_desktop.web.services import services
 STATIC = Path(__file__).parent / "static"
 
 page = Blueprint("page", __name__)
+
+_THEME = "pinel_theme"
+_ROOT = re.compile(rb"(<html[^>]*)>")
 
 _MESSAGE = """<!doctype html>
 <html lang="{language}"><meta charset="utf-8"><meta name="viewport" content="width=device-width">
@@ -46,7 +52,21 @@ def index() -> BaseResponse:
         return _signed_in(redirect("/"))
     if not (STATIC / "index.html").is_file():
         return message_page("page_not_built", {}, services().preferences.language, 503)
-    return _file(f"index.{services().preferences.language}.html")
+    preferences = services().preferences
+    name, settings = f"index.{preferences.language}.html", preferences.page.values
+    return _with_settings(_file(name, conditional=False), settings) if settings else _file(name)
+
+
+def _with_settings(answer: BaseResponse, settings: Mapping[str, str]) -> BaseResponse:
+    """The page with what it keeps: it needs no request for it, and is drawn in its theme from the first moment on."""
+    more = {"data-kept": json.dumps(dict(settings))}
+    if _THEME in settings:
+        more["data-theme"] = settings[_THEME]
+    attributes = "".join(f' {name}="{escape(value)}"' for name, value in more.items())
+    answer.set_data(_ROOT.sub(rb"\1" + attributes.encode() + b">", answer.get_data(), count=1))
+    answer.add_etag(overwrite=True)
+    answer.headers.pop("Last-Modified", None)
+    return answer.make_conditional(request)
 
 
 class PagePath(PathConverter):
@@ -64,8 +84,8 @@ def asset(name: str) -> BaseResponse:
     return answer
 
 
-def _file(name: str) -> BaseResponse:
-    answer = send_from_directory(STATIC, name, conditional=True)
+def _file(name: str, *, conditional: bool = True) -> BaseResponse:
+    answer = send_from_directory(STATIC, name, conditional=conditional)
     # read at once: the server would leave the file open if the browser disconnected during the transfer
     close = getattr(answer.response, "close", lambda: None)
     answer.direct_passthrough = False

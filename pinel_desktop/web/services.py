@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol, cast
 from flask import current_app
 
 from pinel_desktop.messages import Problem
+from pinel_desktop.page_settings import PageSettings
 from pinel_desktop.web.guard import Guard
 
 if TYPE_CHECKING:  # heavy, and not needed to serve the page
@@ -113,10 +114,15 @@ class Signs(Protocol):
 
 
 class Preferences(Protocol):
-    """Choices of the person; persistent if the database is writable."""
+    """Choices of the person; persistent if the database is writable.
+
+    Attributes:
+        page: what the page keeps.
+    """
 
     language: str
     camera: str
+    page: PageSettings
 
 
 @dataclass(frozen=True, slots=True)

@@ -92,7 +92,7 @@ class Photographer:
         self.look = look
         width, height = SIZES[look.size]
         self.page.set_viewport_size({"width": width, "height": height})
-        self.context.add_cookies([{"name": "pinel_theme", "value": look.theme, "url": self.origin}])
+        self.call("PUT", "/api/settings/page", {"name": "pinel_theme", "value": look.theme})
         self.page.reload()
         self.of("language").select_option(look.language)
         self.page.wait_for_timeout(300)

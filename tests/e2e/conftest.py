@@ -23,6 +23,7 @@ CHROMIUM = (
     or "/usr/bin/chromium"
 )
 SCREEN = {"width": 1366, "height": 768}
+KEPT_BY_PAGE = ("pinel_theme", "pinel_levels", "pinel_class", "pinel_muted", "pinel_turns")
 ARTIFACTS = Path(__file__).parents[1] / "artifacts"
 
 OpenStudio = Callable[..., Studio]
@@ -87,9 +88,11 @@ def open_studio(
         return Studio(page)
 
     yield open_
-    if contexts and "lasting_app" in request.fixturenames:  # the next test uses it
+    if contexts and {"lasting_app", "school"} & set(request.fixturenames):  # the next test uses it
         settings = f"{app.origin}api/settings"
         assert contexts[0].request.put(settings, data={"language": "pt-BR"}).ok
+        for name in KEPT_BY_PAGE:
+            assert contexts[0].request.put(f"{settings}/page", data={"name": name, "value": ""}).ok
     for number, context in enumerate(contexts):
         _keep_picture(context, f"{request.node.name}-{number}", request)
         context.close()

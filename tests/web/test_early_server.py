@@ -5,11 +5,13 @@ import urllib.error
 import urllib.request
 from collections.abc import Iterator
 from http.cookiejar import CookieJar
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from pinel_desktop.messages import LANGUAGES
+from pinel_desktop.page_settings import PageSettings
 from pinel_desktop.web.early_server import EarlyServer
 
 
@@ -49,6 +51,23 @@ def test_the_page_has_the_texts_of_the_language_that_it_last_spoke(server: Early
         asked = urllib.request.Request(server.guard.origin, headers=cookies)
         with urllib.request.urlopen(asked, timeout=20) as answer:
             assert f'<html lang="{language}">'.encode() in answer.read()
+
+
+def test_the_page_is_there_at_once_with_what_it_keeps(
+    opener: urllib.request.OpenerDirector, tmp_path: Path
+) -> None:
+    kept = PageSettings.beside(tmp_path / "pinel.db")
+    kept.keep("pinel_theme", "dark")
+    kept.keep("pinel_language", "es")
+    server = EarlyServer(page_settings=PageSettings.beside(tmp_path / "pinel.db"))
+    try:
+        with opener.open(server.guard.fresh_link(), timeout=20) as answer:
+            start = answer.read().split(b"<head>")[0].decode()
+        assert 'lang="es"' in start
+        assert 'data-theme="dark"' in start
+        assert "&quot;pinel_theme&quot;: &quot;dark&quot;" in start
+    finally:
+        server.close()
 
 
 def test_a_key_that_was_used_opens_nothing(

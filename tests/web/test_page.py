@@ -1,9 +1,13 @@
 """The page's files, and the message shown without them."""
 
+import html
+import json
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
+from pinel_desktop.app import App
 from pinel_desktop.messages import LANGUAGES
 from pinel_desktop.web import page
 from tests.web.browser import Browser
@@ -14,7 +18,7 @@ def built(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     folder = tmp_path / "static"
     (folder / "assets").mkdir(parents=True)
     for name in ("index.html", *(f"index.{language}.html" for language in LANGUAGES)):
-        (folder / name).write_text(f"<!doctype html><title>{name}</title>", "utf-8")
+        (folder / name).write_text(f"<!doctype html><html lang='x'><title>{name}</title>", "utf-8")
     (folder / "assets" / "index-4f2a.js").write_text("export {}", "utf-8")
     (folder.parent / "secret.txt").write_text("not yours", "utf-8")
     monkeypatch.setattr(page, "STATIC", folder)
@@ -39,10 +43,44 @@ def test_the_page_is_the_one_with_the_texts_of_the_chosen_language(
         assert f"index.{language}.html" in browser.get("/").text
 
 
-def test_a_file_that_did_not_change_is_not_sent_again(built: Path, browser: Browser) -> None:
+@pytest.mark.parametrize("kept", ["", "dark"])
+def test_a_file_that_did_not_change_is_not_sent_again(
+    built: Path, browser: Browser, kept: str
+) -> None:
+    browser.put("/api/settings/page", {"name": "pinel_theme", "value": kept})
     tag = browser.get("/").headers["ETag"]
     again = browser.get("/", {"If-None-Match": tag})
     assert (again.status, again.body) == (304, b"")
+    browser.put("/api/settings/page", {"name": "pinel_theme", "value": "contrast"})
+    assert browser.get("/", {"If-None-Match": tag}).status == 200
+
+
+def test_the_page_comes_with_what_it_keeps_and_in_its_theme(
+    built: Path, browser: Browser, start_app: Callable[..., App], app: App
+) -> None:
+    for name, value in {"pinel_theme": "dark", "pinel_level": "2"}.items():
+        assert browser.put("/api/settings/page", {"name": name, "value": value}).status == 200
+    kept = html.escape(json.dumps({"pinel_theme": "dark", "pinel_level": "2"}))
+    wanted = f"""<html lang='x' data-kept="{kept}" data-theme="dark">"""
+    assert wanted in browser.get("/").text
+    app.close()
+    again = Browser.signed_in(start_app().address)
+    assert wanted in again.get("/").text
+
+
+@pytest.mark.parametrize(
+    "setting",
+    [
+        {"name": "pinel_theme", "value": '"><script>'},
+        {"name": "Theme!", "value": "dark"},
+        {"name": "pinel_theme", "value": "x" * 4001},
+        {"name": "pinel_theme"},
+    ],
+)
+def test_a_setting_that_the_page_cannot_have_made_is_refused(
+    browser: Browser, setting: dict[str, str]
+) -> None:
+    assert browser.send("PUT", "/api/settings/page", setting).status == 422
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,7 @@
 from flask import Response
 
 from pinel_desktop.web.api import answers, resource
-from pinel_desktop.web.models.status import DatabaseStatus, Settings, Status
+from pinel_desktop.web.models.status import DatabaseStatus, PageSetting, Settings, Status
 from pinel_desktop.web.responses import answer, notice
 from pinel_desktop.web.services import Services, services
 
@@ -40,4 +40,11 @@ def _database(parts: Services) -> DatabaseStatus:
 def put_settings(body: Settings) -> Response:
     """Sets the language of page and messages."""
     services().preferences.language = body.language
+    return answer(body)
+
+
+@api.put("/settings/page", responses=answers(PageSetting))
+def put_page_setting(body: PageSetting) -> Response:
+    """Keeps a setting of the page on this PC. The page is served with all of them, in `data-kept` of its root."""
+    services().preferences.page.keep(body.name, body.value)
     return answer(body)

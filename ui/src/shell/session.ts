@@ -21,7 +21,6 @@ import { isLanguage } from "../i18n/languages";
 import { reportTo } from "../kit/report";
 import { type Problem, wordsOf } from "../kit/requests/problem";
 import { serverStatus } from "./first_answers";
-import { remember } from "./remembered";
 import { navigationBlocked, ROUTES, route } from "./route";
 import { openStream } from "./stream";
 
@@ -49,8 +48,6 @@ effect(() => {
 
 export const engine = computed(() => status.value?.engine ?? "starting");
 
-/** The server reads it too, because it serves the page before it opens the store. */
-const LANGUAGE_COOKIE = "pinel_language";
 const POLL_MS = 1000;
 // shown for a moment, then the server's current notice again
 const GOOD_NEWS = new Set(["recording_resumed", "keeping_well_again"]);
@@ -171,7 +168,6 @@ function title(): string {
 export async function open(runs: Follower, camera: CameraFollower): Promise<void> {
   effect(() => {
     document.documentElement.lang = language.value;
-    remember(LANGUAGE_COOKIE, language.value);
   });
   effect(() => {
     document.title = title();

@@ -1,0 +1,53 @@
+"""What a PC keeps outlives window and app: a browser without cookies shows it again."""
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.e2e.app_process import AppProcess
+from tests.e2e.conftest import OpenStudio
+from tests.e2e.python_pane import write_program
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
+
+
+def test_theme_level_class_and_mute_are_there_after_the_window_was_closed(
+    open_studio: OpenStudio, app: AppProcess
+) -> None:
+    studio = open_studio()
+    studio.tell("PUT", "/teacher/pin", {"pin": "2468"})
+    for name in ("5º A", "5º B"):
+        studio.tell("POST", "/classrooms", {"name": name})
+    studio.page.reload()
+    studio["class-chip"].filter(has_text="5º B").click()
+    studio["theme"].click()
+    studio.enter_new_group(level=2)
+    write_program(studio, "robot.beep()\n")
+    studio["mute"].click()
+    expect(studio["mute"]).to_have_attribute("data-muted", "true")
+    group = studio.api("/groups")["groups"][0]
+    studio.page.context.close()
+
+    app.stop()
+    app.start()
+    later = open_studio()
+    expect(later.page.locator("html")).to_have_attribute("data-theme", "dark")
+    chosen = later["class-chip"].filter(has_text="5º B")
+    expect(chosen).to_have_attribute("aria-pressed", "true")
+    later.page.get_by_text(group["name"]).first.click()
+    later.wait_until_open()
+    expect(later["level"]).to_have_value("2")
+    expect(later["mute"]).to_have_attribute("data-muted", "true")
+
+
+def test_the_page_arrives_in_its_theme(open_studio: OpenStudio) -> None:
+    studio = open_studio()
+    studio["theme"].click()
+    expect(studio.page.locator("html")).to_have_attribute("data-theme", "dark")
+    studio.eventually(
+        lambda: 'data-theme="dark"' in studio.page.context.request.get(studio.origin).text(), True
+    )
+    asked: list[str] = []
+    studio.page.on("request", lambda request: asked.append(request.url))
+    studio.page.reload()
+    studio.page.wait_for_function("document.documentElement.dataset.ready")
+    assert not [url for url in asked if "/settings" in url]
