@@ -5,8 +5,8 @@ import { ROOTS } from "../start_block";
 
 const { ConnectionType } = Blockly;
 
-/** Distance of a block that fits nowhere from the blocks above it, in workspace units. */
-const GAP = 24;
+/** Distance of a new block from those above it, in workspace units: blocks push away others that they could snap to. */
+const GAP = 72;
 
 /**
  * Puts a copy of a block of the palette where a pupil expects it, as one undo step, selects it, brings it into view and
@@ -24,10 +24,10 @@ export function appendFromPalette(source: Blockly.BlockSvg): void {
   try {
     const below = workspace.getBlocksBoundingBox();
     const { blocks } = Blockly.serialization;
-    const block = blocks.append(state, workspace, { recordUndo: true }) as Blockly.BlockSvg;
+    const apart = { ...state, x: below.left, y: below.bottom + GAP };
+    const block = blocks.append(apart, workspace, { recordUndo: true }) as Blockly.BlockSvg;
     const place = placeFor(block, workspace, selected);
     if (place) connect(place, block);
-    else block.moveTo(new Blockly.utils.Coordinate(below.left, below.bottom + GAP));
     finish(block, workspace);
   } finally {
     Blockly.Events.setGroup(group);
@@ -38,11 +38,14 @@ function finish(block: Blockly.BlockSvg, workspace: Blockly.WorkspaceSvg): void 
   const focus = Blockly.getFocusManager();
   const source = focus.getFocusedNode();
   const isByKeyboard = Blockly.keyboardNavigationController.getIsActive();
+  // a block that is not drawn yet lies at the origin, and Blockly scrolls to what gets the focus
+  Blockly.renderManagement.triggerQueuedRenders(workspace);
   focus.focusNode(block);
   const staysOpen = workspace.getFlyout()?.autoClose === false;
   if (!staysOpen) workspace.hideChaff();
   // the next block is often from the same category
   else if (isByKeyboard && source) focus.focusNode(source);
+  // nothing scrolls before the click is over
   void Blockly.renderManagement
     .finishQueuedRenders()
     .then(() => bringIntoView(workspace, block.id));
