@@ -4,6 +4,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.e2e.app_process import AppProcess
+from tests.e2e.blocks import box_of
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.finger import Finger
 from tests.e2e.studio import Studio
@@ -11,7 +12,6 @@ from tests.e2e.studio import Studio
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
 
 HINT = ".pinelStartHint"
-TOAST = ".blocklyToast"
 
 
 @pytest.fixture
@@ -51,12 +51,40 @@ def test_half_a_metre_is_typed_as_pupils_write_it(
     expect(blocks.by_words("andar para frente")).to_contain_text(shown)
 
 
-@pytest.mark.parametrize(("typed", "kept"), [("500", 100), ("-2", 0), ("abc", 1)])
-def test_a_field_keeps_its_range_and_says_so(one_move: Studio, typed: str, kept: float) -> None:
+@pytest.mark.parametrize(
+    ("typed", "kept", "said"),
+    [
+        ("99999", 100, "“99999” não vale aqui: só de 0 a 100. Ficou 100."),
+        ("-1", 0, "“-1” não vale aqui: só de 0 a 100. Ficou 0."),
+        ("abc", 1, "“abc” não é um número. Ficou 1."),
+        ("  ", 0, "Falta um número. Ficou 0."),
+    ],
+)
+def test_a_field_says_beside_it_why_it_refuses_a_number(
+    one_move: Studio, typed: str, kept: float, said: str
+) -> None:
     blocks = one_move.blocks
-    blocks.type_into(blocks.by_words("andar para frente"), typed)
-    expect(one_move.page.locator(TOAST)).to_contain_text("Aqui")
+    move = blocks.by_words("andar para frente")
+    blocks.type_into(move, typed)
+    note = one_move["field-note"]
+    expect(note).to_have_text(said)
+    expect(one_move.page.locator("#blocklyAriaAnnounce")).to_contain_text(said)
+    field, box = box_of(move.locator(".blocklyInputField")), box_of(note)
+    assert 0 < box["y"] - (field["y"] + field["height"]) < 20
     expect_distances(one_move, kept)
+
+    blocks.type_into(move, "2")
+    expect(note).to_have_count(0)
+    expect_distances(one_move, 2)
+
+
+def test_a_note_at_a_field_goes_by_itself(one_move: Studio) -> None:
+    one_move.page.clock.install()
+    blocks = one_move.blocks
+    blocks.type_into(blocks.by_words("andar para frente"), "-1")
+    expect(one_move["field-note"]).to_be_visible()
+    one_move.page.clock.run_for(8000)
+    expect(one_move["field-note"]).to_have_count(0)
 
 
 def test_a_right_turn_is_a_negative_angle(one_move: Studio) -> None:

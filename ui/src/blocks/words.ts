@@ -22,7 +22,10 @@ export function wordsToFind(type: string): string {
 /** A word of the current language, its placeholders filled in. */
 export function word(key: TextKey, ...values: string[]): string {
   const text = Blockly.Msg[PREFIX + key] ?? "";
-  return values.reduce((filled, value, index) => filled.replace(`%${index + 1}`, value), text);
+  return values.reduce(
+    (filled, value, index) => filled.replace(`%${index + 1}`, () => value),
+    text,
+  );
 }
 
 /** How a definition refers to a word before the language is known. */

@@ -2,11 +2,13 @@ import * as Blockly from "blockly/core";
 import "./editor.css";
 import { registerBlocks } from "../blocks";
 import type { Level } from "../blocks/definition";
+import { addToFieldNote } from "../blocks/fields/field_note";
 import { generateDocument } from "../blocks/generator";
 import { setKnownPlaces } from "../blocks/known_places";
 import { type KnownSigns, setKnownSigns } from "../blocks/known_signs";
 import { EVERYTHING, toolbox } from "../blocks/toolbox/toolbox";
 import { upgradeWorkspace } from "../blocks/upgrade";
+import { word } from "../blocks/words";
 import type { Language } from "../i18n";
 import { watchContent } from "./changes";
 import { injectWorkspace } from "./inject";
@@ -51,6 +53,8 @@ export interface Editor {
   /** Sets the names of the world's places; a block that compares with another one is marked. Null while not known. */
   setPlaces(names: readonly string[] | null): void;
   setReadOnly(readOnly: boolean): void;
+  /** While the program runs, what is changed on a block is said to count in the next run. */
+  setRunning(running: boolean): void;
   undo(): void;
   redo(): void;
   /**
@@ -91,6 +95,7 @@ class BlockEditor implements Editor {
   private known = "";
   private level: Level;
   private language: Language;
+  private isRunning = false;
   private disposed = false;
 
   constructor(private readonly options: EditorOptions) {
@@ -148,7 +153,7 @@ class BlockEditor implements Editor {
 
   reveal(blockId: string): void {
     bringIntoView(this.workspace, blockId);
-    this.faults.openBubble(blockId);
+    void this.faults.openBubble(blockId, true);
   }
 
   setLanguage(language: Language): void {
@@ -191,6 +196,10 @@ class BlockEditor implements Editor {
     this.options.container.classList.toggle("pinelReadOnly", readOnly);
     this.refreshHint();
     this.resize();
+  }
+
+  setRunning(running: boolean): void {
+    this.isRunning = running;
   }
 
   undo(): void {
@@ -281,6 +290,7 @@ class BlockEditor implements Editor {
   private keepPaletteOpen(): void {
     const shelf = this.workspace.getToolbox();
     const isStaying = this.level === 1 && !this.workspace.isReadOnly();
+    this.options.container.classList.toggle("pinelPaletteStays", isStaying);
     if (shelf instanceof Shelf) shelf.setStaying(isStaying);
   }
 
@@ -319,6 +329,15 @@ class BlockEditor implements Editor {
     if (event.isUiEvent) return;
     const { blockId, newParentId, oldParentId } = event as Partial<Blockly.Events.BlockMove>;
     for (const id of [blockId, newParentId, oldParentId]) this.faults.clearBlock(id);
+    if (this.isRunning) this.sayNextRun(event);
+  }
+
+  private sayNextRun(event: Blockly.Events.Abstract): void {
+    if (event.type !== Blockly.Events.BLOCK_CHANGE) return;
+    const { blockId, element, name } = event as Blockly.Events.BlockChange;
+    const block = blockId && this.workspace.getBlockById(blockId);
+    const field = block && element === "field" ? block.getField(name ?? "") : null;
+    if (field) addToFieldNote(field, word("NEXT_RUN"));
   }
 
   private onContent(): void {

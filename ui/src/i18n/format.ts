@@ -18,6 +18,19 @@ export function decimal(value: number, digits: number, language: Language): stri
   return format.format(value).replace("-", "\u2212");
 }
 
+/** A number as people of the language write it, without trailing zeros and without the digits that no pupil measures. */
+export function numberWords(value: number, language: Language): string {
+  const digits = { ...sensibleDigits(value), useGrouping: false };
+  return value.toLocaleString(language, digits).replace("-", "\u2212");
+}
+
+/** Four decimals where the number has no more, as 0.125; otherwise two, and two digits of what is below 0.1. */
+function sensibleDigits(value: number): Intl.NumberFormatOptions {
+  const isShort = Math.abs(value - Math.round(value * 1e4) / 1e4) < 1e-9;
+  if (isShort) return { maximumFractionDigits: 4 };
+  return Math.abs(value) < 0.1 ? { maximumSignificantDigits: 2 } : { maximumFractionDigits: 2 };
+}
+
 /** A probability in whole per cent; nothing that was measured is said to be certain. */
 export function percent(part: number, language: Language): string {
   const shown = Math.min(0.99, Math.floor(100 * part) / 100);

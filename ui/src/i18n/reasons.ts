@@ -1,4 +1,5 @@
 import { type Language, textsOf } from ".";
+import { numberWords } from "./format";
 import type { Message } from "./message";
 
 /**
@@ -22,6 +23,9 @@ export function cameraWords(
   return filled(textsOf(language).cameraProblems?.[code], params, language);
 }
 
+/** What was measured is said in centimetres; what a program says, as it is written there. */
+const MEASURED = new Set(["done", "away"]);
+
 function filled(
   words: Message | undefined,
   params: Record<string, unknown>,
@@ -29,16 +33,17 @@ function filled(
 ): Message | null {
   if (!words) return null;
   const fill = (text: string) =>
-    text.replace(/\{(\w+)\}/g, (whole, name: string) =>
-      name in params ? show(params[name], language) : whole,
-    );
+    text.replace(/\{(\w+)\}/g, (whole, name: string) => {
+      if (!(name in params)) return whole;
+      const { [name]: value } = params;
+      const isMeasured = MEASURED.has(name) && typeof value === "number";
+      return show(isMeasured ? Math.round(value * 100) / 100 : value, language);
+    });
   return { message: fill(words.message), remedy: fill(words.remedy) };
 }
 
 function show(value: unknown, language: Language): string {
-  if (typeof value === "number") {
-    return value.toLocaleString(language, { maximumFractionDigits: 3, useGrouping: false });
-  }
+  if (typeof value === "number") return numberWords(value, language);
   if (Array.isArray(value)) return value.map((item) => show(item, language)).join(", ");
   return typeof value === "string" ? value : JSON.stringify(value);
 }

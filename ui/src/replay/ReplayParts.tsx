@@ -28,6 +28,7 @@ export function ReplayWords({ run, view }: Shown) {
       parameterOf: (pointer: string, name: string) =>
         parameterIn(run.version?.document, pointer, name),
       past: true,
+      program: run.version,
     };
     return sentenceOf(view.value, voice) ?? begin;
   });

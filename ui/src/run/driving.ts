@@ -1,10 +1,6 @@
 import type { Language, Texts } from "../i18n";
 import { degrees, metres } from "../i18n/format";
-import type { Speed } from "./reducer";
-
-/** Lower speeds count as standing still, m/s and rad/s. */
-const STANDING_MPS = 0.005;
-const STANDING_RADPS = 0.01;
+import { type Speed, STANDING_MPS, STANDING_RADPS } from "./reducer";
 
 /** Describes the robot's motion while no motion command is active; null where it stands still. */
 export function drivingWords(speed: Speed, texts: Texts, language: Language): string | null {

@@ -289,3 +289,15 @@ test("things that were pushed are where they were told last", () => {
   const view = viewAfter(things(1, { 0: [1, 0, 0], 2: [0, 0, 0] }), things(2, { 0: [2, 0, 0] }));
   expect(view.things).toEqual({ 0: [2, 0, 0], 2: [0, 0, 0] });
 });
+
+describe("whether the robot was told to move", () => {
+  const driven = { ...telemetry(3, 0, 0), command_omega_radps: 0.5 } as RunEvent;
+  test.each([
+    ["a turn", [started(1, "/commands/0", "turn", 90)], true],
+    ["wheels that turn without a motion", [driven], true],
+    ["waiting", [started(1, "/commands/0", "wait", 2), telemetry(2, 0, 0)], false],
+    ["zero metres", [started(1, "/commands/0", "move_forward", 0), telemetry(2, 0, 0)], false],
+  ])("%s", (_what, events, moved) => {
+    expect(viewAfter(...(events as RunEvent[])).moved).toBe(moved);
+  });
+});

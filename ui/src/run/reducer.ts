@@ -86,6 +86,8 @@ export interface RunView {
   readonly idealPath: Trail;
   readonly things: Things;
   readonly motion: Motion | null;
+  /** Whether the robot has been told to move. */
+  readonly moved: boolean;
   /** The commanded velocity, m/s and rad/s. */
   readonly speed: Speed;
   readonly capture: Capture | null;
@@ -98,6 +100,13 @@ export interface RunView {
 
 /** Below this distance the believed and the true pose count as equal. */
 const SAME_M = 1e-6;
+
+/** Lower speeds count as standing still, m/s and rad/s. */
+export const STANDING_MPS = 0.005;
+export const STANDING_RADPS = 0.01;
+
+const isStanding = (linear: number, angular: number) =>
+  Math.abs(linear) <= STANDING_MPS && Math.abs(angular) <= STANDING_RADPS;
 
 const AT_START: Pose = { x: 0, y: 0, yaw: 0 };
 const AT_REST: Speed = { linear: 0, angular: 0 };
@@ -116,6 +125,7 @@ export const IDLE: RunView = {
   idealPath: EMPTY_TRAIL,
   things: {},
   motion: null,
+  moved: false,
   speed: AT_REST,
   capture: null,
   gesture: null,
@@ -197,6 +207,7 @@ function withTelemetry(view: RunView, event: TelemetryEvent): RunView {
     output: given(view.output, event, [truth.x, truth.y]),
     speed: { linear: event.command_v_mps, angular: event.command_omega_radps },
     motion: view.motion && { ...view.motion, done: event.done ?? view.motion.done },
+    moved: view.moved || !isStanding(event.command_v_mps, event.command_omega_radps),
   };
 }
 
@@ -222,6 +233,7 @@ function begun(view: RunView, event: BlockStarted): RunView {
     ...view,
     stack: [...withRound(view.stack, pointer, tick), entry],
     motion: amount === null ? null : { kind: action, amount, done: 0 },
+    moved: view.moved || (!!amount && action !== "wait"),
   };
 }
 

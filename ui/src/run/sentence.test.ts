@@ -19,6 +19,7 @@ const over = (phase: "finished" | "failed" | "stopped", ending: object): RunView
   ...IDLE,
   run: "r",
   phase,
+  moved: true,
   ending: {
     reason: null,
     params: {},
@@ -206,5 +207,56 @@ describe("of a run that was", () => {
     const failed = over("failed", { reason: "division_by_zero", params: { operator: "/" } });
     expect(past(failed)).toEqual(sentenceOf(failed, voice));
     expect(past(failed)?.more).not.toBe("");
+  });
+});
+
+describe("what a program did not do is said at its end, and not as a success", () => {
+  const move = { action: "move_forward", distance: 1, block: "m" };
+  const stored = (commands: object[], loose: object[] = []) => ({
+    document: { commands },
+    workspace: { blocks: { blocks: [{ type: "program_start" }, ...loose] } },
+  });
+  const end = (program: ReturnType<typeof stored>, changes: Partial<RunView> = {}) =>
+    sentenceOf({ ...over("finished", {}), ...changes }, { ...voice, program });
+  const talk = [{ kind: "said", text: "Olá!", block: null, tick: 1, number: 0 }] as const;
+  const still = { moved: false, ending: { ...over("finished", {}).ending, pathLengthM: 0 } };
+
+  test("a program without such parts ends well", () => {
+    const program = stored([{ action: "repeat", times: 4, commands: [move] }]);
+    expect(end(program)).toMatchObject({ tone: "done", more: "" });
+  });
+
+  test("an empty loop, wherever it is", () => {
+    const empty = { action: "repeat", times: 4, commands: [] };
+    expect(end(stored([move, empty]))).toMatchObject({
+      tone: "notice",
+      more: "Há uma repetição vazia: ponham blocos dentro dela.",
+    });
+    const inside = { action: "conditional_execution", condition: true, else: [empty, empty] };
+    expect(end(stored([move, inside]))?.more).toContain("2 repetições vazias");
+  });
+
+  test("loose blocks, each that is not a shadow", () => {
+    const one = { type: "turn", inputs: { ANGLE: { shadow: { type: "number" } } } };
+    expect(end(stored([move], [one]))).toMatchObject({
+      tone: "notice",
+      more: "Um bloco está solto e não rodou.",
+    });
+    const three = { ...one, next: { block: { ...one, next: { block: one } } } };
+    expect(end(stored([move], [three, { type: "function_def" }]))?.more).toContain("3 blocos");
+  });
+
+  test("a robot that stood still, unless the program only speaks", () => {
+    const words = "Programa terminou, mas o robô não saiu do lugar";
+    const wait = { action: "wait", seconds: 1 };
+    const say = { action: "say", text: "Olá!" };
+    expect(end(stored([wait]), still as Partial<RunView>)).toMatchObject({
+      tone: "notice",
+      text: words,
+    });
+    const spoken = { ...still, output: { ...IDLE.output, talk } } as Partial<RunView>;
+    expect(end(stored([say]), spoken)).toMatchObject({ tone: "done" });
+    const unmoved = { action: "conditional_execution", condition: true, else: [move] };
+    expect(end(stored([say, unmoved]), spoken)).toMatchObject({ tone: "notice", text: words });
   });
 });

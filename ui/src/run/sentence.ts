@@ -1,9 +1,11 @@
 import type { Language, Texts } from "../i18n";
-import { degrees, metres, seconds } from "../i18n/format";
+import { degrees, metres, numberWords, seconds } from "../i18n/format";
 import { reasonWords } from "../i18n/reasons";
 import { capturedWords } from "./captured";
 import { drivingWords } from "./driving";
+import { idleParts, type StoredProgram } from "./idle_parts";
 import type { LitBlock, Motion, RunView } from "./reducer";
+import { saidWords } from "./values";
 
 /** Tone of a sentence, for its colour and icon. */
 export type Tone = "calm" | "moving" | "done" | "notice" | "fault";
@@ -34,6 +36,8 @@ export interface Voice {
   parameterOf(pointer: string, name: string): unknown;
   /** For a recorded run: the text does not mention buttons that only a live run has. */
   past?: boolean;
+  /** What ran, to say at the end what of it did nothing. */
+  program?: StoredProgram | null;
 }
 
 export function sentenceOf(view: RunView, voice: Voice): Sentence | null {
@@ -127,7 +131,10 @@ function around(view: RunView, voice: Voice): string {
   const answer = heard && heard.tick > (view.captured?.tick ?? 0) ? "" : answered(view, voice);
   if (answer) return answer;
   const isHeard = heard && view.tick - heard.tick < HEARD_TICKS;
-  const sounds = [isHeard ? status.says(String(heard.text)) : "", beeped(view, voice)];
+  const sounds = [
+    isHeard ? status.says(saidWords(String(heard.text), voice.language)) : "",
+    beeped(view, voice),
+  ];
   if (sounds.some(Boolean)) return sounds.filter(Boolean).join(" · ");
   const call = view.output.calls.at(-1);
   const isWaiting = view.motion?.kind === "wait" || view.stack.at(-1)?.action === "wait_until";
@@ -152,12 +159,12 @@ function answered({ captured, tick }: RunView, { texts, language }: Voice): stri
   return isRecent ? capturedWords(captured, texts, language) : "";
 }
 
-function round(view: RunView, { texts, parameterOf }: Voice): string {
+function round(view: RunView, { texts, language, parameterOf }: Voice): string {
   const loop = view.stack.findLast((entry) => LOOPS.has(entry.action));
   if (!loop?.round) return "";
   const times = loop.action === "repeat" ? parameterOf(loop.pointer, "times") : null;
   if (typeof times !== "number") return texts.status.roundOnly(loop.round);
-  return texts.status.round(loop.round, String(times));
+  return texts.status.round(loop.round, numberWords(times, language));
 }
 
 function ending(view: RunView, voice: Voice): Sentence {
@@ -169,7 +176,27 @@ function ending(view: RunView, voice: Voice): Sentence {
     const tone = view.phase === "failed" ? "fault" : "notice";
     return { text: words?.message ?? texts.status.failed, more: more ?? "", tone };
   }
-  return { text: finished(view, texts, language), more: answered(view, voice), tone: "done" };
+  return finishedSentence(view, voice);
+}
+
+/** A run that ended well; what pupils may not have wanted so is said without calling it a success. */
+function finishedSentence(view: RunView, voice: Voice): Sentence {
+  const { status } = voice.texts;
+  const { emptyLoops, looseBlocks, hasMotion } = idleParts(voice.program ?? NO_PROGRAM);
+  const isStill = !view.moved && (hasMotion || !showedSomething(view));
+  const remarks = [
+    emptyLoops > 0 && status.emptyLoop(emptyLoops),
+    looseBlocks > 0 && status.looseBlocks(looseBlocks),
+  ].filter((remark) => remark !== false);
+  const text = isStill ? status.finishedStill : finished(view, voice.texts, voice.language);
+  const more = [...remarks, answered(view, voice)].filter(Boolean).join(" ");
+  return { text, more, tone: isStill || remarks.length > 0 ? "notice" : "done" };
+}
+
+const NO_PROGRAM: StoredProgram = { document: null, workspace: null };
+
+function showedSomething({ output, captured }: RunView): boolean {
+  return output.talk.length > 0 || output.marks.length > 0 || captured !== null;
 }
 
 function finished(view: RunView, { status }: Texts, language: Language): string {

@@ -1,10 +1,29 @@
 import type { Language, Texts } from "../i18n";
+import { numberWords } from "../i18n/format";
 
-/** Formats a number for the language, without trailing zeros. */
-export function numberWords(value: number, language: Language): string {
-  const digits = { maximumFractionDigits: 4, useGrouping: false } as const;
-  return value.toLocaleString(language, digits).replace("-", "\u2212");
+const NUMBER = /^-?\d+(\.\d+)?(e[-+]?\d+)?$/;
+const NUMBER_INSIDE = /(^|[^\p{L}\d.,])(-?\d+\.\d+(?:e[-+]?\d+)?)(?![\p{L}\d]|[.,]\d)/gu;
+/** In a text this may be a thousand as people write it. */
+const THOUSANDS = /^-?[1-9]\d{0,2}\.\d{3}$/;
+
+/** What the robot says, with its numbers as in the language: the program writes them with a point and all digits. */
+export function saidWords(text: string, language: Language): string {
+  const parts = text.split(", ");
+  if (parts.every((part) => isWrittenByProgram(part))) {
+    return parts.map((part) => numberWords(Number(part), language)).join(separatorIn(language));
+  }
+  return text.replace(NUMBER_INSIDE, (whole, before: string, number: string) =>
+    isWrittenByProgram(number) && !THOUSANDS.test(number)
+      ? before + numberWords(Number(number), language)
+      : whole,
+  );
 }
+
+/** Programs write no zeros at the end of a number; what has some was typed so by a pupil. */
+const isWrittenByProgram = (text: string) =>
+  NUMBER.test(text) && (text.includes("e") || String(Number(text)) === text);
+
+const separatorIn = (language: Language) => (language === "en" ? ", " : "; ");
 
 /** Formats a program's value for the watch panel: texts in quotes, numbers in the language's format. */
 export function valueWords(value: unknown, texts: Texts, language: Language): string {
@@ -12,8 +31,8 @@ export function valueWords(value: unknown, texts: Texts, language: Language): st
   if (typeof value === "boolean") return value ? texts.show.yes : texts.show.no;
   if (typeof value === "string") return value === "" ? texts.show.emptyText : `“${value}”`;
   if (Array.isArray(value)) {
-    const separator = language === "en" ? ", " : "; ";
-    return `[${value.map((item) => valueWords(item, texts, language)).join(separator)}]`;
+    const items = value.map((item) => valueWords(item, texts, language));
+    return `[${items.join(separatorIn(language))}]`;
   }
   return JSON.stringify(value) ?? "";
 }

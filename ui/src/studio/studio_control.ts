@@ -10,6 +10,7 @@ import { language, texts } from "../i18n";
 import { duration } from "../i18n/format";
 import { Refused, wordsOf } from "../kit/requests/problem";
 import { failureOf } from "../run/failure";
+import type { StoredProgram } from "../run/idle_parts";
 import { withJudgement } from "../run/judgement";
 import * as robot from "../run/live";
 import { moment, shown } from "../run/moment";
@@ -67,7 +68,9 @@ export class StudioControl {
   readonly replaced = signal<Replaced | null>(null);
   /** The blocks have changed since the run began. */
   private readonly edited = signal(false);
-  private runDocument: unknown = null;
+  private ran: Content | null = null;
+  /** The failed block that was brought into view. */
+  private revealed: string | null = null;
   private pointing = 0;
   private busy = false;
 
@@ -108,13 +111,23 @@ export class StudioControl {
       subscribeToRings(report),
       watchSensors(() => (this.mine.peek() ? this.documentThatRuns() : null)),
       effect(() => editor.highlight(this.lit.value)),
-      effect(() => editor.showFaults([...this.open.faults.value, ...this.runFaults()])),
+      effect(() => this.showFaults(editor)),
+      effect(() => editor.setRunning(this.mine.value && isLive(robot.live.value))),
     ];
     return () => {
       for (const stop of stops) stop();
       breakpoints.value = [];
       this.editor = null;
     };
+  }
+
+  /** A block at which a run failed is brought into view once, because the group may look elsewhere meanwhile. */
+  private showFaults(editor: Editor): void {
+    const failed = this.runFaults();
+    editor.showFaults([...this.open.faults.value, ...failed]);
+    const block = failed[0]?.block ?? null;
+    if (block !== null && block !== this.revealed) editor.reveal(block);
+    this.revealed = block;
   }
 
   onEdit(content: Content): void {
@@ -197,11 +210,13 @@ export class StudioControl {
       if (this.editor) open.edit(this.editor.content());
       const version = await open.autosave.flush();
       if (!version || version.faults.length > 0) return this.showFirst();
-      this.edited.value = false;
-      this.runDocument = open.content.value?.document ?? null;
+      this.ran = open.content.value;
       const start = this.start.start.value;
       const wanted = { ...runSettings(open, paused), ...(start ? { start } : {}) };
-      await robot.start(version.id, this.worlds.name.value, wanted);
+      const begun = robot.start(version.id, this.worlds.name.value, wanted);
+      // the failure of the run before is gone by now; it must not come back for a moment
+      this.edited.value = false;
+      await begun;
     } catch (error) {
       if (error instanceof ApiError && error.faults.length > 0) open.faults.value = error.faults;
       else this.tell(error);
@@ -249,13 +264,17 @@ export class StudioControl {
       language: language.value,
       parameterOf: (pointer: string, name: string) =>
         parameterIn(this.documentThatRuns(), pointer, name),
+      program: this.programThatRuns(),
     };
     const calm = (text: string): Sentence => ({ text, more: "", tone: "calm" });
     if (moment.value && this.mine.value) return pastSentence(voice) ?? calm(status.ready);
     if (isLive(view) && view.run && !this.mine.value) {
       return { text: run.other, more: "", tone: "notice" };
     }
-    if (isLive(view)) return sentenceOf(view, voice) ?? calm(status.ready);
+    if (isLive(view)) {
+      const now = sentenceOf(view, voice) ?? calm(status.ready);
+      return this.edited.value ? { ...now, more: status.nextRun } : now;
+    }
     const { value: deleted } = this.open.deleted;
     if (deleted) return { text: texts.value.trouble.deleted[deleted], more: "", tone: "notice" };
     const faults = this.open.faults.value.length;
@@ -269,7 +288,8 @@ export class StudioControl {
         : calm(status.empty);
     }
     const ended = this.mine.value ? sentenceOf(view, voice) : null;
-    if (ended) return withJudgement(ended, view.run, judged.value, texts.value);
+    const isMended = this.edited.value && ended !== null && ended.tone !== "done";
+    if (ended && !isMended) return withJudgement(ended, view.run, judged.value, texts.value);
     if (connection.value === "gone") return calm(texts.value.trouble.goneTitle);
     if (connection.value === "open" && engine.value !== "ready") {
       return calm(engine.value === "lost" ? status.engineLost : status.engineStarting);
@@ -279,8 +299,12 @@ export class StudioControl {
 
   /** The document of the live run; a run begun in another window brings its own. */
   private documentThatRuns(): unknown {
+    return this.programThatRuns()?.document ?? null;
+  }
+
+  private programThatRuns(): StoredProgram | null {
     const { value: run } = robot.liveRun;
-    return run && "version" in run ? run.version?.document : this.runDocument;
+    return run && "version" in run ? run.version : this.ran;
   }
 }
 

@@ -2,6 +2,10 @@ import * as Blockly from "blockly/core";
 import type { Limits } from "../definition";
 import { argumentsOf, definitionOf } from "../definitions";
 import { word } from "../words";
+import { showFieldNote } from "./field_note";
+
+/** Of a refused text as many letters are repeated. */
+const MOST_TYPED = 16;
 
 /**
  * A number as pupils write it: "0,5" where the language writes decimals with a comma. Blockly's own field drops the
@@ -81,19 +85,22 @@ export class MeasureField extends Blockly.FieldNumber {
   }
 
   private tell(typed: string): void {
-    const workspace = this.getSourceBlock()?.workspace;
-    if (!(workspace instanceof Blockly.WorkspaceSvg)) return;
-    Blockly.Toast.show(workspace, { id: "pinel-range", message: this.complaint(typed) });
+    showFieldNote(this, this.complaint(typed));
   }
 
   private complaint(typed: string): string {
     const kept = this.getText();
     const { min, max } = this.limits();
-    if (Number.isNaN(Number(parseMeasure(typed) || Number.NaN))) return word("NOT_A_NUMBER", kept);
-    if (max === undefined) return word("AT_LEAST", formatMeasure(min), kept);
-    return word("OUT_OF_RANGE", formatMeasure(min), formatMeasure(max), kept);
+    const text = shortened(typed.trim());
+    if (text === "") return word("NUMBER_MISSING", kept);
+    if (Number.isNaN(Number(parseMeasure(typed)))) return word("NOT_A_NUMBER", text, kept);
+    if (max === undefined) return word("AT_LEAST", text, formatMeasure(min), kept);
+    return word("OUT_OF_RANGE", text, formatMeasure(min), formatMeasure(max), kept);
   }
 }
+
+const shortened = (text: string) =>
+  text.length > MOST_TYPED ? `${text.slice(0, MOST_TYPED)}…` : text;
 
 function parseMeasure(value: unknown): string {
   return String(value ?? "")

@@ -1,5 +1,6 @@
 import * as Blockly from "blockly/core";
 import { setRing } from "../renderer";
+import { bringBoundsIntoView } from "./highlight";
 import { wrapWords } from "./wrap_words";
 
 /** A fault of the program, with the block it concerns if there is one. */
@@ -29,7 +30,7 @@ export class Faults {
     for (const [id, words] of this.marked) if (wanted.get(id) !== words) this.clearBlock(id);
     this.shown = faults;
     const added = [...wanted].filter(([id, words]) => this.mark(id, words));
-    if (added[0]) this.openBubble(added[0][0]);
+    if (added[0]) void this.openBubble(added[0][0]);
   }
 
   clear(): void {
@@ -46,16 +47,20 @@ export class Faults {
     block.setWarningText(null, WARNING);
   }
 
-  openBubble(id: string): void {
+  /** Opens the bubble of a block; on request both are brought into view, above trash and zoom buttons. */
+  async openBubble(id: string, isBroughtIntoView = false): Promise<void> {
     const block = this.workspace.getBlockById(id);
     const icon = block?.getIcons().find(hasBubble);
     if (!block || !icon) return;
     // a second request before the first bubble is drawn makes Blockly draw another one that never closes
     const opening = this.opening.get(icon) ?? icon.setBubbleVisible(true);
     this.opening.set(icon, opening);
-    void opening
-      .finally(() => this.opening.delete(icon))
-      .then(() => placeBeside(block, icon.getBubble()));
+    await opening.finally(() => this.opening.delete(icon));
+    const bubble = icon.getBubble();
+    // the fault may be gone by then, with its icon but without a bubble that was drawn afterwards
+    if (!block.getIcons().includes(icon)) return bubble?.dispose();
+    placeBeside(block, bubble);
+    if (bubble && isBroughtIntoView) bringBoundsIntoView(this.workspace, around(block, bubble));
   }
 
   private mark(id: string, words: string): boolean {
@@ -77,6 +82,18 @@ export function placeBeside(block: Blockly.BlockSvg, bubble: Blockly.IBubble | n
   if (right + GAP + root.getBBox().width > view.left + view.width) return;
   bubble.setPositionRelativeToAnchor(right - left + GAP - ICON_INSET, -ICON_INSET);
   Blockly.utils.dom.addClass(root, "pinelBesideBubble");
+}
+
+/** The rectangle around a block and its bubble, in workspace units. */
+function around(block: Blockly.BlockSvg, bubble: Blockly.IBubble): Blockly.utils.Rect {
+  const both = block.getBoundingRectangleWithoutChildren().clone();
+  const { x, y } = bubble.getRelativeToSurfaceXY();
+  const { width, height } = (bubble.getSvgRoot() as SVGGraphicsElement).getBBox();
+  both.left = Math.min(both.left, x);
+  both.top = Math.min(both.top, y);
+  both.right = Math.max(both.right, x + width);
+  both.bottom = Math.max(both.bottom, y + height);
+  return both;
 }
 
 function hasBubble(icon: Blockly.IIcon): icon is Blockly.IIcon & Blockly.IHasBubble {

@@ -158,6 +158,14 @@ export const page: typeof first = {
     finished: "Program finished",
     finishedClosed: "Program finished: back where it started",
     finishedAway: (distance: string) => `Program finished: ${distance} from the start`,
+    finishedStill: "The program ended, but the robot did not move",
+    emptyLoop: (n: number) =>
+      n === 1
+        ? "A loop is empty: put blocks into it."
+        : `${n} loops are empty: put blocks into them.`,
+    looseBlocks: (n: number) =>
+      n === 1 ? "One block is loose and did not run." : `${n} blocks are loose and did not run.`,
+    nextRun: "The change counts in the next run.",
     failed: "The program stopped before its end",
   },
   readout: {

@@ -107,7 +107,7 @@ export const page: typeof first = {
   },
   status: {
     label: "Qué hace el robot ahora",
-    empty: "Hagan clic en un bloque para empezar, o arrástrenlo.",
+    empty: "Hagan clic en un bloque para empezar.",
     emptyRun: "Todavía no hay nada que ejecutar: encajen un bloque debajo del bloque de inicio.",
     ready: "Todo listo. Presionen Ejecutar.",
     faults: (n: number) =>
@@ -158,6 +158,16 @@ export const page: typeof first = {
     finished: "El programa terminó",
     finishedClosed: "El programa terminó: volvió al punto de partida",
     finishedAway: (distance: string) => `El programa terminó: quedó a ${distance} de la partida`,
+    finishedStill: "El programa terminó, pero el robot no se movió",
+    emptyLoop: (n: number) =>
+      n === 1
+        ? "Hay una repetición vacía: pongan bloques adentro."
+        : `Hay ${n} repeticiones vacías: pongan bloques adentro.`,
+    looseBlocks: (n: number) =>
+      n === 1
+        ? "Un bloque está suelto y no se ejecutó."
+        : `${n} bloques están sueltos y no se ejecutaron.`,
+    nextRun: "El cambio vale en el próximo recorrido.",
     failed: "El programa paró antes del final",
   },
   readout: {

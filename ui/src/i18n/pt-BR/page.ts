@@ -158,6 +158,14 @@ export const page = {
     finished: "Programa terminou",
     finishedClosed: "Programa terminou: voltou ao ponto de partida",
     finishedAway: (distance: string) => `Programa terminou: parou a ${distance} da partida`,
+    finishedStill: "Programa terminou, mas o robô não saiu do lugar",
+    emptyLoop: (n: number) =>
+      n === 1
+        ? "Há uma repetição vazia: ponham blocos dentro dela."
+        : `Há ${n} repetições vazias: ponham blocos dentro delas.`,
+    looseBlocks: (n: number) =>
+      n === 1 ? "Um bloco está solto e não rodou." : `${n} blocos estão soltos e não rodaram.`,
+    nextRun: "A mudança vale na próxima rodada.",
     failed: "O programa parou antes do fim",
   },
   readout: {

@@ -1,10 +1,10 @@
 import { BellRing, CircleQuestionMark, MessageCircle, Reply } from "lucide-preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { language, texts } from "../../i18n";
-import { seconds } from "../../i18n/format";
+import { numberWords, seconds } from "../../i18n/format";
 import { TEST } from "../../shell/testids";
 import type { Line } from "../output";
-import { numberWords } from "../values";
+import { saidWords } from "../values";
 
 const ICONS = {
   said: MessageCircle,
@@ -65,5 +65,6 @@ function TalkLine({ line: { kind, text, tick } }: { line: Line }) {
 
 function wordsOf(kind: Line["kind"], text: Line["text"]): string {
   if (kind === "beeped") return texts.value.show.beeps(Number(text));
-  return typeof text === "number" ? numberWords(text, language.value) : text;
+  if (typeof text === "number") return numberWords(text, language.value);
+  return kind === "answered" ? text : saidWords(text, language.value);
 }

@@ -1,9 +1,10 @@
 import { CircleQuestionMark, Send } from "lucide-preact";
 import { useEffect, useRef, useState } from "preact/hooks";
-import { texts } from "../../i18n";
+import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { Form } from "../../kit/Form";
 import type { Question } from "../../run/output";
+import { saidWords } from "../../run/values";
 import { TEST } from "../../shell/testids";
 
 /** Maximum length of an answer, as in the server. */
@@ -17,6 +18,7 @@ interface QuestionPanelProps {
 /** Asks the question of the program. */
 export function QuestionPanel({ question, onAnswer }: QuestionPanelProps) {
   const words = texts.value.question;
+  const asked = saidWords(question.text, language.value);
   const [value, setValue] = useState("");
   const field = useRef<HTMLInputElement>(null);
   useEffect(() => focusUnlessBusy(field.current), [question]);
@@ -32,7 +34,7 @@ export function QuestionPanel({ question, onAnswer }: QuestionPanelProps) {
       <div class="question__words">
         <h2 class="question__title">{words.title}</h2>
         <p class="question__text" data-testid={TEST.questionText}>
-          {question.text}
+          {asked}
         </p>
       </div>
       <div class="question__answer">
@@ -43,7 +45,7 @@ export function QuestionPanel({ question, onAnswer }: QuestionPanelProps) {
           maxLength={LONGEST}
           autoComplete="off"
           spellcheck={false}
-          aria-label={question.text}
+          aria-label={asked}
           placeholder={words.answer}
           data-testid={TEST.answer}
           onInput={(event) => setValue(event.currentTarget.value)}

@@ -1,0 +1,129 @@
+"""What the page says of a program that did nothing, failed, or was changed while it ran."""
+
+import pytest
+from playwright.sync_api import Locator, expect
+
+from tests.e2e.app_process import AppProcess
+from tests.e2e.blocks import box_of
+from tests.e2e.python_pane import write_program
+from tests.e2e.studio import RUN_MS, Studio
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
+
+N_TURNS = 12  # more than the workspace is high
+
+
+@pytest.fixture
+def app(lasting_app: AppProcess) -> AppProcess:
+    return lasting_app
+
+
+@pytest.fixture
+def group(studio: Studio) -> Studio:
+    studio.enter_new_group(level=None)
+    return studio
+
+
+def expect_words(studio: Studio, tone: str, *words: str) -> None:
+    line = studio["status-line"]
+    expect(line).to_have_attribute("data-tone", tone)
+    for part in words:
+        expect(line).to_contain_text(part)
+
+
+def is_apart(one: Locator, other: Locator) -> bool:
+    a, b = box_of(one), box_of(other)
+    beside = a["x"] + a["width"] <= b["x"] or b["x"] + b["width"] <= a["x"]
+    above = a["y"] + a["height"] <= b["y"] or b["y"] + b["height"] <= a["y"]
+    return beside or above
+
+
+def test_an_empty_loop_and_a_robot_at_rest_are_no_success(group: Studio) -> None:
+    group.blocks.click_in_toolbox("flow", "repetir")
+    group.run()
+    group.wait_for_phase("finished")
+    expect_words(group, "notice", "o robô não saiu do lugar", "Há uma repetição vazia")
+
+    group.blocks.click_in_toolbox("motion", "girar")
+    expect_words(group, "calm", "Apertem Rodar")
+    group.run()
+    group.wait_for_phase("running")
+    group.wait_for_phase("finished")
+    expect_words(group, "done", "Programa terminou")
+
+
+def test_loose_blocks_are_said_to_have_done_nothing(group: Studio) -> None:
+    blocks = group.blocks
+    blocks.click_in_flyout("girar")
+    blocks.drag_from_toolbox("motion", "parar", blocks.beside(blocks.by_words("girar"), -200))
+    expect(blocks.loose()).to_have_count(1)
+    group.run()
+    group.wait_for_phase("finished")
+    expect_words(group, "notice", "Programa terminou", "Um bloco está solto e não rodou")
+
+
+def test_a_number_changed_during_a_run_counts_in_the_next_one(group: Studio) -> None:
+    blocks = group.blocks
+    blocks.click_in_toolbox("flow", "esperar")
+    blocks.type_into(blocks.by_words("esperar"), "30")
+    expect(group["field-note"]).to_have_count(0)
+    group.run()
+    group.wait_for_phase("running")
+    blocks.type_into(blocks.by_words("esperar"), "999")
+    expect(group["field-note"]).to_contain_text("só de 0 a 600")
+    expect(group["field-note"]).to_contain_text("Vale na próxima rodada.")
+    expect_words(group, "moving", "A mudança vale na próxima rodada.")
+    group["stop"].click()
+    group.wait_for_phase("stopped")
+
+
+def test_the_block_that_failed_is_shown_until_the_program_is_mended(group: Studio) -> None:
+    turns = "robot.turn(1)\n" * N_TURNS
+    write_program(group, f"{turns}robot.move_forward(90)\nrobot.turn(1)\nrobot.turn(1)\n")
+    group.eventually(lambda: len(group.actions()), N_TURNS + 3)
+    group.run()
+    group.wait_for_phase("running")
+    failing = group.blocks.by_words("andar para frente")
+    expect(group["status-line"]).to_contain_text("Andando", timeout=RUN_MS)
+    group.page.mouse.move(600, 400)
+    group.page.mouse.wheel(0, -3000)
+    expect(failing).not_to_be_in_viewport()
+
+    group.wait_for_phase("failed")
+    bubble = group.blocks.fault_words()
+    expect(bubble).to_be_visible()
+    expect(failing).to_be_in_viewport()
+    for control in (".blocklyTrash", ".pinelZoom"):
+        for part in (bubble, failing.locator("> .blocklyPath").first):
+            assert is_apart(part, group.page.locator(control)), control
+
+    expect_words(group, "fault")
+    group.blocks.type_into(failing, "0,1")
+    expect(bubble).to_have_count(0)
+    expect(group.blocks.faulty()).to_have_count(0)
+    expect_words(group, "calm", "Apertem Rodar")
+
+    group.run()
+    group.wait_for_phase("running")
+    group.wait_for_phase("finished")
+    expect(group.page.locator(".blocklyBubbleCanvas > *")).to_have_count(0)
+
+
+def test_the_robot_says_numbers_as_the_language_does(group: Studio) -> None:
+    write_program(group, 'robot.turn(10)\nrobot.say(10 / 3)\nrobot.say(join("d: ", 0.5))\n')
+    group.run()
+    group.wait_for_phase("finished")
+    expect(group["talk"]).to_contain_text("3,33")
+    expect(group["talk"]).to_contain_text("d: 0,5")
+    group["language"].select_option("en")
+    expect(group["talk"]).to_contain_text("3.33")
+    expect(group["talk"]).to_contain_text("d: 0.5")
+    events = group.api(
+        f"/runs/{group.api(f'/groups/{_group(group)}/runs')['runs'][0]['id']}/events"
+    )
+    said = [event["text"] for event in events["events"] if event["type"] == "said"]
+    assert said == ["3.33333333333", "d: 0.5"]
+
+
+def _group(studio: Studio) -> str:
+    return str(studio.api(f"/programs/{studio.program_id}")["group_id"])
