@@ -39,7 +39,7 @@ function layersOf(floor: World["floor"]): [Paint, ...Paint[]][] {
   return layers;
 }
 
-/** Draws zones as dashed outlines with the name in the centre. */
+/** Draws zones as dashed outlines with the name in the centre, which can be read on any paint. */
 export function drawZones(ctx: Ctx, world: World | null, palette: Palette, pixel: number): void {
   const zones = world?.zones ?? [];
   ctx.save();
@@ -50,7 +50,6 @@ export function drawZones(ctx: Ctx, world: World | null, palette: Palette, pixel
     trace(ctx, zone);
     ctx.stroke();
   }
-  ctx.fillStyle = palette.ink;
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";
   for (const zone of zones) drawName(ctx, zone, palette);
@@ -60,8 +59,10 @@ export function drawZones(ctx: Ctx, world: World | null, palette: Palette, pixel
 /** Largest width of a name, as a fraction of the zone's width. */
 const NAME_PART = 0.8;
 const NAME_M = 0.34;
+/** Width of the floor's colour around the letters of a name, as a fraction of their height. */
+const HALO_PART = 0.12;
 
-function drawName(ctx: Ctx, zone: World["zones"][number], { font }: Palette): void {
+function drawName(ctx: Ctx, zone: World["zones"][number], { font, ink, tile }: Palette): void {
   const [x = 0, y = 0] = zone.center;
   ctx.save();
   ctx.translate(x, y);
@@ -70,6 +71,12 @@ function drawName(ctx: Ctx, zone: World["zones"][number], { font }: Palette): vo
   const room = 100 * NAME_PART * (zone.size?.[0] ?? 2 * (zone.radius ?? 0.5));
   const fit = Math.min(1, room / ctx.measureText(zone.name).width);
   ctx.scale(fit, fit);
+  // no ink has enough contrast to all paints of a theme, but to the floor it has
+  ctx.strokeStyle = tile;
+  ctx.lineWidth = 2 * HALO_PART * NAME_M * 100;
+  ctx.lineJoin = "round";
+  ctx.strokeText(zone.name, 0, 0);
+  ctx.fillStyle = ink;
   ctx.fillText(zone.name, 0, 0);
   ctx.restore();
 }
