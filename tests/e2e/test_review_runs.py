@@ -1,13 +1,17 @@
 """What the teacher sees of runs: the list, a replay, two side by side, and the notes about them."""
 
 import re
+import time
 from typing import Any
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Locator, expect
 
 from tests.e2e.app_process import AppProcess
+from tests.e2e.axe import violations
+from tests.e2e.past_lesson import Step, document_of, workspace_of
 from tests.e2e.review_school import PIN, Past, Teacher
+from tests.e2e.test_layout import cut
 from tests.e2e.watch import Watch
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
@@ -94,6 +98,37 @@ def test_two_runs_are_seen_side_by_side_on_one_clock(teacher: Teacher) -> None:
     expect(teacher["scene"]).to_have_count(1)
 
 
+def test_blocks_that_differ_are_marked_on_both_sides_and_read_in_words(teacher: Teacher) -> None:
+    crashed, stopped, passed = teacher.past.runs
+    teacher.go(f"compare/{crashed}/{passed}")
+    first, second = _sides(teacher)
+    expect(first.locator(".pinelSign")).to_have_count(1)
+    expect(second.locator(".pinelSign")).to_have_count(7)
+    told = teacher["difference"]
+    expect(told).to_have_attribute("data-kind", "changed")
+    expect(told).to_contain_text("andar para frente 9 m → andar para frente 1 m")
+    expect(told).to_contain_text("1 de 7")
+    for side in (first, second):
+        expect(side.locator(".pinelRunning")).to_have_count(1)
+    teacher["difference-next"].click()
+    expect(told).to_have_attribute("data-kind", "added")
+    expect(told).to_contain_text("2 de 7")
+    expect(first.locator(".pinelRunning")).to_have_count(0)
+    for place in ("apart", "together"):
+        teacher.page.locator(f"[data-testid=compare-view][data-value={place}]").click()
+        expect(second.locator(".pinelSign")).to_have_count(7)
+        for side in (first, second):
+            box = side.locator(".injectionDiv").bounding_box()
+            assert box is not None
+            assert box["height"] >= 350, f"{place}: room for ten blocks"
+        assert cut(teacher.page) == [], place
+        assert violations(teacher.studio) == [], place
+
+    teacher.go(f"compare/{crashed}/{stopped}")
+    expect(teacher.page.get_by_text("Os blocos das duas são iguais.")).to_be_visible()
+    expect(teacher.page.locator(".pinelSign")).to_have_count(0)
+
+
 def test_a_note_that_was_not_left_is_there_still_and_says_so(teacher: Teacher) -> None:
     run = _begin_note(teacher, 1, "Por que pararam?")
     expect(teacher["note"]).to_contain_text("Ainda não entregue")
@@ -178,6 +213,43 @@ def test_from_a_run_of_the_list_the_teacher_goes_back_to_it_but_no_pupil_does(
     teacher.go(f"run/{teacher.past.runs[0]}")
     expect(teacher["replay-slider"]).to_be_visible()
     expect(teacher["back-to-review"]).to_have_count(0)
+
+
+def test_the_first_difference_of_long_programs_is_in_view_on_both_sides(teacher: Teacher) -> None:
+    runs = _long_runs(teacher)
+    teacher.go(f"compare/{runs[0]}/{runs[1]}")
+    expect(teacher["difference"]).to_have_attribute("data-kind", "added")
+    for side, block in zip(_sides(teacher), ("turn29", "wait0"), strict=True):
+        frame = side.locator(".injectionDiv").bounding_box()
+        place = side.locator(f'[data-id="{block}"] > .blocklyPath').bounding_box()
+        assert frame is not None
+        assert place is not None
+        assert frame["y"] <= place["y"]
+        assert place["y"] + 20 <= frame["y"] + frame["height"], f"{block} is in view"
+
+
+def _sides(teacher: Teacher) -> list[Locator]:
+    sides = teacher["compare-side"]
+    expect(sides).to_have_count(2)
+    return sides.all()
+
+
+def _long_runs(teacher: Teacher) -> list[str]:
+    """Two runs of one program of thirty turns; the second waits after them."""
+    name = {"name": f"Longo {time.monotonic()}"}
+    program = teacher.studio.tell("POST", f"/groups/{teacher.past.group}/programs", name)["id"]
+    turns: list[Step] = [("turn", 1)] * 30
+    runs = []
+    for steps in (turns, [*turns, ("wait", 1)]):
+        content = {"workspace": workspace_of(steps), "document": document_of(steps)}
+        version = teacher.studio.tell("POST", f"/programs/{program}/versions", content)
+        begin = {"version_id": version["id"], "world": "empty_room", "speed": 10}
+        run = teacher.studio.tell("POST", "/runs", begin)["id"]
+        runs.append(run)
+        teacher.studio.eventually(
+            lambda: teacher.studio.api(f"/runs/{runs[-1]}")["state"], "finished"
+        )
+    return runs
 
 
 def _notes(teacher: Teacher, run: str) -> list[dict[str, Any]]:

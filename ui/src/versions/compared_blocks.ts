@@ -3,10 +3,16 @@ import type { BlocksReader } from "../editor/reader/reader";
 import { texts } from "../i18n";
 import { problem } from "../shell/session";
 import { differenceWords } from "./difference_words";
-import { type Compared, type Differing, differing, kindsOf } from "./differences";
+import {
+  type Compared,
+  type ComparedWorkspaces,
+  type Differing,
+  differing,
+  kindsOf,
+} from "./differences";
 
 /** The drawn blocks of two versions, their differences, and the selected difference. */
-export class ComparedBlocks {
+export class ComparedBlocks<Of extends ComparedWorkspaces = Compared> {
   readonly before = signal<BlocksReader | null>(null);
   readonly after = signal<BlocksReader | null>(null);
   /** Counts how often both sides were drawn. */
@@ -30,7 +36,7 @@ export class ComparedBlocks {
   });
   private readonly stopEffects = [effect(() => this.draw()), effect(() => this.point())];
 
-  constructor(readonly compared: Compared) {}
+  constructor(readonly compared: Of) {}
 
   step(by: number): void {
     const n = this.list.value.length;
@@ -66,9 +72,21 @@ export class ComparedBlocks {
   private point(): void {
     const { value: place } = this.chosen;
     const block = place === null ? null : (this.list.value[place]?.block ?? null);
-    this.before.value?.point(block);
-    this.after.value?.point(block);
+    const [before, after] = [this.before.value, this.after.value];
+    before?.point(block);
+    after?.point(block);
+    if (block && before && after) {
+      showNear(before, block, after);
+      showNear(after, block, before);
+    }
   }
+}
+
+/** Scrolls to where a block would be that only the other side has: to the nearest block above it that both have. */
+function showNear(side: BlocksReader, block: string, other: BlocksReader): void {
+  if (side.has(block)) return;
+  const near = other.above(block).find((id) => side.has(id));
+  if (near) side.reveal(near);
 }
 
 function fill(blocks: BlocksReader, workspace: object): void {

@@ -3,8 +3,15 @@ import type { Difference } from "../editor/reader/difference_sign";
 
 type Change = VersionDifference["changed"][number]["what"][number];
 
+/** The blocks of two versions and their difference. */
+export interface ComparedWorkspaces {
+  readonly before: { readonly workspace: object };
+  readonly after: { readonly workspace: object };
+  readonly difference: VersionDifference;
+}
+
 /** Two versions and their difference. */
-export interface Compared {
+export interface Compared extends ComparedWorkspaces {
   line: readonly VersionMark[];
   before: VersionOfProgram;
   after: VersionOfProgram;

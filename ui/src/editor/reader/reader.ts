@@ -104,6 +104,15 @@ export class BlocksReader {
     return this.block(id) !== null;
   }
 
+  /** The blocks that a block hangs on, nearest first: the one above it or the one around it, and so on. */
+  above(id: string): string[] {
+    const found: string[] = [];
+    for (let at = this.block(id)?.getParent(); at; at = at.getParent()) {
+      found.push(at.type === "program_start" ? "start" : at.id);
+    }
+    return found;
+  }
+
   /** Vertical position of a block, used to list differences from top to bottom. */
   heightOf(id: string): number {
     return this.block(id)?.getRelativeToSurfaceXY().y ?? Number.POSITIVE_INFINITY;

@@ -184,5 +184,7 @@ export const review: typeof first = {
     pathOf: (name) => `Path of ${name}`,
     otherWorld: "The runs are in different worlds: the second path lies on the floor of the first.",
     blocksOf: (name) => `Blocks of ${name}`,
+    otherProgram: "Different programs: their blocks are not compared.",
+    place: (n: number, all: number) => `${n} of ${all}`,
   },
 };

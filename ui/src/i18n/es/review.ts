@@ -185,5 +185,7 @@ export const review: typeof first = {
     otherWorld:
       "Los recorridos son en mundos distintos: el segundo camino está sobre el piso del primero.",
     blocksOf: (name) => `Bloques de ${name}`,
+    otherProgram: "Programas diferentes: los bloques no se comparan.",
+    place: (n: number, all: number) => `${n} de ${all}`,
   },
 };

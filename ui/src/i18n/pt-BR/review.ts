@@ -188,5 +188,7 @@ export const review = {
     otherWorld:
       "As rodadas são em mundos diferentes: o caminho da segunda está sobre o chão da primeira.",
     blocksOf: (name: string) => `Blocos de ${name}`,
+    otherProgram: "Programas diferentes: os blocos não são comparados.",
+    place: (n: number, all: number) => `${n} de ${all}`,
   },
 };

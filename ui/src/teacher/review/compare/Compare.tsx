@@ -1,6 +1,6 @@
 import { type Signal, useComputed, useSignal } from "@preact/signals";
 import { ArrowLeft } from "lucide-preact";
-import type { Group } from "../../../api/model";
+import type { ComponentChildren } from "preact";
 import { texts } from "../../../i18n";
 import { Choice } from "../../../kit/Choice";
 import { LinkButton } from "../../../kit/LinkButton";
@@ -11,22 +11,21 @@ import { hashOf } from "../../../shell/route";
 import { reviewOrigin } from "../../../shell/teacher/review_origin";
 import { TEST } from "../../../shell/testids";
 import { ComparedRun } from "./ComparedRun";
+import type { LoadedPair } from "./load_pair";
+import { PairDifferences } from "./PairDifferences";
 import type { Pair } from "./pair";
 
 type View = "apart" | "together";
 
-interface CompareProps {
-  pair: Pair;
-  groups: readonly Group[];
-}
-
-/** Two runs on two floors or overlaid on one, with playback controls. */
-export function Compare({ pair, groups }: CompareProps) {
+/** Two runs on two floors or overlaid on one, their blocks with the differences marked, and playback controls. */
+export function Compare({ pair, groups, blocks, isOneProgram }: LoadedPair) {
   const view = useSignal<View>("apart");
   const isTogether = view.value === "together";
   return (
     <main class={`screen replay compare compare--${view.value}`} data-testid={TEST.comparePage}>
-      <Head pair={pair} view={view} />
+      <Head pair={pair} view={view}>
+        {blocks && <PairDifferences blocks={blocks} isOneProgram={isOneProgram} />}
+      </Head>
       {isTogether && <OneFloor pair={pair} />}
       {pair.sides.map((side, index) => (
         <ComparedRun
@@ -34,6 +33,7 @@ export function Compare({ pair, groups }: CompareProps) {
           side={side}
           number={index + 1}
           groups={groups}
+          blocks={blocks}
           together={isTogether}
         />
       ))}
@@ -47,10 +47,11 @@ export function Compare({ pair, groups }: CompareProps) {
 
 interface HeadProps {
   pair: Pair;
+  children: ComponentChildren;
   view: Signal<View>;
 }
 
-function Head({ pair, view }: HeadProps) {
+function Head({ pair, view, children }: HeadProps) {
   const { compare: say } = texts.value.review;
   const from = reviewOrigin.value ?? { screen: "runs" };
   const back = from.screen === "runs" ? say.back : texts.value.header.backToLesson;
@@ -59,6 +60,7 @@ function Head({ pair, view }: HeadProps) {
     <div class="review-head compare__head">
       <LinkButton icon={ArrowLeft} label={back} href={hashOf(from)} />
       <h1>{say.title}</h1>
+      {children}
       {/* on one floor the second path may cross walls that its own world did not have */}
       {view.value === "together" && first !== second && (
         <p class="compare__elsewhere">{say.otherWorld}</p>

@@ -8,6 +8,7 @@ import { Scene } from "../../../scene/Scene";
 import { TEST } from "../../../shell/testids";
 import { outcomeOf } from "../model";
 import { OutcomeSign } from "../OutcomeSign";
+import type { PairBlocks } from "./load_pair";
 import type { Side } from "./pair";
 import { SideBlocks } from "./SideBlocks";
 
@@ -16,10 +17,11 @@ interface ComparedRunProps {
   number: number;
   groups: readonly Group[];
   together: boolean;
+  blocks: PairBlocks | null;
 }
 
 /** One of two runs: group, floor, blocks and robot pose. */
-export function ComparedRun({ side, number, groups, together }: ComparedRunProps) {
+export function ComparedRun({ side, number, groups, together, blocks }: ComparedRunProps) {
   const { compare } = texts.value.review;
   const { run } = side.recording;
   const group = groups.find(({ id }) => id === run.group_id);
@@ -50,6 +52,7 @@ export function ComparedRun({ side, number, groups, together }: ComparedRunProps
           key={String(together)}
           side={side}
           number={number}
+          blocks={blocks}
           label={compare.blocksOf(`${number}: ${title}`)}
         />
       </div>
@@ -76,8 +79,12 @@ function RunHead({ side, group, number, swatch }: RunHeadProps) {
   return (
     <h2 class="compare__title">
       <GroupPicture name={group?.picture ?? ""} class="compare__picture" />
-      <span class="compare__name">{group?.name ?? runs.commandLine}</span>
-      <span class="compare__program">{run.program_name}</span>
+      <span class="compare__name" data-shortened title={group?.name}>
+        {group?.name ?? runs.commandLine}
+      </span>
+      <span class="compare__program" data-shortened title={run.program_name ?? undefined}>
+        {run.program_name}
+      </span>
       <span class="compare__outcome">
         <OutcomeSign outcome={outcome} />
         {outcomes[outcome]}
