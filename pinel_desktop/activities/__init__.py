@@ -29,6 +29,7 @@ from pinel_desktop.activities.reading import (
     shipped_texts,
     solution_of,
     world_title,
+    world_titles,
 )
 from pinel_desktop.activities.recorded import case_of_run
 
@@ -61,4 +62,5 @@ __all__ = [
     "solution_of",
     "world_of",
     "world_title",
+    "world_titles",
 ]

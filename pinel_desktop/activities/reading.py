@@ -69,11 +69,16 @@ def activity_titles(language: str) -> dict[str, str]:
 
 def world_title(activity: Activity, language: str) -> str | None:
     """Title of the shipped world in which an activity takes place; None if its world is a document of its own."""
-    for world in list_worlds():
-        if world["name"] == activity.world:
-            title: dict[str, str] = world["title"]
-            return title.get(language, title[SOURCE_LANGUAGE])
-    return None
+    return world_titles(language).get(activity.world) if isinstance(activity.world, str) else None
+
+
+def world_titles(language: str) -> dict[str, str]:
+    """Titles of the shipped worlds in a language, by name."""
+    return {one["name"]: _in(one["title"], language) for one in list_worlds()}
+
+
+def _in(title: Mapping[str, str], language: str) -> str:
+    return title.get(language, title[SOURCE_LANGUAGE])
 
 
 def shipped_texts() -> list[str]:

@@ -21,7 +21,7 @@ from pinel_desktop.web.mark_table import mark_table
 from pinel_desktop.web.models import review as shapes
 from pinel_desktop.web.models.classes import Lesson
 from pinel_desktop.web.services import Services
-from storage import GroupLine, GroupLines, LessonLines, LessonRow, Store
+from storage import GroupLine, GroupLines, LessonLines, LessonRow
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +30,7 @@ class ReadLesson:
 
     Attributes:
         activity: of all its parts; None without one, or if they differ.
+        parts: titles of the lesson and of those joined to it, by their key.
         reasons: messages why runs ended, by run id.
     """
 
@@ -37,6 +38,7 @@ class ReadLesson:
     lines: LessonLines
     review: LessonReview
     activity: str | None
+    parts: dict[str, str]
     reasons: dict[str, str]
     language: str
 
@@ -62,7 +64,9 @@ class ReadLesson:
 
     def table(self) -> str:
         """The marks as CSV text."""
-        return mark_table(self.review, self.lines.computers, self.reasons, self.language)
+        return mark_table(
+            self.review, self.lines.computers, self.parts, self.reasons, self.language
+        )
 
 
 def read_lesson(lesson_id: str, parts: Services) -> ReadLesson:
@@ -73,9 +77,9 @@ def read_lesson(lesson_id: str, parts: Services) -> ReadLesson:
     """
     store, language = parts.store, parts.preferences.language
     lesson = store.lessons.get(lesson_id)
-    parts_of_it = store.lessons.parts(lesson_id)
-    lines = store.lesson_records.of(parts_of_it)
-    activity = _one_activity(store, parts_of_it)
+    parts_of_it = [store.lessons.get(one) for one in store.lessons.parts(lesson_id)]
+    lines = store.lesson_records.of([one.id for one in parts_of_it])
+    activity = _one_activity(parts_of_it)
     groups: list[GroupReview] = []
     for group in lines.groups:
         work = _work(group, lines.work[group.id])
@@ -86,14 +90,15 @@ def read_lesson(lesson_id: str, parts: Services) -> ReadLesson:
         lines=lines,
         review=review_lesson(groups),
         activity=activity,
+        parts={one.id: one.title for one in parts_of_it},
         reasons=_reasons(lines, language),
         language=language,
     )
 
 
-def _one_activity(store: Store, lessons: list[str]) -> str | None:
+def _one_activity(lessons: list[LessonRow]) -> str | None:
     """The common activity of all joined lessons; None if they differ or have none."""
-    named = {store.lessons.get(one).activity for one in lessons} - {None, ""}
+    named = {one.activity for one in lessons} - {None, ""}
     return named.pop() if len(named) == 1 else None
 
 

@@ -25,22 +25,31 @@ _COLUMNS = (
     "passed",
     "duration_s",
     "repairs",
+    "lesson",
+    "world",
 )
 
 
 def mark_table(
-    review: LessonReview, computers: Mapping[str, str], reasons: Mapping[str, str], language: str
+    review: LessonReview,
+    computers: Mapping[str, str],
+    lessons: Mapping[str, str],
+    reasons: Mapping[str, str],
+    language: str,
 ) -> str:
     """CSV with one row for each mark of each group.
 
     Args:
         computers: names of PCs by their key.
+        lessons: titles of the lesson and of those joined to it, by their key.
         reasons: messages why runs ended, by run id.
     """
 
-    from pinel_desktop.activities import activity_titles  # noqa: PLC0415 - heavy
+    from pinel_desktop.activities import activity_titles, world_titles  # noqa: PLC0415 - heavy
 
     titles = activity_titles(language)
+    own = describe("review_own_world", {}, language).message
+    worlds = world_titles(language) | {"own": own}
 
     def words(code: str) -> str:
         return describe(f"review_{code}", {}, language).message
@@ -64,6 +73,8 @@ def mark_table(
             None if run is None or run.passed is None else words(_YES_NO[run.passed]),
             run.duration_s if run else None,
             begins.get(mark.repairs or ""),
+            lessons.get(mark.lesson_id or ""),
+            worlds.get(run.world, run.world) if run and run.world else None,
         ]
 
     rows = [

@@ -1,4 +1,4 @@
-"""Runs of all groups, a page at a time, chosen by class, group, lesson, activity, day and outcome.
+"""Runs of all groups, a page at a time, chosen by class, group, lesson, activity, world, day and outcome.
 
 The index `runs_history` holds all that they are chosen by: a page reads it backwards until it is full. Where nothing
 fits it reads all of it, which takes some milliseconds for 100,000 runs.
@@ -39,6 +39,7 @@ class RunFilter:
     classroom_id: str | None = None
     group_id: str | None = None
     activity: str | None = None
+    world: str | None = None
     lesson_ids: tuple[str, ...] | None = None
     began_from: str | None = None
     began_before: str | None = None
@@ -80,6 +81,7 @@ def _clauses(which: RunFilter) -> Iterator[tuple[str, Any]]:
     for clause, value in (
         ("group_id = ?", which.group_id),
         ("+activity = ?", which.activity),
+        ("+world = ?", which.world),
         ("+started_at >= ?", which.began_from),
         ("+started_at < ?", which.began_before),
     ):

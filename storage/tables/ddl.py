@@ -179,4 +179,8 @@ MIGRATIONS: dict[str, tuple[str, ...]] = {
     ),
     "setup_of_versions": ("ALTER TABLE versions ADD COLUMN setup TEXT",),
     "moving_signs": ("ALTER TABLE taught_signs ADD COLUMN is_moving INTEGER NOT NULL DEFAULT 0",),
+    "world_in_history_index": (
+        "DROP INDEX runs_history",
+        "CREATE INDEX runs_history ON runs (id, group_id, lesson_id, activity, world, state, passed, started_at)",
+    ),
 }

@@ -13,14 +13,14 @@ _IN = "IN (SELECT value FROM json_each(?))"
 _EDITS = f"""
     SELECT programs.group_id, versions.id, versions.program_id, programs.name, versions.number, versions.created_at,
            versions.computer_id, versions.parent_id, coalesce(json_extract(versions.setup, '$.n_hints'), 0),
-           {SETUP_ONLY}
+           {SETUP_ONLY}, versions.lesson_id
     FROM versions JOIN programs ON programs.id = versions.program_id
         LEFT JOIN versions AS parents ON parents.id = versions.parent_id
     WHERE versions.lesson_id {_IN} ORDER BY versions.id"""
 _RUNS = f"""
     SELECT runs.group_id, runs.id, runs.program_id, runs.program_name, runs.version_id, versions.number,
            runs.started_at, runs.ended_at, runs.state, runs.reason, runs.params, runs.activity, runs.passed,
-           runs.duration_s, runs.computer_id
+           runs.duration_s, runs.computer_id, runs.lesson_id, runs.world
     FROM runs LEFT JOIN versions ON versions.id = runs.version_id
     WHERE runs.lesson_id {_IN} AND runs.group_id IS NOT NULL ORDER BY runs.id"""
 
@@ -50,6 +50,7 @@ class EditLine(NamedTuple):
     parent_id: str | None
     n_hints: int
     setup_only: int
+    lesson_id: str
 
 
 class LessonRun(NamedTuple):
@@ -69,6 +70,8 @@ class LessonRun(NamedTuple):
     passed_bit: int | None
     duration_s: float | None
     computer_id: str | None
+    lesson_id: str
+    world: str
 
     @property
     def params(self) -> dict[str, Any]:

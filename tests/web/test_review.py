@@ -37,9 +37,14 @@ class Pupils:
         return str(self.browser.post(place, body).data["id"])
 
     def run(
-        self, version: str, state: str = "finished", reason: Any = None, passed: Any = None
+        self,
+        version: str,
+        state: str = "finished",
+        reason: Any = None,
+        passed: Any = None,
+        world: str = "empty_room",
     ) -> str:
-        body = {"version_id": version, "world": "empty_room"}
+        body = {"version_id": version, "world": world}
         run_id = str(self.browser.post("/api/runs", body).data["id"])
         self.engine.send(ended(run_id, 0, 75, state=state, reason=reason))
         activity = None if passed is None else "square"
@@ -187,6 +192,8 @@ def test_the_table_has_a_row_for_each_mark(
     assert rows[1][15] == f"2{point}5"
     assert rows[3][16] == rows[1][2]
     assert rows[0][6:11] == ["1", "1", "0", "0", "0"]
+    assert header[-2:] == {"pt-BR": ["Aula", "Mundo"], "en": ["Lesson", "World"]}[language]
+    assert {row[-2] for row in rows} == {lesson["title"]}
 
 
 def test_the_table_calls_an_activity_by_its_title(
@@ -197,6 +204,24 @@ def test_the_table_calls_an_activity_by_its_title(
     text = teacher.get(f"/api/lessons/{lesson['id']}/review.csv").text
     assert ";Um quadrado de 1 m;" in text
     assert ";square;" not in text
+
+
+def test_the_table_names_the_world_of_each_run_and_the_lesson_that_was_joined(
+    teacher: Browser, pupils: Pupils, lesson: Any, ninth: str
+) -> None:
+    pupils.run(pupils.edit(move()))
+    more = teacher.post(f"/api/classrooms/{ninth}/lessons", {"title": "Segunda parte"}).data
+    pupils.run(pupils.edit(move(metres=3)), world="maze")
+    teacher.patch(f"/api/lessons/{more['id']}", {"part_of": lesson["id"]})
+    teacher.put("/api/settings", {"language": "pt-BR"})
+    text = teacher.get(f"/api/lessons/{lesson['id']}/review.csv").text
+    ends = [row[-2:] for row in csv.reader(io.StringIO(text), delimiter=";")][1:]
+    assert ends == [
+        [lesson["title"], ""],
+        [lesson["title"], "Sala vazia"],
+        ["Segunda parte", ""],
+        ["Segunda parte", "Labirinto"],
+    ]
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -254,6 +279,10 @@ def test_the_history_is_chosen_by_what_the_teacher_asks(
     assert history("classroom=none") == history("lesson=gone") == history("day=1999-01-01") == []
     assert history(f"lesson={lesson['id']}&group={pupils.group['id']}") == [passed, failed]
     assert history("activity=square&outcome=passed") == [passed]
+    world = app._store.runs.get(other).world
+    assert history(f"world={world}") == [other, passed, failed]
+    assert history(f"world={world}&outcome=passed") == [passed]
+    assert history("world=nowhere") == []
     assert history("outcome=not_passed") == history("outcome=failed") == [failed]
     assert len(history(f"day={_local_day(day)}")) == 3
     page = teacher.get("/api/runs?limit=2").data

@@ -37,6 +37,7 @@ class Mark:
     program_name: str | None
     version_id: str | None
     computer_id: str | None
+    lesson_id: str | None = None
     number: int | None = None
     n_edits: int = 0
     run: Run | None = None
@@ -133,6 +134,7 @@ def _mark(of: Edit | Run, at: str, until: str | None) -> Mark:
         program_name=of.program_name,
         version_id=of.version_id,
         computer_id=of.computer_id,
+        lesson_id=of.lesson_id,
         number=of.number,
     )
 

@@ -12,6 +12,7 @@ class Edit:
         computer_id: the PC's key; only times of one PC can be compared.
         parent_id: the version that was edited.
         n_hints: hints of the program's activity that were open.
+        lesson_id: the lesson, or part of a joined one, in which it was saved.
         setup_only: True if it has the blocks of `parent_id`: world, start, robot, speed or hints changed.
     """
 
@@ -24,6 +25,7 @@ class Edit:
     parent_id: str | None = None
     n_hints: int = 0
     setup_only: bool = False
+    lesson_id: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,6 +36,8 @@ class Run:
         number: of the version, None for a run without one.
         state: "running", "finished", "stopped" or "failed"; `reason` is the cause.
         passed: True if the activity was passed; None without an activity.
+        lesson_id: the lesson, or part of a joined one, in which it ran.
+        world: its name, "own" for one that the group made.
         duration_s: robot time, which may be slower or faster than wall time.
     """
 
@@ -50,6 +54,8 @@ class Run:
     passed: bool | None = None
     duration_s: float | None = None
     computer_id: str | None = None
+    lesson_id: str | None = None
+    world: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

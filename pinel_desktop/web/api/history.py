@@ -33,6 +33,7 @@ def _filter(query: HistoryPage) -> RunFilter:
         classroom_id=query.classroom,
         group_id=query.group,
         activity=query.activity,
+        world=query.world,
         lesson_ids=tuple(services().store.lessons.parts(query.lesson)) if query.lesson else None,
         began_from=begin,
         began_before=end,

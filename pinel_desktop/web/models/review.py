@@ -159,6 +159,7 @@ class HistoryPage(Body):
     classroom: Annotated[str | None, Field(description="a class, `none` for groups without")] = None
     group: Id | None = None
     activity: Annotated[str | None, Field(max_length=100)] = None
+    world: Annotated[str | None, Field(max_length=100, description="a name, or `own`")] = None
     lesson: Annotated[Id | None, Field(description="with all lessons joined to it")] = None
     day: Annotated[date | None, Field(description="by the clock and the time zone of this PC")] = (
         None

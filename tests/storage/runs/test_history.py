@@ -32,11 +32,18 @@ class School:
         return self.store.versions.save(self.programs[name], {"n": metres}, {"commands": []}).id
 
     def run(
-        self, name: str, state: str = "finished", activity: str = "square", passed: Any = None
+        self,
+        name: str,
+        state: str = "finished",
+        activity: str = "square",
+        passed: Any = None,
+        world: str = "w",
     ) -> str:
         newest = self.store.versions.newest(self.programs[name])
         version = newest.id if newest else self.edit(name, 0)
-        start = RunStart("sim", "w", {"name": "w"}, 0, "1", version_id=version, activity=activity)
+        start = RunStart(
+            "sim", world, {"name": world}, 0, "1", version_id=version, activity=activity
+        )
         run_id = self.store.runs.begin(start).id
         end = ended(run_id, 0, 30, state=state, reason="collision" if state == "failed" else None)
         batches = [Batch(run_id, self.store.now(), ended=end)]
@@ -88,6 +95,14 @@ def test_runs_are_chosen_by_what_became_of_them(school: School) -> None:
     assert school.page(outcome="passed", activity="maze") == [other]
 
 
+def test_runs_are_chosen_by_world(school: School) -> None:
+    maze, own = school.run("robots", world="maze"), school.run("stars", world="own")
+    assert school.page(world="maze") == [maze]
+    assert school.page(world="own") == [own]
+    assert school.page(world="maze", group_id=school.groups["stars"]) == []
+    assert school.page(world="gone") == []
+
+
 def test_runs_are_chosen_by_lesson_and_time(school: School) -> None:
     first = school.run("robots")
     school.clock.passes(days=1)
@@ -114,6 +129,7 @@ def test_pages_follow_each_other_without_gap(school: School) -> None:
         ({"classroom_id": "x"}, "runs_history"),
         ({"outcome": "failed", "activity": "square", "began_from": "2026"}, "runs_history"),
         ({"outcome": "passed"}, "runs_history"),
+        ({"world": "maze"}, "runs_history"),
         ({"group_id": "x"}, "idx_runs_group_id_id"),
         ({"lesson_ids": ("x", "y")}, "runs_lesson"),
     ],

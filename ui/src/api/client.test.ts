@@ -34,7 +34,15 @@ test("a body is JSON, and what is not told of a query is left out", async () => 
   await api.createProgram("g", "Casa");
   await api.runs("g");
   await reviewApi.runs(
-    { classroom: "none", group: "", activity: "", day: "", outcome: "" },
+    {
+      classroom: "none",
+      group: "",
+      lesson: "",
+      activity: "",
+      world: "",
+      day: "",
+      outcome: "",
+    },
     null,
     5,
   );

@@ -4,7 +4,9 @@ import { asFile, del, file, get, of, patch, post } from "./client";
 export interface RunFilter {
   classroom: string;
   group: string;
+  lesson: string;
   activity: string;
+  world: string;
   day: string;
   outcome: string;
 }

@@ -299,8 +299,9 @@ export const TEST = {
   noteDelete: "note-delete", // asks for confirmation
   noteDeleteSure: "note-delete-sure",
   historyPage: "history-page",
-  historyFilter: "history-filter", // of each; data-name: classroom | group | activity | day | outcome
+  historyFilter: "history-filter", // of each; data-name: classroom | group | lesson | activity | world | day | outcome
   historyRun: "history-run", // of each; data-outcome
+  historyPlace: "history-place", // world and lesson, of each
   historyOlder: "history-older",
   historyEmpty: "history-empty",
   compareChoose: "compare-choose", // of each; an input

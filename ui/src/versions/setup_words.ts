@@ -57,7 +57,8 @@ function partsOf(setup: Setup, texts: Texts, language: Language): [string, strin
   ];
 }
 
-function worldWords(name: string, texts: Texts, language: Language): string {
+/** The name of a world: of one that ships, or of the group's own. */
+export function worldWords(name: string, texts: Texts, language: Language): string {
   if (name === OWN_WORLD) return texts.world.own;
   const world = worlds.value.find((one) => one.name === name);
   return world ? worldTitle(world, language) : name;

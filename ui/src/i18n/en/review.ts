@@ -146,6 +146,8 @@ export const review: typeof first = {
     help: "Each card opens its run. Choose two to see them side by side.",
     classroom: "Class",
     group: "Group",
+    lesson: "Lesson",
+    world: "World",
     activity: "Activity",
     day: "Day",
     outcome: "Outcome",

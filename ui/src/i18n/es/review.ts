@@ -146,6 +146,8 @@ export const review: typeof first = {
     help: "Cada tarjeta abre su recorrido. Elija dos para verlos lado a lado.",
     classroom: "Curso",
     group: "Grupo",
+    lesson: "Clase",
+    world: "Mundo",
     activity: "Actividad",
     day: "Día",
     outcome: "Resultado",

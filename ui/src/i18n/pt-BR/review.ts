@@ -149,6 +149,8 @@ export const review = {
     help: "Cada cartão abre a rodada. Escolha duas para ver lado a lado.",
     classroom: "Turma",
     group: "Grupo",
+    lesson: "Aula",
+    world: "Mundo",
     activity: "Atividade",
     day: "Dia",
     outcome: "Resultado",

@@ -6,6 +6,7 @@ import { GroupPicture } from "../../../kit/pictures/GroupPicture";
 import { PathPicture } from "../../../scene/PathPicture";
 import { hashOf } from "../../../shell/route";
 import { TEST } from "../../../shell/testids";
+import { worldWords } from "../../../versions/setup_words";
 import { type Outcome, outcomeOf } from "../model";
 import { OutcomeSign } from "../OutcomeSign";
 
@@ -22,10 +23,12 @@ const SHORT: Partial<Record<Outcome, "passed" | "not_passed" | "finished" | "sto
 interface HistoryCardProps {
   run: HistoryRun;
   chosen: Signal<readonly HistoryRun[]>;
+  /** Title of its lesson; null for runs of none, and before the lessons are known. */
+  lesson: string | null;
 }
 
 /** A run with its group: links to its replay, and can be selected for comparison. */
-export function HistoryCard({ run, chosen }: HistoryCardProps) {
+export function HistoryCard({ run, chosen, lesson }: HistoryCardProps) {
   const { outcomes, runs } = texts.value.review;
   const { work } = texts.value;
   const outcome = outcomeOf(run);
@@ -34,6 +37,9 @@ export function HistoryCard({ run, chosen }: HistoryCardProps) {
     moment(run.started_at, new Date(), language.value, texts.value),
     run.duration_s === null ? null : duration(run.duration_s, language.value),
   ].filter(Boolean);
+  const place = [worldWords(run.world, texts.value, language.value), lesson]
+    .filter(Boolean)
+    .join(" · ");
   const title = `${run.group?.name ?? runs.commandLine}, ${name}, ${outcomes[outcome]}`;
   return (
     <div
@@ -56,6 +62,13 @@ export function HistoryCard({ run, chosen }: HistoryCardProps) {
             {SHORT[outcome] ? runs.outcomes[SHORT[outcome]] : outcomes[outcome]}
           </span>
           <span class="work-card__line">{name}</span>
+          <span
+            class="work-card__line run-card__place"
+            title={place}
+            data-testid={TEST.historyPlace}
+          >
+            {place}
+          </span>
           <span class="work-card__line work-card__line--facts">{facts.join(" · ")}</span>
         </span>
       </a>
@@ -64,7 +77,7 @@ export function HistoryCard({ run, chosen }: HistoryCardProps) {
   );
 }
 
-function Choose({ run, chosen, title }: HistoryCardProps & { title: string }) {
+function Choose({ run, chosen, title }: Omit<HistoryCardProps, "lesson"> & { title: string }) {
   const { runs } = texts.value.review;
   const isChosen = chosen.value.some(({ id }) => id === run.id);
   return (

@@ -1,12 +1,15 @@
 import type { Signal } from "@preact/signals";
 import { FilterX } from "lucide-preact";
 import { NO_CLASS } from "../../../api/classes";
+import { type Lesson, OWN_WORLD, worldTitle } from "../../../api/model";
 import type { RunFilter } from "../../../api/review";
 import { language, texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
 import { Select, type SelectOption } from "../../../kit/Select";
 import { withDistinctNames } from "../../../shell/namesakes";
+import { worlds } from "../../../shell/session";
 import { TEST } from "../../../shell/testids";
+import { dateAndTime } from "../../time_words";
 import { type FilterChoices, NO_FILTER } from "./run_list";
 
 const OUTCOMES = ["passed", "not_passed", "finished", "stopped", "failed"] as const;
@@ -18,7 +21,7 @@ interface RunFiltersProps {
   choices: FilterChoices;
 }
 
-/** Class, group, activity, day and outcome. */
+/** Class, group, lesson, activity, world, day and outcome. */
 export function RunFilters({ filter, choices }: RunFiltersProps) {
   const { runs: say } = texts.value.review;
   const props = { filter, all: say.all };
@@ -36,9 +39,15 @@ export function RunFilters({ filter, choices }: RunFiltersProps) {
       />
       <SelectFilter
         {...props}
+        name="lesson"
+        options={lessonOptions(choices, filter.value.classroom)}
+      />
+      <SelectFilter
+        {...props}
         name="activity"
         options={choices.activities.map(({ name, title }) => [name, title])}
       />
+      <SelectFilter {...props} name="world" all={say.allGroups} options={worldOptions()} />
       <DayFilter filter={filter} />
       <SelectFilter
         {...props}
@@ -67,6 +76,26 @@ function groupOptions({ groups }: FilterChoices, classroom: string): Options {
     .sort(([, a], [, b]) => a.localeCompare(b, language.value, { numeric: true }));
 }
 
+/** Lessons with their date. One that was joined to another is chosen with that one, which may be gone. */
+function lessonOptions({ lessons }: FilterChoices, classroom: string): Options {
+  const { title } = texts.value.review.lesson;
+  const isPart = ({ part_of }: Lesson) => lessons.some(({ id }) => id === part_of);
+  return lessons
+    .filter((lesson) => !isPart(lesson))
+    .filter(({ classroom_id }) => !classroom || (classroom_id ?? NO_CLASS) === classroom)
+    .map((one) => [one.id, `${title(one.title)} · ${dateAndTime(one.opened_at, language.value)}`]);
+}
+
+function worldOptions(): Options {
+  const own: SelectOption<string> = [OWN_WORLD, texts.value.world.own];
+  return [
+    ...worlds.value.map(
+      (world): SelectOption<string> => [world.name, worldTitle(world, language.value)],
+    ),
+    own,
+  ];
+}
+
 interface SelectFilterProps {
   filter: Signal<RunFilter>;
   name: Exclude<keyof RunFilter, "day">;
@@ -88,9 +117,9 @@ function SelectFilter({ filter, name, all, options }: SelectFilterProps) {
         data-name={name}
         data-on={value !== ""}
         onChange={(chosen) => {
-          // the group filter depends on the class
-          const group = name === "classroom" ? { group: "" } : {};
-          filter.value = { ...filter.value, ...group, [name]: chosen };
+          // the filters of group and lesson depend on the class
+          const ofClass = name === "classroom" ? { group: "", lesson: "" } : {};
+          filter.value = { ...filter.value, ...ofClass, [name]: chosen };
         }}
       />
     </label>

@@ -1,3 +1,4 @@
+import type { HistoryRun, Lesson } from "../../../api/model";
 import { language, texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
 import { Loaded } from "../../../kit/requests/Loaded";
@@ -39,7 +40,14 @@ function Runs() {
       </div>
       <Loaded of={choices}>{(found) => <RunFilters filter={filter} choices={found} />}</Loaded>
       <Loaded of={list}>
-        {(page, { busy }) => <RunCards page={page} busy={busy} onOlder={older} />}
+        {(page, { busy }) => (
+          <RunCards
+            page={page}
+            lessons={choices.status === "ready" ? choices.value.lessons : []}
+            busy={busy}
+            onOlder={older}
+          />
+        )}
       </Loaded>
       <ChosenRuns chosen={chosen} />
     </main>
@@ -48,11 +56,12 @@ function Runs() {
 
 interface RunCardsProps {
   page: RunPage;
+  lessons: readonly Lesson[];
   busy: boolean;
   onOlder(): Promise<void>;
 }
 
-function RunCards({ page: { runs, next }, busy, onOlder }: RunCardsProps) {
+function RunCards({ page: { runs, next }, lessons, busy, onOlder }: RunCardsProps) {
   const { runs: say } = texts.value.review;
   if (runs.length === 0) {
     const isFiltered = Object.values(filter.value).some(Boolean);
@@ -69,7 +78,7 @@ function RunCards({ page: { runs, next }, busy, onOlder }: RunCardsProps) {
       <ul class="work__cards runs__cards" aria-busy={busy}>
         {runs.map((run) => (
           <li key={run.id}>
-            <HistoryCard run={run} chosen={chosen} />
+            <HistoryCard run={run} chosen={chosen} lesson={titleOf(run, lessons)} />
           </li>
         ))}
       </ul>
@@ -80,4 +89,9 @@ function RunCards({ page: { runs, next }, busy, onOlder }: RunCardsProps) {
       )}
     </>
   );
+}
+
+function titleOf({ lesson_id }: HistoryRun, lessons: readonly Lesson[]): string | null {
+  const lesson = lessons.find(({ id }) => id === lesson_id);
+  return lesson ? texts.value.review.lesson.title(lesson.title) : null;
 }

@@ -1,14 +1,16 @@
 import { signal } from "@preact/signals";
-import { classesApi } from "../../../api/classes";
-import type { HistoryRun } from "../../../api/model";
+import { classesApi, NO_CLASS } from "../../../api/classes";
+import type { HistoryRun, Lesson } from "../../../api/model";
 import { type RunFilter, reviewApi } from "../../../api/review";
-import { loadSchool } from "../../school";
+import { loadSchool, type School } from "../../school";
 import { useTeacherLoaded } from "../../useTeacherLoaded";
 
 export const NO_FILTER: RunFilter = {
   classroom: "",
   group: "",
+  lesson: "",
   activity: "",
+  world: "",
   day: "",
   outcome: "",
 };
@@ -57,5 +59,12 @@ export type FilterChoices = Awaited<ReturnType<typeof loadFilterChoices>>;
 
 export async function loadFilterChoices() {
   const [school, activities] = await Promise.all([loadSchool(), classesApi.activities()]);
-  return { ...school, activities };
+  return { ...school, activities, lessons: await loadLessons(school) };
+}
+
+/** The lessons of all classes, newest first, joined ones too. */
+async function loadLessons({ classes }: School): Promise<Lesson[]> {
+  const places = [...classes.map(({ id }) => id), NO_CLASS];
+  const lessons = await Promise.all(places.map((place) => classesApi.lessons(place)));
+  return lessons.flat().sort((one, other) => other.opened_at.localeCompare(one.opened_at));
 }
