@@ -2,6 +2,7 @@
 
 import contextlib
 import json
+import re
 import secrets
 import threading
 import time
@@ -18,6 +19,7 @@ _UNSEEN = ("Cf", "Cs")
 _JOINERS = "\u200c\u200d"
 # letters and symbols by their category, empty to the eye: fillers of Hangul and Braille
 _BLANKS = "\u115f\u1160\u3164\uffa0\u2800"
+_NUMBERS = re.compile(r"([0-9]+)")
 
 
 class _Ids:
@@ -128,6 +130,13 @@ def name_key(name: str) -> str:
     """What two groups must not share: the name without case, spaces and joiners."""
     visible = "".join(char for char in name if char not in _JOINERS)
     return "".join(unicodedata.normalize("NFKC", visible).casefold().split())
+
+
+def natural_key(name: str) -> list[str | int]:
+    """Sort key of a name without accents, case and spaces: texts and numbers take turns, so that 2 comes before 10."""
+    letters = (char for char in unicodedata.normalize("NFKD", name_key(name)))
+    parts = _NUMBERS.split("".join(char for char in letters if not unicodedata.combining(char)))
+    return [int(part) if index % 2 else part for index, part in enumerate(parts)]
 
 
 def _shown(char: str) -> str:

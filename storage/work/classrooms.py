@@ -1,15 +1,13 @@
 """Classes of the school."""
 
-import re
 import sqlite3
 
 from storage.errors import StoreError
 from storage.file.repository import Repository
 from storage.records import ClassroomRow
 from storage.sql import change, insert, require, selected
-from storage.text import clean_name, name_key, new_id
+from storage.text import clean_name, name_key, natural_key, new_id
 
-_NUMBERS = re.compile(r"([0-9]+)")
 _SELECT = selected(
     ClassroomRow,
     "classrooms",
@@ -58,9 +56,8 @@ class Classrooms(Repository):
 
 
 def _order(row: ClassroomRow) -> tuple[list[str | int], str]:
-    """Texts and numbers take turns; classes of one name stay in their order."""
-    parts = _NUMBERS.split(name_key(row.name))
-    return [int(part) if n % 2 else part for n, part in enumerate(parts)], row.id
+    """Classes of one name stay in their order."""
+    return natural_key(row.name), row.id
 
 
 def _require_free(db: sqlite3.Connection, name: str, own_id: str) -> None:

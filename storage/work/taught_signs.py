@@ -14,7 +14,7 @@ from storage.file.repository import Repository
 from storage.limits import MAX_SIGN, MAX_TAUGHT_SAMPLES, MAX_TAUGHT_SIGNS, N_FEATURES
 from storage.records import SignSamples
 from storage.sql import insert, not_found, require
-from storage.text import clean_name, name_key, new_id
+from storage.text import clean_name, name_key, natural_key, new_id
 
 _SAMPLE_BYTES = 2 * N_FEATURES
 
@@ -95,7 +95,8 @@ def _signs(recordings: Iterable[sqlite3.Row]) -> list[SignSamples]:
         kept = (getattr(newer, field) + row["samples"])[: MAX_TAUGHT_SAMPLES * _SAMPLE_BYTES]
         by_key[key] = replace(newer, **{field: kept}, sign=row["sign"])
     # a merge may bring more signs than one PC records
-    return [by_key[key] for key in sorted(by_key)[:MAX_TAUGHT_SIGNS]]
+    in_order = sorted(by_key, key=lambda key: (natural_key(key), key))
+    return [by_key[key] for key in in_order[:MAX_TAUGHT_SIGNS]]
 
 
 def _clean(name: str) -> str:

@@ -47,6 +47,12 @@ def test_signs_are_listed_by_name_with_their_newest_samples(store: Store, fifth:
     assert taught(store, store.classrooms.create("6º").id) == {}
 
 
+def test_signs_with_numbers_are_listed_by_their_value(store: Store, fifth: str) -> None:
+    for sign in ("sinal 10", "Sinal 2", "água", "zebra", "sinal 1"):
+        store.taught_signs.add(fifth, sign, hands(1.0))
+    assert [*taught(store, fifth)] == ["água", "sinal 1", "Sinal 2", "sinal 10", "zebra"]
+
+
 def test_a_sign_has_hands_at_rest_and_movements_each_counted_for_itself(
     store: Store, fifth: str
 ) -> None:

@@ -92,5 +92,5 @@ function fieldsOf(block: Blockly.Block): VariableField[] {
 }
 
 function sorted(names: ReadonlySet<string>): string[] {
-  return [...names].sort((one, other) => one.localeCompare(other));
+  return [...names].sort((one, other) => one.localeCompare(other, undefined, { numeric: true }));
 }

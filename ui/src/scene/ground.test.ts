@@ -89,6 +89,40 @@ test.each([
   expect(contrast(ink, tile)).toBeGreaterThanOrEqual(4.5);
 });
 
+test("the name of a small area is as high as can be read, and does not meet the name beside", () => {
+  const zone = (name: string, x: number, y = 0) => ({
+    name,
+    center: [x, y],
+    size: [0.8, 0.8],
+    radius: null,
+  });
+  // letters of 0.2 m each at their full height of 0.34 m; a pixel is 25 mm
+  const heights = (...zones: object[]) => letterHeights(zones, 0.025);
+  expect(heights(zone("A", 0))).toEqual([14]);
+  expect(heights(zone("biblioteca", 0), zone("escola", 3))).toEqual([13, 13]);
+  expect(heights(zone("biblioteca", 0), zone("escola", 0, 3))).toEqual([13, 13]);
+  expect(heights(zone("biblioteca", 0), zone("escola", 1))).toEqual([5, 9]);
+});
+
+/** Height in px of the letters of each name, rounded. */
+function letterHeights(zones: object[], pixel: number): number[] {
+  const found: number[] = [];
+  let scale = 1;
+  const ctx = {
+    measureText: (text: string) => ({ width: 20 * text.length }),
+    scale: (factor: number, y: number) => {
+      if (y > 0) scale = factor;
+    },
+    fillText: () => found.push(Math.round((scale * 0.34) / pixel)),
+  };
+  const quiet = new Proxy(ctx as Record<string, unknown>, {
+    get: (own, key: string) => own[key] ?? (() => {}),
+  });
+  const world = { zones } as unknown as World;
+  drawZones(quiet as unknown as CanvasRenderingContext2D, world, PALETTE, pixel);
+  return found;
+}
+
 /** Colour and opacity of the letters of an area's name, and of what is drawn around them before. */
 function namesDrawn(palette: Palette) {
   const letters: [string, number][] = [];

@@ -52,24 +52,47 @@ export function drawZones(ctx: Ctx, world: World | null, palette: Palette, pixel
   }
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";
-  for (const zone of zones) drawName(ctx, zone, palette);
+  for (const zone of zones) drawName(ctx, zone, roomBeside(zone, zones), palette, pixel);
   ctx.restore();
 }
 
 /** Largest width of a name, as a fraction of the zone's width. */
 const NAME_PART = 0.8;
 const NAME_M = 0.34;
+/** Height of letters that can be read; for them a name may be wider than its zone. */
+const READABLE_PX = 13;
 /** Width of the floor's colour around the letters of a name, as a fraction of their height. */
 const HALO_PART = 0.12;
 
-function drawName(ctx: Ctx, zone: World["zones"][number], { font, ink, tile }: Palette): void {
+type Zone = World["zones"][number];
+
+const widthOf = (zone: Zone) => zone.size?.[0] ?? 2 * (zone.radius ?? 0.5);
+
+/** Width in m that a name can take without meeting the name of a zone beside. */
+function roomBeside(zone: Zone, zones: readonly Zone[]): number {
+  const [x = 0, y = 0] = zone.center;
+  const gaps = zones
+    .filter((other) => other !== zone && Math.abs((other.center[1] ?? 0) - y) < NAME_M)
+    .map((other) => Math.abs((other.center[0] ?? 0) - x));
+  return NAME_PART * Math.min(...gaps, Number.MAX_VALUE);
+}
+
+function drawName(
+  ctx: Ctx,
+  zone: Zone,
+  room: number,
+  { font, ink, tile }: Palette,
+  pixel: number,
+): void {
   const [x = 0, y = 0] = zone.center;
   ctx.save();
   ctx.translate(x, y);
   ctx.scale(0.01, -0.01); // fonts below one pixel render badly
   ctx.font = `700 ${NAME_M * 100}px ${font}`;
-  const room = 100 * NAME_PART * (zone.size?.[0] ?? 2 * (zone.radius ?? 0.5));
-  const fit = Math.min(1, room / ctx.measureText(zone.name).width);
+  const width = ctx.measureText(zone.name).width / 100;
+  const inside = Math.min(1, (NAME_PART * widthOf(zone)) / width);
+  const readable = Math.min((READABLE_PX * pixel) / NAME_M, room / width);
+  const fit = Math.max(inside, readable);
   ctx.scale(fit, fit);
   // no ink has enough contrast to all paints of a theme, but to the floor it has
   ctx.strokeStyle = tile;
