@@ -2,11 +2,12 @@ import * as Blockly from "blockly/core";
 import "./editor.css";
 import { registerBlocks } from "../blocks";
 import type { Level } from "../blocks/definition";
+import type { BlockType } from "../blocks/definitions";
 import { addToFieldNote } from "../blocks/fields/field_note";
 import { generateDocument } from "../blocks/generator";
 import { setKnownPlaces } from "../blocks/known_places";
 import { type KnownSigns, setKnownSigns } from "../blocks/known_signs";
-import { EVERYTHING, toolbox } from "../blocks/toolbox/toolbox";
+import { EVERYTHING, paletteBlock, toolbox } from "../blocks/toolbox/toolbox";
 import { upgradeWorkspace } from "../blocks/upgrade";
 import { word } from "../blocks/words";
 import type { Language } from "../i18n";
@@ -26,6 +27,7 @@ import { quietly } from "./quietly";
 import { ensureStartBlock, markLooseBlocks } from "./start_block";
 import { interceptEmptyUndo, undoInto } from "./steps_back";
 import { pageFont, showTheme, type ThemeName } from "./themes";
+import { appendBlock } from "./toolbox/append";
 import { Shelf } from "./toolbox/palette";
 import { addZoomControls } from "./zoom_controls";
 
@@ -42,6 +44,8 @@ export interface Editor {
   highlight(blockId: string | null): void;
   /** Shows faults on their blocks until the block is edited or an empty list is passed. */
   showFaults(faults: Fault[]): void;
+  /** Puts a new block into the program, where a click in the palette would put it, as one undo step. */
+  append(type: BlockType): void;
   /** Scrolls a block into view and opens its fault bubble, if it has one. */
   reveal(blockId: string): void;
   setLanguage(language: Language): void;
@@ -149,6 +153,11 @@ class BlockEditor implements Editor {
 
   showFaults(faults: Fault[]): void {
     this.faults.show(faults);
+  }
+
+  append(type: BlockType): void {
+    if (this.workspace.isReadOnly()) return;
+    appendBlock(paletteBlock(type, EVERYTHING, this.workspace), this.workspace);
   }
 
   reveal(blockId: string): void {

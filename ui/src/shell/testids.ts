@@ -13,6 +13,7 @@ export const TEST = {
   programName: "program-name",
   savedMark: "saved-mark", // data-state: saved | saving | failed | refused (a world with faults)
   openWork: "open-work",
+  help: "help", // opens and closes it
   theme: "theme", // data-theme: light | dark | contrast
   language: "language", // a select: pt-BR, en, es
   notice: "notice",
@@ -235,6 +236,14 @@ export const TEST = {
   examples: "examples",
   toExamples: "to-examples",
   exampleCard: "example-card", // of each; data-example
+  helpPanel: "help-panel",
+  helpSearch: "help-search",
+  helpTab: "help-tab", // of each; data-tab: tasks | blocks | keys
+  helpBlock: "help-block", // of each; data-block
+  helpTry: "help-try", // of each block
+  helpTask: "help-task", // of each; data-task
+  helpExample: "help-example", // of each; data-example
+  helpClose: "help-close",
   mission: "mission", // data-done
   lessonMission: "lesson-mission",
   missionFold: "mission-fold",

@@ -58,12 +58,14 @@ function choicesOf(row: Row): string[] {
   );
 }
 
-function saysAll(text: string, wanted: readonly string[]): boolean {
+/** Whether a text has all of the words, or beginnings of them. */
+export function saysAll(text: string, wanted: readonly string[]): boolean {
   const said = wordsOf(text);
   return wanted.every((one) => said.some((other) => other.startsWith(one)));
 }
 
-function wordsOf(text: string): string[] {
+/** The words of a text, without accents and capitals. */
+export function wordsOf(text: string): string[] {
   return folded(text)
     .split(/[^\p{L}\p{N}+−×÷=≠<>≤≥^]+/u)
     .filter(Boolean);

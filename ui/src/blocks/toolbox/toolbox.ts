@@ -1,6 +1,13 @@
 import type * as Blockly from "blockly/core";
 import type { BlockArgument, Level } from "../definition";
-import { argumentsOf, type BlockType, CATEGORIES, DEFINITIONS, type Row } from "../definitions";
+import {
+  argumentsOf,
+  type BlockType,
+  CATEGORIES,
+  DEFINITIONS,
+  definitionOf,
+  type Row,
+} from "../definitions";
 import type { Category } from "../hues";
 import {
   definitionsIn,
@@ -64,6 +71,17 @@ export function flyoutBlocks(
   if (name === "logic" && level > 1) blocks.splice(2, 0, numberComparison());
   if (name === "logic") blocks.splice(1, 0, { ...block("if"), extraState: { else: true } });
   return blocks;
+}
+
+/** A block as its category offers it in a program, to be put into a workspace. */
+export function paletteBlock(
+  type: BlockType,
+  level: Level,
+  workspace: Blockly.Workspace,
+): Blockly.serialization.blocks.State {
+  const name = definitionOf(type).style as ToolboxCategory;
+  const offered = flyoutBlocks(name, level, workspace).find((one) => one.type === type);
+  return (offered ?? block(type)) as Blockly.serialization.blocks.State;
 }
 
 /** Every block of a level, for the search. */

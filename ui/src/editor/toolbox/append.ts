@@ -8,16 +8,23 @@ const { ConnectionType } = Blockly;
 /** Distance of a new block from those above it, in workspace units: blocks push away others that they could snap to. */
 const GAP = 72;
 
+/** Puts a copy of a block of the palette into the program. */
+export function appendFromPalette(source: Blockly.BlockSvg): void {
+  const workspace = source.workspace.targetWorkspace;
+  const state = Blockly.serialization.blocks.save(source, { saveIds: false });
+  if (workspace && state) appendBlock(state, workspace);
+}
+
 /**
- * Puts a copy of a block of the palette where a pupil expects it, as one undo step, selects it, brings it into view and
+ * Puts a new block where a pupil expects it, as one undo step, selects it, brings it into view and
  * announces it. A command goes to the end of the program; while a block inside a loop, a branch or a function is
  * selected, to the end of what is in there; while such a block itself is selected, into it. A value goes into the first
  * place of the selected block that takes it. What fits nowhere lies loose below everything.
  */
-export function appendFromPalette(source: Blockly.BlockSvg): void {
-  const workspace = source.workspace.targetWorkspace;
-  const state = Blockly.serialization.blocks.save(source, { saveIds: false });
-  if (!workspace || !state) return;
+export function appendBlock(
+  state: Blockly.serialization.blocks.State,
+  workspace: Blockly.WorkspaceSvg,
+): void {
   const selected = selectedBlock(workspace);
   const group = Blockly.Events.getGroup();
   Blockly.Events.setGroup(true);

@@ -1,4 +1,14 @@
-import { ArrowLeft, Contrast, Hand, Languages, Moon, Route, Sun, Target } from "lucide-preact";
+import {
+  ArrowLeft,
+  CircleQuestionMark,
+  Contrast,
+  Hand,
+  Languages,
+  Moon,
+  Route,
+  Sun,
+  Target,
+} from "lucide-preact";
 import { hasCapture } from "../../camera/expected";
 import { language, texts } from "../../i18n";
 import { LANGUAGES, languageRow } from "../../i18n/languages";
@@ -6,6 +16,7 @@ import { Button } from "../../kit/Button";
 import { LinkButton } from "../../kit/LinkButton";
 import { GroupPicture } from "../../kit/pictures/GroupPicture";
 import { Select } from "../../kit/Select";
+import { helpIsOpen } from "../../shell/help";
 import { go, hashOf, ROUTES, route, type ScreenName } from "../../shell/route";
 import { chooseLanguage, group } from "../../shell/session";
 import { reviewOrigin } from "../../shell/teacher/review_origin";
@@ -39,6 +50,7 @@ export function Header() {
       {inside && route.value.screen !== "activities" && <ActivitiesLink />}
       {inside && <WorkButton />}
       {isBesideProgram(route.value.screen) && <BackToProgram />}
+      {route.value.screen === "studio" && <HelpButton />}
       <ThemeButton />
       <LanguageChoice />
     </header>
@@ -116,6 +128,23 @@ function ActivitiesLink() {
     >
       <span class="header__word">{open}</span>
     </LinkButton>
+  );
+}
+
+function HelpButton() {
+  const { help } = texts.value.header;
+  return (
+    <Button
+      icon={CircleQuestionMark}
+      label={help}
+      testId={TEST.help}
+      open={helpIsOpen.value}
+      onPress={() => {
+        helpIsOpen.value = !helpIsOpen.peek();
+      }}
+    >
+      <span class="header__word">{help}</span>
+    </Button>
   );
 }
 

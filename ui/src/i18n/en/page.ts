@@ -21,6 +21,7 @@ export const page: typeof first = {
     group: "Group",
     programName: "Name of the program",
     rename: "Rename the program",
+    help: "Help",
     work: "Our work",
     backToProgram: "Back to the program",
     backToLesson: "Back to the lesson",

@@ -21,6 +21,7 @@ export const page: typeof first = {
     group: "Grupo",
     programName: "Nombre del programa",
     rename: "Cambiar el nombre del programa",
+    help: "Ayuda",
     work: "Nuestros trabajos",
     backToProgram: "Volver al programa",
     backToLesson: "Volver a la clase",

@@ -22,6 +22,7 @@ export const page = {
     group: "Grupo",
     programName: "Nome do programa",
     rename: "Mudar o nome do programa",
+    help: "Ajuda",
     work: "Nossos trabalhos",
     backToProgram: "Voltar ao programa",
     backToLesson: "Voltar à aula",

@@ -1,5 +1,6 @@
 import { useComputed, useSignal, useSignalEffect } from "@preact/signals";
 import { ChartLine, FileCode } from "lucide-preact";
+import { useEffect } from "preact/hooks";
 import { texts } from "../../i18n";
 import { FootButton } from "../../kit/FootButton";
 import { WayBack } from "../../kit/WayBack";
@@ -8,6 +9,7 @@ import { shown } from "../../run/moment";
 import { Readout } from "../../run/panels/Readout";
 import { StatusLine } from "../../run/panels/StatusLine";
 import { isLive } from "../../run/reducer";
+import { helpIsOpen } from "../../shell/help";
 import { later } from "../../shell/later";
 import { TEST } from "../../shell/testids";
 import { Controls } from "../run_bar/Controls";
@@ -17,12 +19,23 @@ import { prepareCapture } from "./CapturePanel";
 import { Stage } from "./Stage";
 
 const PastRun = later(async () => (await import("./PastRun")).PastRun);
+const HelpPanel = later(async () => (await import("../../help/HelpPanel")).HelpPanel);
 
 export function FloorPane({ control }: { control: StudioControl }) {
   const drawer = useSignal(DRAWER);
   useSignalEffect(() => {
     if (control.captures.value) prepareCapture();
   });
+  // whoever runs a program wants to see the floor
+  useSignalEffect(() => {
+    if (robot.isRunning.value) helpIsOpen.value = false;
+  });
+  useEffect(
+    () => () => {
+      helpIsOpen.value = false;
+    },
+    [],
+  );
   const { open, what, editing } = drawer.value;
   const { python, plots } = texts.value;
   // unsaved Python text must not be discarded
@@ -35,6 +48,7 @@ export function FloorPane({ control }: { control: StudioControl }) {
       <Controls control={control} />
       <Status control={control} />
       <Forgotten control={control} />
+      {helpIsOpen.value && <HelpPanel control={control} />}
       <Stage control={control} drawer={drawer} />
       <RunTime control={control} />
       <div class="floor__foot card">

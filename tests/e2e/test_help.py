@@ -1,0 +1,95 @@
+"""Help beside the program: what can be done, each block of the level to try, the keys, and a search in all of it."""
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.e2e.axe import violations
+from tests.e2e.studio import Studio
+from tests.e2e.test_layout import cut
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
+
+
+def to_tab(studio: Studio, name: str) -> None:
+    studio.page.locator(f"[data-testid=help-tab][data-tab={name}]").click()
+
+
+def test_a_block_of_the_help_is_tried_in_the_program_and_the_run_shows_the_floor(
+    studio: Studio,
+) -> None:
+    studio.enter_group("Os Tatus", level=None)
+    studio["help"].click()
+    to_tab(studio, "blocks")
+    turn = studio.page.locator("[data-testid=help-block][data-block=turn]")
+    expect(turn.get_by_role("img")).to_have_accessible_name("girar à esquerda 90 °")
+    expect(turn).to_contain_text("O robô gira no lugar.")
+    turn.get_by_test_id("help-try").click()
+    studio.eventually(studio.actions, ["turn"])
+    expect(turn.get_by_test_id("help-try")).to_be_focused()
+    turn.get_by_test_id("help-try").click()
+    studio.eventually(studio.actions, ["turn", "turn"])
+    studio["undo"].click()
+    studio.eventually(studio.actions, ["turn"])
+    expect(studio["stop"]).to_be_visible()
+    studio.run()
+    expect(studio["help-panel"]).to_have_count(0)
+    expect(studio["scene"]).to_be_visible()
+
+
+def test_every_block_of_the_level_is_drawn_with_its_help(studio: Studio) -> None:
+    studio.enter_group("Os Tatus", level=None)
+    studio["help"].click()
+    to_tab(studio, "blocks")
+    blocks, row = studio["help-block"], "[data-testid=help-block][data-block={}]"
+    expect(studio.page.locator(row.format("repeat"))).to_be_visible()
+    n_first = blocks.count()
+    expect(studio.page.locator(row.format("function_def"))).to_have_count(0)
+    studio["level"].select_option("3")
+    expect(studio.page.locator(row.format("function_def"))).to_have_count(1)
+    assert blocks.count() > 2 * n_first
+    assert all(blocks.locator("p").all_inner_texts())
+    for drawing in blocks.locator("svg").all():
+        box = drawing.bounding_box()
+        assert box is not None
+        assert min(box["width"], box["height"]) > 16
+    assert cut(studio.page) == []
+
+
+def test_the_search_finds_blocks_tasks_examples_and_keys(studio: Studio) -> None:
+    studio.enter_group("Os Tatus", level=None)
+    studio["help"].click()
+    expect(studio["help-search"]).to_be_focused()
+    studio.page.keyboard.type("caneta")
+    expect(studio["help-block"]).to_have_count(2)
+    studio["help-search"].fill("repetir")
+    expect(studio.page.locator("[data-testid=help-task][data-task=repeat]")).to_be_visible()
+    studio["help-search"].fill("copiar")
+    expect(studio["help-panel"]).to_contain_text("Ctrl+C")
+    studio["help-search"].fill("xyzw")
+    expect(studio["help-panel"]).to_contain_text("Nada com essas palavras")
+    studio["help-search"].fill("floco")
+    studio["help-example"].click()
+    studio.wait_until_open()
+    expect(studio["program-name"]).to_have_value("Floco de neve")
+
+
+def test_escape_closes_the_help_and_goes_back_to_its_button(studio: Studio) -> None:
+    studio.enter_group("Os Tatus", level=None)
+    studio["help"].focus()
+    studio.page.keyboard.press("Enter")
+    expect(studio["help-search"]).to_be_focused()
+    studio.page.keyboard.press("Escape")
+    expect(studio["help-panel"]).to_have_count(0)
+    expect(studio["help"]).to_be_focused()
+
+
+def test_the_help_is_read_in_every_language_and_theme(studio: Studio) -> None:
+    studio.enter_group("Os Tatus", level=None)
+    studio["help"].click()
+    for language, words in {"en": "Drive and turn", "es": "Avanzar y girar"}.items():
+        studio["language"].select_option(language)
+        expect(studio["help-panel"]).to_contain_text(words)
+        for tab in ("blocks", "keys", "tasks"):
+            to_tab(studio, tab)
+            assert cut(studio.page) == []
+            assert violations(studio) == []

@@ -1,0 +1,126 @@
+import * as Blockly from "blockly/core";
+import { registerBlocks } from "../blocks";
+import type { Level } from "../blocks/definition";
+import type { BlockType } from "../blocks/definitions";
+import { searchBlocks } from "../blocks/toolbox/search";
+import { offeredRows, paletteBlock } from "../blocks/toolbox/toolbox";
+import type { Language } from "../i18n";
+import { applyLanguage } from "./locale";
+import { patchAriaUpdates, quietly } from "./quietly";
+import { RENDERER, registerRenderer } from "./renderer";
+import { blocklyTheme, type ThemeName } from "./themes";
+
+export interface BlockDrawing {
+  readonly type: BlockType;
+  readonly category: string;
+  /** What the block says, with its first values. */
+  readonly words: string;
+  readonly svg: SVGSVGElement;
+}
+
+export interface BlockDrawings {
+  /** Classes of an element around the drawings, which Blockly's own styles depend on. */
+  readonly look: string;
+  /** The blocks that a level offers, in the order of the toolbox. */
+  readonly all: readonly BlockDrawing[];
+  /** Those that the search of the toolbox finds, best first. */
+  find(query: string): BlockDrawing[];
+}
+
+interface DrawingOptions {
+  language: Language;
+  theme: ThemeName;
+  level: Level;
+}
+
+/** Calls are drawn by what they call, and nothing is defined here. */
+const NOT_ALONE: readonly BlockType[] = ["call", "call_value"];
+const SCALE = 0.8;
+
+/** Draws each block of a level as the palette gives it; the drawings do not change afterwards. */
+export function drawBlocks({ language, theme, level }: DrawingOptions): BlockDrawings {
+  applyLanguage(language);
+  registerBlocks();
+  registerRenderer();
+  patchAriaUpdates();
+  return onStage(theme, (workspace) => {
+    const rows = offeredRows(level).filter(({ type }) => !NOT_ALONE.includes(type));
+    const all = rows.map(({ type, style }) => ({
+      type,
+      category: style,
+      ...drawn(paletteBlock(type, level, workspace), workspace),
+    }));
+    const byType = new Map<string | undefined, BlockDrawing>(all.map((one) => [one.type, one]));
+    const look = [...workspace.getInjectionDiv().classList].filter((one) => one !== STAGE);
+    return {
+      look: look.join(" "),
+      all,
+      find: (query) => [
+        ...new Set(
+          searchBlocks(query, level, new Blockly.Workspace()).flatMap(
+            ({ type }) => byType.get(type) ?? [],
+          ),
+        ),
+      ],
+    };
+  });
+}
+
+const STAGE = "injectionDiv";
+
+/** A workspace that nobody sees, for as long as something is drawn in it; the editor stays the main one. */
+function onStage<Drawn>(theme: ThemeName, draw: (workspace: Blockly.WorkspaceSvg) => Drawn): Drawn {
+  const editor = Blockly.common.getMainWorkspace();
+  const container = document.createElement("div");
+  container.className = "visually-hidden";
+  container.inert = true;
+  document.body.append(container);
+  const workspace = Blockly.inject(container, {
+    theme: blocklyTheme(theme),
+    renderer: RENDERER,
+    media: "/media/",
+    sounds: false,
+    readOnly: true,
+  });
+  try {
+    return draw(workspace);
+  } finally {
+    workspace.dispose();
+    container.remove();
+    Blockly.common.setMainWorkspace(editor);
+  }
+}
+
+function drawn(
+  state: Blockly.serialization.blocks.State,
+  workspace: Blockly.WorkspaceSvg,
+): Pick<BlockDrawing, "words" | "svg"> {
+  let block: Blockly.BlockSvg | undefined;
+  quietly(() => {
+    block = Blockly.serialization.blocks.append(state, workspace) as Blockly.BlockSvg;
+  });
+  Blockly.renderManagement.triggerQueuedRenders(workspace);
+  if (!block) throw new Error(`there is no drawing of ${state.type}`);
+  const words = block.toString().replace(/\s+/g, " ");
+  const svg = pictureOf(block.getSvgRoot());
+  quietly(() => block?.dispose());
+  return { words, svg };
+}
+
+function pictureOf(root: SVGGElement): SVGSVGElement {
+  const { x, y, width, height } = root.getBBox();
+  const svg = Blockly.utils.dom.createSvgElement<SVGSVGElement>(Blockly.utils.Svg.SVG, {
+    viewBox: `${x - 1} ${y - 1} ${width + 2} ${height + 2}`,
+    width: (width + 2) * SCALE,
+    height: (height + 2) * SCALE,
+    "aria-hidden": "true",
+    focusable: "false",
+  });
+  const copy = root.cloneNode(true) as SVGGElement;
+  copy.removeAttribute("transform");
+  for (const one of [copy, ...copy.querySelectorAll("*")]) {
+    for (const name of ["id", "data-id", "tabindex", "role"]) one.removeAttribute(name);
+  }
+  svg.append(copy);
+  return svg;
+}

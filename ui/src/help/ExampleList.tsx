@@ -1,0 +1,36 @@
+import { openExample } from "../activities/open_example";
+import type { Example } from "../api/model";
+import { texts } from "../i18n";
+import { Button } from "../kit/Button";
+import { GoalPicture } from "../scene/goal/GoalPicture";
+import { TEST } from "../shell/testids";
+import { useHelpContent } from "./help_content";
+
+/** Examples; a press opens a copy. */
+export function ExampleList({ examples }: { examples: readonly Example[] }) {
+  const { group } = useHelpContent();
+  const { help } = texts.value;
+  if (examples.length === 0) return null;
+  return (
+    <ul class="help__examples" aria-label={help.examples.title}>
+      {examples.map((one) => (
+        <li key={one.name}>
+          <Button
+            kind="bare"
+            class="help__example"
+            tip={help.openExample}
+            testId={TEST.helpExample}
+            data-example={one.name}
+            onPress={() => openExample(group, one)}
+          >
+            <GoalPicture goal={one.picture} />
+            <span>
+              <strong>{one.title}</strong>
+              <span class="help__about">{one.about}</span>
+            </span>
+          </Button>
+        </li>
+      ))}
+    </ul>
+  );
+}
