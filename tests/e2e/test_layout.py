@@ -92,6 +92,7 @@ def test_the_lesson_gives_way_to_the_group_and_its_program(
     studio["language"].select_option(language)
     studio.page.locator(f'html[lang="{language}"]').wait_for(state="attached")
     assert _cut_names(studio) == []
+    _expect_ways_out(studio)
     studio["language"].select_option("pt-BR")
     studio.page.route("**/api/programs/*/versions", lambda route: route.abort())
     start = studio.blocks.start()
@@ -100,6 +101,33 @@ def test_the_lesson_gives_way_to_the_group_and_its_program(
     expect(studio["saved-mark"]).to_have_attribute("data-state", "failed")
     assert _cut_names(studio) == []
     assert cut(studio.page) == []
+    _expect_ways_out(studio)
+
+
+@pytest.mark.parametrize("size", SCREENS[:2], ids=lambda size: f"{size[0]}x{size[1]}")
+def test_long_names_give_way_to_every_button_of_the_header(
+    open_studio: OpenStudio, size: tuple[int, int]
+) -> None:
+    studio = open_studio(viewport={"width": size[0], "height": size[1]})
+    studio.enter_new_group("Os Engenheiros da Escola Municipal")
+    _begin_lesson(studio, "Quadrados e desvios no pátio da escola")
+    name = "Quadrado grande com a caneta vermelha e giros"
+    studio.tell("PATCH", f"/programs/{studio.program_id}", {"name": name})
+    studio.page.reload()
+    studio.wait_until_open()
+    expect(studio["lesson-chip"]).to_be_visible()
+    start = studio.blocks.start()
+    studio.blocks.drag_from_toolbox("gestures", "ler gesto", studio.blocks.below(start))
+    expect(studio["practice"]).to_be_visible()
+    _expect_ways_out(studio)
+    assert [one for one in cut(studio.page) if "program-name" not in one] == []
+    studio.page.set_viewport_size({"width": 1920, "height": 768})
+    expect(studio["open-work"]).to_contain_text("Nossos trabalhos")
+
+
+def _expect_ways_out(studio: Studio) -> None:
+    for way in ("open-activities", "open-work", "help", "theme", "language"):
+        expect(studio[way]).to_be_in_viewport(ratio=1)
 
 
 def _begin_lesson(studio: Studio, title: str) -> None:

@@ -9,6 +9,7 @@ import {
   Sun,
   Target,
 } from "lucide-preact";
+import { useRef } from "preact/hooks";
 import { hasCapture } from "../../camera/expected";
 import { language, texts } from "../../i18n";
 import { LANGUAGES, languageRow } from "../../i18n/languages";
@@ -26,6 +27,7 @@ import { opened } from "../../studio/program/open_program";
 import { LessonChip } from "./LessonChip";
 import { Mark } from "./Mark";
 import { ProgramName } from "./ProgramName";
+import { useRoom } from "./room";
 import { SavedMark } from "./SavedMark";
 import { TeacherChip } from "./TeacherChip";
 
@@ -34,8 +36,10 @@ const THEME_ICONS = { light: Sun, dark: Moon, contrast: Contrast } as const;
 /** Group, program, save state, our work, theme and language, in the same order on every screen. */
 export function Header() {
   const inside = ROUTES[route.value.screen].ofGroup;
+  const header = useRef<HTMLElement>(null);
+  useRoom(header);
   return (
-    <header class="header">
+    <header class="header" ref={header}>
       <a class="header__home" href="#/" data-testid={TEST.home} title={texts.value.header.home}>
         <Mark />
         <span class="header__brand">PINEL</span>
@@ -109,7 +113,7 @@ function WorkButton() {
       disabled={!group.value}
       onPress={() => group.value && go({ screen: "work", group: group.value.id })}
     >
-      <span class="header__word">{header.work}</span>
+      <span class="header__word header__work-word">{header.work}</span>
     </Button>
   );
 }
@@ -137,13 +141,14 @@ function HelpButton() {
     <Button
       icon={CircleQuestionMark}
       label={help}
+      tip={help}
       testId={TEST.help}
       open={helpIsOpen.value}
       onPress={() => {
         helpIsOpen.value = !helpIsOpen.peek();
       }}
     >
-      <span class="header__word">{help}</span>
+      <span class="header__word header__help-word">{help}</span>
     </Button>
   );
 }
@@ -189,7 +194,9 @@ function LanguageChoice() {
   return (
     <Select
       icon={Languages}
+      class="header__language"
       label={texts.value.header.language}
+      tip={texts.value.header.language}
       testId={TEST.language}
       value={language.value}
       options={LANGUAGES.map((tag) => [tag, languageRow(tag).name, { lang: tag }])}

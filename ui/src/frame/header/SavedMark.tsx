@@ -1,4 +1,4 @@
-import { Check, LoaderCircle, TriangleAlert } from "lucide-preact";
+import { Check, LoaderCircle, RefreshCw, TriangleAlert } from "lucide-preact";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { TEST } from "../../shell/testids";
@@ -31,8 +31,13 @@ export function SavedMark() {
         {state === "deleted" ? saved.failed : saved[state]}
       </span>
       {state === "failed" && (
-        <Button tip={saved.failedRemedy} onPress={() => open.autosave.flush().catch(() => {})}>
-          {saved.retry}
+        <Button
+          icon={RefreshCw}
+          label={saved.retry}
+          tip={saved.failedRemedy}
+          onPress={() => open.autosave.flush().catch(() => {})}
+        >
+          <span class="header__word">{saved.retry}</span>
         </Button>
       )}
     </span>

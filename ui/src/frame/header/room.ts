@@ -1,0 +1,41 @@
+import type { RefObject } from "preact";
+import { useLayoutEffect } from "preact/hooks";
+
+/** What the header leaves out where it has no room, in this order: `data-short` names each. */
+const LEFT_OUT = ["brand", "language", "work", "help", "words", "lesson"] as const;
+
+/** Leaves words out of the header while its contents are wider than it: names are shortened last. */
+export function useRoom(header: RefObject<HTMLElement>): void {
+  useLayoutEffect(() => {
+    const { current: element } = header;
+    if (!element) return;
+    const measure = () => leaveOut(element);
+    measure();
+    const sizes = new ResizeObserver(measure);
+    sizes.observe(element);
+    const changes = new MutationObserver(measure);
+    changes.observe(element, { childList: true, characterData: true, subtree: true });
+    void document.fonts?.ready.then(measure);
+    return () => {
+      sizes.disconnect();
+      changes.disconnect();
+    };
+  }, []);
+}
+
+/** `data-measuring` gives every part its whole width meanwhile. */
+function leaveOut(header: HTMLElement): void {
+  header.dataset.measuring = "";
+  for (let n = 0; n <= LEFT_OUT.length; n++) {
+    header.dataset.short = LEFT_OUT.slice(0, n).join(" ");
+    if (!isTooWide(header)) break;
+  }
+  delete header.dataset.measuring;
+}
+
+function isTooWide(header: HTMLElement): boolean {
+  const end = header.lastElementChild?.getBoundingClientRect().right ?? 0;
+  const room =
+    header.getBoundingClientRect().right - parseFloat(getComputedStyle(header).paddingRight);
+  return end > room + 1;
+}
