@@ -58,6 +58,7 @@ def faults_of(found: dict[str, Any]) -> list[str]:
         "run.state": found.get("run", {}).get("state") == "finished",
         "run.closing_error_m": found.get("run", {}).get("closing_error_m", 1) <= 1e-4,
         "run.duration_s": found.get("run", {}).get("duration_s", 99) <= 17,
+        "judged": found.get("judged") is True,
         "signs": found.get("signs") == ["B", "A"],
         "store.telemetry_sha256": bool(found.get("store", {}).get("telemetry_sha256")),
     }

@@ -212,6 +212,7 @@ class App:
             database_state=self._database_state,
             show_window=self._on_show,
             flush_recording=self._flush_recording,
+            prepare_judge=self._grader.prepare,
         )
 
     def _take(self, event: Event) -> None:

@@ -19,7 +19,7 @@ _COMMANDS = {
     "pin": "Choose another PIN for the teacher.",
     "doctor": "Say what this PC has and lacks.",
 }
-_HIDDEN = ("app", "camera", "engine")
+_HIDDEN = {name: f"owned.{name}" for name in ("camera", "engine", "judge")} | {"app": "app"}
 
 
 class _LazyGroup(click.Group):
@@ -31,7 +31,9 @@ class _LazyGroup(click.Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         if cmd_name not in _COMMANDS and cmd_name not in _HIDDEN:
             return None
-        module = importlib.import_module(f"pinel_desktop.commands.{cmd_name}")
+        module = importlib.import_module(
+            f"pinel_desktop.commands.{_HIDDEN.get(cmd_name, cmd_name)}"
+        )
         command: click.Command = module.command
         return command
 

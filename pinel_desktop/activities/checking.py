@@ -14,6 +14,7 @@ from pinel_desktop.events.model import Event
 from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.inputs import ScriptedInputs
+from pinel_desktop.execution.limits import StepLimit
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.reading import Reading
 from pinel_desktop.robot import Setting
@@ -21,6 +22,8 @@ from pinel_desktop.runs.spec import RunSpec
 from pinel_desktop.runs.start import start
 from sim.world import world_from_document
 
+# a busy loop of 15 s of robot time; a program that passes an activity takes some thousand
+STEP_LIMIT = StepLimit(at_rest=500_000, total=2_000_000)
 _REST_S = 1.0  # the robot may roll on for that long when it is stopped at the limit
 
 
@@ -124,6 +127,8 @@ def check_program(
             )
         else:
             reports.append(_run(activity, number, reading))
+        if reports[-1].reason == "too_busy":
+            break  # nor would it end in the other cases
     return Report(program, (), tuple(reports))
 
 
@@ -152,7 +157,7 @@ def _run(activity: Activity, number: int, reading: Reading) -> CaseReport:
         if tick >= last_tick:
             control.stop()
 
-    start(spec, observe, control)
+    start(spec, observe, control, step_limit=STEP_LIMIT)
     return judge_run(activity, number, reading.document, writer.log())
 
 

@@ -1,6 +1,7 @@
 """`--self-check`: an end-to-end test, from the window to a run read back from the disk.
 
-It uses HTTP as the page does. The engine drives a square of 1 m in the simulator in real time. Then it draws
+It uses HTTP as the page does. The engine drives a square of 1 m in the simulator in real time, and the judge finds that
+it passes the activity about the square. Then it draws
 a small square and a triangle when recorded signs, B and A, tell it to.
 """
 
@@ -43,6 +44,7 @@ SQUARE: Json = {
         }
     ],
 }
+MISSION: Json = {"world": "empty_room", "preset": "ideal", "feedback": "pose", "activity": "square"}
 SIGNS_SEEN = ["B", "A"]
 RECORDED_SIGNS = Path(__file__).parents[1] / "camera" / "recordings" / "b_a.npz"
 LARGEST_CLOSING_ERROR_M = 1e-4
@@ -55,8 +57,8 @@ _LIBRARIES = ("pywebview", "flask", "pydantic", "pymunk", "numpy", "sqlite-utils
 def check(database: Path | None) -> Json:
     """Runs the self-check on `database`, or on a temporary one.
 
-    Returns `{"ok", "window", "run", "signs", "store", "versions"}`, and `"error"` with code, message and remedy if a
-    part failed; parts that were not reached are missing.
+    Returns `{"ok", "window", "run", "judged", "signs", "store", "versions"}`, and `"error"` with code, message and
+    remedy if a part failed; parts that were not reached are missing.
     """
     result: Json = {"ok": False, "versions": _versions()}
     try:
@@ -82,7 +84,7 @@ def _is_well(result: Json) -> bool:
     run, store = result["run"], result["store"]
     drove = run["state"] == "finished" and run["closing_error_m"] <= LARGEST_CLOSING_ERROR_M
     kept = store["telemetry_sha256"] == run["telemetry_sha256"] and store["ticks"] > 0
-    return bool(drove and kept and result["signs"] == SIGNS_SEEN)
+    return bool(drove and kept and result["judged"] and result["signs"] == SIGNS_SEEN)
 
 
 @contextlib.contextmanager
@@ -107,7 +109,7 @@ def _in_window(app: AppProcess, result: Json) -> None:
     from pinel_desktop.desktop.window import NativeWindow  # noqa: PLC0415
 
     client = Client(app.address())
-    program, version = make_program(client)
+    program = make_program(client)
     failures: list[Exception] = []
     started = time.monotonic()
 
@@ -115,7 +117,8 @@ def _in_window(app: AppProcess, result: Json) -> None:
         try:
             _wait_until_usable(window)
             result["window"]["ready_s"] = round(time.monotonic() - started, 2)
-            result["run"] = _drive(client, version)
+            result["run"] = _drive(client, _saved(client, program, SQUARE, MISSION))
+            result["judged"] = _judged(client, result["run"]["id"])
             result["signs"] = _sign(client, program)
         except Exception as failure:  # re-raised on the main thread
             failures.append(failure)
@@ -174,16 +177,17 @@ class Client:
             return found
 
 
-def make_program(client: Client) -> tuple[str, str]:
-    """Creates a group and its program; returns the ids of the program and of its version, a square."""
+def make_program(client: Client) -> str:
+    """Creates a group and its program, a square; returns the id of the program."""
     group = client.post("/api/groups", {"name": f"self-check {time.time_ns()}"})
     program = client.post(f"/api/groups/{group['id']}/programs", {"name": SQUARE["name"]})
-    return program["id"], _saved(client, program["id"], SQUARE)
+    _saved(client, program["id"], SQUARE)
+    return str(program["id"])
 
 
-def _saved(client: Client, program: str, document: Json) -> str:
+def _saved(client: Client, program: str, document: Json, setup: Json | None = None) -> str:
     """Saves a version of a program; returns its id."""
-    content = {"workspace": {}, "document": document}
+    content = {"workspace": {}, "document": document, "setup": setup}
     version: str = client.post(f"/api/programs/{program}/versions", content)["id"]
     return version
 
@@ -210,6 +214,12 @@ def _sign(client: Client, program: str) -> list[str]:
     events = client.get(f"/api/runs/{run['id']}/events")["events"]
     seen = [event["result"] for event in events if event.get("by") == "camera"]
     return list(dict.fromkeys(seen))
+
+
+def _judged(client: Client, run: str) -> bool:
+    """Whether the judge's process found that a run passes its activity."""
+    _wait_for(lambda: client.get(f"/api/runs/{run}")["passed"] is not None, _RUN_S)
+    return bool(client.get(f"/api/runs/{run}")["passed"])
 
 
 def _drive(client: Client, version: str, speed: float = 1.0) -> Json:

@@ -18,6 +18,7 @@ from pinel_desktop.execution.debug.inspection import answer_evaluations
 from pinel_desktop.execution.debug.sensor_stream import SensorStream
 from pinel_desktop.execution.debug.variable_watch import VariableWatch
 from pinel_desktop.execution.inputs import Inputs, ScriptedInputs
+from pinel_desktop.execution.limits import StepLimit
 from pinel_desktop.execution.recorder import Recorder
 from pinel_desktop.execution.semantics import CURRENT
 from pinel_desktop.execution.stack import ProgramStack
@@ -66,6 +67,7 @@ class RunOptions:
         robot: dimensions and limits of the robot.
         gains: gains of the controller; None for the link's defaults.
         semantics: version of what commands and sensors mean (`semantics.py`).
+        step_limit: ends a run that only calculates, as failed, reason `too_busy`; None for no limit.
     """
 
     observer: Observer | None = None
@@ -77,6 +79,7 @@ class RunOptions:
     robot: RobotModel = PIONEER_3DX
     gains: Gains | None = None
     semantics: int = CURRENT
+    step_limit: StepLimit | None = None
 
 
 def execute(program: Program, link: RobotLink, options: RunOptions | None = None) -> RunResult:
@@ -107,6 +110,7 @@ class _Run:
             semantics=options.semantics,
         )
         self._stack = ProgramStack(program, self._context)
+        self._step_limit, self._moved_at_step = options.step_limit, 0
         observed = options.observer is not None
         self._watcher = VariableWatch(self._context, self._stack) if observed else None
         self._sensor_stream: SensorStream | None = None
@@ -183,8 +187,7 @@ class _Run:
                 self._report()
             if watcher is not None:
                 watcher.report()
-            if control.stop_requested:
-                raise _Stopped
+            self._require_going_on()
             if stack.is_paused:
                 continue  # the debugger has requested a pause
             if stack.awaits_person:
@@ -194,6 +197,18 @@ class _Run:
                 self._pass_tick()
             elif stack.finished:
                 return
+
+    def _require_going_on(self) -> None:
+        """Raises _Stopped, or RunFailureError `too_busy`."""
+        if self._control.stop_requested:
+            raise _Stopped
+        limit, n_steps = self._step_limit, self._stack.n_steps
+        if limit is None:
+            return
+        if not at_rest(self._context.twist):
+            self._moved_at_step = n_steps
+        if n_steps > limit.total or n_steps - self._moved_at_step > limit.at_rest:
+            raise RunFailureError("too_busy", value=n_steps)
 
     def _stop_requested(self) -> bool:
         return self._control.stop_requested

@@ -1,7 +1,21 @@
 """Limits checked at run time; limits of the document are in `program/limits.py`."""
 
+from typing import NamedTuple
+
 MAX_MEMORY = 10_000_000  # characters and items in all variables and parameters together
 MAX_SAID = 1_000
 MAX_MARKS = 1_000
 MAX_BEEPS = 1_000
 MAX_QUESTIONS = 1_000
+
+
+class StepLimit(NamedTuple):
+    """How many steps a run may take that nobody watches, so that an endless loop ends soon.
+
+    Attributes:
+        at_rest: without a motion between them.
+        total: in the whole run.
+    """
+
+    at_rest: int
+    total: int

@@ -103,6 +103,7 @@ class ProgramStack:
         self.calls: list[StackEntry] = []
         self.n_calls = 0
         self.n_executed = 0
+        self.n_steps = 0
 
     @property
     def block(self) -> str | None:
@@ -143,16 +144,15 @@ class ProgramStack:
             if self._go_on(self._frames[-1], timed):
                 return True
         context = self._context
-        budget = max_steps + context.n_evaluated // _PARTS_A_STEP
-        steps = 0
-        while steps + context.n_evaluated // _PARTS_A_STEP < budget:
+        last = self.n_steps + max_steps + context.n_evaluated // _PARTS_A_STEP
+        while self.n_steps + context.n_evaluated // _PARTS_A_STEP < last:
+            self.n_steps += 1
             if self._step():
                 return True
             if not self._frames:
                 return False
             if stop():
                 return True
-            steps += 1
         return True
 
     def close(self) -> None:

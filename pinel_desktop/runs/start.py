@@ -9,6 +9,7 @@ from pinel_desktop.events.model import Event
 from pinel_desktop.execution.clock import WALL_TIME, Clock, LiveClock, MaxClock, WallTime
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.executor import Observer, RunOptions, RunResult, execute
+from pinel_desktop.execution.limits import StepLimit
 from pinel_desktop.links import open_link
 from pinel_desktop.program.model import Program
 from pinel_desktop.program.reading import read_document
@@ -25,6 +26,7 @@ def start(
     control: RunControl | None = None,
     *,
     wall: WallTime = WALL_TIME,
+    step_limit: StepLimit | None = None,
 ) -> RunResult:
     """Executes a run to its end, on the calling thread.
 
@@ -32,6 +34,7 @@ def start(
         observer: called with every event.
         control: lets other threads pause, stop and inspect the run.
         wall: the time of live ticks and of people.
+        step_limit: for a run that nobody watches.
 
     Raises:
         PinelError: before the robot moves, what reading the document and opening the link raise: `invalid_program`,
@@ -51,6 +54,7 @@ def start(
         seed=spec.seed,
         robot=spec.setting.robot,
         semantics=spec.semantics,
+        step_limit=step_limit,
     )
     with _frozen_garbage() if spec.pace == "live" else contextlib.nullcontext():
         return execute(program, link, options)

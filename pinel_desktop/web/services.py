@@ -140,6 +140,7 @@ class Services:
 
     Attributes:
         flush_recording: writes the pending events of the live run; returns once they can be read, or if that fails.
+        prepare_judge: starts the process that judges runs of activities, before the first one ends.
         show_window: brings the window forward; does nothing without a window.
     """
 
@@ -158,6 +159,7 @@ class Services:
     database_state: Callable[[], DatabaseState]
     show_window: Callable[[], None]
     flush_recording: Callable[[], None]
+    prepare_judge: Callable[[], None]
 
 
 def services() -> Services:

@@ -36,7 +36,7 @@ def build_bare_page() -> None:
 def make_database(path: Path) -> str:
     """A file as a group's second lesson finds it; returns the id of its program."""
     with App(path) as app:
-        return make_program(Client(app.address))[0]
+        return make_program(Client(app.address))
 
 
 def seconds(display: str, home: Path, *arguments: str) -> float:

@@ -16,6 +16,7 @@ from pinel_desktop.events.model import (
 )
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.executor import RunOptions, execute
+from pinel_desktop.execution.limits import StepLimit
 from pinel_desktop.links import open_link
 from pinel_desktop.links.sim import SimLink
 from pinel_desktop.program.reading import read_document
@@ -385,3 +386,24 @@ def test_command_that_takes_time_the_second_time_in_a_tick_is_reported_when_it_d
     waits = [event for _, event in log if isinstance(event, BlockStarted) and event.block == "w"]
     assert [event.amount for event in waits] == [0, 1]
     assert len([e for _, e in log if isinstance(e, BlockEnded) and e.block == "w"]) == 2
+
+
+COUNT = {"action": "forever", "commands": [{"action": "set_variable", "name": "n", "value": 1}]}
+
+
+@pytest.mark.parametrize(
+    ("commands", "reason"),
+    [
+        ([COUNT], "too_busy"),
+        ([{"action": "drive", "linear": 0.1, "angular": 30}, COUNT], "too_busy"),
+        ([{"action": "wait", "seconds": 60}, {"action": "turn", "angle": 360}], None),
+    ],
+)
+def test_a_run_that_only_calculates_ends_at_a_limit_of_steps(
+    commands: list[dict[str, Any]], reason: str | None
+) -> None:
+    program = read_document({"pinel_ir": 1, "commands": commands}).program
+    assert program is not None
+    options = RunOptions(step_limit=StepLimit(at_rest=20_000, total=60_000))
+    ended = execute(program, open_link("sim", world="empty_room"), options).ended
+    assert ended.reason == reason

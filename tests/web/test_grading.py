@@ -6,6 +6,7 @@ from typing import Any
 import pytest
 
 from pinel_desktop.app import App
+from pinel_desktop.errors import PinelError
 from tests.storage.sample_runs import ended
 from tests.web.browser import Browser
 from tests.web.conftest import SQUARE
@@ -87,8 +88,39 @@ def test_what_could_not_be_judged_is_judged_at_the_next_start(
     again = type(app._grader)(app._store, lambda: None, lambda event: None, lambda: "en")
     again.catch_up()
     again._worker.shutdown()
+    again.close()
     assert app._store.checks.pending() == []
     assert app._store.runs.get(run).passed is True
+
+
+class LostJudge:
+    """A judge whose process dies at each question."""
+
+    def __init__(self) -> None:
+        self.n_asked = 0
+
+    def wake(self) -> None: ...
+    def close(self) -> None: ...
+
+    def judge(self, question: object) -> None:
+        self.n_asked += 1
+        raise PinelError("judge_lost")
+
+
+def test_a_run_whose_judge_dies_is_kept_for_the_next_start_and_the_group_is_told(
+    app: App, engine: FakeEngine, begin: Begin
+) -> None:
+    app._grader.close()
+    run, told, judge = begin(), list[dict[str, Any]](), LostJudge()
+    engine.send(ended(run, 0, 0))
+    app._flush_recording()
+    lost = type(app._grader)(app._store, lambda: None, told.append, lambda: "en", judge)  # type: ignore[arg-type]
+    lost.grade(run)
+    lost._worker.shutdown()
+    assert judge.n_asked == 2
+    missing = "This run could not be checked. It is kept. Run again."
+    assert told == [{"type": "judged", "run": run, "passed": False, "missing": missing}]
+    assert app._store.checks.pending() == [run]
 
 
 def test_a_run_without_activity_is_not_judged(

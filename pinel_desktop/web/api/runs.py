@@ -89,6 +89,8 @@ def begin_run(body: NewRun) -> Response:
     except PinelError:
         parts.store.runs.discard(row.id)
         raise
+    if row.activity:
+        parts.prepare_judge()
     return answer(run_model(row))
 
 

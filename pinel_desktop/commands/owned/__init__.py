@@ -1,0 +1,1 @@
+"""Subcommands that the app starts as processes of its own (`processes/owned.py`); people do not call them."""

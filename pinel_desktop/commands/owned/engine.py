@@ -1,0 +1,13 @@
+"""`pinel engine`: the process for live runs, started by the app."""
+
+import click
+
+from pinel_desktop.commands.owned.pipe import pipes
+from pinel_desktop.engine.server import Engine
+
+
+@click.command(hidden=True)
+def command() -> None:
+    """Execute live runs for the app: messages on standard input, events on standard output."""
+    with pipes() as (messages, events):
+        Engine(messages, events).serve()

@@ -1,0 +1,100 @@
+"""What the app asks of the judge and what the judge answers, as plain data for JSON lines."""
+
+import base64
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+# the columns of a run's telemetry that checks look at
+COLUMNS = ("x_m", "y_m", "yaw_rad", "done", "bumper", "true_x_m", "true_y_m", "true_yaw_rad")
+
+
+@dataclass(frozen=True, slots=True)
+class SeenRun:
+    """A run that a group saw.
+
+    Attributes:
+        world: its document.
+        parameters: those of the record: the robot's setting.
+        columns: telemetry by column, each of shape (n,), NaN for null.
+        events: all others, as they are on the wire.
+    """
+
+    world: Mapping[str, Any]
+    parameters: Mapping[str, Any]
+    columns: Mapping[str, NDArray[np.float64]]
+    events: tuple[Mapping[str, Any], ...]
+
+    def as_message(self) -> dict[str, Any]:
+        """The run as plain data."""
+        columns = {name: _packed(self.columns[name]) for name in COLUMNS}
+        plain = {"world": dict(self.world), "parameters": dict(self.parameters)}
+        return {**plain, "columns": columns, "events": [dict(event) for event in self.events]}
+
+    @classmethod
+    def from_message(cls, message: Mapping[str, Any]) -> "SeenRun":
+        """The run in plain data."""
+        columns = {name: _unpacked(text) for name, text in message["columns"].items()}
+        return cls(message["world"], message["parameters"], columns, tuple(message["events"]))
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """A program to be judged.
+
+    Attributes:
+        activity: the activity as plain data.
+        document: the program's document.
+        world: name of the world in which the group ran it.
+        seen: that run; None where it is no evidence, as one on a real robot or one that was stopped.
+        language: of the words for the group.
+    """
+
+    activity: Mapping[str, Any]
+    document: Mapping[str, Any]
+    world: str
+    seen: SeenRun | None
+    language: str
+
+    def as_message(self) -> dict[str, Any]:
+        """The question as plain data."""
+        return {
+            "activity": dict(self.activity),
+            "document": dict(self.document),
+            "world": self.world,
+            "seen": self.seen.as_message() if self.seen else None,
+            "language": self.language,
+        }
+
+    @classmethod
+    def from_message(cls, message: Mapping[str, Any]) -> "Question":
+        """The question in plain data."""
+        seen = SeenRun.from_message(message["seen"]) if message["seen"] else None
+        activity, document = message["activity"], message["document"]
+        return cls(activity, document, message["world"], seen, message["language"])
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """What was found.
+
+    Attributes:
+        passed: whether every case passes.
+        missing: in words what does not hold yet; None if the program passes.
+        cases: the report of each case, as the store keeps it.
+    """
+
+    passed: bool
+    missing: str | None
+    cases: list[dict[str, Any]]
+
+
+def _packed(column: NDArray[np.float64]) -> str:
+    return base64.b64encode(np.ascontiguousarray(column, dtype="<f8").tobytes()).decode("ascii")
+
+
+def _unpacked(text: str) -> NDArray[np.float64]:
+    return np.frombuffer(base64.b64decode(text), dtype="<f8").astype(np.float64)

@@ -1,0 +1,129 @@
+"""The real judge's process behind its client."""
+
+import os
+import signal
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import psutil
+import pytest
+
+from pinel_desktop.activities import activity_names, shipped_activity, solution_of
+from pinel_desktop.activities.model import Activity
+from pinel_desktop.errors import PinelError
+from pinel_desktop.judge.client import JudgeClient
+from pinel_desktop.judge.messages import Question
+from pinel_desktop.judge.server import verdict_on
+from pinel_desktop.program.python_text import read_python
+
+ENDLESS = read_python("while True:\n    n = 1\n").reading.document or {}
+DEAF = 'import sys,time; print(\'{"type":"judge_ready"}\', flush=True); time.sleep(600)'
+
+
+def question(name: str = "square", **changes: Any) -> Question:
+    given = {
+        "activity": shipped_activity(name).model_dump(mode="json"),
+        "document": solution_of(name) or {},
+        "world": str(shipped_activity(name).world),
+        "seen": None,
+        "language": "en",
+    }
+    return Question(**{**given, **changes})
+
+
+@pytest.fixture
+def judge() -> Iterator[JudgeClient]:
+    client = JudgeClient()
+    yield client
+    client.close()
+
+
+def code_of(client: JudgeClient, asked: Question) -> str:
+    with pytest.raises(PinelError) as caught:
+        client.judge(asked)
+    return caught.value.code
+
+
+@pytest.mark.parametrize("name", activity_names())
+def test_an_activity_comes_through_the_pipe_unchanged(name: str) -> None:
+    activity = shipped_activity(name)
+    assert Activity.model_validate(activity.model_dump(mode="json")) == activity
+
+
+def test_verdicts_of_the_process_are_those_of_the_checker(judge: JudgeClient) -> None:
+    one_side = {"pinel_ir": 1, "commands": [{"action": "move_forward", "distance": 1}]}
+    for asked in (question(), question(document=one_side), question("polygon")):
+        given, found = judge.judge(asked), verdict_on(asked)
+        assert (given.passed, given.missing) == (found.passed, found.missing)
+        assert [case["checks"] != [] for case in given.cases] == [True] * len(found.cases)
+    assert judge.judge(question()).passed is True
+
+
+def test_an_endless_calculation_is_told_and_ends_within_seconds(judge: JudgeClient) -> None:
+    judge.judge(question())  # warm
+    verdict = judge.judge(question("polygon", document=ENDLESS))  # three cases
+    assert verdict.passed is False
+    assert verdict.missing is not None
+    assert "steps without driving or waiting" in verdict.missing
+    assert [case["reason"] for case in verdict.cases] == ["too_busy"]
+
+
+def test_what_cannot_be_judged_is_refused_and_the_next_program_is_judged(
+    judge: JudgeClient,
+) -> None:
+    assert code_of(judge, question(activity={"pinel_activity": 9})) == "internal_error"
+    lost_world = {**question().activity, "world": "no_such_world"}
+    assert code_of(judge, question(activity=lost_world)) == "unknown_world"
+    assert judge.judge(question()).passed is True
+
+
+def test_a_judge_that_is_killed_is_told_and_replaced(judge: JudgeClient) -> None:
+    judge.judge(question())
+    first = judge.pid
+    assert first is not None
+    psutil.Process(first).suspend()
+    threading.Timer(0.3, os.kill, (first, signal.SIGKILL)).start()
+    assert code_of(judge, question()) == "judge_lost"
+    assert judge.judge(question()).passed is True
+    assert judge.pid != first
+
+
+def test_a_judge_that_hangs_is_ended() -> None:
+    client = JudgeClient([sys.executable, "-c", DEAF], answer_s=0.3)
+    try:
+        assert code_of(client, question()) == "judge_lost"
+        pid = client.pid
+        deadline = time.monotonic() + 20
+        while client.pid == pid and time.monotonic() < deadline:
+            time.sleep(0.02)
+        assert client.pid != pid
+    finally:
+        client.close()
+
+
+def test_a_judge_that_does_not_start_is_told() -> None:
+    client = JudgeClient(["/no/such/program"])
+    assert code_of(client, question()) == "judge_lost"
+    client.close()
+
+
+def test_closing_frees_who_waits_and_ends_the_process() -> None:
+    client = JudgeClient()
+    client.judge(question())
+    pid = client.pid
+    assert pid is not None
+    psutil.Process(pid).suspend()
+    codes: list[str] = []
+    asking = threading.Thread(target=lambda: codes.append(code_of(client, question())))
+    asking.start()
+    time.sleep(0.2)
+    psutil.Process(pid).resume()
+    client.close()
+    asking.join(10)
+    assert codes in (["judge_lost"], [])
+    assert not asking.is_alive()
+    assert not psutil.pid_exists(pid)
+    assert code_of(client, question()) == "judge_lost"
