@@ -15,6 +15,9 @@ _MAX_COORDINATE_M = 10_000.0
 class Shape(Protocol):
     """An area of the floor, in metres, in the world's frame."""
 
+    @property
+    def center(self) -> tuple[float, float]: ...
+
     def contains(self, x_m: float, y_m: float) -> bool:
         """Whether the point is inside or on the edge."""
         ...

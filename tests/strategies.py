@@ -95,6 +95,7 @@ class _Language:
             st.builds(_op, st.just("random_int"), st.integers(-5, 5), st.integers(-5, 5)),
             st.builds(_op, st.just("length"), st.one_of(self.texts(), self.lists())),
             st.builds(_op, st.just("item"), self.lists(), st.integers(0, 3)),
+            st.builds(_op, st.just("position_of"), self.lists(), st.one_of(NUMBERS, self.texts())),
             readings("number", inner.map(_computed)),
         )
 
@@ -119,6 +120,7 @@ class _Language:
             st.builds(_op, st.sampled_from(["<", "<=", ">", ">="]), self.numbers, self.numbers),
             st.builds(_op, st.sampled_from(["==", "!="]), self.texts(), self.texts()),
             st.builds(_op, st.sampled_from(["==", "!="]), self.numbers, self.texts()),
+            st.builds(_op, st.just("contains"), self.lists(), st.one_of(NUMBERS, self.texts())),
         )
         return st.recursive(
             simple,
@@ -153,6 +155,12 @@ class _Language:
             _command("set_variable", name=ANY_NAMES, value=self.values),
             _command("change_variable", name=self.names, by=self.numbers),
             _command("append", list=st.just("l"), value=self.values),
+            _command(
+                "replace_item",
+                list=st.just("l"),
+                position=st.one_of(st.integers(1, 3), self.numbers.map(_computed)),
+                value=self.values,
+            ),
             _command("say", text=self.values),
             _command("wait_until", condition=self.conditions(), timeout=st.floats(0.01, 1)),
         ]
@@ -229,7 +237,8 @@ def _plain_commands(texts: Strategy) -> list[Strategy]:
     return [
         _command("wait", seconds=st.floats(0, 1)),
         _command("pen", down=st.booleans(), color=colors),
-        _command("mark", symbol=st.sampled_from(["X", "O"])),
+        _command("mark", symbol=st.sampled_from(["X", "O", {"var": "t"}, {"sensor": "mark_here"}])),
+        _command("go_to_place", place=st.one_of(texts, st.sampled_from(["A", "i"]))),
         st.just({"action": "beep"}),
         _command("ask", question=TEXTS, variable=NUMBER_NAMES),
         _command("classify_gestures", timeout=st.floats(0.01, 1)),

@@ -348,6 +348,6 @@ def zone_center(evidence: Evidence, name: str) -> tuple[float, float] | None:
     """Centre of a zone in the world's frame; None where the world has none of that name."""
     for zone in evidence.world.zones:
         if zone.name == name:
-            center: tuple[float, float] = zone.shape.center  # type: ignore[attr-defined] # both shapes have one
+            center: tuple[float, float] = zone.shape.center
             return center
     return None

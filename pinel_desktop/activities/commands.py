@@ -5,7 +5,9 @@ from dataclasses import dataclass
 from typing import Any
 
 LOOPS = frozenset({"repeat", "while", "until", "for", "forever"})
-MOTIONS = frozenset({"move_forward", "move_backward", "turn", "arc", "go_to", "drive"})
+MOTIONS = frozenset(
+    {"move_forward", "move_backward", "turn", "arc", "go_to", "go_to_place", "drive"}
+)
 
 
 @dataclass(frozen=True, slots=True)

@@ -102,7 +102,7 @@ def _parameters(data: Mapping[str, Any], language: str) -> dict[str, str]:
     if data.get("action") == "pen":
         color = f"block_color_{data.get('color') or 'blue'}"
         values["color"] = describe(color, {}, language).message
-    if data.get("action") == "go_to":
+    if data.get("action") in ("go_to", "go_to_place"):
         way = "block_around" if data.get("avoid") else "block_straight"
         values["way"] = describe(way, {}, language).message
     return values

@@ -13,6 +13,7 @@ from pinel_desktop.execution.expressions.variables import Variables
 from pinel_desktop.execution.failure import RunFailureError
 from pinel_desktop.execution.inputs import Capture, InputSource
 from pinel_desktop.execution.output import Output
+from pinel_desktop.execution.places import MarkedPlaces
 from pinel_desktop.execution.semantics import CURRENT
 from pinel_desktop.robot import STANDSTILL, Pose2D, RobotModel, Sensors, Twist2D
 
@@ -63,6 +64,7 @@ class RunContext:
         setpoint: the moving set-point, for the records.
         done: completed part of the running motion's amount, in its unit.
         variables: the program's variables.
+        marked: the marks by place.
         output: texts, marks, beeps, questions and pen of the program.
         gesture_result: the last result of a capture, or the value set by a block.
         unreported: those of "result" and "pen" set since the last report: a loop without motion may set them a
@@ -94,6 +96,7 @@ class RunContext:
     setpoint: Pose2D = START
     done: float = 0.0
     variables: Variables = field(default_factory=Variables)
+    marked: MarkedPlaces = field(default_factory=MarkedPlaces)
     output: Output = field(init=False)
     gesture_result: str = ""
     unreported: set[str] = field(default_factory=set)

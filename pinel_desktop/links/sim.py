@@ -70,6 +70,9 @@ class SimSensors(Sensors):
     def cell(self) -> str:
         return self._simulator.zone()
 
+    def places(self) -> dict[str, tuple[float, float]]:
+        return {zone.name: zone.shape.center for zone in self._world.zones}
+
     def obstacles(self) -> tuple[Segment, ...]:
         """Walls and edges of fixed boxes; movable boxes are not on the map."""
         walls = [(*wall.start, *wall.end) for wall in self._world.walls]

@@ -12,7 +12,13 @@ from pinel_desktop.program.base import Model, annotations
 from pinel_desktop.program.conditions import ConditionError, parse_condition
 from pinel_desktop.program.expressions import AnyNode, Expression, Takes, Text
 from pinel_desktop.program.faults import encodable
-from pinel_desktop.program.limits import MAX_ANGLE_DEG, MAX_DISTANCE_M, MAX_REPEATS, MAX_WAIT_S
+from pinel_desktop.program.limits import (
+    MAX_ANGLE_DEG,
+    MAX_DISTANCE_M,
+    MAX_LIST,
+    MAX_REPEATS,
+    MAX_WAIT_S,
+)
 
 Number = float | AnyNode
 Distance = Annotated[Number, Takes("number", ge=0, le=MAX_DISTANCE_M, unit="m")]
@@ -26,7 +32,9 @@ TurningSpeed = Annotated[Number, Takes("number", gt=0, unit="degrees/s")]
 Seconds = Annotated[Number, Takes("number", ge=0, le=MAX_WAIT_S, unit="s")]
 Timeout = Annotated[Number, Takes("number", gt=0, le=MAX_WAIT_S, unit="s")]
 Count = Annotated[Number, Takes("number", ge=0, le=MAX_REPEATS, whole=True)]
+Position = Annotated[Number, Takes("number", ge=1, le=MAX_LIST, whole=True)]
 TextValue = Annotated[str | AnyNode, Takes("text")]
+Symbol = Annotated[str | AnyNode, Takes("text", choices=("X", "O"))]
 
 
 def _parsed(condition: Any) -> Any:

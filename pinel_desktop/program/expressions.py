@@ -26,6 +26,8 @@ Name = Annotated[str, Field(max_length=MAX_NAME, pattern=NAME_PATTERN)]
 class Takes:
     """Annotation of a parameter: a literal of one type within bounds, or an expression. `unit` is for the docs.
 
+    `choices` are the only texts that it may have; empty where any text is allowed.
+
     Literals are tried first, in pydantic's compiled code, because nearly all parameters are literals.
     """
 
@@ -35,6 +37,7 @@ class Takes:
     le: float | None = None
     whole: bool = False
     unit: str = ""
+    choices: tuple[str, ...] = ()
 
     def __get_pydantic_core_schema__(
         self, _source: Any, handler: GetCoreSchemaHandler
@@ -43,6 +46,8 @@ class Takes:
         return core_schema.union_schema([self._literal(), node], mode="left_to_right")
 
     def _literal(self) -> CoreSchema:
+        if self.choices:
+            return core_schema.literal_schema(list(self.choices))
         if self.type == "text":
             return core_schema.str_schema(strict=True, max_length=MAX_TEXT)
         bounds = {"ge": self.ge, "gt": self.gt, "le": self.le}

@@ -28,7 +28,7 @@ class Fault:
         object.__setattr__(self, "params", params)
 
 
-_LONGEST_SHOWN = 200
+_LONGEST_SHOWN = 100  # more than any message shows
 _LARGEST_SHOWN = 10**15
 
 

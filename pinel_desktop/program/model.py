@@ -23,8 +23,10 @@ from pinel_desktop.program.command import (
     Distance,
     MetresPerSecond,
     Place,
+    Position,
     Seconds,
     Speed,
+    Symbol,
     TextValue,
     Timeout,
     TurningSpeed,
@@ -107,6 +109,15 @@ class GoTo(AnyCommand):
     avoid: bool = False
 
 
+class GoToPlace(AnyCommand):
+    """Turns towards the middle of the place of that name and drives there; with `avoid` around obstacles."""
+
+    python = 'robot.go_to_place("A", avoid=True)'
+    action: Literal["go_to_place"]
+    place: TextValue
+    avoid: bool = False
+
+
 class Wait(AnyCommand):
     """Waits."""
 
@@ -147,7 +158,7 @@ class Mark(AnyCommand):
 
     python = 'robot.mark("X")'
     action: Literal["mark"]
-    symbol: Literal["X", "O"]
+    symbol: Symbol
 
 
 class Say(AnyCommand):
@@ -210,6 +221,16 @@ class Append(AnyCommand):
     python = "numbers.append(7)"
     action: Literal["append"]
     list_: Annotated[Name, Field(alias="list")]
+    value: Expression
+
+
+class ReplaceItem(AnyCommand):
+    """Puts a value in the place of an item of the list of that name; the first item has the position 1."""
+
+    python = "numbers.replace_item(2, 7)"
+    action: Literal["replace_item"]
+    list_: Annotated[Name, Field(alias="list")]
+    position: Position
     value: Expression
 
 
@@ -318,6 +339,7 @@ Command = Annotated[
     | Arc
     | SetSpeed
     | GoTo
+    | GoToPlace
     | Wait
     | WaitUntil
     | Pen
@@ -330,6 +352,7 @@ Command = Annotated[
     | SetVariable
     | ChangeVariable
     | Append
+    | ReplaceItem
     | Repeat
     | While
     | Until

@@ -63,4 +63,6 @@ OPERATORS: dict[str, Operator] = {
     "join": Operator(1, None, (None,), "text"),
     "length": Operator(1, 1, (None,), "number"),  # of a text or a list
     "item": Operator(2, 2, ("list", "number"), None),
+    "contains": Operator(2, 2, ("list", None), "boolean"),
+    "position_of": Operator(2, 2, ("list", None), "number"),
 }

@@ -88,7 +88,7 @@ class Sensor:
         return not isinstance(value, float) or low <= value <= high
 
 
-_RAY = 20
+_RAY = _MARKS = 20
 _DIRECTION = Argument("direction", "front", choices=("front", "left", "right", "back"))
 
 # in the order of the toolbox
@@ -111,6 +111,15 @@ _ROWS = (
     Sensor("heading", "number", "where it looks; left is positive", 2, DEGREES, -180.0, 180.0),
     Sensor("time", "number", "how long the run has taken", 2, "s", low=0.0),
     Sensor("floor", "text", "colour of the floor under the robot", level=2, texts=get_args(Color)),
+    Sensor("has_mark", "boolean", "whether the place under the robot has a mark", 2, cost=_MARKS),
+    Sensor(
+        "mark_here",
+        "text",
+        'mark of the place under the robot, or ""; of several the last one',
+        level=2,
+        texts=("X", "O", ""),
+        cost=_MARKS,
+    ),
     Sensor("cell", "text", 'name of the place under the robot, or ""', level=3),
     Sensor(
         "sonar",

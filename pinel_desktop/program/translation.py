@@ -24,7 +24,7 @@ WRONG_TYPE = {
     "model_attributes_type": "object",
 }
 # how pydantic names the literal of `expressions.Takes` in an error's location
-_LITERAL_WAYS = ("bool", "float", "constrained-", "str", "function-before[_whole")
+_LITERAL_WAYS = ("bool", "float", "constrained-", "str", "function-before[_whole", "literal[")
 _SIMPLE = {
     "unknown_expression": "unknown_expression",
     "finite_number": "not_finite",
@@ -85,7 +85,7 @@ def _meant(value: Any, errors: list[ErrorDetails]) -> list[ErrorDetails]:
     if len(types) > 1:  # literals of several types are allowed
         return others or unknown
     if isinstance(value, dict):
-        return others or unknown
+        return [error for error in others if not _is_way(error)] or unknown
     return types + others or unknown
 
 
@@ -124,7 +124,10 @@ def _too_long(limit: int, text: str, path: Path) -> tuple[str, dict[str, object]
 
 
 def _wrong_value(error: ErrorDetails, path: Path) -> tuple[str, dict[str, object]]:
-    return "wrong_value", {"name": _last_key(path), "value": _shown(error["input"])}
+    name, value = _last_key(path), _shown(error["input"])
+    if name == "symbol":
+        return "symbol_unknown", {"value": value}
+    return "wrong_value", {"name": name, "value": value}
 
 
 _SPECIAL: dict[str, Callable[[ErrorDetails, Path], tuple[str, dict[str, object]]]] = {

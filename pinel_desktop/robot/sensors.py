@@ -1,7 +1,7 @@
 """The sensors of a robot: a link implements those that its robot has; reading any other raises an error."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, NoReturn
 
 from pinel_desktop.errors import PinelError
@@ -42,6 +42,10 @@ class Sensors:
     def obstacles(self) -> tuple[Segment, ...]:
         """Obstacles of the map, in the link's frame; empty without a map."""
         return ()
+
+    def places(self) -> Mapping[str, tuple[float, float]]:
+        """Middles of the world's places (m, in the link's frame) by their names; empty where the world is not known."""
+        return {}
 
 
 def missing(sensor: str) -> NoReturn:

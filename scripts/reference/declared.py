@@ -14,6 +14,7 @@ _PROGRAM = {
     "MAX_DISTANCE_M": program.MAX_DISTANCE_M,
     "MAX_ANGLE_DEG": program.MAX_ANGLE_DEG,
     "MAX_WAIT_S": program.MAX_WAIT_S,
+    "MAX_LIST": program.MAX_LIST,
     "MAX_REPEATS": program.MAX_REPEATS,
 }
 _WORLD = {

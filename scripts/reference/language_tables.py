@@ -87,6 +87,8 @@ def _or(choices: tuple[str, ...]) -> str:
 
 
 def _bounds(takes: Takes) -> str:
+    if takes.choices:
+        return _or(takes.choices)
     if takes.gt is not None:
         upper = "" if takes.le is None else f", up to {takes.le:g}"
         return f"above {takes.gt:g}{upper} {takes.unit}".strip()

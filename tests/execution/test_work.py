@@ -61,12 +61,22 @@ def test_million_rounds_take_seconds_and_a_minute_of_robot_time() -> None:
         put("x", {"sensor": "distance", "direction": "front"}),
         put("x", op("==", LIST, {"var": "m"})),
         put("x", LIST),
+        put("x", op("position_of", {"var": "words"}, "none of them")),
         put("x", op("+", *[op("max", *([op("+", COUNT, 1)] * 100))] * 2)),
         put("x", op("length", op("join", *["x" * 1_000] * 10))),
         {"action": "append", "list": "k", "value": {"var": "i"}},
         {"action": "for", "variable": "j", "from": 1, "to": 9, "commands": []},
     ],
-    ids=["rays", "lists compared", "lists copied", "sums", "texts", "append", "loops"],
+    ids=[
+        "rays",
+        "lists compared",
+        "lists copied",
+        "lists searched",
+        "sums",
+        "texts",
+        "append",
+        "loops",
+    ],
 )
 def test_tick_full_of_dear_work_stays_shorter_than_a_tick(command: Any) -> None:
     clock = Stopwatch()
@@ -75,6 +85,7 @@ def test_tick_full_of_dear_work_stays_shorter_than_a_tick(command: Any) -> None:
         put("l", NUMBERS),
         put("m", NUMBERS),
         put("k", []),
+        put("words", ["a word of it"] * 10_000),
         {"action": "repeat", "times": 1_500, "commands": [command]},
         clock=clock,
     )

@@ -66,6 +66,7 @@ class Language:
             st.builds(lambda o, a: _op(o, *a), many, st.lists(inner, min_size=1, max_size=3)),
             st.builds(lambda v: _op("length", v), st.one_of(TEXTS, self.lists, self.variables)),
             st.builds(_op, st.just("item"), st.one_of(self.lists, self.variables), inner),
+            st.builds(_op, st.just("position_of"), self.lists, st.one_of(inner, TEXTS)),
         )
 
     def _conditions(self) -> st.SearchStrategy[Any]:
@@ -76,6 +77,7 @@ class Language:
             readings("boolean"),
             st.builds(_op, st.sampled_from(["==", "!="]), self.values, self.values),
             st.builds(_op, st.sampled_from(["<", "<=", ">", ">="]), self.numbers, self.numbers),
+            st.builds(_op, st.just("contains"), self.variables, self.values),
             st.builds(lambda c: _op("not", c), inner),
             st.builds(
                 lambda o, cs: _op(o, *cs),
@@ -124,11 +126,12 @@ class Language:
             self._command("set_speed", linear=st.none(), angular=number(st.floats(0.01, 2))),
             self._command("set_speed", linear=seconds, angular=seconds),
             self._command("go_to", x=places, y=places, avoid=st.sampled_from([None, True, False])),
+            self._command("go_to_place", place=words, avoid=st.sampled_from([None, True, False])),
             self._command("wait", seconds=seconds),
             self._command("wait_until", condition=self.conditions, timeout=maybe_seconds),
             self._command("pen", down=st.booleans(), color=colors),
             self._command("ask", question=words, variable=NAMES),
-            self._command("mark", symbol=st.sampled_from("XO")),
+            self._command("mark", symbol=st.one_of(st.sampled_from("XO"), self.variables)),
             self._command("say", text=self.values),
             self._command("beep"),
             self._command("classify_gestures", timeout=maybe_seconds),
@@ -136,6 +139,12 @@ class Language:
             self._command("set_variable", name=NAMES, value=self.values),
             self._command("change_variable", name=NAMES, by=any_number),
             self._command("append", list=NAMES, value=self.values),
+            self._command(
+                "replace_item",
+                list=NAMES,
+                position=number(st.integers(1, 10_000)),
+                value=self.values,
+            ),
             *[
                 self._call(name, "function").map(lambda call: {"action": "call", **call})
                 for name in self.functions

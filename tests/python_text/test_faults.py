@@ -96,7 +96,7 @@ ONE_FAULT: list[tuple[str, int, int, str]] = [
     ("robot.stop()\nelif x:\n    pass", 2, 1, "python_elif"),
     ("if x:\n    pass\nelse:\n    pass\nelif y:\n    pass", 5, 1, "python_elif"),
     ("if 'result == 1':\n    pass", 1, 4, "python_condition_text"),
-    ("robot.mark(x)", 1, 12, "python_literal_text"),
+    ("robot.pen(down=True, color=x)", 1, 27, "python_literal_text"),
     ("robot.pen(down=x)", 1, 16, "python_literal_boolean"),
     ("robot.turn(90", 1, 11, "python_bracket_not_closed"),
     ("robot.turn(90))", 1, 15, "python_bracket_not_opened"),

@@ -36,7 +36,8 @@ _JOINED = ("and", "or")
 _COMPARISONS = ("==", "!=", "<", "<=", ">", ">=")
 # expression parts that take about as long as copying a list
 _MAYBE_LISTS = 10  # their length is unknown at compile time
-_ITEM_WORK = {"==": 0.25, "!=": 0.25, "join": 4.0}
+_ITEM_WORK = {"==": 0.25, "!=": 0.25, "contains": 1.0, "position_of": 1.0, "join": 4.0}
+_SEARCHES = ("contains", "position_of")
 
 
 class Compiled(NamedTuple):
@@ -148,7 +149,7 @@ class Evaluator:
             compute = comparison(op, of_gesture=of_gesture)
         else:
             compute = self._compute.get(op, _nothing)
-        if op == "join" or (op in _ITEM_WORK and not any(map(_is_plain, node.args))):
+        if op in ("join", *_SEARCHES) or (op in _ITEM_WORK and not any(map(_is_plain, node.args))):
             return self._counted(compute, _ITEM_WORK[op]), 1 + _MAYBE_LISTS
         return compute, 1
 

@@ -9,7 +9,13 @@ from operator import add, ge, gt, le, lt, mul, sub
 from random import Random
 from typing import Any
 
-from pinel_desktop.execution.expressions.values import Value, fold_case, join, same
+from pinel_desktop.execution.expressions.values import (
+    Value,
+    fold_case,
+    join,
+    position_of,
+    same,
+)
 from pinel_desktop.execution.failure import RunFailureError
 
 # from the argument values
@@ -144,6 +150,18 @@ def _item(items: Value, index: Value) -> Value:
     return found
 
 
+def _position_of(items: Value, wanted: Value) -> Value:
+    if not isinstance(items, list):
+        raise RunFailureError("not_list", operator="position_of")
+    return float(position_of(items, wanted))
+
+
+def _contains(items: Value, wanted: Value) -> Value:
+    if not isinstance(items, list):
+        raise RunFailureError("not_list", operator="contains")
+    return position_of(items, wanted) > 0
+
+
 def _whole(op: str, value: Value) -> int:
     if not isinstance(value, float):
         raise RunFailureError("not_number", operator=op)
@@ -181,4 +199,6 @@ _COMPUTATIONS: dict[str, Compute] = {
     "join": _join,
     "length": _length,
     "item": _item,
+    "contains": _contains,
+    "position_of": _position_of,
 }

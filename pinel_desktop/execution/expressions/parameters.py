@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from pinel_desktop.execution.expressions.values import Value
+from pinel_desktop.execution.expressions.values import Value, fold_case, plain
 from pinel_desktop.execution.failure import RunFailureError
 from pinel_desktop.program.expressions import Takes
 from pinel_desktop.program.signatures import TAKES, range_code
@@ -46,9 +46,18 @@ class Bounds:
 
     def text(self, value: Value) -> str:
         """Returns the value if it is a text. Raises RunFailureError `wrong_type_text`."""
+        if self.takes.choices:
+            return self._choice(value)
         if not isinstance(value, str):
             raise RunFailureError("wrong_type_text", name=self.name)
         return value
+
+    def _choice(self, value: Value) -> str:
+        """The choice that a value means, in any case. Raises RunFailureError, such as `symbol_unknown`."""
+        for choice in self.takes.choices:
+            if fold_case(value) == fold_case(choice):
+                return choice
+        raise RunFailureError(f"{self.name}_unknown", value=plain(value))
 
 
 def checked(bounds: Bounds | None, value: Value) -> Value:

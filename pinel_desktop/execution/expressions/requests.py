@@ -7,6 +7,7 @@ from typing import NamedTuple, Protocol
 
 from pinel_desktop.execution.expressions.values import Value
 from pinel_desktop.execution.expressions.variables import Variables
+from pinel_desktop.execution.places import MarkedPlaces
 from pinel_desktop.robot import Pose2D, RobotModel, Sensors
 
 
@@ -34,6 +35,7 @@ class EvaluationContext(Protocol):
     tick: int
     variables: Variables
     gesture_result: str
+    marked: MarkedPlaces
     semantics: int
     n_evaluated: int
 

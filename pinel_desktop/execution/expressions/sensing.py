@@ -7,6 +7,7 @@ from typing import Any
 from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.execution.expressions.requests import EvaluationContext
 from pinel_desktop.execution.expressions.values import Value
+from pinel_desktop.execution.places import place_under
 from pinel_desktop.execution.semantics import LOOKS_ALONG_THE_WAY
 from pinel_desktop.program.sensors import DEGREES, SENSORS, Argument
 from pinel_desktop.robot import RobotModel
@@ -78,6 +79,10 @@ def _is_in_the_way(robot: RobotModel, angle_rad: float, measured_m: float) -> bo
     return aside <= _ALONG or (robot.radius_m + measured_m) * aside <= robot.radius_m + _CLEAR_M
 
 
+def _mark_here(context: EvaluationContext) -> str:
+    return context.marked.here(place_under(context.sensors), context.pose)
+
+
 def _heading_deg(yaw_rad: float) -> float:
     """Heading in (-180, 180]; snaps values next to -180 to 180."""
     degrees = math.degrees(yaw_rad)
@@ -91,4 +96,6 @@ _OF_THE_RUN: dict[str, Callable[..., Value]] = {
     "heading": lambda context: _heading_deg(context.pose.yaw_rad),
     "time": lambda context: (context.tick - 1) / TICK_HZ,
     "distance": _distance,
+    "has_mark": lambda context: _mark_here(context) != "",
+    "mark_here": _mark_here,
 }

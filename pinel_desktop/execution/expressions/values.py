@@ -52,6 +52,17 @@ def fold_case(value: Value) -> Value:
     return value.casefold() if isinstance(value, str) else value
 
 
+def position_of(items: list[Any], wanted: Value) -> int:
+    """Position, from 1, of the first item that is equal, 0 without one; texts in any case, as typed and signed ones."""
+    if not isinstance(wanted, str):
+        return next((i for i, item in enumerate(items, 1) if same(item, wanted)), 0)
+    folded = wanted.casefold()  # never shorter than the text
+    for i, item in enumerate(items, 1):
+        if isinstance(item, str) and len(item) <= len(folded) and item.casefold() == folded:
+            return i
+    return 0
+
+
 def display_text(value: Value, name: str) -> str:
     """A value as text, equal in all human languages: `3`, `0.5`, `true`, `1, 2, 3` for a list.
 

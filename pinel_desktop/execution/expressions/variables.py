@@ -48,16 +48,36 @@ class Variables:
 
         Raises RunFailureError `unset_variable`, `wrong_type_list`, `list_in_list`, `list_too_long`, `memory_full`.
         """
-        items = self.get(name)
-        if not isinstance(items, list):
-            raise RunFailureError("wrong_type_list", name=name)
-        if isinstance(value, list):
-            raise RunFailureError("list_in_list", name=name)
+        items = self._list(name, value)
         if len(items) >= MAX_LIST:
             raise RunFailureError("list_too_long", value=len(items) + 1, max=MAX_LIST)
         self._grow(1 + size(value))
         items.append(value)
         self.version += 1
+
+    def replace_item(self, name: str, position: int, value: Value) -> None:
+        """Replaces an item of a list; the first has the position 1.
+
+        Raises RunFailureError `unset_variable`, `wrong_type_list`, `list_in_list`, `list_empty`, `index_out_of_range`,
+        `memory_full`.
+        """
+        items = self._list(name, value)
+        if not items:
+            raise RunFailureError("list_empty", operator="replace_item")
+        if not 1 <= position <= len(items):
+            raise RunFailureError("index_out_of_range", value=position, min=1, max=len(items))
+        self._grow(size(value) - size(items[position - 1]))
+        items[position - 1] = value
+        self.version += 1
+
+    def _list(self, name: str, value: Value) -> list[Any]:
+        """The list of that name, which is to hold the value. Raises RunFailureError."""
+        items = self.get(name)
+        if not isinstance(items, list):
+            raise RunFailureError("wrong_type_list", name=name)
+        if isinstance(value, list):
+            raise RunFailureError("list_in_list", name=name)
+        return items
 
     def number(self, name: str) -> float:
         """The number of that name. Raises RunFailureError `unset_variable` or `wrong_type_number`."""

@@ -11,12 +11,14 @@ from pinel_desktop.execution.motion import (
     set_velocity,
     turn_on_the_spot,
 )
+from pinel_desktop.execution.places import middle_of
 from pinel_desktop.execution.primitives.base import instant, timed
 from pinel_desktop.execution.requests import Routine
 from pinel_desktop.program.model import (
     Arc,
     Drive,
     GoTo,
+    GoToPlace,
     MoveBackward,
     MoveForward,
     SetSpeed,
@@ -48,11 +50,25 @@ def arc(context: RunContext, _command: Arc, radius: float, angle: float) -> Rout
 
 @timed("go_to", "x", "y")
 def go_to(context: RunContext, command: GoTo, x: float, y: float) -> Routine:
-    if command.avoid:
+    return _drive(context, x, y, avoid=command.avoid)
+
+
+@timed("go_to_place", "place")
+def go_to_place(context: RunContext, command: GoToPlace, place: str) -> Routine:
+    """Drives to the middle of a place of the world.
+
+    Raises RunFailureError `place_not_named`, `no_places` or `unknown_place`.
+    """
+    x, y = middle_of(place, context.sensors.places(), context.origin)
+    return _drive(context, x, y, avoid=command.avoid)
+
+
+def _drive(context: RunContext, x_m: float, y_m: float, *, avoid: bool) -> Routine:
+    if avoid:
         from pinel_desktop.execution.avoiding import drive_around  # noqa: PLC0415 - numpy, which few programs need
 
-        return drive_around(context, x, y)
-    return drive_to(context, x, y)
+        return drive_around(context, x_m, y_m)
+    return drive_to(context, x_m, y_m)
 
 
 @timed("stop")

@@ -5,7 +5,7 @@ import math
 from pinel_desktop.execution.context import RunContext, RunFailureError
 from pinel_desktop.execution.expressions.values import Value
 from pinel_desktop.execution.primitives.base import instant
-from pinel_desktop.program.model import Append, ChangeVariable, SetVariable
+from pinel_desktop.program.model import Append, ChangeVariable, ReplaceItem, SetVariable
 
 
 @instant("set_variable", "value")
@@ -26,3 +26,8 @@ def change_variable(context: RunContext, command: ChangeVariable, by: float) -> 
 @instant("append", "value")
 def append(context: RunContext, command: Append, value: Value) -> None:
     context.variables.append(command.list_, value)
+
+
+@instant("replace_item", "position", "value")
+def replace_item(context: RunContext, command: ReplaceItem, position: float, value: Value) -> None:
+    context.variables.replace_item(command.list_, int(position), value)

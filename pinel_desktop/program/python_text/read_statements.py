@@ -27,6 +27,13 @@ _CHANGES: dict[type[ast.operator], str] = {
 }
 
 
+# commands that are methods of a list: their other parameters, in order, and an example for messages
+_LIST_COMMANDS: dict[str, tuple[tuple[str, ...], str]] = {
+    "append": (("value",), "my_list.append(1)"),
+    "replace_item": (("position", "value"), "my_list.replace_item(1, 7)"),
+}
+
+
 @dataclass(slots=True)
 class _Scope:
     """The enclosing function; `function` is None in the program itself."""
@@ -222,8 +229,8 @@ class Statements:
         function = call.func
         if is_call_of_robot(call):
             command = self._robot(call, pointer)
-        elif isinstance(function, ast.Attribute) and function.attr == "append":
-            command = self._append(call, function, pointer)
+        elif isinstance(function, ast.Attribute) and function.attr in _LIST_COMMANDS:
+            command = self._list_command(call, function, pointer)
         elif isinstance(function, ast.Name) and function.id not in FUNCTIONS:
             found = self._expressions.call_of_function(call, pointer)
             command = found and {"action": "call", "function": found[0], "arguments": found[1]}
@@ -271,15 +278,19 @@ class Statements:
         self._expressions.unknown_robot(function, COMMANDS)
         return None
 
-    def _append(self, call: ast.Call, function: ast.Attribute, pointer: str) -> _Command | None:
-        is_one = len(call.args) == 1 and not call.keywords
-        if not is_one or not isinstance(function.value, ast.Name):
-            example = "my_list.append(1)"
-            return self._fault(call, "python_arguments", name="append", example=example)
+    def _list_command(
+        self, call: ast.Call, function: ast.Attribute, pointer: str
+    ) -> _Command | None:
+        parameters, example = _LIST_COMMANDS[function.attr]
+        has_all = len(call.args) == len(parameters) and not call.keywords
+        if not has_all or not isinstance(function.value, ast.Name):
+            return self._fault(call, "python_arguments", name=function.attr, example=example)
         self._diagnostics.places[f"{pointer}/list"] = function.value
         name = self._expressions.name(function.value, function.value.id)
-        value = self._expressions.read(call.args[0], f"{pointer}/value")
-        return {"action": "append", "list": name, "value": value}
+        command: _Command = {"action": function.attr, "list": name}
+        for parameter, argument in zip(parameters, call.args, strict=True):
+            command[parameter] = self._expressions.read(argument, f"{pointer}/{parameter}")
+        return command
 
     # statements with a body
 

@@ -156,6 +156,10 @@ class _Writer:
     def _append(self, command: Mapping[str, Any]) -> str:
         return f"{python_name(command['list'])}.append({self._expression(command['value'])})"
 
+    def _replace_item(self, command: Mapping[str, Any]) -> str:
+        given = (self._expression(command[key]) for key in ("position", "value"))
+        return f"{python_name(command['list'])}.replace_item({', '.join(given)})"
+
     def _repeat(self, command: Mapping[str, Any]) -> str:
         return f"for _ in range({self._expression(command['times'])}):"
 

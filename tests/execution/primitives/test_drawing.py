@@ -60,3 +60,54 @@ def test_thousand_marks_are_enough(execute_commands: Any) -> None:
     ended = result.ended
     assert (ended.reason, ended.params, ended.block) == ("too_many_marks", {"max": 1000}, "m")
     assert len(of_type(log, Marked)) == len(result.marks) == 1_000
+
+
+def keep(sensor: str, name: str) -> dict[str, Any]:
+    return {"action": "set_variable", "name": name, "value": {"sensor": sensor}}
+
+
+@pytest.mark.parametrize(("value", "symbol"), [("X", "X"), ("o", "O")])
+def test_symbol_may_be_computed(value: str, symbol: str, execute_commands: Any) -> None:
+    result, _ = execute_commands(
+        {"action": "set_variable", "name": "s", "value": value},
+        {**MARK, "symbol": {"var": "s"}},
+    )
+    assert [mark.symbol for mark in result.marks] == [symbol]
+
+
+@pytest.mark.parametrize("value", ["Z", "", "XO", 3, True])
+def test_what_is_no_symbol_is_said_at_the_block(value: Any, execute_commands: Any) -> None:
+    result, _ = execute_commands(
+        {"action": "set_variable", "name": "s", "value": value},
+        {**MARK, "symbol": {"var": "s"}},
+    )
+    ended = result.ended
+    assert (ended.reason, ended.params, ended.block) == ("symbol_unknown", {"value": value}, "m")
+    assert result.marks == []
+
+
+def test_mark_is_found_in_its_place_of_the_world_and_nowhere_else(execute_commands: Any) -> None:
+    to_a, to_b = ({"action": "go_to_place", "place": name} for name in "AB")
+    result, _ = execute_commands(
+        to_a,
+        keep("has_mark", "before"),
+        {"action": "move_forward", "distance": 0.4},
+        MARK,
+        to_a,
+        keep("mark_here", "a"),
+        to_b,
+        keep("has_mark", "b"),
+        to_a,
+        {**MARK, "symbol": "O"},
+        keep("mark_here", "last"),
+        world="tic_tac_toe",
+    )
+    assert result.variables == {"before": False, "a": "X", "b": False, "last": "O"}
+
+
+def test_mark_outside_of_all_places_is_found_where_it_is(execute_commands: Any) -> None:
+    a_bit = {"action": "move_forward", "distance": 0.25}
+    result, _ = execute_commands(
+        MARK, a_bit, keep("has_mark", "near"), a_bit, keep("mark_here", "far"), world="empty_room"
+    )
+    assert result.variables == {"near": True, "far": ""}

@@ -130,3 +130,61 @@ def test_thousand_variables_fit_and_no_more() -> None:
 def test_variable_may_change_its_type(execute_commands: Any) -> None:
     result, _ = execute_commands(put("a", 1), put("a", "text"), put("a", [2]))
     assert result.variables == {"a": [2]}
+
+
+def replace(name: str, position: Any, value: Any) -> dict[str, Any]:
+    command = {"action": "replace_item", "list": name, "position": position, "value": value}
+    return {**command, "block": f"replace {name}"}
+
+
+def test_item_is_replaced_and_the_others_stay(execute_commands: Any) -> None:
+    result, _ = execute_commands(
+        put("a", [1, "b", True]),
+        put("b", var("a")),
+        replace("a", 1, "x"),
+        replace("a", {"op": "length", "args": [var("a")]}, 0.5),
+    )
+    assert result.variables == {"a": ["x", "b", 0.5], "b": [1, "b", True]}
+
+
+def test_replacing_in_a_function_changes_its_own_list(execute_commands: Any) -> None:
+    own = {"name": "f", "parameters": ["a"], "commands": [replace("a", 1, 2)]}
+    call = {"action": "call", "function": "f", "arguments": {"a": var("a")}}
+    result, _ = execute_commands(put("a", [1]), call, functions=[own])
+    assert result.variables == {"a": [1]}
+
+
+@pytest.mark.parametrize(
+    ("items", "position", "value", "code", "params"),
+    [
+        ([1, 2], 3, 0, "index_out_of_range", {"value": 3, "min": 1, "max": 2}),
+        ([1, 2], var("zero"), 0, "position_out_of_range", {"value": 0, "min": 1, "max": 10_000}),
+        ([1, 2], var("half"), 0, "wrong_type_whole_number", {"name": "position"}),
+        ([1, 2], var("text"), 0, "wrong_type_number", {"name": "position"}),
+        ([], 1, 0, "list_empty", {"operator": "replace_item"}),
+        ("ab", 1, 0, "wrong_type_list", {"name": "l"}),
+        ([1], 1, [2], "list_in_list", {"name": "l"}),
+    ],
+)
+def test_replacing_needs_an_item_that_is_there(
+    items: Any, position: Any, value: Any, code: str, params: Any, execute_commands: Any
+) -> None:
+    result, _ = execute_commands(
+        put("zero", 0),
+        put("half", 1.5),
+        put("text", "1"),
+        put("l", items),
+        replace("l", position, value),
+    )
+    assert reason(result) == (code, params, "replace l")
+    assert result.variables["l"] == items
+
+
+def test_replaced_texts_make_room_and_take_it(execute_commands: Any) -> None:
+    full = [put("t", "x" * 10_000), put("l", []), repeat(998, append("l", var("t")))]
+    result, _ = execute_commands(*full, repeat(50, replace("l", 1, "y"), replace("l", 1, var("t"))))
+    assert result.ended.state == "finished"
+    result, _ = execute_commands(
+        *full, append("l", "a"), append("l", "b"), replace("l", 999, var("t"))
+    )
+    assert reason(result)[0] == "memory_full"

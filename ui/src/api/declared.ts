@@ -5,6 +5,7 @@ export const PROGRAM_LIMITS = {
   MAX_DISTANCE_M: 100,
   MAX_ANGLE_DEG: 3600,
   MAX_WAIT_S: 600,
+  MAX_LIST: 10000,
   MAX_REPEATS: 100000,
 } as const;
 

@@ -138,4 +138,6 @@ const OPERATORS = [
   ...["+", "-", "*", "/", "%", "**", "==", "!=", "<", "<=", ">", ">=", "and", "or", "not"],
   ...["min", "max", "abs", "round", "sqrt", "sin", "cos", "tan", "random_int", "join", "length"],
   "item",
+  "contains",
+  "position_of",
 ];

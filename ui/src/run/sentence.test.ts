@@ -63,6 +63,8 @@ describe("what the robot does, in words", () => {
   test("going to a point names it where it is written in the program", () => {
     expect(words(command("go_to"), { x: 1, y: -2 })).toBe("Indo até x 1,00 m, y −2,00 m");
     expect(words(command("go_to"), { x: { var: "a" }, y: 2 })).toBe("Indo até o ponto");
+    expect(words(command("go_to_place"), { place: "E" })).toBe("Indo até o lugar “E”");
+    expect(words(command("go_to_place"), { place: { var: "a" } })).toBe("Indo até o lugar");
   });
 
   test("waiting for a condition tells for how long at most", () => {

@@ -85,6 +85,10 @@ const COMMANDS: Readonly<
     if (typeof x !== "number" || typeof y !== "number") return texts.status.goToSomewhere;
     return texts.status.goTo(metres(x, language), metres(y, language));
   },
+  go_to_place: ({ pointer }, _view, { texts, parameterOf }) => {
+    const place = parameterOf(pointer, "place");
+    return typeof place === "string" ? texts.status.goToPlace(place) : texts.status.goToSomePlace;
+  },
   wait_until: ({ pointer }, _view, { texts, language, parameterOf }) => {
     const timeout = parameterOf(pointer, "timeout");
     if (typeof timeout !== "number") return texts.status.waitUntil;

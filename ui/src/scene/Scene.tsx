@@ -13,6 +13,7 @@ import { TEST } from "../shell/testids";
 import { prefersStill, theme } from "../shell/theme";
 import type { Companion } from "./companion";
 import { startOf, toWorld, type XY } from "./frames";
+import { markWords } from "./mark_words";
 import { savePicture } from "./picture";
 import type { Measurements } from "./ranges_view";
 import { SceneRenderer } from "./renderer";
@@ -90,7 +91,14 @@ export function Scene({ world, view, poseAt, whole, companion, hold, playing }: 
 
   return (
     <div class="scene">
-      <Canvas canvas={canvas} view={view} tools={tools} canMove={hold !== undefined} />
+      <Canvas
+        canvas={canvas}
+        world={world}
+        view={view}
+        tools={tools}
+        canMove={hold !== undefined}
+      />
+      <LastMark world={world} view={view} />
       <Toolbar
         scene={() => renderer.current}
         tools={tools}
@@ -106,20 +114,23 @@ export function Scene({ world, view, poseAt, whole, companion, hold, playing }: 
 }
 
 interface CanvasProps {
+  world: World | null;
   canvas: { current: HTMLCanvasElement | null };
   view: ReadonlySignal<RunView>;
   tools: SceneTools;
   canMove: boolean;
 }
 
-function Canvas({ canvas, view, tools, canMove }: CanvasProps) {
-  const { truth, phase } = view.value;
+function Canvas({ canvas, world, view, tools, canMove }: CanvasProps) {
+  const { truth, phase, output } = view.value;
   const { scene } = texts.value;
   const label = scene.label(
     metres(truth.x, language.value),
     metres(truth.y, language.value),
     degrees(headingDegrees(truth.yaw), language.value),
   );
+  const told = output.marks.map((mark) => markWords(mark, world, texts.value, language.value));
+  const marks = told.length > 0 ? scene.marks(told.join("; ")) : "";
   const keys = tools.tool.value ? scene.measureKeys : canMove ? scene.startKeys : "";
   return (
     // biome-ignore lint/a11y/noInteractiveElementToNoninteractiveRole: keys move the start and the tools
@@ -127,12 +138,22 @@ function Canvas({ canvas, view, tools, canMove }: CanvasProps) {
       ref={canvas}
       class="scene__canvas"
       role="application"
-      aria-label={`${label} ${keys}`.trim()}
+      aria-label={[label, marks, keys].filter(Boolean).join(" ")}
       tabIndex={0}
       data-testid={TEST.scene}
       data-phase={phase}
       data-tool={tools.tool.value ?? ""}
     />
+  );
+}
+
+/** The newest mark, for who does not see it: said when it is put on the floor. */
+function LastMark({ world, view }: Pick<CanvasProps, "world" | "view">) {
+  const mark = view.value.output.marks.at(-1);
+  return (
+    <output class="visually-hidden" data-testid={TEST.lastMark}>
+      {mark ? markWords(mark, world, texts.value, language.value) : ""}
+    </output>
   );
 }
 

@@ -181,6 +181,7 @@ export const TEST = {
   sceneTools: "scene-tools", // opens the other tools
   measureTool: "measure-tool", // of each; data-name: ruler | protractor
   measure: "measure", // data-value: metres, or degrees to the left
+  lastMark: "last-mark",
   ring: "ring", // of each; data-name: sonar | lidar
   follow: "follow",
   scenePicture: "scene-picture",

@@ -37,6 +37,8 @@ export const VALUES: Readonly<Record<ValueBlockType, (block: Blockly.Block) => E
   random_int: operation("random_int", "A", "B"),
   join: (block) => ({ op: "join", args: items(block) }),
   item: operation("item", "LIST", "INDEX"),
+  contains: operation("contains", "LIST", "VALUE"),
+  position_of: operation("position_of", "LIST", "VALUE"),
   length: operation("length", "A"),
 
   ...SENSOR_VALUES,

@@ -60,6 +60,7 @@ function rowFor(command: Command): Row {
     if (!makes || !("action" in makes) || makes.action !== action) continue;
     const fixed = Object.entries(makes.fixed ?? {});
     if (fixed.some(([key, value]) => command[key] !== value)) continue;
+    if (argumentsOf(row).some((argument) => isComputedChoice(argument, command))) continue;
     const keys = argumentsOf(row).flatMap(({ key }) => (key === undefined ? [] : [key]));
     const given = keys.filter((key) => parameter(command, key) !== undefined).length;
     const fit = 2 * given - (keys.length - given);
@@ -67,6 +68,11 @@ function rowFor(command: Command): Row {
   }
   if (!best) throw new Error(`there is no block for ${command.action}`);
   return best.row;
+}
+
+/** Whether a value is computed for which the block has written choices only. */
+function isComputedChoice({ type, key = "" }: BlockArgument, command: Command): boolean {
+  return type === "field_dropdown" && typeof parameter(command, key) === "object";
 }
 
 /** A parameter; what the server writes as null was not given. */

@@ -122,6 +122,7 @@ const DEFAULTS: Readonly<Record<string, object>> = {
   classify_gestures: { timeout: 10 },
   classificar_gestos: { timeout: 10 },
   go_to: { avoid: false },
+  go_to_place: { avoid: false },
   for: { by: 1 },
   call: { arguments: {} },
 };

@@ -75,11 +75,18 @@ const OPERATIONS = new Map<string, Row>(
   }),
 );
 
+/** Inputs of the blocks that name theirs, in the order of the arguments. */
+const NAMED_INPUTS: Readonly<Record<string, readonly string[]>> = {
+  item: ["LIST", "INDEX"],
+  contains: ["LIST", "VALUE"],
+  position_of: ["LIST", "VALUE"],
+};
+
 function operationBlock(op: string, args: readonly Expression[]): BlockState {
   const row = OPERATIONS.get(op);
   if (!row) throw new Error(`there is no operator ${op}`);
   if (row.type === "compare") return comparison(op, args);
-  const names = row.type === "item" ? ["LIST", "INDEX"] : args.map((_, index) => itemInput(index));
+  const names = NAMED_INPUTS[row.type] ?? args.map((_, index) => itemInput(index));
   const inputs: Record<string, Connection> = {};
   args.forEach((argument, index) => {
     const name = names[index] as string;

@@ -1,7 +1,7 @@
 import { PROGRAM_LIMITS } from "../../api/declared";
 import type { Limits, ValueType } from "../definition";
 
-const { MAX_ANGLE_DEG, MAX_DISTANCE_M, MAX_REPEATS, MAX_WAIT_S } = PROGRAM_LIMITS;
+const { MAX_ANGLE_DEG, MAX_DISTANCE_M, MAX_LIST, MAX_REPEATS, MAX_WAIT_S } = PROGRAM_LIMITS;
 
 /** Variables, calls and items of lists may be anything; what is written on a block itself they are not. */
 const ANYTHING: readonly ValueType[] = ["Number", "String", "Boolean", "Array"];
@@ -18,6 +18,7 @@ export const ANGLE: Limits = { min: 0, max: MAX_ANGLE_DEG, precision: 0.1 };
 export const SECONDS: Limits = { min: 0, max: MAX_WAIT_S, precision: 0.1 };
 export const TIMEOUT: Limits = { min: 0.1, max: MAX_WAIT_S, precision: 0.1 };
 export const SPEED: Limits = { min: 0.01, precision: 0.01 };
+export const POSITION: Limits = { min: 1, max: MAX_LIST, precision: 1 };
 export const TIMES: Limits = { min: 0, max: MAX_REPEATS, precision: 1 };
 
 /** A hole for a number, with one in it to begin with. */

@@ -1,5 +1,7 @@
 import type { BlockDefinition } from "../definition";
-import { anything, nameField } from "./arguments";
+import { anything, nameField, numberInput, POSITION } from "./arguments";
+
+const valueSought = { type: "input_value", name: "VALUE", shadow: { words: "WORD" } } as const;
 
 export const lists = [
   {
@@ -36,6 +38,20 @@ export const lists = [
     ],
   },
   {
+    type: "replace_item",
+    style: "lists",
+    level: 3,
+    makes: { action: "replace_item" },
+    icon: "replace",
+    previousStatement: null,
+    nextStatement: null,
+    args0: [
+      numberInput("POSITION", "position", 1, POSITION),
+      nameField("LIST", "list"),
+      { type: "input_value", name: "VALUE", key: "value", shadow: { number: 0 } },
+    ],
+  },
+  {
     type: "item",
     style: "lists",
     level: 3,
@@ -51,6 +67,22 @@ export const lists = [
       { type: "input_value", name: "LIST", check: "Array" },
     ],
     ...anything,
+  },
+  {
+    type: "contains",
+    style: "lists",
+    level: 3,
+    makes: { op: ["contains"] },
+    args0: [{ type: "input_value", name: "LIST", check: "Array" }, valueSought],
+    output: "Boolean",
+  },
+  {
+    type: "position_of",
+    style: "lists",
+    level: 3,
+    makes: { op: ["position_of"] },
+    args0: [valueSought, { type: "input_value", name: "LIST", check: "Array" }],
+    output: "Number",
   },
   {
     type: "length",

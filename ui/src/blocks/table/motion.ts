@@ -2,6 +2,10 @@ import type { BlockDefinition } from "../definition";
 import { ANGLE, choice, DISTANCE, numberInput, PLACE, SPEED, sides } from "./arguments";
 
 const statement = { style: "motion", previousStatement: null, nextStatement: null } as const;
+const ways = choice("AVOID", "avoid", [
+  ["%{BKY_PINEL_STRAIGHT}", "FALSE"],
+  ["%{BKY_PINEL_AROUND}", "TRUE"],
+]);
 const distance = numberInput("DISTANCE", "distance", 1, DISTANCE);
 
 export const motion = [
@@ -56,13 +60,23 @@ export const motion = [
     level: 2,
     makes: { action: "go_to" },
     icon: "mapPin",
+    args0: [numberInput("X", "x", 1, PLACE), numberInput("Y", "y", 0, PLACE), ways],
+  },
+  {
+    ...statement,
+    type: "go_to_place",
+    level: 2,
+    makes: { action: "go_to_place" },
+    icon: "mapPin",
     args0: [
-      numberInput("X", "x", 1, PLACE),
-      numberInput("Y", "y", 0, PLACE),
-      choice("AVOID", "avoid", [
-        ["%{BKY_PINEL_STRAIGHT}", "FALSE"],
-        ["%{BKY_PINEL_AROUND}", "TRUE"],
-      ]),
+      {
+        type: "input_value",
+        name: "PLACE",
+        key: "place",
+        check: "String",
+        shadow: { words: "PLACE_NAME" },
+      },
+      ways,
     ],
   },
   {

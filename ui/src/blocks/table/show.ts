@@ -52,6 +52,22 @@ export const show = [
   },
   {
     ...statement,
+    type: "mark_value",
+    level: 3,
+    makes: { action: "mark" },
+    icon: "crosshair",
+    args0: [
+      {
+        type: "input_value",
+        name: "SYMBOL",
+        key: "symbol",
+        check: "String",
+        shadow: { words: "SYMBOL" },
+      },
+    ],
+  },
+  {
+    ...statement,
     type: "ask",
     level: 2,
     makes: { action: "ask" },

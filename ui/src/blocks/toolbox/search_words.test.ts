@@ -34,6 +34,13 @@ const SAID: Readonly<Record<Language, Readonly<Record<string, string>>>> = {
     say: "falar, escrever, mostrar",
     beep: "som, buzina",
     mark: "xis, jogo da velha",
+    go_to_place: "lugar, casa, tabuleiro",
+    mark_value: "símbolo",
+    has_mark: "ocupada, livre",
+    mark_here: "ocupada",
+    replace_item: "substituir, trocar",
+    contains: "procurar, contém",
+    position_of: "posição, onde",
     ask: "perguntar",
     set_variable: "variável, guardar",
     random_int: "sorteio, aleatório, dado",
@@ -113,6 +120,6 @@ describe.each(["pt-BR", "en", "es"] as const)("in %s", (language) => {
 
 test("the words are counted, so that none gets lost", () => {
   expect(["pt-BR", "en", "es"].map((language) => cases(language as Language).length)).toEqual([
-    70, 40, 40,
+    83, 40, 40,
   ]);
 });

@@ -167,11 +167,14 @@ const FILLED: Partial<Record<BlockType, () => Inputs>> = {
   wait_until: () => ({ CONDITION: bumper }),
   wait_until_timeout: () => ({ CONDITION: bumper }),
   item: () => ({ LIST: listShadow() }),
+  contains: () => ({ LIST: listShadow() }),
+  position_of: () => ({ LIST: listShadow() }),
   length: () => ({ A: listShadow() }),
 };
 
 const FIELDS: Partial<Record<BlockType, () => Record<string, string>>> = {
   append: () => ({ LIST: word("LIST_NAME") }),
+  replace_item: () => ({ LIST: word("LIST_NAME") }),
   text: () => ({ TEXT: word("WORD") }),
 };
 

@@ -68,3 +68,21 @@ describe("a place", () => {
     expect(told(until("a", is(CELL, "Z")))).toEqual({});
   });
 });
+
+describe("a place to drive to", () => {
+  const go = (block: string, place: unknown) => ({ action: "go_to_place", block, place });
+
+  test("that the world does not have is told with those that it has, in any case", () => {
+    setKnownPlaces(["A", "B"]);
+    expect(told(go("a", "H"), go("b", "b"), go("c", { var: "letra" }), go("d", ""))).toEqual({
+      a: ["Este mundo não tem um lugar com o nome “H”.", "Os lugares dele são: A, B."],
+    });
+  });
+
+  test("is told of in a world without places, and not while the world is not known", () => {
+    setKnownPlaces([]);
+    expect(told(go("a", "A")).a?.[1]).toMatch("não tem lugares");
+    setKnownPlaces(null);
+    expect(told(go("a", "A"))).toEqual({});
+  });
+});

@@ -9,7 +9,7 @@ const TEXTS = ["text", "text_letter"];
 
 /**
  * What each command is told of a text that is never equal to what it is compared with: a colour that the floor never
- * has, a place that the world does not have. No fault: such a program runs.
+ * has, a place that the world does not have; and of a place to drive to that it does not have. No fault: such a program runs.
  */
 export function impossibleIn(workspace: Blockly.Workspace): Map<string, Set<string>> {
   const found = new Map<string, Set<string>>();
@@ -31,7 +31,7 @@ function wordsOf(block: Blockly.Block): string[] {
     case "cell":
       return wordsOfPlace(text);
     default:
-      return [];
+      return block.getParent()?.type === "go_to_place" ? wordsOfGoal(text) : [];
   }
 }
 
@@ -52,5 +52,17 @@ function wordsOfPlace(text: string): string[] {
   return [
     word("PLACE_NEVER", text),
     places.length > 0 ? word("PLACE_NAMES", places.join(", ")) : word("PLACE_NONE"),
+  ];
+}
+
+/** A place to drive to is found in any case. */
+function wordsOfGoal(text: string): string[] {
+  const places = knownPlaces();
+  const wanted = text.trim().toLowerCase();
+  if (places === null || wanted === "") return [];
+  if (places.some((place) => place.toLowerCase() === wanted)) return [];
+  return [
+    word("PLACE_NEVER", text),
+    places.length > 0 ? word("PLACES_ARE", places.join(", ")) : word("PLACE_NONE"),
   ];
 }

@@ -133,6 +133,8 @@ export const page: typeof first = {
     spinRight: (pace: string) => `Turning right at ${pace}`,
     goTo: (x: string, y: string) => `Going to x ${x}, y ${y}`,
     goToSomewhere: "Going to the point",
+    goToPlace: (name: string) => `Going to the place “${name}”`,
+    goToSomePlace: "Going to the place",
     waitUntil: "Waiting for the condition",
     waitUntilAtMost: (timeout: string) => `Waiting for the condition (up to ${timeout})`,
     asking: "Waiting for the group’s answer",
@@ -244,6 +246,9 @@ export const page: typeof first = {
   scene: {
     label: (x: string, y: string, heading: string) =>
       `Floor from above. Robot at x ${x}, y ${y}, facing ${heading}.`,
+    markIn: (symbol: string, place: string) => `${symbol} marked in ${place}`,
+    markAt: (symbol: string, x: string, y: string) => `${symbol} marked at x ${x}, y ${y}`,
+    marks: (all: string) => `Marks on the floor: ${all}.`,
     zoomIn: "Zoom in",
     zoomOut: "Zoom out",
     fit: "See all",

@@ -134,6 +134,8 @@ export const page: typeof first = {
     spinRight: (pace: string) => `Girando a la derecha a ${pace}`,
     goTo: (x: string, y: string) => `Yendo a x ${x}, y ${y}`,
     goToSomewhere: "Yendo al punto",
+    goToPlace: (name: string) => `Yendo al lugar “${name}”`,
+    goToSomePlace: "Yendo al lugar",
     waitUntil: "Esperando la condición",
     waitUntilAtMost: (timeout: string) => `Esperando la condición (hasta ${timeout})`,
     asking: "Esperando la respuesta del grupo",
@@ -246,6 +248,9 @@ export const page: typeof first = {
   scene: {
     label: (x: string, y: string, heading: string) =>
       `Piso visto desde arriba. Robot en x ${x}, y ${y}, mirando a ${heading}.`,
+    markIn: (symbol: string, place: string) => `${symbol} en ${place}`,
+    markAt: (symbol: string, x: string, y: string) => `${symbol} en x ${x}, y ${y}`,
+    marks: (all: string) => `Marcas en el piso: ${all}.`,
     zoomIn: "Acercar",
     zoomOut: "Alejar",
     fit: "Ver todo",

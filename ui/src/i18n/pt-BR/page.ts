@@ -134,6 +134,8 @@ export const page = {
     spinRight: (pace: string) => `Girando à direita a ${pace}`,
     goTo: (x: string, y: string) => `Indo até x ${x}, y ${y}`,
     goToSomewhere: "Indo até o ponto",
+    goToPlace: (name: string) => `Indo até o lugar “${name}”`,
+    goToSomePlace: "Indo até o lugar",
     waitUntil: "Esperando a condição",
     waitUntilAtMost: (timeout: string) => `Esperando a condição (até ${timeout})`,
     asking: "Esperando a resposta do grupo",
@@ -243,6 +245,9 @@ export const page = {
   scene: {
     label: (x: string, y: string, heading: string) =>
       `Chão visto de cima. Robô em x ${x}, y ${y}, virado para ${heading}.`,
+    markIn: (symbol: string, place: string) => `${symbol} marcado em ${place}`,
+    markAt: (symbol: string, x: string, y: string) => `${symbol} marcado em x ${x}, y ${y}`,
+    marks: (all: string) => `Marcas no chão: ${all}.`,
     zoomIn: "Aproximar",
     zoomOut: "Afastar",
     fit: "Ver tudo",

@@ -33,6 +33,7 @@ const ICONS: Record<string, LucideIcon> = {
   set_gesture_result: Pencil,
   arc: Spline,
   go_to: MapPin,
+  go_to_place: MapPin,
   drive: ChevronsUp,
   wait_until: Hourglass,
   ask: CircleQuestionMark,

@@ -97,6 +97,11 @@ export class RandomPrograms {
       y: this.number(-100, 100),
       avoid: this.pick([true, false]),
     }),
+    () => ({
+      action: "go_to_place",
+      place: this.text(2),
+      avoid: this.pick([true, false]),
+    }),
     () => ({ action: "wait", seconds: this.number(0, 600) }),
     () => ({ action: "wait_until", condition: this.boolean(2) }),
     () => ({
@@ -111,6 +116,7 @@ export class RandomPrograms {
     }),
     () => ({ action: "ask", question: this.text(2), variable: this.name() }),
     () => ({ action: "mark", symbol: this.pick(["X", "O"]) }),
+    () => ({ action: "mark", symbol: { var: this.name() } }),
     () => ({ action: "say", text: this.any(3) }),
     () => ({ action: "beep" }),
     () => ({ action: "classify_gestures", timeout: this.number(0.0001, 600) }),
@@ -118,6 +124,12 @@ export class RandomPrograms {
     () => ({ action: "set_variable", name: this.name(), value: this.any(3) }),
     () => ({ action: "change_variable", name: this.name(), by: this.number(-9, 9) }),
     () => ({ action: "append", list: this.name(), value: this.any(2) }),
+    () => ({
+      action: "replace_item",
+      list: this.name(),
+      position: this.number(1, 1),
+      value: this.any(2),
+    }),
     () => this.ending(),
     () => this.ending(),
     () => this.ending(),
@@ -180,6 +192,7 @@ export class RandomPrograms {
       () => ({ op: this.pick(["min", "max"]), args: this.several(1, inner) }),
       () => ({ op: "random_int", args: [inner(), inner()] }),
       () => ({ op: "length", args: [this.whole(2) ? this.text(depth - 1) : this.list()] }),
+      () => ({ op: "position_of", args: [this.list(), this.any(depth - 1)] }),
       () => this.reading("Number"),
       () => this.reading("Number"),
       () => this.reading("Number"),
@@ -217,6 +230,7 @@ export class RandomPrograms {
         op: this.pick(["<", "<=", ">", ">="]),
         args: [this.numeric(depth - 1), this.numeric(depth - 1)],
       }),
+      () => ({ op: "contains", args: [{ var: this.name() }, this.any(depth - 1)] }),
       () => this.reading("Boolean"),
       ...this.wild(depth),
     ])();

@@ -1,0 +1,67 @@
+"""Places of the world by their names, and the marks in them."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.execution.failure import RunFailureError
+from pinel_desktop.robot import Pose2D, Sensors
+
+_SAME_PLACE_M = 0.3  # outside of all places of the world; a little more than the robot's radius
+
+
+def middle_of(
+    name: str, places: Mapping[str, tuple[float, float]], origin: Pose2D
+) -> tuple[float, float]:
+    """Middle (m, start frame) of a place; its name in any case, as typed and signed ones.
+
+    Args:
+        places: middles of all places in the link's frame (m).
+        origin: pose of the start frame in the link's frame.
+
+    Raises RunFailureError `place_not_named`, `no_places` or `unknown_place`.
+    """
+    if not name.strip():
+        raise RunFailureError("place_not_named")
+    if not places:
+        raise RunFailureError("no_places", value=name)
+    folded = name.strip().casefold()
+    found = name if name in places else next((p for p in places if p.casefold() == folded), None)
+    if found is None:
+        raise RunFailureError("unknown_place", value=name, allowed=list(places))
+    middle = Pose2D(*places[found]).relative_to(origin)
+    return middle.x_m, middle.y_m
+
+
+def place_under(sensors: Sensors) -> str:
+    """Name of the place under the robot; "" without one, and for robots that know of none."""
+    try:
+        return str(sensors.reader("cell")())
+    except PinelError:
+        return ""
+
+
+@dataclass(slots=True)
+class MarkedPlaces:
+    """The marks of a run by place; one outside of all places of the world counts where it is."""
+
+    _by_place: dict[str, str] = field(default_factory=dict)
+    _elsewhere: list[tuple[Pose2D, str]] = field(default_factory=list)
+
+    def put(self, symbol: str, place: str, pose: Pose2D) -> None:
+        """Records a mark; `pose` is in the start frame."""
+        if place:
+            self._by_place[place] = symbol
+        else:
+            self._elsewhere.append((pose, symbol))
+
+    def here(self, place: str, pose: Pose2D) -> str:
+        """The last mark of a place, "" without one."""
+        if place:
+            return self._by_place.get(place, "")
+        near = (
+            symbol
+            for marked, symbol in reversed(self._elsewhere)
+            if marked.distance_to(pose) <= _SAME_PLACE_M
+        )
+        return next(near, "")
