@@ -1,5 +1,6 @@
 """Reads the review of a lesson from the store and converts it to answers."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,6 +13,8 @@ from pinel_desktop.school.review import (
     LessonReview,
     Mark,
     Run,
+    Summary,
+    kept_advice,
     review_group,
     review_lesson,
     summary,
@@ -21,7 +24,8 @@ from pinel_desktop.web.mark_table import mark_table
 from pinel_desktop.web.models import review as shapes
 from pinel_desktop.web.models.classes import Lesson
 from pinel_desktop.web.services import Services
-from storage import GroupLine, GroupLines, LessonLines, LessonRow
+from storage import GroupLine, GroupLines, LessonLines, LessonRow, LessonRun, Store
+from storage.text import natural_key
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,6 +36,8 @@ class ReadLesson:
         activity: of all its parts; None without one, or if they differ.
         parts: titles of the lesson and of those joined to it, by their key.
         reasons: messages why runs ended, by run id.
+        told: what activities said about runs that did not pass, by run id.
+        not_begun: names of the groups of the class without work in the lesson; empty where it is over.
     """
 
     lesson: LessonRow
@@ -40,27 +46,41 @@ class ReadLesson:
     activity: str | None
     parts: dict[str, str]
     reasons: dict[str, str]
+    told: dict[str, str]
+    not_begun: list[str]
     language: str
 
     def model(self) -> shapes.LessonReview:
         """The answer for the page."""
+        found = summary(self.review, self.activity)
+        words = self.reasons | self.told
         heads = {group.id: shapes.GroupHead.of(group) for group in self.lines.groups}
         groups = [
             shapes.GroupReview(
                 group=heads[group.id],
-                marks=[_mark(mark, self.lines, self.reasons) for mark in group.marks],
+                need=found.needs[group.id],
+                marks=[_mark(mark, self.lines, words) for mark in group.marks],
                 figures=shapes.Figures.of(group.figures),
                 blocks=_blocks(group.blocks),
+                hints=_hints(group.hints, self.language),
             )
             for group in self.review.groups
         ]
         lesson = Lesson.of(self.lesson)
-        return shapes.LessonReview(lesson=lesson, summary=self._summary(), groups=groups)
+        return shapes.LessonReview(lesson=lesson, summary=self._summary(found), groups=groups)
 
-    def _summary(self) -> shapes.LessonSummary:
-        found = summary(self.review, self.activity)
-        fault = self.reasons.get(found.fault_run or "")
-        return shapes.LessonSummary.of(found, stuck=list(found.stuck), fault=fault)
+    def _summary(self, found: Summary) -> shapes.LessonSummary:
+        fault = found.fault
+        words = self.told if fault and fault.is_told else self.reasons
+        return shapes.LessonSummary(
+            n_groups=found.n_groups,
+            n_passed=found.n_passed,
+            stuck=list(found.stuck),
+            fault=words.get(fault.run) if fault else None,
+            fault_run=fault.run if fault else None,
+            n_with_fault=fault.n_groups if fault else 0,
+            not_begun=self.not_begun,
+        )
 
     def table(self) -> str:
         """The marks as CSV text."""
@@ -92,6 +112,8 @@ def read_lesson(lesson_id: str, parts: Services) -> ReadLesson:
         activity=activity,
         parts={one.id: one.title for one in parts_of_it},
         reasons=_reasons(lines, language),
+        told=_told(lines, language),
+        not_begun=_not_begun(store, lesson, lines),
         language=language,
     )
 
@@ -106,9 +128,44 @@ def _work(group: GroupLine, lines: GroupLines) -> GroupWork:
     edits = tuple(
         Edit(**edit._asdict() | {"setup_only": bool(edit.setup_only)}) for edit in lines.edits
     )
-    fields = Run.__dataclass_fields__
-    runs = (Run(**{name: getattr(run, name) for name in fields}) for run in lines.runs)
-    return GroupWork(group.id, group.name, edits, tuple(runs))
+    return GroupWork(group.id, group.name, edits, tuple(map(_run, lines.runs)))
+
+
+def _run(run: LessonRun) -> Run:
+    advice = kept_advice(run.advice_json)
+    told = advice.mistake(run.activity or "") if advice else None
+    names = Run.__dataclass_fields__.keys() - {"told"}
+    return Run(**{name: getattr(run, name) for name in names}, told=told)
+
+
+def _told(lines: LessonLines, language: str) -> dict[str, str]:
+    runs = (run for work in lines.work.values() for run in work.runs)
+    said = ((run.id, kept_advice(run.advice_json)) for run in runs)
+    return {run_id: advice.of(language) for run_id, advice in said if advice}
+
+
+def _not_begun(store: Store, lesson: LessonRow, lines: LessonLines) -> list[str]:
+    """Later than the lesson, groups may be new or may have left the class."""
+    now = store.lessons.current(lesson.classroom_id)
+    if lesson.classroom_id is None or now is None or now.id != lesson.id:
+        return []
+    groups = (one for one in store.groups.all() if one.classroom_id == lesson.classroom_id)
+    names = (one.name for one in groups if one.id not in lines.work)
+    return sorted(names, key=natural_key)
+
+
+def _hints(opened: Mapping[str, int], language: str) -> list[shapes.OpenedHints]:
+    from pinel_desktop.activities import activity_names, shipped_activity  # noqa: PLC0415 - heavy
+
+    known = {name: shipped_activity(name) for name in opened if name in activity_names()}
+    return [
+        shapes.OpenedHints(
+            title=known[name].title.of(language) if name in known else name,
+            n=n,
+            texts=[hint.of(language) for hint in known[name].hints[:n]] if name in known else [],
+        )
+        for name, n in opened.items()
+    ]
 
 
 def _reasons(lines: LessonLines, language: str) -> dict[str, str]:

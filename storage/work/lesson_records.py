@@ -13,14 +13,16 @@ _IN = "IN (SELECT value FROM json_each(?))"
 _EDITS = f"""
     SELECT programs.group_id, versions.id, versions.program_id, programs.name, versions.number, versions.created_at,
            versions.computer_id, versions.parent_id, coalesce(json_extract(versions.setup, '$.n_hints'), 0),
-           {SETUP_ONLY}, versions.lesson_id
+           {SETUP_ONLY}, versions.lesson_id, json_extract(versions.setup, '$.activity')
     FROM versions JOIN programs ON programs.id = versions.program_id
         LEFT JOIN versions AS parents ON parents.id = versions.parent_id
     WHERE versions.lesson_id {_IN} ORDER BY versions.id"""
 _RUNS = f"""
     SELECT runs.group_id, runs.id, runs.program_id, runs.program_name, runs.version_id, versions.number,
            runs.started_at, runs.ended_at, runs.state, runs.reason, runs.params, runs.activity, runs.passed,
-           runs.duration_s, runs.computer_id, runs.lesson_id, runs.world
+           runs.duration_s, runs.computer_id, runs.lesson_id, runs.world,
+           CASE WHEN runs.passed = 0 THEN (SELECT json_group_array(json(json_extract(value, '$.advice')))
+                FROM json_each(runs.check_report, '$.cases')) END
     FROM runs LEFT JOIN versions ON versions.id = runs.version_id
     WHERE runs.lesson_id {_IN} AND runs.group_id IS NOT NULL ORDER BY runs.id"""
 
@@ -39,6 +41,7 @@ class EditLine(NamedTuple):
 
     Attributes:
         setup_only: 1 if it has the blocks of its parent, else 0.
+        activity: that the program is to solve.
     """
 
     version_id: str
@@ -51,10 +54,15 @@ class EditLine(NamedTuple):
     n_hints: int
     setup_only: int
     lesson_id: str
+    activity: str | None
 
 
 class LessonRun(NamedTuple):
-    """A run of a lesson; JSON is parsed when it is asked for."""
+    """A run of a lesson; JSON is parsed when it is asked for.
+
+    Attributes:
+        advice_json: list of what was said about each case of a run that did not pass, null for a case that passed.
+    """
 
     id: str
     program_id: str | None
@@ -72,6 +80,7 @@ class LessonRun(NamedTuple):
     computer_id: str | None
     lesson_id: str
     world: str
+    advice_json: str | None
 
     @property
     def params(self) -> dict[str, Any]:

@@ -78,10 +78,14 @@ class PastGroup:
         self.program = self._store.programs.create(self.id, "Quadrado da sala").id
         self.version = ""
 
-    def edit(self, *steps: Step, world: Any = None) -> str:
+    def edit(self, *steps: Step, world: Any = None, setup: Any = None) -> str:
         """Saves a version."""
         self.version = self._store.versions.save(
-            self.program, workspace_of(list(steps)), document_of(list(steps)), world=world
+            self.program,
+            workspace_of(list(steps)),
+            document_of(list(steps)),
+            world=world,
+            setup=setup,
         ).id
         return self.version
 

@@ -2,6 +2,7 @@
 
 import csv
 import io
+import json
 from datetime import datetime
 from typing import Any
 
@@ -222,6 +223,36 @@ def test_the_table_names_the_world_of_each_run_and_the_lesson_that_was_joined(
         ["Segunda parte", ""],
         ["Segunda parte", "Labirinto"],
     ]
+
+
+def test_the_review_says_who_needs_what_and_which_hints_were_read(
+    teacher: Browser, pupils: Pupils, lesson: Any
+) -> None:
+    setup = {"world": "empty_room", "activity": "square", "n_hints": 2}
+    version = pupils.edit(move(), setup=setup)
+    runs = [pupils.run(version, "failed", "blocked") for _ in range(3)]
+    said = {"words": {"pt-BR": "Vejam o giro."}, "diagnosis": 1}
+    pupils.store._database.write(
+        lambda db: (
+            db.execute(
+                "UPDATE runs SET passed = 0, activity = 'square', check_report = ? WHERE id = ?",
+                [json.dumps({"cases": [{"advice": None}, {"advice": said}]}), runs[0]],
+            ).rowcount
+        )
+    )
+    other = teacher.post(
+        "/api/groups", {"name": "Emas", "classroom_id": lesson["classroom_id"]}
+    ).data
+    teacher.put("/api/settings", {"language": "pt-BR"})
+    review = teacher.get(f"/api/lessons/{lesson['id']}/review").data
+    (mine,) = review["groups"]
+    assert (mine["need"], review["summary"]["not_begun"]) == ("help", [other["name"]])
+    (hints,) = mine["hints"]
+    assert (hints["title"], hints["n"]) == ("Um quadrado de 1 m", 2)
+    assert hints["texts"][0] == "Quantos cantos há?"
+    told = [mark["message"] for mark in mine["marks"] if mark["kind"] == "run"]
+    assert told[0] == "Vejam o giro."
+    assert told[1] != told[0]
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

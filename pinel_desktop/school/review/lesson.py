@@ -45,13 +45,18 @@ class Figures:
 
 @dataclass(frozen=True, slots=True)
 class GroupReview:
-    """A group's marks, its figures, and the blocks of its programs at the end of the lesson."""
+    """A group's marks, its figures, and the blocks of its programs at the end of the lesson.
+
+    Attributes:
+        hints: how many hints were opened of each activity, which open one after the other.
+    """
 
     id: str
     name: str
     marks: tuple[Mark, ...]
     figures: Figures
     blocks: BlocksInUse
+    hints: Mapping[str, int]
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +87,8 @@ def review_group(
     all_marks = marks_of(work)
     uses = [blocks_in_flat(flat[key]) for key in _last_versions(all_marks) if key in flat]
     marks = tuple(with_changes(mark, flat) for mark in all_marks if mark.is_shown)
-    return GroupReview(work.id, work.name, marks, _figures(work, marks, activity), _sum(uses))
+    figures, blocks = _figures(work, marks, activity), _sum(uses)
+    return GroupReview(work.id, work.name, marks, figures, blocks, _opened_hints(work.edits))
 
 
 def review_lesson(groups: Iterable[GroupReview]) -> LessonReview:
@@ -162,6 +168,14 @@ def _hints(edits: Iterable[Edit]) -> int:
     for edit in edits:
         opened[edit.program_id] = max(opened[edit.program_id], edit.n_hints)
     return opened.total()
+
+
+def _opened_hints(edits: Iterable[Edit]) -> dict[str, int]:
+    opened: dict[str, int] = {}
+    for edit in edits:
+        if edit.activity and edit.n_hints:
+            opened[edit.activity] = max(opened.get(edit.activity, 0), edit.n_hints)
+    return opened
 
 
 def _active(line: Iterable[Event]) -> float:

@@ -11,7 +11,7 @@ class Edit:
         number: of the version in its program.
         computer_id: the PC's key; only times of one PC can be compared.
         parent_id: the version that was edited.
-        n_hints: hints of the program's activity that were open.
+        activity, n_hints: what the program is to solve, and how many hints of it were open.
         lesson_id: the lesson, or part of a joined one, in which it was saved.
         setup_only: True if it has the blocks of `parent_id`: world, start, robot, speed or hints changed.
     """
@@ -26,6 +26,7 @@ class Edit:
     n_hints: int = 0
     setup_only: bool = False
     lesson_id: str | None = None
+    activity: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +39,7 @@ class Run:
         passed: True if the activity was passed; None without an activity.
         lesson_id: the lesson, or part of a joined one, in which it ran.
         world: its name, "own" for one that the group made.
+        told: what was said about a run that did not pass, without numbers; equal for equal mistakes.
         duration_s: robot time, which may be slower or faster than wall time.
     """
 
@@ -56,6 +58,7 @@ class Run:
     computer_id: str | None = None
     lesson_id: str | None = None
     world: str | None = None
+    told: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

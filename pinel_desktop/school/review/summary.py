@@ -1,15 +1,32 @@
 """What a teacher reads first of a lesson: how many groups have passed, who is stuck, what went wrong most often."""
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 from pinel_desktop.school.review.lesson import LessonReview
 from pinel_desktop.school.review.marks import is_failing
 from pinel_desktop.school.review.records import Run
 
+Need = Literal["help", "working", "passed"]
+
 _STUCK_AFTER = 3  # failing runs in a row
 _SHARED_BY = 2  # groups; what one group alone does wrong is not common
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """What most groups did wrong, of those things that at least two did.
+
+    Attributes:
+        run: the latest run with it.
+        is_told: True if it is what was said about the activity, False if it is the reason why the run failed.
+    """
+
+    run: str
+    n_groups: int
+    is_told: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,27 +36,27 @@ class Summary:
     Attributes:
         n_passed: groups that passed the activity; None if the lesson has none.
         stuck: names of the groups whose last runs, three or more, all failed or did not pass.
-        fault_run: a run that ended for the commonest reason, the latest one; None if groups share none.
-        n_with_fault: groups that had this reason.
+        needs: of each group by its id: "help" if it is stuck, "passed" if it passed the activity, else "working".
+        fault: None if groups share none.
     """
 
     n_groups: int
     n_passed: int | None
     stuck: tuple[str, ...]
-    fault_run: str | None
-    n_with_fault: int
+    needs: Mapping[str, Need]
+    fault: Fault | None
 
 
 def summary(review: LessonReview, activity: str | None) -> Summary:
     """The summary of a lesson; `activity` is the lesson's, None without one."""
     groups = {one.id: [mark.run for mark in one.marks if mark.run] for one in review.groups}
-    fault_run, n_with_fault = _commonest_fault(groups.values())
+    needs = {key: _need(runs, activity) for key, runs in groups.items()}
     return Summary(
         n_groups=len(review.groups),
         n_passed=sum(_passed(runs, activity) for runs in groups.values()) if activity else None,
-        stuck=tuple(one.name for one in review.groups if _is_stuck(groups[one.id])),
-        fault_run=fault_run,
-        n_with_fault=n_with_fault,
+        stuck=tuple(one.name for one in review.groups if needs[one.id] == "help"),
+        needs=needs,
+        fault=_commonest_fault(groups.values()),
     )
 
 
@@ -47,25 +64,40 @@ def _passed(runs: Iterable[Run], activity: str | None) -> bool:
     return any(run.passed and run.activity == activity for run in runs)
 
 
-def _is_stuck(runs: Sequence[Run]) -> bool:
-    """A run that was stopped by hand or goes on says nothing."""
+def _need(runs: Sequence[Run], activity: str | None) -> Need:
+    """A group that has passed and tries on at the same activity needs no help."""
+    has_passed = activity is not None and _passed(runs, activity)
+    last = _last_failing(runs)
+    tries_on = has_passed and any(run.activity == activity for run in last)
+    if len(last) == _STUCK_AFTER and not tries_on:
+        return "help"
+    return "passed" if has_passed else "working"
+
+
+def _last_failing(runs: Sequence[Run]) -> list[Run]:
+    """The failing runs among the last three that say something: not stopped by hand, and over."""
     told = [run for run in runs if is_failing(run) or run.state == "finished"]
-    last = told[-_STUCK_AFTER:]
-    return len(last) == _STUCK_AFTER and all(is_failing(run) for run in last)
+    return [run for run in told[-_STUCK_AFTER:] if is_failing(run)]
 
 
-def _commonest_fault(groups: Iterable[Sequence[Run]]) -> tuple[str | None, int]:
-    """The latest run with the reason that most groups had, and how many had it."""
-    latest: dict[str, Run] = {}
-    n_groups: Counter[str] = Counter()
+def _commonest_fault(groups: Iterable[Sequence[Run]]) -> Fault | None:
+    """What was said counts as well as the reason; of both in as many groups, the former is the more precise."""
+    latest: dict[tuple[bool, str], Run] = {}
+    n_groups: Counter[tuple[bool, str]] = Counter()
     for runs in groups:
-        failed = [run for run in runs if run.state == "failed" and run.reason]
-        n_groups.update({run.reason or "" for run in failed})
-        for run in failed:
-            reason = run.reason or ""
-            latest[reason] = max(run, latest.get(reason, run), key=lambda one: one.at)
+        found = [(fault, run) for run in runs for fault in _faults(run)]
+        n_groups.update({fault for fault, _ in found})
+        for fault, run in found:
+            latest[fault] = max(run, latest.get(fault, run), key=lambda one: one.at)
     if not n_groups:
-        return None, 0
-    reason = max(sorted(n_groups), key=lambda one: n_groups[one])
-    n = n_groups[reason]
-    return (latest[reason].id, n) if n >= _SHARED_BY else (None, 0)
+        return None
+    fault = max(sorted(n_groups), key=lambda one: (n_groups[one], one[0]))
+    n = n_groups[fault]
+    return Fault(latest[fault].id, n, is_told=fault[0]) if n >= _SHARED_BY else None
+
+
+def _faults(run: Run) -> Iterator[tuple[bool, str]]:
+    if run.told and is_failing(run):
+        yield True, run.told
+    if run.state == "failed" and run.reason:
+        yield False, run.reason

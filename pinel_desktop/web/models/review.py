@@ -50,7 +50,9 @@ class ReviewMark(Shape):
     run_id: Id | None
     state: Literal["running", "finished", "stopped", "failed"] | None
     reason: str | None
-    message: str | None
+    message: Annotated[
+        str | None, Field(description="why the run ended, or what its activity said about it")
+    ]
     activity: str | None
     passed: bool | None
     duration_s: float | None
@@ -77,13 +79,26 @@ class BlockCount(Shape):
     loose: int
 
 
+class OpenedHints(Shape):
+    """The hints of an activity that a group opened, in order; texts are missing for one of a later release."""
+
+    title: str
+    n: int
+    texts: list[str]
+
+
 class GroupReview(Shape):
-    """A group's marks in chronological order, its figures, and its blocks."""
+    """A group's marks in chronological order, its figures, blocks and hints, and whether it needs help."""
 
     group: GroupHead
+    need: Annotated[
+        Literal["help", "working", "passed"],
+        Field(description="`help` if the last three runs or more did not succeed"),
+    ]
     marks: list[ReviewMark]
     figures: Figures
     blocks: list[BlockCount]
+    hints: list[OpenedHints]
 
 
 class LessonSummary(Shape):
@@ -95,9 +110,14 @@ class LessonSummary(Shape):
         list[str], Field(description="groups whose last three runs or more did not succeed")
     ]
     fault: Annotated[
-        str | None, Field(description="message of the commonest error, if groups share one")
+        str | None,
+        Field(description="what was said about the commonest error, if groups share one"),
     ]
+    fault_run: Annotated[Id | None, Field(description="the latest run with it")]
     n_with_fault: Annotated[int, Field(description="groups that had this error")]
+    not_begun: Annotated[
+        list[str], Field(description="groups of the class without work in a lesson that is open")
+    ]
 
 
 class LessonReview(Shape):

@@ -1,6 +1,13 @@
 """The line that a teacher reads first."""
 
-from pinel_desktop.school.review import GroupReview, Run, review_group, review_lesson, summary
+from pinel_desktop.school.review import (
+    Fault,
+    GroupReview,
+    Run,
+    review_group,
+    review_lesson,
+    summary,
+)
 from tests.school.review.test_lesson import run, work
 
 PASSED = {"activity": "square", "passed": True}
@@ -27,7 +34,13 @@ def test_it_counts_who_passed_and_names_who_is_stuck_in_the_order_of_the_review(
     )
     found = summary(review, "square")
     assert (found.n_passed, found.n_groups, found.stuck) == (1, 4, ("Araras", "Tatus"))
-    assert (found.fault_run, found.n_with_fault) == ("r2", 3)
+    assert found.needs == {
+        "id of Araras": "help",
+        "id of Gatos": "working",
+        "id of Robos": "passed",
+        "id of Tatus": "help",
+    }
+    assert found.fault == Fault("r2", 3, is_told=False)
 
 
 def test_a_run_that_was_stopped_by_hand_says_nothing() -> None:
@@ -41,9 +54,28 @@ def test_a_run_that_was_stopped_by_hand_says_nothing() -> None:
 
 def test_what_only_one_group_did_wrong_is_not_common() -> None:
     review = review_lesson([group("Tatus", *(run(f"t{n}", "v", n, n, **HIT) for n in range(5)))])
-    assert summary(review, "square").fault_run is None
+    assert summary(review, "square").fault is None
+
+
+def test_what_was_said_about_the_activity_is_named_where_as_many_groups_heard_it() -> None:
+    looked = {**NOT_YET, "told": "square 2"}
+    shared = [
+        group("Tatus", run("t", "v", 0, 0, **looked), run("t2", "v", 1, 1, **HIT)),
+        group("Araras", run("a", "v", 0, 3, **looked), run("a2", "v", 1, 4, **HIT)),
+    ]
+    assert summary(review_lesson(shared), "square").fault == Fault("a", 2, is_told=True)
+    more = [*shared, group("Emas", run("e", "v", 0, 9, **HIT))]
+    assert summary(review_lesson(more), "square").fault == Fault("e", 3, is_told=False)
+
+
+def test_a_group_that_passed_needs_help_only_with_something_else() -> None:
+    passed = run("a", "v", 0, 0, **PASSED)
+    same = [run(f"s{n}", "v", n, n, **NOT_YET) for n in range(1, 4)]
+    other = [run(f"o{n}", "v", n, n, activity="maze", passed=False) for n in range(1, 4)]
+    review = review_lesson([group("Tatus", passed, *same), group("Araras", passed, *other)])
+    assert summary(review, "square").needs == {"id of Tatus": "passed", "id of Araras": "help"}
 
 
 def test_an_empty_lesson_has_an_empty_summary() -> None:
     found = summary(review_lesson([]), "square")
-    assert (found.n_groups, found.n_passed, found.stuck, found.fault_run) == (0, 0, (), None)
+    assert (found.n_groups, found.n_passed, found.stuck, found.fault) == (0, 0, (), None)

@@ -291,14 +291,16 @@ export const TEST = {
   lessonEmpty: "lesson-empty",
   lessonTime: "lesson-time", // of each; data-value: group | clock
   lessonSummary: "lesson-summary",
+  lessonStuck: "lesson-stuck", // of each group that needs help
   lessonTable: "lesson-table",
   lessonPrint: "lesson-print",
   lessonExplained: "lesson-explained",
-  reviewGroup: "review-group", // of each; data-name
+  reviewGroup: "review-group", // of each; data-name, data-need: help | working | passed
   reviewOpen: "review-open", // of each
   reviewMark: "review-mark", // of each; data-kind: edit | run, data-outcome, data-repairs: a run
   reviewFigure: "review-figure", // of each; data-name, data-value
   reviewDetail: "review-detail",
+  reviewHints: "review-hints",
   reviewRun: "review-run", // of each; data-outcome
   reviewRepair: "review-repair", // of each
   reviewRefresh: "review-refresh", // data-at: time of the data shown
@@ -314,6 +316,7 @@ export const TEST = {
   historyPlace: "history-place", // world and lesson, of each
   historyOlder: "history-older",
   historyEmpty: "history-empty",
+  compareHints: "compare-hints", // of each run
   compareChoose: "compare-choose", // of each; an input
   compareOpen: "compare-open",
   comparePage: "compare-page",

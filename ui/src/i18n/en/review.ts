@@ -7,7 +7,13 @@ export const review: typeof first = {
     activities: (n, names) => (n === 1 ? `Activity: ${names}` : `Activities: ${names}`),
     summary: "In short",
     passedBy: (n, all) => `Passed the activity: ${n} of ${all}`,
-    stuck: (names) => `In need of help: ${names}`,
+    stuck: "Need help:",
+    notBegun: (names) => `Have not begun: ${names}`,
+    needs: {
+      help: "Need help",
+      working: "Are at work",
+      passed: "Passed the activity",
+    },
     commonFault: (n, what) => `Commonest error (${n} groups): ${what}`,
     freeWork: "Free work",
     computers: (names) => `PCs: ${names}`,
@@ -32,7 +38,7 @@ export const review: typeof first = {
     printed: (date) => `Printed on ${date}`,
     counts: "What each number counts",
     noRanking:
-      "Groups are in alphabetical order. The numbers count what happened; they do not say who was better.",
+      "In each part groups are in alphabetical order. The numbers count what happened; they do not say who was better.",
   },
   refresh: {
     again: "Refresh",
@@ -96,6 +102,9 @@ export const review: typeof first = {
     close: (group) => `Hide the runs of ${group}`,
     runs: "Runs",
     noRuns: "This group did not press Run in this lesson.",
+    hints: "Hints read",
+    hintsRead: (n) =>
+      n === 0 ? "no hint read" : n === 1 ? "hint 1" : n === 2 ? "hints 1 and 2" : `hints 1 to ${n}`,
     blocks: "Blocks in use at the end of the lesson",
     noBlocks: "No block in the program.",
     blocksOf: (category, n) =>

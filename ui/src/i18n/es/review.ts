@@ -7,7 +7,13 @@ export const review: typeof first = {
     activities: (n, names) => (n === 1 ? `Actividad: ${names}` : `Actividades: ${names}`),
     summary: "En resumen",
     passedBy: (n, all) => `Cumplieron la actividad: ${n} de ${all}`,
-    stuck: (names) => `Necesitan ayuda: ${names}`,
+    stuck: "Necesitan ayuda:",
+    notBegun: (names) => `Aún no empezaron: ${names}`,
+    needs: {
+      help: "Necesitan ayuda",
+      working: "Están trabajando",
+      passed: "Cumplieron la actividad",
+    },
     commonFault: (n, what) => `Error más común (${n} grupos): ${what}`,
     freeWork: "Trabajo libre",
     computers: (names) => `Computadoras: ${names}`,
@@ -33,7 +39,7 @@ export const review: typeof first = {
     printed: (date) => `Impreso el ${date}`,
     counts: "Qué cuenta cada número",
     noRanking:
-      "Los grupos están en orden alfabético. Los números cuentan lo que pasó; no dicen quién fue mejor.",
+      "En cada parte los grupos están en orden alfabético. Los números cuentan lo que pasó; no dicen quién fue mejor.",
   },
   refresh: {
     again: "Actualizar",
@@ -97,6 +103,15 @@ export const review: typeof first = {
     close: (group) => `Ocultar los recorridos de ${group}`,
     runs: "Recorridos",
     noRuns: "Este grupo no presionó Ejecutar en esta clase.",
+    hints: "Pistas leídas",
+    hintsRead: (n) =>
+      n === 0
+        ? "ninguna pista leída"
+        : n === 1
+          ? "la pista 1"
+          : n === 2
+            ? "las pistas 1 y 2"
+            : `las pistas 1 a ${n}`,
     blocks: "Bloques en uso al final de la clase",
     noBlocks: "Ningún bloque en el programa.",
     blocksOf: (category, n) =>

@@ -7,7 +7,13 @@ export const review = {
       n === 1 ? `Atividade: ${names}` : `Atividades: ${names}`,
     summary: "Em resumo",
     passedBy: (n: number, all: number) => `Cumpriram a atividade: ${n} de ${all}`,
-    stuck: (names: string) => `Precisam de ajuda: ${names}`,
+    stuck: "Precisam de ajuda:",
+    notBegun: (names: string) => `Ainda não começaram: ${names}`,
+    needs: {
+      help: "Precisam de ajuda",
+      working: "Estão trabalhando",
+      passed: "Cumpriram a atividade",
+    },
     commonFault: (n: number, what: string) => `Erro mais comum (${n} grupos): ${what}`,
     freeWork: "Trabalho livre",
     computers: (names: string) => `Computadores: ${names}`,
@@ -33,7 +39,7 @@ export const review = {
     printed: (date: string) => `Impresso em ${date}`,
     counts: "O que cada número conta",
     noRanking:
-      "Os grupos estão em ordem alfabética. Os números contam o que aconteceu; não dizem quem foi melhor.",
+      "Em cada parte os grupos estão em ordem alfabética. Os números contam o que aconteceu; não dizem quem foi melhor.",
   },
   refresh: {
     again: "Atualizar",
@@ -98,6 +104,15 @@ export const review = {
     close: (group: string) => `Esconder as rodadas de ${group}`,
     runs: "Rodadas",
     noRuns: "Este grupo não apertou Rodar nesta aula.",
+    hints: "Dicas lidas",
+    hintsRead: (n: number): string =>
+      n === 0
+        ? "nenhuma dica lida"
+        : n === 1
+          ? "a dica 1"
+          : n === 2
+            ? "as dicas 1 e 2"
+            : `as dicas 1 a ${n}`,
     blocks: "Blocos em uso no fim da aula",
     noBlocks: "Nenhum bloco no programa.",
     blocksOf: (category: string, n: number) =>

@@ -1,3 +1,4 @@
+import { Lightbulb } from "lucide-preact";
 import type { Group } from "../../../api/model";
 import { language, texts } from "../../../i18n";
 import { duration } from "../../../i18n/format";
@@ -63,6 +64,20 @@ export function ComparedRun({ side, number, groups, together, blocks }: Compared
   );
 }
 
+/** Which hints of its activity were open when the program ran. */
+function HintsOpened({ side }: Pick<RunHeadProps, "side">) {
+  const setup = side.recording.run.version?.setup;
+  if (!setup?.activity) return null;
+  const words = texts.value.review.detail.hintsRead(setup.n_hints);
+  return (
+    <span class="compare__hints" title={words} data-testid={TEST.compareHints}>
+      <Lightbulb class="icon" aria-hidden="true" />
+      <span aria-hidden="true">{setup.n_hints}</span>
+      <span class="visually-hidden">{words}</span>
+    </span>
+  );
+}
+
 interface RunHeadProps {
   side: Side;
   group: Group | undefined;
@@ -89,6 +104,7 @@ function RunHead({ side, group, number, swatch }: RunHeadProps) {
         <OutcomeSign outcome={outcome} />
         {outcomes[outcome]}
         {took}
+        <HintsOpened side={side} />
       </span>
       {swatch && (
         <svg

@@ -1,5 +1,5 @@
 import { CircleQuestionMark } from "lucide-preact";
-import type { Figures } from "../../../api/model";
+import type { Figures, OpenedHints } from "../../../api/model";
 import { language, texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
 import { rove } from "../../../kit/roving";
@@ -22,16 +22,22 @@ export const FIGURES: readonly FigureName[] = [
 interface FigureRowProps {
   group: string;
   figures: Figures;
+  hints: readonly OpenedHints[];
 }
 
 /** The figures of a group, each with a tooltip that explains it. */
-export function FigureRow({ group, figures }: FigureRowProps) {
+export function FigureRow({ group, figures, hints }: FigureRowProps) {
   const say = texts.value.review.figures;
   return (
     <ul class="figures" aria-label={say.label(group)} onKeyDown={rove}>
       {FIGURES.map((name, index) => (
         <li key={name}>
-          <Figure name={name} value={figures[name]} first={index === 0} />
+          <Figure
+            name={name}
+            value={figures[name]}
+            first={index === 0}
+            more={name === "n_hints" ? hintLines(hints) : []}
+          />
         </li>
       ))}
     </ul>
@@ -42,16 +48,18 @@ interface FigureProps {
   name: FigureName;
   value: number | null;
   first: boolean;
+  /** Lines of its tooltip that say what was counted. */
+  more: readonly string[];
 }
 
-function Figure({ name, value, first }: FigureProps) {
+function Figure({ name, value, first, more }: FigureProps) {
   const say = texts.value.review.figures;
   const shown = value === null ? say.unknown : inWords(name, value);
   const unit = say[name](value ?? 0);
   const show = (event: { currentTarget: HTMLElement }) =>
     showTip(event.currentTarget, () => {
       const { message, remedy } = figureWords(name);
-      return { title: message, lines: [remedy] };
+      return { title: message, lines: [...more, remedy] };
     });
   return (
     <Button
@@ -73,6 +81,12 @@ function Figure({ name, value, first }: FigureProps) {
       <CircleQuestionMark class="icon figure__ask" aria-hidden="true" />
     </Button>
   );
+}
+
+/** Which hints of each activity were opened. */
+function hintLines(hints: readonly OpenedHints[]): string[] {
+  const { detail } = texts.value.review;
+  return hints.map(({ title, n }) => `${title}: ${detail.hintsRead(n)}.`);
 }
 
 function inWords(name: FigureName, value: number): string {

@@ -3,6 +3,7 @@ import { texts } from "../../../i18n";
 import { TEST } from "../../../shell/testids";
 import type { MarkBook } from "../marks/mark_words";
 import { BlockChips } from "./BlockChips";
+import { HintsRead } from "./HintsRead";
 import { RunLine } from "./RunLine";
 
 interface GroupDetailProps {
@@ -26,6 +27,7 @@ export function GroupDetail({ review, book }: GroupDetailProps) {
         </ol>
       </div>
       <div class="detail__blocks">
+        <HintsRead hints={review.hints} />
         <h2 class="detail__title">{detail.blocks}</h2>
         <BlockChips blocks={review.blocks} />
       </div>

@@ -1,6 +1,7 @@
 import { useSignal } from "@preact/signals";
 import { useLayoutEffect, useMemo, useRef } from "preact/hooks";
 import type { LessonReview } from "../../../api/model";
+import { texts } from "../../../i18n";
 import { daysOf } from "../days";
 import { linesOf } from "../timeline/lines";
 import { GroupRow } from "./GroupRow";
@@ -15,6 +16,9 @@ interface GroupListProps {
   place: LessonPlace;
 }
 
+/** Parts of the list, by what groups need; within a part they are in the order of their names. */
+const NEEDS = ["help", "working", "passed"] as const;
+
 /** The groups of a lesson, with timelines of the width of the screen or the printed page. */
 export function GroupList({ review: { groups }, place: { timeOf, open } }: GroupListProps) {
   const { list, width } = useLineWidth();
@@ -28,30 +32,39 @@ export function GroupList({ review: { groups }, place: { timeOf, open } }: Group
     if (!next.delete(id)) next.add(id);
     open.value = next;
   };
+  const rows = groups.map((review, index) => {
+    const layout = lines[index];
+    return (
+      layout && (
+        <GroupRow
+          key={review.group.id}
+          review={review}
+          layout={layout}
+          withDays={withDays}
+          open={open.value.has(review.group.id)}
+          onToggle={() => toggle(review.group.id)}
+        />
+      )
+    );
+  });
+  const parts = NEEDS.filter((need) => groups.some((one) => one.need === need));
   return (
-    <ol class="lesson__groups" ref={list} data-time={timeOf.value}>
-      {groups.map((review, index) => {
-        const line = lines[index];
-        return (
-          line && (
-            <GroupRow
-              key={review.group.id}
-              review={review}
-              layout={line}
-              withDays={withDays}
-              open={open.value.has(review.group.id)}
-              onToggle={() => toggle(review.group.id)}
-            />
-          )
-        );
-      })}
-    </ol>
+    <div class="lesson__parts" ref={list} data-time={timeOf.value}>
+      {parts.map((need) => (
+        <section key={need} data-need={need}>
+          {parts.length > 1 && (
+            <h2 class="lesson__need">{texts.value.review.lesson.needs[need]}</h2>
+          )}
+          <ol class="lesson__groups">{rows.filter((_, index) => groups[index]?.need === need)}</ol>
+        </section>
+      ))}
+    </div>
   );
 }
 
 /** Width of a timeline in pixels; measured again on resize and for printing. */
 function useLineWidth() {
-  const list = useRef<HTMLOListElement>(null);
+  const list = useRef<HTMLDivElement>(null);
   const width = useSignal(0);
   useLayoutEffect(() => {
     const element = list.current;

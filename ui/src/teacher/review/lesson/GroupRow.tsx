@@ -21,17 +21,22 @@ interface GroupRowProps {
   onToggle(): void;
 }
 
+/** The element of a group's row, if it is shown. */
+export const rowOf = (group: string) => document.getElementById(`group-${group}`);
+
 /** A group: its name, timeline and figures; when opened, its runs as text. */
 export function GroupRow({ review, layout, withDays, open, onToggle }: GroupRowProps) {
-  const { group, marks, figures, blocks } = review;
+  const { group, marks, figures, blocks, hints } = review;
   const { lesson, detail } = texts.value.review;
   const book = useMemo(() => new MarkBook(marks, withDays), [marks, withDays]);
   return (
     <li
+      id={`group-${group.id}`}
       class="group-row tinted"
       style={{ "--group": group.color }}
       data-testid={TEST.reviewGroup}
       data-name={group.name}
+      data-need={review.need}
     >
       <div class="group-row__who">
         <Button
@@ -56,7 +61,7 @@ export function GroupRow({ review, layout, withDays, open, onToggle }: GroupRowP
             <Line group={group.name} book={book} layout={layout} />
           </div>
         )}
-        <FigureRow group={group.name} figures={figures} />
+        <FigureRow group={group.name} figures={figures} hints={hints} />
       </div>
       {open && <GroupDetail review={review} book={book} />}
     </li>

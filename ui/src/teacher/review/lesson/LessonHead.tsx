@@ -14,30 +14,32 @@ import { TEST } from "../../../shell/testids";
 import { BackToLessons } from "../BackToLessons";
 import { daysInWords, daysOf } from "../days";
 import type { TimeOf } from "../timeline/lines";
+import { LessonSummary } from "./LessonSummary";
+import type { LessonPlace } from "./lesson_place";
 import type { LessonPage } from "./load_lesson";
 import { canPrint, printPage } from "./printing";
 
 interface LessonHeadProps {
   page: LessonPage;
-  timeOf: Signal<TimeOf>;
+  place: LessonPlace;
   refresh: ComponentChildren;
 }
 
 /** Title, time and activities of a lesson, with its actions. */
-export function LessonHead({ page, timeOf, refresh }: LessonHeadProps) {
+export function LessonHead({ page, place, refresh }: LessonHeadProps) {
   const { review } = page;
   return (
     <>
       <div class="review-head lesson__head">
         <BackToLessons />
         <Title page={page} />
-        {review.groups.length > 0 && <Tools review={review} timeOf={timeOf} />}
+        {review.groups.length > 0 && <Tools review={review} timeOf={place.timeOf} />}
       </div>
       <div class="lesson__about">
         <p class="lesson__facts">{factsOf(page).join(" · ")}</p>
         {refresh}
       </div>
-      <Summary review={review} />
+      <LessonSummary review={review} place={place} />
     </>
   );
 }
@@ -49,26 +51,6 @@ function Title({ page: { review, classroom } }: Pick<LessonHeadProps, "page">) {
     <h1 title={lesson.title}>
       <span class="lesson__class">{classroom ?? say.noClass}</span> · {say.title(lesson.title)}
     </h1>
-  );
-}
-
-/** Where the teacher should go first; groups are not ranked. */
-function Summary({ review: { summary } }: { review: LessonReview }) {
-  const say = texts.value.review.lesson;
-  const { n_passed, n_groups, stuck, fault, n_with_fault } = summary;
-  if (n_groups === 0) return null;
-  const lines = [
-    n_passed !== null && say.passedBy(n_passed, n_groups),
-    stuck.length > 0 && say.stuck(inList(stuck)),
-    fault && say.commonFault(n_with_fault, fault),
-  ].filter(Boolean);
-  if (lines.length === 0) return null;
-  return (
-    <ul class="lesson__summary" aria-label={say.summary} data-testid={TEST.lessonSummary}>
-      {lines.map((line) => (
-        <li key={line}>{line}</li>
-      ))}
-    </ul>
   );
 }
 
@@ -129,7 +111,7 @@ async function saveTable({ lesson }: LessonReview): Promise<void> {
   saveFile(`${fileName(lesson.title, texts.value.review.lesson.fileName)}.csv`, table);
 }
 
-function TimeChoice({ timeOf }: Pick<LessonHeadProps, "timeOf">) {
+function TimeChoice({ timeOf }: Pick<ToolsProps, "timeOf">) {
   const { lesson: say } = texts.value.review;
   return (
     <Choice<TimeOf>

@@ -55,7 +55,7 @@ function Lesson({ page, refresh }: LessonProps) {
   const hasRuns = groups.some(({ figures }) => figures.n_runs > 0);
   return (
     <main class="screen lesson" ref={main} data-testid={TEST.lessonPage}>
-      <LessonHead page={page} timeOf={place.timeOf} refresh={refresh} />
+      <LessonHead page={page} place={place} refresh={refresh} />
       {groups.length === 0 ? (
         <EmptyList title={say.emptyTitle} text={say.empty} testId={TEST.lessonEmpty} />
       ) : (

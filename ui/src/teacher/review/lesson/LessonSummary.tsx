@@ -1,0 +1,75 @@
+import { Play } from "lucide-preact";
+import type { GroupReview, LessonReview } from "../../../api/model";
+import { language, texts } from "../../../i18n";
+import { Button } from "../../../kit/Button";
+import { LinkButton } from "../../../kit/LinkButton";
+import { hashOf } from "../../../shell/route";
+import { TEST } from "../../../shell/testids";
+import { rowOf } from "./GroupRow";
+import type { LessonPlace } from "./lesson_place";
+
+interface LessonSummaryProps {
+  review: LessonReview;
+  place: LessonPlace;
+}
+
+/** Where the teacher should go first; groups are not ranked. */
+export function LessonSummary({ review: { summary, groups }, place }: LessonSummaryProps) {
+  const say = texts.value.review.lesson;
+  const { n_passed, n_groups, fault, fault_run, n_with_fault, not_begun } = summary;
+  const stuck = groups.filter(({ need }) => need === "help");
+  if (n_passed === null && stuck.length === 0 && !fault && not_begun.length === 0) return null;
+  return (
+    <ul class="lesson__summary" aria-label={say.summary} data-testid={TEST.lessonSummary}>
+      {n_passed !== null && n_groups > 0 && (
+        <li class="lesson__passed">{say.passedBy(n_passed, n_groups)}</li>
+      )}
+      {stuck.length > 0 && (
+        <li class="lesson__stuck">
+          <span>{say.stuck}</span>
+          {stuck.map((one) => (
+            <StuckGroup key={one.group.id} review={one} place={place} />
+          ))}
+        </li>
+      )}
+      {not_begun.length > 0 && <li>{say.notBegun(inList(not_begun))}</li>}
+      {fault && (
+        <li class="lesson__fault">
+          <span>{say.commonFault(n_with_fault, fault)}</span>
+          {fault_run && (
+            <LinkButton icon={Play} href={hashOf({ screen: "replay", run: fault_run })}>
+              {texts.value.review.detail.replay}
+            </LinkButton>
+          )}
+        </li>
+      )}
+    </ul>
+  );
+}
+
+interface StuckGroupProps {
+  review: GroupReview;
+  place: LessonPlace;
+}
+
+/** The name of a group that needs help; shows its runs. */
+function StuckGroup({ review: { group }, place: { open } }: StuckGroupProps) {
+  const show = () => {
+    open.value = new Set([...open.value, group.id]);
+    rowOf(group.id)?.querySelector("button")?.focus();
+  };
+  return (
+    <Button
+      class="tinted"
+      style={{ "--group": group.color }}
+      tip={texts.value.review.detail.open(group.name)}
+      testId={TEST.lessonStuck}
+      onPress={show}
+    >
+      {group.name}
+    </Button>
+  );
+}
+
+const inList = (names: readonly string[]) =>
+  new Intl.ListFormat(language.value, { type: "conjunction" }).format(names);
