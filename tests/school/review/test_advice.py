@@ -25,7 +25,10 @@ def test_the_first_diagnosis_is_taken_before_the_words_of_a_check() -> None:
 def test_equal_mistakes_have_one_key_whatever_was_measured() -> None:
     (near, far) = (kept_advice(kept(said(f"parou a {cm} cm"))) for cm in (12, 30))
     (other, same) = (kept_advice(kept(said(text, 2))) for text in ("a", "b"))
-    assert near and far and other and same
+    assert near is not None
+    assert far is not None
+    assert other is not None
+    assert same is not None
     assert near.mistake("square") == far.mistake("square") != near.mistake("maze")
     assert other.mistake("square") == same.mistake("square")
 
