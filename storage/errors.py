@@ -30,7 +30,8 @@ class StoreError(Exception):
     `group_not_found`, `program_not_found`, `version_not_found`, `run_not_found`, `classroom_not_found`,
     `lesson_not_found`, `note_not_found`, `taught_sign_not_found`; `group_exists`, `classroom_exists`, `name_empty`,
     `name_too_long`, `note_empty`, `note_too_long`, `color_unknown`, `picture_unknown`, `lesson_not_joinable`,
-    `sign_name_wrong`, `sign_taught_enough`, `signs_too_many`, `work_unreadable`.
+    `sign_name_wrong`, `sign_taught_enough`, `signs_too_many`, `own_activity_not_found`, `own_activities_too_many`,
+    `bundle_not_lesson`, `lesson_without_class`, `work_unreadable`.
     """
 
     def __init__(self, code: str, **params: object) -> None:

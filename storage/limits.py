@@ -18,4 +18,5 @@ MAX_TAUGHT_SAMPLES = 20  # of one sign of a class: hands at rest, and as many mo
 MAX_TAUGHT_SIGNS = 60  # of a class that count; it does not record more
 # of a hand, as the application's gestures/features.py computes them; a movement (gestures/movements.py) has as many
 N_FEATURES = 1748
+MAX_OWN_ACTIVITIES = 200  # of a school that can be chosen
 MAX_SAMPLES = 200_000  # in a chunk of telemetry, and in all of a run: an hour has 108,000

@@ -75,6 +75,18 @@ class NoteRow:
 
 
 @dataclass(frozen=True, slots=True)
+class OwnActivityRow:
+    """An activity that a teacher made; `document` and `goal` as pinel_desktop/activities reads and writes them."""
+
+    id: str
+    title: str
+    document: Json
+    goal: Json
+    created_at: str
+    deleted_at: str | None
+
+
+@dataclass(frozen=True, slots=True)
 class SignSamples:
     """A sign that a class taught.
 

@@ -17,12 +17,14 @@ from storage.runs.runs import Batch, Runs, close_runs, write_batch
 from storage.sql import Stop, exists
 from storage.tables.migrations import migrate
 from storage.text import new_id, utc_now
+from storage.work.class_presets import ClassPresets
 from storage.work.classrooms import Classrooms
 from storage.work.computers import Computers
 from storage.work.groups import Groups
 from storage.work.lesson_records import LessonRecords
 from storage.work.lessons import Lessons
 from storage.work.notes import Notes
+from storage.work.own_activities import OwnActivities
 from storage.work.programs import Programs
 from storage.work.settings import Settings
 from storage.work.taught_signs import TaughtSigns
@@ -48,6 +50,8 @@ class Store:
         self.notice = notice
         self.computers = Computers(database)
         self.classrooms = Classrooms(database)
+        self.class_presets = ClassPresets(database)
+        self.own_activities = OwnActivities(database)
         self.groups = Groups(database)
         self.lessons = Lessons(database)
         self.taught_signs = TaughtSigns(database)

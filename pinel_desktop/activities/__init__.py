@@ -19,12 +19,14 @@ from pinel_desktop.activities.examples import (
 )
 from pinel_desktop.activities.faults import ActivityError, world_of
 from pinel_desktop.activities.goals import Goal, goal_of, shipped_goal
+from pinel_desktop.activities.making import Sample, Trial, sample_of, trials
 from pinel_desktop.activities.model import Activity
 from pinel_desktop.activities.reading import (
     PATHS,
     activity_names,
     activity_titles,
     choose_activity,
+    read_activity,
     shipped_activity,
     shipped_texts,
     solution_of,
@@ -45,6 +47,8 @@ __all__ = [
     "RecordedRun",
     "Report",
     "RunLog",
+    "Sample",
+    "Trial",
     "activity_names",
     "activity_titles",
     "case_of_run",
@@ -56,10 +60,13 @@ __all__ = [
     "goal_of",
     "judge_run",
     "program_of_example",
+    "read_activity",
+    "sample_of",
     "shipped_activity",
     "shipped_goal",
     "shipped_texts",
     "solution_of",
+    "trials",
     "world_of",
     "world_title",
     "world_titles",

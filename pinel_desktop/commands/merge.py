@@ -35,9 +35,14 @@ class _Outcome:
     is_flag=True,
     help="Also delete here, permanently, what was deleted on the PCs of the files.",
 )
+@click.option(
+    "--open-lesson", is_flag=True, help="Also open here the lesson of a lesson file, on this PC."
+)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @click.pass_context
-def command(ctx: click.Context, files: tuple[Path, ...], delete: bool, as_json: bool) -> None:
+def command(
+    ctx: click.Context, files: tuple[Path, ...], delete: bool, open_lesson: bool, as_json: bool
+) -> None:
     """Merge the work of other PCs. FILES are files written by `pinel export`, or folders of such files.
 
     The order does not matter, and merging a file again changes nothing. Exit status: 0, or 2 if a file was refused;
@@ -47,8 +52,9 @@ def command(ctx: click.Context, files: tuple[Path, ...], delete: bool, as_json: 
         outcomes = []
         for file in _all(files):
             outcomes.append(_merged(store, file, delete=delete))
+            lesson = _opened(store, outcomes[-1]) if open_lesson else None
             if not as_json:
-                click.echo(_as_text(outcomes[-1]))
+                click.echo("\n".join(filter(None, (_as_text(outcomes[-1]), lesson))))
         found = store.exchange.content_hash()
     click.echo(
         json.dumps(_as_object(outcomes, found), ensure_ascii=False)
@@ -72,6 +78,14 @@ def _merged(store: Store, file: Path, *, delete: bool) -> _Outcome:
         return _Outcome(file, store.exchange.merge(file, delete=delete), None)
     except StoreError as error:
         return _Outcome(file, None, error)
+
+
+def _opened(store: Store, outcome: _Outcome) -> str | None:
+    """Opens the lesson of a lesson file; says so."""
+    if outcome.report is None or outcome.report.info.lesson_id is None:
+        return None
+    title = store.lessons.resume(outcome.report.info.lesson_id).title
+    return describe("lesson_file_opened", {"title": title}, language_of_system()).message
 
 
 def _as_text(outcome: _Outcome) -> str:

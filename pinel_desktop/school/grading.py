@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.app_events import Judged
 from pinel_desktop.messages import describe
+from pinel_desktop.school.own_activities import known_activity
 from storage import RunRow, Store, StoreError
 
 if TYPE_CHECKING:
@@ -100,10 +101,9 @@ class Grader:
             return self._judge.judge(question)
 
     def _question(self, run: RunRow) -> "Question":
-        from pinel_desktop.activities import shipped_activity  # noqa: PLC0415 - heavy
-        from pinel_desktop.judge.messages import Question  # noqa: PLC0415
+        from pinel_desktop.judge.messages import Question  # noqa: PLC0415 - heavy
 
-        activity = shipped_activity(run.activity or "")
+        activity = known_activity(self._store, run.activity or "")
         document = self._store.versions.get(run.version_id).document if run.version_id else None
         return Question(
             activity=activity.model_dump(mode="json"),

@@ -35,6 +35,14 @@ class InvalidWorldError(PinelError):
         self.faults = faults
 
 
+class InvalidActivityError(PinelError):
+    """An activity that no program could pass, or that is no activity."""
+
+    def __init__(self, faults: list[Fault]) -> None:
+        super().__init__("invalid_activity", count=len(faults))
+        self.faults = faults
+
+
 def install(app: OpenAPI) -> None:
     """Registers the error handlers."""
     app.register_error_handler(PinelError, _known)

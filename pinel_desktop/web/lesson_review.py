@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from pinel_desktop.messages import describe
+from pinel_desktop.school.own_activities import all_titles
 from pinel_desktop.school.review import (
     BlocksInUse,
     Edit,
@@ -34,20 +35,24 @@ class ReadLesson:
 
     Attributes:
         activity: of all its parts; None without one, or if they differ.
+        differing: titles of the activities of its parts, if these have several.
         parts: titles of the lesson and of those joined to it, by their key.
         reasons: messages why runs ended, by run id.
         told: what activities said about runs that did not pass, by run id.
         not_begun: names of the groups of the class without work in the lesson; empty where it is over.
+        titles: of activities, by name.
     """
 
     lesson: LessonRow
     lines: LessonLines
     review: LessonReview
     activity: str | None
+    differing: list[str]
     parts: dict[str, str]
     reasons: dict[str, str]
     told: dict[str, str]
     not_begun: list[str]
+    titles: dict[str, str]
     language: str
 
     def model(self) -> shapes.LessonReview:
@@ -80,13 +85,13 @@ class ReadLesson:
             fault_run=fault.run if fault else None,
             n_with_fault=fault.n_groups if fault else 0,
             not_begun=self.not_begun,
+            differing=self.differing,
         )
 
     def table(self) -> str:
         """The marks as CSV text."""
-        return mark_table(
-            self.review, self.lines.computers, self.parts, self.reasons, self.language
-        )
+        computers, titles = self.lines.computers, self.titles
+        return mark_table(self.review, computers, self.parts, self.reasons, titles, self.language)
 
 
 def read_lesson(lesson_id: str, parts: Services) -> ReadLesson:
@@ -99,7 +104,9 @@ def read_lesson(lesson_id: str, parts: Services) -> ReadLesson:
     lesson = store.lessons.get(lesson_id)
     parts_of_it = [store.lessons.get(one) for one in store.lessons.parts(lesson_id)]
     lines = store.lesson_records.of([one.id for one in parts_of_it])
-    activity = _one_activity(parts_of_it)
+    titles = all_titles(store, language)
+    named = _activities(parts_of_it)
+    activity = named[0] if len(named) == 1 else None
     groups: list[GroupReview] = []
     for group in lines.groups:
         work = _work(group, lines.work[group.id])
@@ -110,18 +117,19 @@ def read_lesson(lesson_id: str, parts: Services) -> ReadLesson:
         lines=lines,
         review=review_lesson(groups),
         activity=activity,
+        differing=[titles.get(name, name) for name in named] if len(named) > 1 else [],
         parts={one.id: one.title for one in parts_of_it},
         reasons=_reasons(lines, language),
         told=_told(lines, language),
         not_begun=_not_begun(store, lesson, lines),
+        titles=titles,
         language=language,
     )
 
 
-def _one_activity(lessons: list[LessonRow]) -> str | None:
-    """The common activity of all joined lessons; None if they differ or have none."""
-    named = {one.activity for one in lessons} - {None, ""}
-    return named.pop() if len(named) == 1 else None
+def _activities(lessons: list[LessonRow]) -> list[str]:
+    """Names of the activities of joined lessons, each once."""
+    return list(dict.fromkeys(one.activity for one in lessons if one.activity))
 
 
 def _work(group: GroupLine, lines: GroupLines) -> GroupWork:

@@ -35,6 +35,7 @@ def mark_table(
     computers: Mapping[str, str],
     lessons: Mapping[str, str],
     reasons: Mapping[str, str],
+    titles: Mapping[str, str],
     language: str,
 ) -> str:
     """CSV with one row for each mark of each group.
@@ -43,11 +44,11 @@ def mark_table(
         computers: names of PCs by their key.
         lessons: titles of the lesson and of those joined to it, by their key.
         reasons: messages why runs ended, by run id.
+        titles: of activities, by name.
     """
 
-    from pinel_desktop.activities import activity_titles, world_titles  # noqa: PLC0415 - heavy
+    from pinel_desktop.activities import world_titles  # noqa: PLC0415 - heavy
 
-    titles = activity_titles(language)
     own = describe("review_own_world", {}, language).message
     worlds = world_titles(language) | {"own": own}
 

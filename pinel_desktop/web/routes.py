@@ -35,6 +35,7 @@ from pinel_desktop.web.api import (
     versions,
     worlds,
 )
+from pinel_desktop.web.api.preparing import lesson_files, own_activities
 from pinel_desktop.web.errors import invalid_request
 from pinel_desktop.web.models.errors import ErrorAnswer
 
@@ -44,6 +45,7 @@ _RESOURCES = (
     classrooms,
     groups,
     activities,
+    own_activities,
     programs,
     versions,
     runs,
@@ -51,6 +53,7 @@ _RESOURCES = (
     review,
     notes,
     exchange,
+    lesson_files,
     removal,
     python,
     worlds,

@@ -15,6 +15,12 @@ def require_teacher() -> None:
         raise PinelError("teacher_only")
 
 
+def require_teacher_if_there_is_one() -> None:
+    """Raises PinelError `teacher_only` outside of a teacher's session; a PC without a PIN has no teacher yet."""
+    if services().teacher.has_pin and not is_teacher():
+        raise PinelError("teacher_only")
+
+
 def is_teacher() -> bool:
     """True if the request belongs to a teacher's session."""
     return services().teacher.is_signed_in(request.cookies.get(_cookie()))

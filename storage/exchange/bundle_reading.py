@@ -19,7 +19,13 @@ from typing import Any
 
 from storage.errors import StoreError
 from storage.exchange.bundle_rules import problem_in_rows
-from storage.exchange.bundle_writing import BUNDLE_TABLE, FORMAT, BundleInfo, counts_of
+from storage.exchange.bundle_writing import (
+    BUNDLE_TABLE,
+    FORMAT,
+    LESSON_FILE,
+    BundleInfo,
+    counts_of,
+)
 from storage.exchange.content_hash import content_hash
 from storage.limits import MAX_VALUE
 from storage.sql import address, column_names, damage, opened
@@ -88,6 +94,16 @@ def says_anonymous(path: Path, size_bytes: int, modified_s: float) -> bool:
         return _said_anonymous(path, size_bytes, modified_s)
     except (sqlite3.Error, UnicodeDecodeError):  # asked again next time: a stick may be busy
         return False
+
+
+def prepares_lesson(path: Path) -> bool:
+    """Whether the file says that it prepares a PC for a lesson; False of what cannot be read."""
+    try:
+        with path.open("rb") as file:
+            head = file.read(_HEADER)
+    except OSError:
+        return False
+    return head.startswith(_MAGIC) and int.from_bytes(head[68:72], "big") == LESSON_FILE
 
 
 @lru_cache(maxsize=_BUNDLES_SEEN)
@@ -203,7 +219,15 @@ def _described(db: sqlite3.Connection, path: Path) -> BundleInfo:
         raise StoreError("bundle_hostile", path=str(path), problem="bundle.counts")
     del values["format"]
     values |= {"counts": loaded(values["counts"]), "anonymous": bool(values["anonymous"])}
-    return BundleInfo(path, **values)
+    return BundleInfo(path, **values, lesson_id=_lesson_of(db))
+
+
+def _lesson_of(db: sqlite3.Connection) -> str | None:
+    """The lesson that the file prepares a PC for; the one that it was joined to is in the file too."""
+    if db.execute("PRAGMA application_id").fetchone()[0] != LESSON_FILE:
+        return None
+    found = db.execute("SELECT id FROM lessons ORDER BY part_of IS NULL, id LIMIT 1").fetchone()
+    return found and str(found[0])
 
 
 def _are_counts(value: dict[str, Any]) -> bool:

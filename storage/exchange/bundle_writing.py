@@ -28,6 +28,7 @@ _log = logging.getLogger(__name__)
 
 FORMAT = 1
 SUFFIX = ".pinel"
+LESSON_FILE = 0x504E4C41  # SQLite's application_id of a bundle that prepares a PC for a lesson; 0 for other bundles
 BUNDLE_TABLE = """CREATE TABLE bundle (
     format INTEGER NOT NULL,
     app_version TEXT NOT NULL,
@@ -49,6 +50,7 @@ class BundleInfo:
         content_hash: `content_hash.content_hash` of what it holds, as the release that wrote it counts it.
         counts: rows by table.
         anonymous: names and texts were left out.
+        lesson_id: the lesson that the file prepares a PC for; None for a file of work.
         left_out: of one just written, `table.column key` of rows that other PCs would refuse.
     """
 
@@ -60,6 +62,7 @@ class BundleInfo:
     content_hash: str
     counts: dict[str, int]
     anonymous: bool
+    lesson_id: str | None = None
     left_out: tuple[str, ...] = ()
 
 
@@ -82,8 +85,8 @@ def export_bundle(
         is_noted: whether the file is noted in `exports`; not one that is sent to a browser or deleted at once.
 
     Raises:
-        StoreError: `classroom_not_found`, `group_not_found`, `program_not_found`; `export_failed` or `disk_full`
-            where nothing could be written.
+        StoreError: `classroom_not_found`, `group_not_found`, `program_not_found`, `lesson_not_found`; `export_failed`
+            or `disk_full` where nothing could be written.
     """
     with database.reading() as db:
         scope.require(db)
@@ -105,6 +108,7 @@ def export_bundle(
                 content_hash(db),
                 counts_of(db),
                 alter is not None,
+                scope.lesson_id,
                 left_out,
             )
             _describe(db, info)
@@ -198,6 +202,8 @@ def _describe(db: sqlite3.Connection, info: BundleInfo) -> None:
         "anonymous": int(info.anonymous),
     }
     insert(db, "bundle", row)
+    if info.lesson_id is not None:
+        db.execute(f"PRAGMA application_id = {LESSON_FILE}")
     db.execute("PRAGMA journal_mode = DELETE")
 
 

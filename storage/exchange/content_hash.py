@@ -10,7 +10,7 @@ import json
 import sqlite3
 from collections.abc import Iterator
 
-from storage.sql import column_names, snapshot, tuples
+from storage.sql import column_names, row_count, snapshot, tuples
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import REPLICATED
 
@@ -21,13 +21,16 @@ def content_hash(db: sqlite3.Connection, schema: str = "main") -> str:
     """SHA-256, in hex, of every replicated row, in the order of the tables and of their keys.
 
     Of each table first a JSON array of its name and its columns, then each row as a JSON array, each followed by a
-    line feed; in place of a blob stands its length, and the blob follows the line feed. docs/bundles.md says more.
+    line feed; in place of a blob stands its length, and the blob follows the line feed. Tables that later releases
+    added are left out while they are empty. docs/bundles.md says more.
     """
     digest = hashlib.sha256()
     with snapshot(db):
         for table in REPLICATED:
             names = column_names(db, table.name, schema)
             if not names:  # a table that the release which wrote the file did not have
+                continue
+            if not table.counts_empty and not row_count(db, f"{schema}.{table.name}"):
                 continue
             digest.update(f"{_encode([table.name, *names])}\n".encode())
             for octets in _encoded_rows(db, table, names, schema):

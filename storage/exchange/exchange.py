@@ -10,6 +10,7 @@ from storage.exchange.anonymising import anonymising
 from storage.exchange.bundle_writing import BundleInfo, export_bundle, note_export
 from storage.exchange.content_hash import content_hash
 from storage.exchange.deletion import Deletion, checkpoint, remove, remove_keys, tombstones
+from storage.exchange.lesson_merging import merge_lesson
 from storage.exchange.merging import KnownComputer, MergeReport, known_computers, merge
 from storage.exchange.parquet import write_parquet
 from storage.exchange.program_merging import merge_program
@@ -95,6 +96,10 @@ class Exchange:
     def merge_program(self, path: Path) -> tuple[MergeReport, str]:
         """Adds what is new of one program; see `program_merging.merge_program`."""
         return merge_program(self._database, path)
+
+    def merge_lesson(self, path: Path) -> tuple[MergeReport, str]:
+        """Adds what a PC needs for a lesson; see `lesson_merging.merge_lesson`."""
+        return merge_lesson(self._database, path)
 
     def known_computers(self) -> list[KnownComputer]:
         """PCs whose bundles were merged, the latest first."""

@@ -100,7 +100,7 @@ def merge(database: Database, path: Path, *, delete: bool = False) -> MergeRepor
     """
     with open_bundle(path) as bundle:
         return database.write(
-            lambda db: _merge_attached(db, bundle.info, database.now(), delete=delete),
+            lambda db: merge_attached(db, bundle.info, database.now(), delete=delete),
             attached=bundle.address,
         )
 
@@ -147,7 +147,7 @@ def some(counts: dict[str, int]) -> dict[str, int]:
     return {table: n for table, n in counts.items() if n > 0}
 
 
-def _merge_attached(
+def merge_attached(
     db: sqlite3.Connection, info: BundleInfo, now: str, *, delete: bool
 ) -> MergeReport:
     """The same with the bundle attached as the schema `bundle`, within the caller's transaction."""

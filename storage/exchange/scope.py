@@ -1,4 +1,4 @@
-"""What of a store goes into a bundle: all, or one class, group or program with what belongs to it."""
+"""What of a store goes into a bundle: all, one class, group or program with what belongs to it, or a lesson to open."""
 
 import sqlite3
 from collections.abc import Iterator
@@ -8,20 +8,37 @@ from storage.sql import require
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import COMPUTERS, REPLICATED, TOMBSTONES
 from storage.tables.runs import RUNS
-from storage.tables.work import CLASSROOMS, GROUPS, LESSONS, PROGRAMS, TAUGHT_SIGNS
+from storage.tables.work import (
+    CLASS_PRESETS,
+    CLASSROOMS,
+    GROUPS,
+    LESSONS,
+    OWN_ACTIVITIES,
+    PROGRAMS,
+    TAUGHT_SIGNS,
+)
 
 # copied last, in this order: only rows that copied rows refer to
 _REFERRED = (LESSONS, CLASSROOMS, COMPUTERS)
 _JOINED = "id IN (SELECT part_of FROM store.lessons WHERE id IN (SELECT id FROM main.lessons))"
 
 
+_ACTIVITIES_OF = """id IN (SELECT json_extract(versions.setup, '$.activity') FROM store.versions
+    JOIN store.programs ON programs.id = versions.program_id WHERE {condition})"""
+
+
 @dataclass(frozen=True, slots=True)
 class Scope:
-    """All, or what belongs to one class, group or program."""
+    """All, or what belongs to one class, group or program.
+
+    Attributes:
+        lesson_id: with its class: what PCs need to hold this lesson, without anything that pupils made.
+    """
 
     classroom_id: str | None = None
     group_id: str | None = None
     program_id: str | None = None
+    lesson_id: str | None = None
 
     @property
     def whole(self) -> bool:
@@ -44,10 +61,15 @@ class Scope:
 
     def values(self) -> dict[str, str | None]:
         """Values of the places in conditions."""
-        return {"classroom": self.classroom_id, "group": self.group_id, "program": self.program_id}
+        return {
+            "classroom": self.classroom_id,
+            "group": self.group_id,
+            "program": self.program_id,
+            "lesson": self.lesson_id,
+        }
 
     def require(self, db: sqlite3.Connection) -> None:
-        """Raises StoreError `classroom_not_found`, `group_not_found` or `program_not_found`."""
+        """Raises StoreError KIND`_not_found`."""
         for kind, key in self.values().items():
             if key:
                 require(db, f"{kind}s", key)
@@ -57,21 +79,32 @@ class Scope:
         rows = {
             TOMBSTONES.name: "0",
             TAUGHT_SIGNS.name: "0",  # they are of the whole class
+            CLASS_PRESETS.name: "0",
             RUNS.name: """(program_id IN (SELECT id FROM main.programs)
                 OR program_id IS NULL AND group_id IN (SELECT id FROM main.groups))""",
         }
         if self.program_id:
             of_program = "id IN (SELECT group_id FROM store.programs WHERE id = :program)"
-            return rows | {GROUPS.name: of_program, PROGRAMS.name: "id = :program"}
+            activities = _ACTIVITIES_OF.format(condition="programs.id = :program")
+            chosen = {GROUPS.name: of_program, PROGRAMS.name: "id = :program"}
+            return rows | chosen | {OWN_ACTIVITIES.name: activities}
         if self.group_id:
-            return rows | {GROUPS.name: "id = :group"}
-        return rows | {
-            TOMBSTONES.name: "1",
+            activities = _ACTIVITIES_OF.format(condition="programs.group_id = :group")
+            return rows | {GROUPS.name: "id = :group", OWN_ACTIVITIES.name: activities}
+        return rows | self._of_class()
+
+    def _of_class(self) -> dict[str, str]:
+        rows = {
+            OWN_ACTIVITIES.name: "1",
+            CLASS_PRESETS.name: "id = :classroom",
             GROUPS.name: "classroom_id = :classroom",
             TAUGHT_SIGNS.name: "classroom_id = :classroom",
             LESSONS.name: f"(classroom_id = :classroom OR {_belonging(LESSONS)})",
             CLASSROOMS.name: f"(id = :classroom OR {_belonging(CLASSROOMS)})",
         }
+        if self.lesson_id:
+            return rows | {PROGRAMS.name: "0", RUNS.name: "0", LESSONS.name: "id = :lesson"}
+        return rows | {TOMBSTONES.name: "1"}
 
 
 ALL = Scope()

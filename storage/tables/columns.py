@@ -121,6 +121,8 @@ class ReplicatedTable(Table):
         figures: further columns of the Parquet file.
         later_by: SQL expressions that decide, before revision and values, which of two states of a row is the later
             one, with `{side}` in place of the table's name.
+        counts_empty: False where the content hash leaves the table out while it has no rows, so that files without
+            such rows keep the hash that an earlier release gives them.
     """
 
     condition: str = "1"
@@ -130,6 +132,7 @@ class ReplicatedTable(Table):
     parquet: bool = True
     figures: tuple[ParquetColumn, ...] = ()
     later_by: tuple[str, ...] = ()
+    counts_empty: bool = True
 
     @property
     def parents(self) -> tuple[tuple[str, str], ...]:

@@ -183,4 +183,18 @@ MIGRATIONS: dict[str, tuple[str, ...]] = {
         "DROP INDEX runs_history",
         "CREATE INDEX runs_history ON runs (id, group_id, lesson_id, activity, world, state, passed, started_at)",
     ),
+    "own_activities": (
+        f"""CREATE TABLE own_activities (
+            id TEXT PRIMARY KEY,
+            title TEXT NOT NULL,
+            document TEXT NOT NULL,
+            goal TEXT NOT NULL,
+            created_at TEXT NOT NULL,
+            deleted_at TEXT,
+            {_STATE}
+        ) STRICT""",
+        f"""CREATE TABLE class_presets (
+            id TEXT PRIMARY KEY REFERENCES classrooms(id), preset TEXT NOT NULL, {_STATE}
+        ) STRICT""",
+    ),
 }

@@ -17,11 +17,13 @@ from storage.tables.columns import (
 from storage.tables.local import LOCAL
 from storage.tables.runs import EVENTS, RUNS, TELEMETRY
 from storage.tables.work import (
+    CLASS_PRESETS,
     CLASSROOMS,
     GROUPS,
     LABELS,
     LESSONS,
     NOTES,
+    OWN_ACTIVITIES,
     PROGRAMS,
     TAUGHT_SIGNS,
     VERSIONS,
@@ -59,6 +61,8 @@ REPLICATED = (
     GROUPS,
     LESSONS,
     TAUGHT_SIGNS,
+    OWN_ACTIVITIES,
+    CLASS_PRESETS,
     PROGRAMS,
     VERSIONS,
     LABELS,

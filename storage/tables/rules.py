@@ -36,6 +36,10 @@ _WORLD_PARTS = {
 }
 
 
+_ACTIVITY_PARTS = {"name": str, "title": dict, "checks": list, "cases": list, "solution": dict}
+_GOAL_PARTS = {"lines": list, "zones": list, "boxes": dict}
+
+
 def optional(rule: Rule) -> Rule:
     """The same, or NULL."""
     return lambda value: value is None or rule(value)
@@ -160,6 +164,17 @@ def _is_world(value: dict[str, Any]) -> bool:
     )
 
 
+def _is_activity(value: dict[str, Any]) -> bool:
+    """As far as it can be told without the app: its format, its name, and the types of its parts."""
+    return isinstance(value.get("pinel_activity"), int) and all(
+        isinstance(value.get(part, kind()), kind) for part, kind in _ACTIVITY_PARTS.items()
+    )
+
+
+def _is_goal(value: dict[str, Any]) -> bool:
+    return all(isinstance(value.get(part), kind) for part, kind in _GOAL_PARTS.items())
+
+
 _is_uuid = matching(_UUID)
 count = whole(0, MAX_COUNT)
 flag = whole(0, 1)
@@ -175,3 +190,5 @@ json_object = json_of(dict)
 faults = json_of(list, _are_faults)
 points = json_of(list, _are_points)
 world = json_of(dict, _is_world)
+activity = json_of(dict, _is_activity)
+goal = json_of(dict, _is_goal)

@@ -108,6 +108,36 @@ TAUGHT_SIGNS = ReplicatedTable(
     anonymous=False,
     parquet=False,
 )
+OWN_ACTIVITIES = ReplicatedTable(
+    "own_activities",
+    "Activities that a teacher made. document is the activity (activities.md) with its solution, goal what the picture"
+    " of its goal shows. Lessons, runs and versions name one by its key, so that one deleted is only marked.",
+    (
+        Column("id", KEY, "key of an activity"),
+        Column("title", TEXT, "its title", rules.name, "plain(title)"),
+        Column("document", JSON, "the activity", rules.activity),
+        Column("goal", JSON, "lines, zones and boxes of the picture of its goal", rules.goal),
+        Column("created_at", TIME, "when it was made"),
+        Column("deleted_at", TIME, "deleted since", optional=True),
+        *REVISED,
+    ),
+    deletable=False,
+    anonymous=False,
+    parquet=False,
+    counts_empty=False,
+)
+CLASS_PRESETS = ReplicatedTable(
+    "class_presets",
+    "With what the groups of a class begin: level, world, activity, minutes between swaps.",
+    (
+        parent("id", "classrooms", "key of the class"),
+        Column("preset", JSON, "level, world, activity, swap_minutes; what is missing is not set"),
+        *REVISED,
+    ),
+    anonymous=False,
+    parquet=False,
+    counts_empty=False,
+)
 PROGRAMS = ReplicatedTable(
     "programs",
     "Saved blocks of a group; the content is in versions.",

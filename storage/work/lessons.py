@@ -84,6 +84,30 @@ class Lessons(Repository):
 
         return self.get(self._database.write(write))
 
+    def resume(self, lesson_id: str) -> LessonRow:
+        """Opens a lesson that another PC opened, as its file says; does nothing where it is open on this PC.
+
+        It is no later state of the lesson: title and activity stay those of the file.
+
+        Raises:
+            StoreError: `lesson_not_found`.
+        """
+        found, moment = self.get(lesson_id), self._database.moment()
+
+        def write(db: sqlite3.Connection) -> None:
+            computer_id, _ = this_computer(db, moment.text)
+            before = open_lesson(db, found.classroom_id, computer_id)
+            if before and before.id == lesson_id and before.goes_on(moment):
+                return
+            if before and before.id != lesson_id:
+                _close(db, before.id, moment.text)
+            query = "UPDATE lessons SET used_at = ?, closed_at = NULL WHERE id = ?"
+            db.execute(query, [moment.text, lesson_id])
+            set_open_lesson(db, found.classroom_id, computer_id, lesson_id, moment)
+
+        self._database.write(write)
+        return self.get(lesson_id)
+
     def close(self, lesson_id: str) -> LessonRow:
         """Ends a lesson. Raises StoreError `lesson_not_found`."""
         classroom_id, moment = self.get(lesson_id).classroom_id, self._database.moment()

@@ -77,6 +77,10 @@ def original(tmp_path_factory: pytest.TempPathFactory) -> Path:
         classroom = there.classrooms.create("5º B")
         there.lessons.open(classroom.id, "Quadrados")
         there.taught_signs.add(classroom.id, "7", bytes(2 * N_FEATURES))
+        activity = {"pinel_activity": 2, "name": "a", "title": {}, "checks": [], "cases": []}
+        goal: dict[str, object] = {"lines": [], "zones": [], "boxes": {}}
+        there.own_activities.save(there.own_activities.new_key(), "Até a porta", activity, goal)
+        there.class_presets.set(classroom.id, {"level": 2})
         work(there, there.groups.create("Onças", classroom_id=classroom.id), "Quadrado")
         a_run(there, None)
         return exported(there, folder / "there.pinel").path

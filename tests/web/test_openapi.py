@@ -17,6 +17,7 @@ from schemathesis.specs.openapi.checks import (
 from pinel_desktop.app import App
 from pinel_desktop.messages import catalogue
 from pinel_desktop.web.routes import app_with_routes, description, description_text
+from storage import Store
 from tests.web.browser import Browser
 
 STREAM = "/api/stream"
@@ -91,6 +92,13 @@ def test_every_reference_leads_to_a_schema() -> None:
     assert wanted <= set(document["components"]["schemas"])
 
 
+def an_activity(store: Store) -> str:
+    key = store.own_activities.new_key()
+    goal: dict[str, object] = {"lines": [], "zones": [], "boxes": {}}
+    store.own_activities.save(key, "Até a porta", {"pinel_activity": 3, "name": key}, goal)
+    return key
+
+
 @pytest.mark.parametrize("ids", ["made up", "real"])
 def test_what_hypothesis_makes_up_is_answered_as_described(
     app: App, browser: Browser, ids: str, run: dict[str, Any]
@@ -110,6 +118,7 @@ def test_what_hypothesis_makes_up_is_answered_as_described(
         "classrooms": classroom,
         "lessons": store.lessons.open(classroom, "Aula 1").id,
         "notes": store.notes.write(run["id"], "Oi").id,
+        "own-activities": an_activity(store),
     }
 
     def check(case: Any) -> None:

@@ -1,9 +1,13 @@
 """Activities: what there is to solve, the program of a group that is to solve one, and examples to take apart."""
 
+import contextlib
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from flask import Response
 
+from pinel_desktop.errors import PinelError
+from pinel_desktop.school.own_activities import goal_of_known, known_activity, own_activity
 from pinel_desktop.web.api import WRITES, answers, resource
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.activities import (
@@ -22,7 +26,7 @@ from pinel_desktop.web.models.activities import (
 from pinel_desktop.web.models.work import Program, Setup
 from pinel_desktop.web.responses import answer
 from pinel_desktop.web.services import Services, services
-from storage import ProgramRow
+from storage import OwnActivityRow, ProgramRow
 
 if TYPE_CHECKING:
     from pinel_desktop.activities import Activity as Mission
@@ -35,11 +39,12 @@ api = resource(
 
 @api.get("/activities", responses=answers(ActivityList))
 def list_activities() -> Response:
-    """The activities that a lesson or a group may choose, along the paths."""
+    """The activities that a lesson or a group may choose, along the paths; then own ones that this release can use."""
     from pinel_desktop.activities import activity_names, shipped_activity  # noqa: PLC0415 - heavy
 
     chosen = [ActivityChoice(**_choice(shipped_activity(name))) for name in activity_names()]
-    return answer(ActivityList(activities=chosen))
+    rows = services().store.own_activities.all()
+    return answer(ActivityList(activities=[*chosen, *_own_choices(rows)]))
 
 
 @api.get("/examples", responses=answers(ExampleList))
@@ -50,12 +55,13 @@ def list_examples() -> Response:
     return answer(ExampleList(examples=[_example(name) for name in EXAMPLES]))
 
 
-@api.get("/activities/<name>", responses=answers(Activity, "unknown_activity"))
+@api.get(
+    "/activities/<name>",
+    responses=answers(Activity, "unknown_activity", "activity_newer", "own_activity_unreadable"),
+)
 def get_activity(path: ActivityPath) -> Response:
     """An activity with what its card says."""
-    from pinel_desktop.activities import shipped_activity  # noqa: PLC0415 - heavy
-
-    mission, language = shipped_activity(path.name), services().preferences.language
+    mission, language = known_activity(services().store, path.name), services().preferences.language
     return answer(
         Activity(
             **_choice(mission),
@@ -85,9 +91,8 @@ def list_tried(path: IdPath) -> Response:
 )
 def begin_activity(path: IdPath, body: ChosenActivity) -> Response:
     """The group's program for an activity, the one changed last; created if there is none."""
-    from pinel_desktop.activities import shipped_activity  # noqa: PLC0415 - heavy
-
-    parts, mission = services(), shipped_activity(body.activity)
+    parts = services()
+    mission = known_activity(parts.store, body.activity)
     row = parts.store.programs.of_activity(path.id, mission.name)
     return answer(Program.of(row or _begin(path.id, mission, parts)))
 
@@ -116,6 +121,8 @@ def _after(mission: "Mission") -> NextActivity | None:
     from pinel_desktop.activities import activity_names, shipped_activity  # noqa: PLC0415 - heavy
 
     names = activity_names()
+    if mission.name not in names:  # an own one is on no path
+        return None
     later = names[names.index(mission.name) + 1 :]
     found = next((one for one in map(shipped_activity, later) if one.path == mission.path), None)
     if found is None or mission.path is None:
@@ -132,6 +139,7 @@ def _choice(mission: "Mission") -> dict[str, Any]:
         "minutes": mission.minutes,
         "level": mission.level,
         "goal_picture": _goal_picture(mission),
+        "own": mission.path is None,
     }
 
 
@@ -156,10 +164,14 @@ def _example(name: str) -> Example:
     )
 
 
-def _goal_picture(mission: "Mission") -> GoalPicture:
-    from pinel_desktop.activities import shipped_goal  # noqa: PLC0415 - heavy
+def _own_choices(rows: list[OwnActivityRow]) -> Iterator[ActivityChoice]:
+    for row in rows:
+        with contextlib.suppress(PinelError):
+            yield ActivityChoice(**_choice(own_activity(row)))
 
-    return _picture(mission, shipped_goal(mission.name))
+
+def _goal_picture(mission: "Mission") -> GoalPicture:
+    return _picture(mission, goal_of_known(services().store, mission.name))
 
 
 def _picture(mission: "Mission", goal: "Goal") -> GoalPicture:

@@ -2,9 +2,11 @@
 
 from flask import Response
 
+from pinel_desktop.school.own_activities import known_activity
 from pinel_desktop.web.api import TEACHER, WRITES, answers, resource
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.classes import (
+    ClassPreset,
     Classroom,
     ClassroomList,
     ClassroomName,
@@ -14,10 +16,12 @@ from pinel_desktop.web.models.classes import (
     LessonList,
     NewLesson,
 )
+from pinel_desktop.web.presets import preset_of, world_of_preset
 from pinel_desktop.web.responses import answer
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
 from storage import ClassroomRow, LessonRow
+from storage.limits import MAX_NAME
 
 api = resource("classrooms", "Classes and their lessons.", __name__)
 
@@ -51,7 +55,25 @@ def get_current_lesson(path: IdPath) -> Response:
     """The lesson to which work of the class on this PC belongs now."""
     store = services().store
     row = store.lessons.current(store.classrooms.get(path.id).id)
-    return answer(CurrentLesson(lesson=None if row is None else _lesson(row)))
+    found = None if row is None else _lesson(row)
+    return answer(CurrentLesson(lesson=found, preset=preset_of(path.id, store)))
+
+
+@api.put(
+    "/classrooms/<id>/preset",
+    responses=answers(
+        ClassPreset, *TEACHER, "classroom_not_found", "unknown_activity", "unknown_world", *WRITES
+    ),
+)
+def set_preset(path: IdPath, body: ClassPreset) -> Response:
+    """Sets with what the groups of a class begin. For the teacher."""
+    require_teacher()
+    _require_activity(body.activity)
+    if body.world is not None:
+        world_of_preset(body.world, services())
+    store = services().store
+    store.class_presets.set(path.id, body.model_dump(exclude_none=True))
+    return answer(preset_of(path.id, store))
 
 
 @api.get("/classrooms/<id>/lessons", responses=answers(LessonList, *TEACHER, "classroom_not_found"))
@@ -71,7 +93,8 @@ def open_lesson(path: IdPath, body: NewLesson) -> Response:
     """Opens a lesson and closes any other open lesson of the class on this PC. For the teacher."""
     require_teacher()
     _require_activity(body.activity)
-    row = services().store.lessons.open(path.id, body.title, body.activity)
+    title = body.title if body.title.strip() else _title_of(body.activity)
+    row = services().store.lessons.open(path.id, title, body.activity)
     return answer(_lesson(row))
 
 
@@ -95,10 +118,16 @@ def _classroom(row: ClassroomRow) -> Classroom:
     return Classroom.of(row)
 
 
-def _require_activity(name: str | None) -> None:
-    """Refuses all but shipped activities: a lesson must not name a file of this PC."""
-    if name is None:
-        return
-    from pinel_desktop.activities import shipped_activity  # noqa: PLC0415 - heavy
+def _title_of(activity: str | None) -> str:
+    """The title of an activity, which names a lesson that has no title; "" without an activity."""
+    if activity is None:
+        return ""
+    parts = services()
+    title = known_activity(parts.store, activity).title.of(parts.preferences.language)
+    return title[:MAX_NAME].strip()
 
-    shipped_activity(name)
+
+def _require_activity(name: str | None) -> None:
+    """Refuses all but shipped and own activities: a lesson must not name a file of this PC."""
+    if name is not None:
+        known_activity(services().store, name)

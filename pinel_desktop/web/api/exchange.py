@@ -47,7 +47,7 @@ if TYPE_CHECKING:  # imported when a file is read or written, not at the app's s
 api = resource("exchange", "Transfer of work between PCs.", __name__)
 
 _FOLDER = "shared_folder"
-TAKES_FILES = ("/api/programs/file",)
+TAKES_FILES = ("/api/programs/file", "/api/lessons/file")
 LARGEST_FILE = 64 * 2**20
 
 
@@ -62,8 +62,8 @@ def list_folders() -> Response:
 def choose_shared_folder(body: SharedFolder) -> Response:
     """Sets the school's shared folder. For the teacher."""
     require_teacher()
-    if body.path and not _is_folder(body.path):
-        raise PinelError("folder_missing", path=body.path)
+    if body.path:
+        require_folder(body.path)
     services().store.settings.set(_FOLDER, body.path)
     return _folders()
 
@@ -82,13 +82,12 @@ def write_bundle(body: NewBundle) -> Response:
 
     require_teacher()
     folder = Path(body.folder)
-    if not _is_folder(body.folder):
-        raise PinelError("folder_missing", path=body.folder)
+    require_folder(body.folder)
     parts = services()
     computer = parts.store.computers.this()
     language = parts.preferences.language
     nameless = describe("file_without_names", {}, language).message
-    name = nameless if body.anonymous else _file_name(computer[1])
+    name = nameless if body.anonymous else file_name(computer[1])
     dest = folder / f"{name}-{datetime.now().astimezone():%Y-%m-%d}{SUFFIX}"
     scope = Scope(classroom_id=body.classroom_id, group_id=body.group_id)
     info = parts.store.exchange.export(
@@ -125,7 +124,7 @@ def get_program_file(path: IdPath) -> Response:
     from storage.exchange.scope import Scope  # noqa: PLC0415
 
     parts = services()
-    name = _file_name(parts.store.programs.get(path.id).name)
+    name = file_name(parts.store.programs.get(path.id).name)
     with tempfile.TemporaryDirectory() as folder:
         info = parts.store.exchange.export(
             Path(folder) / f"{name}{SUFFIX}",
@@ -138,8 +137,8 @@ def get_program_file(path: IdPath) -> Response:
     return Response(octets, mimetype="application/octet-stream")
 
 
-class ProgramFile(RawModel):
-    """A request body with the file of a program."""
+class UploadedFile(RawModel):
+    """A request body with a file."""
 
     mimetypes = ["application/octet-stream"]  # noqa: RUF012 - the library's name and type
 
@@ -150,15 +149,10 @@ class ProgramFile(RawModel):
         ImportedProgram, "program_not_found", "body_too_large", "bundle_not_program", *WRITES
     ),
 )
-def read_program_file(query: NameOfFile, raw: ProgramFile) -> Response:
+def read_program_file(query: NameOfFile, raw: UploadedFile) -> Response:
     """Imports a file from `GET /programs/{id}/file` of another PC. The body is the file."""
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "upload"
-        with path.open("wb") as file:
-            while chunk := raw.stream.read(2**20):
-                file.write(chunk)
-        with _naming_file(path, query.name or path.name):
-            report, program_id = services().store.exchange.merge_program(path)
+    with uploaded(raw, query.name) as path:
+        report, program_id = services().store.exchange.merge_program(path)
     services().signs.refresh()
     # raises program_not_found if the program was deleted here for good
     program = services().store.programs.get(program_id)
@@ -173,7 +167,19 @@ def read_program_file(query: NameOfFile, raw: ProgramFile) -> Response:
 
 
 @contextmanager
-def _naming_file(path: Path, name: str) -> Iterator[None]:
+def uploaded(raw: UploadedFile, name: str) -> Iterator[Path]:
+    """The file of a request's body, which errors name as the person knows it; deleted afterwards."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "upload"
+        with path.open("wb") as file:
+            while chunk := raw.stream.read(2**20):
+                file.write(chunk)
+        with naming_file(path, name or path.name):
+            yield path
+
+
+@contextmanager
+def naming_file(path: Path, name: str) -> Iterator[None]:
     """Replaces the temporary path in errors by the name of the file that the person chose."""
     try:
         yield
@@ -181,6 +187,12 @@ def _naming_file(path: Path, name: str) -> Iterator[None]:
         if error.params.get("path") == str(path):
             error.params["path"] = name
         raise
+
+
+def require_folder(path: str) -> None:
+    """Raises PinelError `folder_missing`."""
+    if not _is_folder(path):
+        raise PinelError("folder_missing", path=path)
 
 
 def _is_folder(path: str) -> bool:
@@ -213,18 +225,19 @@ def _folder(folder: "FolderOnDisk") -> Folder:
 
 
 def _file(file: "FileOnDisk") -> FileFound:
-    from storage.exchange.bundle_reading import says_anonymous  # noqa: PLC0415 - see above
+    from storage.exchange.bundle_reading import prepares_lesson, says_anonymous  # noqa: PLC0415 - see above
 
     return FileFound(
         path=json_safe(str(file.path)),
         name=json_safe(file.path.name),
         size_bytes=file.size_bytes,
         anonymous=says_anonymous(file.path, file.size_bytes, file.modified_s),
+        lesson=prepares_lesson(file.path),
         modified_at=datetime.fromtimestamp(file.modified_s, UTC).isoformat(),
     )
 
 
-def _file_name(name: str) -> str:
+def file_name(name: str) -> str:
     """Converts a name to a file name that is valid on every file system."""
     return re.sub(r"[^\w -]", "", name).strip()[:60] or "PINEL"
 
@@ -250,7 +263,7 @@ def _left_out(count: int) -> Notice | None:
 def _merged(path: Path, *, delete: bool) -> Merged:
     parts = services()
     try:
-        with _naming_file(path, path.name):
+        with naming_file(path, path.name):
             return _report(path, parts.store.exchange.merge(path, delete=delete))
     except StoreError as error:
         problem = notice(error.code, error.params, parts.preferences.language)

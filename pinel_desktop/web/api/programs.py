@@ -25,6 +25,7 @@ from pinel_desktop.web.models.work import (
     VersionPage,
 )
 from pinel_desktop.web.models.worlds import World
+from pinel_desktop.web.presets import prepare_program
 from pinel_desktop.web.responses import MAX_FAULTS, answer, describe_faults, json_safe
 from pinel_desktop.web.services import Services, services
 from storage import FaultRow, ProgramRow, VersionRow
@@ -49,9 +50,11 @@ def _programs(rows: list[ProgramRow]) -> Response:
 
 @api.post("/groups/<id>/programs", responses=answers(Program, "group_not_found", *WRITES))
 def create_program(path: IdPath, body: ProgramName) -> Response:
-    """Creates an empty program."""
-    row = services().store.programs.create(path.id, body.name)
-    return answer(Program.of(row))
+    """Creates an empty program, in the world that is set for the class."""
+    parts = services()
+    row = parts.store.programs.create(path.id, body.name)
+    prepare_program(row, parts.store.groups.get(path.id), parts)
+    return answer(Program.of(parts.store.programs.get(row.id)))
 
 
 @api.get("/programs/<id>", responses=answers(ProgramWithVersion, "program_not_found"))

@@ -13,6 +13,7 @@ from pinel_desktop.messages import describe, explain
 from pinel_desktop.robot import Setting
 from pinel_desktop.runs.record import record_of
 from pinel_desktop.runs.spec import RunSpec
+from pinel_desktop.school.own_activities import known_activity
 from pinel_desktop.web.api import OCTETS, WRITES, answers, resource
 from pinel_desktop.web.api.activities import world_name
 from pinel_desktop.web.api.programs import version_model
@@ -119,13 +120,13 @@ def _spec(version: VersionRow, body: NewRun, parts: Services) -> RunSpec:
 
 
 def _activity(version: VersionRow) -> "Activity | None":
-    """The activity that a version is to solve; None without one, and for one of a newer release."""
+    """The activity that a version is to solve; None without one, and for one that this release cannot use."""
     name = (version.setup or {}).get("activity")
     if name is None:
         return None
-    from pinel_desktop.activities import activity_names, shipped_activity  # noqa: PLC0415 - heavy
-
-    return shipped_activity(name) if name in activity_names() else None
+    with contextlib.suppress(PinelError):
+        return known_activity(services().store, name)
+    return None
 
 
 def _stage(activity: "Activity") -> tuple[dict[str, object], Setting]:

@@ -39,6 +39,7 @@ class ActivityChoice(Shape):
     minutes: int | None
     level: Annotated[int | None, Field(ge=1, le=3, description="of the toolbox")]
     goal_picture: GoalPicture
+    own: Annotated[bool, Field(description="a teacher made it")]
 
 
 class NextActivity(Shape):
@@ -66,7 +67,7 @@ class Activity(ActivityChoice):
 
 
 class ActivityList(Shape):
-    """The shipped activities, along the paths."""
+    """The shipped activities along the paths, then own ones, the oldest first."""
 
     activities: list[ActivityChoice]
 

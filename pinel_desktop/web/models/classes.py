@@ -1,11 +1,13 @@
 """Classes, lessons, notes, the teacher's session."""
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field
 
 from pinel_desktop.web.models import Body, Id, Shape, Time
 from pinel_desktop.web.models.work import Name
+
+SwapMinutes = Literal[0, 5, 10, 15]
 
 
 class Classroom(Shape):
@@ -56,14 +58,37 @@ class LessonList(Shape):
     lessons: list[Lesson]
 
 
+class ClassPreset(Shape):
+    """With what the groups of a class begin; null for what is not set.
+
+    A group may choose another level, and another world for each program.
+    """
+
+    level: Annotated[int | None, Field(ge=1, le=3, description="of the toolbox")] = None
+    world: Annotated[
+        str | None,
+        Field(max_length=100, description="of new programs: a name, or an own activity's key"),
+    ] = None
+    activity: Annotated[
+        str | None, Field(max_length=100, description="proposed for new lessons")
+    ] = None
+    swap_minutes: Annotated[
+        SwapMinutes | None, Field(description="between reminders to swap roles; 0 for none")
+    ] = None
+
+
 class CurrentLesson(Shape):
-    """The lesson to which work of a class belongs now; null if the next work would open one."""
+    """The lesson to which work of a class belongs now, null if the next work would open one; the class's preset."""
 
     lesson: Lesson | None
+    preset: ClassPreset
 
 
 class NewLesson(Body):
-    """A lesson opened with the same title on several PCs is one lesson."""
+    """A lesson opened with the same title on several PCs is one lesson.
+
+    An empty title is that of the activity, in the language of the page.
+    """
 
     title: Name
     activity: Annotated[str | None, Field(max_length=100, description="a name")] = None

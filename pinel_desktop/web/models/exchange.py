@@ -20,6 +20,7 @@ class FileFound(Shape):
     name: str
     size_bytes: int
     anonymous: bool
+    lesson: Annotated[bool, Field(description="it prepares a PC for a lesson")]
     modified_at: Time
 
 

@@ -118,6 +118,9 @@ class LessonSummary(Shape):
     not_begun: Annotated[
         list[str], Field(description="groups of the class without work in a lesson that is open")
     ]
+    differing: Annotated[
+        list[str], Field(description="titles of the activities of joined lessons, if they differ")
+    ]
 
 
 class LessonReview(Shape):

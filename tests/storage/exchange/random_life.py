@@ -26,11 +26,11 @@ class RandomLife:
         self._common: tuple[Deed, ...] = (
             *(self._make_group, self._make_class, self._work, self._save, self._open),
             *(self._rename_group, self._rename_class, self._throw_away, self._note),
-            self._teach,
+            *(self._teach, self._make_activity, self._preset),
         )
         self._rare: tuple[Deed, ...] = (
             *(self._delete_class, self._delete_group, self._delete_program, self._delete_run),
-            self._forget_sign,
+            *(self._forget_sign, self._delete_activity),
             *(self._merge,) * 4,
         )
 
@@ -93,6 +93,22 @@ class RandomLife:
         taught = self._store.taught_signs.of_classroom(classroom.id) if classroom else []
         if classroom and (one := self._one_of(taught)):
             removed(self._store, *self._store.taught_signs.keys(classroom.id, one.sign))
+
+    def _make_activity(self) -> None:
+        known = [one.id for one in self._store.own_activities.all()]
+        again = known and self._chance.random() < 0.5
+        key = self._chance.choice(known) if again else self._store.own_activities.new_key()
+        document = {"pinel_activity": 2, "name": key, "title": {}, "checks": [], "cases": []}
+        goal: dict[str, object] = {"lines": [], "zones": [], "boxes": {}}
+        self._store.own_activities.save(key, self._name(), document, goal)
+
+    def _delete_activity(self) -> None:
+        if one := self._one_of(self._store.own_activities.all()):
+            self._store.own_activities.delete(one.id)
+
+    def _preset(self) -> None:
+        if classroom := self._classroom():
+            self._store.class_presets.set(classroom.id, {"level": self._chance.randrange(1, 4)})
 
     def _delete_class(self) -> None:
         if classroom := self._classroom():

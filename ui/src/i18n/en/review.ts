@@ -14,6 +14,8 @@ export const review: typeof first = {
       working: "Are at work",
       passed: "Passed the activity",
     },
+    differing: (activities: string) =>
+      `The joined lessons have different activities (${activities}), so it is not counted how many groups solved them. Each run tells its own.`,
     commonFault: (n, what) => `Commonest error (${n} groups): ${what}`,
     freeWork: "Free work",
     computers: (names) => `PCs: ${names}`,

@@ -14,6 +14,8 @@ export const review: typeof first = {
       working: "Están trabajando",
       passed: "Cumplieron la actividad",
     },
+    differing: (activities: string) =>
+      `Las clases unidas tienen actividades diferentes (${activities}), por eso no se cuenta cuántos grupos resolvieron. Cada ejecución dice la suya.`,
     commonFault: (n, what) => `Error más común (${n} grupos): ${what}`,
     freeWork: "Trabajo libre",
     computers: (names) => `Computadoras: ${names}`,

@@ -14,6 +14,9 @@ export const review = {
       working: "Estão trabalhando",
       passed: "Cumpriram a atividade",
     },
+    /** Joined lessons had several activities. */
+    differing: (activities: string) =>
+      `As aulas juntadas têm atividades diferentes (${activities}), por isso não se conta quantos grupos resolveram. Cada rodada diz a sua.`,
     commonFault: (n: number, what: string) => `Erro mais comum (${n} grupos): ${what}`,
     freeWork: "Trabalho livre",
     computers: (names: string) => `Computadores: ${names}`,

@@ -16,9 +16,10 @@ interface LessonSummaryProps {
 /** Where the teacher should go first; groups are not ranked. */
 export function LessonSummary({ review: { summary, groups }, place }: LessonSummaryProps) {
   const say = texts.value.review.lesson;
-  const { n_passed, n_groups, fault, fault_run, n_with_fault, not_begun } = summary;
+  const { n_passed, n_groups, fault, fault_run, n_with_fault, not_begun, differing } = summary;
   const stuck = groups.filter(({ need }) => need === "help");
-  if (n_passed === null && stuck.length === 0 && !fault && not_begun.length === 0) return null;
+  const n_other = stuck.length + not_begun.length + differing.length;
+  if (n_passed === null && !fault && n_other === 0) return null;
   return (
     <ul class="lesson__summary" aria-label={say.summary} data-testid={TEST.lessonSummary}>
       {n_passed !== null && n_groups > 0 && (
@@ -32,6 +33,7 @@ export function LessonSummary({ review: { summary, groups }, place }: LessonSumm
           ))}
         </li>
       )}
+      {differing.length > 0 && <li>{say.differing(inList(differing))}</li>}
       {not_begun.length > 0 && <li>{say.notBegun(inList(not_begun))}</li>}
       {fault && (
         <li class="lesson__fault">

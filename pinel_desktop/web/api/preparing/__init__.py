@@ -1,0 +1,1 @@
+"""Preparing lessons: own activities, presets of classes, the file that takes a lesson to all PCs."""

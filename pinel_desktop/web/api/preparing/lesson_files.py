@@ -1,0 +1,124 @@
+"""The file that takes a lesson to all PCs: class, groups, lesson, preset, own activities and taught signs."""
+
+import tempfile
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from flask import Response
+
+from pinel_desktop.web.api import OCTETS, TEACHER, WRITES, answers, resource
+from pinel_desktop.web.api.exchange import (
+    UploadedFile,
+    file_name,
+    naming_file,
+    require_folder,
+    uploaded,
+)
+from pinel_desktop.web.models import IdPath
+from pinel_desktop.web.models.classes import Classroom, Lesson
+from pinel_desktop.web.models.lesson_files import (
+    LessonFileName,
+    LessonFilePath,
+    OpenedLesson,
+    TargetFolder,
+    WrittenLessonFile,
+)
+from pinel_desktop.web.responses import answer
+from pinel_desktop.web.services import services
+from pinel_desktop.web.teaching import require_teacher, require_teacher_if_there_is_one
+from storage import StoreError
+
+if TYPE_CHECKING:
+    from storage.exchange.bundle_writing import BundleInfo
+
+api = resource("lesson_files", "The file that takes a lesson to all PCs.", __name__)
+
+_READS = ("bundle_not_lesson", "lesson_not_found")
+
+
+@api.get(
+    "/lessons/<id>/file",
+    responses=answers(OCTETS, *TEACHER, "lesson_not_found", "lesson_without_class", *WRITES),
+)
+def get_lesson_file(path: IdPath) -> Response:
+    """What a PC needs for a lesson, as a file; nothing that pupils made. For the teacher."""
+    require_teacher()
+    with tempfile.TemporaryDirectory() as folder:
+        info = _written(path.id, Path(folder) / "lesson.pinel", is_noted=False)
+        octets = info.path.read_bytes()
+    return Response(octets, mimetype="application/octet-stream")
+
+
+@api.post(
+    "/lessons/<id>/file",
+    responses=answers(
+        WrittenLessonFile,
+        *TEACHER,
+        "lesson_not_found",
+        "lesson_without_class",
+        "folder_missing",
+        *WRITES,
+    ),
+)
+def write_lesson_file(path: IdPath, body: TargetFolder) -> Response:
+    """Writes the same file into a folder. For the teacher."""
+    require_teacher()
+    require_folder(body.folder)
+    title = services().store.lessons.get(path.id).title
+    name = f"{file_name(title)}-{datetime.now().astimezone():%Y-%m-%d}.pinel"
+    info = _written(path.id, Path(body.folder) / name)
+    return answer(WrittenLessonFile(path=str(info.path), name=info.path.name))
+
+
+@api.post(
+    "/lessons/file",
+    responses=answers(OpenedLesson, "teacher_only", "body_too_large", *_READS, *WRITES),
+)
+def open_lesson_file(query: LessonFileName, raw: UploadedFile) -> Response:
+    """Opens the lesson of a file, the body, on this PC. Without a PIN for all, else for the teacher."""
+    require_teacher_if_there_is_one()
+    with uploaded(raw, query.name) as path:
+        return _opened(path)
+
+
+@api.post("/lessons/file/path", responses=answers(OpenedLesson, *TEACHER, *_READS, *WRITES))
+def open_found_lesson_file(body: LessonFilePath) -> Response:
+    """Opens the lesson of a file on a stick or in the shared folder. For the teacher."""
+    require_teacher()
+    path = Path(body.path)
+    with naming_file(path, path.name):
+        return _opened(path)
+
+
+def _opened(path: Path) -> Response:
+    parts = services()
+    report, lesson_id = parts.store.exchange.merge_lesson(path)
+    lesson = parts.store.lessons.resume(lesson_id)
+    parts.signs.refresh()
+    assert lesson.classroom_id is not None  # of a lesson that a teacher opened
+    classroom = parts.store.classrooms.get(lesson.classroom_id)
+    return answer(
+        OpenedLesson(
+            lesson=Lesson.of(lesson),
+            classroom=Classroom.of(classroom),
+            n_groups=classroom.n_groups,
+            nothing_new=report.nothing_new,
+        )
+    )
+
+
+def _written(lesson_id: str, dest: Path, *, is_noted: bool = True) -> "BundleInfo":
+    from storage.exchange.scope import Scope  # noqa: PLC0415 - when a file is written
+
+    parts = services()
+    lesson = parts.store.lessons.get(lesson_id)
+    if lesson.classroom_id is None:
+        raise StoreError("lesson_without_class")
+    return parts.store.exchange.export(
+        dest,
+        app_version=parts.app_version,
+        computer=parts.store.computers.this(),
+        scope=Scope(classroom_id=lesson.classroom_id, lesson_id=lesson.id),
+        is_noted=is_noted,
+    )

@@ -1,0 +1,27 @@
+"""Merging the file that prepares a PC for a lesson. It may need no PIN: no work of pupils is merged."""
+
+from pathlib import Path
+
+from storage.errors import StoreError
+from storage.exchange.bundle_reading import open_bundle
+from storage.exchange.merging import MergeReport, merge_attached
+from storage.file.connection import Database
+
+_WORK = ("programs", "versions", "runs", "notes", "tombstones")
+
+
+def merge_lesson(database: Database, path: Path) -> tuple[MergeReport, str]:
+    """Merges class, groups, lesson, preset, own activities and taught signs; returns the lesson's key too.
+
+    Raises:
+        StoreError: `bundle_not_lesson` where the file is of another kind; else as `merging.merge`.
+    """
+    with open_bundle(path) as bundle:
+        lesson_id = bundle.info.lesson_id
+        if lesson_id is None or any(bundle.info.counts.get(table) for table in _WORK):
+            raise StoreError("bundle_not_lesson", path=str(path))
+        report = database.write(
+            lambda db: merge_attached(db, bundle.info, database.now(), delete=False),
+            attached=bundle.address,
+        )
+    return report, lesson_id

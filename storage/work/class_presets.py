@@ -1,0 +1,36 @@
+"""With what the groups of a class begin: one row for a class, made when it is first set."""
+
+import sqlite3
+from collections.abc import Mapping
+from typing import Any
+
+from storage.file.repository import Repository
+from storage.sql import change, exists, insert, require
+from storage.text import dumped, readable_object
+
+
+class ClassPresets(Repository):
+    """The presets of the classes."""
+
+    def get(self, classroom_id: str) -> dict[str, Any]:
+        """Empty where nothing was set. Raises StoreError `classroom_not_found`."""
+        with self._database.reading() as db:
+            require(db, "classrooms", classroom_id)
+            row = db.execute("SELECT preset FROM class_presets WHERE id = ?", [classroom_id])
+            found = row.fetchone()
+        return (readable_object(found["preset"]) or {}) if found else {}
+
+    def set(self, classroom_id: str, preset: Mapping[str, Any]) -> None:
+        """Does nothing where it is set so already. Raises StoreError `classroom_not_found`."""
+        now, kept = self._database.now(), dumped(dict(preset))
+        if self.get(classroom_id) == dict(preset):
+            return
+
+        def write(db: sqlite3.Connection) -> None:
+            require(db, "classrooms", classroom_id)
+            if exists(db, "class_presets", classroom_id):
+                change(db, "class_presets", classroom_id, {"preset": kept}, now)
+            else:
+                insert(db, "class_presets", {"id": classroom_id, "preset": kept, "changed_at": now})
+
+        self._database.write(write)

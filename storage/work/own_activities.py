@@ -1,0 +1,81 @@
+"""Activities that a teacher made. What is deleted is marked only: lessons, runs and programs name it by its key."""
+
+import sqlite3
+from collections.abc import Mapping
+from typing import Any
+
+from storage.errors import StoreError
+from storage.file.repository import Repository
+from storage.limits import MAX_OWN_ACTIVITIES
+from storage.records import OwnActivityRow
+from storage.sql import change, insert, row_count, selected
+from storage.text import clean_name, dumped, new_id, readable_object
+
+_SELECT = selected(OwnActivityRow, "own_activities")
+
+
+class OwnActivities(Repository):
+    """The activities of the file that a teacher made."""
+
+    def all(self) -> list[OwnActivityRow]:
+        """Those that are not deleted, the oldest first."""
+        with self._database.reading() as db:
+            rows = db.execute(f"{_SELECT} WHERE deleted_at IS NULL ORDER BY id").fetchall()
+        return [_record(row) for row in rows]
+
+    def get(self, activity_id: str) -> OwnActivityRow:
+        """Also one that is deleted. Raises StoreError `own_activity_not_found`."""
+        with self._database.reading() as db:
+            row = db.execute(f"{_SELECT} WHERE id = ?", [activity_id]).fetchone()
+        if row is None:
+            raise StoreError("own_activity_not_found", id=activity_id)
+        return _record(row)
+
+    def new_key(self) -> str:
+        """The key of an activity to be made: its document names it."""
+        return new_id()
+
+    def save(
+        self, activity_id: str, title: str, document: Mapping[str, Any], goal: Mapping[str, Any]
+    ) -> OwnActivityRow:
+        """Adds an activity, or gives the one of that key another content; one that was deleted is there again.
+
+        Raises:
+            StoreError: `name_empty`, `name_too_long`; `own_activities_too_many`.
+        """
+        now = self._database.now()
+        values: dict[str, object] = {"title": clean_name(title), "deleted_at": None}
+        values |= {"document": dumped(document), "goal": dumped(goal)}
+
+        def write(db: sqlite3.Connection) -> None:
+            known = db.execute("SELECT 1 FROM own_activities WHERE id = ?", [activity_id])
+            if known.fetchone():
+                change(db, "own_activities", activity_id, values, now)
+                return
+            if row_count(db, "own_activities", "deleted_at IS NULL") >= MAX_OWN_ACTIVITIES:
+                raise StoreError("own_activities_too_many", max=MAX_OWN_ACTIVITIES)
+            made = {"id": activity_id, "created_at": now, "changed_at": now}
+            insert(db, "own_activities", {**made, **values})
+
+        self._database.write(write)
+        return self.get(activity_id)
+
+    def delete(self, activity_id: str) -> None:
+        """Takes it off all lists. Raises StoreError `own_activity_not_found`."""
+        self._mark(activity_id, self._database.now())
+
+    def take_back(self, activity_id: str) -> None:
+        """Undoes `delete`. Raises StoreError `own_activity_not_found`."""
+        self._mark(activity_id, None)
+
+    def _mark(self, activity_id: str, deleted_at: str | None) -> None:
+        before, now = self.get(activity_id), self._database.now()
+        if (before.deleted_at is None) != (deleted_at is None):
+            values = {"deleted_at": deleted_at}
+            self._database.write(lambda db: change(db, "own_activities", activity_id, values, now))
+
+
+def _record(row: sqlite3.Row) -> OwnActivityRow:
+    values = dict(row)
+    parsed = {name: readable_object(values[name]) or {} for name in ("document", "goal")}
+    return OwnActivityRow(**{**values, **parsed})
