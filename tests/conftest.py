@@ -2,6 +2,7 @@ import pytest
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--pictures", help="folder for pictures of the lesson of two hours")
     parser.addoption(
         "--fuzz-s", type=float, default=5.0, help="how long each test marked fuzz goes on, in s"
     )

@@ -1,0 +1,343 @@
+"""The lesson of two hours (docs/lesson.pt-BR.md) by clicks: five groups on three PCs, and their teacher.
+
+`--pictures FOLDER` keeps a picture of each step, for docs/teacher.pt-BR.md.
+"""
+
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, expect
+
+from tests.e2e.app_process import AppProcess
+from tests.e2e.axe import violations
+from tests.e2e.conftest import SCREEN
+from tests.e2e.python_pane import write_program
+from tests.e2e.studio import RUN_MS, Studio
+from tests.e2e.test_camera import CAMERA_MS, RECORDINGS
+from tests.e2e.test_classes import PIN, to_part
+from tests.e2e.test_examples import open_example
+from tests.e2e.test_lesson_day import merge_all, prepare, save_on
+from tests.e2e.watch import Watch
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(600)]
+
+GROUPS = ("Araras", "Botos", "Corujas", "Dourados", "Emas")
+MOVE, TURN, PEN = "andar para frente", "girar", "abaixar a caneta"
+
+T = (
+    "robot.pen(down=True)\nrobot.move_forward(1.2)\nrobot.pen(down=False)\nrobot.move_backward(0.6)\n"
+    "robot.turn(-90)\nrobot.pen(down=True)\nrobot.move_forward(2.0)\n"
+)
+A = "robot.pen(down=True)\nfor _ in range(3):\n    robot.move_forward(1.0)\n    robot.turn({})\n"
+NO_PEN = "robot.move_forward(2.0)\nrobot.turn(90)\nrobot.move_forward(1.0)\n"
+READ = "robot.classify_gestures(timeout=30)\n"
+MOVE_IF_B = 'if robot.gesture_result == "B":\n    robot.move_forward(1.0)\n'
+
+
+@dataclass
+class Pictures:
+    """Pictures of the steps, in order; without a folder, none."""
+
+    folder: Path | None
+
+    def take(self, studio: Studio, step: str) -> None:
+        if self.folder is not None:
+            self.folder.mkdir(parents=True, exist_ok=True)
+            studio.page.screenshot(path=self.folder / f"lesson-{step}.png")
+
+
+@pytest.fixture
+def pictures(request: pytest.FixtureRequest) -> Pictures:
+    folder = request.config.getoption("--pictures")
+    return Pictures(Path(folder) if folder else None)
+
+
+@pytest.fixture
+def pcs(
+    browser: Browser, watch: Watch, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[list[Studio]]:
+    """Three PCs with an empty file each, all with a camera that sees B; the first is the teacher's."""
+    with ExitStack() as stack:
+
+        def pc(number: int) -> Studio:
+            home = tmp_path_factory.mktemp(f"pc{number}")
+            app = AppProcess(home, "--camera", str(RECORDINGS / "b.npz"))
+            link = app.start()
+            stack.callback(app.stop)
+            context = browser.new_context(viewport=SCREEN, locale="pt-BR", reduced_motion="reduce")
+            stack.callback(context.close)
+            context.set_default_timeout(15_000)
+            watch.over(context)
+            page = context.new_page()
+            page.goto(link)
+            return Studio(page)
+
+        yield [pc(number) for number in (1, 2, 3)]
+
+
+def test_two_hours_of_five_groups(pcs: list[Studio], tmp_path: Path, pictures: Pictures) -> None:
+    mine, second, third = pcs
+    seats = dict(zip(GROUPS, (mine, mine, second, second, third), strict=True))
+
+    before_the_lesson(pcs, stick := tmp_path / "pendrive", pictures)
+    what_does_a_robot_obey(mine, pictures)
+    the_alphabet(mine, pictures)
+
+    open_on_all(pcs, "Virar a esquina", "around_the_corner", pictures)
+    for name, work in AROUND_THE_CORNER.items():
+        with_group(seats[name], name, work, pictures)
+
+    open_on_all(pcs, "A letra do grupo", "letter", pictures)
+    for name, work in LETTERS.items():
+        with_group(seats[name], name, work, pictures)
+
+    open_on_all(pcs, "Só com o B", "sign_b", pictures)
+    for name, work in SIGNS.items():
+        with_group(seats[name], name, work, pictures)
+
+    for pc in (second, third):
+        save_on(as_teacher(pc), stick)
+    merge_all(as_teacher(mine), stick)
+    the_last_eight_minutes(mine, pictures)
+
+
+def before_the_lesson(pcs: list[Studio], stick: Path, pictures: Pictures) -> None:
+    """The class with its groups, carried to all PCs on a stick; the camera of the teacher's PC is tried."""
+    stick.mkdir()
+    mine, *others = pcs
+    prepare(mine, "Mesa da professora")
+    for name in GROUPS:
+        mine["new-group-name"].fill(name)
+        mine["make-group"].click()
+        expect(mine["class-group"].filter(has_text=name)).to_be_visible()
+    pictures.take(mine, "1-class")
+    to_part(mine, "camera")
+    expect(mine["camera-ready"]).to_have_attribute("data-ready", "true", timeout=CAMERA_MS)
+    pictures.take(mine, "2-camera")
+    save_on(mine, stick)
+    for number, pc in enumerate(others, 2):
+        prepare(pc, f"PC {number}", from_stick=stick)
+
+
+def what_does_a_robot_obey(pc: Studio, pictures: Pictures) -> None:
+    """0-15 min: the vacuum cleaner for all to see."""
+    to_group(pc, "Araras")
+    open_example(pc, "vacuum_cleaner")
+    pc["speed"].select_option("10")
+    pc.run()
+    pc.wait_for_phase("running")
+    pc.page.wait_for_timeout(3_000)
+    pictures.take(pc, "3-vacuum")
+    pc["stop"].click()
+    pc.wait_for_phase("stopped")
+
+
+def the_alphabet(pc: Studio, pictures: Pictures) -> None:
+    """15-25 min: large letters to imitate."""
+    pc["home"].click()
+    pc["practice"].click()
+    expect(pc["practice-sign"].first).to_be_visible()
+    pc.page.wait_for_timeout(2_000)
+    assert violations(pc) == []
+    pictures.take(pc, "4-alphabet")
+
+
+def open_on_all(pcs: list[Studio], title: str, activity: str, pictures: Pictures) -> None:
+    for pc in pcs:
+        as_teacher(pc)
+        to_part(pc, "lessons")
+        if pc["close-lesson"].count():
+            pc["close-lesson"].click()
+        pc["lesson-title"].fill(title)
+        pc["lesson-activity"].select_option(activity)
+        if pc is pcs[0]:
+            pictures.take(pc, f"open-{activity}")
+        pc["open-lesson"].click()
+        expect(pc["lesson-now"]).to_contain_text(title)
+        pc["sign-out"].click()
+
+
+def as_teacher(pc: Studio) -> Studio:
+    pc["home"].click()
+    pc["teacher-link"].click()
+    expect(pc["pin"].or_(pc["teacher-part"]).first).to_be_visible()
+    if pc["pin"].count():
+        pc["pin"].fill(PIN)
+        pc["sign-in"].click()
+    expect(pc["teacher-part"].first).to_be_visible()
+    return pc
+
+
+def to_group(pc: Studio, name: str) -> None:
+    pc["home"].click()
+    pc["group-card"].filter(has_text=name).click()
+    pc.wait_until_open()
+
+
+Work = Callable[[Studio, Pictures], None]
+
+
+def with_group(pc: Studio, name: str, work: Work, pictures: Pictures) -> None:
+    """A group finds itself by its picture, works, and leaves."""
+    to_group(pc, name)
+    expect(pc["mission"]).to_be_visible()
+    if name != GROUPS[0]:  # the others need not be watched in real time
+        pc["level"].select_option("2")
+        pc["speed"].select_option("10")
+    work(pc, pictures)
+    pc.wait_until_saved()
+
+
+def append(pc: Studio, *steps: tuple[str, str]) -> None:
+    """Clicks blocks of the palette, one below the other, and types their numbers."""
+    for words, value in steps:
+        pc.blocks.click_in_toolbox("show" if words == PEN else "motion", words)
+        if words != PEN:
+            pc.blocks.type_into(pc.blocks.by_words(words), value)
+
+
+def run_to_the_end(pc: Studio) -> None:
+    pc.run()
+    pc.wait_for_phase("running")
+    expect(pc["scene"]).not_to_have_attribute("data-phase", "running", timeout=RUN_MS)
+
+
+def passed(pc: Studio) -> None:
+    run_to_the_end(pc)
+    expect(pc["mission-done"]).to_be_visible(timeout=RUN_MS)
+
+
+def told(pc: Studio, words: str) -> None:
+    """Not yet, and why."""
+    run_to_the_end(pc)
+    expect(pc["status-line"]).to_contain_text("Ainda não", timeout=RUN_MS)
+    expect(pc["status-line"]).to_contain_text(words)
+
+
+def corner_at_once(pc: Studio, pictures: Pictures) -> None:
+    pictures.take(pc, "5-mission")
+    append(pc, (MOVE, "3"), (TURN, "90"), (MOVE, "3"))
+    passed(pc)
+    pictures.take(pc, "7-done")
+
+
+def corner_to_the_wrong_side(pc: Studio, pictures: Pictures) -> None:
+    append(pc, (MOVE, "3"), (TURN, "90"), (MOVE, "3"))
+    pc.blocks.choose(pc.blocks.by_words(TURN), "direita")
+    told(pc, "a escola ficou de que lado?")
+    pictures.take(pc, "6-not-yet")
+    pc["mission-hint"].click()
+    pc.blocks.choose(pc.blocks.by_words(TURN), "esquerda")
+    pc.eventually(lambda: pc.values("angle"), [None, 90, None])
+    passed(pc)
+
+
+def corner_turns_first(pc: Studio, pictures: Pictures) -> None:
+    append(pc, (TURN, "90"), (MOVE, "3"))
+    told(pc, "O que vem antes?")
+    write_program(pc, "robot.move_forward(3.0)\nrobot.turn(90)\nrobot.move_forward(3.0)\n")
+    passed(pc)
+
+
+def corner_without_the_last_move(pc: Studio, pictures: Pictures) -> None:
+    append(pc, (MOVE, "3"), (TURN, "90"))
+    told(pc, "falta “andar”")
+
+
+AROUND_THE_CORNER: dict[str, Work] = {
+    "Araras": corner_at_once,
+    "Botos": corner_to_the_wrong_side,
+    "Corujas": corner_turns_first,
+    "Dourados": corner_without_the_last_move,
+    "Emas": corner_at_once,
+}
+
+
+def writes(program: str) -> Work:
+    def work(pc: Studio, pictures: Pictures) -> None:
+        write_program(pc, program)
+        passed(pc)
+
+    return work
+
+
+def mirrored_letter(pc: Studio, pictures: Pictures) -> None:
+    append(pc, (TURN, "90"))
+    pc.blocks.choose(pc.blocks.by_words(TURN), "direita")
+    append(pc, (PEN, ""), (MOVE, "2"), (TURN, "90"))
+    pc.blocks.choose(pc.blocks.by_words(TURN), "direita")
+    append(pc, (MOVE, "1"))
+    told(pc, "L no espelho")
+    pictures.take(pc, "9-mirrored")
+    pc.blocks.choose(pc.blocks.by_words(TURN), "esquerda")
+    passed(pc)
+    pictures.take(pc, "10-letter")
+
+
+def open_triangle(pc: Studio, pictures: Pictures) -> None:
+    write_program(pc, A.format(60))
+    told(pc, "")
+
+
+def forgotten_pen(pc: Studio, pictures: Pictures) -> None:
+    write_program(pc, NO_PEN)
+    told(pc, "a caneta começa levantada")
+
+
+LETTERS: dict[str, Work] = {
+    "Araras": mirrored_letter,
+    "Botos": writes(T),
+    "Corujas": open_triangle,
+    "Dourados": writes(A.format(120)),
+    "Emas": forgotten_pen,
+}
+
+
+def sign_decides(pc: Studio, pictures: Pictures) -> None:
+    write_program(pc, READ + MOVE_IF_B)
+    pc.run()
+    expect(pc["capture"]).to_be_visible(timeout=CAMERA_MS)
+    pictures.take(pc, "11-sign")
+    expect(pc["mission-done"]).to_be_visible(timeout=CAMERA_MS + RUN_MS)
+
+
+def decides_before_reading(pc: Studio, pictures: Pictures) -> None:
+    write_program(pc, MOVE_IF_B + READ)
+    told(pc, "antes de")
+
+
+def drives_always(pc: Studio, pictures: Pictures) -> None:
+    write_program(pc, READ + "robot.move_forward(1.0)\n")
+    told(pc, "")
+
+
+SIGNS: dict[str, Work] = {
+    "Araras": sign_decides,
+    "Botos": decides_before_reading,
+    "Corujas": drives_always,
+    "Dourados": sign_decides,
+    "Emas": sign_decides,
+}
+
+
+def the_last_eight_minutes(pc: Studio, pictures: Pictures) -> None:
+    """92-100 min: what happened, on the teacher's PC; the file of each PC was merged."""
+    wanted = {
+        "Só com o B": ("3 de 5", ("Botos", "Corujas")),
+        "A letra do grupo": ("3 de 5", ("Corujas", "Emas")),
+        "Virar a esquina": ("4 de 5", ("Dourados",)),
+    }
+    for title, (solved, stuck) in wanted.items():
+        to_part(pc, "lessons")
+        pc["lesson-row"].filter(has_text=title).get_by_test_id("lesson-link").click()
+        summary = pc["lesson-summary"]
+        expect(summary).to_contain_text(f"Cumpriram a atividade: {solved}")
+        expect(pc["review-group"]).to_have_count(5)
+        for name in stuck:
+            expect(pc.page.locator(f"[data-testid=review-group][data-name={name}]")).to_be_visible()
+        pictures.take(pc, f"12-review-{solved[0]}-{title.split()[0].lower()}")
+        assert violations(pc) == []
+        as_teacher(pc)
