@@ -22,8 +22,8 @@ from pinel_desktop.runs.spec import RunSpec
 from pinel_desktop.runs.start import start
 from sim.world import world_from_document
 
-# a busy loop of 15 s of robot time; a program that passes an activity takes some thousand
-STEP_LIMIT = StepLimit(at_rest=500_000, total=2_000_000)
+# busy loops of 10 s at rest, of 33 s of robot time in all; a program that passes an activity takes some thousand steps
+STEP_LIMIT = StepLimit(at_rest=300_000, total=1_000_000)
 _REST_S = 1.0  # the robot may roll on for that long when it is stopped at the limit
 
 
