@@ -21,6 +21,7 @@ from pinel_desktop.messages import Problem, describe, explain
 from pinel_desktop.page_settings import PageSettings
 from pinel_desktop.preferences import Preferences
 from pinel_desktop.school.grading import Grader
+from pinel_desktop.school.live_checks import LiveChecks
 from pinel_desktop.school.sign_teaching import SignTeaching
 from pinel_desktop.school.teacher import TeacherSessions
 from pinel_desktop.web.application import create_app
@@ -156,6 +157,13 @@ class App:
             lambda: self._preferences.language,
         )
         undo.callback(self._grader.close)
+        self._live_checks = LiveChecks(
+            self._store,
+            lambda: self._grader.judge,
+            self._hub.publish,
+            lambda: self._preferences.language,
+        )
+        undo.callback(self._live_checks.close)
         self._maintenance = Maintenance(self._store, self._publish_keeping)
         undo.callback(self._maintenance.close)
         if self._store.unfinished:
@@ -220,6 +228,7 @@ class App:
         self._recorder(event)
         self._hub.publish(event)
         self._camera.observe(event)
+        self._live_checks.observe(event)
         if event["type"] == "run_ended":
             self._grader.grade(event["run"])
 

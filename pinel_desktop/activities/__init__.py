@@ -9,8 +9,8 @@ from pinel_desktop.activities.checking import (
     check_program,
     judge_run,
 )
-from pinel_desktop.activities.diagnosis import Advice
-from pinel_desktop.activities.evidence import RunLog
+from pinel_desktop.activities.diagnosis import Advice, input_words
+from pinel_desktop.activities.evidence import LogWriter, RunLog
 from pinel_desktop.activities.examples import (
     EXAMPLES,
     example,
@@ -34,6 +34,7 @@ from pinel_desktop.activities.reading import (
     world_titles,
 )
 from pinel_desktop.activities.recorded import case_of_run
+from pinel_desktop.activities.standing import RunStanding, Standing, standings_before
 
 __all__ = [
     "EXAMPLES",
@@ -44,10 +45,13 @@ __all__ = [
     "CaseReport",
     "CheckReport",
     "Goal",
+    "LogWriter",
     "RecordedRun",
     "Report",
     "RunLog",
+    "RunStanding",
     "Sample",
+    "Standing",
     "Trial",
     "activity_names",
     "activity_titles",
@@ -58,6 +62,7 @@ __all__ = [
     "example",
     "example_picture",
     "goal_of",
+    "input_words",
     "judge_run",
     "program_of_example",
     "read_activity",
@@ -66,6 +71,7 @@ __all__ = [
     "shipped_goal",
     "shipped_texts",
     "solution_of",
+    "standings_before",
     "trials",
     "world_of",
     "world_title",

@@ -6,7 +6,9 @@ Every kind is a model here with its tag, a function in `checks.py`, words in
 
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import Field
+
+from pinel_desktop.activities.texts import Model, Title
 
 Name = Annotated[str, Field(min_length=1, max_length=64)]
 Metres = Annotated[float, Field(ge=-100, le=100)]
@@ -14,19 +16,23 @@ Length = Annotated[float, Field(gt=0, le=10_000)]
 MOST = 100
 
 
-class Model(BaseModel):
-    """Base of all parts of an activity."""
+class AnyCheck(Model):
+    """Base of all kinds.
 
-    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
+    Attributes:
+        label: what the check list of the card calls it; None for the words of its kind.
+    """
+
+    label: Title | None = None
 
 
-class Finished(Model):
+class Finished(AnyCheck):
     """The run ends by itself and without a failure."""
 
     check: Literal["finished"]
 
 
-class EndsAt(Model):
+class EndsAt(AnyCheck):
     """At the end the robot is within `within_m` of a point of the start frame."""
 
     check: Literal["ends_at"]
@@ -35,7 +41,7 @@ class EndsAt(Model):
     within_m: Length = 0.1
 
 
-class EndsHeading(Model):
+class EndsHeading(AnyCheck):
     """At the end the robot has a heading in the start frame, within `within_deg`."""
 
     check: Literal["ends_heading"]
@@ -43,14 +49,14 @@ class EndsHeading(Model):
     within_deg: Annotated[float, Field(gt=0, le=180)] = 5.0
 
 
-class EndsIn(Model):
+class EndsIn(AnyCheck):
     """At the end the robot's centre is in a zone of the world."""
 
     check: Literal["ends_in"]
     zone: Name
 
 
-class Visits(Model):
+class Visits(AnyCheck):
     """The robot's centre passes through zones of the world, in this order if `ordered`."""
 
     check: Literal["visits"]
@@ -58,13 +64,13 @@ class Visits(Model):
     ordered: bool = True
 
 
-class TouchesNothing(Model):
+class TouchesNothing(AnyCheck):
     """The robot never touches a wall or a box."""
 
     check: Literal["touches_nothing"]
 
 
-class Pushed(Model):
+class Pushed(AnyCheck):
     """At the end the centre of a box, by its index in the world, is in a zone."""
 
     check: Literal["pushed"]
@@ -72,7 +78,7 @@ class Pushed(Model):
     zone: Name
 
 
-class Uses(Model):
+class Uses(AnyCheck):
     """The program has from `at_least` to `at_most` commands of a kind, at any level of nesting."""
 
     check: Literal["uses"]
@@ -81,7 +87,7 @@ class Uses(Model):
     at_most: Annotated[int, Field(ge=0, le=20_000)] = 20_000
 
 
-class Marks(Model):
+class Marks(AnyCheck):
     """The program leaves a mark in a zone of the world."""
 
     check: Literal["marks"]
@@ -89,14 +95,14 @@ class Marks(Model):
     zone: Name
 
 
-class Says(Model):
+class Says(AnyCheck):
     """The program says something that contains a text, ignoring case."""
 
     check: Literal["says"]
     text: Annotated[str, Field(min_length=1, max_length=1000)]
 
 
-class PathLength(Model):
+class PathLength(AnyCheck):
     """The length of the path driven is within limits, in metres."""
 
     check: Literal["path_length"]
@@ -108,7 +114,7 @@ Point = Annotated[list[Metres], Field(min_length=2, max_length=2)]
 Line = Annotated[list[Point], Field(min_length=2, max_length=500)]
 
 
-class Draws(Model):
+class Draws(AnyCheck):
     """What the pen drew, or the path, is the template: no point of either is farther than `tolerance` from the other.
 
     Attributes:
@@ -128,14 +134,14 @@ class Draws(Model):
     figure: Name | None = None
 
 
-class Closed(Model):
+class Closed(AnyCheck):
     """The last point that the pen drew is within `within_m` of the first."""
 
     check: Literal["closed"]
     within_m: Length = 0.05
 
 
-class Symmetric(Model):
+class Symmetric(AnyCheck):
     """What the pen drew has at least so many mirror axes through its centroid; `tolerance` is in r.m.s. radii."""
 
     check: Literal["symmetric"]
@@ -143,7 +149,7 @@ class Symmetric(Model):
     tolerance: Annotated[float, Field(gt=0, le=1)] = 0.06
 
 
-class TurnedTotal(Model):
+class TurnedTotal(AnyCheck):
     """All turning is within limits, and what remains with sign (positive: left) is `net_deg`."""
 
     check: Literal["turned_total"]
@@ -153,21 +159,21 @@ class TurnedTotal(Model):
     net_within: Annotated[float, Field(gt=0, le=1_000_000)] = 10.0
 
 
-class BlockCount(Model):
+class BlockCount(AnyCheck):
     """The program has at most so many commands."""
 
     check: Literal["block_count"]
     at_most: Annotated[int, Field(ge=1, le=20_000)]
 
 
-class Nesting(Model):
+class Nesting(AnyCheck):
     """The program has loops in loops, so many deep."""
 
     check: Literal["nesting"]
     at_least: Annotated[int, Field(ge=1, le=100)]
 
 
-class Executed(Model):
+class Executed(AnyCheck):
     """A kind of command begins so many times in the run."""
 
     check: Literal["executed"]
@@ -175,21 +181,21 @@ class Executed(Model):
     n: Annotated[int, Field(ge=0, le=1_000_000)]
 
 
-class MarkCount(Model):
+class MarkCount(AnyCheck):
     """The run leaves so many marks."""
 
     check: Literal["mark_count"]
     n: Annotated[int, Field(ge=0, le=10_000)]
 
 
-class Time(Model):
+class Time(AnyCheck):
     """The run takes at most so much robot time."""
 
     check: Literal["time"]
     at_most_s: Annotated[float, Field(gt=0, le=3600)]
 
 
-class AnyOf(Model):
+class AnyOf(AnyCheck):
     """One of several checks holds."""
 
     check: Literal["any_of"]

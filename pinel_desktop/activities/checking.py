@@ -25,6 +25,7 @@ from sim.world import world_from_document
 # busy loops of 10 s at rest, of 33 s of robot time in all; a program that passes an activity takes some thousand steps
 STEP_LIMIT = StepLimit(at_rest=300_000, total=1_000_000)
 _REST_S = 1.0  # the robot may roll on for that long when it is stopped at the limit
+_NO_PARAMS = {"check": True, "label": True, "checks": {"__all__": {"label"}}}
 
 
 @dataclass(frozen=True, slots=True)
@@ -180,7 +181,7 @@ def judge_run(
         PinelError: what `world_of` raises.
     """
     case = activity.cases[number - 1]
-    log = _limited(log, activity.limit_s)
+    log = limited(log, activity.limit_s)
     evidence = Evidence(document, world_from_document(world_of(activity, case)), log)
     checks = [*activity.checks, *case.checks]
     findings = [find(check, evidence) for check in checks]
@@ -202,22 +203,23 @@ def judge_run(
     )
 
 
-def _limited(log: RunLog, limit_s: float) -> RunLog:
-    """The log of a run that took too long, whoever stopped it, ends as a failure."""
+def limited(log: RunLog, limit_s: float) -> RunLog:
+    """The log of a run that took too long, whoever stopped it or will stop it, ends as a failure."""
     duration_s = (len(log.poses) - 1) / TICK_HZ
     ended = log.ended
     is_stopped = ended["state"] == "stopped" and duration_s >= limit_s
     if not is_stopped and duration_s <= limit_s + _REST_S:
         return log
     end = {**ended, "state": "failed", "reason": "too_long", "params": {"limit": limit_s}}
-    return replace(log, events=(*log.events[:-1], end))
+    before = log.events[:-1] if log.is_over else log.events
+    return replace(log, events=(*before, end))
 
 
 def _check_report(check: Any, finding: Finding, evidence: Evidence) -> CheckReport:
     command = evidence.command_at(finding.pointer) if finding.pointer else None
     return CheckReport(
         kind=check.check,
-        params=check.model_dump(exclude={"check"}),
+        params=check.model_dump(exclude=_NO_PARAMS),
         holds=finding.holds,
         measured=finding.measured,
         target=finding.target,

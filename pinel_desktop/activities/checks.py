@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import Any
 
@@ -33,6 +33,7 @@ class Finding:
         measured, target: what was measured, and what it should be: m, degrees, s, a number or a name.
         pointer: JSON pointer of the command to look at, or None.
         code: the words where it does not hold; `values` fill them.
+        is_lost: whether nothing that the run still does can make it hold.
     """
 
     holds: bool
@@ -41,6 +42,7 @@ class Finding:
     pointer: str | None
     code: str
     values: dict[str, Any] = field(default_factory=dict)
+    is_lost: bool = False
 
 
 def find(check: Any, evidence: Evidence) -> Finding:
@@ -104,7 +106,8 @@ def _touches_nothing(_check: kinds.TouchesNothing, evidence: Evidence) -> Findin
     motion = evidence.motion_at(tick)
     at_s = tick / 30
     pointer = motion.pointer if motion else None
-    return Finding(False, at_s, None, pointer, "check_touches_nothing", {"at_s": at_s})
+    values = {"at_s": at_s}
+    return Finding(False, at_s, None, pointer, "check_touches_nothing", values, is_lost=True)
 
 
 def _pushed(check: kinds.Pushed, evidence: Evidence) -> Finding:
@@ -124,7 +127,8 @@ def _uses(check: kinds.Uses, evidence: Evidence) -> Finding:
     values: dict[str, Any] = {"name": check.action, "measured": n, "target": target}
     code = "check_uses_too_many" if too_many else "check_uses" if n else "check_uses_none"
     pointer = found[-1].pointer if too_many else None
-    return Finding(check.at_least <= n <= check.at_most, n, target, pointer, code, values)
+    holds = check.at_least <= n <= check.at_most
+    return Finding(holds, n, target, pointer, code, values, is_lost=not holds)
 
 
 def _marks(check: kinds.Marks, evidence: Evidence) -> Finding:
@@ -157,7 +161,8 @@ def _path_length(check: kinds.PathLength, evidence: Evidence) -> Finding:
         code = "check_path_length_long"
     values = {"measured_m": length, "target_m": target}
     holds = check.at_least_m <= length <= check.at_most_m
-    return Finding(holds, length, target, _last_motion(evidence), code, values)
+    pointer = _last_motion(evidence)
+    return Finding(holds, length, target, pointer, code, values, is_lost=is_long)
 
 
 def _draws(check: kinds.Draws, evidence: Evidence) -> Finding:
@@ -241,9 +246,10 @@ def _turned_total(check: kinds.TurnedTotal, evidence: Evidence) -> Finding:
         target = check.at_most_deg if is_much else check.at_least_deg
         values = {"measured_deg": total, "target_deg": target}
         code = "check_turned_total_much" if is_much else "check_turned_total"
-        return Finding(False, total, target, pointer, code, values)
+        return Finding(False, total, target, pointer, code, values, is_lost=is_much)
     if check.net_deg is None or abs(net - check.net_deg) <= check.net_within:
-        return Finding(True, total, check.at_least_deg, None, "check_turned_total")
+        values = {"measured_deg": total, "target_deg": check.at_least_deg}
+        return Finding(True, total, check.at_least_deg, None, "check_turned_total", values)
     values = {"measured_deg": net, "target_deg": check.net_deg}
     return Finding(False, net, check.net_deg, pointer, "check_turned_total_net", values)
 
@@ -251,13 +257,19 @@ def _turned_total(check: kinds.TurnedTotal, evidence: Evidence) -> Finding:
 def _block_count(check: kinds.BlockCount, evidence: Evidence) -> Finding:
     n = len(evidence.commands)
     values = {"measured": n, "target": check.at_most}
-    return Finding(n <= check.at_most, n, check.at_most, None, "check_block_count", values)
+    is_lost = n > check.at_most
+    return Finding(
+        not is_lost, n, check.at_most, None, "check_block_count", values, is_lost=is_lost
+    )
 
 
 def _nesting(check: kinds.Nesting, evidence: Evidence) -> Finding:
     depth = nesting_of(evidence.commands)
     values = {"measured": depth, "target": check.at_least}
-    return Finding(depth >= check.at_least, depth, check.at_least, None, "check_nesting", values)
+    is_lost = depth < check.at_least
+    return Finding(
+        not is_lost, depth, check.at_least, None, "check_nesting", values, is_lost=is_lost
+    )
 
 
 def _executed(check: kinds.Executed, evidence: Evidence) -> Finding:
@@ -265,33 +277,38 @@ def _executed(check: kinds.Executed, evidence: Evidence) -> Finding:
     values: dict[str, Any] = {"name": check.action, "measured": n, "target": check.n}
     there = next((one for one in evidence.commands if one.action == check.action), None)
     pointer = there.pointer if there else None
-    return Finding(n == check.n, n, check.n, pointer, "check_executed", values)
+    is_lost = n > check.n
+    return Finding(n == check.n, n, check.n, pointer, "check_executed", values, is_lost=is_lost)
 
 
 def _mark_count(check: kinds.MarkCount, evidence: Evidence) -> Finding:
     n = len(evidence.marks)
     values = {"measured": n, "target": check.n}
     pointer = _last_begun(evidence, "mark")
-    return Finding(n == check.n, n, check.n, pointer, "check_mark_count", values)
+    is_lost = n > check.n
+    return Finding(n == check.n, n, check.n, pointer, "check_mark_count", values, is_lost=is_lost)
 
 
 def _time(check: kinds.Time, evidence: Evidence) -> Finding:
     taken = evidence.duration_s
     values = {"measured_s": taken, "target_s": check.at_most_s}
-    return Finding(taken <= check.at_most_s, taken, check.at_most_s, None, "check_time", values)
+    is_lost = taken > check.at_most_s
+    return Finding(not is_lost, taken, check.at_most_s, None, "check_time", values, is_lost=is_lost)
 
 
 def _any_of(check: kinds.AnyOf, evidence: Evidence) -> Finding:
     """The first that holds, else the nearest drawing, else the first."""
     best: Finding | None = None
+    is_lost = True
     for one in check.checks:
         found = find(one, evidence)
         if found.holds:
             return found
+        is_lost = is_lost and found.is_lost
         if best is None or _is_nearer(found, best):
             best = found
     assert best is not None
-    return best
+    return replace(best, is_lost=is_lost)
 
 
 def _is_nearer(found: Finding, other: Finding) -> bool:

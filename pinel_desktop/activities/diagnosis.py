@@ -309,7 +309,7 @@ def _values(
         if name[:2] in ("n_", "x_"):
             values[name] = facts[name]
     if "input" in named:
-        values["input"] = _input_words(facts, language)
+        values["input"] = input_words(facts.case, language)
     if command is not None:
         values |= _of_block(command, facts)
     return {name: value for name, value in values.items() if value is not None}
@@ -334,8 +334,8 @@ def _of_block(command: Command, facts: Facts) -> dict[str, Any]:
     return values
 
 
-def _input_words(facts: Facts, language: str) -> str:
-    case = facts.case
+def input_words(case: Case, language: str) -> str:
+    """What a case gives to the program: signs and answers, or another start."""
     if case.start is not None:
         values = {"x": number(case.start.x_m, language)}
         return describe("diagnosis_start", values, language).message

@@ -4,9 +4,11 @@ The same evidence comes from a run that was just executed and from one that the 
 record rounds them, so that both are judged alike.
 """
 
+from array import array
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from operator import attrgetter
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,6 +17,7 @@ from numpy.typing import NDArray
 from pinel_desktop.activities.commands import MOTIONS, Command, commands_of
 from pinel_desktop.activities.drawing import Points, Sampled, sampled
 from pinel_desktop.events.model import Event, RunEnded, Telemetry
+from pinel_desktop.events.types import KEPT
 from pinel_desktop.execution.clock import TICK_HZ
 from sim.floor import Disc, Rectangle, Zone
 from sim.world import World
@@ -25,7 +28,12 @@ _COUNTED_M, _COUNTED_MEASURED_M = 0.002, 0.02
 _DOT_M = 0.01  # a shorter line is not seen
 _COUNTED_RAD = np.radians(2.0)
 _COLUMNS = ("x_m", "y_m", "yaw_rad", "done", "bumper", "true_x_m", "true_y_m", "true_yaw_rad")
-_NO_END: Mapping[str, Any] = {"state": "failed", "reason": "interrupted", "params": {}}
+_NO_END: Mapping[str, Any] = {
+    "type": RunEnded.type,
+    "state": "failed",
+    "reason": "interrupted",
+    "params": {},
+}
 
 Wire = Mapping[str, Any]
 Rows = NDArray[np.float64]
@@ -99,44 +107,50 @@ class RunLog:
         return cls.of_columns(column, every)
 
     @property
+    def is_over(self) -> bool:
+        """Whether there is a closing event."""
+        return bool(self.events) and self.events[-1].get("type") == RunEnded.type
+
+    @property
     def ended(self) -> Wire:
         """The closing event; that of an interrupted run where there is none."""
-        last = self.events[-1] if self.events else _NO_END
-        return last if last.get("type") == RunEnded.type else _NO_END
+        return self.events[-1] if self.is_over else _NO_END
 
 
 class LogWriter:
-    """Makes the log of a run that is being executed; `observe` must receive all its events."""
+    """Makes the log of a run that is being executed; `observe` or `take` must receive all its events.
+
+    The log may be read at any time, but not while another thread writes.
+    """
 
     def __init__(self) -> None:
-        self._samples: list[tuple[float, ...]] = []
+        self._samples = array("d")
         self._events: list[Wire] = []
 
     def observe(self, tick: int, event: Event) -> None:
+        """Takes an event of the executor."""
         if type(event) is Telemetry:
-            self._samples.append(tuple(_MISSING if v is None else float(v) for v in _values(event)))
+            self._add(attrgetter(*_COLUMNS)(event))
         elif event.kept:
             self._events.append({**event.flat(), "tick": tick})
 
+    def take(self, event: Wire) -> None:
+        """Takes an event as it is on the wire."""
+        if event["type"] == Telemetry.type:
+            self._add(tuple(event.get(name) for name in _COLUMNS))
+        elif event["type"] in KEPT:
+            self._events.append(event)
+
     def log(self) -> RunLog:
+        """Everything so far."""
         rows = np.array(self._samples, dtype=np.float64).reshape(-1, len(_COLUMNS))
         return RunLog.of_columns(lambda name: rows[:, _COLUMNS.index(name)], self._events)
 
+    def _add(self, values: tuple[float | None, ...]) -> None:
+        self._samples.extend(_MISSING if value is None else float(value) for value in values)
+
 
 _MISSING = float("nan")
-
-
-def _values(event: Telemetry) -> tuple[float | None, ...]:
-    return (
-        event.x_m,
-        event.y_m,
-        event.yaw_rad,
-        event.done,
-        event.bumper,
-        event.true_x_m,
-        event.true_y_m,
-        event.true_yaw_rad,
-    )
 
 
 class Trail(NamedTuple):

@@ -2,48 +2,17 @@
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, ConfigDict, Field
+from pydantic import BeforeValidator, Field
 from pydantic_core import PydanticCustomError
 
-from pinel_desktop.activities.check_kinds import MOST, Check, Metres, Model, Name
-from pinel_desktop.messages import SOURCE_LANGUAGE
+from pinel_desktop.activities.check_kinds import MOST, Check, Metres, Name
+from pinel_desktop.activities.texts import Model, Texts, Title
 from pinel_desktop.robot import PIONEER_3DX, Feedback, Preset
-from sim.document import LanguageTag
 
 FORMAT = 2  # files of all earlier formats are read
 
 PathName = Literal["moves", "shapes", "decisions", "sensors", "games"]
 General = Literal["hit", "too_far", "pen_up", "parts", "looked_once", "never_true", "input_ignored"]
-_MAX_TITLE, _MAX_TEXT = 200, 1000
-
-
-class Title(Model):
-    """A title in each language."""
-
-    model_config = ConfigDict(extra="allow", populate_by_name=True)
-
-    __pydantic_extra__: dict[LanguageTag, Annotated[str, Field(max_length=_MAX_TITLE)]] = Field(
-        init=False
-    )
-    pt_br: Annotated[str, Field(alias="pt-BR", max_length=_MAX_TITLE)]
-    en: Annotated[str, Field(max_length=_MAX_TITLE)]
-    es: Annotated[str, Field(max_length=_MAX_TITLE)]
-
-    def of(self, language: str) -> str:
-        """The text in a language; in Portuguese where it has none of that language."""
-        texts: dict[str, str] = self.model_dump(by_alias=True)
-        return texts.get(language, texts[SOURCE_LANGUAGE])
-
-
-class Texts(Title):
-    """A text in each language."""
-
-    __pydantic_extra__: dict[LanguageTag, Annotated[str, Field(max_length=_MAX_TEXT)]] = Field(
-        init=False
-    )
-    pt_br: Annotated[str, Field(alias="pt-BR", max_length=_MAX_TEXT)]
-    en: Annotated[str, Field(max_length=_MAX_TEXT)]
-    es: Annotated[str, Field(max_length=_MAX_TEXT)]
 
 
 class Start(Model):

@@ -6,9 +6,31 @@ from typing import Any
 
 from pinel_desktop.activities.evidence import RunLog
 from pinel_desktop.activities.faults import world_of
-from pinel_desktop.activities.model import Activity
+from pinel_desktop.activities.model import Activity, Case
 from pinel_desktop.robot import Setting
 from sim.world import World, WorldError, world_from_document
+
+
+def cases_in(activity: Activity, world: Mapping[str, Any], setting: Setting) -> list[int]:
+    """Numbers from 1 of the cases that have this world, start and robot.
+
+    Args:
+        world: the world's document.
+
+    Raises:
+        PinelError: what `world_of` raises.
+    """
+    floor = _floor(world)
+    if floor is None or setting != Setting(activity.model, activity.preset, activity.feedback):
+        return []
+    cases = enumerate(activity.cases, 1)
+    return [number for number, case in cases if floor == _floor(world_of(activity, case))]
+
+
+def begins_like(case: Case, log: RunLog) -> bool:
+    """Whether what a run was given so far is the beginning of what a case gives."""
+    gestures, answers = _gestures(log), _answers(log)
+    return _begins(case.gestures, gestures) and _begins(case.answers, answers)
 
 
 def case_of_run(
@@ -24,17 +46,10 @@ def case_of_run(
     Raises:
         PinelError: what `world_of` raises.
     """
-    if setting != Setting(activity.model, activity.preset, activity.feedback):
-        return None
     if len(log.poses) < 2 and log.ended["state"] != "finished":
         return None
-    floor = _floor(world)
-    gestures, answers = _gestures(log), _answers(log)
-    for number, case in enumerate(activity.cases, 1):
-        same_inputs = _begins(case.gestures, gestures) and _begins(case.answers, answers)
-        if same_inputs and floor is not None and floor == _floor(world_of(activity, case)):
-            return number
-    return None
+    numbers = cases_in(activity, world, setting)
+    return next((n for n in numbers if begins_like(activity.cases[n - 1], log)), None)
 
 
 def _floor(document: Mapping[str, Any]) -> World | None:

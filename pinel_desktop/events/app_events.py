@@ -1,6 +1,6 @@
 """What the app itself tells all pages on the stream. None of it belongs to the record of a run."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, ClassVar, Literal, TypedDict
 
 from pinel_desktop.events.model import StreamEvent
@@ -37,6 +37,48 @@ class Notice(StreamEvent):
     remedy: str
 
 
+class CheckLine(TypedDict):
+    """How a run stands with one check of its activity.
+
+    Attributes:
+        criterion: what counts, in words of the chosen language.
+        measured: how far the run is, in words; "" where a number says nothing more.
+        state: `met` while it holds, `open` while it does not hold yet, `broken` where this run will not fulfil it.
+    """
+
+    criterion: str
+    measured: str
+    state: Literal["open", "met", "broken"]
+
+
+@dataclass(frozen=True, slots=True)
+class ChecksStand(StreamEvent):
+    """How a run that goes on, or has just ended, stands with the checks of its activity. Told when that changes.
+
+    Attributes:
+        run: id of the run.
+        checks: the checks that are known to count in it; a case's own are added when its inputs are known.
+    """
+
+    type: ClassVar[str] = "checks_stand"
+    run: str
+    checks: list[CheckLine]
+
+
+class JudgedCase(TypedDict):
+    """A case of an activity in which a program was judged.
+
+    Attributes:
+        given: what it gives to the program, in words of the chosen language: signs, answers, another start.
+        seen: whether it is the run that the group saw; the others were run for the verdict.
+        passed: whether the program passed in it.
+    """
+
+    given: str
+    seen: bool
+    passed: bool
+
+
 @dataclass(frozen=True, slots=True)
 class Judged(StreamEvent):
     """A run that has ended was checked against the activity of its lesson.
@@ -46,12 +88,16 @@ class Judged(StreamEvent):
         passed: whether it passed.
         missing: in words what does not hold yet; null where the program fulfils the activity, also when the run did
             not come to its end.
+        block: id of the block that `missing` is about; null where it is about none.
+        cases: every case of an activity that has several.
     """
 
     type: ClassVar[str] = "judged"
     run: str
     passed: bool
     missing: str | None
+    block: str | None = None
+    cases: list[JudgedCase] = field(default_factory=list)
 
 
 @dataclass(frozen=True, slots=True)

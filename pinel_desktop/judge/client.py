@@ -3,10 +3,12 @@
 import threading
 from collections.abc import Sequence
 from concurrent.futures import Future
+from dataclasses import fields
 from itertools import count
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.judge.messages import Question, Verdict
+from pinel_desktop.events.app_events import CheckLine
+from pinel_desktop.judge.messages import Question, Told, Verdict
 from pinel_desktop.processes import own_command
 from pinel_desktop.processes.messages import Message
 from pinel_desktop.processes.owned import OwnedProcess
@@ -34,7 +36,7 @@ class JudgeClient:
         self._answer_s = answer_s
         self._lock = threading.Lock()
         self._numbers = count()
-        self._waiting: dict[int, Future[Verdict]] = {}
+        self._waiting: dict[int, Future[Message]] = {}
         self._awake = self._closed = False
 
     @property
@@ -56,17 +58,31 @@ class JudgeClient:
         Raises:
             PinelError: `judge_lost` if the process dies, hangs or does not start, and what judging raises.
         """
+        found = self._ask(question.as_message())
+        names = [one.name for one in fields(Verdict)]
+        return Verdict(**{name: found[name] for name in names})
+
+    def follow(self, told: Told) -> list[CheckLine] | None:
+        """How a run that goes on stands with the checks of its activity; None where they are not about it.
+
+        Raises:
+            PinelError: as `judge`.
+        """
+        checks: list[CheckLine] | None = self._ask(told.as_message())["checks"]
+        return checks
+
+    def _ask(self, message: Message) -> Message:
         self.wake()
         if not self._process.wait_until_ready(_START_S):
             raise PinelError("judge_lost")
-        number, verdict = next(self._numbers), Future[Verdict]()
+        number, answer = next(self._numbers), Future[Message]()
         with self._lock:
             if self._closed:
                 raise PinelError("judge_lost")
-            self._waiting[number] = verdict
-        self._process.send({"question": number, **question.as_message()})
+            self._waiting[number] = answer
+        self._process.send({"question": number, **message})
         try:
-            return verdict.result(self._answer_s)
+            return answer.result(self._answer_s)
         except TimeoutError as error:
             self._process.kill()
             raise PinelError("judge_lost") from error
@@ -83,16 +99,16 @@ class JudgeClient:
 
     def _receive(self, message: Message) -> None:
         with self._lock:
-            verdict = self._waiting.pop(message["question"], None)
-        if verdict is None:
+            answer = self._waiting.pop(message["question"], None)
+        if answer is None:
             return
-        if message["type"] == "verdict":
-            verdict.set_result(Verdict(message["passed"], message["missing"], message["cases"]))
+        if message["type"] == "refused":
+            answer.set_exception(PinelError(message["code"], **message["params"]))
         else:
-            verdict.set_exception(PinelError(message["code"], **message["params"]))
+            answer.set_result(message)
 
     def _fail_all(self) -> None:
         with self._lock:
             waiting, self._waiting = self._waiting, {}
-        for verdict in waiting.values():
-            verdict.set_exception(PinelError("judge_lost"))
+        for answer in waiting.values():
+            answer.set_exception(PinelError("judge_lost"))

@@ -1,12 +1,14 @@
 """What the app asks of the judge and what the judge answers, as plain data for JSON lines."""
 
 import base64
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from pinel_desktop.events.app_events import JudgedCase
 
 # the columns of a run's telemetry that checks look at
 COLUMNS = ("x_m", "y_m", "yaw_rad", "done", "bumper", "true_x_m", "true_y_m", "true_yaw_rad")
@@ -85,11 +87,68 @@ class Verdict:
         passed: whether every case passes.
         missing: in words what does not hold yet; None if the program passes.
         cases: the report of each case, as the store keeps it.
+        block: id of the block that `missing` is about.
+        tried: every case of an activity that has several, as event `judged` has them.
     """
 
     passed: bool
     missing: str | None
     cases: list[dict[str, Any]]
+    block: str | None = None
+    tried: list[JudgedCase] = field(default_factory=list)
+
+
+@dataclass(frozen=True, slots=True)
+class BegunRun:
+    """A run to follow.
+
+    Attributes:
+        activity: the activity as plain data.
+        document: the program's document.
+        world: the world's document.
+        parameters: those of the run's record: the robot's setting.
+    """
+
+    activity: Mapping[str, Any]
+    document: Mapping[str, Any]
+    world: Mapping[str, Any]
+    parameters: Mapping[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Told:
+    """What a run has told since the last question about it.
+
+    Attributes:
+        run: its id.
+        begun: the run itself, in the first question about it.
+        events: all of them, as they are on the wire.
+        language: of the words for the group.
+    """
+
+    run: str
+    begun: BegunRun | None
+    events: Sequence[Mapping[str, Any]]
+    language: str
+
+    def as_message(self) -> dict[str, Any]:
+        """The question as plain data."""
+        begun = None
+        if self.begun is not None:
+            begun = {
+                "activity": dict(self.begun.activity),
+                "document": dict(self.begun.document),
+                "world": dict(self.begun.world),
+                "parameters": dict(self.begun.parameters),
+            }
+        events = [dict(event) for event in self.events]
+        return {"follow": self.run, "begun": begun, "events": events, "language": self.language}
+
+    @classmethod
+    def from_message(cls, message: Mapping[str, Any]) -> "Told":
+        """The question in plain data."""
+        begun = BegunRun(**message["begun"]) if message["begun"] else None
+        return cls(message["follow"], begun, message["events"], message["language"])
 
 
 def _packed(column: NDArray[np.float64]) -> str:

@@ -6,15 +6,20 @@ from typing import BinaryIO
 
 from pinel_desktop.activities import (
     Activity,
+    LogWriter,
     RecordedRun,
     Report,
     RunLog,
+    RunStanding,
+    Standing,
     case_of_run,
     check_program,
+    input_words,
     world_title,
 )
 from pinel_desktop.errors import PinelError
-from pinel_desktop.judge.messages import Question, SeenRun, Verdict
+from pinel_desktop.events.app_events import JudgedCase
+from pinel_desktop.judge.messages import BegunRun, Question, SeenRun, Told, Verdict
 from pinel_desktop.messages import describe
 from pinel_desktop.processes.messages import Message, read_messages, write_message
 from pinel_desktop.program.reading import read_document
@@ -28,17 +33,55 @@ class Judge:
 
     def __init__(self, questions: BinaryIO, verdicts: BinaryIO) -> None:
         self._questions, self._verdicts = questions, verdicts
+        self._followed = Followed()
 
     def serve(self) -> None:
         """Works until the questions end."""
         write_message(self._verdicts, {"type": "judge_ready"})
         for message in read_messages(self._questions):
-            write_message(self._verdicts, _answer(message))
+            write_message(self._verdicts, _answer(message, self._followed))
 
 
-def _answer(message: Message) -> Message:
+class Followed:
+    """The run that goes on, with all that it has told; there is never more than one."""
+
+    def __init__(self) -> None:
+        self._run = ""
+        self._standing: RunStanding | None = None
+        self._writer = LogWriter()
+
+    def stand(self, told: Told) -> list[Standing] | None:
+        """How it stands with the checks of its activity; None where they are not about it, or its beginning is unknown.
+
+        Raises:
+            PinelError: what `RunStanding` raises.
+        """
+        if told.begun is not None:
+            self._begin(told.run, told.begun)
+        if told.run != self._run or self._standing is None:
+            return None
+        for event in told.events:
+            self._writer.take(event)
+        return self._standing.of(self._writer.log(), told.language)
+
+    def _begin(self, run: str, begun: BegunRun) -> None:
+        standing = RunStanding(
+            Activity.model_validate(begun.activity),
+            begun.document,
+            begun.world,
+            setting_from(begun.parameters),
+        )
+        self._run, self._writer = run, LogWriter()
+        self._standing = standing if standing.is_of_activity else None
+
+
+def _answer(message: Message, followed: Followed) -> Message:
     number = message["question"]
     try:
+        if "follow" in message:
+            lines = followed.stand(Told.from_message(message))
+            checks = None if lines is None else [asdict(line) for line in lines]
+            return {"type": "standing", "question": number, "checks": checks}
         verdict = verdict_on(Question.from_message(message))
     except PinelError as error:
         return {"type": "refused", "question": number, "code": error.code, "params": error.params}
@@ -59,8 +102,21 @@ def verdict_on(question: Question) -> Verdict:
     activity = Activity.model_validate(question.activity)
     seen = _recorded(activity, question.seen) if question.seen else None
     report = check_program(activity, read_document(dict(question.document)), recorded=seen)
-    missing = None if report.passed else _missing(activity, question, report)
-    return Verdict(report.passed, missing, [asdict(case) for case in report.cases])
+    missing, block = (None, None) if report.passed else _missing(activity, question, report)
+    cases = [asdict(case) for case in report.cases]
+    tried = _tried(activity, report, question.language)
+    return Verdict(report.passed, missing, cases, block, tried)
+
+
+def _tried(activity: Activity, report: Report, language: str) -> list[JudgedCase]:
+    """What was tried, where an activity has several cases."""
+    if len(activity.cases) == 1:
+        return []
+    given = [input_words(case, language) for case in activity.cases]
+    return [
+        JudgedCase(given=given[one.case - 1], seen=one.recorded, passed=one.passed)
+        for one in report.cases
+    ]
 
 
 def _recorded(activity: Activity, seen: SeenRun) -> RecordedRun | None:
@@ -69,9 +125,14 @@ def _recorded(activity: Activity, seen: SeenRun) -> RecordedRun | None:
     return None if case is None else RecordedRun(log, case)
 
 
-def _missing(activity: Activity, question: Question, report: Report) -> str | None:
-    """What to tell the group. A run in another world comes first: the group has not seen what the checks are about."""
+def _missing(
+    activity: Activity, question: Question, report: Report
+) -> tuple[str | None, str | None]:
+    """What to tell the group, and the block to look at.
+
+    A run in another world comes first: the group has not seen what the checks are about.
+    """
     language, title = question.language, world_title(activity, question.language)
     if title is not None and question.world != activity.world:
-        return describe("check_other_world", {"world": title}, language).message
-    return report.advice.words[language] if report.advice else None
+        return describe("check_other_world", {"world": title}, language).message, None
+    return (report.advice.words[language], report.advice.block) if report.advice else (None, None)

@@ -46,14 +46,15 @@ class Grader:
         self._worker = ThreadPoolExecutor(1, thread_name_prefix="grader")
 
     @cached_property
-    def _judge(self) -> "JudgeClient":
+    def judge(self) -> "JudgeClient":
+        """Its process starts with the first question, or `prepare`."""
         from pinel_desktop.judge.client import JudgeClient  # noqa: PLC0415 - not needed to start
 
         return self._chosen_judge or JudgeClient()
 
     def prepare(self) -> None:
         """Starts the judge, so that it is warm when the run that begins now has ended."""
-        self._judge.wake()
+        self.judge.wake()
 
     def grade(self, run_id: str) -> None:
         """Queues a run that has ended; does nothing for a run without an activity."""
@@ -71,8 +72,8 @@ class Grader:
     def close(self) -> None:
         """Drops the queue, which `catch_up` of the next start restores."""
         self._worker.shutdown(wait=False, cancel_futures=True)
-        if "_judge" in self.__dict__:
-            self._judge.close()
+        if "judge" in self.__dict__:
+            self.judge.close()
         self._worker.shutdown()
 
     def _grade(self, run_id: str) -> None:
@@ -84,7 +85,8 @@ class Grader:
             verdict = self._verdict(self._question(run))
             passed = run.state == "finished" and verdict.passed
             self._store.checks.record(run_id, passed, {"cases": verdict.cases})
-            self._publish(Judged(run_id, passed, verdict.missing).flat())
+            judged = Judged(run_id, passed, verdict.missing, verdict.block, verdict.tried)
+            self._publish(judged.flat())
         except (PinelError, StoreError) as error:  # an activity of a newer release; a full disk
             _log.warning("run %s was not graded: %s", run_id, error)
             if isinstance(error, PinelError) and error.code == "judge_lost":
@@ -94,11 +96,11 @@ class Grader:
     def _verdict(self, question: "Question") -> "Verdict":
         """Asks a judge that dies or hangs once more: perhaps the PC was out of memory for a moment."""
         try:
-            return self._judge.judge(question)
+            return self.judge.judge(question)
         except PinelError as error:
             if error.code != "judge_lost":
                 raise
-            return self._judge.judge(question)
+            return self.judge.judge(question)
 
     def _question(self, run: RunRow) -> "Question":
         from pinel_desktop.judge.messages import Question  # noqa: PLC0415 - heavy

@@ -1,7 +1,7 @@
 """An activity sets the stage: its world, its start, its robot; the group is told what to do and when it is done."""
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Locator, expect
 
 from tests.e2e.axe import violations
 from tests.e2e.conftest import OpenStudio
@@ -83,6 +83,10 @@ def test_a_group_chooses_a_mission_solves_it_and_goes_on(studio: Studio) -> None
     assert cut(studio.page) == []
 
 
+def hints(studio: Studio) -> Locator:
+    return studio["mission"].get_by_role("list", name="Dicas").get_by_role("listitem")
+
+
 def test_hints_are_opened_one_by_one_and_stay_open(studio: Studio) -> None:
     studio.enter_group("Os Tatus")
     group = studio.api("/groups")["groups"][0]["id"]
@@ -94,13 +98,13 @@ def test_hints_are_opened_one_by_one_and_stay_open(studio: Studio) -> None:
     n_hints = len(studio.api("/activities/square")["hints"])
     for n in range(1, n_hints + 1):
         studio["mission-hint"].click()
-        expect(studio["mission"].get_by_role("listitem")).to_have_count(n)
+        expect(hints(studio)).to_have_count(n)
     expect(studio["mission-hint"]).to_have_count(0)
     assert cut(studio.page) == []
     studio.eventually(
         lambda: studio.api(f"/programs/{program}")["version"]["setup"]["n_hints"], n_hints
     )
     studio.page.reload()
-    expect(studio["mission"].get_by_role("listitem")).to_have_count(n_hints)
+    expect(hints(studio)).to_have_count(n_hints)
     studio["mission-fold"].click()
-    expect(studio["mission"].get_by_role("listitem")).to_have_count(0)
+    expect(hints(studio)).to_have_count(0)

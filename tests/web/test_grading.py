@@ -35,16 +35,17 @@ def begin(app: App, browser: Browser) -> Begin:
 
 
 @pytest.mark.parametrize(
-    ("commands", "state", "passed", "missing"),
+    ("commands", "state", "passed", "missing", "block"),
     [
-        (SQUARE["commands"], "finished", True, None),
+        (SQUARE["commands"], "finished", True, None, None),
         (
-            [{"action": "move_forward", "distance": 1}],
+            [{"action": "move_forward", "distance": 1, "block": "kL0p"}],
             "finished",
             False,
             "The path is 1 m long; it needs at least 3.95 m. Look at “move forward 1 m”.",
+            "kL0p",
         ),
-        (SQUARE["commands"], "stopped", False, None),
+        (SQUARE["commands"], "stopped", False, None, None),
     ],
 )
 def test_a_run_that_has_ended_is_judged(
@@ -55,12 +56,20 @@ def test_a_run_that_has_ended_is_judged(
     state: str,
     passed: bool,
     missing: str | None,
+    block: str | None,
 ) -> None:
     with browser.stream() as events:
         run = begin({**SQUARE, "commands": commands})
         engine.send(ended(run, 0, 0, state=state))
         judged = events.until("judged")[-1]
-    assert judged == {"type": "judged", "run": run, "passed": passed, "missing": missing}
+    assert judged == {
+        "type": "judged",
+        "run": run,
+        "passed": passed,
+        "missing": missing,
+        "block": block,
+        "cases": [],
+    }
     assert browser.get(f"/api/runs/{run}").data["passed"] is passed
 
 
@@ -119,7 +128,8 @@ def test_a_run_whose_judge_dies_is_kept_for_the_next_start_and_the_group_is_told
     lost._worker.shutdown()
     assert judge.n_asked == 2
     missing = "This run could not be checked. It is kept. Run again."
-    assert told == [{"type": "judged", "run": run, "passed": False, "missing": missing}]
+    said = {"passed": False, "missing": missing, "block": None, "cases": []}
+    assert told == [{"type": "judged", "run": run, **said}]
     assert app._store.checks.pending() == [run]
 
 

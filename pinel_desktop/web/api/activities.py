@@ -61,12 +61,16 @@ def list_examples() -> Response:
 )
 def get_activity(path: ActivityPath) -> Response:
     """An activity with what its card says."""
+    from pinel_desktop.activities import standings_before  # noqa: PLC0415 - heavy
+
     mission, language = known_activity(services().store, path.name), services().preferences.language
     return answer(
         Activity(
             **_choice(mission),
             story=mission.story.of(language) if mission.story else "",
             criteria=mission.criteria.of(language) if mission.criteria else "",
+            checks=[line.criterion for line in standings_before(mission, language)],
+            n_cases=len(mission.cases),
             hints=[hint.of(language) for hint in mission.hints],
             question=mission.question.of(language) if mission.question else "",
             world=world_name(mission),

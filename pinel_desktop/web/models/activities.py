@@ -58,6 +58,10 @@ class Activity(ActivityChoice):
 
     story: str
     criteria: str
+    checks: Annotated[
+        list[str], Field(description="what counts, check by check; of cases what all of them share")
+    ]
+    n_cases: Annotated[int, Field(ge=1, description="in how many cases a program is tried")]
     hints: list[str]
     question: str
     world: Annotated[str, Field(description="name of the world, `own` for one of the activity's")]

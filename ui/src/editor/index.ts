@@ -31,6 +31,8 @@ import { appendBlock } from "./toolbox/append";
 import { Shelf } from "./toolbox/palette";
 import { addZoomControls } from "./zoom_controls";
 
+export type { Fault };
+
 export interface Editor {
   /**
    * Replaces the content without firing onChange; null leaves only the start block.
@@ -57,6 +59,8 @@ export interface Editor {
   /** Sets the names of the world's places; a block that compares with another one is marked. Null while not known. */
   setPlaces(names: readonly string[] | null): void;
   setReadOnly(readOnly: boolean): void;
+  /** Shows at a block, in amber, what a run that ended well lacks; null takes it away. */
+  showAdvice(advice: Fault | null): void;
   /** While the program runs, what is changed on a block is said to count in the next run. */
   setRunning(running: boolean): void;
   undo(): void;
@@ -87,6 +91,7 @@ export function createEditor(options: EditorOptions): Editor {
 class BlockEditor implements Editor {
   private readonly workspace: Blockly.WorkspaceSvg;
   private readonly faults: Faults;
+  private readonly advice: Faults;
   private readonly running: Highlight;
   private readonly notices: Notices;
   private readonly breakpoints: Breakpoints | undefined;
@@ -108,6 +113,7 @@ class BlockEditor implements Editor {
     this.workspace = injectWorkspace({ ...options, level: this.level });
     this.keepPaletteOpen();
     this.faults = new Faults(this.workspace);
+    this.advice = new Faults(this.workspace, "advice");
     this.running = new Highlight(this.workspace);
     this.notices = new Notices(this.workspace);
     const { onBreakpoints } = options;
@@ -129,7 +135,7 @@ class BlockEditor implements Editor {
     if (workspace) tried(workspace);
     Blockly.hideChaff();
     this.running.show(null);
-    this.faults.clear();
+    this.clearMarks();
     this.replace(workspace);
     this.showFromTheStart();
     this.workspace.clearUndo();
@@ -160,9 +166,14 @@ class BlockEditor implements Editor {
     appendBlock(paletteBlock(type, EVERYTHING, this.workspace), this.workspace);
   }
 
+  showAdvice(advice: Fault | null): void {
+    this.advice.show(advice ? [advice] : []);
+  }
+
   reveal(blockId: string): void {
     bringIntoView(this.workspace, blockId);
-    void this.faults.openBubble(blockId, true);
+    const marks = this.advice.has(blockId) ? this.advice : this.faults;
+    void marks.openBubble(blockId, true);
   }
 
   setLanguage(language: Language): void {
@@ -272,11 +283,13 @@ class BlockEditor implements Editor {
     Blockly.hideChaff();
     const running = this.running.blockId;
     const focused = this.focusedBlock();
-    const faults = this.faults.shown;
+    const { shown: faults } = this.faults;
+    const { shown: advice } = this.advice;
     this.running.show(null);
-    this.faults.clear();
+    this.clearMarks();
     this.replace(Blockly.serialization.workspaces.save(this.workspace));
     this.faults.show(faults);
+    this.advice.show(advice);
     this.running.show(running);
     const again = focused && this.workspace.getBlockById(focused);
     if (again) Blockly.getFocusManager().focusNode(again);
@@ -303,9 +316,14 @@ class BlockEditor implements Editor {
     if (shelf instanceof Shelf) shelf.setStaying(isStaying);
   }
 
+  private clearMarks(): void {
+    this.faults.clear();
+    this.advice.clear();
+  }
+
   private exchange(workspace: object): void {
     this.running.show(null);
-    this.faults.clear();
+    this.clearMarks();
     this.replace(workspace);
     this.onContent();
   }

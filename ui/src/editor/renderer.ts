@@ -4,11 +4,12 @@ import * as Blockly from "blockly/core";
 export const RENDERER = "pinel";
 
 /** Kinds of rings around a block. */
-export type Ring = "running" | "fault" | "added" | "removed" | "changed" | "moved";
+export type Ring = "running" | "fault" | "advice" | "added" | "removed" | "changed" | "moved";
 
 const CLASSES: Readonly<Record<Ring, string>> = {
   running: "pinelRunning",
   fault: "pinelFault",
+  advice: "pinelAdvice",
   added: "pinelAdded",
   removed: "pinelRemoved",
   changed: "pinelChanged",

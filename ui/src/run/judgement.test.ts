@@ -1,14 +1,15 @@
 import { expect, test } from "vitest";
+import type { JudgedEvent } from "../api/model";
 import { textsOf } from "../i18n";
-import { withJudgement } from "./judgement";
+import { checksOf, verdictOf, withJudgement } from "./judgement";
 import type { Sentence } from "./sentence";
 
 const ptBR = textsOf("pt-BR");
 
 const ended: Sentence = { text: "Terminou.", more: "Em 3 s.", tone: "done" };
 
-function judged(passed: boolean, missing: string | null) {
-  return { type: "judged", run: "r", passed, missing } as const;
+function judged(passed: boolean, missing: string | null): JudgedEvent {
+  return { type: "judged", run: "r", passed, missing, block: null, cases: [] };
 }
 
 test("a run that passed says so first", () => {
@@ -26,4 +27,24 @@ test("a run that did not pass says what is missing, after how it ended", () => {
 test("the judgement of another run is not said", () => {
   expect(withJudgement(ended, "other", judged(true, null), ptBR)).toBe(ended);
   expect(withJudgement(ended, null, null, ptBR)).toBe(ended);
+});
+
+test("the check list is that of the run, else what counts before any run", () => {
+  const mission = { checks: ["Terminar na partida"] };
+  const line = {
+    criterion: "Terminar na partida",
+    measured: "a 2 m de lá",
+    state: "open",
+  } as const;
+  const stand = { type: "checks_stand", run: "r", checks: [line] } as const;
+  const before = [{ ...line, measured: "" }];
+  expect(checksOf(mission, "r", { ...stand, checks: [line] })).toEqual([line]);
+  expect(checksOf(mission, "other", { ...stand, checks: [line] })).toEqual(before);
+  expect(checksOf(mission, null, null)).toEqual(before);
+});
+
+test("a verdict counts for its own run only", () => {
+  expect(verdictOf("r", judged(true, null))?.passed).toBe(true);
+  expect(verdictOf("other", judged(true, null))).toBeNull();
+  expect(verdictOf(null, null)).toBeNull();
 });

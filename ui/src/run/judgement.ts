@@ -1,4 +1,4 @@
-import type { JudgedEvent } from "../api/model";
+import type { Activity, CheckLine, ChecksStandEvent, JudgedEvent } from "../api/model";
 import type { Texts } from "../i18n";
 import type { Sentence } from "./sentence";
 
@@ -14,4 +14,19 @@ export function withJudgement(
   const tone = ended.tone === "done" ? "notice" : ended.tone;
   if (judged.missing) return { ...ended, tone, more: activity.missing(judged.missing) };
   return { ...ended, tone, more: activity.toTheEnd };
+}
+
+/** The check list of an activity: of the run, while it goes on and afterwards, else before any run. */
+export function checksOf(
+  { checks }: Pick<Activity, "checks">,
+  run: string | null,
+  stand: ChecksStandEvent | null,
+): readonly CheckLine[] {
+  if (run !== null && stand?.run === run) return stand.checks;
+  return checks.map((criterion) => ({ criterion, measured: "", state: "open" }));
+}
+
+/** The verdict on a run, if there is one. */
+export function verdictOf(run: string | null, judged: JudgedEvent | null): JudgedEvent | null {
+  return run !== null && judged?.run === run ? judged : null;
 }

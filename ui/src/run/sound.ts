@@ -4,6 +4,8 @@ import { remember, remembered } from "../shell/remembered";
 const COOKIE = "pinel_muted";
 
 const FREQUENCY_HZ = 880;
+/** A rising chord, C major. */
+const CHEER_HZ = [523, 659, 784, 1047];
 const LENGTH_S = 0.16;
 const LOUDNESS = 0.12;
 /** Duration of fade-in and fade-out, which avoid clicks. */
@@ -14,28 +16,50 @@ export const muted = signal(remembered(COOKIE) === "1");
 
 export function setMuted(value: boolean): void {
   muted.value = value;
+  isSoundWanted.value = !value;
   remember(COOKIE, value ? "1" : "0");
 }
 
 let context: AudioContext | null = null;
 let quietFrom = 0;
 
+/** Whether somebody has turned the sound on; a beep of a program needs that no more than not being off. */
+export const isSoundWanted = signal(remembered(COOKIE) === "0");
+
 /** Plays a short tone. Silent before the first click in the page, as browsers require; tones do not overlap. */
 export function beep(): void {
-  if (muted.value || document.hidden || !mayPlay()) return;
+  if (muted.value) return;
+  play([FREQUENCY_HZ]);
+}
+
+/** Plays a short fanfare where sound was turned on. */
+export function cheer(): void {
+  if (isSoundWanted.value) play(CHEER_HZ);
+}
+
+/** Plays tones one after the other. */
+function play(frequencies: readonly number[]): void {
+  if (document.hidden || !mayPlay()) return;
   context ??= new AudioContext();
   if (context.state === "suspended") void context.resume();
   const now = context.currentTime;
   if (now < quietFrom) return;
-  quietFrom = now + LENGTH_S;
-  const tone = new OscillatorNode(context, { type: "triangle", frequency: FREQUENCY_HZ });
-  const volume = new GainNode(context, { gain: 0 });
-  volume.gain.linearRampToValueAtTime(LOUDNESS, now + FADE_S);
-  volume.gain.setValueAtTime(LOUDNESS, now + LENGTH_S - FADE_S);
-  volume.gain.linearRampToValueAtTime(0, now + LENGTH_S);
-  tone.connect(volume).connect(context.destination);
-  tone.start(now);
-  tone.stop(now + LENGTH_S);
+  quietFrom = now + LENGTH_S * frequencies.length;
+  frequencies.forEach((frequency, index) => {
+    if (context) tone(context, frequency, now + LENGTH_S * index);
+  });
+}
+
+function tone(audio: AudioContext, frequency: number, begin: number): void {
+  const oscillator = new OscillatorNode(audio, { type: "triangle", frequency });
+  const volume = new GainNode(audio, { gain: 0 });
+  volume.gain.setValueAtTime(0, begin);
+  volume.gain.linearRampToValueAtTime(LOUDNESS, begin + FADE_S);
+  volume.gain.setValueAtTime(LOUDNESS, begin + LENGTH_S - FADE_S);
+  volume.gain.linearRampToValueAtTime(0, begin + LENGTH_S);
+  oscillator.connect(volume).connect(audio.destination);
+  oscillator.start(begin);
+  oscillator.stop(begin + LENGTH_S);
 }
 
 /** Before the first click a browser would only log a warning. */

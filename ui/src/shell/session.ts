@@ -4,6 +4,7 @@ import { ApiError, ServerGone } from "../api/errors";
 import type {
   CameraChangedEvent,
   CameraSightEvent,
+  ChecksStandEvent,
   Group,
   JudgedEvent,
   Notice,
@@ -32,6 +33,8 @@ export const status = signal<Status | null>(null);
 export const notice = signal<Notice | null>(null);
 /** Grading of the last run by the activity of its lesson. */
 export const judged = signal<JudgedEvent | null>(null);
+/** How the live run stands with the checks of its activity. */
+export const checksStand = signal<ChecksStandEvent | null>(null);
 /** The last program saved, discarded or restored, in any window. */
 export const changed = signal<ProgramChangedEvent | null>(null);
 export const problem = signal<Problem | null>(null);
@@ -140,6 +143,9 @@ function onStream(event: StreamEvent, runs: Follower, camera: CameraFollower): v
     case "notice":
       notice.value = event;
       if (GOOD_NEWS.has(event.code)) window.setTimeout(() => void refreshStatus(), GOOD_NEWS_MS);
+      break;
+    case "checks_stand":
+      checksStand.value = event;
       break;
     case "judged":
       judged.value = event;

@@ -251,6 +251,11 @@ export const TEST = {
   missionHint: "mission-hint",
   missionDone: "mission-done",
   missionNext: "mission-next",
+  missionOthers: "mission-others",
+  checks: "checks", // data-state of each line
+  casesTried: "cases-tried",
+  adviceBlock: "advice-block",
+  successSound: "success-sound",
   worldLocked: "world-locked",
   setupDifferences: "setup-differences",
   differenceNext: "difference-next",

@@ -1,17 +1,17 @@
 import { computed, effect, signal } from "@preact/signals";
 import { api } from "../api/client";
 import { ApiError } from "../api/errors";
-import type { Content, Fault, LiveCommand } from "../api/model";
+import type { Content, LiveCommand } from "../api/model";
 import { versionsApi } from "../api/versions";
 import { expectedSigns, hasCapture } from "../camera/expected";
 import { asKnown } from "../camera/signs";
-import type { Editor } from "../editor";
+import type { Fault as BlockFault, Editor } from "../editor";
 import { language, texts } from "../i18n";
 import { duration } from "../i18n/format";
 import { Refused, wordsOf } from "../kit/requests/problem";
 import { failureOf } from "../run/failure";
 import type { StoredProgram } from "../run/idle_parts";
-import { withJudgement } from "../run/judgement";
+import { verdictOf, withJudgement } from "../run/judgement";
 import * as robot from "../run/live";
 import { moment, shown } from "../run/moment";
 import { isLive, runningBlock } from "../run/reducer";
@@ -64,6 +64,16 @@ export class StudioControl {
     const { phase, ending } = robot.live.value;
     return phase === "failed" && this.mine.value ? ending : null;
   });
+  /** What the run that is over lacks, with the block to look at, until the program is changed. */
+  readonly advice = computed<BlockFault | null>(() => {
+    const { value: edited } = this.edited;
+    const { run } = robot.live.value;
+    const verdict = this.mine.value && !edited ? verdictOf(run, judged.value) : null;
+    if (!verdict?.missing || !verdict.block || verdict.block === this.failure.value?.block) {
+      return null;
+    }
+    return { block: verdict.block, message: verdict.missing, remedy: "" };
+  });
   /** The blocks before the whole program was replaced, for undo. */
   readonly replaced = signal<Replaced | null>(null);
   /** The blocks have changed since the run began. */
@@ -112,6 +122,7 @@ export class StudioControl {
       watchSensors(() => (this.mine.peek() ? this.documentThatRuns() : null)),
       effect(() => editor.highlight(this.lit.value)),
       effect(() => this.showFaults(editor)),
+      effect(() => editor.showAdvice(this.advice.value)),
       effect(() => editor.setRunning(this.mine.value && isLive(robot.live.value))),
     ];
     return () => {
@@ -234,12 +245,17 @@ export class StudioControl {
   }
 
   /** Scrolls to the block of a fault and highlights it for a moment, with the fault's text. */
-  goTo(fault: Fault): void {
-    if (!fault.block) return;
-    this.editor?.highlight(fault.block);
-    this.editor?.reveal(fault.block);
+  goTo({ block }: BlockFault): void {
+    if (!block) return;
+    this.editor?.highlight(block);
+    this.editor?.reveal(block);
     clearTimeout(this.pointing);
     this.pointing = window.setTimeout(() => this.editor?.highlight(this.lit.value), POINTING_MS);
+  }
+
+  goToAdvice(): void {
+    const { value: advice } = this.advice;
+    if (advice) this.goTo(advice);
   }
 
   /** Sends a command to the live run; reports failures. */

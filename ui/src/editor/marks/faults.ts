@@ -13,16 +13,22 @@ export interface Fault {
 const GAP = 12;
 /** Offset from the corner of a block to the centre of its icon, where bubbles are anchored. */
 const ICON_INSET = 16;
-const WARNING = "pinel_fault";
+const NOTICE_BUBBLE = "pinelNoticeBubble";
 
-/** Marks each faulty block with a red ring and a bubble with the message. The bubble of the first new fault opens. */
+/**
+ * Marks each block with a ring and a bubble with the message: red for a fault, amber for advice on a run. The bubble of
+ * the first new one opens.
+ */
 export class Faults {
   /** Faults of the last `show`, without those whose blocks were edited since. */
   shown: readonly Fault[] = [];
   private readonly marked = new Map<string, string>();
   private readonly opening = new Map<Blockly.IIcon, Promise<void>>();
 
-  constructor(private readonly workspace: Blockly.WorkspaceSvg) {}
+  constructor(
+    private readonly workspace: Blockly.WorkspaceSvg,
+    private readonly kind: "fault" | "advice" = "fault",
+  ) {}
 
   /** Faults already shown are left as they are, so that a closed bubble does not reopen at every save. */
   show(faults: readonly Fault[]): void {
@@ -31,6 +37,10 @@ export class Faults {
     this.shown = faults;
     const added = [...wanted].filter(([id, words]) => this.mark(id, words));
     if (added[0]) void this.openBubble(added[0][0]);
+  }
+
+  has(id: string): boolean {
+    return this.marked.has(id);
   }
 
   clear(): void {
@@ -43,8 +53,8 @@ export class Faults {
     this.shown = this.shown.filter((fault) => fault.block !== id);
     const block = this.workspace.getBlockById(id);
     if (!block) return;
-    setRing(block, "fault", false);
-    block.setWarningText(null, WARNING);
+    setRing(block, this.kind, false);
+    block.setWarningText(null, `pinel_${this.kind}`);
   }
 
   /** Opens the bubble of a block; on request both are brought into view, above trash and zoom buttons. */
@@ -59,16 +69,23 @@ export class Faults {
     const bubble = icon.getBubble();
     // the fault may be gone by then, with its icon but without a bubble that was drawn afterwards
     if (!block.getIcons().includes(icon)) return bubble?.dispose();
+    this.dress(block, bubble);
     placeBeside(block, bubble);
     if (bubble && isBroughtIntoView) bringBoundsIntoView(this.workspace, around(block, bubble));
+  }
+
+  private dress(block: Blockly.BlockSvg, bubble: Blockly.IBubble | null): void {
+    if (this.kind === "fault" || !(bubble instanceof Blockly.bubbles.TextBubble)) return;
+    const isFaulty = block.getSvgRoot().classList.contains("pinelFault");
+    bubble.getSvgRoot().classList.toggle(NOTICE_BUBBLE, !isFaulty);
   }
 
   private mark(id: string, words: string): boolean {
     const block = this.workspace.getBlockById(id);
     if (!block || this.marked.has(id)) return false;
     this.marked.set(id, words);
-    setRing(block, "fault", true);
-    block.setWarningText(words, WARNING);
+    setRing(block, this.kind, true);
+    block.setWarningText(words, `pinel_${this.kind}`);
     return true;
   }
 }

@@ -38,7 +38,7 @@ export function BlocksPane({ control }: { control: StudioControl }) {
   return (
     <section class="blocks" aria-label={studio.blocks}>
       <Tools control={control} />
-      {control.open.setup.value.activity && <MissionCard open={control.open} />}
+      {control.open.setup.value.activity && <MissionCard control={control} />}
       <LessonMission open={control.open} />
       <InBin open={control.open} />
       <Elsewhere program={control.open.program} />

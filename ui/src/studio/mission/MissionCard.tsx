@@ -1,18 +1,22 @@
 import { useSignal } from "@preact/signals";
-import { ArrowRight, ChevronDown, ChevronUp, CircleCheck, Lightbulb, Target } from "lucide-preact";
+import { ChevronDown, ChevronUp, CircleCheck, Lightbulb, LocateFixed, Target } from "lucide-preact";
 import { useEffect } from "preact/hooks";
-import type { Activity } from "../../api/model";
+import type { Activity, CheckLine } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
+import { checksOf, verdictOf } from "../../run/judgement";
 import * as robot from "../../run/live";
 import { GoalPicture } from "../../scene/goal/GoalPicture";
-import { beginActivity } from "../../shell/begin_activity";
-import { judged, report } from "../../shell/session";
+import { checksStand, judged, report } from "../../shell/session";
 import { TEST } from "../../shell/testids";
-import type { OpenProgram } from "../program/open_program";
+import type { StudioControl } from "../studio_control";
+import { CasesTried } from "./CasesTried";
+import { CheckList } from "./CheckList";
+import { Success } from "./Success";
 
-/** What the group is to solve: picture of the goal, story, criteria, hints. Folds to one line. */
-export function MissionCard({ open }: { open: OpenProgram }) {
+/** What the group is to solve: picture of the goal, story, what counts as a check list, hints. Folds to one line. */
+export function MissionCard({ control }: { control: StudioControl }) {
+  const { open } = control;
   const folded = useSignal(false);
   useEffect(() => {
     open.loadMission().catch(report); // its texts are in the language of the page
@@ -20,7 +24,10 @@ export function MissionCard({ open }: { open: OpenProgram }) {
   const { value: mission } = open.mission;
   const { value: setup } = open.setup;
   if (!mission) return setup.activity ? <UnknownMission /> : null;
-  const done = judged.value?.passed === true && judged.value.run === robot.live.value.run;
+  const run = control.mine.value ? robot.live.value.run : null;
+  const verdict = verdictOf(run, judged.value);
+  const checks = checksOf(mission, run, checksStand.value);
+  const done = verdict?.passed === true;
   return (
     <section
       class="mission"
@@ -30,16 +37,17 @@ export function MissionCard({ open }: { open: OpenProgram }) {
     >
       {!folded.value && <GoalPicture goal={mission.goal_picture} />}
       <div class="mission__words">
-        <MissionHead mission={mission} done={done} folded={folded.value} />
+        <MissionHead mission={mission} done={done} checks={folded.value ? checks : null} />
+        {done && <Success open={open} mission={mission} />}
         {!folded.value && (
           <>
-            <p>{mission.story}</p>
-            <p class="mission__criteria">{mission.criteria}</p>
-            <Hints open={open} mission={mission} done={done} />
+            {!done && <Task mission={mission} />}
+            <CheckList checks={checks} />
+            {verdict && <CasesTried cases={verdict.cases} />}
+            <Help control={control} mission={mission} done={done} />
           </>
         )}
       </div>
-      {done && <Success open={open} mission={mission} />}
       <Button
         kind="plain"
         icon={folded.value ? ChevronDown : ChevronUp}
@@ -54,29 +62,52 @@ export function MissionCard({ open }: { open: OpenProgram }) {
   );
 }
 
-function MissionHead(props: { mission: Activity; done: boolean; folded: boolean }) {
-  const { mission, done, folded } = props;
+interface MissionHeadProps {
+  mission: Activity;
+  done: boolean;
+  /** Of a folded card, which says how many of them are met; else null. */
+  checks: readonly CheckLine[] | null;
+}
+
+function MissionHead({ mission, done, checks }: MissionHeadProps) {
   const Icon = done ? CircleCheck : Target;
+  const met = checks?.filter(({ state }) => state === "met").length ?? 0;
   return (
     <h2 class="mission__title">
       <Icon class="icon" aria-hidden="true" />
       <span>
         {mission.number} {mission.title}
       </span>
-      {folded && <span class="mission__brief">{mission.criteria}</span>}
+      {checks && (
+        <>
+          <span class="mission__count">{texts.value.activity.count(met, checks.length)}</span>
+          <span class="mission__brief">{mission.criteria}</span>
+        </>
+      )}
     </h2>
   );
 }
 
-interface HintsProps {
-  open: OpenProgram;
+/** What the robot should do; with several cases also what counts in each, because the list only has what they share. */
+function Task({ mission: { story, criteria, n_cases } }: { mission: Activity }) {
+  return (
+    <>
+      <p>{story}</p>
+      {n_cases > 1 && <p class="mission__criteria">{criteria}</p>}
+    </>
+  );
+}
+
+interface HelpProps {
+  control: StudioControl;
   mission: Activity;
   done: boolean;
 }
 
-/** Hints are opened one after the other; the program remembers how many were. */
-function Hints({ open, mission: { hints }, done }: HintsProps) {
+/** The hints, which are opened one after the other and stay open, and the block that the verdict is about. */
+function Help({ control, mission: { hints }, done }: HelpProps) {
   const { activity } = texts.value;
+  const { open } = control;
   const n = Math.min(open.setup.value.n_hints, hints.length);
   return (
     <div class="mission__hints">
@@ -87,6 +118,7 @@ function Hints({ open, mission: { hints }, done }: HintsProps) {
           ))}
         </ol>
       )}
+      <ShowBlock control={control} />
       {n < hints.length && !done && (
         <Button
           kind="plain"
@@ -101,24 +133,18 @@ function Hints({ open, mission: { hints }, done }: HintsProps) {
   );
 }
 
-function Success({ open, mission }: { open: OpenProgram; mission: Activity }) {
-  const { activity } = texts.value;
-  const { next } = mission;
+/** Leads to the block that the verdict is about, until the program is changed. */
+function ShowBlock({ control }: { control: StudioControl }) {
+  if (!control.advice.value) return null;
   return (
-    <div class="mission__success" role="status" data-testid={TEST.missionDone}>
-      <strong>{activity.done}</strong>
-      {mission.question && <p>{mission.question}</p>}
-      {next && (
-        <Button
-          kind="main"
-          iconEnd={ArrowRight}
-          testId={TEST.missionNext}
-          onPress={() => beginActivity(open.program.group_id, next.name)}
-        >
-          {activity.next(next.title)}
-        </Button>
-      )}
-    </div>
+    <Button
+      kind="plain"
+      icon={LocateFixed}
+      testId={TEST.adviceBlock}
+      onPress={() => control.goToAdvice()}
+    >
+      {texts.value.studio.goToBlock}
+    </Button>
   );
 }
 

@@ -1,0 +1,145 @@
+"""Tells the page how a run that goes on stands with the checks of its activity.
+
+The judge's process is asked, twice a second at most; a question takes it so long that it works for at most a tenth of
+the time, because the robot's process needs the PC's cores more.
+"""
+
+import logging
+import threading
+import time
+from collections.abc import Callable, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from typing import TYPE_CHECKING, Any
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.events.app_events import CheckLine, ChecksStand
+from pinel_desktop.school.own_activities import known_activity
+from storage import Store, StoreError
+
+if TYPE_CHECKING:
+    from pinel_desktop.judge.client import JudgeClient
+    from pinel_desktop.judge.messages import BegunRun
+
+_EVERY_S = 0.5
+_PAUSES = 9  # a pause is that many times as long as judging took
+
+_log = logging.getLogger(__name__)
+
+
+class LiveChecks:
+    """Follows every run of an activity from its first event to its last; must be closed.
+
+    Args:
+        judge: the judge of the app, which is asked for when there is something to judge.
+        publish: sends an event to the page.
+        language: the chosen language.
+    """
+
+    def __init__(
+        self,
+        store: Store,
+        judge: "Callable[[], JudgeClient]",
+        publish: Callable[[dict[str, Any]], None],
+        language: Callable[[], str],
+    ) -> None:
+        self._store, self._judge = store, judge
+        self._publish, self._language = publish, language
+        self._worker = ThreadPoolExecutor(1, thread_name_prefix="live-checks")
+        self._run: _Followed | None = None
+
+    def observe(self, event: Mapping[str, Any]) -> None:
+        """Takes an event of the engine, from one thread."""
+        run = self._run
+        if run is None or run.id != event["run"]:
+            if run is not None:
+                run.stop.set()
+            run = self._run = _Followed(str(event["run"]))
+            try:
+                self._worker.submit(self._follow, run)
+            except RuntimeError:  # the app is closing
+                run.forget()
+        run.take(event)
+
+    def close(self) -> None:
+        """Follows no run any longer."""
+        if self._run is not None:
+            self._run.stop.set()
+        self._worker.shutdown(wait=False, cancel_futures=True)
+
+    def _follow(self, run: "_Followed") -> None:
+        try:
+            begun = self._begun(run.id)
+            if begun is not None:
+                self._tell(run, begun)
+        except (PinelError, StoreError) as error:  # an activity of a newer release; a lost judge
+            _log.warning("the checks of run %s are not followed: %s", run.id, error)
+        finally:
+            run.forget()
+
+    def _tell(self, run: "_Followed", begun: "BegunRun") -> None:
+        """Asks the judge again and again until the run is over; tells each change."""
+        from pinel_desktop.judge.messages import Told  # noqa: PLC0415 - heavy
+
+        first: BegunRun | None = begun
+        told: list[CheckLine] | None = None
+        while True:
+            is_over, events = run.is_over, run.taken()
+            began = time.perf_counter()
+            checks = self._judge().follow(Told(run.id, first, events, self._language()))
+            if checks is None:
+                return
+            if checks != told:
+                self._publish(ChecksStand(run.id, checks).flat())
+            first, told = None, checks
+            pause_s = max(_EVERY_S, _PAUSES * (time.perf_counter() - began))
+            if is_over or (run.stop.wait(pause_s) and not run.is_over):
+                return
+
+    def _begun(self, run_id: str) -> "BegunRun | None":
+        """The run, where it is to solve an activity in the simulator."""
+        run = self._store.runs.get(run_id)
+        if run.activity is None or run.version_id is None or run.link != "sim":
+            return None
+        from pinel_desktop.judge.messages import BegunRun  # noqa: PLC0415 - heavy
+
+        return BegunRun(
+            activity=known_activity(self._store, run.activity).model_dump(mode="json"),
+            document=self._store.versions.get(run.version_id).document or {},
+            world=run.world_document,
+            parameters=run.parameters,
+        )
+
+
+class _Followed:
+    """A run, and what it has told since it was last asked.
+
+    Attributes:
+        stop: set when it is over, or nobody wants to know any more.
+        is_over: whether it has told its last event.
+    """
+
+    def __init__(self, run_id: str) -> None:
+        self.id = run_id
+        self.stop = threading.Event()
+        self.is_over = False
+        self._lock = threading.Lock()
+        self._events: list[Mapping[str, Any]] | None = []
+
+    def take(self, event: Mapping[str, Any]) -> None:
+        with self._lock:
+            if self._events is not None:
+                self._events.append(event)
+        if event["type"] == "run_ended":
+            self.is_over = True
+            self.stop.set()
+
+    def taken(self) -> list[Mapping[str, Any]]:
+        """What has come since the last call."""
+        with self._lock:
+            events, self._events = self._events or [], []
+        return events
+
+    def forget(self) -> None:
+        """Keeps nothing from now on."""
+        with self._lock:
+            self._events = None

@@ -1,0 +1,200 @@
+"""The check list of a run that goes on: filled by the code of the verdict, never ahead of the run."""
+
+import re
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any, get_args
+
+import pytest
+
+from pinel_desktop.activities import (
+    LogWriter,
+    RunStanding,
+    Standing,
+    activity_names,
+    check_kinds,
+    choose_activity,
+    judge_run,
+    solution_of,
+    standings_before,
+    world_of,
+)
+from pinel_desktop.activities.checking import spec_of
+from pinel_desktop.activities.criteria import criterion_of
+from pinel_desktop.events.model import Event
+from pinel_desktop.execution.control import RunControl
+from pinel_desktop.messages import LANGUAGES
+from pinel_desktop.program.python_text import read_python
+from pinel_desktop.program.reading import Reading, read_document
+from pinel_desktop.robot import Setting
+from pinel_desktop.runs.start import start
+
+PROGRAMS = Path(__file__).parent / "programs"
+ENDLESS = ("until_b/wrong_no_reading", "maze/wrong_no_move")
+FILES = [
+    file
+    for file in sorted(PROGRAMS.glob("*/*.py"))
+    if f"{file.parent.name}/{file.stem}" not in ENDLESS
+]
+OFTEN, RARELY = 15, 600  # ticks
+
+States = list[tuple[str, str, str]]
+
+
+@cache
+def read(text: str) -> Reading:
+    return read_python(text).reading
+
+
+def followed(
+    name: str, reading: Reading, case: int = 1, language: str = "en", every: int = OFTEN
+) -> list[States]:
+    """The check list after so many ticks of a case again and again, and at its end."""
+    activity = choose_activity(name)
+    spec = spec_of(activity, activity.cases[case - 1], reading)
+    assert reading.document is not None
+    world = world_of(activity, activity.cases[case - 1])
+    standing = RunStanding(activity, reading.document, world, spec.setting)
+    assert standing.is_of_activity
+    writer, seen = LogWriter(), []
+
+    def observe(tick: int, event: Event) -> None:
+        writer.observe(tick, event)
+        if tick % every == 0 and event.type == "telemetry":
+            seen.append(told(standing.of(writer.log(), language)))
+
+    start(spec, observe, RunControl())
+    last = told(standing.of(writer.log(), language))
+    report = judge_run(activity, case, reading.document, writer.log())
+    # several cases may have begun alike; then the first of them is meant
+    if len(report.checks) == len(last):
+        assert [state == "met" for _, _, state in last] == [one.holds for one in report.checks]
+    return [*seen, last]
+
+
+def told(lines: list[Standing]) -> States:
+    return [(one.criterion, one.measured, one.state) for one in lines]
+
+
+def states_of(criterion: str, lists: list[States]) -> list[str]:
+    """What a line says one after the other, without repetitions."""
+    found = [state for lines in lists for words, _, state in lines if words == criterion]
+    return [state for i, state in enumerate(found) if i == 0 or found[i - 1] != state]
+
+
+def solution(name: str) -> Reading:
+    document = solution_of(name)
+    assert document is not None
+    return read_document(document)
+
+
+def test_a_square_fills_the_list_side_by_side() -> None:
+    lists = followed("square", solution("square"))
+    assert states_of("Reach the end of the program", lists) == ["open", "met"]
+    assert states_of("Drive 4 m in all", lists) == ["open", "met"]
+    assert states_of("A square with sides of 1 m", lists) == ["open", "met"]
+    measured = [said for lines in lists for words, said, _ in lines if words == "Drive 4 m in all"]
+    assert "1 m driven" in measured
+    assert measured[-1] == "4 m driven"
+
+
+def test_standing_at_the_start_is_no_return_to_it() -> None:
+    assert states_of("End at the start", followed("square", solution("square"))) == ["open", "met"]
+
+
+def test_what_was_touched_stays_touched() -> None:
+    lists = followed("to_the_bakery", read("robot.move_forward(30)\n"))
+    assert states_of("Touch nothing", lists) == ["met", "broken"]
+    assert lists[-1][1][1].startswith("touched at ")
+    assert states_of("End in “padaria”", lists) == ["open", "met", "open", "broken"]
+
+
+def test_what_the_program_lacks_is_said_before_the_robot_has_moved_far() -> None:
+    lists = followed("stairs", read("robot.move_forward(1)\n"))
+    assert states_of("Use “repeat”", lists) == ["broken"]
+    assert states_of("Use up to 8 blocks", lists) == ["met"]
+
+
+def test_a_path_that_is_too_long_will_not_become_shorter() -> None:
+    lists = followed(
+        "square", read("for _ in range(5):\n    robot.move_forward(1)\n    robot.turn(90)\n")
+    )
+    assert states_of("Drive 4 m in all", lists) == ["open", "met", "broken"]
+
+
+def test_the_checks_of_a_case_come_with_its_sign() -> None:
+    reading = solution("sign_b")
+    lists = followed("sign_b", reading, case=1)
+    assert [words for words, _, _ in lists[0]] == ["Reach the end of the program"] or len(
+        lists[0]
+    ) == 2
+    assert states_of("End 1 m ahead, seen from the start", lists)[-1] == "met"
+    assert states_of("Stay in place", followed("sign_b", reading, case=2)) == ["met"]
+
+
+def test_a_run_in_another_world_is_not_followed() -> None:
+    activity, other = choose_activity("square"), choose_activity("maze")
+    ideal = Setting(activity.model, activity.preset, activity.feedback)
+    assert not RunStanding(activity, {}, world_of(other, other.cases[0]), ideal).is_of_activity
+    shaky = Setting(activity.model, "realistic", activity.feedback)
+    assert not RunStanding(
+        activity, {}, world_of(activity, activity.cases[0]), shaky
+    ).is_of_activity
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: f"{file.parent.name}/{file.stem}")
+def test_the_list_ends_as_the_verdict_and_has_no_open_ends(file: Path) -> None:
+    reading = read_python(file.read_text("utf-8")).reading
+    lists = followed(file.parent.name, reading, language="pt-BR", every=RARELY)
+    for words, measured, _ in (line for lines in lists for line in lines):
+        assert not re.search(r"[{}_]", words + measured)
+    assert all(state != "open" for _, _, state in lists[-1])
+
+
+ONE_OF_EACH: Mapping[str, Mapping[str, Any]] = {
+    "ends_at": {"x_m": 1.0, "y_m": -2.0},
+    "ends_heading": {"heading_deg": -90.0},
+    "ends_in": {"zone": "A"},
+    "visits": {"zones": ["A", "E"]},
+    "pushed": {"box": 0, "zone": "A"},
+    "uses": {"action": "repeat", "at_least": 2, "at_most": 3},
+    "marks": {"symbol": "X", "zone": "A"},
+    "says": {"text": "oi"},
+    "path_length": {"at_least_m": 1.0, "at_most_m": 3.0},
+    "draws": {"template": [[[0.0, 0.0], [1.0, 0.0]]]},
+    "symmetric": {"axes": 2},
+    "turned_total": {"at_least_deg": 90.0, "net_deg": 90.0},
+    "block_count": {"at_most": 3},
+    "nesting": {"at_least": 2},
+    "executed": {"action": "turn", "n": 0},
+    "mark_count": {"n": 1},
+    "time": {"at_most_s": 20.0},
+    "any_of": {
+        "checks": [check_kinds.Closed(check="closed"), check_kinds.Finished(check="finished")]
+    },
+}
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_kind_of_check_has_a_line(language: str) -> None:
+    kinds = get_args(get_args(check_kinds.Check)[0])
+    lines = set()
+    for kind in kinds:
+        name = get_args(kind.model_fields["check"].annotation)[0]
+        line = criterion_of(kind(check=name, **ONE_OF_EACH.get(name, {})), language)
+        assert not re.search(r"[{}_]", line), name
+        lines.add(line)
+    assert len(lines) == len(kinds)
+
+
+def test_places_are_said_as_seen_from_the_start() -> None:
+    there = check_kinds.EndsAt(check="ends_at", x_m=-1.0, y_m=2.5)
+    assert criterion_of(there, "pt-BR") == "Terminar 1 m atrás e 2,5 m à esquerda da partida"
+
+
+@pytest.mark.parametrize("name", activity_names())
+def test_before_a_run_every_line_is_open(name: str) -> None:
+    lines = standings_before(choose_activity(name), "pt-BR")
+    assert lines[0].criterion == "Chegar ao fim do programa"
+    assert {(one.state, one.measured) for one in lines} == {("open", "")}

@@ -1,0 +1,130 @@
+"""The card's check list fills while the robot drives; what the run lacks is shown at its block; success is a moment."""
+
+import pytest
+from playwright.sync_api import Locator, expect
+
+from tests.e2e.app_process import AppProcess
+from tests.e2e.axe import violations
+from tests.e2e.python_pane import write_program
+from tests.e2e.studio import RUN_MS, Studio
+from tests.e2e.test_layout import cut
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
+
+TWO_LEFT_TURNS = """
+robot.move_forward(3)
+robot.turn(90)
+robot.move_forward(3)
+robot.turn(90)
+robot.move_forward(3)
+"""
+
+
+@pytest.fixture
+def app(lasting_app: AppProcess) -> AppProcess:
+    return lasting_app
+
+
+def open_mission(studio: Studio, name: str) -> None:
+    studio.enter_new_group(level=None)
+    studio["open-activities"].click()
+    studio.page.locator(f"[data-testid=activity-card][data-activity={name}]").click()
+    studio.wait_until_open()
+
+
+def line(studio: Studio, words: str) -> Locator:
+    return studio["checks"].get_by_role("listitem").filter(has_text=words)
+
+
+def expect_state(studio: Studio, words: str, state: str) -> None:
+    expect(line(studio, words)).to_have_attribute("data-state", state, timeout=RUN_MS)
+
+
+def test_the_list_fills_while_the_robot_drives(studio: Studio) -> None:
+    open_mission(studio, "left_right")
+    for words in ("Chegar ao fim", "Não encostar", "Passar por padaria", "Terminar em “praça”"):
+        expect_state(studio, words, "open")
+    write_program(studio, TWO_LEFT_TURNS)
+    studio.run()
+    studio.wait_for_phase("running")
+    expect_state(studio, "Não encostar", "met")
+    expect(line(studio, "Passar por padaria")).to_contain_text("já: padaria", timeout=RUN_MS)
+    expect_state(studio, "Chegar ao fim", "open")
+    expect(studio["status-line"]).to_have_attribute("data-tone", "moving")
+    studio.wait_for_phase("finished")
+    expect_state(studio, "Chegar ao fim", "met")
+    expect_state(studio, "Passar por padaria", "broken")
+    expect(line(studio, "Terminar em “praça”")).to_contain_text("a 6 m de lá")
+    assert violations(studio) == []
+    assert cut(studio.page) == []
+    studio["mission-fold"].click()
+    expect(studio["mission"]).to_contain_text("2 de 4")
+
+
+def test_what_the_run_lacks_is_shown_at_its_block_until_the_program_changes(
+    studio: Studio,
+) -> None:
+    open_mission(studio, "left_right")
+    write_program(studio, TWO_LEFT_TURNS)
+    studio.run()
+    studio.wait_for_phase("finished")
+    expect(studio["status-line"]).to_contain_text("Ainda não: 180° à esquerda", timeout=RUN_MS)
+    turn = studio.page.locator(".blocklyWorkspace .pinelAdvice")
+    expect(turn).to_have_count(1)
+    expect(turn).to_contain_text("girar")
+    bubble = studio.page.locator(".pinelNoticeBubble")
+    expect(bubble).to_contain_text("180° à esquerda: voltou.")
+    expect(studio.blocks.faulty()).to_have_count(0)
+    studio.page.mouse.move(600, 500)
+    studio.page.mouse.wheel(0, -3000)
+    expect(turn).not_to_be_in_viewport()
+    studio["advice-block"].click()
+    expect(turn).to_be_in_viewport()
+    expect(bubble).to_be_in_viewport()
+
+    studio.blocks.type_into(turn, "45")
+    expect(turn).to_have_count(0)
+    expect(bubble).to_have_count(0)
+    expect(studio["advice-block"]).to_have_count(0)
+
+
+def test_success_is_seen_heard_where_wanted_and_leads_on(studio: Studio) -> None:
+    studio.page.add_init_script(
+        "window.tones = []; const Own = window.OscillatorNode;"
+        "window.OscillatorNode = class extends Own {"
+        "  constructor(a, o) { super(a, o); window.tones.push(o.frequency); } };"
+    )
+    studio.page.reload()
+    open_mission(studio, "to_the_bakery")
+    write_program(studio, "robot.move_forward(3)\n")
+    studio.run()
+    expect(studio["mission-done"]).to_contain_text("Missão cumprida!", timeout=RUN_MS)
+    assert studio.page.evaluate("tones") == []
+    for words in ("Chegar ao fim", "Não encostar", "Terminar em “padaria”"):
+        expect_state(studio, words, "met")
+    assert violations(studio) == []
+    studio.page.set_viewport_size({"width": 1024, "height": 768})
+    assert cut(studio.page) == []
+    studio["success-sound"].click()
+    assert len(studio.page.evaluate("tones")) == 4
+    studio.run()
+    studio.wait_for_phase("running")
+    expect(studio["mission-done"]).to_have_count(0)
+    expect(studio["mission-done"]).to_be_visible(timeout=RUN_MS)
+    assert len(studio.page.evaluate("tones")) == 8
+    studio["success-sound"].click()
+    assert len(studio.page.evaluate("tones")) == 8
+    studio["mission-next"].click()
+    expect(studio["mission"]).to_contain_text("Pão e volta")
+    expect_state(studio, "Passar por padaria", "open")
+
+
+def test_the_other_cases_that_were_tried_are_named(studio: Studio) -> None:
+    open_mission(studio, "stop_before_wall")
+    write_program(studio, "robot.move_forward(6.2)\n")
+    studio.run()
+    tried = studio["cases-tried"].get_by_role("listitem")
+    expect(tried).to_have_count(2, timeout=RUN_MS)
+    expect(tried.first).to_contain_text("a partida em x −1,25 m")
+    expect(tried.first).to_have_attribute("data-state", "broken")
+    assert violations(studio) == []

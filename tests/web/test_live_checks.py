@@ -1,0 +1,84 @@
+"""While a run of an activity goes on, the page is told how it stands with the checks."""
+
+import time
+
+from pinel_desktop.app import App
+from tests.storage.sample_runs import ended, sample
+from tests.web.browser import Browser
+from tests.web.conftest import SQUARE
+from tests.web.fake_engine import FakeEngine
+
+STANDS = "checks_stand"
+
+
+def begin(app: App, browser: Browser, activity: str | None) -> str:
+    store = app._store
+    classroom = store.classrooms.create("9º A").id
+    if activity:
+        store.lessons.open(classroom, "Aula 1", activity)
+    group = store.groups.create("Os Robôs", classroom_id=classroom).id
+    program = store.programs.create(group, "Quadrado").id
+    version = {"workspace": {}, "document": SQUARE}
+    saved = browser.post(f"/api/programs/{program}/versions", version).data["id"]
+    begun = browser.post("/api/runs", {"version_id": saved, "world": "empty_room"})
+    return str(begun.data["id"])
+
+
+def state_of(event: dict[str, object], criterion: str) -> object:
+    checks = event["checks"]
+    assert isinstance(checks, list)
+    return next(line["state"] for line in checks if line["criterion"] == criterion)
+
+
+def test_the_list_fills_while_the_run_goes_on(
+    app: App, browser: Browser, engine: FakeEngine
+) -> None:
+    with browser.stream() as events:
+        run = begin(app, browser, "square")
+        engine.send(sample(run, 1))
+        first = events.until(STANDS)[-1]
+        assert first["run"] == run
+        assert state_of(first, "Drive 4 m in all") == "open"
+        for tick in range(2, 403):
+            engine.send(sample(run, tick))
+        assert state_of(events.until(STANDS)[-1], "Drive 4 m in all") == "met"
+        for tick in range(403, 450):
+            engine.send(sample(run, tick))
+        assert state_of(events.until(STANDS)[-1], "Drive 4 m in all") == "broken"
+        engine.send(ended(run, 450, 449))
+        last = events.until(STANDS)[-1]
+        assert state_of(last, "Reach the end of the program") == "met"
+        assert state_of(last, "End at the start") == "broken"
+
+
+def test_the_list_speaks_the_chosen_language(
+    app: App, browser: Browser, engine: FakeEngine
+) -> None:
+    browser.put("/api/settings", {"language": "pt-BR"})
+    with browser.stream() as events:
+        run = begin(app, browser, "square")
+        engine.send(sample(run, 1))
+        assert state_of(events.until(STANDS)[-1], "Terminar na partida") == "open"
+        engine.send(ended(run, 2, 1))
+
+
+def test_a_run_without_activity_is_not_followed(
+    app: App, browser: Browser, engine: FakeEngine
+) -> None:
+    run = begin(app, browser, None)
+    engine.send(sample(run, 1))
+    assert app._live_checks._run is not None
+    deadline = time.monotonic() + 10
+    while app._live_checks._run._events is not None:
+        assert time.monotonic() < deadline
+    engine.send(ended(run, 2, 1))
+
+
+def test_an_app_that_closes_waits_for_no_run(
+    app: App, browser: Browser, engine: FakeEngine
+) -> None:
+    run = begin(app, browser, "square")
+    engine.send(sample(run, 1))
+    began = time.monotonic()
+    app._live_checks.close()
+    assert time.monotonic() - began < 2

@@ -1,0 +1,32 @@
+import { Circle, CircleAlert, CircleCheck, type LucideIcon } from "lucide-preact";
+import type { CheckLine } from "../../api/model";
+import { texts } from "../../i18n";
+import { TEST } from "../../shell/testids";
+
+const ICONS: Readonly<Record<CheckLine["state"], LucideIcon>> = {
+  open: Circle,
+  met: CircleCheck,
+  broken: CircleAlert,
+};
+
+/** What counts, line by line: fulfilled so far, not yet, or not in this run any more. */
+export function CheckList({ checks }: { checks: readonly CheckLine[] }) {
+  const { activity } = texts.value;
+  return (
+    <ul class="checks" aria-label={activity.criteria} data-testid={TEST.checks}>
+      {checks.map(({ criterion, measured, state }, index) => {
+        const Icon = ICONS[state];
+        return (
+          <li key={index} class="checks__line" data-state={state}>
+            <Icon class="icon checks__mark" aria-hidden="true" />
+            <span>
+              {criterion}
+              <span class="visually-hidden">: {activity.checkStates[state]}</span>
+              {measured && <span class="checks__measured"> · {measured}</span>}
+            </span>
+          </li>
+        );
+      })}
+    </ul>
+  );
+}

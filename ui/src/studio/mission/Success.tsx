@@ -1,0 +1,69 @@
+import { useSignalEffect } from "@preact/signals";
+import { ArrowRight, PartyPopper, Target, Volume2, VolumeX } from "lucide-preact";
+import type { Activity } from "../../api/model";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { LinkButton } from "../../kit/LinkButton";
+import { cheer, isSoundWanted, muted, setMuted } from "../../run/sound";
+import { beginActivity } from "../../shell/begin_activity";
+import { hashOf } from "../../shell/route";
+import { judged } from "../../shell/session";
+import { TEST } from "../../shell/testids";
+import type { OpenProgram } from "../program/open_program";
+
+/** A moment to enjoy: what was achieved, a question to talk about, and where to go on. */
+export function Success({ open, mission }: { open: OpenProgram; mission: Activity }) {
+  const { activity } = texts.value;
+  const { next } = mission;
+  useSignalEffect(() => {
+    if (judged.value?.passed) cheer();
+  });
+  return (
+    <div class="mission__success" role="status" data-testid={TEST.missionDone}>
+      <strong>
+        <PartyPopper class="icon" aria-hidden="true" />
+        {activity.done}
+      </strong>
+      {mission.question && <p>{mission.question}</p>}
+      <div class="mission__onward">
+        {next ? (
+          <Button
+            kind="main"
+            iconEnd={ArrowRight}
+            testId={TEST.missionNext}
+            onPress={() => beginActivity(open.program.group_id, next.name)}
+          >
+            {activity.next(next.title)}
+          </Button>
+        ) : (
+          <LinkButton
+            icon={Target}
+            testId={TEST.missionOthers}
+            href={hashOf({ screen: "activities", group: open.program.group_id })}
+          >
+            {activity.others}
+          </LinkButton>
+        )}
+        <Sound />
+      </div>
+    </div>
+  );
+}
+
+/** Success is heard where somebody has wanted it once. */
+function Sound() {
+  const { show } = texts.value;
+  const isOn = isSoundWanted.value;
+  return (
+    <Button
+      kind="plain"
+      icon={isOn ? Volume2 : VolumeX}
+      label={isOn ? show.mute : show.unmute}
+      testId={TEST.successSound}
+      onPress={() => {
+        setMuted(isOn);
+        if (!muted.value) cheer();
+      }}
+    />
+  );
+}
