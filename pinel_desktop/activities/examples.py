@@ -22,6 +22,8 @@ EXAMPLES = (
     "snowflake",
     "guessing_game",
     "shy",
+    "board_game",
+    "board_game_alone",
 )
 
 

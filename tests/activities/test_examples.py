@@ -19,6 +19,8 @@ FIGURES = {
     "snowflake": (12.80, 125.6),
     "guessing_game": (0.50, 6.2),
     "shy": (5.40, 30.3),
+    "board_game": (11.30, 33.8),
+    "board_game_alone": (10.89, 33.9),
 }
 
 

@@ -27,7 +27,7 @@ from storage.runs.telemetry import STEPS
 
 PROGRAMS = Path(__file__).parent / "programs"
 CATALOGUE = Path(__file__).parents[2] / "pinel_desktop" / "activities" / "catalogue"
-ENDLESS = ("until_b/wrong_no_reading", "maze/wrong_no_move")
+ENDLESS = ("until_b/wrong_no_reading", "maze/wrong_no_move", "x_against_list/wrong_nobody_wins")
 FILES = sorted(
     [*CATALOGUE.glob("*/solution.py"), *PROGRAMS.glob("*/wrong_*.py")],
     key=lambda file: (file.parent.name, file.stem),

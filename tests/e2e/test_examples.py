@@ -46,7 +46,7 @@ def test_a_copy_has_one_version_until_it_is_changed(studio: Studio) -> None:
     blocks.drag_from_toolbox("motion", "girar", blocks.below(blocks.start()))
     studio.eventually(lambda: studio.actions()[0], "turn")
     studio["open-activities"].click()
-    expect(studio["example-card"]).to_have_count(10)
+    expect(studio["example-card"]).to_have_count(12)
     studio.page.locator("[data-testid=example-card][data-example=dice]").click()
     studio.wait_until_open()
     assert studio.program_id != program

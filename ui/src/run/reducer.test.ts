@@ -234,7 +234,7 @@ describe("a capture", () => {
   });
 
   test("keeps who answered it and how sure the camera was; a block that sets the result does not", () => {
-    const answer = { label: "B", by: "camera", confidence: 0.97, tick: 60 };
+    const answer = { label: "B", by: "camera", confidence: 0.97, tick: 60, nextLine: 0 };
     const asked = viewAfter(begun());
     const view = reduce(asked, { ...result(), by: "camera", confidence: 0.97 } as RunEvent);
     expect(view.captured).toEqual(answer);

@@ -50,6 +50,8 @@ export interface Captured {
   /** Of the camera, 0 to 1. */
   readonly confidence: number | null;
   readonly tick: number;
+  /** Number of the line of the dialogue that follows it. */
+  readonly nextLine: number;
 }
 
 type CaptureBy = NonNullable<GestureResultEvent["by"]>;
@@ -185,10 +187,11 @@ export function reduce(view: RunView, event: RunEvent): RunView {
   }
 }
 
-function captured({ captured: before }: RunView, event: GestureResultEvent): Captured | null {
-  if (event.source !== "capture") return before;
+function captured(view: RunView, event: GestureResultEvent): Captured | null {
+  if (event.source !== "capture") return view.captured;
   const { result: label, by = null, confidence = null, tick } = event;
-  return { label, by, confidence, tick };
+  const nextLine = (view.output.talk.at(-1)?.number ?? -1) + 1;
+  return { label, by, confidence, tick, nextLine };
 }
 
 function withTelemetry(view: RunView, event: TelemetryEvent): RunView {

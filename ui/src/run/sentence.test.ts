@@ -104,7 +104,10 @@ describe("what the robot does, in words", () => {
     ["list", "B", null, "Sinal da lista: B"],
     [null, "", null, "Nenhum sinal visto"],
   ] as const)("the answer of a capture tells who gave it: %s %s", (by, label, confidence, text) => {
-    const view = { ...moving("wait", 3, 1), captured: { label, by, confidence, tick: 30 } };
+    const view = {
+      ...moving("wait", 3, 1),
+      captured: { label, by, confidence, tick: 30, nextLine: 0 },
+    };
     expect(sentenceOf({ ...view, tick: 60 }, voice)?.more).toBe(text);
     expect(sentenceOf({ ...view, tick: 300 }, voice)?.more).toBe("");
     expect(
@@ -114,11 +117,12 @@ describe("what the robot does, in words", () => {
 
   test("of what was said and what was answered, the newest is told", () => {
     const line = { kind: "said", text: "Olá!", block: "b", tick: 30, number: 0 } as const;
-    const captured = { label: "B", by: "person", confidence: null, tick: 30 } as const;
+    const captured = { label: "B", by: "person", confidence: null, tick: 30, nextLine: 1 } as const;
     const view = { ...moving("wait", 3, 1), tick: 40, captured };
-    const heard = (tick: number) => ({ ...IDLE.output, talk: [{ ...line, tick }] });
-    expect(sentenceOf({ ...view, output: heard(30) }, voice)?.more).toBe("Vocês responderam B");
-    expect(sentenceOf({ ...view, output: heard(31) }, voice)?.more).toBe("Diz: “Olá!”");
+    // in the same tick, as when a program refuses a sign and asks again
+    const heard = (number: number) => ({ ...IDLE.output, talk: [{ ...line, number }] });
+    expect(sentenceOf({ ...view, output: heard(0) }, voice)?.more).toBe("Vocês responderam B");
+    expect(sentenceOf({ ...view, output: heard(1) }, voice)?.more).toBe("Diz: “Olá!”");
   });
 
   test("a beep is told beside what was said, and how many there were in a row", () => {

@@ -131,8 +131,9 @@ function partOf(motion: Motion | null): number | null {
 function around(view: RunView, voice: Voice): string {
   const { status } = voice.texts;
   const heard = view.output.talk.findLast((line) => line.kind === "said");
-  // robot time stands still in a capture: what was said before it may be of the same tick
-  const answer = heard && heard.tick > (view.captured?.tick ?? 0) ? "" : answered(view, voice);
+  // robot time stands still in a capture: what was said before and after it may be of the same tick
+  const isSaidSince = heard && heard.number >= (view.captured?.nextLine ?? 0);
+  const answer = isSaidSince ? "" : answered(view, voice);
   if (answer) return answer;
   const isHeard = heard && view.tick - heard.tick < HEARD_TICKS;
   const sounds = [

@@ -35,14 +35,14 @@ interface DrawnLength {
 }
 
 /**
- * Image cache of the floor and of everything on it that cannot change any more: full chunks of the paths, finished
- * strokes of the pen, marks. Newer parts are drawn on top, so that a frame costs the same in a long run as in a short
+ * Image cache of the floor and of everything on it that cannot change any more: full chunks of the paths, marks, finished
+ * strokes of the pen. Newer parts are drawn on top, so that a frame costs the same in a long run as in a short
  * one. The cache moves with the camera. When the camera zooms and a redraw is slow, the old image is scaled meanwhile.
  */
 export class SceneCache {
   private readonly canvas = document.createElement("canvas");
   private readonly ctx = this.canvas.getContext("2d");
-  /** Second layer for the pen's strokes, which lie above the path, also above its newest part. */
+  /** Second layer for marks and the pen's strokes, which lie above the path, also above its newest part. */
   private readonly strokeCanvas = document.createElement("canvas");
   private readonly strokeCtx = this.strokeCanvas.getContext("2d");
   private input: CacheInput | null = null;
@@ -68,9 +68,10 @@ export class SceneCache {
     return !this.covers(camera);
   }
 
-  /** Draws the pen's strokes over the paths. */
+  /** Draws marks and the pen's strokes over the paths. */
   drawStrokeLayer(target: Ctx, input: CacheInput, camera: Camera): void {
-    if (this.strokes + this.pen.chunks > 0) this.put(target, this.strokeCanvas, input, camera);
+    const parts = this.strokes + this.pen.chunks + input.view.output.marks.length;
+    if (parts > 0) this.put(target, this.strokeCanvas, input, camera);
   }
 
   private put(target: Ctx, image: HTMLCanvasElement, input: CacheInput, camera: Camera): void {
@@ -144,10 +145,17 @@ export class SceneCache {
     drawFloor(ctx, world, palette, camera.scale, false);
     this.toStart(ctx, input);
     drawStart(ctx, palette, camera.scale);
-    drawMarks(ctx, input.view.output.marks, palette);
+    if (this.strokeCtx) this.drawMarks(this.strokeCtx, input);
     this.drawFull(ctx, input);
     this.cost = performance.now() - before;
     this.drawnAt = now;
+  }
+
+  /** Marks lie above the path, which often leads over them. */
+  private drawMarks(ctx: Ctx, input: CacheInput): void {
+    this.place(ctx, input);
+    this.toStart(ctx, input);
+    drawMarks(ctx, input.view.output.marks, input.palette);
   }
 
   private extend(ctx: Ctx, input: CacheInput): void {

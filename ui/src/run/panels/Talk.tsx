@@ -19,7 +19,7 @@ const AT_END_PX = 48;
 /** What the robot says and asks, and the group's answers, with the newest line in view. */
 export function Talk({ lines }: { lines: readonly Line[] }) {
   const { show } = texts.value;
-  const list = useRef<HTMLOListElement>(null);
+  const list = useRef<HTMLDivElement>(null);
   const atEnd = useRef(true);
   const follow = () => {
     const { current } = list;
@@ -32,7 +32,7 @@ export function Talk({ lines }: { lines: readonly Line[] }) {
     return () => sizes.disconnect();
   }, []);
   return (
-    <ol
+    <div
       class="talk"
       ref={list}
       role="log"
@@ -44,10 +44,12 @@ export function Talk({ lines }: { lines: readonly Line[] }) {
         atEnd.current = scrollTop + clientHeight > scrollHeight - AT_END_PX;
       }}
     >
-      {lines.map((line) => (
-        <TalkLine key={line.number} line={line} />
-      ))}
-    </ol>
+      <ol>
+        {lines.map((line) => (
+          <TalkLine key={line.number} line={line} />
+        ))}
+      </ol>
+    </div>
   );
 }
 

@@ -1,0 +1,89 @@
+"""The board game of experiment 6, played by clicks: X signs, O answers on the screen, the robot brings the marks."""
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.e2e.axe import violations
+from tests.e2e.studio import RUN_MS, Studio
+from tests.e2e.test_examples import open_example
+from tests.e2e.test_show import newest_run
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(300)]
+
+GAME_MS = 20_000
+
+
+def open_game(studio: Studio, name: str = "board_game") -> None:
+    studio.enter_group("Os Tatus")
+    open_example(studio, name)
+    expect(studio["world"]).to_have_value("tic_tac_toe")
+    studio["speed"].select_option("10")
+    studio.run()
+
+
+def sign(studio: Studio, letter: str) -> None:
+    expect(studio["capture"]).to_be_visible(timeout=GAME_MS)
+    studio.page.locator(f"[data-testid=capture-letter][data-letter='{letter}']").click()
+
+
+def answer(studio: Studio, cell: str) -> None:
+    expect(studio["question-text"]).to_have_text("O joga: em que casa?", timeout=GAME_MS)
+    studio["answer"].fill(cell)
+    studio["send-answer"].click()
+
+
+def said(studio: Studio, words: str) -> None:
+    expect(studio["status-line"]).to_contain_text(words, timeout=GAME_MS)
+
+
+def marks(studio: Studio) -> list[tuple[str, str]]:
+    """The marks that a person who does not see the floor is told of: symbol and place."""
+    label = studio["scene"].get_attribute("aria-label") or ""
+    _, _, told = label.partition("Marcas no chão: ")
+    told = told.partition(".")[0]
+    return [(one[0], one[-1]) for one in told.split("; ") if one]
+
+
+def test_a_game_is_played_to_x_won_with_a_taken_cell_and_an_unknown_letter(
+    studio: Studio,
+) -> None:
+    open_game(studio)
+    expect(studio["program-name"]).to_have_value("Jogo da velha")
+    sign(studio, "A")
+    answer(studio, "e")
+    expect(studio["last-mark"]).to_have_text("O marcado em E", timeout=GAME_MS)
+    sign(studio, "L")
+    answer(studio, "A")
+    said(studio, "Casa ocupada por “X”: joguem de novo.")
+    answer(studio, "D")
+    sign(studio, "E")
+    said(studio, "Casa ocupada por “O”: joguem de novo.")
+    sign(studio, "G")
+    answer(studio, "H")
+    said(studio, "Não há casa “H”: joguem de novo.")
+    answer(studio, "B")
+    sign(studio, "")
+    said(studio, "Não há casa “”: joguem de novo.")
+    sign(studio, "I")
+    studio.wait_for_phase("finished", GAME_MS)
+    expect(studio["talk-line"].last).to_contain_text("X ganhou!")
+    assert marks(studio) == [*zip("XOXOXOX", "AELDGBI", strict=True)]
+    assert violations(studio) == []
+
+    studio.page.goto(f"{studio.page.url.split('#')[0]}#/run/{newest_run(studio)}")
+    slider = studio["replay-slider"]
+    expect(slider).to_be_visible(timeout=RUN_MS)
+    assert marks(studio) == []
+    slider.fill(slider.get_attribute("max") or "")
+    studio.eventually(lambda: len(marks(studio)), 7)
+
+
+def test_a_game_without_a_line_ends_as_a_draw(studio: Studio) -> None:
+    open_game(studio)
+    for x, o in (("A", "B"), ("C", "D"), ("E", "G"), ("I", "L")):
+        sign(studio, x)
+        answer(studio, o)
+    sign(studio, "F")
+    studio.wait_for_phase("finished", GAME_MS)
+    expect(studio["talk-line"].last).to_contain_text("Deu velha!")
+    assert len(marks(studio)) == 9
