@@ -15,6 +15,7 @@ from pinel_desktop.activities.model import (
     Case,
     Diagnosis,
 )
+from pinel_desktop.activities.wording import blocks_named
 from pinel_desktop.errors import PinelError
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.model import action_names
@@ -131,6 +132,7 @@ def semantic_faults(activity: Activity) -> tuple[Fault, ...]:
     if document is not None:
         faults += _starts(activity, document)
     faults += _unknown_actions(("blocks",), activity.blocks or [])
+    faults += _hints(activity)
     for i, diagnosis in enumerate(activity.diagnoses):
         faults += _faults_of_diagnosis(("diagnoses", i), diagnosis)
     if activity.solution is not None:
@@ -167,6 +169,17 @@ def _unknown_actions(place: Path, names: Iterable[str]) -> Iterator[Fault]:
         if name not in allowed:
             params: Params = {"value": name, "allowed": allowed}
             yield Fault("unknown_action", pointer((*place, i)), None, params)
+
+
+def _hints(activity: Activity) -> Iterator[Fault]:
+    """Hints that name a block which the activity does not offer."""
+    if activity.blocks is None:
+        return
+    for i, hint in enumerate(activity.hints):
+        for action, name in blocks_named(hint.model_dump(by_alias=True)).items():
+            if action not in activity.blocks:
+                params: Params = {"hint": i + 1, "block": name, "value": action}
+                yield Fault("activity_hint_block", pointer(("hints", i)), None, params)
 
 
 def _faults_of_diagnosis(place: Path, diagnosis: Diagnosis) -> Iterator[Fault]:

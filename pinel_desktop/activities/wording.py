@@ -1,19 +1,43 @@
 """Words of findings and diagnoses: numbers in the language's form with sensible digits, blocks by their labels.
 
+`blocks_named` finds which blocks a hint names.
+
 A value's unit is the ending of its name: `_m`, `_deg`, `_s`. `{gap_m}` becomes "12 cm" or "1,62 m", `{gap}` the bare
 number in that unit, `{gap_cm}` the centimetres.
 """
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from pinel_desktop.activities.commands import Command
-from pinel_desktop.messages import LANGUAGES, catalogue, decimal_sign, describe
+from pinel_desktop.messages import (
+    LANGUAGES,
+    SOURCE_LANGUAGE,
+    catalogue,
+    decimal_sign,
+    describe,
+)
+from pinel_desktop.program.model import action_names
 
 Words = dict[str, str]
 _PLACEHOLDER = re.compile(r"\{(\w+)\}")
 _UNITS = ("_m", "_deg", "_s")
+_QUOTED = re.compile('[“«"]([^”»"]+)[”»"]')
+# their names are words of every day, which name a block only in quotation marks
+_EVERYDAY = frozenset(
+    {
+        "stop",
+        "wait",
+        "ask",
+        "say",
+        "mark",
+        "set_variable",
+        "change_variable",
+        "conditional_execution",
+    }
+    | {"while", "for", "call", "return", "drive"}
+)
 
 
 def number(value: float, language: str, digits: int = 2) -> str:
@@ -129,3 +153,39 @@ def filled(text: str, values: Mapping[str, Any], language: str) -> str:
         return str(texts.get(match[1], match[0]))
 
     return _PLACEHOLDER.sub(fill, text)
+
+
+def blocks_named(texts: dict[str, str]) -> dict[str, str]:
+    """The actions that a hint names, each with the name: in quotation marks, or as they stand in Portuguese.
+
+    Args:
+        texts: the hint by language.
+    """
+    found: dict[str, str] = {}
+    for language in LANGUAGES:
+        for quoted in _QUOTED.findall(texts.get(language, "")):
+            found |= dict(_first(quoted, language))
+    plain = _QUOTED.sub(" ", texts.get(SOURCE_LANGUAGE, ""))
+    for start in re.finditer(r"\b\w", plain):
+        named = dict(_first(plain[start.start() :], SOURCE_LANGUAGE))
+        found |= {action: name for action, name in named.items() if action not in _EVERYDAY}
+    return found
+
+
+def _first(text: str, language: str) -> Iterator[tuple[str, str]]:
+    """The action whose name a text begins with: of several the longest, as “repeat until” is not “repeat”."""
+    begun = [
+        (len(name), action, name)
+        for action, name in _names(language)
+        if re.match(rf"{re.escape(name)}\b", text, re.IGNORECASE)
+    ]
+    if begun:
+        _, action, name = max(begun)
+        yield action, name
+
+
+def _names(language: str) -> Iterator[tuple[str, str]]:
+    for action in action_names():
+        if action != "call":
+            yield action, short_name(action, language)
+    yield "pen", describe("block_pen_up", {}, language).remedy

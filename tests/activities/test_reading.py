@@ -14,12 +14,15 @@ from pinel_desktop.activities import (
     choose_activity,
     solution_of,
 )
+from pinel_desktop.activities.faults import require_fulfillable
 from pinel_desktop.activities.reading import read_activity
+from pinel_desktop.activities.wording import blocks_named
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import LANGUAGES, SOURCE_LANGUAGE, catalogue, describe
 from pinel_desktop.program.reading import read_document
 
 TITLE = {"pt-BR": "x", "en": "x", "es": "x"}
+TURN_HINT = {"pt-BR": "Falta “girar à direita”.", "en": "x", "es": "x"}
 FORWARD = {"pinel_ir": 1, "commands": [{"action": "move_forward", "distance": 1}]}
 
 
@@ -175,6 +178,7 @@ def test_an_activity_of_format_2_has_all_that_a_group_reads() -> None:
         ({"minutes": 0}, "activity_value_too_small", "/minutes"),
         ({"level": 4}, "activity_value_wrong", "/level"),
         ({"blocks": ["fly"]}, "unknown_action", "/blocks/0"),
+        ({"blocks": ["move_forward"], "hints": [TURN_HINT]}, "activity_hint_block", "/hints/0"),
         ({"story": {"pt-BR": "x", "en": "x"}}, "missing_parameter", "/story"),
         ({"story": TITLE | {"en": "x" * 1001}}, "text_too_long", "/story/en"),
         ({"hints": [TITLE] * 4}, "activity_value_wrong", "/hints"),
@@ -236,3 +240,40 @@ def test_a_solution_is_read_from_its_python_text() -> None:
     assert document["commands"][0]["action"] == "repeat"
     assert solution_of("nothing_of_the_kind") is None
     assert solution_of("../catalogue/square") is None
+
+
+@pytest.mark.parametrize(
+    ("pt", "named"),
+    [
+        ("Um giro de ? graus: girar à esquerda", {"turn": "girar"}),
+        (
+            "Usem “repetir até que” e “se”.",
+            {"until": "repetir até que", "conditional_execution": "se"},
+        ),
+        ("Repetir 4: levantar a caneta, ir até x 2, y ?", {"repeat", "pen", "go_to"}),
+        ("Onde parar? Se ele não parar, contem os passos e marquem.", {}),
+        ("“Ir até o lugar” vai ao meio da casa.", {"go_to_place": "ir até o lugar"}),
+    ],
+)
+def test_blocks_that_a_hint_names_are_found(pt: str, named: Any) -> None:
+    found = blocks_named({"pt-BR": pt, "en": "x", "es": "x"})
+    assert (set(found) if isinstance(named, set) else found) == named
+
+
+def test_a_hint_names_a_block_in_quotation_marks_in_any_language() -> None:
+    assert blocks_named({"pt-BR": "x", "en": "Try “turn left 90 °”.", "es": "x"}) == {
+        "turn": "turn"
+    }
+    assert blocks_named({"pt-BR": "x", "en": "Whose turn is it?", "es": "x"}) == {}
+
+
+def test_no_hint_that_ships_names_a_block_which_is_not_offered() -> None:
+    offering = [one for one in map(choose_activity, activity_names()) if one.blocks]
+    assert [one.name for one in offering] == [
+        "to_the_bakery",
+        "bread_and_back",
+        "around_the_corner",
+        "left_right",
+    ]
+    for one in offering:
+        require_fulfillable(one)

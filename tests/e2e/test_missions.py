@@ -108,3 +108,40 @@ def test_hints_are_opened_one_by_one_and_stay_open(studio: Studio) -> None:
     expect(hints(studio)).to_have_count(n_hints)
     studio["mission-fold"].click()
     expect(hints(studio)).to_have_count(0)
+
+
+def categories(studio: Studio) -> Locator:
+    return studio.page.locator("[data-testid^=toolbox-]:not([data-testid=toolbox-search])")
+
+
+def begin(studio: Studio, activity: str) -> None:
+    studio["open-activities"].click()
+    studio.page.locator(f"[data-testid=activity-card][data-activity={activity}]").click()
+    studio.wait_until_open()
+
+
+def test_a_mission_offers_its_blocks_until_the_group_chooses_a_level_which_is_kept(
+    studio: Studio,
+) -> None:
+    studio.enter_group("Os Tatus", level=None)
+    begin(studio, "to_the_bakery")
+    expect(studio["level"]).to_have_value("mission")
+    expect(categories(studio)).to_have_text(["Movimento"])
+    expect(studio.blocks.in_flyout("andar para trás")).to_be_visible()
+    expect(studio.blocks.in_flyout("girar")).to_have_count(0)
+    assert violations(studio) == []
+    assert cut(studio.page) == []
+    studio["toolbox-search"].fill("girar")
+    expect(studio.page.locator(".blocklyFlyout:visible")).to_contain_text("em outro nível")
+    studio["level"].select_option("1")
+    expect(categories(studio)).to_have_count(5)
+    studio.page.reload()
+    studio.wait_until_open()
+    expect(studio["level"]).to_have_value("1")
+
+    begin(studio, "bread_and_back")
+    expect(studio["level"]).to_have_value("mission")
+    begin(studio, "to_the_bakery")
+    expect(studio["level"]).to_have_value("1")
+    studio["level"].select_option("mission")
+    expect(categories(studio)).to_have_count(1)

@@ -73,6 +73,7 @@ def get_activity(path: ActivityPath) -> Response:
             n_cases=len(mission.cases),
             hints=[hint.of(language) for hint in mission.hints],
             question=mission.question.of(language) if mission.question else "",
+            blocks=mission.blocks,
             world=world_name(mission),
             preset=mission.preset,
             feedback=mission.feedback,

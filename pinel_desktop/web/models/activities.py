@@ -64,6 +64,9 @@ class Activity(ActivityChoice):
     n_cases: Annotated[int, Field(ge=1, description="in how many cases a program is tried")]
     hints: list[str]
     question: str
+    blocks: Annotated[
+        list[str] | None, Field(description="the actions that it offers; null for all of the level")
+    ]
     world: Annotated[str, Field(description="name of the world, `own` for one of the activity's")]
     preset: Preset
     feedback: Feedback

@@ -9,6 +9,7 @@ import { argumentsOf, categoryOf, type Row } from "./definitions";
 import { VALUES } from "./generator/values";
 import { sensorWords } from "./sensor_words";
 import { SENSOR_ROWS } from "./table/sensor_rows";
+import { searchBlocks } from "./toolbox/search";
 import { flyoutBlocks, TOOLBOX_CATEGORIES, toolbox } from "./toolbox/toolbox";
 import type { TextKey } from "./words";
 import { setBlockLanguage } from "./words";
@@ -30,10 +31,10 @@ function programWithFunction(): Blockly.Workspace {
   return workspace;
 }
 
-function offered(level: Level): string[] {
+function offered(level: Level, actions: readonly string[] | null = null): string[] {
   const workspace = programWithFunction();
   return TOOLBOX_CATEGORIES.flatMap((name) =>
-    flyoutBlocks(name, level, workspace).map(({ type }) => type as string),
+    flyoutBlocks(name, level, workspace, actions).map(({ type }) => type as string),
   );
 }
 
@@ -98,6 +99,37 @@ test("explorers drive on until a sensor tells to stop", () => {
     expect.arrayContaining(["drive", "wait_until", "distance_sensor", "stop"]),
   );
   expect(offered(1)).not.toContain("drive");
+});
+
+describe("an activity that lists its commands", () => {
+  const categories = (level: Level, actions: readonly string[]) =>
+    toolbox(level, actions).contents.map((item) => (item as { id?: string }).id);
+
+  test("offers these and no others, in their categories", () => {
+    const few = ["move_forward", "turn", "pen"];
+    expect(offered(1, few)).toEqual(["move_forward", "turn", "pen_down", "pen_up"]);
+    expect(categories(1, few)).toEqual(["search", "motion", "show"]);
+  });
+
+  test("offers values of the first level with a command that has a condition", () => {
+    const found = offered(1, ["classify_gestures", "conditional_execution"]);
+    expect(found).toEqual(expect.arrayContaining(["if", "compare", "gesture_result"]));
+    expect(found).not.toContain("floor");
+  });
+
+  test("offers a command of a higher level, and values of its own level", () => {
+    const found = offered(2, ["go_to", "call"]);
+    expect(found).toEqual(expect.arrayContaining(["go_to", "function_def", "call", "position"]));
+    expect(offered(1, ["append"])).toEqual(["append"]);
+  });
+
+  test("is searched for what it offers", () => {
+    const found = (query: string, actions: readonly string[] | null) =>
+      searchBlocks(query, 1, new Blockly.Workspace(), actions).map(({ type }) => type);
+    expect(found("girar", ["move_forward"])).toEqual([]);
+    expect(found("girar", ["turn"])).toEqual(["turn"]);
+    expect(found("girar", null)).toContain("turn");
+  });
 });
 
 test("a hand is held to the limits of the place a number stands in", () => {

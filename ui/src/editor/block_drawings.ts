@@ -3,7 +3,7 @@ import { registerBlocks } from "../blocks";
 import type { Level } from "../blocks/definition";
 import type { BlockType } from "../blocks/definitions";
 import { searchBlocks } from "../blocks/toolbox/search";
-import { offeredRows, paletteBlock } from "../blocks/toolbox/toolbox";
+import { type Offered, offeredRows, paletteBlock } from "../blocks/toolbox/toolbox";
 import type { Language } from "../i18n";
 import { applyLanguage } from "./locale";
 import { patchAriaUpdates, quietly } from "./quietly";
@@ -31,6 +31,8 @@ interface DrawingOptions {
   language: Language;
   theme: ThemeName;
   level: Level;
+  /** The actions that an activity offers; null for all blocks of the level. */
+  offered: Offered;
 }
 
 /** Calls are drawn by what they call, and nothing is defined here. */
@@ -38,13 +40,13 @@ const NOT_ALONE: readonly BlockType[] = ["call", "call_value"];
 const SCALE = 0.8;
 
 /** Draws each block of a level as the palette gives it; the drawings do not change afterwards. */
-export function drawBlocks({ language, theme, level }: DrawingOptions): BlockDrawings {
+export function drawBlocks({ language, theme, level, offered }: DrawingOptions): BlockDrawings {
   applyLanguage(language);
   registerBlocks();
   registerRenderer();
   patchAriaUpdates();
   return onStage(theme, (workspace) => {
-    const rows = offeredRows(level).filter(({ type }) => !NOT_ALONE.includes(type));
+    const rows = offeredRows(level, offered).filter(({ type }) => !NOT_ALONE.includes(type));
     const all = rows.map(({ type, style }) => ({
       type,
       category: style,
@@ -57,7 +59,7 @@ export function drawBlocks({ language, theme, level }: DrawingOptions): BlockDra
       all,
       find: (query) => [
         ...new Set(
-          searchBlocks(query, level, new Blockly.Workspace()).flatMap(
+          searchBlocks(query, level, new Blockly.Workspace(), offered).flatMap(
             ({ type }) => byType.get(type) ?? [],
           ),
         ),

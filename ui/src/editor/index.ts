@@ -7,7 +7,7 @@ import { addToFieldNote } from "../blocks/fields/field_note";
 import { generateDocument } from "../blocks/generator";
 import { setKnownPlaces } from "../blocks/known_places";
 import { type KnownSigns, setKnownSigns } from "../blocks/known_signs";
-import { EVERYTHING, paletteBlock, toolbox } from "../blocks/toolbox/toolbox";
+import { EVERYTHING, type Offered, paletteBlock, toolbox } from "../blocks/toolbox/toolbox";
 import { upgradeWorkspace } from "../blocks/upgrade";
 import { word } from "../blocks/words";
 import type { Language } from "../i18n";
@@ -52,8 +52,11 @@ export interface Editor {
   reveal(blockId: string): void;
   setLanguage(language: Language): void;
   setTheme(theme: ThemeName): void;
-  /** Sets the toolbox level; blocks of higher levels that are already in the program stay. */
-  setLevel(level: Level): void;
+  /**
+   * Sets the level of the toolbox, and the actions that an activity offers, null for all. Other blocks that are already
+   * in the program stay.
+   */
+  setLevel(level: Level, offered?: Offered): void;
   /** Sets the signs that blocks offer; a block that names another one is marked. Null while they are not known. */
   setSigns(signs: KnownSigns | null): void;
   /** Sets the names of the world's places; a block that compares with another one is marked. Null while not known. */
@@ -103,6 +106,7 @@ class BlockEditor implements Editor {
   private readonly letFocusGo: () => void;
   private known = "";
   private level: Level;
+  private offered: Offered;
   private language: Language;
   private isRunning = false;
   private disposed = false;
@@ -110,7 +114,8 @@ class BlockEditor implements Editor {
   constructor(private readonly options: EditorOptions) {
     this.level = options.level ?? EVERYTHING;
     this.language = options.language;
-    this.workspace = injectWorkspace({ ...options, level: this.level });
+    this.offered = options.offered ?? null;
+    this.workspace = injectWorkspace({ ...options, level: this.level }, () => this.offered);
     this.keepPaletteOpen();
     this.faults = new Faults(this.workspace);
     this.advice = new Faults(this.workspace, "advice");
@@ -190,9 +195,10 @@ class BlockEditor implements Editor {
     showTheme(this.workspace, theme);
   }
 
-  setLevel(level: Level): void {
-    if (level === this.level) return;
+  setLevel(level: Level, offered: Offered = null): void {
+    if (level === this.level && String(offered) === String(this.offered)) return;
     this.level = level;
+    this.offered = offered;
     Blockly.hideChaff();
     this.updateToolbox();
     this.keepPaletteOpen();
@@ -304,7 +310,7 @@ class BlockEditor implements Editor {
 
   /** Blockly shows a toolbox after an update, even in a read-only workspace, so it is hidden again here. */
   private updateToolbox(): void {
-    this.workspace.updateToolbox(toolbox(this.level));
+    this.workspace.updateToolbox(toolbox(this.level, this.offered));
     if (this.workspace.isReadOnly()) this.workspace.getToolbox()?.setVisible(false);
   }
 

@@ -1,6 +1,6 @@
 import * as Blockly from "blockly/core";
 import { keepCallsInStep } from "../blocks/shapes/function_sync";
-import { registerFlyouts, toolbox } from "../blocks/toolbox/toolbox";
+import { type Offered, registerFlyouts, toolbox } from "../blocks/toolbox/toolbox";
 import { adaptMenus } from "./menus";
 import type { EditorOptions } from "./options";
 import { patchAriaUpdates } from "./quietly";
@@ -12,7 +12,10 @@ import { registerSearchItem } from "./toolbox/search_item";
 import { registerToolboxCategory } from "./toolbox/toolbox_category";
 
 /** Injects a Blockly workspace with this application's renderer, theme and toolbox into the container. */
-export function injectWorkspace(options: EditorOptions): Blockly.WorkspaceSvg {
+export function injectWorkspace(
+  options: EditorOptions,
+  offered: () => Offered,
+): Blockly.WorkspaceSvg {
   registerRenderer();
   registerToolboxCategory();
   registerSearchItem();
@@ -25,7 +28,7 @@ export function injectWorkspace(options: EditorOptions): Blockly.WorkspaceSvg {
   patchAriaUpdates();
   patchPaletteClicks();
   const workspace = Blockly.inject(options.container, {
-    toolbox: toolbox(options.level),
+    toolbox: toolbox(options.level, offered()),
     theme: blocklyTheme(options.theme),
     renderer: RENDERER,
     plugins: PALETTE_PLUGINS,
@@ -41,7 +44,7 @@ export function injectWorkspace(options: EditorOptions): Blockly.WorkspaceSvg {
     move: { scrollbars: true, drag: true, wheel: true },
     zoom: { controls: false, wheel: false, pinch: true, startScale: 1, maxScale: 2, minScale: 0.4 },
   });
-  registerFlyouts(workspace);
+  registerFlyouts(workspace, offered);
   keepCallsInStep(workspace);
   return workspace;
 }

@@ -1,4 +1,5 @@
 import type { Level } from "../blocks/definition";
+import type { Offered } from "../blocks/toolbox/toolbox";
 import type { Language } from "../i18n";
 import type { Peek } from "./marks/value_bubble";
 import type { ThemeName } from "./themes";
@@ -12,6 +13,8 @@ export interface EditorOptions {
   mediaPath: string;
   /** Level of the toolbox: 1 first steps, 2 explorer, 3 everything (the default). */
   level?: Level;
+  /** The actions that an activity offers; null, the default, for all blocks of the level. */
+  offered?: Offered;
   programName?: () => string;
   /** Called with the ids of all breakpoint blocks when they change. Without it the editor has no breakpoints. */
   onBreakpoints?(ids: readonly string[]): void;

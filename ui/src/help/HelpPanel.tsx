@@ -9,7 +9,7 @@ import { valueIn } from "../kit/requests/load_state";
 import { useLoaded } from "../kit/requests/useLoaded";
 import { Tabs } from "../kit/Tabs";
 import { helpIsOpen } from "../shell/help";
-import { level } from "../shell/level";
+import { level, offered } from "../shell/level";
 import { TEST } from "../shell/testids";
 import { theme } from "../shell/theme";
 import type { StudioControl } from "../studio/studio_control";
@@ -68,8 +68,14 @@ function close(): void {
 /** What all parts of the help show, drawn anew where the look of blocks changes. */
 function useContent(control: StudioControl): HelpContent {
   const drawings = useMemo(
-    () => drawBlocks({ language: language.value, theme: theme.value, level: level.value }),
-    [language.value, theme.value, level.value],
+    () =>
+      drawBlocks({
+        language: language.value,
+        theme: theme.value,
+        level: level.value,
+        offered: offered.value,
+      }),
+    [language.value, theme.value, level.value, offered.value],
   );
   const examples = useLoaded(language.value, () => activitiesApi.examples());
   return {

@@ -91,14 +91,7 @@ export function Scene({ world, view, poseAt, whole, companion, hold, playing }: 
 
   return (
     <div class="scene">
-      <Canvas
-        canvas={canvas}
-        world={world}
-        view={view}
-        tools={tools}
-        canMove={hold !== undefined}
-      />
-      <LastMark world={world} view={view} />
+      <Canvas canvas={canvas} world={world} view={view} tools={tools} hold={hold} />
       <Toolbar
         scene={() => renderer.current}
         tools={tools}
@@ -118,10 +111,10 @@ interface CanvasProps {
   canvas: { current: HTMLCanvasElement | null };
   view: ReadonlySignal<RunView>;
   tools: SceneTools;
-  canMove: boolean;
+  hold: RobotHold | undefined;
 }
 
-function Canvas({ canvas, world, view, tools, canMove }: CanvasProps) {
+function Canvas({ canvas, world, view, tools, hold }: CanvasProps) {
   const { truth, phase, output } = view.value;
   const { scene } = texts.value;
   const label = scene.label(
@@ -131,29 +124,25 @@ function Canvas({ canvas, world, view, tools, canMove }: CanvasProps) {
   );
   const told = output.marks.map((mark) => markWords(mark, world, texts.value, language.value));
   const marks = told.length > 0 ? scene.marks(told.join("; ")) : "";
-  const keys = tools.tool.value ? scene.measureKeys : canMove ? scene.startKeys : "";
+  const keys = tools.tool.value ? scene.measureKeys : hold ? scene.startKeys : "";
   return (
-    // biome-ignore lint/a11y/noInteractiveElementToNoninteractiveRole: keys move the start and the tools
-    <canvas
-      ref={canvas}
-      class="scene__canvas"
-      role="application"
-      aria-label={[label, marks, keys].filter(Boolean).join(" ")}
-      tabIndex={0}
-      data-testid={TEST.scene}
-      data-phase={phase}
-      data-tool={tools.tool.value ?? ""}
-    />
-  );
-}
-
-/** The newest mark, for who does not see it: said when it is put on the floor. */
-function LastMark({ world, view }: Pick<CanvasProps, "world" | "view">) {
-  const mark = view.value.output.marks.at(-1);
-  return (
-    <output class="visually-hidden" data-testid={TEST.lastMark}>
-      {mark ? markWords(mark, world, texts.value, language.value) : ""}
-    </output>
+    <>
+      {/* biome-ignore lint/a11y/noInteractiveElementToNoninteractiveRole: keys move the start and the tools */}
+      <canvas
+        ref={canvas}
+        class="scene__canvas"
+        role="application"
+        aria-label={[label, marks, keys].filter(Boolean).join(" ")}
+        tabIndex={0}
+        data-testid={TEST.scene}
+        data-phase={phase}
+        data-tool={tools.tool.value ?? ""}
+      />
+      {/* the newest mark, told to who does not see it when it is put on the floor */}
+      <output class="visually-hidden" data-testid={TEST.lastMark}>
+        {told.at(-1)}
+      </output>
+    </>
   );
 }
 

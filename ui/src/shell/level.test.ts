@@ -1,6 +1,6 @@
 import { beforeEach, expect, test } from "vitest";
 import type { Group } from "../api/model";
-import { level, levelInUse, setLevel } from "./level";
+import { level, levelInUse, missionLevel, offered, setLevel, shown } from "./level";
 import { remembered } from "./remembered";
 import { group } from "./session";
 
@@ -10,6 +10,7 @@ const enter = (id: string) => {
 
 beforeEach(() => {
   levelInUse.value = 1;
+  missionLevel.value = null;
 });
 
 test("a new group starts with the first steps", () => {
@@ -45,4 +46,41 @@ test("the choices of many groups stay short enough for a cookie", () => {
   }
   expect(remembered("pinel_levels")?.length).toBeLessThan(1000);
   expect(level.value).toBe(2);
+});
+
+test("a mission opens in its level, and what the group chooses there holds for its program alone", () => {
+  enter("group-dddddddddddd");
+  setLevel(3);
+  const mission = (program: string) => ({ program, level: 2, blocks: null }) as const;
+  missionLevel.value = mission("program-aaaaaaaaaaaa");
+  expect(level.value).toBe(2);
+  setLevel(1);
+  expect(level.value).toBe(1);
+  missionLevel.value = mission("program-bbbbbbbbbbbb");
+  expect(level.value).toBe(2);
+  missionLevel.value = null;
+  expect(level.value).toBe(3);
+  missionLevel.value = mission("program-aaaaaaaaaaaa");
+  expect(level.value).toBe(1);
+  expect(remembered("pinel_mission_levels")).toBe("aaaaaaaaaaaa_1");
+});
+
+test("a mission that lists its blocks offers only those, until the group chooses a level", () => {
+  const blocks = ["move_forward", "turn"];
+  missionLevel.value = { program: "program-cccccccccccc", level: 1, blocks };
+  expect([shown.value, level.value, offered.value]).toEqual(["mission", 1, blocks]);
+  setLevel(2);
+  expect([shown.value, level.value, offered.value]).toEqual([2, 2, null]);
+  setLevel(1);
+  expect([shown.value, offered.value]).toEqual([1, null]);
+  setLevel("mission");
+  expect([shown.value, offered.value]).toEqual(["mission", blocks]);
+});
+
+test("a mission without a level has that of the blocks in use, or what it lists out of all", () => {
+  levelInUse.value = 2;
+  missionLevel.value = { program: "program-dddddddddddd", level: null, blocks: null };
+  expect(level.value).toBe(2);
+  missionLevel.value = { program: "program-dddddddddddd", level: null, blocks: ["drive"] };
+  expect([level.value, offered.value]).toEqual([3, ["drive"]]);
 });

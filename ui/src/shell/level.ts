@@ -5,45 +5,89 @@ import { group } from "./session";
 
 /** Levels of the toolbox, from few blocks to all. */
 export const LEVELS = [1, 2, 3] as const satisfies readonly Level[];
+const HIGHEST: Level = 3;
 
-/** What each group chose on this PC, the newest choice first: "GROUP_LEVEL_GROUP_LEVEL". */
-const COOKIE = "pinel_levels";
-const MOST_GROUPS = 40;
+/** What the toolbox shows: a level, or only what the open mission offers. */
+export type Shown = Level | "mission";
 
-type Choice = readonly [group: string, level: string];
+const MOST_KEPT = 40;
 
-const choices = signal<readonly Choice[]>(read(remembered(COOKIE) ?? ""));
+type Choice = readonly [key: string, level: string];
+
+/** Choices kept on this PC, the newest first: "KEY_LEVEL_KEY_LEVEL". */
+class KeptChoices {
+  private readonly all;
+
+  constructor(private readonly name: string) {
+    this.all = signal<readonly Choice[]>(read(remembered(name) ?? ""));
+  }
+
+  of(key: string): Level | undefined {
+    const chosen = this.all.value.find(([one]) => one === key)?.[1];
+    return LEVELS.find((one) => String(one) === chosen);
+  }
+
+  /** Keeps a choice; null forgets it. */
+  keep(key: string, chosen: Level | null): void {
+    const others = this.all.peek().filter(([one]) => one !== key);
+    const mine: readonly Choice[] = chosen === null ? [] : [[key, String(chosen)]];
+    this.all.value = [...mine, ...others].slice(0, MOST_KEPT);
+    remember(this.name, this.all.value.flat().join("_"));
+  }
+}
+
+const ofGroups = new KeptChoices("pinel_levels");
+const inMissions = new KeptChoices("pinel_mission_levels");
 
 /** The level of the blocks that the open program had when it was opened. */
 export const levelInUse = signal<Level>(1);
 
-/** As chosen, otherwise the lowest level that offers what the program of the group has. */
-const ofThisGroup = computed<Level>(() => {
-  const chosen = choices.value.find(([name]) => name === groupKey())?.[1];
-  return LEVELS.find((one) => String(one) === chosen) ?? levelInUse.value;
-});
-
-/** The level of the open mission, which the group may change; null without a mission. */
-export const missionLevel = signal<Level | null>(null);
-
-/** The toolbox level: that of the mission, else that of the group. */
-export const level = computed<Level>(() => missionLevel.value ?? ofThisGroup.value);
-
-export function setLevel(chosen: Level): void {
-  if (missionLevel.peek() !== null) missionLevel.value = chosen;
-  else {
-    const others = choices.value.filter(([name]) => name !== groupKey());
-    choices.value = [[groupKey(), String(chosen)] as const, ...others].slice(0, MOST_GROUPS);
-    remember(COOKIE, choices.value.flat().join("_"));
-  }
+/** The open mission, as far as the toolbox is concerned. */
+export interface MissionLevel {
+  /** Id of the program that is to solve it: what a group chooses holds for that. */
+  readonly program: string;
+  /** In which it opens; null for that of the group. */
+  readonly level: Level | null;
+  /** The actions that it offers; null for all of the level. */
+  readonly blocks: readonly string[] | null;
 }
 
-/** The random end of the group's id. */
-function groupKey(): string {
-  return group.value?.id.slice(-12) ?? "";
+/** Null without a mission. */
+export const missionLevel = signal<MissionLevel | null>(null);
+
+/** As chosen, otherwise what the mission says, otherwise the lowest level that offers what the program of the group has. */
+export const shown = computed<Shown>(() => {
+  const { value: mission } = missionLevel;
+  if (!mission) return ofGroups.of(endOf(group.value?.id)) ?? levelInUse.value;
+  const chosen = inMissions.of(endOf(mission.program));
+  if (chosen !== undefined) return chosen;
+  return mission.blocks ? "mission" : (mission.level ?? levelInUse.value);
+});
+
+/** The toolbox level. */
+export const level = computed<Level>(() => {
+  if (shown.value !== "mission") return shown.value;
+  return missionLevel.value?.level ?? HIGHEST;
+});
+
+/** The actions that the toolbox is limited to; null for all blocks of the level. */
+export const offered = computed(() =>
+  shown.value === "mission" ? (missionLevel.value?.blocks ?? null) : null,
+);
+
+/** Keeps what the group chose: for the open mission, else for all its other programs. */
+export function setLevel(chosen: Shown): void {
+  const mission = missionLevel.peek();
+  if (mission) inMissions.keep(endOf(mission.program), chosen === "mission" ? null : chosen);
+  else if (chosen !== "mission") ofGroups.keep(endOf(group.peek()?.id), chosen);
+}
+
+/** The random end of an id. */
+function endOf(id: string | undefined): string {
+  return id?.slice(-12) ?? "";
 }
 
 function read(kept: string): Choice[] {
   const parts = kept ? kept.split("_") : [];
-  return parts.flatMap((name, at) => (at % 2 ? [] : [[name, parts[at + 1] ?? ""] as const]));
+  return parts.flatMap((key, at) => (at % 2 ? [] : [[key, parts[at + 1] ?? ""] as const]));
 }

@@ -1,5 +1,4 @@
 import type { Activity } from "../api/model";
-import type { Level } from "../blocks/definition";
 import { levelNeeded } from "../blocks/toolbox/level_needed";
 import { chooseSigns } from "../camera/signs";
 import { texts } from "../i18n";
@@ -8,7 +7,7 @@ import { useLoaded } from "../kit/requests/useLoaded";
 import { clear, live, liveRun } from "../run/live";
 import { isLive } from "../run/reducer";
 import { programAndGroups } from "../shell/first_answers";
-import { LEVELS, levelInUse, missionLevel } from "../shell/level";
+import { LEVELS, levelInUse, type MissionLevel, missionLevel } from "../shell/level";
 import { group, program } from "../shell/session";
 import { couldNotOpen, OpenProgram, opened, reloads } from "./program/open_program";
 import { Studio } from "./Studio";
@@ -40,15 +39,17 @@ async function open(programId: string, signal: AbortSignal): Promise<OpenProgram
   const made = new OpenProgram(loaded);
   await made.loadMission();
   signal.throwIfAborted();
-  missionLevel.value = levelOf(made.mission.peek());
+  missionLevel.value = levelOf(programId, made.mission.peek());
   opened.value = made;
   forgetOtherRun(programId);
   return opened.value;
 }
 
-/** The level in which a mission opens. */
-function levelOf(mission: Activity | null): Level | null {
-  return LEVELS.find((one) => one === mission?.level) ?? null;
+/** What a mission says of the toolbox. */
+function levelOf(program: string, mission: Activity | null): MissionLevel | null {
+  if (!mission) return null;
+  const level = LEVELS.find((one) => one === mission.level) ?? null;
+  return { program, level, blocks: mission.blocks };
 }
 
 /** Clears the last run from the floor if it is of another program. */

@@ -4,7 +4,7 @@ import { argumentsOf, type Row } from "../definitions";
 import { definitionsIn, functionName, givesValue } from "../names";
 import type { TextKey } from "../words";
 import { word, wordsToFind } from "../words";
-import { block, callBlock, offeredRows } from "./toolbox";
+import { block, callBlock, type Offered, offeredRows } from "./toolbox";
 
 type ToolboxBlock = Blockly.utils.toolbox.BlockInfo;
 
@@ -17,10 +17,11 @@ export function searchBlocks(
   query: string,
   level: Level,
   workspace: Blockly.Workspace,
+  offered: Offered = null,
 ): ToolboxBlock[] {
   const wanted = wordsOf(query);
   if (wanted.length === 0) return [];
-  const found = offeredRows(level)
+  const found = offeredRows(level, offered)
     .filter(({ type }) => type !== "call" && type !== "call_value")
     .map((row) => ({ row, rank: rank(row, wanted) }))
     .filter(({ rank }) => rank > 0)

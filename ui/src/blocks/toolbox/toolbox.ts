@@ -28,6 +28,12 @@ type ToolboxCategory = Exclude<Category, "start">;
 
 export const EVERYTHING: Level = 3;
 
+/** The actions that an activity offers; null for all blocks of the level. */
+export type Offered = readonly string[] | null;
+
+/** The commands with a condition, for which alone the values of the first level are. */
+const WITH_CONDITION = ["conditional_execution", "while", "until", "wait_until"];
+
 /** Between blocks of the toolbox, in pixels. */
 const GAP = 16;
 
@@ -39,15 +45,19 @@ export const TOOLBOX_CATEGORIES = CATEGORIES.filter(
 /** The item of the toolbox with the field to search in. */
 export const SEARCH_KIND = "pinel_search";
 
-/** What a level offers: the search, and every category that has blocks of that level. */
-export function toolbox(level: Level = EVERYTHING): Blockly.utils.toolbox.ToolboxInfo {
-  const categories = TOOLBOX_CATEGORIES.filter((name) => rowsOf(name, level).length > 0);
+/** What is offered: the search, and every category that has blocks of the level, or of those that an activity offers. */
+export function toolbox(
+  level: Level = EVERYTHING,
+  offered: Offered = null,
+): Blockly.utils.toolbox.ToolboxInfo {
+  const categories = TOOLBOX_CATEGORIES.filter((name) => rowsOf(name, level, offered).length > 0);
   const search = {
     kind: SEARCH_KIND,
     id: "search",
     name: reference("SEARCH"),
     contents: [],
     level,
+    offered,
   };
   return {
     kind: "categoryToolbox",
@@ -63,13 +73,15 @@ export function flyoutBlocks(
   name: ToolboxCategory,
   level: Level,
   workspace: Blockly.Workspace,
+  offered: Offered = null,
 ): ToolboxBlock[] {
-  const rows = rowsOf(name, level);
+  const rows = rowsOf(name, level, offered);
   if (name === "variables") return variableBlocks(rows, workspace);
   if (name === "functions") return functionBlocks(rows, workspace);
   const blocks = rows.map(({ type }) => block(type));
-  if (name === "logic" && level > 1) blocks.splice(2, 0, numberComparison());
-  if (name === "logic") blocks.splice(1, 0, { ...block("if"), extraState: { else: true } });
+  const has = (type: BlockType) => rows.some((row) => row.type === type);
+  if (has("compare") && level > 1) blocks.splice(2, 0, numberComparison());
+  if (has("if")) blocks.splice(1, 0, { ...block("if"), extraState: { else: true } });
   return blocks;
 }
 
@@ -84,9 +96,9 @@ export function paletteBlock(
   return (offered ?? block(type)) as Blockly.serialization.blocks.State;
 }
 
-/** Every block of a level, for the search. */
-export function offeredRows(level: Level): Row[] {
-  return TOOLBOX_CATEGORIES.flatMap((name) => rowsOf(name, level));
+/** Every block that is offered, for the search. */
+export function offeredRows(level: Level, offered: Offered = null): Row[] {
+  return TOOLBOX_CATEGORIES.flatMap((name) => rowsOf(name, level, offered));
 }
 
 /** A block as the toolbox gives it, with something in its holes, because an empty one says little. */
@@ -98,10 +110,18 @@ export function block(type: BlockType): ToolboxBlock {
   return { kind: "block", type, inputs, fields: FIELDS[type]?.() ?? {}, gap: GAP };
 }
 
-function rowsOf(name: ToolboxCategory, level: Level): Row[] {
+function rowsOf(name: ToolboxCategory, level: Level, offered: Offered): Row[] {
   return (DEFINITIONS[name] as readonly Row[]).filter(
-    (row) => row.level <= level && row.hidden === undefined,
+    (row) => row.hidden === undefined && (offered ? isIn(offered, row, level) : row.level <= level),
   );
+}
+
+/** An activity lists commands, of whatever level; values belong to them as far as the level goes. */
+function isIn(offered: readonly string[], { makes, level: least }: Row, level: Level): boolean {
+  if (makes && "action" in makes) return offered.includes(makes.action);
+  if (makes && "function" in makes) return offered.includes("call");
+  const hasUse = least > 1 || offered.some((action) => WITH_CONDITION.includes(action));
+  return least <= level && hasUse;
 }
 
 function category(
@@ -125,12 +145,12 @@ function flyoutKey(name: ToolboxCategory, level: Level): string {
   return `pinel_${name}_${level}`;
 }
 
-/** Fills categories when they are opened: what is in some depends on the program. */
-export function registerFlyouts(workspace: Blockly.WorkspaceSvg): void {
+/** Fills categories when they are opened: what is in some depends on the program, and on what is offered then. */
+export function registerFlyouts(workspace: Blockly.WorkspaceSvg, offered: () => Offered): void {
   for (const level of [1, 2, 3] as const) {
     for (const name of TOOLBOX_CATEGORIES) {
       workspace.registerToolboxCategoryCallback(flyoutKey(name, level), () =>
-        flyoutBlocks(name, level, workspace),
+        flyoutBlocks(name, level, workspace, offered()),
       );
     }
   }

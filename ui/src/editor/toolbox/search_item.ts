@@ -2,9 +2,15 @@ import * as Blockly from "blockly/core";
 import type { Level } from "../../blocks/definition";
 import { iconShape } from "../../blocks/icons";
 import { searchBlocks } from "../../blocks/toolbox/search";
-import { EVERYTHING, SEARCH_KIND } from "../../blocks/toolbox/toolbox";
+import { EVERYTHING, type Offered, SEARCH_KIND } from "../../blocks/toolbox/toolbox";
 import { word } from "../../blocks/words";
 import { svgIcon } from "../svg_icon";
+
+/** What is searched: the blocks of a level, or those that an activity offers. */
+interface Shown {
+  level: Level;
+  offered: Offered;
+}
 
 /** Search field at the top of the toolbox; its results are shown like the blocks of a category. */
 class SearchItem extends Blockly.ToolboxCategory {
@@ -74,8 +80,8 @@ class SearchItem extends Blockly.ToolboxCategory {
 
   private find(): void {
     const query = this.field.value.trim();
-    const { level } = this.toolboxItemDef_ as unknown as { level: Level };
-    const found = query ? searchBlocks(query, level, this.workspace_) : [];
+    const { level, offered } = this.toolboxItemDef_ as unknown as Shown;
+    const found = query ? searchBlocks(query, level, this.workspace_, offered) : [];
     const note = query ? this.nothingFound(query) : word("SEARCH_HINT");
     this.flyoutItems_ = found.length > 0 ? found : [label(note)];
     if (!query) return;

@@ -239,6 +239,7 @@ export const page: typeof first = {
   },
   level: {
     label: "How many blocks to show",
+    mission: "Blocks of the mission",
     first: "First steps",
     explorer: "Explorer",
     everything: "All blocks",

@@ -241,6 +241,7 @@ export const page: typeof first = {
   },
   level: {
     label: "Cuántos bloques mostrar",
+    mission: "Bloques de la misión",
     first: "Primeros pasos",
     explorer: "Explorador",
     everything: "Todos los bloques",

@@ -238,6 +238,7 @@ export const page = {
   },
   level: {
     label: "Quantos blocos mostrar",
+    mission: "Blocos da missão",
     first: "Primeiros passos",
     explorer: "Explorador",
     everything: "Todos os blocos",

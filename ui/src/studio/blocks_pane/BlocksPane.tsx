@@ -16,7 +16,7 @@ import { Button } from "../../kit/Button";
 import { Select } from "../../kit/Select";
 import { WayBack } from "../../kit/WayBack";
 import { later } from "../../shell/later";
-import { LEVELS, level, setLevel } from "../../shell/level";
+import { LEVELS, level, missionLevel, offered, setLevel, shown } from "../../shell/level";
 import { go } from "../../shell/route";
 import { problem, program, refreshStatus } from "../../shell/session";
 import { TEST } from "../../shell/testids";
@@ -108,8 +108,11 @@ function LevelChoice() {
       label={words.label}
       tip={words.label}
       testId={TEST.level}
-      value={level.value}
-      options={LEVELS.map((one) => [one, names[one]])}
+      value={shown.value}
+      options={[
+        ...(missionLevel.value?.blocks ? ([["mission", words.mission]] as const) : []),
+        ...LEVELS.map((one) => [one, names[one]] as const),
+      ]}
       onChange={setLevel}
     />
   );
@@ -147,6 +150,7 @@ function Workspace({ control }: { control: StudioControl }) {
       theme: theme.value,
       mediaPath: "/media/",
       level: level.value,
+      offered: offered.value,
       programName: () => program.value?.name ?? control.open.program.name,
       onChange: (content) => control.onEdit(content),
       onNothingToUndo: () => control.undoPast(),
@@ -166,7 +170,10 @@ function Workspace({ control }: { control: StudioControl }) {
   }, [control]);
 
   useEffect(() => editor.current?.setTheme(theme.value), [theme.value]);
-  useEffect(() => editor.current?.setLevel(level.value), [level.value]);
+  useEffect(
+    () => editor.current?.setLevel(level.value, offered.value),
+    [level.value, offered.value],
+  );
   useEffect(() => editor.current?.setSigns(signsForBlocks()), [signs.value, control]);
   const { value: world } = control.world;
   useEffect(() => editor.current?.setPlaces(world && placesOf(world)), [world, control]);
