@@ -22,6 +22,8 @@ import "./versions/differences.css";
 import "./teacher/teacher.css";
 import "./teacher/lessons/lessons.css";
 import "./teacher/camera/camera.css";
+import "./teacher/plan/plan.css";
+import "./teacher/cards/cards.css";
 import "./teacher/exchange/exchange.css";
 import "./teacher/review/parts.css";
 import "./teacher/review/runs/runs.css";

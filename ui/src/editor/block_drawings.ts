@@ -53,9 +53,8 @@ export function drawBlocks({ language, theme, level, offered }: DrawingOptions):
       ...drawn(paletteBlock(type, level, workspace), workspace),
     }));
     const byType = new Map<string | undefined, BlockDrawing>(all.map((one) => [one.type, one]));
-    const look = [...workspace.getInjectionDiv().classList].filter((one) => one !== STAGE);
     return {
-      look: look.join(" "),
+      look: lookOf(workspace),
       all,
       find: (query) => [
         ...new Set(
@@ -70,9 +69,17 @@ export function drawBlocks({ language, theme, level, offered }: DrawingOptions):
 
 const STAGE = "injectionDiv";
 
+/** Blockly's classes of the stage, which its styles depend on. */
+export function lookOf(workspace: Blockly.WorkspaceSvg): string {
+  return [...workspace.getInjectionDiv().classList].filter((one) => one !== STAGE).join(" ");
+}
+
 /** A workspace that nobody sees, for as long as something is drawn in it; the editor stays the main one. */
-function onStage<Drawn>(theme: ThemeName, draw: (workspace: Blockly.WorkspaceSvg) => Drawn): Drawn {
-  const editor = Blockly.common.getMainWorkspace();
+export function onStage<Drawn>(
+  theme: ThemeName,
+  draw: (workspace: Blockly.WorkspaceSvg) => Drawn,
+): Drawn {
+  const editor: Blockly.Workspace | undefined = Blockly.common.getMainWorkspace();
   const container = document.createElement("div");
   container.className = "visually-hidden";
   container.inert = true;
@@ -89,17 +96,20 @@ function onStage<Drawn>(theme: ThemeName, draw: (workspace: Blockly.WorkspaceSvg
   } finally {
     workspace.dispose();
     container.remove();
-    Blockly.common.setMainWorkspace(editor);
+    if (editor) Blockly.common.setMainWorkspace(editor); // screens without the studio have none
   }
 }
 
-function drawn(
+/** The words and the picture of a block; `change` may change it before it is drawn. */
+export function drawn(
   state: Blockly.serialization.blocks.State,
   workspace: Blockly.WorkspaceSvg,
+  change: (block: Blockly.BlockSvg) => void = () => {},
 ): Pick<BlockDrawing, "words" | "svg"> {
   let block: Blockly.BlockSvg | undefined;
   quietly(() => {
     block = Blockly.serialization.blocks.append(state, workspace) as Blockly.BlockSvg;
+    change(block);
   });
   Blockly.renderManagement.triggerQueuedRenders(workspace);
   if (!block) throw new Error(`there is no drawing of ${state.type}`);

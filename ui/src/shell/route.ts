@@ -1,7 +1,7 @@
 import { signal } from "@preact/signals";
 import type { JSX } from "preact";
 
-export const TEACHER_PARTS = ["lessons", "classes", "camera", "files", "computer"] as const;
+export const TEACHER_PARTS = ["lessons", "plan", "classes", "camera", "files", "computer"] as const;
 export type TeacherPart = (typeof TEACHER_PARTS)[number];
 
 /** A component with these parameters; explicit in each row, because a screen's type may depend on `Route`. */
@@ -76,6 +76,10 @@ const ROWS = {
   runs: {
     pattern: "runs",
     load: async (): Screen => (await import("../teacher/review/runs/RunsScreen")).RunsScreen,
+  },
+  cards: {
+    pattern: "cards",
+    load: async (): Screen => (await import("../teacher/cards/CardsScreen")).CardsScreen,
   },
   compare: {
     pattern: "compare/:first/:second",

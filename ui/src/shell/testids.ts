@@ -291,6 +291,21 @@ export const TEST = {
   programFile: "program-file", // exports the program
   bringProgram: "bring-program", // an input for a file
 
+  // the lesson plan and its cards
+  plan: "plan",
+  planStep: "plan-step", // of each; data-name
+  planOpen: "plan-open", // opens an activity for the class; data-name, aria-pressed
+  planCards: "plan-cards",
+  planPrint: "plan-print",
+  planSave: "plan-save",
+  cards: "cards", // data-list, data-ink
+  card: "card", // of each; data-name
+  cardsList: "cards-list", // a select
+  cardsCopies: "cards-copies", // a select
+  cardsInk: "cards-ink", // of each; data-value: lines | colours
+  cardsPrint: "cards-print",
+  cardsSave: "cards-save",
+
   // the teacher's review
   lessonPage: "lesson-page",
   lessonEmpty: "lesson-empty",

@@ -1,4 +1,4 @@
-import { BookOpen, Camera, Monitor, Usb, UsersRound } from "lucide-preact";
+import { BookOpen, Camera, ClipboardList, Monitor, Usb, UsersRound } from "lucide-preact";
 import { texts } from "../i18n";
 import { Loaded } from "../kit/requests/Loaded";
 import { hashOf, TEACHER_PARTS, type TeacherPart } from "../shell/route";
@@ -8,12 +8,14 @@ import { ClassesPart } from "./classes/ClassesPart";
 import { ComputerPart } from "./computer/ComputerPart";
 import { ExchangePanel } from "./exchange/ExchangePanel";
 import { LessonsPart } from "./lessons/LessonsPart";
+import { PlanPart } from "./plan/PlanPart";
 import { loadSchool } from "./school";
 import { RequireTeacher } from "./sign_in/RequireTeacher";
 import { useTeacherLoaded } from "./useTeacherLoaded";
 
 const ICONS = {
   lessons: BookOpen,
+  plan: ClipboardList,
   classes: UsersRound,
   camera: Camera,
   files: Usb,
@@ -24,7 +26,7 @@ interface TeacherScreenProps {
   part: TeacherPart;
 }
 
-/** The teacher's page: lessons, classes and groups, camera, files, this PC. */
+/** The teacher's page: lessons, the plan of one, classes and groups, camera, files, this PC. */
 export function TeacherScreen({ part }: TeacherScreenProps) {
   return (
     <RequireTeacher>
@@ -74,13 +76,11 @@ function SchoolPart({ part }: TeacherScreenProps) {
   const school = useTeacherLoaded(part, loadSchool);
   return (
     <Loaded of={school}>
-      {(found) =>
-        part === "classes" ? (
-          <ClassesPart school={found} reload={school.again} />
-        ) : (
-          <LessonsPart school={found} />
-        )
-      }
+      {(found) => {
+        if (part === "classes") return <ClassesPart school={found} reload={school.again} />;
+        if (part === "plan") return <PlanPart school={found} />;
+        return <LessonsPart school={found} />;
+      }}
     </Loaded>
   );
 }

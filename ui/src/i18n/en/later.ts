@@ -5,6 +5,7 @@ import type { LaterTexts } from "../texts";
 import { camera, practice, teaching } from "./camera";
 import { exchange } from "./exchange";
 import { help } from "./help";
+import { plan } from "./plan";
 import { review } from "./review";
 import { teacher } from "./teacher";
 
@@ -14,6 +15,7 @@ export const later: LaterTexts = {
   exchange,
   figures,
   help,
+  plan,
   practice,
   review,
   teacher,

@@ -15,6 +15,7 @@ export const page: typeof first = {
     compare: "Two runs side by side",
     activities: "Activities",
     practice: "Sign practice",
+    cards: "Cards to cut out",
   },
   header: {
     home: "Change group",

@@ -36,6 +36,7 @@ export const teacher: typeof first = {
   parts: {
     label: "For the teacher",
     lessons: "Lessons",
+    plan: "Lesson plan",
     classes: "Classes and groups",
     camera: "Camera",
     files: "Stick and folder",

@@ -15,6 +15,7 @@ export const page: typeof first = {
     compare: "Dos recorridos lado a lado",
     activities: "Actividades",
     practice: "Practicar señas",
+    cards: "Tarjetas para recortar",
   },
   header: {
     home: "Cambiar de grupo",

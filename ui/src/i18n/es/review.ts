@@ -15,7 +15,7 @@ export const review: typeof first = {
       passed: "Cumplieron la actividad",
     },
     differing: (activities: string) =>
-      `Las clases unidas tienen actividades diferentes (${activities}), por eso no se cuenta cuántos grupos resolvieron. Cada ejecución dice la suya.`,
+      `Las clases unidas tienen actividades diferentes (${activities}), por eso no se cuenta cuántos grupos resolvieron. Cada recorrido dice la suya.`,
     commonFault: (n, what) => `Error más común (${n} grupos): ${what}`,
     freeWork: "Trabajo libre",
     computers: (names) => `Computadoras: ${names}`,

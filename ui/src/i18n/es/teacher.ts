@@ -38,6 +38,7 @@ export const teacher: typeof first = {
   parts: {
     label: "Área docente",
     lessons: "Clases",
+    plan: "Plan de clase",
     classes: "Cursos y grupos",
     camera: "Cámara",
     files: "Memoria USB y carpeta",

@@ -5,6 +5,7 @@ import type { Catalogue } from "../message";
 import { camera, practice, teaching } from "./camera";
 import { exchange } from "./exchange";
 import { help } from "./help";
+import { plan } from "./plan";
 import { review } from "./review";
 import { teacher } from "./teacher";
 
@@ -16,6 +17,7 @@ export const later = {
   /** What each number of the review counts. */
   figures: figures as Catalogue,
   help,
+  plan,
   practice,
   review,
   teacher,

@@ -16,6 +16,7 @@ export const page = {
     compare: "Duas rodadas lado a lado",
     activities: "Atividades",
     practice: "Praticar sinais",
+    cards: "Cartões para recortar",
   },
   header: {
     home: "Trocar de grupo",

@@ -36,6 +36,7 @@ export const teacher = {
   parts: {
     label: "Área do professor",
     lessons: "Aulas",
+    plan: "Plano de aula",
     classes: "Turmas e grupos",
     camera: "Câmera",
     files: "Pendrive e pasta",

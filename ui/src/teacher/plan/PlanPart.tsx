@@ -1,0 +1,93 @@
+import { Printer, Save, Scissors } from "lucide-preact";
+import { useRef } from "preact/hooks";
+import { language, texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { LinkButton } from "../../kit/LinkButton";
+import { Loaded } from "../../kit/requests/Loaded";
+import { ClassChips } from "../../shell/ClassChips";
+import { classroom, shownClass } from "../../shell/classroom";
+import { hashOf } from "../../shell/route";
+import { TEST } from "../../shell/testids";
+import { canPrint } from "../review/lesson/printing";
+import type { School } from "../school";
+import { useTeacherLoaded } from "../useTeacherLoaded";
+import { loadPlanClass } from "./open_for_class";
+import { PlanTable } from "./PlanTable";
+import { savePage } from "./page_file";
+import { usePrintedPage } from "./printed_page";
+
+interface PlanPartProps {
+  school: School;
+}
+
+/** The plan of a lesson of two hours: opens its activities for a class, leads to the cards, goes on paper. */
+export function PlanPart({ school: { classes } }: PlanPartProps) {
+  const { plan: say } = texts.value;
+  const page = useRef<HTMLDivElement>(null);
+  usePrintedPage("plan");
+  const shown = classes.length > 0 ? shownClass(classroom.value, classes, []) : null;
+  const found = useTeacherLoaded(`${shown} ${language.value}`, () => loadPlanClass(shown));
+  return (
+    <div class="plan" ref={page} data-testid={TEST.plan}>
+      <h1>{say.title}</h1>
+      <p>{say.about}</p>
+      <PlanTools onSave={() => savePage(page.current, say.title, say.fileName)} />
+      {shown ? (
+        <ClassChips classes={classes} withNone={false} shown={shown} />
+      ) : (
+        <p class="teacher__hint">{say.noClass}</p>
+      )}
+      <Loaded of={found}>
+        {(inClass) => <PlanTable classroom={shown} found={inClass} reload={found.again} />}
+      </Loaded>
+      <p>{say.robots}</p>
+      <p>{say.roles}</p>
+      <div class="plan__more">
+        <Points {...say.deaf} />
+        <Points {...say.projector} />
+      </div>
+    </div>
+  );
+}
+
+function PlanTools({ onSave }: { onSave(): Promise<void> }) {
+  const { plan: say } = texts.value;
+  return (
+    <div class="plan__tools">
+      <LinkButton
+        kind="main"
+        icon={Scissors}
+        href={hashOf({ screen: "cards" })}
+        testId={TEST.planCards}
+      >
+        {say.links.cards}
+      </LinkButton>
+      {canPrint() && (
+        <Button icon={Printer} testId={TEST.planPrint} onPress={() => window.print()}>
+          {say.print}
+        </Button>
+      )}
+      <Button icon={Save} tip={say.saveHelp} testId={TEST.planSave} onPress={onSave}>
+        {say.save}
+      </Button>
+    </div>
+  );
+}
+
+interface PointsProps {
+  title: string;
+  points: readonly string[];
+}
+
+function Points({ title, points }: PointsProps) {
+  return (
+    <section class="plan__points">
+      <h2>{title}</h2>
+      <ul>
+        {points.map((point) => (
+          <li key={point}>{point}</li>
+        ))}
+      </ul>
+    </section>
+  );
+}
