@@ -164,3 +164,13 @@ def test_language_follows_the_system_and_is_portuguese_otherwise(
     for variable, value in environment.items():
         monkeypatch.setenv(variable, value)
     assert language_of_system() == language
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_what_was_done_of_a_motion_is_said_without_the_sign_of_its_side(language: str) -> None:
+    turn = {"done": -77.0, "amount": -180.0, "unit": "°"}
+    message = describe("blocked", turn, language).message
+    assert "77 °" in message
+    assert "-" not in message
+    beside = describe("blocked_beside", {**turn, "away": 0.5}, language).message
+    assert "180" not in beside

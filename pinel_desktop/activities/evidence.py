@@ -19,12 +19,12 @@ from pinel_desktop.activities.drawing import Points, Sampled, sampled
 from pinel_desktop.events.model import Event, RunEnded, Telemetry
 from pinel_desktop.events.types import KEPT
 from pinel_desktop.execution.clock import TICK_HZ
+from pinel_desktop.execution.recorder import WAY_STEP_M
 from sim.floor import Disc, Rectangle, Zone
 from sim.world import World
 
 STEP_M, STEP_RAD, STEP_DONE = 1e-4, 1e-4, 1e-3  # what a record rounds to
-# a shorter motion is the wheels' slip in a turn; of a measured pose, noise
-_COUNTED_M, _COUNTED_MEASURED_M = 0.002, 0.02
+_COUNTED_MEASURED_M = 0.02  # a shorter motion of a measured pose is noise
 _DOT_M = 0.01  # a shorter line is not seen
 _COUNTED_RAD = np.radians(2.0)
 _COLUMNS = ("x_m", "y_m", "yaw_rad", "done", "bumper", "true_x_m", "true_y_m", "true_yaw_rad")
@@ -181,7 +181,7 @@ class Evidence:
     @cached_property
     def path(self) -> Points:
         """The path in the start frame without what is noise, shape (n, 2)."""
-        step_m = _COUNTED_M if self.log.is_true else _COUNTED_MEASURED_M
+        step_m = WAY_STEP_M if self.log.is_true else _COUNTED_MEASURED_M
         return _at_steps(self.log.poses[:, :2], step_m)
 
     @cached_property

@@ -360,7 +360,7 @@ class RunEnded(Event):
         block: the block that was running.
         n_executed: how many commands were executed.
         duration_s: robot time, in s.
-        path_length_m: length of the path, in m.
+        path_length_m: length of the way, in m: the true one in the simulator, else that of the robot's own pose.
         closing_error_m: distance between start and end, in m.
         pose: the estimated pose.
         telemetry_sha256: hash of the telemetry, which a repetition must give again.

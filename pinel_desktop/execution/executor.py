@@ -20,7 +20,7 @@ from pinel_desktop.execution.debug.variable_watch import VariableWatch
 from pinel_desktop.execution.inputs import Inputs, ScriptedInputs
 from pinel_desktop.execution.limits import StepLimit
 from pinel_desktop.execution.recorder import Recorder
-from pinel_desktop.execution.semantics import CURRENT
+from pinel_desktop.execution.semantics import CURRENT, MEASURES_THE_TRUE_WAY
 from pinel_desktop.execution.stack import ProgramStack
 from pinel_desktop.program.limits import MAX_RUN_S, MAX_STEPS_PER_TICK
 from pinel_desktop.program.model import Program
@@ -236,6 +236,8 @@ class _Run:
         self._tick = tick = self._tick + 1
         context.tick = tick + 1
         pose, twist, true_pose = link.read()
+        if true_pose is not None and true_pose is not pose:
+            self._recorder.add_true(true_pose[:2])
         if self._origin is not None:
             pose = pose.relative_to(self._origin)
         context.pose, context.twist = pose, twist
@@ -329,6 +331,11 @@ class _Run:
             return reason or error.code, params or error.params
         return reason, params
 
+    def _way_m(self) -> float:
+        recorder = self._recorder
+        is_true = self._context.semantics >= MEASURES_THE_TRUE_WAY
+        return recorder.true_way_m() if is_true else recorder.path_length_m()
+
     def _ended(
         self, state: Outcome, reason: str | None, params: dict[str, Any], block: str | None
     ) -> RunEnded:
@@ -340,7 +347,7 @@ class _Run:
             block=block,
             n_executed=self._stack.n_executed,
             duration_s=self._tick / TICK_HZ,
-            path_length_m=self._recorder.path_length_m(),
+            path_length_m=self._way_m(),
             closing_error_m=math.hypot(pose.x_m, pose.y_m),
             pose={"x_m": pose.x_m, "y_m": pose.y_m, "yaw_rad": pose.yaw_rad},
             telemetry_sha256=self._recorder.sha256(),

@@ -4,10 +4,12 @@ import hashlib
 import math
 import sys
 from array import array
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from operator import sub
 
 from pinel_desktop.robot import Pose2D
+
+WAY_STEP_M = 0.002  # of true poses; a shorter motion is the wheels' slip in a turn
 
 
 class Recorder:
@@ -15,6 +17,7 @@ class Recorder:
 
     Attributes:
         add: appends a row given as a tuple; the array's bound method, for speed.
+        add_true: appends the true position, x and y, where the robot's pose is an estimate; in any frame.
     """
 
     COLUMNS = 8
@@ -22,6 +25,12 @@ class Recorder:
     def __init__(self) -> None:
         self.rows = array("d")
         self.add: Callable[[tuple[float, ...]], None] = self.rows.extend
+        self._true = array("d")
+        self.add_true: Callable[[tuple[float, float]], None] = self._true.extend
+
+    def true_way_m(self) -> float:
+        """Length of the true way where it was recorded, else that of the robot's own path."""
+        return _way_m(self._true[::2], self._true[1::2]) if self._true else self.path_length_m()
 
     def path_length_m(self) -> float:
         """Length of the path through the start and all recorded positions."""
@@ -39,3 +48,13 @@ class Recorder:
             rows = array("d", rows)
             rows.byteswap()
         return hashlib.sha256(rows).hexdigest()
+
+
+def _way_m(xs: Sequence[float], ys: Sequence[float]) -> float:
+    """Length of the way in steps of at least `WAY_STEP_M`, and to the last position."""
+    way, x, y = 0.0, xs[0], ys[0]
+    for new_x, new_y in zip(xs, ys, strict=True):
+        step = math.hypot(new_x - x, new_y - y)
+        if step >= WAY_STEP_M:
+            way, x, y = way + step, new_x, new_y
+    return way + math.hypot(xs[-1] - x, ys[-1] - y)

@@ -4,8 +4,10 @@
 |---|---|---|
 | 1 | 0.1 | |
 | 2 | 0.2 | a straight motion that slides away along an obstacle is blocked; `distance` omits side walls ahead, behind |
+| 3 | 0.2 | `path_length_m` is that of the true way where that is known; noise of measured poses no longer counts |
 """
 
-FIRST, CURRENT = 1, 2
+FIRST, CURRENT = 1, 3
 BLOCKS_SLIDING = 2
 LOOKS_ALONG_THE_WAY = 2
+MEASURES_THE_TRUE_WAY = 3

@@ -81,6 +81,7 @@ def describe(code: str, params: Mapping[str, object], language: str) -> Localize
     """The message for `code` with its placeholders filled; for an unknown code, the code itself."""
     unknown = {"message": code, "remedy": ""}
     words = catalogue(language).get(code) or catalogue(SOURCE_LANGUAGE).get(code) or unknown
+    params = _without_sides(params)
 
     def fill(match: re.Match[str]) -> str:
         name = match[1]
@@ -90,6 +91,15 @@ def describe(code: str, params: Mapping[str, object], language: str) -> Localize
         message=_PLACEHOLDER.sub(fill, words["message"]),
         remedy=_PLACEHOLDER.sub(fill, words.get("remedy", "")),
     )
+
+
+def _without_sides(params: Mapping[str, object]) -> Mapping[str, object]:
+    """How much of a motion was done, without the sign that says to which side: "77 of 90", not "-77 of -90"."""
+    amount = params.get("amount")
+    if "unit" not in params or not isinstance(amount, int | float) or amount >= 0:
+        return params
+    sides = {name: params[name] for name in ("done", "amount") if name in params}
+    return {**params, **{k: -v for k, v in sides.items() if isinstance(v, int | float)}}
 
 
 def explain(problem: Problem, language: str | None = None) -> LocalizedMessage:

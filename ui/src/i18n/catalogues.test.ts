@@ -114,6 +114,10 @@ describe.each(LANGUAGES)("the catalogue %s", (language) => {
     expect(words?.message).toContain((0.5).toLocaleString(language));
     expect(words?.message).not.toContain("{");
     expect(reasonWords("no_such_code", {}, language)).toBeNull();
+    const turn = { done: -77.25, amount: -180, unit: "°" };
+    const turned = reasonWords("blocked", turn, language)?.message;
+    expect(turned).toContain(`${(77.25).toLocaleString(language)} ° `);
+    expect(turned).not.toMatch(/[-\u2212]\d/);
   });
 });
 

@@ -25,6 +25,8 @@ export function cameraWords(
 
 /** What was measured is said in centimetres; what a program says, as it is written there. */
 const MEASURED = new Set(["done", "away"]);
+/** Their sign says to which side the robot turned. */
+const SIDED = new Set(["done", "amount"]);
 
 function filled(
   words: Message | undefined,
@@ -32,12 +34,14 @@ function filled(
   language: Language,
 ): Message | null {
   if (!words) return null;
+  const side = "unit" in params && Number(params.amount) < 0 ? -1 : 1; // "77 of 90", not "−77 of −90"
   const fill = (text: string) =>
     text.replace(/\{(\w+)\}/g, (whole, name: string) => {
       if (!(name in params)) return whole;
       const { [name]: value } = params;
-      const isMeasured = MEASURED.has(name) && typeof value === "number";
-      return show(isMeasured ? Math.round(value * 100) / 100 : value, language);
+      if (typeof value !== "number") return show(value, language);
+      const size = SIDED.has(name) ? side * value : value;
+      return show(MEASURED.has(name) ? Math.round(size * 100) / 100 : size, language);
     });
   return { message: fill(words.message), remedy: fill(words.remedy) };
 }

@@ -1,0 +1,57 @@
+"""The length of the way that a run tells: what the robot drove, not what its sensors made of it."""
+
+import numpy as np
+import pytest
+
+from pinel_desktop.activities.evidence import LogWriter
+from pinel_desktop.execution.recorder import Recorder
+from pinel_desktop.robot import PIONEER_3DX, Feedback, Preset, Setting
+from pinel_desktop.runs.spec import RunSpec
+from pinel_desktop.runs.start import start
+from sim.world import world_document
+
+SIDE = [{"action": "move_forward", "distance": 1}, {"action": "turn", "angle": 90}]
+SQUARE = {
+    "pinel_ir": 1,
+    "name": "",
+    "functions": [],
+    "commands": [{"action": "repeat", "times": 4, "commands": SIDE}],
+}
+
+
+def way_m(preset: Preset, feedback: Feedback, semantics: int) -> tuple[float, float]:
+    """What the run tells, and how far the robot truly drove."""
+    setting = Setting(PIONEER_3DX.name, preset, feedback)
+    world = world_document("empty_room")
+    writer = LogWriter()
+    spec = RunSpec(SQUARE, world, setting=setting, semantics=semantics)
+    result = start(spec, writer.observe)
+    steps = np.diff(writer.log().poses[:, :2], axis=0)
+    return result.ended.path_length_m, float(np.hypot(*steps.T).sum())
+
+
+@pytest.mark.parametrize(("preset", "feedback"), [("ideal", "pose"), ("realistic", "pose")])
+def test_a_square_of_a_metre_is_four_metres_of_way(preset: Preset, feedback: Feedback) -> None:
+    told_m, true_m = way_m(preset, feedback, semantics=3)
+    assert told_m == pytest.approx(4.0, abs=0.06)
+    assert told_m == pytest.approx(true_m, abs=0.06)
+
+
+def test_runs_of_earlier_releases_count_the_noise_of_the_pose_as_they_did() -> None:
+    told_m, _ = way_m("realistic", "pose", semantics=2)
+    assert told_m > 4.4
+
+
+def test_a_robot_whose_true_pose_nobody_knows_tells_its_own_path() -> None:
+    recorder = Recorder()
+    for tick in range(1, 101):
+        recorder.add((tick, 0.01 * tick, 0.0, 0.0, 0.3, 0.0, 0.3, 0.0))
+    assert recorder.true_way_m() == recorder.path_length_m() == pytest.approx(1.0)
+
+
+def test_standing_still_is_no_way() -> None:
+    recorder = Recorder()
+    for tick in range(1, 301):
+        recorder.add((tick, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+        recorder.add_true((2.0 + 0.0005 * (tick % 2), 1.0))
+    assert recorder.true_way_m() == pytest.approx(0.0, abs=0.001)
