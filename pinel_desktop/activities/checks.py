@@ -23,6 +23,7 @@ from pinel_desktop.activities.drawing import (
 from pinel_desktop.activities.evidence import Evidence
 
 Value = float | str | None
+_DRAWN = ("check_draws_extra", "check_draws_missing", "check_way_extra", "check_way_missing")
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,7 +174,7 @@ def _draws(check: kinds.Draws, evidence: Evidence) -> Finding:
     is_extra = fit.extra_m >= fit.missing_m
     tick = int(drawing.places[fit.worst])
     motion = evidence.motion_at(tick) if is_extra else None
-    code = "check_draws_extra" if is_extra else "check_draws_missing"
+    code = f"check_{'draws' if check.of == 'trail' else 'way'}_{'extra' if is_extra else 'missing'}"
     values = {"off_m": fit.off_m / fit.scale}
     pointer = motion.pointer if motion else None
     return Finding(fit.off_m <= check.tolerance, fit.off_m, check.tolerance, pointer, code, values)
@@ -312,8 +313,7 @@ def _any_of(check: kinds.AnyOf, evidence: Evidence) -> Finding:
 
 
 def _is_nearer(found: Finding, other: Finding) -> bool:
-    drawn = ("check_draws_extra", "check_draws_missing")
-    if found.code not in drawn or other.code not in drawn:
+    if found.code not in _DRAWN or other.code not in _DRAWN:
         return False
     assert isinstance(found.measured, float)
     assert isinstance(other.measured, float)

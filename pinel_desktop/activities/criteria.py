@@ -24,6 +24,8 @@ _MEASURED = {
     "check_path_length_still": "measured_way",
     "check_draws_extra": "measured_drawing",
     "check_draws_missing": "measured_drawing",
+    "check_way_extra": "measured_drawing",
+    "check_way_missing": "measured_drawing",
     "check_closed": "measured_gap",
     "check_symmetric": "measured_number",
     "check_turned_total": "measured_turned",

@@ -38,6 +38,18 @@ _EVERYDAY = frozenset(
     }
     | {"while", "for", "call", "return", "drive"}
 )
+_SIGNS = {
+    "==": "=",
+    "!=": "≠",
+    "<": "<",
+    "<=": "≤",
+    ">": ">",
+    ">=": "≥",
+    "+": "+",
+    "-": "−",
+    "*": "×",
+    "/": "÷",
+}
 
 
 def number(value: float, language: str, digits: int = 2) -> str:
@@ -126,10 +138,60 @@ def _parameters(data: Mapping[str, Any], language: str) -> dict[str, str]:
     if data.get("action") == "pen":
         color = f"block_color_{data.get('color') or 'blue'}"
         values["color"] = describe(color, {}, language).message
+    condition = expression_words(data.get("condition"), language)
+    if condition is not None:
+        values["condition"] = condition
     if data.get("action") in ("go_to", "go_to_place"):
         way = "block_around" if data.get("avoid") else "block_straight"
         values["way"] = describe(way, {}, language).message
     return values
+
+
+def expression_words(value: Any, language: str) -> str | None:
+    """An expression as it reads on its blocks; None for one that would be too long for a sentence."""
+    if isinstance(value, bool) or not isinstance(value, dict | int | float | str):
+        return None
+    if isinstance(value, str):
+        return f"‘{value}’"  # inside of the quotes around the block
+    if isinstance(value, int | float):
+        return number(value, language)
+    if "var" in value:
+        return str(value["var"])
+    if "gesture" in value:
+        return describe("value_gesture", {}, language).message
+    if "sensor" in value:
+        return _sensor_words(value, language)
+    return _operation_words(value, language) if "op" in value else None
+
+
+def _sensor_words(value: Mapping[str, Any], language: str) -> str | None:
+    code = f"value_{value['sensor']}"
+    if code not in catalogue(language):
+        return None
+    way = str(value.get("direction", ""))
+    way_code = f"value_{way}" if way in ("front", "back") else f"block_{way}"
+    return describe(code, {"way": describe(way_code, {}, language).message}, language).message
+
+
+def _operation_words(value: Mapping[str, Any], language: str) -> str | None:
+    op, args = str(value["op"]), list(value.get("args", ()))
+    is_of_floor = any(isinstance(one, dict) and one.get("sensor") == "floor" for one in args)
+    parts = [
+        describe(f"block_color_{one}", {}, language).message
+        if is_of_floor and f"block_color_{one}" in catalogue(language)
+        else expression_words(one, language)
+        for one in args
+        if isinstance(one, str | dict | int | float)
+    ]
+    if len(parts) != len(args) or any(part is None for part in parts):
+        return None
+    if op == "not" and len(parts) == 1:
+        return describe("value_not", {"one": parts[0]}, language).message
+    if len(parts) != 2:
+        return None
+    if op in ("and", "or"):
+        return describe(f"value_{op}", {"one": parts[0], "other": parts[1]}, language).message
+    return f"{parts[0]} {_SIGNS[op]} {parts[1]}" if op in _SIGNS else None
 
 
 def words_of(code: str, values: Mapping[str, Any], command: Command | None) -> Words:

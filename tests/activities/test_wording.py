@@ -37,6 +37,16 @@ def test_blocks_have_the_labels_that_they_have_on_the_screen(language: str) -> N
         assert catalogue(language)[f"block_{name.lower()}"]["message"] == labels[name]
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_values_have_the_words_that_they_have_on_the_screen(language: str) -> None:
+    text = (I18N / language / "blocks.ts").read_text("utf-8")
+    labels = dict(re.findall(r'^  ([A-Z_]+): "([^"]*)"', text, re.M))
+    pairs = {"distance": "DISTANCE_SENSOR", "gesture": "GESTURE_RESULT"}
+    for name in ("front", "back", "bumper", "heading", "time", "floor", "distance", "gesture"):
+        shown = labels[pairs.get(name, name.upper())]
+        assert plain(catalogue(language)[f"value_{name}"]["message"]) == plain(shown)
+
+
 def test_a_block_is_named_with_its_values_or_without_those_that_are_worked_out() -> None:
     assert block_words(block(action="turn", angle=-90.0), "pt-BR") == "girar à direita 90 °"
     assert block_words(block(action="turn", angle={"op": "/", "args": [360, 5]}), "en") == "turn"
@@ -46,6 +56,30 @@ def test_a_block_is_named_with_its_values_or_without_those_that_are_worked_out()
     assert block_words(block(action="pen", down=False), "en") == "pen up"
     assert block_words(block(action="while", condition={}), "pt-BR") == "enquanto"
     assert short_name("classify_gestures", "pt-BR") == "ler gesto"
+
+
+RED = {"op": "==", "args": [{"sensor": "floor"}, "red"]}
+NEAR = {"op": "<", "args": [{"sensor": "distance", "direction": "front"}, 0.5]}
+SEEN = {"op": "!=", "args": [{"gesture": "result"}, "B"]}
+
+
+@pytest.mark.parametrize(
+    ("condition", "words"),
+    [
+        (RED, "repetir até que cor do chão = vermelho"),
+        (NEAR, "repetir até que distância à frente (m) < 0,5"),
+        (SEEN, "repetir até que gesto lido ≠ ‘B’"),
+        (
+            {"op": "and", "args": [RED, {"sensor": "bumper"}]},
+            "repetir até que cor do chão = vermelho e bateu em algo",
+        ),
+        ({"op": "not", "args": [{"sensor": "bumper"}]}, "repetir até que não bateu em algo"),
+        ({"op": ">", "args": [{"var": "metros"}, 3.0]}, "repetir até que metros > 3"),
+        ({"op": "==", "args": [{"length": {"var": "l"}}, 3.0]}, "repetir até que"),
+    ],
+)
+def test_a_block_with_a_condition_is_named_with_it(condition: object, words: str) -> None:
+    assert block_words(block(action="until", condition=condition), "pt-BR") == words
 
 
 @pytest.mark.parametrize(
