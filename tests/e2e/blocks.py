@@ -63,7 +63,7 @@ class Blocks:
     def drag_from_toolbox(self, category: str, words: str, to: Place) -> None:
         """Drags a block out of its category."""
         before = self.all().count()
-        self.category(category).click()
+        self.open_category(category)
         outline = self.in_flyout(words).locator("> .blocklyPath")
         parts = self._parts(words)
         self._drag(outline, to)
@@ -71,8 +71,14 @@ class Blocks:
 
     def click_in_toolbox(self, category: str, words: str) -> None:
         """Opens a category and clicks a block of it."""
-        self.category(category).click()
+        self.open_category(category)
         self.click_in_flyout(words)
+
+    def open_category(self, name: str) -> None:
+        """Clicks a category, unless its palette is open: a second click would close it."""
+        category = self.category(name)
+        if category.get_attribute("aria-selected") != "true":
+            category.click()
 
     def click_in_flyout(self, words: str) -> None:
         """Clicks near the upper left corner, where a loop is no hole."""

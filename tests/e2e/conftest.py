@@ -23,7 +23,14 @@ CHROMIUM = (
     or "/usr/bin/chromium"
 )
 SCREEN = {"width": 1366, "height": 768}
-KEPT_BY_PAGE = ("pinel_theme", "pinel_levels", "pinel_class", "pinel_muted", "pinel_turns")
+KEPT_BY_PAGE = (
+    "pinel_theme",
+    "pinel_levels",
+    "pinel_class",
+    "pinel_muted",
+    "pinel_turns",
+    "pinel_tours",
+)
 ARTIFACTS = Path(__file__).parents[1] / "artifacts"
 
 OpenStudio = Callable[..., Studio]

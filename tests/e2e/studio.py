@@ -29,11 +29,18 @@ class Studio:
     def __getitem__(self, test_id: str) -> Locator:
         return self.page.get_by_test_id(test_id)
 
-    def enter_group(self, name: str, level: int | None = 3) -> None:
-        """Types a new group's name and waits for its first program; None leaves the level of new groups."""
+    def enter_group(self, name: str, level: int | None = 3, *, tour: bool = False) -> None:
+        """Types a new group's name and waits for its first program; None leaves the level of new groups.
+
+        Args:
+            tour: stays in the guided first drive, which is skipped otherwise.
+        """
         self["group-name"].fill(name)
         self["create-group"].click()
         self.wait_until_open()
+        # a group that enters a lesson is not offered it
+        if not tour and self.api(f"/programs/{self.program_id}")["version"] is None:
+            self["tour-skip"].click()
         if level is not None:
             self["level"].select_option(str(level))
 

@@ -12,6 +12,7 @@ import { upgradeWorkspace } from "../blocks/upgrade";
 import { word } from "../blocks/words";
 import type { Language } from "../i18n";
 import { watchContent } from "./changes";
+import { EditorElements } from "./elements";
 import { injectWorkspace } from "./inject";
 import { keepFocus } from "./keep_focus";
 import { applyLanguage } from "./locale";
@@ -34,6 +35,7 @@ import { addZoomControls } from "./zoom_controls";
 export type { Fault };
 
 export interface Editor {
+  readonly elements: EditorElements;
   /**
    * Replaces the content without firing onChange; null leaves only the start block.
    * Throws, and keeps the current content, when the content holds blocks this version does not know.
@@ -81,6 +83,9 @@ export interface Editor {
   dispose(): void;
 }
 
+/** Width of an editor whose workspace has room beside an open palette: categories, palette, a turn inside of a loop. */
+const ROOM_FOR_PALETTE_PX = 730;
+
 /** Distance from the workspace's corner to the start block, in pixels. */
 const MARGIN = 32;
 
@@ -92,6 +97,7 @@ export function createEditor(options: EditorOptions): Editor {
 }
 
 class BlockEditor implements Editor {
+  readonly elements: EditorElements;
   private readonly workspace: Blockly.WorkspaceSvg;
   private readonly faults: Faults;
   private readonly advice: Faults;
@@ -120,6 +126,7 @@ class BlockEditor implements Editor {
     this.faults = new Faults(this.workspace);
     this.advice = new Faults(this.workspace, "advice");
     this.running = new Highlight(this.workspace);
+    this.elements = new EditorElements(this.workspace, this.running);
     this.notices = new Notices(this.workspace);
     const { onBreakpoints } = options;
     this.breakpoints = onBreakpoints && new Breakpoints(this.workspace, onBreakpoints);
@@ -143,6 +150,7 @@ class BlockEditor implements Editor {
     this.clearMarks();
     this.replace(workspace);
     this.showFromTheStart();
+    this.offerPalette();
     this.workspace.clearUndo();
     this.known = this.fingerprint();
   }
@@ -257,6 +265,7 @@ class BlockEditor implements Editor {
 
   resize(): void {
     Blockly.svgResize(this.workspace);
+    this.keepPaletteOpen();
     this.overview.refresh();
   }
 
@@ -314,10 +323,11 @@ class BlockEditor implements Editor {
     if (this.workspace.isReadOnly()) this.workspace.getToolbox()?.setVisible(false);
   }
 
-  /** In the first level the blocks stay beside the workspace: whoever begins sees what there is. */
+  /** In the first level the blocks stay beside the workspace, if it has room: whoever begins sees what there is. */
   private keepPaletteOpen(): void {
     const shelf = this.workspace.getToolbox();
-    const isStaying = this.level === 1 && !this.workspace.isReadOnly();
+    const hasRoom = this.options.container.clientWidth >= ROOM_FOR_PALETTE_PX;
+    const isStaying = this.level === 1 && hasRoom && !this.workspace.isReadOnly();
     this.options.container.classList.toggle("pinelPaletteStays", isStaying);
     if (shelf instanceof Shelf) shelf.setStaying(isStaying);
   }
@@ -325,6 +335,14 @@ class BlockEditor implements Editor {
   private clearMarks(): void {
     this.faults.clear();
     this.advice.clear();
+  }
+
+  /** Where they do not stay they are open until the first one is taken. */
+  private offerPalette(): void {
+    const shelf = this.workspace.getToolbox();
+    const isEmpty = this.workspace.getTopBlocks(false).every((block) => !block.getNextBlock());
+    const isOffered = isEmpty && this.level === 1 && !this.workspace.isReadOnly();
+    if (shelf instanceof Shelf && isOffered) shelf.offer();
   }
 
   private exchange(workspace: object): void {

@@ -8,7 +8,7 @@ import { useHelpContent } from "./help_content";
 
 /** Examples; a press opens a copy. */
 export function ExampleList({ examples }: { examples: readonly Example[] }) {
-  const { group } = useHelpContent();
+  const { open } = useHelpContent();
   const { help } = texts.value;
   if (examples.length === 0) return null;
   return (
@@ -21,7 +21,7 @@ export function ExampleList({ examples }: { examples: readonly Example[] }) {
             tip={help.openExample}
             testId={TEST.helpExample}
             data-example={one.name}
-            onPress={() => openExample(group, one)}
+            onPress={() => openExample(open.program.group_id, one)}
           >
             <GoalPicture goal={one.picture} />
             <span>

@@ -18,6 +18,7 @@ import { Found } from "./Found";
 import { type HelpContent, HelpContext } from "./help_content";
 import { KeyList } from "./KeyList";
 import { TaskList } from "./TaskList";
+import { TourButton } from "./TourButton";
 import { TASK_NAMES } from "./tasks";
 
 const TABS = ["tasks", "blocks", "keys"] as const;
@@ -81,13 +82,20 @@ function useContent(control: StudioControl): HelpContent {
   return {
     drawings,
     examples: valueIn(examples) ?? [],
-    group: control.open.program.group_id,
+    open: control.open,
     put: (type) => control.editor?.append(type),
   };
 }
 
 function Part({ tab, drawings }: { tab: Tab; drawings: BlockDrawings }) {
-  if (tab === "tasks") return <TaskList names={TASK_NAMES} />;
+  if (tab === "tasks") {
+    return (
+      <>
+        <TourButton />
+        <TaskList names={TASK_NAMES} />
+      </>
+    );
+  }
   if (tab === "blocks") return <BlockList drawings={drawings.all} />;
   return <KeyList query="" />;
 }

@@ -3,13 +3,14 @@ import { useContext } from "preact/hooks";
 import type { Example } from "../api/model";
 import type { BlockType } from "../blocks/definitions";
 import type { BlockDrawings } from "../editor/block_drawings";
+import type { OpenProgram } from "../studio/program/open_program";
 
 /** What the parts of the help show, and what they do in the studio. */
 export interface HelpContent {
   readonly drawings: BlockDrawings;
   /** Empty until they are loaded. */
   readonly examples: readonly Example[];
-  readonly group: string;
+  readonly open: OpenProgram;
   /** Puts a block into the open program. */
   put(type: BlockType): void;
 }

@@ -1,4 +1,12 @@
 import { signal } from "@preact/signals";
+import { KeptById } from "./remembered";
 
 /** The help is shown in the studio; the header opens and closes it. */
 export const helpIsOpen = signal(false);
+
+/** The program in which the guided first drive is shown; it ends when its studio is left. */
+export const tourFor = signal<string | null>(null);
+
+/** The step of each group's guided first drive, for a page that is loaded again in the middle; then that it is over. */
+export const tourSteps = new KeptById("pinel_tours");
+export const TOUR_OVER = "over";

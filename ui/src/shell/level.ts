@@ -1,6 +1,6 @@
 import { computed, signal } from "@preact/signals";
 import type { Level } from "../blocks/definition";
-import { remember, remembered } from "./remembered";
+import { KeptById } from "./remembered";
 import { group } from "./session";
 
 /** Levels of the toolbox, from few blocks to all. */
@@ -10,34 +10,8 @@ const HIGHEST: Level = 3;
 /** What the toolbox shows: a level, or only what the open mission offers. */
 export type Shown = Level | "mission";
 
-const MOST_KEPT = 40;
-
-type Choice = readonly [key: string, level: string];
-
-/** Choices kept on this PC, the newest first: "KEY_LEVEL_KEY_LEVEL". */
-class KeptChoices {
-  private readonly all;
-
-  constructor(private readonly name: string) {
-    this.all = signal<readonly Choice[]>(read(remembered(name) ?? ""));
-  }
-
-  of(key: string): Level | undefined {
-    const chosen = this.all.value.find(([one]) => one === key)?.[1];
-    return LEVELS.find((one) => String(one) === chosen);
-  }
-
-  /** Keeps a choice; null forgets it. */
-  keep(key: string, chosen: Level | null): void {
-    const others = this.all.peek().filter(([one]) => one !== key);
-    const mine: readonly Choice[] = chosen === null ? [] : [[key, String(chosen)]];
-    this.all.value = [...mine, ...others].slice(0, MOST_KEPT);
-    remember(this.name, this.all.value.flat().join("_"));
-  }
-}
-
-const ofGroups = new KeptChoices("pinel_levels");
-const inMissions = new KeptChoices("pinel_mission_levels");
+const ofGroups = new KeptById("pinel_levels");
+const inMissions = new KeptById("pinel_mission_levels");
 
 /** The level of the blocks that the open program had when it was opened. */
 export const levelInUse = signal<Level>(1);
@@ -58,8 +32,8 @@ export const missionLevel = signal<MissionLevel | null>(null);
 /** As chosen, otherwise what the mission says, otherwise the lowest level that offers what the program of the group has. */
 export const shown = computed<Shown>(() => {
   const { value: mission } = missionLevel;
-  if (!mission) return ofGroups.of(endOf(group.value?.id)) ?? levelInUse.value;
-  const chosen = inMissions.of(endOf(mission.program));
+  if (!mission) return chosenIn(ofGroups, group.value?.id) ?? levelInUse.value;
+  const chosen = chosenIn(inMissions, mission.program);
   if (chosen !== undefined) return chosen;
   return mission.blocks ? "mission" : (mission.level ?? levelInUse.value);
 });
@@ -78,16 +52,11 @@ export const offered = computed(() =>
 /** Keeps what the group chose: for the open mission, else for all its other programs. */
 export function setLevel(chosen: Shown): void {
   const mission = missionLevel.peek();
-  if (mission) inMissions.keep(endOf(mission.program), chosen === "mission" ? null : chosen);
-  else if (chosen !== "mission") ofGroups.keep(endOf(group.peek()?.id), chosen);
+  if (mission) inMissions.keep(mission.program, chosen === "mission" ? null : String(chosen));
+  else if (chosen !== "mission") ofGroups.keep(group.peek()?.id ?? "", String(chosen));
 }
 
-/** The random end of an id. */
-function endOf(id: string | undefined): string {
-  return id?.slice(-12) ?? "";
-}
-
-function read(kept: string): Choice[] {
-  const parts = kept ? kept.split("_") : [];
-  return parts.flatMap((key, at) => (at % 2 ? [] : [[key, parts[at + 1] ?? ""] as const]));
+function chosenIn(kept: KeptById, id = ""): Level | undefined {
+  const chosen = kept.of(id);
+  return LEVELS.find((one) => String(one) === chosen);
 }

@@ -1,3 +1,4 @@
+import { signal } from "@preact/signals";
 import { put } from "../api/client";
 
 /**
@@ -28,3 +29,34 @@ function ofEarlierRelease(name: string): string | null {
   }
   return value;
 }
+
+const MOST_KEPT = 40;
+
+type Entry = readonly [key: string, word: string];
+
+/** A word that this PC keeps for each of its groups or programs, the newest first: "KEY_WORD_KEY_WORD". */
+export class KeptById {
+  private readonly entries = signal<readonly Entry[]>([]);
+
+  constructor(private readonly name: string) {
+    const parts = (remembered(name) ?? "").split("_");
+    this.entries.value = parts.flatMap((key, at) =>
+      at % 2 || !key ? [] : [[key, parts[at + 1] ?? ""] as const],
+    );
+  }
+
+  of(id: string): string | null {
+    return this.entries.value.find(([key]) => key === keyOf(id))?.[1] ?? null;
+  }
+
+  /** Keeps a word; null forgets it. */
+  keep(id: string, word: string | null): void {
+    const others = this.entries.peek().filter(([key]) => key !== keyOf(id));
+    const mine: readonly Entry[] = word === null ? [] : [[keyOf(id), word]];
+    this.entries.value = [...mine, ...others].slice(0, MOST_KEPT);
+    remember(this.name, this.entries.value.flat().join("_"));
+  }
+}
+
+/** The random end of an id. */
+const keyOf = (id: string) => id.slice(-12);

@@ -237,6 +237,14 @@ export const TEST = {
   examples: "examples",
   toExamples: "to-examples",
   exampleCard: "example-card", // of each; data-example
+  tour: "tour", // data-step: see tour/steps.ts
+  tourRing: "tour-ring", // of each
+  tourGo: "tour-go",
+  tourShow: "tour-show", // after 20 s in a step
+  tourSkip: "tour-skip",
+  tourMission: "tour-mission",
+  tourFree: "tour-free",
+  helpTour: "help-tour",
   helpPanel: "help-panel",
   helpSearch: "help-search",
   helpTab: "help-tab", // of each; data-tab: tasks | blocks | keys

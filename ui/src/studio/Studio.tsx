@@ -1,23 +1,28 @@
+import { useEffect } from "preact/hooks";
 import { useInstance } from "../kit/instance";
 import * as robot from "../run/live";
 import { isLive } from "../run/reducer";
+import { TOUR_OVER, tourFor, tourSteps } from "../shell/help";
 import { later } from "../shell/later";
-import { program } from "../shell/session";
+import { group, program } from "../shell/session";
 import { BlocksPane } from "./blocks_pane/BlocksPane";
 import { FloorPane } from "./floor_pane/FloorPane";
 import type { OpenProgram } from "./program/open_program";
 import { StudioControl } from "./studio_control";
 
+const TourBalloon = later(async () => (await import("../tour/TourBalloon")).TourBalloon);
 const WorldEditor = later(async () => (await import("../world_editor/WorldEditor")).WorldEditor);
 
 /** The studio: blocks on the left, floor on the right. */
 export function Studio({ open }: { open: OpenProgram }) {
   const control = useInstance(() => new StudioControl(open));
+  useTour(open);
   const { worlds } = control;
   const store = worlds.store.value;
   return (
     <main class="screen studio">
       <h1 class="visually-hidden">{program.value?.name}</h1>
+      {tourFor.value === open.id && <TourBalloon control={control} />}
       <BlocksPane control={control} />
       <FloorPane control={control} />
       {store && (
@@ -32,4 +37,22 @@ export function Studio({ open }: { open: OpenProgram }) {
       )}
     </main>
   );
+}
+
+/** Offers the guided first drive once to a group that has done nothing yet; a page loaded again in the middle goes on. */
+function useTour(open: OpenProgram): void {
+  useEffect(() => {
+    const { id, group_id } = open.program;
+    const kept = tourSteps.of(group_id);
+    const isDue = kept === null ? isNew(open) : kept !== TOUR_OVER;
+    if (isDue && !open.mission.peek()) tourFor.value = id;
+    return () => {
+      if (tourFor.peek() === id) tourFor.value = null;
+    };
+  }, []);
+}
+
+function isNew({ program: { version } }: OpenProgram): boolean {
+  const { n_programs = 0, n_in_bin = 0, n_runs = 0 } = group.peek() ?? {};
+  return n_programs <= 1 && n_in_bin === 0 && n_runs === 0 && !version;
 }

@@ -38,6 +38,11 @@ export class Shelf extends Blockly.Toolbox {
     if (staying) this.open(null);
   }
 
+  /** Shows the first category, if none is shown. */
+  offer(): void {
+    if (!this.getSelectedItem()) this.open(null);
+  }
+
   override clearSelection(): void {
     if (!this.staying) super.clearSelection();
   }

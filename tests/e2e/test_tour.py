@@ -1,0 +1,243 @@
+"""The guided first drive: done, not read; the page stays usable, and it can be left at any moment."""
+
+import itertools
+
+import pytest
+from playwright.sync_api import Locator, expect
+
+from tests.e2e.axe import violations
+from tests.e2e.conftest import OpenStudio
+from tests.e2e.studio import RUN_MS, Studio
+from tests.e2e.test_keyboard import Keys
+from tests.e2e.test_layout import cut
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
+
+SHOW_AFTER_MS = 20_000
+
+
+def expect_step(studio: Studio, step: str) -> None:
+    expect(studio["tour"]).to_have_attribute("data-step", step, timeout=RUN_MS)
+
+
+def covers(one: Locator, other: Locator) -> bool:
+    a, b = one.bounding_box(), other.bounding_box()
+    assert a is not None
+    assert b is not None
+    return (
+        a["x"] < b["x"] + b["width"]
+        and b["x"] < a["x"] + a["width"]
+        and a["y"] < b["y"] + b["height"]
+        and b["y"] < a["y"] + a["height"]
+    )
+
+
+def test_a_new_group_drives_by_doing_each_step(studio: Studio) -> None:
+    studio.enter_group("Os Tatus", level=None, tour=True)
+    blocks = studio.blocks
+    expect_step(studio, "hello")
+    expect(studio["tour-go"]).to_be_focused()
+    studio["tour-go"].click()
+    expect_step(studio, "move")
+    expect(studio["tour"]).to_contain_text(
+        "Arrastem “andar para frente” para baixo de “quando rodar”."
+    )
+    expect(studio["tour-ring"]).to_have_count(2)
+    assert not covers(studio["tour"], blocks.start())
+    blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
+    expect_step(studio, "run")
+    expect(studio["tour"]).to_contain_text("Apertem Rodar.")
+    assert not covers(studio["tour"], studio["run"])
+    studio.run()
+    expect_step(studio, "watch")
+    assert not covers(studio["tour"], studio["scene"])
+    expect_step(studio, "turn")
+    blocks.drag_from_toolbox("motion", "girar", blocks.below(blocks.by_words("andar para frente")))
+    expect_step(studio, "again")
+    studio.run()
+    expect_step(studio, "end")
+    assert not covers(studio["tour"], studio["stop"])
+    studio["tour-mission"].click()
+    studio.wait_until_open()
+    expect(studio["mission"]).to_contain_text("Até a padaria")
+    expect(studio["tour"]).to_have_count(0)
+
+
+def test_another_block_is_fine_and_a_click_will_do(studio: Studio) -> None:
+    studio.enter_group("Os Tatus", level=None, tour=True)
+    studio["tour-go"].click()
+    studio.blocks.click_in_toolbox("motion", "girar")
+    expect_step(studio, "run")
+    expect(studio["tour"]).to_contain_text("Também serve. Rodem e vejam.")
+    studio.run()
+    expect_step(studio, "watch")
+    expect(studio["tour"]).not_to_contain_text("1 m")
+
+
+def do_step(studio: Studio, step: str) -> None:
+    """Does what a step asks for, in the fewest clicks."""
+    expect_step(studio, step)
+    match step:
+        case "hello":
+            studio["tour-go"].click()
+        case "move":
+            studio.blocks.click_in_toolbox("motion", "andar para frente")
+        case "turn":
+            studio.blocks.click_in_toolbox("motion", "girar")
+        case "run" | "again":
+            studio.run()
+
+
+STEPS = ("hello", "move", "run", "watch", "turn", "again", "end")
+
+
+@pytest.mark.parametrize("last", STEPS)
+def test_it_can_be_left_at_every_step_and_does_not_come_back(studio: Studio, last: str) -> None:
+    studio.enter_group("Os Tatus", level=None, tour=True)
+    n_done = STEPS.index(last)
+    for step in STEPS[:n_done]:
+        do_step(studio, step)
+    expect_step(studio, last)
+    studio["tour-free" if last == "end" else "tour-skip"].click()
+    expect(studio["tour"]).to_have_count(0)
+    built = ["move_forward", "turn"][: (n_done > 1) + (n_done > 4)]
+    studio.eventually(studio.actions, built)
+    studio.page.reload()
+    studio.wait_until_open()
+    studio["home"].click()
+    studio["group-card"].click()
+    studio.wait_until_open()
+    studio["help"].click()  # its texts are those of the tour
+    expect(studio["help-tour"]).to_be_visible()
+    expect(studio["tour"]).to_have_count(0)
+
+
+def test_a_page_that_is_loaded_again_in_the_middle_goes_on(studio: Studio) -> None:
+    studio.enter_group("Os Tatus", level=None, tour=True)
+    for step, reached in itertools.pairwise(STEPS):
+        do_step(studio, step)
+        expect_step(studio, reached)
+        if reached == "watch":
+            continue  # its run may be over before the page is there
+        studio.wait_until_saved()
+        studio.page.reload()
+        studio.wait_until_open()
+    expect_step(studio, "end")
+    studio["tour-free"].click()
+    studio.eventually(studio.actions, ["move_forward", "turn"])
+
+
+def test_it_begins_again_from_the_help_in_an_empty_program(studio: Studio) -> None:
+    studio.enter_group("Os Tatus", level=None)
+    studio.blocks.click_in_toolbox("motion", "girar")
+    studio.eventually(studio.actions, ["turn"])
+    before = studio.program_id
+    studio["help"].click()
+    studio["help-tour"].click()
+    expect_step(studio, "hello")
+    assert studio.program_id != before
+    assert studio.actions() == []
+    studio["open-work"].click()
+    studio["program-card"].first.click()
+    studio.wait_until_open()
+    expect(studio["tour"]).to_have_count(0)
+
+
+def test_it_is_done_by_keyboard(studio: Studio) -> None:
+    press = studio.page.keyboard.press
+    studio["group-name"].fill("Os Tatus")
+    press("Enter")
+    expect(studio["tour-go"]).to_be_focused()
+    press("Enter")
+    expect(studio["tour"]).to_be_focused()
+    expect(studio["tour"].get_by_role("status")).to_contain_text("Arrastem")
+    for _ in range(20):
+        if studio.page.locator(".blocklyToolbox :focus").count():
+            break
+        press("Tab")
+    keys = Keys(studio)
+    keys.press("ArrowDown", "ArrowRight")
+    keys.walk_to("andar para frente", "ArrowDown")
+    keys.press("Enter")
+    expect_step(studio, "run")
+    expect(studio["run"]).to_be_enabled()
+    studio["run"].focus()
+    press("Enter")
+    expect_step(studio, "turn")
+    studio["tour-skip"].focus()
+    press("Escape")
+    expect(studio["tour"]).to_have_count(0)
+
+
+def test_a_group_of_a_lesson_with_an_activity_begins_with_that(studio: Studio) -> None:
+    studio.tell("PUT", "/teacher/pin", {"pin": "2468"})
+    classroom = studio.tell("POST", "/classrooms", {"name": "5º A"})["id"]
+    lesson = {"title": "Quadrados", "activity": "square"}
+    studio.tell("POST", f"/classrooms/{classroom}/lessons", lesson)
+    studio.page.reload()
+    studio["class-chip"].filter(has_text="5º A").click()
+    studio["group-name"].fill("Os Tatus")
+    studio["create-group"].click()
+    studio.wait_until_open()
+    expect(studio["mission"]).to_be_visible()
+    studio["help"].click()
+    expect(studio["help-tour"]).to_be_visible()
+    expect(studio["tour"]).to_have_count(0)
+
+
+def test_in_a_narrow_window_it_covers_neither_the_block_nor_the_program(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio(viewport={"width": 1024, "height": 768})
+    studio.enter_group("Os Tatus", level=None, tour=True)
+    blocks = studio.blocks
+    studio["tour-go"].click()
+    expect_step(studio, "move")
+    expect(studio["tour-ring"]).to_have_count(1)
+    assert not covers(studio["tour"], blocks.in_flyout("andar para frente"))
+    blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
+    do_step(studio, "run")
+    expect_step(studio, "turn")
+    expect(studio["tour-ring"]).to_have_count(2)  # the category and the program
+    assert not covers(studio["tour"], blocks.category("motion"))
+    assert not covers(studio["tour"], blocks.by_words("andar para frente"))
+    assert cut(studio.page) == []
+
+
+def test_after_a_while_each_step_can_be_shown(studio: Studio) -> None:
+    clock = studio.page.clock
+    clock.install()
+    studio.page.reload()
+    studio.enter_group("Os Tatus", level=None, tour=True)
+    studio["tour-go"].click()
+    expect(studio["tour-show"]).to_have_count(0)
+    clock.fast_forward(SHOW_AFTER_MS)
+    studio["tour-show"].click()
+    expect_step(studio, "run")
+    studio.eventually(studio.actions, ["move_forward"])
+    clock.fast_forward(SHOW_AFTER_MS)
+    studio["tour-show"].click()
+    expect_step(studio, "turn")
+
+
+def test_a_hand_shows_the_drag_unless_motion_is_reduced(open_studio: OpenStudio) -> None:
+    moving = open_studio(reduced_motion="no-preference")
+    moving.enter_group("Os Tatus", level=None, tour=True)
+    moving["tour-go"].click()
+    expect(moving.page.locator(".tour__hand")).to_be_visible()
+    still = open_studio()
+    still.enter_group("As Capivaras", level=None, tour=True)
+    still["tour-go"].click()
+    expect(still["tour-ring"]).to_have_count(2)
+    expect(still.page.locator(".tour__hand")).not_to_be_visible()
+
+
+@pytest.mark.parametrize("language", ["en", "es", "pt-BR"])
+def test_it_is_read_in_every_language_and_theme(studio: Studio, language: str) -> None:
+    studio["language"].select_option(language)
+    studio.enter_group("Os Tatus", level=None, tour=True)
+    assert violations(studio) == []
+    studio["tour-go"].click()
+    expect(studio["tour-ring"]).to_have_count(2)
+    assert violations(studio) == []
+    assert cut(studio.page) == []

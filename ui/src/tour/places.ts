@@ -1,0 +1,61 @@
+/** A part of the window, in pixels. */
+export interface Box {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Between the balloon and what it is beside, and around a ring. */
+const GAP = 12;
+const RING = 4;
+
+export const ringOf = ({ x, y, width, height }: Box): Box => ({
+  x: x - RING,
+  y: y - RING,
+  width: width + 2 * RING,
+  height: height + 2 * RING,
+});
+
+interface Wanted {
+  size: Pick<Box, "width" | "height">;
+  /** What the balloon is to stand beside. */
+  beside: Box;
+  /** What it must not cover, because it is needed for the step. */
+  free: readonly Box[];
+  window: Pick<Box, "width" | "height">;
+}
+
+/**
+ * Corner of a balloon beside a part of the page: below, left, right or above, the first place that lies in the window
+ * and covers nothing that is needed; where there is none, the lower edge of the window.
+ */
+export function placeBeside({ size, beside, free, window }: Wanted): { x: number; y: number } {
+  const most = { x: window.width - size.width - GAP, y: window.height - size.height - GAP };
+  const x = clamped(beside.x, GAP, most.x);
+  const y = clamped(beside.y + beside.height / 2 - size.height / 2, GAP, most.y);
+  const places = [
+    { x, y: beside.y + beside.height + GAP },
+    { x: beside.x - size.width - GAP, y },
+    { x: beside.x + beside.width + GAP, y },
+    { x, y: beside.y - size.height - GAP },
+  ];
+  const fits = (one: { x: number; y: number }) =>
+    one.x >= 0 &&
+    one.y >= 0 &&
+    one.x <= most.x + GAP &&
+    one.y <= most.y + GAP &&
+    !free.some((box) => shared({ ...one, ...size }, box));
+  return places.find(fits) ?? { x, y: most.y };
+}
+
+/** What two boxes have in common. */
+export function shared(one: Box, other: Box): Box | null {
+  const [x, y] = [Math.max(one.x, other.x), Math.max(one.y, other.y)];
+  const width = Math.min(one.x + one.width, other.x + other.width) - x;
+  const height = Math.min(one.y + one.height, other.y + other.height) - y;
+  return width > 0 && height > 0 ? { x, y, width, height } : null;
+}
+
+const clamped = (value: number, least: number, most: number) =>
+  Math.max(least, Math.min(value, most));
