@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from scripts.reference import database, events_page, http_page, language_tables, schemas
+from scripts.reference.block_films import films
 from scripts.reference.declared import declared
 from scripts.reference.goals import goals
 from scripts.reference.sensor_rows import sensor_rows
@@ -34,6 +35,7 @@ def files(root: Path) -> dict[str, str]:
         "sim/world.schema.json": schemas.as_text(schemas.of_worlds()),
         "ui/src/api/declared.ts": declared(),
         "ui/src/blocks/table/sensor_rows.ts": sensor_rows(),
+        "ui/src/help/films.json": films(),
         "docs/http-api.md": http_page.text(),
         "docs/events.md": events_page.text(),
         **goals(),

@@ -4,6 +4,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.e2e.axe import violations
+from tests.e2e.conftest import OpenStudio
 from tests.e2e.studio import Studio
 from tests.e2e.test_layout import cut
 
@@ -53,6 +54,39 @@ def test_every_block_of_the_level_is_drawn_with_its_help(studio: Studio) -> None
         assert box is not None
         assert min(box["width"], box["height"]) > 16
     assert cut(studio.page) == []
+
+
+def test_a_picture_shows_what_the_robot_does_and_plays_again_when_pressed(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio(reduced_motion="no-preference")
+    studio.enter_group("Os Tatus", level=None)
+    studio["help"].click()
+    to_tab(studio, "blocks")
+    film = studio.page.locator("[data-block=move_forward] [data-testid=help-film]")
+    robot = film.locator(".path-picture__waiting").locator("..")
+    expect(film).to_have_attribute("data-part", "1.00")
+    expect(film).to_have_accessible_name("Ver de novo: andar para frente 1 m")
+    at_end = robot.get_attribute("transform")
+    film.focus()
+    studio.page.keyboard.press("Enter")
+    expect(film).not_to_have_attribute("data-part", "1.00")
+    assert robot.get_attribute("transform") != at_end
+    expect(film).to_have_attribute("data-part", "1.00")
+    assert robot.get_attribute("transform") == at_end
+    assert violations(studio) == []
+
+
+def test_a_picture_is_still_where_motion_is_reduced(studio: Studio) -> None:
+    studio.enter_group("Os Tatus", level=None)
+    studio["help"].click()
+    to_tab(studio, "blocks")
+    film = studio.page.locator("[data-block=turn] [data-testid=help-film]")
+    expect(film.locator("g[transform$='rotate(-90)']")).to_have_count(1)
+    expect(film.get_by_role("button")).to_have_count(0)
+    beep = studio.page.locator("[data-block=beep]")
+    expect(beep.get_by_test_id("help-film")).to_have_count(0)
+    expect(beep.get_by_role("img")).to_be_visible()
 
 
 def test_the_search_finds_blocks_tasks_examples_and_keys(studio: Studio) -> None:

@@ -5,13 +5,15 @@ import type { BlockDrawing } from "../editor/block_drawings";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { TEST } from "../shell/testids";
+import { FilmPicture } from "./FilmPicture";
+import { filmOf } from "./film";
 import { useHelpContent } from "./help_content";
 
 interface BlockListProps {
   drawings: readonly BlockDrawing[];
 }
 
-/** Blocks as the palette draws them, with their help; each can be put into the program. */
+/** Blocks as the palette draws them, with what the robot does at them; each can be put into the program. */
 export function BlockList({ drawings }: BlockListProps) {
   return (
     <ul class="help__blocks">
@@ -28,6 +30,7 @@ function HelpOfBlock({ drawing }: { drawing: BlockDrawing }) {
   const { type, words } = drawing;
   const { drawings, put } = useHelpContent();
   const { help, blocks } = texts.value;
+  const film = filmOf(type);
   const picture = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => picture.current?.replaceChildren(drawing.svg.cloneNode(true)), [drawing]);
   return (
@@ -47,7 +50,10 @@ function HelpOfBlock({ drawing }: { drawing: BlockDrawing }) {
           {help.tryIt}
         </Button>
       </div>
-      <p>{blocks[`${type.toUpperCase()}_TIP` as TextKey]}</p>
+      <div class="help__about-block">
+        {film && <FilmPicture film={film} words={words} />}
+        <p>{blocks[`${type.toUpperCase()}_TIP` as TextKey]}</p>
+      </div>
     </>
   );
 }

@@ -249,6 +249,7 @@ export const TEST = {
   helpSearch: "help-search",
   helpTab: "help-tab", // of each; data-tab: tasks | blocks | keys
   helpBlock: "help-block", // of each; data-block
+  helpFilm: "help-film", // of each block that moves the robot; data-part: from 0 to 1
   helpTry: "help-try", // of each block
   helpTask: "help-task", // of each; data-task
   helpExample: "help-example", // of each; data-example

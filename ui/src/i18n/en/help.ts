@@ -10,6 +10,7 @@ export const help: typeof first = {
   nothing: "Nothing with these words. Try others.",
   tryIt: "Try it",
   tryItHelp: "Puts the block into the program",
+  playFilm: "Watch again",
   openExample: "Open a copy",
   moreInLevel: "There are more blocks for this in another level.",
   tabs: {

@@ -10,6 +10,7 @@ export const help: typeof first = {
   nothing: "Nada con esas palabras. Prueben otras.",
   tryIt: "Probar",
   tryItHelp: "Pone el bloque en el programa",
+  playFilm: "Ver otra vez",
   openExample: "Abrir una copia",
   moreInLevel: "Hay más bloques para esto en otro nivel.",
   tabs: {

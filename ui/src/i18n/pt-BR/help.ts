@@ -8,6 +8,7 @@ export const help = {
   nothing: "Nada com essas palavras. Tentem outra.",
   tryIt: "Experimentar",
   tryItHelp: "Põe o bloco no programa",
+  playFilm: "Ver de novo",
   openExample: "Abrir uma cópia",
   moreInLevel: "Há mais blocos para isso em outro nível.",
   tabs: {
