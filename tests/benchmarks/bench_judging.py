@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Callable, Iterator
+from functools import partial
 
 import pytest
 
@@ -50,8 +51,8 @@ def test_a_process_of_its_own_adds_little(judge: JudgeClient) -> None:
     outside, inside = {}, {}
     for name in activity_names():
         asked = question(name)
-        inside[name] = seconds(lambda asked=asked: verdict_on(asked))
-        outside[name] = seconds(lambda asked=asked: judge.judge(asked))
+        inside[name] = seconds(partial(verdict_on, asked))
+        outside[name] = seconds(partial(judge.judge, asked))
     slowest = max(outside, key=lambda name: outside[name])
     ratio = sum(outside.values()) / sum(inside.values())
     print(f"slowest activity: {slowest}, {outside[slowest]:.2f} s; process / here: {ratio:.2f}")

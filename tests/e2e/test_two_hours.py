@@ -13,7 +13,6 @@ from playwright.sync_api import Browser, expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
-from tests.e2e.conftest import SCREEN
 from tests.e2e.python_pane import write_program
 from tests.e2e.studio import RUN_MS, Studio
 from tests.e2e.test_camera import CAMERA_MS, RECORDINGS
@@ -67,7 +66,9 @@ def pcs(
             app = AppProcess(home, "--camera", str(RECORDINGS / "b.npz"))
             link = app.start()
             stack.callback(app.stop)
-            context = browser.new_context(viewport=SCREEN, locale="pt-BR", reduced_motion="reduce")
+            context = browser.new_context(
+                viewport={"width": 1366, "height": 768}, locale="pt-BR", reduced_motion="reduce"
+            )
             stack.callback(context.close)
             context.set_default_timeout(15_000)
             watch.over(context)
@@ -228,6 +229,8 @@ def corner_to_the_wrong_side(pc: Studio, pictures: Pictures) -> None:
     append(pc, (MOVE, "3"), (TURN, "90"), (MOVE, "3"))
     pc.blocks.choose(pc.blocks.by_words(TURN), "direita")
     told(pc, "a escola ficou de que lado?")
+    expect(pc.blocks.fault_words()).to_have_count(1)
+    expect(pc.blocks.fault_words()).to_contain_text("de que lado?")
     pictures.take(pc, "6-not-yet")
     pc["mission-hint"].click()
     pc.blocks.choose(pc.blocks.by_words(TURN), "esquerda")

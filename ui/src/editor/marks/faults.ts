@@ -17,7 +17,7 @@ const NOTICE_BUBBLE = "pinelNoticeBubble";
 
 /**
  * Marks each block with a ring and a bubble with the message: red for a fault, amber for advice on a run. The bubble of
- * the first new one opens.
+ * the first new one opens, and those of others close: one message at a time.
  */
 export class Faults {
   /** Faults of the last `show`, without those whose blocks were edited since. */
@@ -36,7 +36,9 @@ export class Faults {
     for (const [id, words] of this.marked) if (wanted.get(id) !== words) this.clearBlock(id);
     this.shown = faults;
     const added = [...wanted].filter(([id, words]) => this.mark(id, words));
-    if (added[0]) void this.openBubble(added[0][0]);
+    if (!added[0]) return;
+    closeBubbles(this.workspace);
+    void this.openBubble(added[0][0]);
   }
 
   has(id: string): boolean {
@@ -88,6 +90,12 @@ export class Faults {
     block.setWarningText(words, `pinel_${this.kind}`);
     return true;
   }
+}
+
+function closeBubbles(workspace: Blockly.WorkspaceSvg): void {
+  const icons = workspace.getAllBlocks(false).flatMap((block) => block.getIcons());
+  for (const icon of icons)
+    if (hasBubble(icon) && icon.bubbleIsVisible()) void icon.setBubbleVisible(false);
 }
 
 /** Places the bubble beside its block, where it covers no other and needs no tail. Without room it stays put. */
