@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from pinel_desktop.activities import check_kinds as kinds
-from pinel_desktop.activities.commands import nesting_of
+from pinel_desktop.activities.commands import MOTIONS, nesting_of
 from pinel_desktop.activities.drawing import (
     Fit,
     Freedom,
@@ -22,6 +22,7 @@ from pinel_desktop.activities.drawing import (
 )
 from pinel_desktop.activities.evidence import Evidence
 
+_DRIVES = tuple(MOTIONS - {"turn"})
 Value = float | str | None
 _DRAWN = ("check_draws_extra", "check_draws_missing", "check_way_extra", "check_way_missing")
 
@@ -162,7 +163,7 @@ def _path_length(check: kinds.PathLength, evidence: Evidence) -> Finding:
         code = "check_path_length_long"
     values = {"measured_m": length, "target_m": target}
     holds = check.at_least_m <= length <= check.at_most_m
-    pointer = _last_motion(evidence)
+    pointer = _last_begun(evidence, *_DRIVES) or _last_motion(evidence)
     return Finding(holds, length, target, pointer, code, values, is_lost=is_long)
 
 

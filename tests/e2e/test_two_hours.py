@@ -230,7 +230,7 @@ def corner_to_the_wrong_side(pc: Studio, pictures: Pictures) -> None:
     pc.blocks.choose(pc.blocks.by_words(TURN), "direita")
     told(pc, "a escola ficou de que lado?")
     expect(pc.blocks.fault_words()).to_have_count(1)
-    expect(pc.blocks.fault_words()).to_contain_text("de que lado?")
+    expect(pc.blocks.fault_words()).to_contain_text("que lado?")
     pictures.take(pc, "6-not-yet")
     pc["mission-hint"].click()
     pc.blocks.choose(pc.blocks.by_words(TURN), "esquerda")

@@ -98,14 +98,21 @@ function closeBubbles(workspace: Blockly.WorkspaceSvg): void {
     if (hasBubble(icon) && icon.bubbleIsVisible()) void icon.setBubbleVisible(false);
 }
 
-/** Places the bubble beside its block, where it covers no other and needs no tail. Without room it stays put. */
+/**
+ * Places the bubble where it covers no block and needs no tail: beside its block, else below the whole stack. Without
+ * room it stays put.
+ */
 export function placeBeside(block: Blockly.BlockSvg, bubble: Blockly.IBubble | null): void {
   if (!(bubble instanceof Blockly.bubbles.TextBubble)) return;
   const view = block.workspace.getMetricsManager().getViewMetrics(true);
-  const { left, right } = block.getBoundingRectangleWithoutChildren();
+  const { left, right, top } = block.getBoundingRectangleWithoutChildren();
+  const below = block.getRootBlock().getBoundingRectangle().bottom + GAP;
   const root = bubble.getSvgRoot() as SVGGraphicsElement;
-  if (right + GAP + root.getBBox().width > view.left + view.width) return;
-  bubble.setPositionRelativeToAnchor(right - left + GAP - ICON_INSET, -ICON_INSET);
+  const { width, height } = root.getBBox();
+  const isBeside = right + GAP + width <= view.left + view.width;
+  if (!isBeside && below + height > view.top + view.height) return;
+  const [x, y] = isBeside ? [right + GAP, top] : [left, below];
+  bubble.setPositionRelativeToAnchor(x - left - ICON_INSET, y - top - ICON_INSET);
   Blockly.utils.dom.addClass(root, "pinelBesideBubble");
 }
 
