@@ -11,7 +11,8 @@ from click.testing import CliRunner, Result
 
 from pinel_desktop.cli import main
 from storage import open_store
-from tests.storage.bundle_makers import a_run, work
+from storage.exchange.scope import Scope
+from tests.storage.bundle_makers import a_run, exported, work
 
 PROGRAMS = Path(__file__).parents[1] / "programs"
 
@@ -244,3 +245,20 @@ def test_it_works_beside_an_open_app(lab: Path, stick: Path, teacher: Path) -> N
     with open_store(teacher) as app:
         assert answer("merge", stick, "--db", teacher)["added"]["runs"] == 2
         assert len(app.groups.all()) == 2
+
+
+def test_a_lesson_file_opens_its_lesson_when_that_is_asked_for(
+    lab: Path, stick: Path, teacher: Path
+) -> None:
+    with open_store(lab) as store:
+        classroom = store.classrooms.all()[0].id
+        lesson = store.lessons.open(classroom, "Quadrados")
+        scope = Scope(classroom_id=classroom, lesson_id=lesson.id)
+        path = exported(store, stick / "lesson.pinel", scope).path
+    assert "is open" not in pinel("merge", path, "--db", teacher).stdout
+    done = pinel("merge", path, "--db", teacher, "--open-lesson")
+    assert "The lesson “Quadrados” is open on this computer." in done.stdout
+    with open_store(teacher) as store:
+        current = store.lessons.current(classroom)
+    assert current is not None
+    assert current.id == lesson.id

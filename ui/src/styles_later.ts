@@ -22,6 +22,7 @@ import "./versions/versions.css";
 import "./versions/differences.css";
 import "./teacher/teacher.css";
 import "./teacher/lessons/lessons.css";
+import "./teacher/making/making.css";
 import "./teacher/camera/camera.css";
 import "./teacher/plan/plan.css";
 import "./teacher/cards/cards.css";

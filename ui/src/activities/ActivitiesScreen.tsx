@@ -78,8 +78,8 @@ function showExamples(): void {
   title?.focus({ preventScroll: true });
 }
 
-/** As pinel_desktop/activities/model.py names them; those of no path come last. */
-const PATHS = ["moves", "shapes", "decisions", "sensors", "games", "others"] as const;
+/** As pinel_desktop/activities/model.py names them; those that a teacher made come last. */
+const PATHS = ["moves", "shapes", "decisions", "sensors", "games", "own"] as const;
 type Path = (typeof PATHS)[number];
 
 /** The activities of each path that has some. */
@@ -90,7 +90,7 @@ function pathsOf(activities: readonly ActivityChoice[]): [Path, ActivityChoice[]
   ]).filter(([, list]) => list.length > 0);
 }
 
-const pathOf = ({ path }: ActivityChoice): Path => PATHS.find((one) => one === path) ?? "others";
+const pathOf = ({ path }: ActivityChoice): Path => PATHS.find((one) => one === path) ?? "own";
 
 const ICONS = { new: null, tried: Footprints, passed: CircleCheck } as const;
 

@@ -14,8 +14,8 @@ export const classesApi = {
   renameClassroom: (id: string, name: string) =>
     patch("/api/classrooms/{id}", { ...of(id), body: { name } }),
 
-  currentLesson: async (classroom: string) =>
-    (await get("/api/classrooms/{id}/lesson", of(classroom))).lesson,
+  /** The open lesson, and with what the groups of the class begin. */
+  currentLesson: (classroom: string) => get("/api/classrooms/{id}/lesson", of(classroom)),
   lessons: async (classroom: string) =>
     (await get("/api/classrooms/{id}/lessons", of(classroom))).lessons,
   openLesson: (classroom: string, body: NewLesson) =>

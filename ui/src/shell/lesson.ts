@@ -2,8 +2,11 @@ import { signal } from "@preact/signals";
 import { activitiesApi } from "../api/activities";
 import { classesApi } from "../api/classes";
 import { ServerGone } from "../api/errors";
-import type { GoalPicture } from "../api/model";
+import type { GoalPicture, Lesson } from "../api/model";
+import type { Level } from "../blocks/definition";
+import { levelOfClass } from "./level";
 import { group, report } from "./session";
+import { turnsOfClass } from "./turns";
 
 /** Title and activity of the lesson that is open for a class. */
 export interface LessonWords {
@@ -21,22 +24,25 @@ export const lesson = signal<LessonWords | null>(null);
 export async function loadOpenLesson(): Promise<void> {
   const id = group.peek()?.classroom_id;
   try {
-    const found = id ? await wordsOf(id) : null;
-    if (group.peek()?.classroom_id === id) lesson.value = found;
+    const now = id ? await classesApi.currentLesson(id) : null;
+    const found = now ? await wordsOf(now.lesson) : null;
+    if (group.peek()?.classroom_id !== id) return;
+    lesson.value = found;
+    levelOfClass.value = (now?.preset.level ?? null) as Level | null;
+    turnsOfClass.value = now?.preset.swap_minutes ?? null;
   } catch (error) {
     // other failures are not reported: the lesson is not worth an error line
     if (error instanceof ServerGone) report(error);
   }
 }
 
-async function wordsOf(classroom: string): Promise<LessonWords | null> {
-  const now = await classesApi.currentLesson(classroom);
+async function wordsOf(now: Lesson | null): Promise<LessonWords | null> {
   const mission = now?.activity ?? null;
   if (!now || !(now.title || mission)) return null;
   const activity = mission ? await activitiesApi.one(mission).catch(unlessGone) : null;
   return {
     title: now.title || (activity?.title ?? ""),
-    activity: now.title ? (activity?.title ?? "") : "",
+    activity: now.title && now.title !== activity?.title ? (activity?.title ?? "") : "",
     mission: activity && mission,
     goal: activity?.goal_picture ?? null,
   };

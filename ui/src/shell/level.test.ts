@@ -1,6 +1,6 @@
 import { beforeEach, expect, test } from "vitest";
 import type { Group } from "../api/model";
-import { level, levelInUse, missionLevel, offered, setLevel, shown } from "./level";
+import { level, levelInUse, levelOfClass, missionLevel, offered, setLevel, shown } from "./level";
 import { remembered } from "./remembered";
 import { group } from "./session";
 
@@ -11,6 +11,7 @@ const enter = (id: string) => {
 beforeEach(() => {
   levelInUse.value = 1;
   missionLevel.value = null;
+  levelOfClass.value = null;
 });
 
 test("a new group starts with the first steps", () => {
@@ -83,4 +84,14 @@ test("a mission without a level has that of the blocks in use, or what it lists 
   expect(level.value).toBe(2);
   missionLevel.value = { program: "program-dddddddddddd", level: null, blocks: ["drive"] };
   expect([level.value, offered.value]).toEqual([3, ["drive"]]);
+});
+
+test("a group that chose no level begins with that of its class, and may change it", () => {
+  enter("group-eeeeeeeeeeee");
+  levelOfClass.value = 2;
+  expect(level.value).toBe(2);
+  levelInUse.value = 3;
+  expect(level.value).toBe(3);
+  setLevel(1);
+  expect(level.value).toBe(1);
 });

@@ -1,5 +1,6 @@
 import { computed, signal } from "@preact/signals";
 import type { Level } from "../blocks/definition";
+import { texts } from "../i18n";
 import { KeptById } from "./remembered";
 import { group } from "./session";
 
@@ -15,6 +16,18 @@ const inMissions = new KeptById("pinel_mission_levels");
 
 /** The level of the blocks that the open program had when it was opened. */
 export const levelInUse = signal<Level>(1);
+
+/** The level that is set for the class of the group; null where none is. */
+export const levelOfClass = signal<Level | null>(null);
+
+/** Where the group chose nothing: the lowest level that offers what its program has, or that of its class. */
+const unchosen = computed(() => Math.max(levelInUse.value, levelOfClass.value ?? 1) as Level);
+
+/** What each level is called in the language of the page. */
+export function levelNames(): Readonly<Record<Level, string>> {
+  const { first, explorer, everything } = texts.value.level;
+  return { 1: first, 2: explorer, 3: everything };
+}
 
 /** The open mission, as far as the toolbox is concerned. */
 export interface MissionLevel {
@@ -32,7 +45,7 @@ export const missionLevel = signal<MissionLevel | null>(null);
 /** As chosen, otherwise what the mission says, otherwise the lowest level that offers what the program of the group has. */
 export const shown = computed<Shown>(() => {
   const { value: mission } = missionLevel;
-  if (!mission) return chosenIn(ofGroups, group.value?.id) ?? levelInUse.value;
+  if (!mission) return chosenIn(ofGroups, group.value?.id) ?? unchosen.value;
   const chosen = chosenIn(inMissions, mission.program);
   if (chosen !== undefined) return chosen;
   return mission.blocks ? "mission" : (mission.level ?? levelInUse.value);

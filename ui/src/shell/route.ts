@@ -1,7 +1,15 @@
 import { signal } from "@preact/signals";
 import type { JSX } from "preact";
 
-export const TEACHER_PARTS = ["lessons", "plan", "classes", "camera", "files", "computer"] as const;
+export const TEACHER_PARTS = [
+  "lessons",
+  "plan",
+  "activities",
+  "classes",
+  "camera",
+  "files",
+  "computer",
+] as const;
 export type TeacherPart = (typeof TEACHER_PARTS)[number];
 
 /** A component with these parameters; explicit in each row, because a screen's type may depend on `Route`. */

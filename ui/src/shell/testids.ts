@@ -195,6 +195,37 @@ export const TEST = {
   plotPicture: "plot-picture",
   plotTable: "plot-table",
 
+  // activities that a teacher makes, lesson files
+  makingNew: "making-new",
+  makingForm: "making-form",
+  makingGroup: "making-group", // a select
+  makingProgram: "making-program", // a select
+  makingWorld: "making-world", // a select
+  makingCheck: "making-check", // of each; data-kind
+  makingNumber: "making-number", // of each number of a check
+  makingTitle: "making-title",
+  makingStory: "making-story",
+  makingHint: "making-hint", // of each
+  makingNotice: "making-notice",
+  makingMinutes: "making-minutes",
+  makingTry: "making-try",
+  makingTrials: "making-trials", // data-right
+  makingSave: "making-save",
+  makingRow: "making-row", // of each
+  makingEdit: "making-edit", // of each
+  makingDelete: "making-delete", // of each
+  makingUndo: "making-undo",
+  presetLevel: "preset-level", // a select
+  presetWorld: "preset-world", // a select
+  presetActivity: "preset-activity", // a select
+  presetSwap: "preset-swap", // a select
+  presetSaved: "preset-saved",
+  lessonFileSave: "lesson-file-save",
+  lessonFileSaveIn: "lesson-file-save-in", // of each folder
+  lessonFileOpen: "lesson-file-open", // an input for a file
+  lessonFileFound: "lesson-file-found", // of each
+  lessonFileDone: "lesson-file-done",
+
   // our work
   newProgram: "new-program",
   programCard: "program-card", // of each

@@ -1,9 +1,10 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { isTurnOver, restartTurn, setTurnMinutes, startTurns } from "./turns";
+import { isTurnOver, restartTurn, setTurnMinutes, startTurns, turnsOfClass } from "./turns";
 
 beforeEach(() => vi.useFakeTimers());
 afterEach(() => {
   setTurnMinutes(0);
+  turnsOfClass.value = null;
   vi.useRealTimers();
 });
 
@@ -36,5 +37,16 @@ test("another group begins anew, another program of the same does not", () => {
   wait(1.1);
   expect(isTurnOver.value).toBe(true);
   startTurns("c");
+  expect(isTurnOver.value).toBe(false);
+});
+
+test("what is set for the class counts instead of what is set for the PC, also not to be reminded", () => {
+  setTurnMinutes(15);
+  startTurns("d");
+  turnsOfClass.value = 5;
+  wait(5.1);
+  expect(isTurnOver.value).toBe(true);
+  turnsOfClass.value = 0;
+  wait(60);
   expect(isTurnOver.value).toBe(false);
 });

@@ -1,4 +1,4 @@
-import { signal } from "@preact/signals";
+import { computed, signal } from "@preact/signals";
 import { remember, remembered } from "./remembered";
 
 /** Intervals in minutes after which the page proposes to swap who has the mouse; 0: never. */
@@ -11,6 +11,11 @@ const MINUTE_MS = 60_000;
 export const turnMinutes = signal<TurnMinutes>(
   TURN_MINUTES.find((one) => String(one) === remembered(COOKIE)) ?? 0,
 );
+
+/** What is set for the class of the group; null where this PC decides. */
+export const turnsOfClass = signal<TurnMinutes | null>(null);
+
+const minutesNow = computed(() => turnsOfClass.value ?? turnMinutes.value);
 
 export function setTurnMinutes(chosen: TurnMinutes): void {
   turnMinutes.value = chosen;
@@ -33,11 +38,11 @@ export function startTurns(group: string): void {
 export function restartTurn(): void {
   clearTimeout(timer);
   isTurnOver.value = false;
-  const minutes = turnMinutes.peek();
+  const minutes = minutesNow.peek();
   if (minutes === 0) return;
   timer = window.setTimeout(() => {
     isTurnOver.value = true;
   }, minutes * MINUTE_MS);
 }
 
-turnMinutes.subscribe(restartTurn);
+minutesNow.subscribe(restartTurn);

@@ -15,12 +15,18 @@ import { hashOf } from "../shell/route";
 import { group, program, report } from "../shell/session";
 import { loadTeacherSession, teacherSession } from "../shell/teacher/teacher_session";
 import { TEST } from "../shell/testids";
+import { OpenLessonFile } from "../work/OpenLessonFile";
 import { BringIn } from "../work/ProgramFile";
 import { GroupCard } from "./GroupCard";
 import { NewGroup } from "./NewGroup";
 import { StartPicture } from "./StartPicture";
 
 const SHOWN_AT_FIRST = 11;
+
+interface LessonFileProps {
+  /** The lesson of a file is open now, and its class and groups are here. */
+  onLesson(): Promise<void>;
+}
 
 interface Found {
   groups: Group[];
@@ -39,16 +45,16 @@ export function StartScreen() {
     <Loaded of={found} as="screen" ways={<TeacherLink />}>
       {([groups, classes]) =>
         groups.length + classes.length === 0 ? (
-          <FirstGroup />
+          <FirstGroup onLesson={found.again} />
         ) : (
-          <Groups groups={groups} classes={classes} />
+          <Groups groups={groups} classes={classes} onLesson={found.again} />
         )
       }
     </Loaded>
   );
 }
 
-function Groups({ groups, classes }: Found) {
+function Groups({ groups, classes, onLesson }: Found & LessonFileProps) {
   const { start, classes: words } = texts.value;
   const shown = shownClass(classroom.value, classes, groups);
   const here = groupsIn(shown, groups);
@@ -61,6 +67,7 @@ function Groups({ groups, classes }: Found) {
         <div class="start__teacher">
           <PracticeLink />
           <BringIn />
+          <LessonFileLink onLesson={onLesson} />
           <TeacherLink />
         </div>
       </div>
@@ -114,7 +121,7 @@ function Cards({ groups, classroomId }: CardsProps) {
   );
 }
 
-function FirstGroup() {
+function FirstGroup({ onLesson }: LessonFileProps) {
   const { start, classes } = texts.value;
   const isNew = teacherSession.value?.has_pin === false;
   return (
@@ -142,10 +149,17 @@ function FirstGroup() {
         <div class="start__more-ways">
           <PracticeLink />
           <BringIn />
+          <LessonFileLink onLesson={onLesson} />
         </div>
       </div>
     </main>
   );
+}
+
+/** Where there is a PIN, lessons are opened behind it. */
+function LessonFileLink({ onLesson }: LessonFileProps) {
+  if (teacherSession.value?.has_pin !== false) return null;
+  return <OpenLessonFile onOpened={onLesson} />;
 }
 
 /** Signs can be practised without a program. */

@@ -1,4 +1,4 @@
-import { BookOpen, Camera, ClipboardList, Monitor, Usb, UsersRound } from "lucide-preact";
+import { BookOpen, Camera, ClipboardList, Medal, Monitor, Usb, UsersRound } from "lucide-preact";
 import { texts } from "../i18n";
 import { Loaded } from "../kit/requests/Loaded";
 import { hashOf, TEACHER_PARTS, type TeacherPart } from "../shell/route";
@@ -8,6 +8,7 @@ import { ClassesPart } from "./classes/ClassesPart";
 import { ComputerPart } from "./computer/ComputerPart";
 import { ExchangePanel } from "./exchange/ExchangePanel";
 import { LessonsPart } from "./lessons/LessonsPart";
+import { ActivitiesPart } from "./making/ActivitiesPart";
 import { PlanPart } from "./plan/PlanPart";
 import { loadSchool } from "./school";
 import { RequireTeacher } from "./sign_in/RequireTeacher";
@@ -16,6 +17,7 @@ import { useTeacherLoaded } from "./useTeacherLoaded";
 const ICONS = {
   lessons: BookOpen,
   plan: ClipboardList,
+  activities: Medal,
   classes: UsersRound,
   camera: Camera,
   files: Usb,
@@ -26,7 +28,7 @@ interface TeacherScreenProps {
   part: TeacherPart;
 }
 
-/** The teacher's page: lessons, the plan of one, classes and groups, camera, files, this PC. */
+/** The teacher's page: lessons, the plan of one, own activities, classes and groups, camera, files, this PC. */
 export function TeacherScreen({ part }: TeacherScreenProps) {
   return (
     <RequireTeacher>
@@ -65,6 +67,7 @@ function PartLinks({ part }: TeacherScreenProps) {
 }
 
 function Part({ part }: TeacherScreenProps) {
+  if (part === "activities") return <ActivitiesPart />;
   if (part === "camera") return <CameraPart />;
   if (part === "files") return <ExchangePanel />;
   if (part === "computer") return <ComputerPart />;

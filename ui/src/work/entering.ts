@@ -45,8 +45,8 @@ async function newestProgram(group: string): Promise<Program> {
 /** The activity of the class's open lesson. A lesson that fails to load must not keep the group from its work. */
 async function activityOfLesson({ classroom_id }: Group): Promise<string | null> {
   if (!classroom_id) return null;
-  const lesson = await classesApi.currentLesson(classroom_id).catch(() => null);
-  return lesson?.activity ?? null;
+  const now = await classesApi.currentLesson(classroom_id).catch(() => null);
+  return now?.lesson?.activity ?? null;
 }
 
 /** Notes that fail to load must not keep the group from its work; they are shown the next time. */

@@ -30,7 +30,7 @@ export const activity: typeof first = {
     decisions: "Decisions and signs",
     sensors: "Sensors and mazes",
     games: "Games",
-    others: "Others",
+    own: "Made at school",
   },
   minutes: (n: number) => `${n} min`,
   states: { tried: "tried", passed: "accomplished" },

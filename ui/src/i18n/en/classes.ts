@@ -46,7 +46,10 @@ export const classes: typeof first = {
   prepareHint: "Prepare this PC: a PIN and your class, in a minute.",
   open: "The teacher's part is open",
   leave: "Teacher: sign out",
+  openLessonFile: "Open a lesson file",
+  lessonFileOpened: (title, classroom) => `The lesson “${title}” of ${classroom} is open.`,
+  lessonFileKnown: "All of it was here already.",
   turnsTitle: "Time to swap!",
-  turns: "Whoever had the mouse guides now.",
+  turns: "Swap roles: pilot, reader, floor inspector, signer.",
   turnsDone: "We swapped",
 };

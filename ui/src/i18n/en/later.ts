@@ -5,6 +5,7 @@ import type { LaterTexts } from "../texts";
 import { camera, practice, teaching } from "./camera";
 import { exchange } from "./exchange";
 import { help } from "./help";
+import { making } from "./making";
 import { plan } from "./plan";
 import { review } from "./review";
 import { teacher } from "./teacher";
@@ -16,6 +17,7 @@ export const later: LaterTexts = {
   figures,
   help,
   plan,
+  making,
   practice,
   review,
   teacher,

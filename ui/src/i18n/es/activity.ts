@@ -31,7 +31,7 @@ export const activity: typeof first = {
     decisions: "Decisiones y señas",
     sensors: "Sensores y laberintos",
     games: "Juegos",
-    others: "Otras",
+    own: "Hechas en la escuela",
   },
   minutes: (n: number) => `${n} min`,
   states: { tried: "ya intentada", passed: "cumplida" },

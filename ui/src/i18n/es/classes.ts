@@ -47,7 +47,10 @@ export const classes: typeof first = {
   prepareHint: "Preparar esta computadora: un PIN y el curso, en un minuto.",
   open: "Área docente abierta",
   leave: "Salir del área",
+  openLessonFile: "Abrir archivo de la clase",
+  lessonFileOpened: (title, classroom) => `La clase “${title}” de ${classroom} está abierta.`,
+  lessonFileKnown: "Todo ya estaba aquí.",
   turnsTitle: "¡Hora de cambiar!",
-  turns: "Quien tenía el mouse pasa a guiar.",
+  turns: "Cambien de papel: piloto, lector, inspector del piso, señalador.",
   turnsDone: "Cambiamos",
 };

@@ -29,7 +29,7 @@ export const activity = {
     decisions: "Decisões e sinais",
     sensors: "Sensores e labirintos",
     games: "Jogos",
-    others: "Outras",
+    own: "Feitas na escola",
   },
   minutes: (n: number) => `${n} min`,
   states: { tried: "já tentaram", passed: "cumprida" },

@@ -45,7 +45,11 @@ export const classes = {
   prepareHint: "Preparar este computador: um PIN e a turma, em um minuto.",
   open: "Área do professor aberta",
   leave: "Sair da área",
+  openLessonFile: "Abrir arquivo da aula",
+  lessonFileOpened: (title: string, classroom: string) =>
+    `A aula “${title}” de ${classroom} está aberta.`,
+  lessonFileKnown: "Tudo já estava aqui.",
   turnsTitle: "Hora de trocar!",
-  turns: "Quem estava no mouse passa a guiar.",
+  turns: "Troquem de papel: piloto, leitor, fiscal do chão, sinalizador.",
   turnsDone: "Trocamos",
 };

@@ -5,6 +5,7 @@ import type { Catalogue } from "../message";
 import { camera, practice, teaching } from "./camera";
 import { exchange } from "./exchange";
 import { help } from "./help";
+import { making } from "./making";
 import { plan } from "./plan";
 import { review } from "./review";
 import { teacher } from "./teacher";
@@ -18,6 +19,7 @@ export const later = {
   figures: figures as Catalogue,
   help,
   plan,
+  making,
   practice,
   review,
   teacher,

@@ -16,7 +16,15 @@ import { Button } from "../../kit/Button";
 import { Select } from "../../kit/Select";
 import { WayBack } from "../../kit/WayBack";
 import { later } from "../../shell/later";
-import { LEVELS, level, missionLevel, offered, setLevel, shown } from "../../shell/level";
+import {
+  LEVELS,
+  level,
+  levelNames,
+  missionLevel,
+  offered,
+  setLevel,
+  shown,
+} from "../../shell/level";
 import { go } from "../../shell/route";
 import { problem, program, refreshStatus } from "../../shell/session";
 import { TEST } from "../../shell/testids";
@@ -100,7 +108,6 @@ function HistoryButton({ control: { open } }: { control: StudioControl }) {
 
 function LevelChoice() {
   const words = texts.value.level;
-  const names = { 1: words.first, 2: words.explorer, 3: words.everything };
   return (
     <Select
       class="blocks__level"
@@ -111,7 +118,7 @@ function LevelChoice() {
       value={shown.value}
       options={[
         ...(missionLevel.value?.blocks ? ([["mission", words.mission]] as const) : []),
-        ...LEVELS.map((one) => [one, names[one]] as const),
+        ...LEVELS.map((one) => [one, levelNames()[one]] as const),
       ]}
       onChange={setLevel}
     />

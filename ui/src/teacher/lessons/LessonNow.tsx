@@ -40,7 +40,7 @@ export function LessonNow({ lesson, activities, onClosed }: LessonNowProps) {
           {say.now} · {since}
         </span>
         <strong class="lesson-now__title">{lesson.title}</strong>
-        {activity && <span>{activity.title}</span>}
+        {activity && activity.title !== lesson.title && <span>{activity.title}</span>}
       </p>
       <Button filled icon={Square} testId={TEST.closeLesson} onPress={() => act(close)}>
         {say.close}

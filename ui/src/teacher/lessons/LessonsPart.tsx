@@ -7,6 +7,8 @@ import { classroom, groupsIn, shownClass } from "../../shell/classroom";
 import { hashOf } from "../../shell/route";
 import type { School } from "../school";
 import { useTeacherLoaded } from "../useTeacherLoaded";
+import { ClassPreset } from "./ClassPreset";
+import { LessonFile } from "./LessonFile";
 import { LessonList } from "./LessonList";
 import { LessonNow } from "./LessonNow";
 import { OpenLesson } from "./OpenLesson";
@@ -50,7 +52,8 @@ function ClassLessons({ id }: ClassLessonsProps) {
   const found = useTeacherLoaded(`${id} ${language.value}`, () => loadLessons(id));
   return (
     <Loaded of={found}>
-      {({ lessons, current, activities }) => {
+      {({ lessons, now, activities }) => {
+        const current = now?.lesson ?? null;
         const open = current?.by_itself === false ? current : null;
         return (
           <>
@@ -64,11 +67,21 @@ function ClassLessons({ id }: ClassLessonsProps) {
                 <OpenLesson
                   classroom={id}
                   activities={activities}
+                  proposed={now?.preset.activity ?? ""}
                   another={open !== null}
                   onOpened={found.again}
                 />
               </section>
             )}
+            {now && (
+              <ClassPreset
+                classroom={id}
+                preset={now.preset}
+                activities={activities}
+                onChanged={found.again}
+              />
+            )}
+            {id !== NO_CLASS && <LessonFile lesson={open} onOpened={found.again} />}
             <LessonList lessons={lessons} onChanged={found.again} />
           </>
         );
@@ -77,12 +90,12 @@ function ClassLessons({ id }: ClassLessonsProps) {
   );
 }
 
-/** The lessons of a class, the open one, and the titles of activities in the language of the page. */
+/** The lessons of a class, the open one, what is set for the class, and the titles of activities in the language of the page. */
 async function loadLessons(id: string) {
-  const [lessons, current, activities] = await Promise.all([
+  const [lessons, now, activities] = await Promise.all([
     classesApi.lessons(id),
     id === NO_CLASS ? null : classesApi.currentLesson(id),
     classesApi.activities(),
   ]);
-  return { lessons, current, activities };
+  return { lessons, now, activities };
 }

@@ -18,25 +18,27 @@ import { useDraft } from "../useDraft";
 interface OpenLessonProps {
   classroom: string;
   activities: readonly ActivityChoice[];
+  /** Name of the activity that is set for the class, or "". */
+  proposed: string;
   /** Another lesson is open; opening this one closes it. */
   another: boolean;
   onOpened(): Promise<void>;
 }
 
-/** Opens a lesson with a title and, if wanted, an activity. */
-export function OpenLesson({ classroom, activities, another, onOpened }: OpenLessonProps) {
+/** Opens a lesson with a title, an activity, or both. */
+export function OpenLesson(props: OpenLessonProps) {
+  const { classroom, activities, proposed, another, onOpened } = props;
   const { lessons: say } = texts.value.teacher;
-  const [activity, setActivity] = useState("");
+  const [activity, setActivity] = useState(proposed);
   const { busy, fault, act, refuse, clear } = useAct(asTeacher);
   const { draft, field, reset } = useDraft({ title: "" }, clear);
-  const options = activities.map(({ name, title }): SelectOption<string> => [name, title]);
   const goal = activities.find(({ name }) => name === activity)?.goal_picture;
   const open = async () => {
     await classesApi.openLesson(classroom, { title: draft.title, activity: activity || null });
     await onOpened();
   };
   const submit = async () => {
-    if (!draft.title.trim()) refuse(say.nameMissing);
+    if (!draft.title.trim() && !activity) refuse(say.nameMissing);
     else if (await act(open)) reset();
   };
   return (
@@ -55,7 +57,8 @@ export function OpenLesson({ classroom, activities, another, onOpened }: OpenLes
           <Select
             value={activity}
             testId={TEST.lessonActivity}
-            options={[["", say.noActivity], ...options]}
+            options={[["", say.noActivity]]}
+            groups={groupsOf(activities)}
             onChange={(name) => setActivity(name)}
           />
         </label>
@@ -72,4 +75,18 @@ export function OpenLesson({ classroom, activities, another, onOpened }: OpenLes
       <p class="labelled__hint">{say.same}</p>
     </Form>
   );
+}
+
+/** Own activities first. */
+function groupsOf(activities: readonly ActivityChoice[]) {
+  const { activity, teacher } = texts.value;
+  const options = (own: boolean) =>
+    activities
+      .filter((one) => one.own === own)
+      .map(({ name, title }): SelectOption<string> => [name, title]);
+  const groups = [
+    [activity.paths.own, options(true)],
+    [teacher.lessons.shipped, options(false)],
+  ] as const;
+  return groups.filter(([, inside]) => inside.length > 0);
 }

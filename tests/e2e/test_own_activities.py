@@ -1,0 +1,160 @@
+"""A teacher makes an activity and opens a lesson with it; one file prepares another PC, where a group solves it."""
+
+from collections.abc import Iterator
+from contextlib import ExitStack
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, expect
+
+from tests.e2e.app_process import AppProcess
+from tests.e2e.axe import violations
+from tests.e2e.python_pane import write_program
+from tests.e2e.studio import Studio
+from tests.e2e.test_lesson_day import prepare
+from tests.e2e.watch import Watch
+
+pytestmark = [pytest.mark.e2e, pytest.mark.timeout(300)]
+
+TITLE = "Até a porta"
+TWO_METRES = "robot.move_forward(2)\n"
+
+
+@pytest.fixture
+def pcs(
+    browser: Browser, watch: Watch, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[list[Studio]]:
+    """The teacher's PC and a PC of the lab, with an empty file each."""
+    with ExitStack() as stack:
+
+        def pc(number: int) -> Studio:
+            app = AppProcess(tmp_path_factory.mktemp(f"pc{number}"))
+            link = app.start()
+            stack.callback(app.stop)
+            context = browser.new_context(
+                viewport={"width": 1366, "height": 768}, locale="pt-BR", reduced_motion="reduce"
+            )
+            stack.callback(context.close)
+            context.set_default_timeout(15_000)
+            watch.over(context)
+            page = context.new_page()
+            page.goto(link)
+            return Studio(page)
+
+        yield [pc(1), pc(2)]
+
+
+def test_an_activity_of_the_teacher_is_solved_on_another_pc(
+    pcs: list[Studio], watch: Watch, tmp_path: Path
+) -> None:
+    mine, lab = pcs
+    watch.expect("/api/own-activities")  # one that does not tell right from nothing is refused
+    prepare(mine, "Mesa da professora")
+    for name in ("Professora", "Tatus"):
+        mine["new-group-name"].fill(name)
+        mine["make-group"].click()
+        expect(mine["class-group"].filter(has_text=name)).to_be_visible()
+    build_solution(mine)
+    make_activity(mine)
+    open_its_lesson(mine)
+    file = saved_file(mine, tmp_path)
+    open_on(lab, file)
+    solve(lab)
+
+
+def part_of_teacher(pc: Studio, name: str) -> None:
+    pc.page.goto(f"{pc.origin}/#/teacher/{name}")
+    expect(pc["teacher-part"].first).to_be_visible()
+
+
+def build_solution(pc: Studio) -> None:
+    """The teacher builds the solution as any group does."""
+    pc["home"].click()
+    pc["group-card"].filter(has_text="Professora").click()
+    pc.wait_until_open()
+    write_program(pc, TWO_METRES)
+
+
+def make_activity(pc: Studio) -> None:
+    part_of_teacher(pc, "activities")
+    pc["making-new"].click()
+    pc["making-save"].click()
+    expect(pc["making-form"]).to_contain_text("Escolha primeiro o programa")
+    pc["making-group"].select_option(label="Professora")
+    pc["making-program"].select_option(index=1)
+    ends = pc["making-check"].and_(pc.page.locator("[data-kind=ends_at]"))
+    expect(ends).to_be_visible()
+    pc["making-title"].fill(TITLE)
+    pc["making-story"].fill("A porta fica 2 m à frente. Parem em frente dela.")
+    pc["making-hint"].first.fill("Usem “repetir até que”.")
+    expect(pc["making-notice"]).to_contain_text("repetir até que")
+    pc["making-hint"].first.fill("Contem os quadros do chão.")
+    expect(pc["making-notice"]).to_have_count(0)
+
+    pc["making-try"].click()  # an empty program passes: nothing is asked for
+    expect(pc["making-trials"]).to_have_attribute("data-right", "false")
+    pc["making-save"].click()
+    expect(pc.page.get_by_role("alert")).to_contain_text("Experimentar")
+    ends.get_by_role("checkbox").check()
+    ends.get_by_test_id("making-number").fill("15")
+    pc["making-try"].click()
+    expect(pc["making-trials"]).to_have_attribute("data-right", "true")
+    expect(pc["making-trials"]).to_contain_text("robô realista")
+    assert violations(pc) == []
+    pc["making-save"].click()
+    expect(pc["making-row"]).to_contain_text(TITLE)
+
+    pc["making-delete"].click()
+    expect(pc["making-row"]).to_have_count(0)
+    pc["making-undo"].click()
+    pc["making-edit"].click()
+    expect(pc["making-title"]).to_have_value(TITLE)
+    expect(ends.get_by_test_id("making-number")).to_have_value("15")
+    pc["making-minutes"].fill("5")
+    pc["making-save"].click()
+    expect(pc["making-row"]).to_contain_text(TITLE)
+    assert violations(pc) == []
+
+
+def open_its_lesson(pc: Studio) -> None:
+    """Without a title the lesson has that of the activity."""
+    part_of_teacher(pc, "lessons")
+    pc["preset-level"].select_option("2")
+    expect(pc["preset-saved"]).to_have_text("Salvo.")
+    pc["preset-swap"].select_option("10")
+    pc["lesson-activity"].select_option(label=TITLE)
+    pc["open-lesson"].click()
+    expect(pc["lesson-now"]).to_contain_text(TITLE)
+    assert violations(pc) == []
+
+
+def saved_file(pc: Studio, folder: Path) -> Path:
+    with pc.page.expect_download() as download:
+        pc["lesson-file-save"].click()
+    path = folder / download.value.suggested_filename
+    download.value.save_as(path)
+    assert path.name == "ate-a-porta.pinel"
+    return path
+
+
+def open_on(pc: Studio, file: Path) -> None:
+    """On a PC without a PIN anybody opens the file, on the first screen; once more changes nothing."""
+    for _ in range(2):
+        pc["lesson-file-open"].set_input_files(file)
+        expect(pc["group-card"]).to_have_count(2)
+
+
+def solve(pc: Studio) -> None:
+    pc["group-card"].filter(has_text="Tatus").click()
+    pc.wait_until_open()
+    expect(pc["lesson-chip"]).to_contain_text(TITLE)
+    expect(pc["mission"]).to_contain_text("A porta fica 2 m à frente")
+    expect(pc["mission"]).to_contain_text("Vale: terminar no lugar certo, com até 15 cm")
+    pc["level"].select_option("3")
+    pc["speed"].select_option("10")
+    write_program(pc, "robot.move_forward(1)\n")
+    pc["run"].click()
+    expect(pc["status-line"]).to_contain_text("O robô parou a 1 m do lugar certo")
+    write_program(pc, TWO_METRES)
+    pc["run"].click()
+    expect(pc["mission-done"]).to_be_visible()

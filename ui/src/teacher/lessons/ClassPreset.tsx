@@ -1,0 +1,124 @@
+import { useSignal } from "@preact/signals";
+import { makingApi } from "../../api/making";
+import { type ActivityChoice, type ClassPreset as Preset, worldTitle } from "../../api/model";
+import { language, texts } from "../../i18n";
+import { useAct } from "../../kit/requests/act";
+import { FaultLine } from "../../kit/requests/FaultLine";
+import { Select, type SelectOption } from "../../kit/Select";
+import { LEVELS, levelNames } from "../../shell/level";
+import { worlds } from "../../shell/session";
+import { asTeacher } from "../../shell/teacher/teacher_session";
+import { TEST } from "../../shell/testids";
+import { TURN_MINUTES, type TurnMinutes } from "../../shell/turns";
+
+interface ClassPresetProps {
+  classroom: string;
+  preset: Preset;
+  activities: readonly ActivityChoice[];
+  onChanged(): Promise<void>;
+}
+
+/** With what the groups of a class begin; each choice is saved at once. */
+export function ClassPreset({ classroom, preset, activities, onChanged }: ClassPresetProps) {
+  const { preset: say } = texts.value.making;
+  const { fault, act } = useAct(asTeacher);
+  const isSaved = useSignal(false);
+  const change = async (changes: Partial<Preset>) => {
+    isSaved.value = await act(() => makingApi.setPreset(classroom, { ...preset, ...changes }));
+    await onChanged();
+  };
+  return (
+    <section class="panel card">
+      <h2>{say.title}</h2>
+      <p class="teacher__hint">{say.hint}</p>
+      <div class="teacher__row class-preset">
+        <Part
+          label={say.level}
+          value={preset.level ?? null}
+          testId={TEST.presetLevel}
+          options={[[null, say.free], ...LEVELS.map((one) => [one, levelNames()[one]] as const)]}
+          onChange={(level) => change({ level })}
+        />
+        <Part
+          label={say.world}
+          value={preset.world ?? null}
+          testId={TEST.presetWorld}
+          options={[[null, say.free], ...worldOptions(activities, say.worldOf)]}
+          onChange={(world) => change({ world })}
+        />
+        <Part
+          label={say.activity}
+          value={preset.activity ?? null}
+          testId={TEST.presetActivity}
+          options={[[null, say.free], ...activities.map((one) => [one.name, one.title] as const)]}
+          onChange={(activity) => change({ activity })}
+        />
+        <Swap minutes={preset.swap_minutes ?? null} onChange={change} />
+        <p role="status" data-testid={TEST.presetSaved}>
+          {isSaved.value && say.saved}
+        </p>
+      </div>
+      <FaultLine fault={fault} />
+    </section>
+  );
+}
+
+interface SwapProps {
+  minutes: TurnMinutes | null;
+  onChange(changes: Partial<Preset>): Promise<void>;
+}
+
+/** The interval of the reminder to swap roles. */
+function Swap({ minutes, onChange }: SwapProps) {
+  const { making, teacher } = texts.value;
+  const wordsOf = (one: TurnMinutes) =>
+    one === 0 ? teacher.computer.never : teacher.computer.every(one);
+  return (
+    <Part
+      label={making.preset.swap}
+      value={minutes}
+      testId={TEST.presetSwap}
+      options={[
+        [null, making.preset.ofComputer],
+        ...TURN_MINUTES.map((one) => [one, wordsOf(one)] as const),
+      ]}
+      onChange={(swap_minutes) => onChange({ swap_minutes })}
+    />
+  );
+}
+
+/** Shipped worlds, and those of activities that were made here in a world of their own. */
+function worldOptions(
+  activities: readonly ActivityChoice[],
+  worldOf: (title: string) => string,
+): SelectOption<string>[] {
+  const shipped = new Set(worlds.value.map(({ name }) => name));
+  const own = activities.filter((one) => one.own && !shipped.has(one.goal_picture.world.name));
+  return [
+    ...worlds.value.map((one): SelectOption<string> => [one.name, worldTitle(one, language.value)]),
+    ...own.map(({ name, title }): SelectOption<string> => [name, worldOf(title)]),
+  ];
+}
+
+interface PartProps<T extends string | number> {
+  label: string;
+  value: T | null;
+  options: readonly SelectOption<T | null>[];
+  testId: string;
+  onChange(value: T | null): unknown;
+}
+
+function Part<T extends string | number>({
+  label,
+  value,
+  options,
+  testId,
+  onChange,
+}: PartProps<T>) {
+  return (
+    <label class="labelled">
+      <span class="labelled__label">{label}</span>
+      <Select value={value} options={options} testId={testId} onChange={onChange} />
+    </label>
+  );
+}

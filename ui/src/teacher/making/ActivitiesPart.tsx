@@ -1,0 +1,126 @@
+import { useSignal } from "@preact/signals";
+import { Plus, Undo2 } from "lucide-preact";
+import { api } from "../../api/client";
+import { makingApi } from "../../api/making";
+import type { OwnActivity, OwnActivityToEdit } from "../../api/model";
+import { language, texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { Loaded } from "../../kit/requests/Loaded";
+import { asTeacher } from "../../shell/teacher/teacher_session";
+import { TEST } from "../../shell/testids";
+import { useTeacherLoaded } from "../useTeacherLoaded";
+import { ActivityForm } from "./ActivityForm";
+import { OwnActivityRow } from "./OwnActivityRow";
+
+/** What is in the form: an activity, or "new"; null without a form. */
+type InForm = OwnActivityToEdit | "new" | null;
+
+/** The activities that were made here, and the form that makes one. */
+export function ActivitiesPart() {
+  const { making: say } = texts.value;
+  const found = useTeacherLoaded(language.value, loadAll);
+  const form = useSignal<InForm>(null);
+  const deleted = useSignal<OwnActivity | null>(null);
+  const close = () => {
+    form.value = null;
+  };
+  const remove = async (one: OwnActivity) => {
+    await asTeacher(() => makingApi.remove(one.id));
+    deleted.value = one;
+    await found.again();
+  };
+  return (
+    <>
+      <h1>{say.title}</h1>
+      <p class="teacher__hint">{say.intro}</p>
+      <Deleted one={deleted} onBack={found.again} />
+      <Loaded of={found}>
+        {({ activities, groups }) =>
+          form.value ? (
+            <ActivityForm
+              key={form.value === "new" ? "new" : form.value.id}
+              kept={form.value === "new" ? null : form.value}
+              groups={groups}
+              onSaved={async () => {
+                close();
+                await found.again();
+              }}
+              onCancel={close}
+            />
+          ) : (
+            <>
+              <Button
+                kind="main"
+                icon={Plus}
+                testId={TEST.makingNew}
+                onPress={() => {
+                  form.value = "new";
+                }}
+              >
+                {say.make}
+              </Button>
+              {activities.length === 0 && <p class="teacher__hint">{say.empty}</p>}
+              <OwnActivityList
+                activities={activities}
+                onEdit={(kept) => {
+                  form.value = kept;
+                }}
+                onDelete={remove}
+              />
+            </>
+          )
+        }
+      </Loaded>
+    </>
+  );
+}
+
+interface OwnActivityListProps {
+  activities: readonly OwnActivity[];
+  onEdit(kept: OwnActivityToEdit | null): void;
+  onDelete(one: OwnActivity): Promise<void>;
+}
+
+function OwnActivityList({ activities, onEdit, onDelete }: OwnActivityListProps) {
+  return (
+    <ul class="making__list">
+      {activities.map((one) => (
+        <OwnActivityRow
+          key={one.id}
+          activity={one}
+          onEdit={async () => onEdit((await asTeacher(() => makingApi.one(one.id))) ?? null)}
+          onDelete={() => onDelete(one)}
+        />
+      ))}
+    </ul>
+  );
+}
+
+async function loadAll() {
+  const [activities, groups] = await Promise.all([makingApi.list(), api.groups()]);
+  return { activities, groups };
+}
+
+interface DeletedProps {
+  one: { value: OwnActivity | null };
+  onBack(): Promise<void>;
+}
+
+function Deleted({ one, onBack }: DeletedProps) {
+  const { making: say } = texts.value;
+  const { value: gone } = one;
+  if (!gone) return null;
+  const takeBack = async () => {
+    await asTeacher(() => makingApi.takeBack(gone.id));
+    one.value = null;
+    await onBack();
+  };
+  return (
+    <div class="notice-box button-row" role="status">
+      <span>{say.deleted(gone.title)}</span>
+      <Button icon={Undo2} testId={TEST.makingUndo} onPress={takeBack}>
+        {say.takeBack}
+      </Button>
+    </div>
+  );
+}

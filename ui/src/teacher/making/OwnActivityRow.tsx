@@ -1,0 +1,47 @@
+import { Pencil, Trash2 } from "lucide-preact";
+import type { OwnActivity } from "../../api/model";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { GoalPicture } from "../../scene/goal/GoalPicture";
+import { TEST } from "../../shell/testids";
+
+interface OwnActivityRowProps {
+  activity: OwnActivity;
+  onEdit(): Promise<void>;
+  onDelete(): Promise<void>;
+}
+
+/** An activity that was made here; one that this release cannot use says why. */
+export function OwnActivityRow({ activity, onEdit, onDelete }: OwnActivityRowProps) {
+  const { making: say } = texts.value;
+  const { title, goal_picture, problem } = activity;
+  return (
+    <li class="making__row card" data-testid={TEST.makingRow}>
+      {goal_picture && (
+        <div class="making__goal">
+          <GoalPicture goal={goal_picture} />
+        </div>
+      )}
+      <div class="making__words">
+        <strong>{title}</strong>
+        {problem && (
+          <p class="notice-box">
+            {problem.message} {problem.remedy}
+          </p>
+        )}
+      </div>
+      {!problem && (
+        <Button icon={Pencil} label={say.editOf(title)} testId={TEST.makingEdit} onPress={onEdit}>
+          {say.edit}
+        </Button>
+      )}
+      <Button
+        kind="plain"
+        icon={Trash2}
+        label={say.deleteOf(title)}
+        testId={TEST.makingDelete}
+        onPress={onDelete}
+      />
+    </li>
+  );
+}

@@ -1,0 +1,38 @@
+import { useId } from "preact/hooks";
+import type { TEST } from "../../shell/testids";
+
+type TestId = (typeof TEST)[keyof typeof TEST];
+
+/** Letters that a text of an activity may have (pinel_desktop/activities/model.py). */
+const MOST = 1000;
+
+interface TextAreaProps {
+  label: string;
+  value: string;
+  placeholder?: string;
+  rows?: number;
+  testId?: TestId;
+  onText(text: string): void;
+}
+
+/** A field for a text of several lines, with its label above. */
+export function TextArea({ label, value, placeholder, rows = 2, testId, onText }: TextAreaProps) {
+  const id = useId();
+  return (
+    <div class="labelled">
+      <label class="labelled__label" for={id}>
+        {label}
+      </label>
+      <textarea
+        id={id}
+        class="field making__text"
+        rows={rows}
+        maxLength={MOST}
+        placeholder={placeholder}
+        value={value}
+        data-testid={testId}
+        onInput={({ currentTarget }) => onText(currentTarget.value)}
+      />
+    </div>
+  );
+}

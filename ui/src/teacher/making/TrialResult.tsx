@@ -1,0 +1,44 @@
+import { CircleCheck, TriangleAlert } from "lucide-preact";
+import type { Trial, Trials } from "../../api/model";
+import { texts } from "../../i18n";
+import { FaultLine } from "../../kit/requests/FaultLine";
+import { TEST } from "../../shell/testids";
+
+/** What the trial said: the solution must pass, a program without commands must not, under both robots. */
+export function TrialResult({ trials: { faults, trials } }: { trials: Trials }) {
+  const { trial: say } = texts.value.making;
+  const isRight = faults.length === 0 && trials.every((one) => one.is_right);
+  const key = trials.every((one) => one.is_right || one.preset !== "ideal") ? "onlyIdeal" : "wrong";
+  return (
+    <div role="status" data-testid={TEST.makingTrials} data-right={isRight}>
+      {faults.map((fault) => (
+        <FaultLine key={fault.pointer} fault={fault} />
+      ))}
+      <ul class="making__trials">
+        {trials.map((one) => (
+          <TrialLine key={`${one.program} ${one.preset}`} trial={one} />
+        ))}
+      </ul>
+      {faults.length === 0 && <p>{isRight ? say.right : say[key]}</p>}
+    </div>
+  );
+}
+
+function TrialLine({ trial }: { trial: Trial }) {
+  const { trial: say } = texts.value.making;
+  const { program, preset, passed, is_right, words } = trial;
+  const Icon = is_right ? CircleCheck : TriangleAlert;
+  const who = program === "solution" ? say.solution : say.empty;
+  const robot = preset === "ideal" ? say.ideal : say.realistic;
+  return (
+    <li class={`making__trial making__trial--${is_right ? "right" : "wrong"}`}>
+      <Icon class="icon" aria-hidden="true" />
+      <span>
+        <strong>
+          {who}, {robot}: {passed ? say.passes : say.fails}
+        </strong>{" "}
+        {program === "solution" && words}
+      </span>
+    </li>
+  );
+}

@@ -1,0 +1,166 @@
+import { computed, signal } from "@preact/signals";
+import { api } from "../../api/client";
+import { DEFAULT_WORLD } from "../../api/declared";
+import { makingApi } from "../../api/making";
+import {
+  type Fault,
+  type Measured,
+  OWN_WORLD,
+  type OwnActivityDraft,
+  type OwnActivityToEdit,
+  type Trials,
+  type Version,
+} from "../../api/model";
+import type { Level } from "../../blocks/definition";
+import { levelNeeded } from "../../blocks/toolbox/level_needed";
+import { worlds } from "../../shell/session";
+import {
+  type Check,
+  type CheckKind,
+  type Choices,
+  type Chosen,
+  checksOf,
+  choicesOf,
+  proposed,
+} from "./check_rows";
+
+/** The fields of the form with texts. */
+export interface Written {
+  readonly title: string;
+  readonly story: string;
+  readonly criteria: string;
+  readonly hints: readonly [string, string, string];
+  readonly question: string;
+}
+
+type Stage = Pick<OwnActivityDraft, "solution" | "world">;
+
+const NOTHING: Written = { title: "", story: "", criteria: "", hints: ["", "", ""], question: "" };
+
+/** An activity while a teacher makes it: solution, checks, texts, and what the trial said. */
+export class Maker {
+  readonly id: string | null;
+  readonly written = signal<Written>(NOTHING);
+  readonly level = signal<Level>(1);
+  readonly minutes = signal(10);
+  readonly showsPath = signal(true);
+  /** Inputs of the solution, separated by commas. */
+  readonly inputs = signal({ gestures: "", answers: "" });
+  readonly stage = signal<Stage | null>(null);
+  /** The lowest level that offers the blocks of the solution. */
+  readonly levelOfSolution = signal<Level>(1);
+  readonly measured = signal<Measured | null>(null);
+  readonly faults = signal<readonly Fault[]>([]);
+  readonly choices = signal<Choices | null>(null);
+  readonly trials = signal<Trials | null>(null);
+  private others: readonly Check[] = [];
+
+  /** What the form would keep; null without a solution that runs. */
+  readonly draft = computed<OwnActivityDraft | null>(() => {
+    const { value: stage } = this.stage;
+    const { value: measured } = this.measured;
+    const { value: choices } = this.choices;
+    if (!stage || !measured || !choices) return null;
+    const { hints, ...texts } = this.written.value;
+    return {
+      ...texts,
+      ...stage,
+      ...this.inputLists(),
+      hints: hints.filter((hint) => hint.trim()),
+      level: this.level.value,
+      minutes: this.minutes.value,
+      shows_path: this.showsPath.value,
+      checks: [...checksOf(choices, measured), ...this.others],
+    };
+  });
+
+  constructor(kept: OwnActivityToEdit | null) {
+    this.id = kept?.id ?? null;
+    if (kept) this.begin(kept);
+  }
+
+  write(changes: Partial<Written>): void {
+    this.written.value = { ...this.written.peek(), ...changes };
+  }
+
+  choose(kind: CheckKind, changes: Partial<Chosen>): void {
+    const before = this.choices.peek();
+    if (before) this.choices.value = { ...before, [kind]: { ...before[kind], ...changes } };
+    this.trials.value = null;
+  }
+
+  /** Takes a program as the solution, in the world in which it runs. Returns whether it can be one. */
+  async takeProgram(id: string): Promise<boolean> {
+    const { version } = await api.program(id);
+    if (!version?.document || isEmpty(version.document)) return false;
+    this.levelOfSolution.value = levelNeeded(version.workspace);
+    if (this.level.peek() < this.levelOfSolution.peek())
+      this.level.value = this.levelOfSolution.peek();
+    await this.measure({ solution: version.document, world: worldOf(version) });
+    return true;
+  }
+
+  async takeWorld(name: string): Promise<void> {
+    const { value: stage } = this.stage;
+    if (stage) await this.measure({ ...stage, world: name });
+  }
+
+  /** Runs the solution again, such as with other inputs. */
+  async measure(stage: Stage | null = this.stage.peek()): Promise<void> {
+    if (!stage) return;
+    this.trials.value = null;
+    const { measured, faults } = await makingApi.measure({ ...stage, ...this.inputLists() });
+    this.stage.value = stage;
+    this.faults.value = faults;
+    this.measured.value = measured;
+    if (measured) this.choices.value = proposed(measured, this.choices.peek() ?? {});
+  }
+
+  async tryOut(): Promise<void> {
+    const { value: draft } = this.draft;
+    if (draft) this.trials.value = await makingApi.tryOut({ ...draft, title: draft.title || "-" });
+  }
+
+  private begin(kept: OwnActivityToEdit): void {
+    const [first = "", second = "", third = ""] = kept.hints;
+    const { title, story, criteria, question } = kept;
+    this.written.value = { title, story, criteria, question, hints: [first, second, third] };
+    this.level.value = kept.level as Level;
+    this.minutes.value = kept.minutes ?? 10;
+    this.showsPath.value = kept.shows_path;
+    this.inputs.value = { gestures: kept.gestures.join(", "), answers: kept.answers.join(", ") };
+    this.stage.value = { solution: kept.solution, world: kept.world };
+    const found = choicesOf(kept.checks);
+    this.others = found.others;
+    this.choices.value = found.kept as Choices;
+  }
+
+  private inputLists() {
+    const { gestures, answers } = this.inputs.value;
+    return { gestures: listed(gestures), answers: listed(answers) };
+  }
+}
+
+const listed = (text: string) =>
+  text
+    .split(/[,;]/)
+    .map((part) => part.trim())
+    .filter(Boolean);
+
+const isEmpty = (document: object) => {
+  const { commands } = document as { commands?: unknown[] };
+  return !commands || commands.length === 0;
+};
+
+/** The world of a version's runs: its name, or a document where the group made or moved something. */
+function worldOf({ setup, world }: Version): Stage["world"] {
+  const name = setup?.world ?? (world ? OWN_WORLD : DEFAULT_WORLD);
+  const shipped = worlds.peek().find((one) => one.name === name);
+  const document = name === OWN_WORLD ? world : shipped;
+  if (!document) return DEFAULT_WORLD;
+  if (name !== OWN_WORLD && !setup?.start) return name;
+  return { ...document, ...(setup?.start ? { start: setup.start } : {}) } as unknown as Record<
+    string,
+    unknown
+  >;
+}

@@ -1,0 +1,47 @@
+import { BookOpen } from "lucide-preact";
+import { makingApi } from "../api/making";
+import type { OpenedLesson } from "../api/model";
+import { texts } from "../i18n";
+import { setClassroom } from "../shell/classroom";
+import { report } from "../shell/session";
+import { asTeacher } from "../shell/teacher/teacher_session";
+import { TEST } from "../shell/testids";
+
+interface OpenLessonFileProps {
+  onOpened(opened: OpenedLesson): unknown;
+}
+
+/** Opens the lesson of a file on this PC; asks for the PIN where there is one. */
+export function OpenLessonFile({ onOpened }: OpenLessonFileProps) {
+  const { classes } = texts.value;
+  const open = async (file: File | undefined) => {
+    if (!file) return;
+    const opened = await asTeacher(() => makingApi.openLessonFile(file));
+    if (!opened) return;
+    setClassroom(opened.classroom.id);
+    await onOpened(opened);
+  };
+  return (
+    <label class="button button--plain bring-in">
+      <BookOpen class="icon" aria-hidden="true" />
+      {classes.openLessonFile}
+      <input
+        type="file"
+        class="visually-hidden"
+        accept=".pinel"
+        data-testid={TEST.lessonFileOpen}
+        onChange={({ currentTarget }) => {
+          void open(currentTarget.files?.[0]).catch(report);
+          currentTarget.value = "";
+        }}
+      />
+    </label>
+  );
+}
+
+/** What has become of the file. */
+export function openedWords({ lesson, classroom, nothing_new }: OpenedLesson): string {
+  const { classes } = texts.value;
+  const opened = classes.lessonFileOpened(lesson.title, classroom.name);
+  return nothing_new ? `${opened} ${classes.lessonFileKnown}` : opened;
+}
