@@ -98,7 +98,7 @@ class OwnedProcess:
             self._reader.start()
 
     def wait_until_ready(self, timeout_s: float) -> bool:
-        """Waits for the process; False when it is not ready after `timeout_s`."""
+        """Waits for the process; False when it is not ready after `timeout_s`, or closed before."""
         self._ready.wait(timeout_s)
         return self._state == "ready"
 
@@ -119,6 +119,7 @@ class OwnedProcess:
         """Ends the pipe after all that was sent, whereupon the process exits, and waits for it."""
         with self._lock:
             self._closing = True
+            self._ready.set()  # who waits for a process that is starting would wait in vain
             process, reader, outbox = self._process, self._reader, self._outbox
         if process is None or reader is None:
             return

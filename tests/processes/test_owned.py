@@ -42,6 +42,19 @@ def test_process_that_does_not_read_holds_up_neither_who_sends_nor_who_ends_it()
     owned.close()
 
 
+def test_who_waits_for_a_process_that_is_closed_while_it_starts_goes_on() -> None:
+    command = [sys.executable, "-c", "input()"]  # it never says that it is ready
+    owned = OwnedProcess("some", command, lambda _: None, lambda: None)
+    owned.start()
+    answers: list[bool] = []
+    waiting = threading.Thread(target=lambda: answers.append(owned.wait_until_ready(60)))
+    waiting.start()
+    owned.close()
+    waiting.join(10)
+    assert answers == [False]
+    assert owned.wait_until_ready(60) is False
+
+
 def lost(command: list[str]) -> list[str]:
     """What is told of a process that cannot live, until it is not started again."""
     told: list[str] = []
