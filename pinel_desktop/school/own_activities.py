@@ -78,11 +78,10 @@ def own_goal(row: OwnActivityRow) -> "Goal":
 
 
 def all_titles(store: Store, language: str) -> dict[str, str]:
-    """Titles of all activities in a language, by name, without own ones that were deleted."""
+    """Titles of all activities in a language, by name, also of own ones that were deleted."""
     from pinel_desktop.activities import activity_titles  # noqa: PLC0415 - heavy
 
-    own = {row.id: row.title for row in store.own_activities.all()}
-    return {**activity_titles(language), **own}
+    return {**activity_titles(language), **store.own_activities.titles()}
 
 
 def in_all_languages(text: str) -> dict[str, str]:

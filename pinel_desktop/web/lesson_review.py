@@ -1,11 +1,13 @@
 """Reads the review of a lesson from the store and converts it to answers."""
 
-from collections.abc import Mapping
+import contextlib
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
+from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe
-from pinel_desktop.school.own_activities import all_titles
+from pinel_desktop.school.own_activities import all_titles, known_activity
 from pinel_desktop.school.review import (
     BlocksInUse,
     Edit,
@@ -41,6 +43,7 @@ class ReadLesson:
         told: what activities said about runs that did not pass, by run id.
         not_begun: names of the groups of the class without work in the lesson; empty where it is over.
         titles: of activities, by name.
+        hints: of activities of which some were opened, by name.
     """
 
     lesson: LessonRow
@@ -53,6 +56,7 @@ class ReadLesson:
     told: dict[str, str]
     not_begun: list[str]
     titles: dict[str, str]
+    hints: dict[str, list[str]]
     language: str
 
     def model(self) -> shapes.LessonReview:
@@ -67,12 +71,16 @@ class ReadLesson:
                 marks=[_mark(mark, self.lines, words) for mark in group.marks],
                 figures=shapes.Figures.of(group.figures),
                 blocks=_blocks(group.blocks),
-                hints=_hints(group.hints, self.language),
+                hints=[self._hints(name, n) for name, n in group.hints.items()],
             )
             for group in self.review.groups
         ]
         lesson = Lesson.of(self.lesson)
         return shapes.LessonReview(lesson=lesson, summary=self._summary(found), groups=groups)
+
+    def _hints(self, activity: str, n: int) -> shapes.OpenedHints:
+        texts = self.hints.get(activity, [])[:n]
+        return shapes.OpenedHints(title=self.titles.get(activity, activity), n=n, texts=texts)
 
     def _summary(self, found: Summary) -> shapes.LessonSummary:
         fault = found.fault
@@ -123,6 +131,7 @@ def read_lesson(lesson_id: str, parts: Services) -> ReadLesson:
         told=_told(lines, language),
         not_begun=_not_begun(store, lesson, lines),
         titles=titles,
+        hints=_hints({name for one in groups for name in one.hints}, parts),
         language=language,
     )
 
@@ -162,18 +171,14 @@ def _not_begun(store: Store, lesson: LessonRow, lines: LessonLines) -> list[str]
     return sorted(names, key=natural_key)
 
 
-def _hints(opened: Mapping[str, int], language: str) -> list[shapes.OpenedHints]:
-    from pinel_desktop.activities import activity_names, shipped_activity  # noqa: PLC0415 - heavy
-
-    known = {name: shipped_activity(name) for name in opened if name in activity_names()}
-    return [
-        shapes.OpenedHints(
-            title=known[name].title.of(language) if name in known else name,
-            n=n,
-            texts=[hint.of(language) for hint in known[name].hints[:n]] if name in known else [],
-        )
-        for name, n in opened.items()
-    ]
+def _hints(names: Iterable[str], parts: Services) -> dict[str, list[str]]:
+    """Hints of activities, by name; none of one that this release cannot use."""
+    found: dict[str, list[str]] = {}
+    for name in names:
+        with contextlib.suppress(PinelError):
+            hints = known_activity(parts.store, name).hints
+            found[name] = [hint.of(parts.preferences.language) for hint in hints]
+    return found
 
 
 def _reasons(lines: LessonLines, language: str) -> dict[str, str]:

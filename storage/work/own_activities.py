@@ -23,6 +23,12 @@ class OwnActivities(Repository):
             rows = db.execute(f"{_SELECT} WHERE deleted_at IS NULL ORDER BY id").fetchall()
         return [_record(row) for row in rows]
 
+    def titles(self) -> dict[str, str]:
+        """Titles by key, also of those that are deleted."""
+        with self._database.reading() as db:
+            rows = db.execute("SELECT id, title FROM own_activities").fetchall()
+        return {str(row["id"]): str(row["title"]) for row in rows}
+
     def get(self, activity_id: str) -> OwnActivityRow:
         """Also one that is deleted. Raises StoreError `own_activity_not_found`."""
         with self._database.reading() as db:

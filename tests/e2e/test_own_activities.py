@@ -149,7 +149,7 @@ def solve(pc: Studio) -> None:
     pc.wait_until_open()
     expect(pc["lesson-chip"]).to_contain_text(TITLE)
     expect(pc["mission"]).to_contain_text("A porta fica 2 m à frente")
-    expect(pc["mission"]).to_contain_text("Vale: terminar no lugar certo, com até 15 cm")
+    expect(pc["mission"]).to_contain_text("Terminar 2 m à frente da partida")
     pc["level"].select_option("3")
     pc["speed"].select_option("10")
     write_program(pc, "robot.move_forward(1)\n")

@@ -5,10 +5,9 @@ import type { LaterTexts } from "../texts";
 import { camera, practice, teaching } from "./camera";
 import { exchange } from "./exchange";
 import { help } from "./help";
-import { making } from "./making";
 import { plan } from "./plan";
 import { review } from "./review";
-import { teacher } from "./teacher";
+import { making, teacher } from "./teacher";
 
 export const later: LaterTexts = {
   camera,

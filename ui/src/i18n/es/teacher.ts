@@ -1,4 +1,4 @@
-import type { teacher as first } from "../pt-BR/teacher";
+import type { teacher as first, making as firstMaking } from "../pt-BR/teacher";
 
 export const teacher: typeof first = {
   door: {
@@ -151,4 +151,132 @@ export const teacher: typeof first = {
   },
   save: "Guardar",
   cancel: "Cancelar",
+};
+
+const written = (value: number) => value.toLocaleString("es", { maximumFractionDigits: 3 });
+
+export const making: typeof firstMaking = {
+  title: "Actividades",
+  intro:
+    "Arme una actividad a partir de un programa que la resuelve. Aparece entre las actividades de los grupos y cuando usted abre una clase.",
+  make: "Nueva actividad",
+  empty: "Usted todavía no hizo ninguna actividad.",
+  edit: "Editar",
+  editOf: (title) => `Editar la actividad ${title}`,
+  deleteOf: (title) => `Borrar la actividad ${title}`,
+  deleted: (title) => `“${title}” salió de las listas. Los programas de los grupos quedaron.`,
+  takeBack: "Traer de vuelta",
+  tryOut: "Probar",
+  save: "Guardar la actividad",
+  cancel: "Cancelar",
+  withoutSolution: "Elija primero el programa que resuelve la actividad.",
+  withoutTitle: "Escriba el título de la actividad.",
+  counts: (what) => `Vale: ${what}.`,
+  solution: {
+    title: "1. La solución",
+    hint: "Un programa que resuelve: de un grupo, o armado por usted en el estudio (cree, por ejemplo, el grupo “Docente”). El mundo viene con él.",
+    group: "Grupo",
+    program: "Programa",
+    choose: "Elija…",
+    kept: "La solución guardada",
+    cannot:
+      "Este programa no sirve de solución: está vacío o tiene un error. Ábralo en el estudio y ejecútelo una vez.",
+    unfinished:
+      "La solución no llegó al final, así que ningún grupo va a cumplir. Arréglela en el estudio y elíjala de nuevo.",
+    world: "Mundo",
+    ownWorld: "El mundo de la solución",
+    gestures: "Señas que el robot ve",
+    answers: "Respuestas al robot",
+    none: "separe con coma",
+  },
+  checks: {
+    title: "2. Lo que vale",
+    hint: "Marque solo lo que importa. Los números son los de la solución; cámbielos si quiere. El programa siempre debe llegar al final.",
+    first: "Elija la solución: sus números aparecen aquí.",
+  },
+  kinds: {
+    ends_in: "Termina en el lugar",
+    ends_at: "Termina donde la solución termina",
+    visits: "Pasa por estos lugares, en este orden:",
+    touches_nothing: "No toca nada",
+    draws: "Hace el mismo dibujo que la solución",
+    closed: "El trazo termina donde empezó",
+    turned_total: "Gira en total, en grados",
+    path_length: "El camino mide, en metros",
+    block_count: "Tiene pocos bloques",
+    nesting: "Tiene una repetición",
+    time: "No tarda, en segundos",
+    says: "El robot dice",
+    mark_count: "Deja marcas en el piso",
+  },
+  numbers: {
+    cm: "Diferencia, en cm",
+    least: "Como mínimo",
+    most: "Como máximo",
+    n: "Cuántas",
+  },
+  criteria: {
+    ends_in: (zone) => `terminar en ${zone}`,
+    ends_at: (cm) => `terminar en el lugar correcto, con hasta ${cm} cm de diferencia`,
+    visits: (zones) => `pasar por ${zones}, en ese orden`,
+    touches_nothing: "no tocar nada",
+    draws: (cm) => `hacer el mismo dibujo, con hasta ${cm} cm de diferencia`,
+    closed: "cerrar el trazo",
+    turned_total: (least, most) => `girar en total de ${least}° a ${most}°`,
+    path_length: (least, most) => `un camino de ${written(least)} a ${written(most)} m`,
+    block_count: (most) => `hasta ${most} bloques`,
+    nesting: "usar una repetición",
+    time: (most) => `en hasta ${most} s`,
+    says: (text) => `decir “${text}”`,
+    mark_count: (n) => (n === 1 ? "1 marca en el piso" : `${n} marcas en el piso`),
+  },
+  texts: {
+    title: "3. La tarjeta",
+    name: "Título",
+    namePlaceholder: "Por ejemplo: Hasta la puerta",
+    story: "Lo que el robot debe hacer",
+    criteria: "Lo que vale, para que el grupo lo lea",
+    hint: (n) => `Pista ${n}`,
+    question: "Pregunta para después",
+    level: "Bloques",
+    minutes: "Minutos",
+    showsPath: "El dibujo del objetivo muestra el camino de la solución",
+    notOffered: (blocks, level) =>
+      `La pista nombra “${blocks}”, que “${level}” no ofrece. Elija otro nivel o cambie la pista.`,
+    levelTooLow: (level) =>
+      `La solución usa bloques de “${level}”: en este nivel los grupos no los encuentran.`,
+  },
+  trial: {
+    solution: "La solución",
+    empty: "Un programa vacío",
+    ideal: "robot ideal",
+    realistic: "robot realista",
+    passes: "cumple.",
+    fails: "no cumple.",
+    right: "Todo bien: quien resuelve cumple, y quien no hace nada no cumple.",
+    onlyIdeal:
+      "Con el robot realista todavía no resulta: permita diferencias mayores si los grupos van a usarlo.",
+    wrong: "Todavía no: la solución debe cumplir y el programa vacío no puede cumplir.",
+  },
+  preset: {
+    title: "Para las clases de este curso",
+    hint: "Los grupos empiezan así; pueden cambiar el nivel y el mundo después.",
+    level: "Bloques",
+    world: "Mundo de programas nuevos",
+    activity: "Actividad propuesta",
+    swap: "Cambiar de papel",
+    free: "Libre",
+    worldOf: (title) => `El de “${title}”`,
+    ofComputer: "Como en esta computadora",
+    saved: "Guardado.",
+  },
+  file: {
+    title: "Archivo de la clase",
+    hint: "Un archivo prepara todas las computadoras: curso, grupos, clase, actividades hechas aquí y señas enseñadas. No lleva ningún trabajo de los grupos.",
+    save: "Guardar archivo de la clase",
+    saveIn: (folder) => `Guardar en ${folder}`,
+    savedAs: (name) => `Guardado: ${name}.`,
+    name: "clase",
+    openFound: (name) => `Abrir ${name}`,
+  },
 };

@@ -9,10 +9,11 @@ export interface PlanClass {
 }
 
 export async function loadPlanClass(classroom: string | null): Promise<PlanClass> {
-  const [current, activities] = await Promise.all([
+  const [now, activities] = await Promise.all([
     classroom ? classesApi.currentLesson(classroom) : null,
     classesApi.activities(),
   ]);
+  const current = now?.lesson ?? null;
   return { current: current?.by_itself === false ? current : null, activities };
 }
 
