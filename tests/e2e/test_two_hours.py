@@ -5,7 +5,7 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import pytest
@@ -18,7 +18,7 @@ from tests.e2e.studio import RUN_MS, Studio
 from tests.e2e.test_camera import CAMERA_MS, RECORDINGS
 from tests.e2e.test_classes import PIN, to_part
 from tests.e2e.test_examples import open_example
-from tests.e2e.test_lesson_day import merge_all, prepare, save_on
+from tests.e2e.test_lesson_day import at_the_stick, merge_all, prepare, save_on
 from tests.e2e.watch import Watch
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(600)]
@@ -41,9 +41,12 @@ class Pictures:
     """Pictures of the steps, in order; without a folder, none."""
 
     folder: Path | None
+    taken: set[str] = field(default_factory=set)
 
     def take(self, studio: Studio, step: str) -> None:
-        if self.folder is not None:
+        """The first of each step is kept."""
+        if self.folder is not None and step not in self.taken:
+            self.taken.add(step)
             self.folder.mkdir(parents=True, exist_ok=True)
             studio.page.screenshot(path=self.folder / f"lesson-{step}.png")
 
@@ -83,44 +86,52 @@ def test_two_hours_of_five_groups(pcs: list[Studio], tmp_path: Path, pictures: P
     mine, second, third = pcs
     seats = dict(zip(GROUPS, (mine, mine, second, second, third), strict=True))
 
-    before_the_lesson(pcs, stick := tmp_path / "pendrive", pictures)
+    before_the_lesson(mine, stick := tmp_path / "pendrive", pictures)
     what_does_a_robot_obey(mine, pictures)
     the_alphabet(mine, pictures)
+    for activity, works in LESSON.items():
+        open_on_all(pcs, activity, stick, pictures)
+        for name, work in works.items():
+            with_group(seats[name], name, work, pictures)
 
-    open_on_all(pcs, "Virar a esquina", "around_the_corner", pictures)
-    for name, work in AROUND_THE_CORNER.items():
-        with_group(seats[name], name, work, pictures)
-
-    open_on_all(pcs, "A letra do grupo", "letter", pictures)
-    for name, work in LETTERS.items():
-        with_group(seats[name], name, work, pictures)
-
-    open_on_all(pcs, "Só com o B", "sign_b", pictures)
-    for name, work in SIGNS.items():
-        with_group(seats[name], name, work, pictures)
-
-    for pc in (second, third):
-        save_on(as_teacher(pc), stick)
+    for number, pc in enumerate((second, third), 2):
+        first_pin(pc, f"PC {number}")
+        save_on(pc, stick)
     merge_all(as_teacher(mine), stick)
     the_last_eight_minutes(mine, pictures)
 
 
-def before_the_lesson(pcs: list[Studio], stick: Path, pictures: Pictures) -> None:
-    """The class with its groups, carried to all PCs on a stick; the camera of the teacher's PC is tried."""
+def before_the_lesson(pc: Studio, stick: Path, pictures: Pictures) -> None:
+    """The class with its groups, the camera, the plan and its cards."""
     stick.mkdir()
-    mine, *others = pcs
-    prepare(mine, "Mesa da professora")
+    prepare(pc, "Mesa da professora")
     for name in GROUPS:
-        mine["new-group-name"].fill(name)
-        mine["make-group"].click()
-        expect(mine["class-group"].filter(has_text=name)).to_be_visible()
-    pictures.take(mine, "1-class")
-    to_part(mine, "camera")
-    expect(mine["camera-ready"]).to_have_attribute("data-ready", "true", timeout=CAMERA_MS)
-    pictures.take(mine, "2-camera")
-    save_on(mine, stick)
-    for number, pc in enumerate(others, 2):
-        prepare(pc, f"PC {number}", from_stick=stick)
+        pc["new-group-name"].fill(name)
+        pc["make-group"].click()
+        expect(pc["class-group"].filter(has_text=name)).to_be_visible()
+    to_part(pc, "camera")
+    expect(pc["camera-ready"]).to_have_attribute("data-ready", "true", timeout=CAMERA_MS)
+    pictures.take(pc, "camera")
+    to_part(pc, "plan")
+    expect(pc["plan-step"]).to_have_count(8)
+    pictures.take(pc, "plan")
+    pc["plan-cards"].click()
+    expect(pc["card"].first).to_be_visible()
+    pictures.take(pc, "cards")
+    pc.page.go_back()
+    at_the_stick(pc, stick)
+    pc["sign-out"].click()
+
+
+def first_pin(pc: Studio, name: str) -> None:
+    """A PC that the lesson's file prepared has no PIN yet."""
+    pc["home"].click()
+    pc["teacher-link"].click()
+    pc["pin"].fill(PIN)
+    pc["pin-again"].fill(PIN)
+    pc["computer-name"].fill(name)
+    pc["prepare-done"].click()
+    expect(pc["teacher-part"].first).to_be_visible()
 
 
 def what_does_a_robot_obey(pc: Studio, pictures: Pictures) -> None:
@@ -131,7 +142,7 @@ def what_does_a_robot_obey(pc: Studio, pictures: Pictures) -> None:
     pc.run()
     pc.wait_for_phase("running")
     pc.page.wait_for_timeout(3_000)
-    pictures.take(pc, "3-vacuum")
+    pictures.take(pc, "vacuum")
     pc["stop"].click()
     pc.wait_for_phase("stopped")
 
@@ -143,22 +154,28 @@ def the_alphabet(pc: Studio, pictures: Pictures) -> None:
     expect(pc["practice-sign"].first).to_be_visible()
     pc.page.wait_for_timeout(2_000)
     assert violations(pc) == []
-    pictures.take(pc, "4-alphabet")
+    pictures.take(pc, "alphabet")
 
 
-def open_on_all(pcs: list[Studio], title: str, activity: str, pictures: Pictures) -> None:
-    for pc in pcs:
-        as_teacher(pc)
-        to_part(pc, "lessons")
-        if pc["close-lesson"].count():
-            pc["close-lesson"].click()
-        pc["lesson-title"].fill(title)
-        pc["lesson-activity"].select_option(activity)
-        if pc is pcs[0]:
-            pictures.take(pc, f"open-{activity}")
-        pc["open-lesson"].click()
-        expect(pc["lesson-now"]).to_contain_text(title)
-        pc["sign-out"].click()
+def open_on_all(pcs: list[Studio], activity: str, stick: Path, pictures: Pictures) -> None:
+    """A button of the plan opens the activity; the lesson's file opens it on the other PCs, without a PIN."""
+    mine, *others = pcs
+    as_teacher(mine)
+    to_part(mine, "plan")
+    button = mine["plan-open"].and_(mine.page.locator(f"[data-name={activity}]"))
+    button.click()
+    expect(button).to_have_attribute("aria-pressed", "true")
+    to_part(mine, "lessons")
+    with mine.page.expect_download() as download:
+        mine["lesson-file-save"].click()
+    file = stick.parent / download.value.suggested_filename
+    download.value.save_as(file)
+    pictures.take(mine, f"open-{activity}")
+    mine["sign-out"].click()
+    for pc in others:
+        pc["home"].click()
+        pc["lesson-file-open"].set_input_files(file)
+        expect(pc["group-card"]).to_have_count(len(GROUPS))
 
 
 def as_teacher(pc: Studio) -> Studio:
@@ -219,10 +236,10 @@ def told(pc: Studio, words: str) -> None:
 
 
 def corner_at_once(pc: Studio, pictures: Pictures) -> None:
-    pictures.take(pc, "5-mission")
+    pictures.take(pc, "mission")
     append(pc, (MOVE, "3"), (TURN, "90"), (MOVE, "3"))
     passed(pc)
-    pictures.take(pc, "7-done")
+    pictures.take(pc, "done")
 
 
 def corner_to_the_wrong_side(pc: Studio, pictures: Pictures) -> None:
@@ -231,7 +248,7 @@ def corner_to_the_wrong_side(pc: Studio, pictures: Pictures) -> None:
     told(pc, "a escola ficou de que lado?")
     expect(pc.blocks.fault_words()).to_have_count(1)
     expect(pc.blocks.fault_words()).to_contain_text("que lado?")
-    pictures.take(pc, "6-not-yet")
+    pictures.take(pc, "not-yet")
     pc["mission-hint"].click()
     pc.blocks.choose(pc.blocks.by_words(TURN), "esquerda")
     pc.eventually(lambda: pc.values("angle"), [None, 90, None])
@@ -274,10 +291,10 @@ def mirrored_letter(pc: Studio, pictures: Pictures) -> None:
     pc.blocks.choose(pc.blocks.by_words(TURN), "direita")
     append(pc, (MOVE, "1"))
     told(pc, "L no espelho")
-    pictures.take(pc, "9-mirrored")
+    pictures.take(pc, "mirrored")
     pc.blocks.choose(pc.blocks.by_words(TURN), "esquerda")
     passed(pc)
-    pictures.take(pc, "10-letter")
+    pictures.take(pc, "letter")
 
 
 def open_triangle(pc: Studio, pictures: Pictures) -> None:
@@ -303,7 +320,7 @@ def sign_decides(pc: Studio, pictures: Pictures) -> None:
     write_program(pc, READ + MOVE_IF_B)
     pc.run()
     expect(pc["capture"]).to_be_visible(timeout=CAMERA_MS)
-    pictures.take(pc, "11-sign")
+    pictures.take(pc, "sign")
     expect(pc["mission-done"]).to_be_visible(timeout=CAMERA_MS + RUN_MS)
 
 
@@ -326,21 +343,14 @@ SIGNS: dict[str, Work] = {
 }
 
 
+LESSON = {"around_the_corner": AROUND_THE_CORNER, "letter": LETTERS, "sign_b": SIGNS}
+
+
 def the_last_eight_minutes(pc: Studio, pictures: Pictures) -> None:
-    """92-100 min: what happened, on the teacher's PC; the file of each PC was merged."""
-    wanted = {
-        "Só com o B": ("3 de 5", ("Botos", "Corujas")),
-        "A letra do grupo": ("3 de 5", ("Corujas", "Emas")),
-        "Virar a esquina": ("4 de 5", ("Dourados",)),
-    }
-    for title, (solved, stuck) in wanted.items():
-        to_part(pc, "lessons")
-        pc["lesson-row"].filter(has_text=title).get_by_test_id("lesson-link").click()
-        summary = pc["lesson-summary"]
-        expect(summary).to_contain_text(f"Cumpriram a atividade: {solved}")
-        expect(pc["review-group"]).to_have_count(5)
-        for name in stuck:
-            expect(pc.page.locator(f"[data-testid=review-group][data-name={name}]")).to_be_visible()
-        pictures.take(pc, f"12-review-{solved[0]}-{title.split()[0].lower()}")
-        assert violations(pc) == []
-        as_teacher(pc)
+    """92-100 min: what happened, on the teacher's PC, once the files of the other PCs are merged."""
+    to_part(pc, "lessons")
+    pc["lesson-row"].filter(has_text="Aula de duas horas").get_by_test_id("lesson-link").click()
+    expect(pc["review-group"]).to_have_count(5)
+    expect(pc["lesson-summary"]).to_contain_text("3 de 5")
+    assert violations(pc) == []
+    pictures.take(pc, "review")

@@ -14,6 +14,7 @@ def healthy() -> dict[str, Any]:
         "ok": True,
         "window": {"backend": "gtk", "ready_s": 1.8},
         "run": {"state": "finished", "closing_error_m": 1e-15, "duration_s": 15.8},
+        "judged": True,
         "signs": ["B", "A"],
         "store": {"telemetry_sha256": "c7e0"},
     }
@@ -24,7 +25,7 @@ def test_a_healthy_answer_has_no_fault() -> None:
 
 
 def test_an_empty_answer_is_faulty_in_everything() -> None:
-    assert len(smoke.faults_of({})) == 8
+    assert len(smoke.faults_of({})) == 9
 
 
 @pytest.mark.parametrize(
@@ -41,6 +42,10 @@ def test_one_wrong_value_is_found(part: str, key: str, value: object) -> None:
     found = healthy()
     found[part][key] = value
     assert smoke.faults_of(found) == [f"{part}.{key}"]
+
+
+def test_a_run_that_was_not_judged_is_found() -> None:
+    assert smoke.faults_of({**healthy(), "judged": False}) == ["judged"]
 
 
 def test_signs_that_were_not_seen_are_found() -> None:

@@ -36,9 +36,7 @@ export class Faults {
     for (const [id, words] of this.marked) if (wanted.get(id) !== words) this.clearBlock(id);
     this.shown = faults;
     const added = [...wanted].filter(([id, words]) => this.mark(id, words));
-    if (!added[0]) return;
-    closeBubbles(this.workspace);
-    void this.openBubble(added[0][0]);
+    if (added[0]) void this.openAlone(added[0][0]);
   }
 
   has(id: string): boolean {
@@ -59,6 +57,15 @@ export class Faults {
     block.setWarningText(null, `pinel_${this.kind}`);
   }
 
+  /** Opens the bubble of a block and closes all others, also those that are still being drawn. */
+  private async openAlone(id: string): Promise<void> {
+    openedLast.set(this.workspace, id);
+    closeBubbles(this.workspace);
+    await this.openBubble(id);
+    if (openedLast.get(this.workspace) !== id)
+      closeBubbles(this.workspace, openedLast.get(this.workspace));
+  }
+
   /** Opens the bubble of a block; on request both are brought into view, above trash and zoom buttons. */
   async openBubble(id: string, isBroughtIntoView = false): Promise<void> {
     const block = this.workspace.getBlockById(id);
@@ -72,8 +79,9 @@ export class Faults {
     // the fault may be gone by then, with its icon but without a bubble that was drawn afterwards
     if (!block.getIcons().includes(icon)) return bubble?.dispose();
     this.dress(block, bubble);
-    placeBeside(block, bubble);
-    if (bubble && isBroughtIntoView) bringBoundsIntoView(this.workspace, around(block, bubble));
+    const isBelow = placeBubble(block, bubble) === "below";
+    if (bubble && (isBroughtIntoView || isBelow))
+      bringBoundsIntoView(this.workspace, around(block, bubble));
   }
 
   private dress(block: Blockly.BlockSvg, bubble: Blockly.IBubble | null): void {
@@ -92,28 +100,35 @@ export class Faults {
   }
 }
 
-function closeBubbles(workspace: Blockly.WorkspaceSvg): void {
-  const icons = workspace.getAllBlocks(false).flatMap((block) => block.getIcons());
+/** Blocks whose bubbles opened by themselves last. */
+const openedLast = new WeakMap<Blockly.WorkspaceSvg, string>();
+
+function closeBubbles(workspace: Blockly.WorkspaceSvg, but?: string): void {
+  const blocks = workspace.getAllBlocks(false).filter((block) => block.id !== but);
+  const icons = blocks.flatMap((block) => block.getIcons());
   for (const icon of icons)
     if (hasBubble(icon) && icon.bubbleIsVisible()) void icon.setBubbleVisible(false);
 }
 
 /**
- * Places the bubble where it covers no block and needs no tail: beside its block, else below the whole stack. Without
- * room it stays put.
+ * Places the bubble where it covers no block and needs no tail: beside its block, else below the stack, which scrolls
+ * where it takes room for that. Where the end of the stack is out of view, the bubble stays put.
  */
-export function placeBeside(block: Blockly.BlockSvg, bubble: Blockly.IBubble | null): void {
-  if (!(bubble instanceof Blockly.bubbles.TextBubble)) return;
+export function placeBubble(
+  block: Blockly.BlockSvg,
+  bubble: Blockly.IBubble | null,
+): "beside" | "below" | null {
+  if (!(bubble instanceof Blockly.bubbles.TextBubble)) return null;
   const view = block.workspace.getMetricsManager().getViewMetrics(true);
   const { left, right, top } = block.getBoundingRectangleWithoutChildren();
   const below = block.getRootBlock().getBoundingRectangle().bottom + GAP;
   const root = bubble.getSvgRoot() as SVGGraphicsElement;
-  const { width, height } = root.getBBox();
-  const isBeside = right + GAP + width <= view.left + view.width;
-  if (!isBeside && below + height > view.top + view.height) return;
+  const isBeside = right + GAP + root.getBBox().width <= view.left + view.width;
+  if (!isBeside && below > view.top + view.height) return null;
   const [x, y] = isBeside ? [right + GAP, top] : [left, below];
   bubble.setPositionRelativeToAnchor(x - left - ICON_INSET, y - top - ICON_INSET);
   Blockly.utils.dom.addClass(root, "pinelBesideBubble");
+  return isBeside ? "beside" : "below";
 }
 
 /** The rectangle around a block and its bubble, in workspace units. */

@@ -1,5 +1,5 @@
 import * as Blockly from "blockly/core";
-import { placeBeside } from "./faults";
+import { placeBubble } from "./faults";
 import { impossibleIn } from "./impossible";
 import { unknownIn, wordsOfSigns } from "./unknown_signs";
 import { wrapWords } from "./wrap_words";
@@ -39,7 +39,7 @@ export class Notices {
     }
     const isFaulty = block.getSvgRoot().classList.contains("pinelFault");
     bubble.getSvgRoot().classList.toggle(BUBBLE, !isFaulty);
-    placeBeside(block, bubble);
+    placeBubble(block, bubble);
   }
 
   private show(id: string, words: string | null): void {
