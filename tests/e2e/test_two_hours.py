@@ -170,7 +170,7 @@ def open_on_all(pcs: list[Studio], activity: str, stick: Path, pictures: Picture
         mine["lesson-file-save"].click()
     file = stick.parent / download.value.suggested_filename
     download.value.save_as(file)
-    pictures.take(mine, f"open-{activity}")
+    pictures.take(mine, "file")
     mine["sign-out"].click()
     for pc in others:
         pc["home"].click()
@@ -294,7 +294,6 @@ def mirrored_letter(pc: Studio, pictures: Pictures) -> None:
     pictures.take(pc, "mirrored")
     pc.blocks.choose(pc.blocks.by_words(TURN), "esquerda")
     passed(pc)
-    pictures.take(pc, "letter")
 
 
 def open_triangle(pc: Studio, pictures: Pictures) -> None:

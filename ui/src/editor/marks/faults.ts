@@ -112,7 +112,7 @@ function closeBubbles(workspace: Blockly.WorkspaceSvg, but?: string): void {
 
 /**
  * Places the bubble where it covers no block and needs no tail: beside its block, else below the stack, which scrolls
- * where it takes room for that. Where the end of the stack is out of view, the bubble stays put.
+ * where it takes room for that. Where a stack is too long for the view, the bubble stays put.
  */
 export function placeBubble(
   block: Blockly.BlockSvg,
@@ -121,10 +121,11 @@ export function placeBubble(
   if (!(bubble instanceof Blockly.bubbles.TextBubble)) return null;
   const view = block.workspace.getMetricsManager().getViewMetrics(true);
   const { left, right, top } = block.getBoundingRectangleWithoutChildren();
-  const below = block.getRootBlock().getBoundingRectangle().bottom + GAP;
+  const stack = block.getRootBlock().getBoundingRectangle();
+  const below = stack.bottom + GAP;
   const root = bubble.getSvgRoot() as SVGGraphicsElement;
   const isBeside = right + GAP + root.getBBox().width <= view.left + view.width;
-  if (!isBeside && below > view.top + view.height) return null;
+  if (!isBeside && below > Math.min(stack.top, view.top) + view.height) return null;
   const [x, y] = isBeside ? [right + GAP, top] : [left, below];
   bubble.setPositionRelativeToAnchor(x - left - ICON_INSET, y - top - ICON_INSET);
   Blockly.utils.dom.addClass(root, "pinelBesideBubble");
