@@ -49,5 +49,5 @@ def test_the_page_arrives_in_its_theme(open_studio: OpenStudio) -> None:
     asked: list[str] = []
     studio.page.on("request", lambda request: asked.append(request.url))
     studio.page.reload()
-    studio.page.wait_for_function("document.documentElement.dataset.ready")
+    expect(studio.page.locator("html[data-ready]")).to_be_attached()
     assert not [url for url in asked if "/settings" in url]
