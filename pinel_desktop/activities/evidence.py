@@ -27,7 +27,8 @@ STEP_M, STEP_RAD, STEP_DONE = 1e-4, 1e-4, 1e-3  # what a record rounds to
 _COUNTED_MEASURED_M = 0.02  # a shorter motion of a measured pose is noise
 _DOT_M = 0.01  # a shorter line is not seen
 _COUNTED_RAD = np.radians(2.0)
-_COLUMNS = ("x_m", "y_m", "yaw_rad", "done", "bumper", "true_x_m", "true_y_m", "true_yaw_rad")
+# the columns of telemetry that checks look at
+COLUMNS = ("x_m", "y_m", "yaw_rad", "done", "bumper", "true_x_m", "true_y_m", "true_yaw_rad")
 _NO_END: Mapping[str, Any] = {
     "type": RunEnded.type,
     "state": "failed",
@@ -78,7 +79,7 @@ class RunLog:
     @classmethod
     def of_columns(cls, column: Callable[[str], Rows], events: Iterable[Wire]) -> "RunLog":
         """From columns of telemetry in their order, NaN for null, and the other events."""
-        values = {name: column(name) for name in _COLUMNS}
+        values = {name: column(name) for name in COLUMNS}
         own = np.column_stack([values["x_m"], values["y_m"], values["yaw_rad"]])
         true = np.column_stack([values[f"true_{name}"] for name in ("x_m", "y_m", "yaw_rad")])
         known = ~np.isnan(true).any(axis=1, keepdims=True)
@@ -130,21 +131,21 @@ class LogWriter:
     def observe(self, tick: int, event: Event) -> None:
         """Takes an event of the executor."""
         if type(event) is Telemetry:
-            self._add(attrgetter(*_COLUMNS)(event))
+            self._add(attrgetter(*COLUMNS)(event))
         elif event.kept:
             self._events.append({**event.flat(), "tick": tick})
 
     def take(self, event: Wire) -> None:
         """Takes an event as it is on the wire."""
         if event["type"] == Telemetry.type:
-            self._add(tuple(event.get(name) for name in _COLUMNS))
+            self._add(tuple(event.get(name) for name in COLUMNS))
         elif event["type"] in KEPT:
             self._events.append(event)
 
     def log(self) -> RunLog:
         """Everything so far."""
-        rows = np.array(self._samples, dtype=np.float64).reshape(-1, len(_COLUMNS))
-        return RunLog.of_columns(lambda name: rows[:, _COLUMNS.index(name)], self._events)
+        rows = np.array(self._samples, dtype=np.float64).reshape(-1, len(COLUMNS))
+        return RunLog.of_columns(lambda name: rows[:, COLUMNS.index(name)], self._events)
 
     def _add(self, values: tuple[float | None, ...]) -> None:
         self._samples.extend(_MISSING if value is None else float(value) for value in values)

@@ -8,10 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pinel_desktop.activities.evidence import COLUMNS
 from pinel_desktop.events.app_events import JudgedCase
-
-# the columns of a run's telemetry that checks look at
-COLUMNS = ("x_m", "y_m", "yaw_rad", "done", "bumper", "true_x_m", "true_y_m", "true_yaw_rad")
 
 
 @dataclass(frozen=True, slots=True)

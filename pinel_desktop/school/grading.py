@@ -117,7 +117,8 @@ class Grader:
 
     def _seen(self, run: RunRow) -> "SeenRun | None":
         """The run that the group saw, where its record is whole."""
-        from pinel_desktop.judge.messages import COLUMNS, SeenRun  # noqa: PLC0415 - heavy
+        from pinel_desktop.activities.evidence import COLUMNS  # noqa: PLC0415 - heavy
+        from pinel_desktop.judge.messages import SeenRun  # noqa: PLC0415 - heavy
 
         telemetry = self._store.runs.telemetry(run.id)
         if run.link != "sim" or run.state == "stopped" or len(telemetry.rows) == 0:
