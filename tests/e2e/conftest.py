@@ -3,6 +3,7 @@
 import os
 import shutil
 from collections.abc import Callable, Generator, Iterator
+from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
@@ -109,6 +110,30 @@ def open_studio(
 def studio(open_studio: OpenStudio) -> Studio:
     """The page of an empty app."""
     return open_studio()
+
+
+@pytest.fixture
+def open_pc(
+    browser: Browser, watch: Watch, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[OpenStudio]:
+    """Opens the page of one more PC: an app with an empty file, started with the given options."""
+    with ExitStack() as stack:
+
+        def open_(*options: str) -> Studio:
+            app = AppProcess(tmp_path_factory.mktemp("pc"), *options)
+            link = app.start()
+            stack.callback(app.stop)
+            context = browser.new_context(
+                viewport={"width": 1366, "height": 768}, locale="pt-BR", reduced_motion="reduce"
+            )
+            stack.callback(context.close)
+            context.set_default_timeout(15_000)
+            watch.over(context)
+            page = context.new_page()
+            page.goto(link)
+            return Studio(page)
+
+        yield open_
 
 
 @pytest.fixture(scope="module")

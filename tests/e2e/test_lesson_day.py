@@ -1,16 +1,14 @@
 """A lesson of five groups on three PCs, as it goes: prepared by stick, worked in, merged, and read by the teacher."""
 
-from collections.abc import Callable, Iterator
-from contextlib import ExitStack
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Locator, expect
+from playwright.sync_api import Locator, expect
 
-from tests.e2e.app_process import AppProcess
+from tests.e2e.conftest import OpenStudio
 from tests.e2e.python_pane import write_program
 from tests.e2e.studio import Studio
-from tests.e2e.watch import Watch
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(400)]
 
@@ -21,27 +19,9 @@ LESSON = "Quadrados"
 
 
 @pytest.fixture
-def pcs(
-    browser: Browser, watch: Watch, tmp_path_factory: pytest.TempPathFactory
-) -> Iterator[list[Studio]]:
+def pcs(open_pc: OpenStudio) -> list[Studio]:
     """Three PCs with an empty file each; the first is the teacher's."""
-    with ExitStack() as stack:
-
-        def pc(number: int) -> Studio:
-            app = AppProcess(tmp_path_factory.mktemp(f"pc{number}"))
-            link = app.start()
-            stack.callback(app.stop)
-            context = browser.new_context(
-                viewport={"width": 1366, "height": 768}, locale="pt-BR", reduced_motion="reduce"
-            )
-            stack.callback(context.close)
-            context.set_default_timeout(15_000)
-            watch.over(context)
-            page = context.new_page()
-            page.goto(link)
-            return Studio(page)
-
-        yield [pc(number) for number in (1, 2, 3)]
+    return [open_pc() for _ in range(3)]
 
 
 @pytest.fixture

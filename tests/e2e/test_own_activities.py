@@ -1,14 +1,12 @@
 """A teacher makes an activity and opens a lesson with it; one file prepares another PC, where a group solves it."""
 
-from collections.abc import Iterator
-from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, expect
+from playwright.sync_api import expect
 
-from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
+from tests.e2e.conftest import OpenStudio
 from tests.e2e.python_pane import write_program
 from tests.e2e.studio import Studio
 from tests.e2e.test_lesson_day import prepare
@@ -21,27 +19,9 @@ TWO_METRES = "robot.move_forward(2)\n"
 
 
 @pytest.fixture
-def pcs(
-    browser: Browser, watch: Watch, tmp_path_factory: pytest.TempPathFactory
-) -> Iterator[list[Studio]]:
+def pcs(open_pc: OpenStudio) -> list[Studio]:
     """The teacher's PC and a PC of the lab, with an empty file each."""
-    with ExitStack() as stack:
-
-        def pc(number: int) -> Studio:
-            app = AppProcess(tmp_path_factory.mktemp(f"pc{number}"))
-            link = app.start()
-            stack.callback(app.stop)
-            context = browser.new_context(
-                viewport={"width": 1366, "height": 768}, locale="pt-BR", reduced_motion="reduce"
-            )
-            stack.callback(context.close)
-            context.set_default_timeout(15_000)
-            watch.over(context)
-            page = context.new_page()
-            page.goto(link)
-            return Studio(page)
-
-        yield [pc(1), pc(2)]
+    return [open_pc(), open_pc()]
 
 
 def test_an_activity_of_the_teacher_is_solved_on_another_pc(

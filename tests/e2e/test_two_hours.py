@@ -3,23 +3,21 @@
 `--pictures FOLDER` keeps a picture of each step, for docs/teacher.pt-BR.md.
 """
 
-from collections.abc import Callable, Iterator
-from contextlib import ExitStack
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, expect
+from playwright.sync_api import expect
 
-from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
+from tests.e2e.conftest import OpenStudio
 from tests.e2e.python_pane import write_program
 from tests.e2e.studio import RUN_MS, Studio
 from tests.e2e.test_camera import CAMERA_MS, RECORDINGS
 from tests.e2e.test_classes import PIN, to_part
 from tests.e2e.test_examples import open_example
 from tests.e2e.test_lesson_day import at_the_stick, merge_all, prepare, save_on
-from tests.e2e.watch import Watch
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(600)]
 
@@ -58,28 +56,9 @@ def pictures(request: pytest.FixtureRequest) -> Pictures:
 
 
 @pytest.fixture
-def pcs(
-    browser: Browser, watch: Watch, tmp_path_factory: pytest.TempPathFactory
-) -> Iterator[list[Studio]]:
+def pcs(open_pc: OpenStudio) -> list[Studio]:
     """Three PCs with an empty file each, all with a camera that sees B; the first is the teacher's."""
-    with ExitStack() as stack:
-
-        def pc(number: int) -> Studio:
-            home = tmp_path_factory.mktemp(f"pc{number}")
-            app = AppProcess(home, "--camera", str(RECORDINGS / "b.npz"))
-            link = app.start()
-            stack.callback(app.stop)
-            context = browser.new_context(
-                viewport={"width": 1366, "height": 768}, locale="pt-BR", reduced_motion="reduce"
-            )
-            stack.callback(context.close)
-            context.set_default_timeout(15_000)
-            watch.over(context)
-            page = context.new_page()
-            page.goto(link)
-            return Studio(page)
-
-        yield [pc(number) for number in (1, 2, 3)]
+    return [open_pc("--camera", str(RECORDINGS / "b.npz")) for _ in range(3)]
 
 
 def test_two_hours_of_five_groups(pcs: list[Studio], tmp_path: Path, pictures: Pictures) -> None:
