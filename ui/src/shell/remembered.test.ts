@@ -1,10 +1,12 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 
-const sent = vi.fn(async (request: Request) => {
+const sent = vi.fn<(request: Request) => Promise<Response>>();
+let bodies: unknown[] = [];
+
+async function answer(request: Request) {
   bodies.push(await request.json());
   return new Response("{}", { headers: { "Content-Type": "application/json" } });
-});
-let bodies: unknown[] = [];
+}
 
 /** The module as the page loads it, served with these settings. */
 async function served(kept?: Record<string, string>) {
@@ -16,10 +18,13 @@ async function served(kept?: Record<string, string>) {
 
 beforeEach(() => {
   bodies = [];
-  sent.mockClear();
+  sent.mockReset().mockImplementation(answer);
   vi.stubGlobal("fetch", sent);
 });
-afterEach(() => vi.unstubAllGlobals());
+afterEach(() => {
+  vi.unstubAllGlobals();
+  sessionStorage.clear();
+});
 
 test("the page is served with what was kept, and asks for nothing", async () => {
   const { remembered } = await served({ pinel_theme: "dark" });
@@ -46,9 +51,19 @@ test("a cookie of an earlier release is read once and goes to the server", async
   await vi.waitFor(() => expect(bodies).toEqual([{ name: "pinel_muted", value: "1" }]));
 });
 
-test("where the server keeps nothing, it holds until the page is left", async () => {
-  sent.mockImplementationOnce(async () => new Response("{}", { status: 503 }));
+test("where the server keeps nothing, it holds until the window is closed", async () => {
+  sent.mockImplementation(async () => new Response("{}", { status: 503 }));
   const { remember, remembered } = await served();
   remember("pinel_turns", "5");
   expect(remembered("pinel_turns")).toBe("5");
+  expect((await served()).remembered("pinel_turns")).toBe("5");
+});
+
+test("a choice whose request did not get through before the page was left is sent again", async () => {
+  sent.mockImplementationOnce(() => Promise.reject(new TypeError("Failed to fetch")));
+  (await served({ pinel_class: "a" })).remember("pinel_class", "b");
+  const { remembered } = await served({ pinel_class: "a" });
+  expect(remembered("pinel_class")).toBe("b");
+  await vi.waitFor(() => expect(bodies).toEqual([{ name: "pinel_class", value: "b" }]));
+  await vi.waitFor(() => expect(sessionStorage).toHaveLength(0));
 });

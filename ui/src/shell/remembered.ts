@@ -7,16 +7,31 @@ import { put } from "../api/client";
  */
 const kept: Record<string, string> = JSON.parse(document.documentElement.dataset.kept ?? "{}");
 
+// A page that is reloaded at once may be served before the server has read what was chosen last: the choice is sent again.
+const UNSENT = "pinel_unsent_";
+for (const [key, value] of Object.entries(sessionStorage)) {
+  if (key.startsWith(UNSENT)) send(key.slice(UNSENT.length), value);
+}
+
 /** A setting of this PC, or null. */
 export function remembered(name: string): string | null {
   return kept[name] ?? ofEarlierRelease(name);
 }
 
 export function remember(name: string, value: string): void {
-  if (kept[name] === value) return;
+  if (kept[name] !== value) send(name, value);
+}
+
+function send(name: string, value: string): void {
   kept[name] = value;
-  // where the server cannot keep it, it holds until the page is left
-  put("/api/settings/page", { body: { name, value } }).catch(() => {});
+  sessionStorage.setItem(UNSENT + name, value);
+  put("/api/settings/page", { body: { name, value }, keepalive: true })
+    .then(() => {
+      // a later choice of the same setting may still be under way
+      if (kept[name] === value) sessionStorage.removeItem(UNSENT + name);
+    })
+    // where the server cannot keep it, it holds until the window is closed
+    .catch(() => {});
 }
 
 /** Earlier releases kept settings in cookies; each is read once, and goes to the server. */
