@@ -1,7 +1,7 @@
 """Goal and progress checks: whether a motion has arrived, and whether it is stuck. Independent of the controller."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from pinel_desktop.robot.geometry import Twist2D
 
@@ -40,6 +40,26 @@ class GoalCheck:
 
 MOVE_GOAL = GoalCheck(fine=2e-5, near=0.002, coarse=0.01)
 TURN_GOAL = GoalCheck(fine=math.radians(0.003), near=math.radians(0.15), coarse=0.01)
+
+
+@dataclass(frozen=True, slots=True)
+class Goals:
+    """When motions have arrived.
+
+    Attributes:
+        move: of lines and arcs, in m.
+        turn: of turns, in rad.
+    """
+
+    move: GoalCheck = MOVE_GOAL
+    turn: GoalCheck = TURN_GOAL
+
+    def widened(self, move_m: float, turn_rad: float) -> "Goals":
+        """With these errors accepted in the end: wheels of a real robot stick before they move by less."""
+        return Goals(replace(self.move, coarse=move_m), replace(self.turn, coarse=turn_rad))
+
+
+GOALS = Goals()
 
 
 class ProgressCheck:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from random import Random
 
 from pinel_desktop.control import DEFAULT_GAINS, Gains, Trim
+from pinel_desktop.control.goal import GOALS, Goals
 from pinel_desktop.events.model import Event
 from pinel_desktop.execution.expressions.evaluation import Evaluator
 from pinel_desktop.execution.expressions.variables import Variables
@@ -47,6 +48,7 @@ class RunContext:
         robot: dimensions and limits of the robot.
         command_delay_s: delay (s) of a commanded velocity on this link.
         gains: gains of the controller.
+        goals: when motions have arrived.
         trim: wheel correction learned by the controller.
         semantics: version of what commands and sensors mean (`semantics.py`).
         sources: gestures, answers, measurements and random numbers.
@@ -81,6 +83,7 @@ class RunContext:
     emit: Callable[[Event], None]
     observed: bool = True
     gains: Gains = DEFAULT_GAINS
+    goals: Goals = GOALS
     trim: Trim = field(default_factory=Trim)
     semantics: int = CURRENT
     tick: int = 1

@@ -7,7 +7,7 @@ from random import Random
 from typing import Any, Literal
 
 from pinel_desktop.control import DEFAULT_GAINS, SLIPPING_GAINS, Gains
-from pinel_desktop.control.goal import at_rest
+from pinel_desktop.control.goal import GOALS, Goals, at_rest
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, GestureResult, Marked, RunEnded, RunState, Telemetry
 from pinel_desktop.execution.clock import TICK_HZ, TICK_S, WALL_TIME, Clock, MaxClock, WallTime
@@ -66,6 +66,7 @@ class RunOptions:
         seed: seed of the run's random generator.
         robot: dimensions and limits of the robot.
         gains: gains of the controller; None for the link's defaults.
+        goals: when motions have arrived.
         semantics: version of what commands and sensors mean (`semantics.py`).
         step_limit: ends a run that only calculates, as failed, reason `too_busy`; None for no limit.
     """
@@ -78,6 +79,7 @@ class RunOptions:
     seed: int = 0
     robot: RobotModel = PIONEER_3DX
     gains: Gains | None = None
+    goals: Goals = GOALS
     semantics: int = CURRENT
     step_limit: StepLimit | None = None
 
@@ -107,6 +109,7 @@ class _Run:
             self._emit,
             observed=options.observer is not None,
             gains=options.gains or (SLIPPING_GAINS if link.slips else DEFAULT_GAINS),
+            goals=options.goals,
             semantics=options.semantics,
         )
         self._stack = ProgramStack(program, self._context)
@@ -162,7 +165,9 @@ class _Run:
         return "finished", None, {}
 
     def _connect(self) -> None:
-        self._link.connect()
+        self._link.connect(self._stop_requested)
+        if self._control.stop_requested:
+            raise _Stopped
         start = self._link.read()
         self._origin = None if start.pose == Pose2D() else start.pose
         self._context.origin = start.pose

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 
 from pinel_desktop.control import ApproachCheck, Arc, Line, ProgressCheck, hold_position, s_curve
-from pinel_desktop.control.goal import MOVE_GOAL, TURN_GOAL, at_rest
+from pinel_desktop.control.goal import at_rest
 from pinel_desktop.execution.clock import TICK_HZ, TICK_S
 from pinel_desktop.execution.context import RunContext, RunFailureError
 from pinel_desktop.execution.requests import Routine
@@ -129,7 +129,7 @@ def drive_straight(
         expected, speed, past_end = setpoints.next(along)
         if (
             past_end >= 0
-            and MOVE_GOAL.arrived(distance_m - along, context.twist, past_end)
+            and context.goals.move.arrived(distance_m - along, context.twist, past_end)
             and not sliding.is_beside()
         ):
             break
@@ -171,7 +171,9 @@ def turn_on_the_spot(context: RunContext, angle_rad: float) -> Routine:
         turned += wrap_angle(context.pose.yaw_rad - yaw)
         yaw = context.pose.yaw_rad
         expected, speed, past_end = setpoints.next(turned)
-        if past_end >= 0 and TURN_GOAL.arrived(angle_rad - turned, context.twist, past_end):
+        if past_end >= 0 and context.goals.turn.arrived(
+            angle_rad - turned, context.twist, past_end
+        ):
             break
         if progress.stuck(turned, context.tick):
             raise _blocked_turn(turned, angle_rad)
@@ -213,8 +215,8 @@ def drive_arc(context: RunContext, radius_m: float, angle_rad: float) -> Routine
         along_m, across_m, yaw_error = arc.errors(context.pose, expected)
         if (
             past_end >= 0
-            and MOVE_GOAL.arrived(along_m, context.twist, past_end)
-            and TURN_GOAL.arrived(yaw_error, context.twist, past_end)
+            and context.goals.move.arrived(along_m, context.twist, past_end)
+            and context.goals.turn.arrived(yaw_error, context.twist, past_end)
             and abs(across_m) <= _BESIDE_M
         ):
             break

@@ -1,10 +1,14 @@
-"""Robot links: one module for each backend, which `open_link` imports by name."""
+"""Robot links: one module for each backend, which `open_link` imports by name.
+
+Real robots: `real.py` is the link, over the transport of a backend (`transport.py`).
+"""
 
 import importlib
 from typing import Any, cast
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.robot import RobotLink, Setting
+from pinel_desktop.robot.record import RobotRecord
 
 _BACKENDS = {"sim": ("pinel_desktop.links.sim", "SimLink")}
 LINK_NAMES = tuple(_BACKENDS)
@@ -17,13 +21,13 @@ def open_link(
     world: str | dict[str, Any],
     setting: Setting = _DEFAULT_SETTING,
     seed: int = 0,
-    address: str | None = None,
+    robot: RobotRecord | None = None,
 ) -> RobotLink:
     """A new link of the backend `name`, not yet connected.
 
     Args:
-        world: name of a shipped world, or a world document.
-        address: address of the robot, for backends that need one.
+        world: name of a shipped world, or a world document; a real robot ignores it.
+        robot: record of a real robot; None for the simulator.
 
     Raises:
         PinelError: `unknown_link`, `unknown_robot`, and errors of the backend such as `unknown_world`.
@@ -32,4 +36,4 @@ def open_link(
         raise PinelError("unknown_link", value=name, allowed=list(LINK_NAMES))
     module, class_name = _BACKENDS[name]
     backend = getattr(importlib.import_module(module), class_name)
-    return cast(RobotLink, backend(world=world, setting=setting, seed=seed, address=address))
+    return cast(RobotLink, backend(world=world, setting=setting, seed=seed, robot=robot))

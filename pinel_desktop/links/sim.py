@@ -16,6 +16,7 @@ from pinel_desktop.robot import (
     Twist2D,
     wrap_angle,
 )
+from pinel_desktop.robot.record import RobotRecord
 from pinel_desktop.robot.sensors import SCAN_RAD, missing
 from sim.realistic import REALISTIC, MeasurementNoise, RealisticDrive
 from sim.simulator import TICK_S, Simulator
@@ -138,23 +139,23 @@ class SimLink:
         world: str | dict[str, Any],
         setting: Setting,
         seed: int,
-        address: str | None = None,
+        robot: RobotRecord | None = None,
     ) -> None:
         try:
             read = load_world if isinstance(world, str) else world_from_document
             self._world = read(world)  # type: ignore[arg-type] # as its type says
         except WorldError as error:
             raise PinelError(error.code, **error.params) from error
-        robot = setting.robot
-        self._max_v, self._max_omega = robot.max_v_mps, robot.max_omega_radps
+        model = setting.robot
+        self._max_v, self._max_omega = model.max_v_mps, model.max_omega_radps
         self._twist = STANDSTILL
-        self.simulator = Simulator(self._world, robot)
+        self.simulator = Simulator(self._world, model)
         self.command_delay_s = self.simulator.delay_s
         self.slips = setting.preset == "realistic"
         self._drive: RealisticDrive | None = None
-        self.sensors: Sensors = SimSensors(self.simulator, robot, self._world)
+        self.sensors: Sensors = SimSensors(self.simulator, model, self._world)
         if self.slips:
-            self._make_realistic(robot, setting, seed)
+            self._make_realistic(model, setting, seed)
 
     def _make_realistic(self, robot: RobotModel, setting: Setting, seed: int) -> None:
         self._drive = RealisticDrive(self.simulator, robot.track_m, seed)
@@ -165,7 +166,7 @@ class SimLink:
             self.simulator, robot, self._world, self._drive, self._measuring
         )
 
-    def connect(self) -> None:
+    def connect(self, cancelled: Callable[[], bool] = lambda: False) -> None:
         """Does nothing: the simulator is ready once constructed."""
 
     def read(self) -> RobotState:

@@ -1,5 +1,6 @@
 """The protocol of all robots: read the state, command a velocity."""
 
+from collections.abc import Callable
 from typing import NamedTuple, Protocol
 
 from pinel_desktop.robot.geometry import Pose2D, Twist2D
@@ -37,8 +38,11 @@ class RobotLink(Protocol):
     slips: bool
     sensors: Sensors
 
-    def connect(self) -> None:
-        """Makes the robot ready. Raises PinelError that says what is missing and what to do."""
+    def connect(self, cancelled: Callable[[], bool] = lambda: False) -> None:
+        """Makes the robot ready; returns early and not ready when `cancelled()`, which it polls, is true.
+
+        Raises PinelError that says what is missing and what to do.
+        """
 
     def read(self) -> RobotState:
         """The latest state. Raises PinelError `link_lost` when the robot no longer reports."""

@@ -14,6 +14,7 @@ if TYPE_CHECKING:  # heavy, and the app starts without it
     from pinel_desktop.execution.control import RunControl
     from pinel_desktop.execution.executor import Observer
     from pinel_desktop.program.model import Program
+    from pinel_desktop.robot.record import RobotRecord
 
 Pace = Literal["live", "max"]
 Document = dict[str, Any] | list[Any]
@@ -38,7 +39,7 @@ class RunSpec:
         document: the program document.
         world: name or document of the simulator's world, or of the room that a real robot drives in.
         link: name of the robot link (`links.LINK_NAMES`).
-        address: where the link finds its robot; None for the simulator.
+        robot: how the link reaches its robot, and what it may do; None for the simulator.
         setting: the robot, how it is simulated and what it knows of its pose.
         seed: of the run's random numbers.
         inputs: where results of captures and answers to questions come from.
@@ -50,7 +51,7 @@ class RunSpec:
     document: Document
     world: str | dict[str, Any]
     link: str = "sim"
-    address: str | None = None
+    robot: RobotRecord | None = None
     setting: Setting = field(default_factory=Setting)
     seed: int = 0
     inputs: RunInputs = field(default_factory=ScriptedInputs)
@@ -64,7 +65,7 @@ class RunSpec:
             "document": self.document,
             "world": self.world,
             "link": self.link,
-            "address": self.address,
+            "robot": self.robot and self.robot.as_message(),
             "setting": self.setting.as_parameters(),
             "seed": self.seed,
             "pace": self.pace,
@@ -73,5 +74,16 @@ class RunSpec:
 
 
 def spec_from(message: Mapping[str, Any], inputs: RunInputs) -> RunSpec:
-    """The spec of a message. Raises PinelError `run_damaged` for a setting that never was one."""
-    return RunSpec(**{**message, "setting": setting_from(message["setting"])}, inputs=inputs)
+    """The spec of a message.
+
+    Raises PinelError `run_damaged` for a setting that never was one, and what `record_from` raises for the robot.
+    """
+    robot = message["robot"] and _record_from(message["robot"])
+    setting = setting_from(message["setting"])
+    return RunSpec(**{**message, "setting": setting, "robot": robot}, inputs=inputs)
+
+
+def _record_from(message: Mapping[str, Any]) -> RobotRecord:
+    from pinel_desktop.robot.record import record_from  # noqa: PLC0415 - for real robots only
+
+    return record_from(message)

@@ -2,8 +2,10 @@
 
 import contextlib
 import gc
+import math
 from collections.abc import Iterator
 
+from pinel_desktop.control.goal import GOALS, Goals
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event
 from pinel_desktop.execution.clock import WALL_TIME, Clock, LiveClock, MaxClock, WallTime
@@ -13,7 +15,7 @@ from pinel_desktop.execution.limits import StepLimit
 from pinel_desktop.links import open_link
 from pinel_desktop.program.model import Program
 from pinel_desktop.program.reading import read_document
-from pinel_desktop.robot import RobotLink
+from pinel_desktop.robot import RobotLink, RobotModel
 from pinel_desktop.runs.spec import RunSpec
 
 # what a person did in a recorded run takes no time when it is done again
@@ -43,7 +45,7 @@ def start(
     control = control or RunControl()
     program = spec.program or _read(spec)
     link = open_link(
-        spec.link, world=spec.world, setting=spec.setting, seed=spec.seed, address=spec.address
+        spec.link, world=spec.world, setting=spec.setting, seed=spec.seed, robot=spec.robot
     )
     options = RunOptions(
         observer=all_of(observer, spec.inputs.attach(control)),
@@ -52,7 +54,8 @@ def start(
         wall=wall if spec.inputs.is_live else _NO_TIME,
         inputs=spec.inputs,
         seed=spec.seed,
-        robot=spec.setting.robot,
+        robot=_model(spec),
+        goals=_goals(spec),
         semantics=spec.semantics,
         step_limit=step_limit,
     )
@@ -65,6 +68,18 @@ def _read(spec: RunSpec) -> Program:
     if reading.program is None:
         raise PinelError("invalid_program", count=len(reading.faults))
     return reading.program
+
+
+def _model(spec: RunSpec) -> RobotModel:
+    model = spec.setting.robot
+    return model if spec.robot is None else spec.robot.limited(model)
+
+
+def _goals(spec: RunSpec) -> Goals:
+    robot = spec.robot
+    if robot is None:
+        return GOALS
+    return GOALS.widened(robot.move_tolerance_m, math.radians(robot.turn_tolerance_deg))
 
 
 def _clock(spec: RunSpec, link: RobotLink, control: RunControl, wall: WallTime) -> Clock:

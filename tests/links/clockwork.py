@@ -11,19 +11,19 @@ from pinel_desktop.robot import STANDSTILL, Pose2D, RobotState, Sensors, Setting
 
 
 class ClockworkLink:
-    """A unicycle that follows commands instantly; `address` names its wall time."""
+    """A unicycle that follows commands instantly; `install` says by which wall time."""
 
     simulated = False
     command_delay_s = 0.0
     slips = False
-    walls: ClassVar[dict[str, WallTime]] = {}
+    wall: ClassVar[WallTime]
 
-    def __init__(self, *, world: Any, setting: Setting, seed: int, address: str | None) -> None:
+    def __init__(self, *, world: Any, setting: Setting, seed: int, robot: Any) -> None:
         self.sensors = Sensors()
-        self._now = self.walls[address or ""].now
+        self._now = self.wall.now
         self._pose, self._twist, self._at_s = Pose2D(), STANDSTILL, self._now()
 
-    def connect(self) -> None:
+    def connect(self, cancelled: Any = None) -> None:
         self._at_s = self._now()
 
     def read(self) -> RobotState:
@@ -52,6 +52,6 @@ class ClockworkLink:
 
 
 def install(monkeypatch: pytest.MonkeyPatch, wall: WallTime) -> None:
-    """Registers it as the link `clockwork` at the address `here`."""
-    monkeypatch.setitem(ClockworkLink.walls, "here", wall)
+    """Registers it as the link `clockwork`."""
+    monkeypatch.setattr(ClockworkLink, "wall", wall, raising=False)
     monkeypatch.setitem(links._BACKENDS, "clockwork", (__name__, ClockworkLink.__name__))

@@ -231,7 +231,7 @@ class TestARobotThatIsNotSimulated:
     def people(self, monkeypatch: pytest.MonkeyPatch) -> People:
         found = People(DRIVE, ASK, speed=10.0, pace="max")
         clockwork.install(monkeypatch, found.wall.time)
-        found.spec = replace(found.spec, link="clockwork", address="here")
+        found.spec = replace(found.spec, link="clockwork")
         return found
 
     def test_it_drives_on_while_it_asks(self, people: People) -> None:

@@ -1,0 +1,99 @@
+"""Checks of a robot's messages about itself: what cannot be is not taken for a measurement."""
+
+import math
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.links.transport import Odometry
+from pinel_desktop.robot import Pose2D, RobotState, Twist2D, wrap_angle
+
+# Farther than this from one message to the next is no drive but a lost reference: the robot was carried, or its
+# odometry began anew. A Pioneer at full speed needs 0.4 s for it.
+JUMP_M = 0.5
+_TURN_JUMP_RAD = math.radians(150.0)
+_JUMP_S = 0.4  # after a longer gap nothing can be said
+# Measured poses beyond are nonsense, and squares of them overflow nothing.
+_FARTHEST_M = 1e5
+_FASTEST_MPS, _FASTEST_RADPS = 20.0, 100.0
+_SHORTEST_S = 0.01  # between poses whose difference tells a velocity
+
+
+def yaw_of(x: float, y: float, z: float, w: float) -> float:
+    """Heading in rad of a quaternion, of any length; NaN for one without direction."""
+    if not 1e-6 < x * x + y * y + z * z + w * w < 1e6:
+        return math.nan
+    return math.atan2(2.0 * (w * z + x * y), w * w + x * x - y * y - z * z)
+
+
+class OdometryFilter:
+    """Turns messages into states; raises `reference_lost` where the robot is suddenly elsewhere.
+
+    Attributes:
+        state: the newest state; None before the first valid message.
+        arrived_s: when it arrived, by this PC's monotonic clock.
+        n_invalid: messages with impossible values, passed over.
+        n_late: messages whose time runs backwards, passed over.
+    """
+
+    def __init__(self) -> None:
+        self.state: RobotState | None = None
+        self.arrived_s = -math.inf
+        self.n_invalid = self.n_late = 0
+        self._stamp_s: float | None = None
+        self._frame: str | None = None
+
+    def take(self, message: Odometry, now_s: float) -> None:
+        """Takes a message that arrived at `now_s`. Raises PinelError `reference_lost`, `odometry_frame_changed`."""
+        if not _is_possible(message):
+            self.n_invalid += 1
+            return
+        if self._is_late(message, now_s):
+            self.n_late += 1
+            return
+        self._require_same_frame(message.frame)
+        pose = Pose2D(message.x_m, message.y_m, wrap_angle(message.yaw_rad))
+        before, gap_s = self.state, now_s - self.arrived_s
+        if before is not None and gap_s < _JUMP_S:
+            _require_no_jump(before.pose, pose)
+        twist = self._twist(message, pose, gap_s)
+        self.state, self.arrived_s, self._stamp_s = RobotState(pose, twist), now_s, message.stamp_s
+
+    def _is_late(self, message: Odometry, now_s: float) -> bool:
+        """True for a message out of order; after a robot's clock was set back, its messages count again before long."""
+        stamp, last = message.stamp_s, self._stamp_s
+        is_back = stamp is not None and last is not None and stamp < last
+        return is_back and now_s - self.arrived_s < _JUMP_S
+
+    def _require_same_frame(self, frame: str) -> None:
+        if self._frame is None:
+            self._frame = frame
+        elif frame != self._frame:
+            raise PinelError("odometry_frame_changed", before=self._frame, now=frame)
+
+    def _twist(self, message: Odometry, pose: Pose2D, gap_s: float) -> Twist2D:
+        """The measured velocity, or the one that two poses tell."""
+        if message.v_mps is not None and message.omega_radps is not None:
+            return Twist2D(message.v_mps, message.omega_radps)
+        if self.state is None or gap_s > _JUMP_S:
+            return Twist2D(0.0, 0.0)
+        if gap_s < _SHORTEST_S:
+            return self.state.twist
+        moved = pose.relative_to(self.state.pose)
+        return Twist2D(moved.x_m / gap_s, moved.yaw_rad / gap_s)
+
+
+def _is_possible(message: Odometry) -> bool:
+    v, omega = message.v_mps or 0.0, message.omega_radps or 0.0
+    return (
+        abs(message.x_m) < _FARTHEST_M
+        and abs(message.y_m) < _FARTHEST_M
+        and math.isfinite(message.yaw_rad)
+        and abs(v) < _FASTEST_MPS
+        and abs(omega) < _FASTEST_RADPS
+        and (message.stamp_s is None or math.isfinite(message.stamp_s))
+    )
+
+
+def _require_no_jump(before: Pose2D, now: Pose2D) -> None:
+    jump_m, turn_rad = before.distance_to(now), abs(wrap_angle(now.yaw_rad - before.yaw_rad))
+    if jump_m > JUMP_M or turn_rad > _TURN_JUMP_RAD:
+        raise PinelError("reference_lost", distance=round(jump_m, 2))

@@ -1,0 +1,145 @@
+"""A real robot as a robot link, over any transport. Its frame is the robot's odometry frame."""
+
+import contextlib
+import math
+import threading
+import time
+from collections.abc import Callable
+from typing import Any
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.links.odometry import OdometryFilter
+from pinel_desktop.links.sending import Sender
+from pinel_desktop.links.transport import Odometry, Transport
+from pinel_desktop.robot import STANDSTILL, Pose2D, RobotState, Setting, Twist2D
+from pinel_desktop.robot.record import RobotRecord, Room
+
+SILENT_S = 1.0
+_FIRST_ODOMETRY_S = 5.0
+_POLL_S = 0.05
+# From a command until a wheel turns, beside the network: half a period of the robot's own loop and of its odometry.
+_DELAY_S = 0.05
+
+
+class RealLink:
+    """Drives a real robot; time passes by itself.
+
+    What protects people and robot is here, the same for every transport: a command expires after 0.2 s, velocities are
+    limited by the record, a robot whose odometry is silent for a second, jumps or leaves the room is stopped.
+    """
+
+    simulated = False
+    slips = True
+    command_delay_s = _DELAY_S
+
+    def __init__(self, record: RobotRecord, setting: Setting, transport: Transport) -> None:
+        robot = record.limited(setting.robot)
+        self._max_v, self._max_omega = robot.max_v_mps, robot.max_omega_radps
+        self._edge = _Edge(record.room, robot.radius_m)
+        self._transport = transport
+        self.sensors = transport.sensors
+        self._sender = Sender(transport.send)
+        self._lock = threading.Lock()
+        self._odometry = OdometryFilter()
+        self._start: Pose2D | None = None
+        self._problem: PinelError | None = None
+        self._closed = False
+        self.battery: float | None = None
+
+    def connect(self, cancelled: Callable[[], bool] = lambda: False) -> None:
+        self._transport.open(self, cancelled)
+        self._sender.start()
+        due_s = time.monotonic() + _FIRST_ODOMETRY_S
+        while self._odometry.state is None and not cancelled():
+            if self._problem is not None:
+                raise self._problem
+            if time.monotonic() > due_s:
+                raise self._silent()
+            time.sleep(_POLL_S)
+        if self._odometry.state is not None:
+            self._start = self._odometry.state.pose
+
+    def read(self) -> RobotState:
+        with self._lock:
+            state, age_s = self._odometry.state, self.age_s
+        if self._problem is not None:
+            raise self._problem
+        if state is None or age_s > SILENT_S:
+            raise self._silent()
+        if self._start is not None:
+            self._edge.require_inside(state.pose.relative_to(self._start))
+        return state
+
+    @property
+    def age_s(self) -> float:
+        """Time since the newest valid message about the robot's pose; infinite before the first."""
+        return time.monotonic() - self._odometry.arrived_s
+
+    def bumper(self) -> bool:
+        return self._transport.bumper()
+
+    def things(self) -> dict[int, Pose2D]:
+        return {}
+
+    def command(self, twist: Twist2D) -> None:
+        v, omega = twist
+        if not (math.isfinite(v) and math.isfinite(omega)) or self._problem is not None:
+            v = omega = 0.0
+        v = min(max(v, -self._max_v), self._max_v)
+        omega = min(max(omega, -self._max_omega), self._max_omega)
+        self._sender.command(Twist2D(v, omega))
+
+    def advance(self, dt_s: float) -> None:
+        """Does nothing: the time of a real robot passes by itself."""
+
+    def close(self) -> None:
+        if self._closed:
+            return
+        self._closed = True
+        self._sender.close()
+        with contextlib.suppress(
+            Exception
+        ):  # the robot stands; what fails now is of no use to anybody
+            self._transport.close()
+
+    def on_odometry(self, odometry: Odometry) -> None:
+        try:
+            with self._lock:
+                self._odometry.take(odometry, time.monotonic())
+        except PinelError as problem:
+            self.on_problem(problem)
+
+    def on_battery(self, level: float) -> None:
+        self.battery = level if 0.0 <= level <= 1.0 else None
+
+    def on_problem(self, problem: PinelError) -> None:
+        self._problem = self._problem or problem
+        self._sender.command(STANDSTILL)
+
+    def _silent(self) -> PinelError:
+        if self._odometry.state is None and self._odometry.n_invalid:
+            return PinelError("odometry_invalid", count=self._odometry.n_invalid)
+        return PinelError("link_lost" if self._odometry.state else "robot_silent")
+
+
+class _Edge:
+    """The edge of the room, which the robot's body must not cross."""
+
+    def __init__(self, room: Room, radius_m: float) -> None:
+        self._start = Pose2D(room.x_m, room.y_m, math.radians(room.heading_deg))
+        self._x_m, self._y_m = room.width_m / 2 - radius_m, room.depth_m / 2 - radius_m
+
+    def require_inside(self, pose: Pose2D) -> None:
+        """`pose` in the start frame. Raises PinelError `left_room`."""
+        x, y, _ = self._start.compose(pose)
+        if abs(x) > self._x_m or abs(y) > self._y_m:
+            raise PinelError("left_room", width=2 * self._x_m, depth=2 * self._y_m)
+
+
+def real_link(
+    make: Callable[[Any], Transport], setting: Setting, robot: RobotRecord | None
+) -> RealLink:
+    """A link over the transport that `make` builds from the robot's record. Raises PinelError `robot_not_set_up`."""
+    if robot is None:
+        raise PinelError("robot_not_set_up")
+    return RealLink(robot, setting, make(robot))

@@ -1,0 +1,163 @@
+"""The part that all links of real robots share, over a transport in memory."""
+
+import math
+from typing import Any
+
+import pytest
+
+from pinel_desktop import links
+from pinel_desktop.errors import PinelError
+from pinel_desktop.links.odometry import OdometryFilter, yaw_of
+from pinel_desktop.links.real import RealLink, real_link
+from pinel_desktop.links.transport import Odometry
+from pinel_desktop.robot import Setting, Twist2D
+from pinel_desktop.robot.record import BridgeRecord, RobotRecord, Room, record_from
+from tests.links.real_link_contract import Peer, RealLinkContract
+from tests.links.unicycle import MemoryTransport, Unicycle
+
+ROOM = Room(width_m=20.0, depth_m=20.0)
+FAST = BridgeRecord(max_v_mps=1.2, max_omega_dps=300.0, room=ROOM)
+
+
+class TestMemoryLink(RealLinkContract):
+    link = "memory"
+
+    @pytest.fixture(autouse=True)
+    def _installed(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.setitem(links._BACKENDS, "memory", (__name__, "memory_link"))
+
+    def start_peer(self) -> tuple[Peer, RobotRecord]:
+        global _robot  # noqa: PLW0603 - `open_link` finds a backend by its name in a module
+        _robot = Unicycle()
+        return _robot, FAST
+
+
+_robot = Unicycle()
+
+
+def memory_link(*, world: Any, setting: Setting, seed: int, robot: RobotRecord | None) -> RealLink:
+    return real_link(lambda record: MemoryTransport(_robot), setting, robot)
+
+
+def message(x_m: float = 0.0, yaw_rad: float = 0.0, **more: Any) -> Odometry:
+    values: dict[str, Any] = {"v_mps": 0.0, "omega_radps": 0.0, **more}
+    return Odometry(x_m, 0.0, yaw_rad, **values)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        message(math.nan),
+        message(math.inf),
+        message(1e30),
+        message(yaw_rad=math.nan),
+        message(v_mps=math.nan),
+        message(v_mps=1e6),
+        message(omega_radps=-math.inf),
+        message(stamp_s=math.nan),
+    ],
+)
+def test_impossible_odometry_is_passed_over(wrong: Odometry) -> None:
+    checked = OdometryFilter()
+    checked.take(message(1.0), 0.0)
+    checked.take(wrong, 0.1)
+    assert checked.state is not None
+    assert (checked.state.pose.x_m, checked.n_invalid, checked.arrived_s) == (1.0, 1, 0.0)
+
+
+def test_a_robot_that_reports_nonsense_only_is_named() -> None:
+    link = real_link(lambda record: MemoryTransport(Unicycle(x_m=math.nan)), Setting(), FAST)
+    with pytest.raises(PinelError) as silent:
+        link.connect()
+    link.close()
+    assert silent.value.code == "odometry_invalid"
+
+
+def test_messages_out_of_order_are_passed_over_until_the_clock_has_been_set_back() -> None:
+    checked = OdometryFilter()
+    checked.take(message(1.0, stamp_s=10.0), 0.0)
+    checked.take(message(0.9, stamp_s=9.9), 0.1)
+    assert (checked.arrived_s, checked.n_late) == (0.0, 1)
+    checked.take(message(1.1, stamp_s=5.0), 0.5)
+    assert checked.arrived_s == 0.5
+
+
+@pytest.mark.parametrize("jump", [message(1.51), message(1.0, math.pi)])
+def test_a_jump_is_a_lost_reference(jump: Odometry) -> None:
+    checked = OdometryFilter()
+    checked.take(message(1.0), 0.0)
+    with pytest.raises(PinelError) as lost:
+        checked.take(jump, 0.1)
+    assert lost.value.code == "reference_lost"
+
+
+def test_another_frame_is_another_odometry() -> None:
+    checked = OdometryFilter()
+    checked.take(message(frame="odom"), 0.0)
+    with pytest.raises(PinelError) as changed:
+        checked.take(message(frame="map"), 0.1)
+    assert changed.value.params == {"before": "odom", "now": "map"}
+
+
+def test_the_velocity_of_a_robot_that_tells_its_pose_only_is_that_of_its_poses() -> None:
+    checked = OdometryFilter()
+    checked.take(message(1.0, v_mps=None, omega_radps=None), 0.0)
+    checked.take(message(1.03, 0.1, v_mps=None, omega_radps=None), 0.1)
+    assert checked.state is not None
+    assert checked.state.twist == pytest.approx((0.3, 1.0))
+
+
+def test_yaw_of_quaternions() -> None:
+    half = math.radians(60.0) / 2
+    assert yaw_of(0.0, 0.0, math.sin(half), math.cos(half)) == pytest.approx(math.radians(60.0))
+    assert yaw_of(0.0, 0.0, 2 * math.sin(half), 2 * math.cos(half)) == pytest.approx(2 * half)
+    assert math.isnan(yaw_of(0.0, 0.0, 0.0, 0.0))
+    assert math.isnan(yaw_of(math.nan, 0.0, 0.0, 1.0))
+
+
+def test_a_second_problem_does_not_hide_the_first() -> None:
+    link = real_link(lambda record: MemoryTransport(Unicycle()), Setting(), FAST)
+    link.on_problem(PinelError("reference_lost", distance=1.0))
+    link.on_problem(PinelError("link_lost"))
+    with pytest.raises(PinelError) as problem:
+        link.read()
+    assert problem.value.code == "reference_lost"
+
+
+def test_a_link_without_a_record_says_that_the_robot_is_to_be_set_up() -> None:
+    with pytest.raises(PinelError) as missing:
+        real_link(lambda record: MemoryTransport(Unicycle()), Setting(), None)
+    assert missing.value.code == "robot_not_set_up"
+
+
+@pytest.mark.parametrize(
+    ("fields", "field", "value"),
+    [
+        ({"domain": 233}, "domain", 233),
+        ({"command_topic": "cmd vel"}, "command_topic", "cmd vel"),
+        ({"max_v_mps": math.nan}, "max_v_mps", math.nan),
+        ({"room": {"width_m": 0.2}}, "room.width_m", 0.2),
+        ({"peers": ["a b"]}, "peers.0", "a b"),
+        ({"colour": "red"}, "colour", "red"),
+    ],
+)
+def test_a_wrong_record_names_field_and_value(
+    fields: dict[str, Any], field: str, value: Any
+) -> None:
+    with pytest.raises(PinelError) as wrong:
+        record_from({"link": "dds", **fields})
+    assert wrong.value.code == "robot_record_invalid"
+    assert wrong.value.params["field"] == field
+    assert repr(wrong.value.params["value"]) == repr(value)
+
+
+def test_a_record_comes_back_from_its_message() -> None:
+    record = record_from({"link": "dds", "namespace": "p3dx", "peers": ["10.0.0.2"]})
+    assert record_from(record.as_message()) == record
+    with pytest.raises(PinelError):
+        record_from({"link": "sim"})
+
+
+def test_the_record_limits_the_robot() -> None:
+    link = real_link(lambda record: MemoryTransport(Unicycle()), Setting(), BridgeRecord())
+    assert Twist2D(link._max_v, link._max_omega) == Twist2D(0.3, math.radians(60.0))

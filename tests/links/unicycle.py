@@ -1,0 +1,88 @@
+"""A robot in memory: a unicycle that follows velocities at once and reports its pose, for tests of links."""
+
+import math
+import threading
+import time
+from dataclasses import dataclass, field
+
+from pinel_desktop.links.transport import Cancelled, Odometry, Receiver
+from pinel_desktop.robot import STANDSTILL, Sensors, Twist2D
+
+
+@dataclass
+class Unicycle:
+    """Integrates velocities over wall time.
+
+    Attributes:
+        heard: all velocities that reached it, with the time (s, monotonic).
+        is_mute: reports nothing more; it still drives.
+    """
+
+    x_m: float = 0.0
+    y_m: float = 0.0
+    yaw_rad: float = 0.0
+    twist: Twist2D = STANDSTILL
+    heard: list[tuple[float, Twist2D]] = field(default_factory=list)
+    is_mute: bool = False
+    _at_s: float = field(default_factory=time.monotonic)
+    _lock: threading.Lock = field(default_factory=threading.Lock)
+
+    def hear(self, twist: Twist2D) -> None:
+        """Follows a velocity from now on."""
+        self.heard.append((time.monotonic(), twist))
+        with self._lock:
+            self._go_on()
+            self.twist = twist
+
+    def report(self) -> Odometry:
+        """Pose and velocity now."""
+        with self._lock:
+            self._go_on()
+            return Odometry(self.x_m, self.y_m, self.yaw_rad, *self.twist, time.time(), "odom")
+
+    def _go_on(self) -> None:
+        dt_s, self._at_s = time.monotonic() - self._at_s, time.monotonic()
+        (v, omega), middle = self.twist, self.yaw_rad + self.twist.omega_radps * dt_s / 2
+        self.x_m += v * dt_s * math.cos(middle)
+        self.y_m += v * dt_s * math.sin(middle)
+        self.yaw_rad += omega * dt_s
+
+    def stood_from_s(self) -> float | None:
+        """Since when only zeros have come (monotonic); None if the last velocity was another one."""
+        since: float | None = None
+        for at_s, twist in self.heard:
+            if twist != STANDSTILL:
+                since = None
+            elif since is None:
+                since = at_s
+        return since
+
+
+class MemoryTransport:
+    """Carries velocities to a unicycle and its reports back, 100 times a second."""
+
+    def __init__(self, robot: Unicycle) -> None:
+        self.sensors = Sensors()
+        self._robot = robot
+        self._ending = threading.Event()
+        self._thread: threading.Thread | None = None
+
+    def open(self, receiver: Receiver, cancelled: Cancelled) -> None:
+        self._thread = threading.Thread(target=self._report, args=(receiver,), daemon=True)
+        self._thread.start()
+
+    def _report(self, receiver: Receiver) -> None:
+        while not self._ending.wait(0.01):
+            if not self._robot.is_mute:
+                receiver.on_odometry(self._robot.report())
+
+    def send(self, twist: Twist2D) -> None:
+        self._robot.hear(twist)
+
+    def bumper(self) -> bool:
+        return False
+
+    def close(self) -> None:
+        self._ending.set()
+        if self._thread is not None:
+            self._thread.join()
