@@ -15,11 +15,13 @@ from pinel_desktop.camera.inputs import WRONG_SOURCE, CameraInputs
 from pinel_desktop.commands.options import chosen_database, database_option
 from pinel_desktop.commands.printing import print_problem
 from pinel_desktop.commands.program_file import place_of, read_file
+from pinel_desktop.commands.real_robot import chosen_robot, stopped_by_signals
 from pinel_desktop.commands.world_file import ChosenWorld, WorldFileError, choose_world
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event
 from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.events.types import KEPT, URGENT
+from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.inputs import ScriptedInputs
 from pinel_desktop.execution.summary import faulty_object, run_object, unbegun_object
 from pinel_desktop.links import LINK_NAMES
@@ -27,6 +29,7 @@ from pinel_desktop.messages import describe, explain, language_of_system
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.reading import Reading
 from pinel_desktop.robot import FEEDBACKS, PIONEER_3DX, PRESETS, ROBOTS, Setting
+from pinel_desktop.robot.record import ROOM, RobotRecord
 from pinel_desktop.runs.plotting import Curves, draw, plot_format
 from pinel_desktop.runs.record import record_of
 from pinel_desktop.runs.spec import RunInputs, RunSpec
@@ -41,6 +44,8 @@ _INVALID_REASONS = (
     "unknown_world",
     "plot_ending",
     "plot_missing",
+    "robot_record_invalid",
+    "robot_setting_unclear",
     *WRONG_SOURCE,
 )
 
@@ -54,6 +59,13 @@ _INVALID_REASONS = (
     default="sim",
     show_default=True,
     help="What is to be driven.",
+)
+@click.option(
+    "--robot-setting",
+    "robot_settings",
+    metavar="NAME=VALUE",
+    multiple=True,
+    help="How a real robot is reached and what it may do, such as domain=5 or room.width_m=6 (docs/robots.md).",
 )
 @click.option(
     "--world",
@@ -184,14 +196,15 @@ def _run(
 ) -> dict[str, Any]:
     curves = Curves() if options["plot"] else None
     try:
-        world = choose_world(options["world"], robot=options["model"])
-        with _inputs(options, language) as inputs:
-            spec = _spec(reading, world, options, inputs)
+        robot = chosen_robot(options["robot"], _settings(options["robot_settings"]))
+        world = _world(robot, options)
+        control = RunControl()
+        with _inputs(options, language) as inputs, _signals(robot, control):
+            spec = _spec(reading, world, robot, options, inputs)
             if recording is not None:
                 recording.will_keep(_record(spec, world, options))
-            result = start(
-                spec, all_of(*(part.observe for part in (recording, curves) if part is not None))
-            )
+            observers = (part.observe for part in (recording, curves) if part is not None)
+            result = start(spec, all_of(*observers), control)
     except PinelError as error:
         return _not_begun(error, language)
     ended = result.ended
@@ -200,6 +213,27 @@ def _run(
     message = describe(ended.reason, ended.params, language).message if ended.reason else None
     run_id = recording.close() if recording else None
     return run_object(result, run_id, message)
+
+
+def _world(robot: RobotRecord | None, options: dict[str, Any]) -> ChosenWorld:
+    """The simulator's world, or the room of a real robot."""
+    if robot is not None:
+        return ChosenWorld(ROOM, robot.room.as_world())
+    return choose_world(options["world"], robot=options["model"])
+
+
+def _settings(typed: tuple[str, ...]) -> dict[str, str]:
+    """The typed settings by name. Raises PinelError `robot_setting_unclear`."""
+    for one in typed:
+        if "=" not in one:
+            raise PinelError("robot_setting_unclear", value=one)
+    return {name.strip(): value for name, _, value in (one.partition("=") for one in typed)}
+
+
+def _signals(
+    robot: RobotRecord | None, control: RunControl
+) -> contextlib.AbstractContextManager[None]:
+    return contextlib.nullcontext() if robot is None else stopped_by_signals(control)
 
 
 def _inputs(options: dict[str, Any], language: str) -> contextlib.AbstractContextManager[RunInputs]:
@@ -216,13 +250,18 @@ def _inputs(options: dict[str, Any], language: str) -> contextlib.AbstractContex
 
 
 def _spec(
-    reading: Reading, world: ChosenWorld, options: dict[str, Any], inputs: RunInputs
+    reading: Reading,
+    world: ChosenWorld,
+    robot: RobotRecord | None,
+    options: dict[str, Any],
+    inputs: RunInputs,
 ) -> RunSpec:
     assert reading.document is not None
     return RunSpec(
         document=reading.document,
         world=world.document,
         link=options["robot"],
+        robot=robot,
         setting=Setting(options["model"], options["preset"], options["feedback"]),
         seed=options["seed"],
         inputs=inputs,

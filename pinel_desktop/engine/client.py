@@ -1,11 +1,12 @@
 """The app's side of the engine: sends messages to its process, hands on its events."""
 
 import threading
+import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from typing import Any
 
-from pinel_desktop.engine.commands import Command, Evaluate
+from pinel_desktop.engine.commands import ALIVE, ALIVE_PERIOD_S, Command, Evaluate
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import RunEnded
 from pinel_desktop.events.stamp import EventStamp
@@ -82,6 +83,14 @@ class EngineClient:
             self._live, self._next_seq, self._tick = run_id, 0, 0
             first = [dict(command) for command in commands]
             self._process.send({"run": run_id, "spec": spec.as_message(), "commands": first})
+        if spec.robot is not None:
+            threading.Thread(target=self._stay_heard, args=(run_id,), daemon=True).start()
+
+    def _stay_heard(self, run_id: str) -> None:
+        """Tells the engine that the app is not frozen, as long as a run drives a real robot."""
+        while self._live == run_id:
+            self._process.send(ALIVE)
+            time.sleep(ALIVE_PERIOD_S)
 
     def command(self, run_id: str, command: Command) -> Any:
         """Sends a command to the live run; gives the value of `Evaluate` as plain data, None for all others.

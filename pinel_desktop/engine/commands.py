@@ -15,6 +15,10 @@ from pinel_desktop.execution.inputs import Capture
 # The app's start imports this module; a model is built when it is first used.
 _LATER = ConfigDict(defer_build=True, frozen=True)
 
+# What the app says 20 times a second while a real robot drives: nobody could stop it in an app that is frozen.
+ALIVE = {"type": "app_alive"}
+ALIVE_PERIOD_S = 0.05
+
 BlockIds = Annotated[list[Annotated[str, Field(max_length=100)]], Field(max_length=1000)]
 SpeedFactor = Annotated[float, Field(ge=LEAST_SPEED, le=GREATEST_SPEED)]
 Sign = Annotated[str, Field(max_length=100)]

@@ -6,7 +6,7 @@ from typing import Any, BinaryIO
 
 from pydantic import ValidationError
 
-from pinel_desktop.engine.commands import Command, LiveCommand
+from pinel_desktop.engine.commands import ALIVE, Command, LiveCommand
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, RunEnded
 from pinel_desktop.events.stamp import EventStamp
@@ -90,15 +90,20 @@ class Engine:
         """Works until the messages end; then stops the robot."""
         LiveCommand.model_rebuild()  # now, so that the first Stop is not late
         self.send({"type": "engine_ready"})
-        for message in read_messages(self._messages):
-            self._handle(message)
-        self._stop_and_wait()
+        try:
+            for message in read_messages(self._messages):
+                self._handle(message)
+        finally:
+            self._stop_and_wait()
 
     def _handle(self, message: Message) -> None:
+        live = self._live
         if "spec" in message:
             self._begin(message)
             return
-        live = self._live
+        if live is not None and message.get("type") == ALIVE["type"]:
+            live.control.hear_app()
+            return
         if live is None or message.get("run") != live.id:
             return  # the run ended while the message was on its way
         try:

@@ -1,5 +1,6 @@
 """Requests of other threads to a run: pause, resume, step, stop, breakpoints, speed, evaluation, answers."""
 
+import time
 from collections.abc import Callable
 from queue import SimpleQueue
 from typing import Any, Literal, NamedTuple
@@ -10,6 +11,8 @@ from pinel_desktop.execution.inputs import LiveInputs
 
 StepMode = Literal["into", "over", "out"]
 LEAST_SPEED, GREATEST_SPEED = 0.1, 10.0
+# with a tick and the way to the robot it stands within 0.3 s
+APP_SILENT_S = 0.2
 
 # receives a value, or the error
 Reply = Callable[[Any, PinelError | None], None]
@@ -47,6 +50,17 @@ class RunControl:
         self.speed = 1.0
         self.evaluations: SimpleQueue[EvaluationRequest] = SimpleQueue()
         self.inputs = LiveInputs()
+        self._app_heard_s: float | None = None
+
+    def hear_app(self) -> None:
+        """The app is there. From the first call on, the run of a real robot stands still while the app is silent."""
+        self._app_heard_s = time.monotonic()
+
+    @property
+    def app_is_silent(self) -> bool:
+        """Whether an app that was heard has not been heard for a moment."""
+        heard_s = self._app_heard_s
+        return heard_s is not None and time.monotonic() - heard_s > APP_SILENT_S
 
     @property
     def pace(self) -> float:

@@ -33,6 +33,7 @@ Observer = Callable[[int, Event], None]
 _MAX_TICKS = round(MAX_RUN_S * TICK_HZ)
 _REST_TICKS = TICK_HZ
 _MOVED_BY_HAND_M = 0.02
+_APP_LOST_S = 2.0
 _NOWHERE = (None, None, None)
 
 
@@ -187,6 +188,8 @@ class _Run:
         while True:
             if control.pause_requested:
                 self._pause()
+            if control.app_is_silent and not self._link.simulated:
+                self._wait_for_app()
             time_needed = stack.run_until_time(MAX_STEPS_PER_TICK, stop_wanted)
             if context.unreported:
                 self._report()
@@ -311,6 +314,17 @@ class _Run:
         context.n_resumed += 1
         self._debugger.resumed()
         self._emit(RunState("running"))
+
+    def _wait_for_app(self) -> None:
+        """Holds the robot while the app is frozen: nobody could stop it there. Raises RunFailureError `app_silent`."""
+        context, due_s = self._context, self._wall.now() + _APP_LOST_S
+        while self._control.app_is_silent and not self._control.stop_requested:
+            if self._wall.now() > due_s:
+                raise RunFailureError("app_silent")
+            self._link.command(STANDSTILL)
+            self._clock.wait_for_tick()
+            self._update_state(self._link.read())
+        context.n_resumed += 1  # a motion plans its remainder anew
 
     def _rest(self) -> None:
         for _ in range(_REST_TICKS):

@@ -1,11 +1,16 @@
 """A real robot as a robot link, over any transport. Its frame is the robot's odometry frame."""
 
 import contextlib
+import hashlib
 import math
+import os
+import tempfile
 import threading
 import time
 from collections.abc import Callable
 from typing import Any
+
+from filelock import FileLock, Timeout
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links.odometry import OdometryFilter
@@ -36,6 +41,8 @@ class RealLink:
         robot = record.limited(setting.robot)
         self._max_v, self._max_omega = robot.max_v_mps, robot.max_omega_radps
         self._edge = _Edge(record.room, robot.radius_m)
+        self._address = record.address
+        self._lock_file = FileLock(_lock_path(record))
         self._transport = transport
         self.sensors = transport.sensors
         self._sender = Sender(transport.send)
@@ -47,6 +54,7 @@ class RealLink:
         self.battery: float | None = None
 
     def connect(self, cancelled: Callable[[], bool] = lambda: False) -> None:
+        self._take()
         self._transport.open(self, cancelled)
         self._sender.start()
         due_s = time.monotonic() + _FIRST_ODOMETRY_S
@@ -58,6 +66,13 @@ class RealLink:
             time.sleep(_POLL_S)
         if self._odometry.state is not None:
             self._start = self._odometry.state.pose
+
+    def _take(self) -> None:
+        """Makes sure that no other run of this PC drives the robot."""
+        try:
+            self._lock_file.acquire(timeout=0)
+        except Timeout as error:
+            raise PinelError("robot_busy_here", address=self._address) from error
 
     def read(self) -> RobotState:
         with self._lock:
@@ -101,6 +116,7 @@ class RealLink:
             Exception
         ):  # the robot stands; what fails now is of no use to anybody
             self._transport.close()
+        self._lock_file.release()
 
     def on_odometry(self, odometry: Odometry) -> None:
         try:
@@ -120,6 +136,11 @@ class RealLink:
         if self._odometry.state is None and self._odometry.n_invalid:
             return PinelError("odometry_invalid", count=self._odometry.n_invalid)
         return PinelError("link_lost" if self._odometry.state else "robot_silent")
+
+
+def _lock_path(record: RobotRecord) -> str:
+    name = hashlib.sha256(f"{record.link} {record.address}".encode()).hexdigest()[:16]
+    return os.path.join(tempfile.gettempdir(), f"pinel-robot-{name}.lock")
 
 
 class _Edge:

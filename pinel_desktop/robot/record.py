@@ -20,6 +20,8 @@ _SETTINGS = ConfigDict(defer_build=True, frozen=True, extra="forbid")
 LAST_DOMAIN = 232
 # A ROS name: letters, digits, underlines, parts separated by slashes.
 _ROS_NAME = r"^/?[A-Za-z_][A-Za-z0-9_]*(/[A-Za-z_][A-Za-z0-9_]*)*$"
+# name of the world document of a room
+ROOM = "room"
 RosName = Annotated[str, Field(pattern=_ROS_NAME, max_length=100)]
 HostName = Annotated[str, Field(pattern=r"^[A-Za-z0-9.:\-]+$", max_length=100)]
 
@@ -37,6 +39,21 @@ class Room(BaseModel):
     x_m: Annotated[float, Field(ge=-25.0, le=25.0)] = 0.0
     y_m: Annotated[float, Field(ge=-25.0, le=25.0)] = 0.0
     heading_deg: Annotated[float, Field(ge=-360.0, le=360.0)] = 0.0
+
+    def as_world(self) -> dict[str, Any]:
+        """A world document (docs/worlds.md) that shows the room: its edge as walls, and the start."""
+        x, y = self.width_m / 2, self.depth_m / 2
+        corners = [[-x, -y], [x, -y], [x, y], [-x, y]]
+        edges = zip(corners, corners[1:] + corners[:1], strict=True)
+        return {
+            "pinel_world": 1,
+            "name": ROOM,
+            "title": {"pt-BR": "Sala de verdade", "en": "Real room", "es": "Sala real"},
+            "size_m": [self.width_m, self.depth_m],
+            "start": {"x_m": self.x_m, "y_m": self.y_m, "heading_deg": self.heading_deg},
+            "walls": [{"from": a, "to": b} for a, b in edges],
+            "boxes": [],
+        }
 
 
 class RobotRecord(BaseModel):
@@ -78,6 +95,10 @@ class RobotRecord(BaseModel):
     def as_message(self) -> dict[str, Any]:
         """Plain JSON data: `record_from` reads it."""
         return {"link": self.link, **self.model_dump(mode="json")}
+
+    def as_record(self) -> dict[str, Any]:
+        """The same without secrets, for the record of a run, which travels to other PCs."""
+        return {"link": self.link, **self.model_dump(mode="json", exclude={"key"})}
 
 
 class RosRecord(RobotRecord):

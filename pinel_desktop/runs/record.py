@@ -42,6 +42,7 @@ def record_of(
         parameters={
             **spec.setting.as_parameters(),
             _SEMANTICS: spec.semantics,
+            **({"robot": spec.robot.as_record()} if spec.robot else {}),
             **(more or {}),
         },
     )

@@ -1,17 +1,23 @@
 """The part that all links of real robots share, over a transport in memory."""
 
 import math
+from dataclasses import replace
 from typing import Any
+from unittest.mock import ANY
 
 import pytest
 
 from pinel_desktop import links
 from pinel_desktop.errors import PinelError
+from pinel_desktop.execution.inputs import ScriptedInputs
 from pinel_desktop.links.odometry import OdometryFilter, yaw_of
 from pinel_desktop.links.real import RealLink, real_link
 from pinel_desktop.links.transport import Odometry
 from pinel_desktop.robot import Setting, Twist2D
 from pinel_desktop.robot.record import BridgeRecord, RobotRecord, Room, record_from
+from pinel_desktop.runs.record import record_of
+from pinel_desktop.runs.spec import RunSpec, spec_from
+from pinel_desktop.worlds import read_own_world
 from tests.links.real_link_contract import Peer, RealLinkContract
 from tests.links.unicycle import MemoryTransport, Unicycle
 
@@ -161,3 +167,36 @@ def test_a_record_comes_back_from_its_message() -> None:
 def test_the_record_limits_the_robot() -> None:
     link = real_link(lambda record: MemoryTransport(Unicycle()), Setting(), BridgeRecord())
     assert Twist2D(link._max_v, link._max_omega) == Twist2D(0.3, math.radians(60.0))
+
+
+def test_two_runs_never_drive_one_robot() -> None:
+    first, second = (
+        real_link(lambda record: MemoryTransport(Unicycle()), Setting(), FAST) for _ in range(2)
+    )
+    first.connect()
+    with pytest.raises(PinelError) as busy:
+        second.connect()
+    second.close()
+    first.close()
+    assert (busy.value.code, busy.value.params) == ("robot_busy_here", {"address": FAST.address})
+    third = real_link(lambda record: MemoryTransport(Unicycle()), Setting(), FAST)
+    third.connect()
+    third.close()
+
+
+def test_the_room_is_a_world_without_faults() -> None:
+    room = Room(width_m=5.0, depth_m=3.0, x_m=-1.0, heading_deg=90.0)
+    world, faults = read_own_world(room.as_world())
+    assert faults == []
+    assert world is not None
+    assert world["size_m"] == [5.0, 3.0]
+
+
+def test_a_run_keeps_the_record_of_its_robot_without_the_key() -> None:
+    record = BridgeRecord(key="secret")
+    spec = RunSpec({}, record.room.as_world(), link="bridge", robot=record)
+    kept = record_of(spec, world_name="room", app_version="1", version_id="v")
+    assert kept.link == "bridge"
+    assert kept.parameters["robot"]["max_v_mps"] == 0.3
+    assert "secret" not in str(kept)
+    assert spec_from(spec.as_message(), ScriptedInputs()) == replace(spec, inputs=ANY)

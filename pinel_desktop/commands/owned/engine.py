@@ -1,5 +1,8 @@
 """`pinel engine`: the process for live runs, started by the app."""
 
+import signal
+import sys
+
 import click
 
 from pinel_desktop.commands.owned.pipe import pipes
@@ -10,4 +13,6 @@ from pinel_desktop.engine.server import Engine
 def command() -> None:
     """Execute live runs for the app: messages on standard input, events on standard output."""
     with pipes() as (messages, events):
+        # as at a log-out; the run that drives a robot is stopped before the process ends
+        signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(0))
         Engine(messages, events).serve()

@@ -1,0 +1,82 @@
+"""An engine whose robot is a unicycle in its memory (`engine`), and an app that lets it drive (`app`).
+
+    python -m tests.engine.memory_robot engine FILE
+    python -m tests.engine.memory_robot app FILE
+
+Each velocity that the robot hears is a line of FILE: seconds (monotonic, the same clock in all processes), m/s,
+rad/s. The app prints the closing event of the run.
+"""
+
+import json
+import queue
+import sys
+import threading
+from pathlib import Path
+from typing import Any
+
+from pinel_desktop import links
+from pinel_desktop.engine.client import EngineClient
+from pinel_desktop.links.real import RealLink, real_link
+from pinel_desktop.robot import Setting, Twist2D
+from pinel_desktop.robot.record import BridgeRecord, RobotRecord, Room
+from pinel_desktop.runs.spec import RunSpec
+from tests.links.unicycle import MemoryTransport, Unicycle
+
+RECORD = BridgeRecord(max_v_mps=1.2, max_omega_dps=300.0, room=Room(width_m=40.0, depth_m=40.0))
+FAR = RunSpec(
+    [{"action": "move_forward", "distance": 10}], "empty_room", link="bridge", robot=RECORD
+)
+
+
+class LoggedUnicycle(Unicycle):
+    """Writes what it hears."""
+
+    log: Path
+
+    def hear(self, twist: Twist2D) -> None:
+        super().hear(twist)
+        with self.log.open("a") as log:
+            log.write(f"{self.heard[-1][0]} {twist.v_mps} {twist.omega_radps}\n")
+
+
+def memory_link(*, world: Any, setting: Setting, seed: int, robot: RobotRecord | None) -> RealLink:
+    """The link `bridge`, over memory."""
+    unicycle = LoggedUnicycle()
+    unicycle.log = Path(sys.argv[2])
+    return real_link(lambda record: MemoryTransport(unicycle), setting, robot)
+
+
+def engine_command(file: Path) -> list[str]:
+    """Starts the engine."""
+    return [sys.executable, "-m", __spec__.name if __spec__ else __name__, "engine", str(file)]
+
+
+def engine() -> None:
+    """The engine's process with its link `bridge` replaced."""
+    from pinel_desktop.commands.owned.engine import command  # noqa: PLC0415 - reads sys.argv
+
+    links._BACKENDS["bridge"] = (__name__, "memory_link")
+    command.main(args=[], prog_name="engine")
+
+
+def app() -> None:
+    """Lets the robot drive far, and prints how it ended."""
+    events: queue.Queue[dict[str, Any]] = queue.Queue()
+    client = EngineClient(events.put, engine_command(Path(sys.argv[2])))
+    client.start()
+    assert client.wait_until_ready(20.0)
+    client.run("r1", FAR)
+    threading.Thread(target=_close_at_end_of_input, args=(client,), daemon=True).start()
+    while (event := events.get())["type"] != "run_ended":
+        pass
+    print(json.dumps(event), flush=True)
+    client.close()
+
+
+def _close_at_end_of_input(client: EngineClient) -> None:
+    sys.stdin.read()
+    client.close()
+
+
+if __name__ == "__main__":
+    {"engine": engine, "app": app}[sys.argv[1]]()
