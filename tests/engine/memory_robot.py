@@ -8,6 +8,7 @@ rad/s. The app prints the closing event of the run.
 """
 
 import json
+import os
 import queue
 import sys
 import threading
@@ -22,7 +23,12 @@ from pinel_desktop.robot.record import BridgeRecord, RobotRecord, Room
 from pinel_desktop.runs.spec import RunSpec
 from tests.links.unicycle import MemoryTransport, Unicycle
 
-RECORD = BridgeRecord(max_v_mps=1.2, max_omega_dps=300.0, room=Room(width_m=40.0, depth_m=40.0))
+RECORD = BridgeRecord(
+    host=f"memory-{os.getpid()}",  # a robot of its own: other tests drive theirs at the same time
+    max_v_mps=1.2,
+    max_omega_dps=300.0,
+    room=Room(width_m=40.0, depth_m=40.0),
+)
 FAR = RunSpec(
     [{"action": "move_forward", "distance": 10}], "empty_room", link="bridge", robot=RECORD
 )

@@ -124,7 +124,7 @@ def test_an_engine_that_is_killed_is_told_and_the_robot_has_its_own_watchdog(
     driving: Driving,
 ) -> None:
     engine = driving.engine()
-    driving.engine().kill()
+    engine.kill()
     engine.wait(timeout=10)
     ended = driving.ended()
     assert (ended["state"], ended["reason"]) == ("failed", "engine_lost")

@@ -1,6 +1,7 @@
 """The part that all links of real robots share, over a transport in memory."""
 
 import math
+import os
 from dataclasses import replace
 from typing import Any
 from unittest.mock import ANY
@@ -22,7 +23,8 @@ from tests.links.real_link_contract import Peer, RealLinkContract
 from tests.links.unicycle import MemoryTransport, Unicycle
 
 ROOM = Room(width_m=20.0, depth_m=20.0)
-FAST = BridgeRecord(max_v_mps=1.2, max_omega_dps=300.0, room=ROOM)
+# a robot of its own: other tests drive theirs at the same time
+FAST = BridgeRecord(host=f"memory-{os.getpid()}", max_v_mps=1.2, max_omega_dps=300.0, room=ROOM)
 
 
 class TestMemoryLink(RealLinkContract):
