@@ -56,6 +56,14 @@ class EngineOfApp(Engine, Protocol):
     def close(self) -> None: ...
 
 
+class MakeEngine(Protocol):
+    """Makes an engine, as `EngineClient` does."""
+
+    def __call__(
+        self, on_event: Callable[[Event], None], *, is_watched: Callable[[], bool]
+    ) -> EngineOfApp: ...
+
+
 class App:
     """Everything that runs behind the page: `start`, give `address` to a window or a person, `close`.
 
@@ -80,7 +88,7 @@ class App:
         instance: Instance | None = None,
         engine_after_s: float = 0.0,
         on_show: Callable[[], None] = lambda: None,
-        make_engine: Callable[[Callable[[Event], None]], EngineOfApp] = EngineClient,
+        make_engine: MakeEngine = EngineClient,
         read: ReadDocument | None = None,
         worlds: Sequence[dict[str, Any]] | None = None,
         camera: str | None = None,
@@ -172,7 +180,7 @@ class App:
         undo.callback(server.close)
         undo.callback(self._hub.close)
         self._guard = server.guard
-        self._engine = self._make_engine(self._take)
+        self._engine = self._make_engine(self._take, is_watched=self._hub.has_readers)
         undo.callback(self._engine.close)
         self._camera = Camera(
             self._camera_source or self._preferences.camera,

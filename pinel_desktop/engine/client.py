@@ -26,10 +26,19 @@ class EngineClient:
 
     `on_event` is called on the reader thread with every event, in order. When the process dies during a run, the
     client makes up the missing `run_ended` (failed, `engine_lost`).
+
+    Args:
+        is_watched: whether somebody could stop a robot: a real one stands still, and its run ends, while nobody could.
     """
 
-    def __init__(self, on_event: EventSink, command: Sequence[str] | None = None) -> None:
-        self._on_event = on_event
+    def __init__(
+        self,
+        on_event: EventSink,
+        command: Sequence[str] | None = None,
+        *,
+        is_watched: Callable[[], bool] = lambda: True,
+    ) -> None:
+        self._on_event, self._is_watched = on_event, is_watched
         self._process = OwnedProcess(
             "engine", command or own_command("engine"), self._receive, self._report_loss
         )
@@ -87,9 +96,10 @@ class EngineClient:
             threading.Thread(target=self._stay_heard, args=(run_id,), daemon=True).start()
 
     def _stay_heard(self, run_id: str) -> None:
-        """Tells the engine that the app is not frozen, as long as a run drives a real robot."""
+        """Tells the engine that the app is not frozen and a page is open, as long as a run drives a real robot."""
         while self._live == run_id:
-            self._process.send(ALIVE)
+            if self._is_watched():
+                self._process.send(ALIVE)
             time.sleep(ALIVE_PERIOD_S)
 
     def command(self, run_id: str, command: Command) -> Any:

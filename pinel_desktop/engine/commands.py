@@ -15,7 +15,8 @@ from pinel_desktop.execution.inputs import Capture
 # The app's start imports this module; a model is built when it is first used.
 _LATER = ConfigDict(defer_build=True, frozen=True)
 
-# What the app says 20 times a second while a real robot drives: nobody could stop it in an app that is frozen.
+# What the app says 20 times a second while a real robot drives: nobody could stop it in an app that is frozen, or
+# without a page.
 ALIVE = {"type": "app_alive"}
 ALIVE_PERIOD_S = 0.05
 

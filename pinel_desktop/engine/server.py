@@ -30,6 +30,8 @@ class _LiveRun:
         self._message, self._engine = message, engine
         self._stamp = EventStamp(self.id)
         self.thread = threading.Thread(target=self._execute, name=f"run-{self.id}", daemon=True)
+        if message["spec"].get("robot"):
+            self.control.hear_app()  # from now on the robot drives only while the app is heard
         for command in message.get("commands", ()):
             self.apply(LiveCommand.model_validate(command).root, None)
 

@@ -96,6 +96,10 @@ class Hub:
         reader.close()
         return reader
 
+    def has_readers(self) -> bool:
+        """Whether any page is open."""
+        return bool(self._readers)
+
     def publish(self, event: Event) -> None:
         """Hands the event to every reader; readers must not change it."""
         for reader in self._readers:

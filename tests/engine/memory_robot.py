@@ -54,7 +54,7 @@ def memory_link(*, world: Any, setting: Setting, seed: int, robot: RobotRecord |
 
 def engine_command(file: Path) -> list[str]:
     """Starts the engine."""
-    return [sys.executable, "-m", __spec__.name if __spec__ else __name__, "engine", str(file)]
+    return [sys.executable, "-m", "tests.engine.memory_robot", "engine", str(file)]
 
 
 def engine() -> None:

@@ -3,9 +3,11 @@
 import contextlib
 import json
 import os
+import queue
 import signal
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -14,15 +16,45 @@ from typing import Any
 import psutil
 import pytest
 
+from pinel_desktop.engine.client import EngineClient
+from tests.engine.memory_robot import FAR, engine_command
+
 # 0.3 s on a PC at rest, measured by tests/benchmarks/bench_robot_stops.py; other tests may keep this one busy
 STANDS_WITHIN_S = 1.0
+
+
+def heard(log: Path) -> list[tuple[float, float]]:
+    """What reached the robot: seconds and m/s."""
+    if not log.exists():
+        return []
+    lines = log.read_text().splitlines(keepends=True)
+    whole = [line.split() for line in lines if line.endswith("\n")]
+    return [(float(at_s), float(v)) for at_s, v, _ in whole]
+
+
+def wait_until_driving(log: Path, since: int = 0) -> None:
+    """Waits for a velocity after the first `since` ones."""
+    due_s = time.monotonic() + 30.0
+    while not any(v > 0.3 for _, v in heard(log)[since:]):
+        assert time.monotonic() < due_s, "the robot does not drive"
+        time.sleep(0.02)
+
+
+def stood_after_s(log: Path, moment_s: float) -> float:
+    """How long after a moment the robot heard its first zero that no other velocity followed for a second."""
+    time.sleep(1.5)
+    after = [(at_s, v) for at_s, v in heard(log) if at_s > moment_s]
+    moving = [at_s for at_s, v in after if v]
+    zeros = [at_s for at_s, v in after if not v and at_s > max(moving, default=0.0)]
+    assert zeros, "no zeros came"
+    return min(zeros) - moment_s
 
 
 class Driving:
     """An app whose engine drives a robot."""
 
     def __init__(self, log: Path) -> None:
-        self._log = log
+        self.log = log
         self.app = subprocess.Popen(
             [sys.executable, "-m", "tests.engine.memory_robot", "app", str(log)],
             stdin=subprocess.PIPE,
@@ -30,33 +62,9 @@ class Driving:
             text=True,
         )
 
-    def heard(self) -> list[tuple[float, float, float]]:
-        """What reached the robot: seconds, m/s, rad/s."""
-        if not self._log.exists():
-            return []
-        lines = self._log.read_text().splitlines(keepends=True)
-        whole = [line.split() for line in lines if line.endswith("\n")]
-        return [(float(at_s), float(v), float(omega)) for at_s, v, omega in whole]
-
-    def wait_until_driving(self, since: int = 0) -> None:
-        """Waits for a velocity after the first `since` ones."""
-        due_s = time.monotonic() + 30.0
-        while not any(v > 0.3 for _, v, _ in self.heard()[since:]):
-            assert time.monotonic() < due_s, "the robot does not drive"
-            time.sleep(0.02)
-
     def engine(self) -> psutil.Process:
         """The engine's process."""
         return psutil.Process(self.app.pid).children()[0]
-
-    def stood_after_s(self, moment_s: float) -> float:
-        """How long after a moment the robot heard its first zero, if no other velocity followed for half a second."""
-        time.sleep(1.5)
-        after = [(at_s, v) for at_s, v, _ in self.heard() if at_s > moment_s]
-        moving = [at_s for at_s, v in after if v]
-        zeros = [at_s for at_s, v in after if not v and at_s > max(moving, default=0.0)]
-        assert zeros, "no zeros came"
-        return min(zeros) - moment_s
 
     def ended(self) -> dict[str, Any]:
         """The closing event, as the app printed it."""
@@ -68,7 +76,7 @@ class Driving:
 @pytest.fixture
 def driving(tmp_path: Path) -> Iterator[Driving]:
     it = Driving(tmp_path / "heard")
-    it.wait_until_driving()
+    wait_until_driving(it.log)
     with it.app:  # closes its pipes in the end
         yield it
         with contextlib.suppress(psutil.NoSuchProcess):
@@ -82,10 +90,10 @@ class TestFrozenApp:
     def test_the_robot_waits_and_drives_on_when_the_app_is_back(self, driving: Driving) -> None:
         frozen_s = time.monotonic()
         driving.app.send_signal(signal.SIGSTOP)
-        assert driving.stood_after_s(frozen_s) < STANDS_WITHIN_S
-        n_heard = len(driving.heard())
+        assert stood_after_s(driving.log, frozen_s) < STANDS_WITHIN_S
+        n_heard = len(heard(driving.log))
         driving.app.send_signal(signal.SIGCONT)
-        driving.wait_until_driving(since=n_heard)
+        wait_until_driving(driving.log, since=n_heard)
 
     def test_the_run_ends_when_the_app_stays_away(self, driving: Driving) -> None:
         driving.app.send_signal(signal.SIGSTOP)
@@ -95,11 +103,29 @@ class TestFrozenApp:
         assert (ended["state"], ended["reason"]) == ("failed", "app_silent")
 
 
+def test_a_robot_that_nobody_watches_any_more_stands_and_its_run_ends(tmp_path: Path) -> None:
+    log, events = tmp_path / "heard", queue.Queue[dict[str, Any]]()
+    watched = threading.Event()
+    watched.set()
+    client = EngineClient(events.put, engine_command(log), is_watched=watched.is_set)
+    client.start()
+    assert client.wait_until_ready(30.0)
+    client.run("r1", FAR)
+    wait_until_driving(log)
+    closed_s = time.monotonic()
+    watched.clear()  # the last page was closed
+    assert stood_after_s(log, closed_s) < STANDS_WITHIN_S
+    while (ended := events.get(timeout=30))["type"] != "run_ended":
+        pass
+    client.close()
+    assert (ended["state"], ended["reason"]) == ("failed", "app_silent")
+
+
 def test_an_app_that_is_killed_leaves_no_robot_driving(driving: Driving) -> None:
     engine = driving.engine()
     killed_s = time.monotonic()
     driving.app.kill()
-    assert driving.stood_after_s(killed_s) < STANDS_WITHIN_S
+    assert stood_after_s(driving.log, killed_s) < STANDS_WITHIN_S
     engine.wait(timeout=10)
 
 
@@ -107,7 +133,7 @@ def test_an_engine_that_is_told_to_end_stops_the_robot_first(driving: Driving) -
     engine = driving.engine()
     told_s = time.monotonic()
     engine.send_signal(signal.SIGTERM)
-    assert driving.stood_after_s(told_s) < STANDS_WITHIN_S
+    assert stood_after_s(driving.log, told_s) < STANDS_WITHIN_S
     assert driving.ended()["state"] == "stopped"
 
 
@@ -115,7 +141,7 @@ def test_an_app_that_closes_stops_the_robot_first(driving: Driving) -> None:
     closed_s = time.monotonic()
     assert driving.app.stdin is not None
     driving.app.stdin.close()
-    assert driving.stood_after_s(closed_s) < STANDS_WITHIN_S
+    assert stood_after_s(driving.log, closed_s) < STANDS_WITHIN_S
     driving.app.wait(timeout=10)
 
 

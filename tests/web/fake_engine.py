@@ -11,7 +11,9 @@ Event = dict[str, Any]
 
 
 class FakeEngine:
-    def __init__(self, on_event: Callable[[Event], None]) -> None:
+    def __init__(
+        self, on_event: Callable[[Event], None], *, is_watched: Callable[[], bool] = lambda: True
+    ) -> None:
         self.on_event = on_event
         self.state: Literal["starting", "ready", "lost"] = "starting"
         self.live_run: str | None = None
