@@ -1,0 +1,118 @@
+"""How soon a real robot stands: Stop, a frozen app, an app that is killed, an engine that is told to end.
+
+Real processes and a robot in memory. Each figure may be later by what a bare sleeper of the same run is late.
+"""
+
+import contextlib
+import queue
+import signal
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import psutil
+import pytest
+
+from pinel_desktop.engine.client import EngineClient
+from pinel_desktop.engine.commands import Stop
+from tests.engine.memory_robot import FAR, engine_command
+from tests.engine.test_real_robot import Driving, stood_after_s, wait_until_driving
+
+REPEATS = 10
+STOP_WITHIN_S = 0.1
+STANDS_WITHIN_S = 0.3
+PERIOD_S = 0.01
+
+
+@contextlib.contextmanager
+def lateness() -> Iterator[list[float]]:
+    """How late a thread wakes that only sleeps, meanwhile."""
+    late: list[float] = []
+    ending = threading.Event()
+
+    def sleep() -> None:
+        while not ending.is_set():
+            due_s = time.monotonic() + PERIOD_S
+            time.sleep(PERIOD_S)
+            late.append(time.monotonic() - due_s)
+
+    thread = threading.Thread(target=sleep)
+    thread.start()
+    yield late
+    ending.set()
+    thread.join()
+
+
+def p95(values: list[float]) -> float:
+    return sorted(values)[round(0.95 * (len(values) - 1))]
+
+
+def freeze(driving: Driving) -> None:
+    driving.app.send_signal(signal.SIGSTOP)
+
+
+def kill(driving: Driving) -> None:
+    driving.app.kill()
+
+
+def end_engine(driving: Driving) -> None:
+    driving.engine().terminate()
+
+
+def end(driving: Driving) -> None:
+    """Ends app and engine, whatever became of them."""
+    with driving.app, contextlib.suppress(psutil.NoSuchProcess):
+        for engine in psutil.Process(driving.app.pid).children():
+            engine.kill()
+        driving.app.kill()
+
+
+def after_trouble(log: Path, trouble: Callable[[Driving], None]) -> float:
+    driving = Driving(log)
+    try:
+        wait_until_driving(log)
+        moment_s = time.monotonic()
+        trouble(driving)
+        return stood_after_s(log, moment_s)
+    finally:
+        end(driving)
+
+
+def report(what: str, taken: list[float], late: list[float], bound_s: float) -> None:
+    middle = sorted(taken)[len(taken) // 2]
+    print(f"\n{what}: median {middle * 1000:.0f} ms, p95 {p95(taken) * 1000:.0f} ms", end=" ")
+    print(
+        f"(wanted {bound_s * 1000:.0f} ms; a sleeper is late by {max(late) * 1000:.0f} ms at most)"
+    )
+    assert p95(taken) <= bound_s + max(late)
+
+
+@pytest.mark.timeout(300)
+@pytest.mark.parametrize("trouble", [freeze, kill, end_engine])
+def test_a_robot_stands_soon_after(trouble: Callable[[Driving], None], tmp_path: Path) -> None:
+    with lateness() as late:
+        taken = [after_trouble(tmp_path / f"heard{n}", trouble) for n in range(REPEATS)]
+    report(trouble.__name__, taken, late, STANDS_WITHIN_S)
+
+
+@pytest.mark.timeout(300)
+def test_stop_reaches_the_robot(tmp_path: Path) -> None:
+    log, events = tmp_path / "heard", queue.Queue[dict[str, Any]]()
+    client = EngineClient(events.put, engine_command(log))
+    client.start()
+    assert client.wait_until_ready(30.0)
+    taken = []
+    with lateness() as late:
+        for n in range(REPEATS):
+            log.unlink(missing_ok=True)
+            client.run(f"r{n}", FAR)
+            wait_until_driving(log)
+            moment_s = time.monotonic()
+            client.command(f"r{n}", Stop())
+            taken.append(stood_after_s(log, moment_s))
+            while events.get(timeout=30)["type"] != "run_ended":
+                pass
+    client.close()
+    report("stop", taken, late, STOP_WITHIN_S)
