@@ -17,11 +17,13 @@ from pinel_desktop.events.hub import Hub
 from pinel_desktop.events.types import KEPT, URGENT
 from pinel_desktop.execution.inputs import Capture
 from pinel_desktop.instance import Instance
+from pinel_desktop.links import LINK_NAMES
 from pinel_desktop.messages import Problem, describe, explain
 from pinel_desktop.page_settings import PageSettings
 from pinel_desktop.preferences import Preferences
 from pinel_desktop.school.grading import Grader
 from pinel_desktop.school.live_checks import LiveChecks
+from pinel_desktop.school.robots import Robots
 from pinel_desktop.school.sign_teaching import SignTeaching
 from pinel_desktop.school.teacher import TeacherSessions
 from pinel_desktop.web.application import create_app
@@ -222,6 +224,7 @@ class App:
             guard=self._guard,
             preferences=self._preferences,
             teacher=TeacherSessions(self._store.settings),
+            robots=Robots(self._store.settings, LINK_NAMES),
             read_document=self._read,
             read_world=_read_world,
             worlds=self._worlds,

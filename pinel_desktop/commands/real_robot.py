@@ -18,7 +18,7 @@ def chosen_robot(link: str, settings: Mapping[str, str]) -> RobotRecord | None:
         settings: fields and their values, as typed; a part of the room has the name `room.width_m`.
 
     Raises:
-        PinelError: `robot_record_invalid`.
+        PinelError: what `record_from` raises.
     """
     if link not in RECORDS:
         return None
@@ -28,7 +28,7 @@ def chosen_robot(link: str, settings: Mapping[str, str]) -> RobotRecord | None:
         for part in parts[:-1]:
             inner = inner.setdefault(part, {})
             if not isinstance(inner, dict):
-                raise PinelError("robot_record_invalid", field=name, value=typed, detail=part)
+                raise PinelError("robot_record_invalid", field=name, value=typed)
         inner[parts[-1]] = _value(typed)
     return record_from(fields)
 

@@ -45,6 +45,7 @@ _INVALID_REASONS = (
     "plot_ending",
     "plot_missing",
     "robot_record_invalid",
+    "robot_record_range",
     "robot_setting_unclear",
     *WRONG_SOURCE,
 )

@@ -6,7 +6,7 @@ A PC keeps one record for each kind of link; a run keeps the record that it was 
 import math
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
@@ -100,6 +100,14 @@ class RobotRecord(BaseModel):
         """The same without secrets, for the record of a run, which travels to other PCs."""
         return {"link": self.link, **self.model_dump(mode="json", exclude={"key"})}
 
+    def slowed(self) -> Self:
+        """At half of its speeds, for the first run in front of people."""
+        halved = {
+            name: max(limits(type(self), name)[0], getattr(self, name) / 2)
+            for name in ("max_v_mps", "max_omega_dps")
+        }
+        return self.model_copy(update=halved)
+
 
 class RosRecord(RobotRecord):
     """A robot that speaks ROS 2.
@@ -170,11 +178,28 @@ RECORDS: dict[str, type[RobotRecord]] = {
 }
 
 
+def fields_of(record: type[RobotRecord]) -> list[str]:
+    """Names of all fields; those of the room are `room.NAME`."""
+    own = [name for name in record.model_fields if name != "room"]
+    return [*own, *(f"room.{name}" for name in Room.model_fields)]
+
+
+def limits(record: type[RobotRecord], field: str) -> tuple[float, float]:
+    """Smallest and largest value of a number; NaN for a field that is no number."""
+    in_room, _, name = field.rpartition(".")
+    fields = Room.model_fields if in_room == "room" else record.model_fields
+    bounds = fields[name].metadata if name in fields else []
+    low = next((bound.ge for bound in bounds if hasattr(bound, "ge")), math.nan)
+    high = next((bound.le for bound in bounds if hasattr(bound, "le")), math.nan)
+    return float(low), float(high)
+
+
 def record_from(message: Mapping[str, Any]) -> RobotRecord:
     """The record of plain JSON data; what is missing has its default.
 
     Raises:
-        PinelError: `unknown_link`, or `robot_record_invalid` with the field and its value.
+        PinelError: `unknown_link`; with the field and its value `robot_record_range` for what is no number within the
+            field's bounds, `robot_record_invalid` for all else.
     """
     fields = dict(message)
     link = fields.pop("link", None)
@@ -183,10 +208,13 @@ def record_from(message: Mapping[str, Any]) -> RobotRecord:
     try:
         return RECORDS[link].model_validate(fields)
     except ValidationError as error:
-        first = error.errors(include_url=False)[0]
-        field = ".".join(
-            str(part) for part in first["loc"] if not str(part).startswith("constrained")
-        )
-        raise PinelError(
-            "robot_record_invalid", field=field, value=first["input"], detail=first["msg"]
-        ) from error
+        raise _first_fault(RECORDS[link], error) from error
+
+
+def _first_fault(record: type[RobotRecord], error: ValidationError) -> PinelError:
+    first = error.errors(include_url=False)[0]
+    field = ".".join(str(part) for part in first["loc"] if not str(part).startswith("constrained"))
+    low, high = limits(record, field)
+    if math.isnan(low):
+        return PinelError("robot_record_invalid", field=field, value=first["input"])
+    return PinelError("robot_record_range", field=field, value=first["input"], low=low, high=high)

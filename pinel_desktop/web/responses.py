@@ -40,6 +40,7 @@ STATUS = {
     "own_activities_too_many": 409,
     "run_in_progress": 409,
     "run_not_live": 409,
+    "robot_not_set_up": 409,
     "body_too_large": 413,
     "host_wrong": 421,
     "pin_wait": 429,

@@ -35,7 +35,7 @@ from pinel_desktop.web.api import (
     versions,
     worlds,
 )
-from pinel_desktop.web.api.preparing import lesson_files, own_activities
+from pinel_desktop.web.api.preparing import lesson_files, own_activities, robots
 from pinel_desktop.web.errors import invalid_request
 from pinel_desktop.web.models.errors import ErrorAnswer
 
@@ -57,6 +57,7 @@ _RESOURCES = (
     removal,
     python,
     worlds,
+    robots,
     camera,
     signs,
     stream,

@@ -19,6 +19,7 @@ if TYPE_CHECKING:  # heavy, and not needed to serve the page
     from pinel_desktop.program.faults import Fault
     from pinel_desktop.program.reading import Reading
     from pinel_desktop.runs.spec import RunSpec
+    from pinel_desktop.school.robots import Robots
     from pinel_desktop.school.teacher import TeacherSessions
     from storage import Store
 
@@ -153,6 +154,7 @@ class Services:
     guard: Guard
     preferences: Preferences
     teacher: TeacherSessions
+    robots: Robots
     read_document: ReadDocument
     read_world: ReadWorld
     worlds: Sequence[dict[str, Any]]

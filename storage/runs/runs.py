@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 _SELECT = selected(RunRow, "runs")
 _LINE = selected(RunLine, "runs", params_json="params", passed_bit="passed", path_json="path")
 _OBJECTS = ("document", "world_document", "parameters", "params", "summary", "check_report")
+_SIMULATOR = "sim"
 _NEEDED = ("world_document", "parameters")
 _IN_COLUMNS = ("v", "type", "run", "seq", "tick")
 _FIGURES = ("n_executed", "path_length_m", "closing_error_m", "telemetry_sha256")
@@ -171,7 +172,8 @@ def _insert(db: sqlite3.Connection, start: RunStart, now: Moment) -> str:
     }
     if origin["group_id"]:
         row["lesson_id"], row["computer_id"] = lesson_for(db, origin["group_id"], now)
-        row["activity"] = row["activity"] or _activity_of(db, str(row["lesson_id"]))
+        if start.link == _SIMULATOR:  # only its runs are judged
+            row["activity"] = row["activity"] or _activity_of(db, str(row["lesson_id"]))
     insert(db, "runs", row)
     if origin["group_id"]:
         mark_used(db, origin["group_id"], now.text)

@@ -141,10 +141,7 @@ def test_a_link_without_a_record_says_that_the_robot_is_to_be_set_up() -> None:
 @pytest.mark.parametrize(
     ("fields", "field", "value"),
     [
-        ({"domain": 233}, "domain", 233),
         ({"command_topic": "cmd vel"}, "command_topic", "cmd vel"),
-        ({"max_v_mps": math.nan}, "max_v_mps", math.nan),
-        ({"room": {"width_m": 0.2}}, "room.width_m", 0.2),
         ({"peers": ["a b"]}, "peers.0", "a b"),
         ({"colour": "red"}, "colour", "red"),
     ],
@@ -157,6 +154,34 @@ def test_a_wrong_record_names_field_and_value(
     assert wrong.value.code == "robot_record_invalid"
     assert wrong.value.params["field"] == field
     assert repr(wrong.value.params["value"]) == repr(value)
+
+
+@pytest.mark.parametrize(
+    ("fields", "field", "value", "low", "high"),
+    [
+        ({"domain": 233}, "domain", 233, 0, 232),
+        ({"domain": 1.5}, "domain", 1.5, 0, 232),
+        ({"max_v_mps": math.nan}, "max_v_mps", math.nan, 0.05, 1.2),
+        ({"max_v_mps": "fast"}, "max_v_mps", "fast", 0.05, 1.2),
+        ({"room": {"width_m": 0.2}}, "room.width_m", 0.2, 1, 50),
+    ],
+)
+def test_a_number_out_of_its_range_is_told_with_the_range(
+    fields: dict[str, Any], field: str, value: Any, low: float, high: float
+) -> None:
+    with pytest.raises(PinelError) as wrong:
+        record_from({"link": "dds", **fields})
+    assert wrong.value.code == "robot_record_range"
+    told = {"field": field, "value": value, "low": low, "high": high}
+    assert {name: repr(one) for name, one in wrong.value.params.items()} == {
+        name: repr(float(one) if name in ("low", "high") else one) for name, one in told.items()
+    }
+
+
+def test_a_slow_robot_has_half_the_speeds_but_not_less_than_the_least() -> None:
+    slow = record_from({"link": "bridge", "max_v_mps": 0.3, "max_omega_dps": 8.0}).slowed()
+    assert (slow.max_v_mps, slow.max_omega_dps) == (0.15, 5.0)
+    assert record_from(slow.as_message()) == slow
 
 
 def test_a_record_comes_back_from_its_message() -> None:

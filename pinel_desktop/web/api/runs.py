@@ -11,6 +11,7 @@ from pinel_desktop.engine.commands import Command, LiveCommand, SetBreakpoints, 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, explain
 from pinel_desktop.robot import Setting
+from pinel_desktop.robot.record import ROOM
 from pinel_desktop.runs.record import record_of
 from pinel_desktop.runs.spec import RunSpec
 from pinel_desktop.school.own_activities import known_activity
@@ -20,6 +21,7 @@ from pinel_desktop.web.api.programs import version_model
 from pinel_desktop.web.errors import InvalidProgramError
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.runs import (
+    SIMULATOR,
     CommandAnswer,
     NewRun,
     Run,
@@ -61,6 +63,8 @@ def list_runs(path: IdPath, query: RunPage) -> Response:
         "invalid_program",
         "unknown_world",
         "world_missing",
+        "unknown_link",
+        "robot_not_set_up",
         *WRITES,
     ),
 )
@@ -68,17 +72,18 @@ def begin_run(body: NewRun) -> Response:
     """Begins a live run of a version.
 
     World, start and robot of a version that is to solve an activity are the activity's, whatever is asked for. A start
-    pose where the robot does not fit is refused with 422 and the reason, such as `start_in_wall`.
+    pose where the robot does not fit is refused with 422 and the reason, such as `start_in_wall`. A real robot drives
+    in its room whatever is asked for; its run is not judged, so it is of no activity.
     """
     parts = services()
     version = parts.store.versions.get(body.version_id)
     spec = _spec(version, body, parts)
     if parts.engine.live_run is not None:
         raise PinelError("run_in_progress")
-    activity = _activity(version)
+    activity = None if spec.robot else _activity(version)
     record = record_of(
         spec,
-        world_name=world_name(activity) if activity else body.world,
+        world_name=_world_name(spec, activity, body),
         app_version=parts.app_version,
         version_id=version.id,
         activity=activity.name if activity else None,
@@ -109,6 +114,8 @@ def _runnable(version: VersionRow, parts: Services) -> dict[str, object]:
 
 def _spec(version: VersionRow, body: NewRun, parts: Services) -> RunSpec:
     document, activity = _runnable(version, parts), _activity(version)
+    if body.robot != SIMULATOR:
+        return _real_spec(document, body, parts)
     if activity:
         world, setting = _stage(activity)
         return RunSpec(document, world, setting=setting, seed=body.seed or 0, pace="live")
@@ -117,6 +124,21 @@ def _spec(version: VersionRow, body: NewRun, parts: Services) -> RunSpec:
         world = _moved(world, body.start, body.model, parts)
     setting = _setting(body)
     return RunSpec(document, world, setting=setting, seed=body.seed or 0, pace="live")
+
+
+def _real_spec(document: dict[str, object], body: NewRun, parts: Services) -> RunSpec:
+    record = parts.robots.record(body.robot)
+    if body.slow:
+        record = record.slowed()
+    world = record.room.as_world()
+    seed = body.seed or 0
+    return RunSpec(document, world, link=body.robot, robot=record, seed=seed, pace="live")
+
+
+def _world_name(spec: RunSpec, activity: "Activity | None", body: NewRun) -> str:
+    if spec.robot:
+        return ROOM
+    return world_name(activity) if activity else body.world
 
 
 def _activity(version: VersionRow) -> "Activity | None":

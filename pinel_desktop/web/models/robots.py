@@ -1,10 +1,11 @@
-"""Robots."""
+"""Robots: the models of the simulator, and the real robots of this PC."""
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field
 
-from pinel_desktop.web.models import Shape
+from pinel_desktop.web.models import DEFERRED, Body, Json, Shape
+from pinel_desktop.web.models.worlds import World
 
 
 class Robot(Shape):
@@ -24,3 +25,50 @@ class RobotList(Shape):
     """All robot models of the simulator."""
 
     robots: list[Robot]
+
+
+class RobotField(Shape):
+    """A field of a real robot's record, in words for its form."""
+
+    name: Annotated[str, Field(description="of the room `room.NAME`")]
+    part: Literal["speed", "room", "address", "tolerance"]
+    label: str
+    hint: str
+    low: Annotated[float | None, Field(description="smallest number; null for a text")]
+    high: float | None
+    is_whole: bool
+    is_list: bool
+
+
+class RealRobot(Shape):
+    """A kind of real robot, and what the teacher set up of it on this PC."""
+
+    link: Annotated[str, Field(description="the `robot` of a run")]
+    is_set_up: bool
+    max_v_mps: Annotated[float, Field(description="it is never commanded faster")]
+    slow_v_mps: Annotated[float, Field(description="the same in a run with `slow`")]
+    world: Annotated[World | None, Field(description="its room; null before it is set up")]
+    record: Annotated[
+        Json | None, Field(description="what is kept, else the defaults; null if not the teacher")
+    ]
+    fields: list[RobotField]
+
+
+class RealRobotList(Shape):
+    """All kinds of real robots that this release can drive."""
+
+    robots: list[RealRobot]
+
+
+class RealRobotRecord(Body):
+    """What is to be kept of a real robot; what is missing has its default."""
+
+    record: Json
+
+
+class LinkPath(Body):
+    """The `{link}` in a path."""
+
+    model_config = DEFERRED
+
+    link: str

@@ -12,6 +12,7 @@ from pinel_desktop.web.models.work import Version
 from pinel_desktop.web.models.worlds import Start, World
 
 Point = tuple[float, float]
+SIMULATOR = "sim"
 
 
 class Run(Shape):
@@ -82,6 +83,10 @@ class NewRun(Body):
     feedback: Feedback = "pose"
     breakpoints: BlockIds = Field(default_factory=list)
     speed: SpeedFactor = 1.0
+    robot: Annotated[
+        str, Field(max_length=20, description="`sim`, or the link of a real robot that is set up")
+    ] = SIMULATOR
+    slow: Annotated[bool, Field(description="a real robot at half of its speeds")] = False
     paused: Annotated[bool, Field(description="hold before the first block")] = False
 
 

@@ -1,0 +1,112 @@
+"""The real robots that this PC can drive, as the teacher set them up."""
+
+import math
+from typing import Literal
+
+from flask import Response
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.messages import describe
+from pinel_desktop.robot.record import RECORDS, RobotRecord, fields_of, limits
+from pinel_desktop.web.api import TEACHER, WRITES, answers, resource
+from pinel_desktop.web.models.robots import (
+    LinkPath,
+    RealRobot,
+    RealRobotList,
+    RealRobotRecord,
+    RobotField,
+)
+from pinel_desktop.web.models.worlds import World
+from pinel_desktop.web.responses import answer
+from pinel_desktop.web.services import services
+from pinel_desktop.web.teaching import is_teacher, require_teacher
+
+api = resource("robots", "Real robots.", __name__)
+
+
+@api.get("/real-robots", responses=answers(RealRobotList))
+def list_real_robots() -> Response:
+    """All kinds of real robots. How a robot is reached is told to the teacher only."""
+    return answer(RealRobotList(robots=[_robot(link) for link in services().robots.kinds]))
+
+
+@api.put(
+    "/real-robots/<link>",
+    responses=answers(
+        RealRobot, "unknown_link", "robot_record_range", "robot_record_invalid", *TEACHER, *WRITES
+    ),
+)
+def put_real_robot(path: LinkPath, body: RealRobotRecord) -> Response:
+    """Sets up a kind of robot on this PC. For the teacher.
+
+    A start that is not in the room is refused with 422 and the reason, such as `start_in_wall`.
+    """
+    require_teacher()
+    try:
+        services().robots.keep(path.link, body.record)
+    except PinelError as error:
+        raise _in_words(error, path.link) from error
+    return answer(_robot(path.link))
+
+
+@api.delete("/real-robots/<link>", responses=answers(RealRobot, "unknown_link", *TEACHER, *WRITES))
+def forget_real_robot(path: LinkPath) -> Response:
+    """Undoes the set-up of a kind of robot on this PC. For the teacher."""
+    require_teacher()
+    services().robots.forget(path.link)
+    return answer(_robot(path.link))
+
+
+def _in_words(error: PinelError, link: str) -> PinelError:
+    """The error with its field as the form names it."""
+    field = str(error.params.get("field", ""))
+    name = next((one for one in fields_of(RECORDS[link]) if field.startswith(one)), None)
+    if name is None:
+        return error
+    return PinelError(error.code, **{**error.params, "field": _words(name)[0]})
+
+
+def _robot(link: str) -> RealRobot:
+    kept = services().robots.kept(link)
+    record = kept or RECORDS[link]()
+    return RealRobot(
+        link=link,
+        is_set_up=kept is not None,
+        max_v_mps=record.max_v_mps,
+        slow_v_mps=record.slowed().max_v_mps,
+        world=World.model_validate(kept.room.as_world()) if kept else None,
+        record=record.as_message() if is_teacher() else None,
+        fields=[_field(type(record), name) for name in fields_of(type(record))],
+    )
+
+
+def _field(record: type[RobotRecord], name: str) -> RobotField:
+    label, hint = _words(name)
+    low, high = limits(record, name)
+    info = record.model_fields.get(name)
+    is_number = not math.isnan(low)
+    return RobotField(
+        name=name,
+        part=_part(name),
+        label=label,
+        hint=hint,
+        low=low if is_number else None,
+        high=high if is_number else None,
+        is_whole=info is not None and info.annotation is int,
+        is_list=info is not None and isinstance(info.default, tuple),
+    )
+
+
+def _part(field: str) -> Literal["speed", "room", "address", "tolerance"]:
+    if field.startswith("room."):
+        return "room"
+    if field not in RobotRecord.model_fields:
+        return "address"
+    return "tolerance" if "tolerance" in field else "speed"
+
+
+def _words(field: str) -> tuple[str, str]:
+    """Label and hint of a field."""
+    code = f"robot_field_{field.replace('.', '_')}"
+    words = describe(code, {}, services().preferences.language)
+    return words.message, words.remedy

@@ -1,0 +1,188 @@
+"""Real robots over HTTP: their set-up by the teacher, and runs on them, with a fake engine."""
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from pinel_desktop.app import App
+from pinel_desktop.robot.record import RECORDS
+from tests.web.browser import Answer, Browser
+from tests.web.conftest import SQUARE
+from tests.web.fake_engine import FakeEngine
+
+PIN = "314159"
+HERE = "/api/real-robots/bridge"
+FAST = {"max_v_mps": 0.4, "max_omega_dps": 40.0, "room": {"width_m": 3.0, "x_m": -0.5}}
+
+
+@pytest.fixture(autouse=True)
+def links(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Every kind of link, also those that this release cannot drive yet: the engine is a fake."""
+    monkeypatch.setattr("pinel_desktop.app.LINK_NAMES", ("sim", *RECORDS))
+
+
+@pytest.fixture
+def teacher(app: App) -> Browser:
+    tab = Browser.signed_in(app.address)
+    tab.put("/api/teacher/pin", {"pin": PIN})
+    return tab
+
+
+def keep(teacher: Browser, **fields: Any) -> Answer:
+    return teacher.put(HERE, {"record": {**FAST, **fields}})
+
+
+def kinds(browser: Browser) -> dict[str, dict[str, Any]]:
+    return {one["link"]: one for one in browser.get("/api/real-robots").data["robots"]}
+
+
+def wish(version: dict[str, Any], **more: Any) -> dict[str, Any]:
+    return {"version_id": version["id"], "world": "maze", "robot": "bridge", **more}
+
+
+def test_no_robot_is_set_up_at_first_and_only_the_teacher_sets_one_up(
+    browser: Browser, teacher: Browser
+) -> None:
+    assert {link: one["is_set_up"] for link, one in kinds(browser).items()} == dict.fromkeys(
+        RECORDS, False
+    )
+    refused = [browser.put(HERE, {"record": {}}), browser.delete(HERE)]
+    assert {one.error["code"] for one in refused} == {"teacher_only"}
+    kept = keep(teacher, port=5001)
+    assert (kept.status, kept.data["is_set_up"]) == (200, True)
+    assert kept.data["record"]["port"] == 5001
+    assert kept.data["world"]["start"] == {"x_m": -0.5, "y_m": 0.0, "heading_deg": 0.0}
+    assert (kept.data["max_v_mps"], kept.data["slow_v_mps"]) == (0.4, 0.2)
+    assert kinds(browser)["dds"]["is_set_up"] is False
+
+
+def test_pupils_see_the_speed_and_the_room_but_not_the_key(
+    browser: Browser, teacher: Browser
+) -> None:
+    keep(teacher, key="segredo")
+    seen = kinds(browser)["bridge"]
+    assert (seen["is_set_up"], seen["max_v_mps"], seen["record"]) == (True, 0.4, None)
+    assert kinds(teacher)["bridge"]["record"]["key"] == "segredo"
+
+
+def test_a_set_up_is_there_after_a_restart_and_can_be_undone(
+    start_app: Callable[..., App], app: App, teacher: Browser
+) -> None:
+    keep(teacher)
+    app.close()
+    tab = Browser.signed_in(start_app().address)
+    assert kinds(tab)["bridge"]["max_v_mps"] == 0.4
+    tab.post("/api/teacher/enter", {"pin": PIN})
+    assert tab.delete(HERE).data["is_set_up"] is False
+    assert kinds(tab)["bridge"]["record"]["max_v_mps"] == 0.3
+
+
+@pytest.mark.parametrize(
+    ("fields", "words"),
+    [
+        ({"max_v_mps": 9}, ["“9”", "“Highest speed (m/s)”", "0.05 to 1.2"]),
+        ({"max_v_mps": "x"}, ["“x”", "“Highest speed (m/s)”", "0.05 to 1.2"]),
+        ({"room": {"width_m": 0.5}}, ["“0.5”", "“Width of the free floor (m)”", "1 to 50"]),
+        ({"host": "a b"}, ["“a b”", "“Address at which this PC listens”"]),
+        ({"colour": "red"}, ["“red”", "“colour”"]),
+        ({"room": 3}, ["“3”", "“room”"]),
+        ({"room": {"x_m": 9}}, ["start"]),
+    ],
+)
+def test_a_wrong_field_is_named_in_words_with_its_value_and_range(
+    teacher: Browser, fields: dict[str, Any], words: list[str]
+) -> None:
+    answer = keep(teacher, **fields)
+    assert answer.status == 422
+    said = f"{answer.error['message']} {answer.error['remedy']}"
+    assert [word for word in words if word not in said] == []
+    assert "Input should" not in said
+    assert kinds(teacher)["bridge"]["is_set_up"] is False
+
+
+def test_every_field_of_every_kind_has_a_label_and_a_hint(browser: Browser) -> None:
+    for one in kinds(browser).values():
+        for field in one["fields"]:
+            assert not field["label"].startswith("robot_field"), field
+            assert field["hint"], field
+            assert (field["low"] is None) == (field["high"] is None)
+
+
+def test_a_run_on_a_robot_that_is_not_set_up_or_not_known_is_refused(
+    browser: Browser, group: dict[str, Any], version: dict[str, Any]
+) -> None:
+    answer = browser.post("/api/runs", wish(version))
+    assert (answer.status, answer.error["code"]) == (409, "robot_not_set_up")
+    answer = browser.post("/api/runs", wish(version, robot="r2d2"))
+    assert (answer.status, answer.error["code"]) == (422, "unknown_link")
+    assert browser.get(f"/api/groups/{group['id']}/runs").data["runs"] == []
+
+
+def test_a_real_run_keeps_link_room_and_record_without_the_key(
+    browser: Browser, teacher: Browser, engine: FakeEngine, app: App, version: dict[str, Any]
+) -> None:
+    keep(teacher, key="segredo")
+    run = browser.post("/api/runs", wish(version, start={"x_m": 1, "y_m": 1, "heading_deg": 0}))
+    assert (run.data["link"], run.data["world"]) == ("bridge", "room")
+    begun = engine.begun
+    assert (begun["link"], begun["pace"]) == ("bridge", "live")
+    assert begun["robot"]["key"] == "segredo"
+    assert begun["robot"]["max_v_mps"] == 0.4
+    assert begun["world"]["size_m"] == [3.0, 4.0]
+    found = browser.get(f"/api/runs/{run.data['id']}").data
+    assert found["world_document"]["start"]["x_m"] == -0.5
+    kept = app._store.runs.get(run.data["id"]).parameters["robot"]
+    assert (kept["link"], kept["max_omega_dps"]) == ("bridge", 40.0)
+    assert "key" not in kept
+
+
+def test_a_slow_run_has_half_of_the_speeds(
+    browser: Browser, teacher: Browser, engine: FakeEngine, version: dict[str, Any]
+) -> None:
+    keep(teacher)
+    assert browser.post("/api/runs", wish(version, slow=True)).status == 200
+    assert (engine.begun["robot"]["max_v_mps"], engine.begun["robot"]["max_omega_dps"]) == (
+        0.2,
+        20.0,
+    )
+
+
+def test_a_real_run_of_a_mission_drives_in_the_room_and_is_not_judged(
+    browser: Browser, teacher: Browser, engine: FakeEngine, program: dict[str, Any]
+) -> None:
+    keep(teacher)
+    setup = {**SETUP, "activity": "around_the_block"}
+    saved = browser.post(
+        f"/api/programs/{program['id']}/versions",
+        {"workspace": {"blocks": {}}, "document": SQUARE, "setup": setup},
+    )
+    run = browser.post("/api/runs", wish({"id": saved.data["id"]})).data
+    assert (run["activity"], run["passed"], run["world"]) == (None, None, "room")
+    assert engine.begun["world"]["name"] == "room"
+
+
+def test_a_real_run_in_a_lesson_with_an_activity_is_not_judged_either(
+    browser: Browser, teacher: Browser, group: dict[str, Any], version: dict[str, Any]
+) -> None:
+    keep(teacher)
+    classroom = teacher.post("/api/classrooms", {"name": "9º A"}).data["id"]
+    moved = teacher.patch(f"/api/groups/{group['id']}", {"classroom_id": classroom})
+    assert moved.status == 200, moved.data
+    lesson = {"title": "Robôs", "activity": "around_the_block"}
+    opened = teacher.post(f"/api/classrooms/{classroom}/lessons", lesson)
+    assert opened.status == 200, opened.data
+    run = browser.post("/api/runs", wish(version)).data
+    assert run["lesson_id"] == opened.data["id"]
+    assert run["activity"] is None
+
+
+SETUP: dict[str, Any] = {
+    "preset": "ideal",
+    "feedback": "pose",
+    "world": "empty_room",
+    "start": None,
+    "speed": 1,
+    "activity": None,
+    "n_hints": 0,
+}
