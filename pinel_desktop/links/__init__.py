@@ -10,7 +10,10 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.robot import RobotLink, Setting
 from pinel_desktop.robot.record import RobotRecord
 
-_BACKENDS = {"sim": ("pinel_desktop.links.sim", "SimLink")}
+_BACKENDS = {
+    "sim": ("pinel_desktop.links.sim", "SimLink"),
+    "bridge": ("pinel_desktop.links.bridge.transport", "bridge_link"),
+}
 LINK_NAMES = tuple(_BACKENDS)
 _DEFAULT_SETTING = Setting()
 

@@ -1,6 +1,7 @@
 """Checks of a robot's messages about itself: what cannot be is not taken for a measurement."""
 
 import math
+from collections import deque
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links.transport import Odometry
@@ -14,7 +15,9 @@ _JUMP_S = 0.4  # after a longer gap nothing can be said
 # Measured poses beyond are nonsense, and squares of them overflow nothing.
 _FARTHEST_M = 1e5
 _FASTEST_MPS, _FASTEST_RADPS = 20.0, 100.0
-_SHORTEST_S = 0.01  # between poses whose difference tells a velocity
+# Between poses whose difference tells a velocity: poses come over a network, some ms early or late.
+_WINDOW_S = 0.1
+_SHORTEST_S = 0.01
 
 
 def yaw_of(x: float, y: float, z: float, w: float) -> float:
@@ -40,6 +43,9 @@ class OdometryFilter:
         self.n_invalid = self.n_late = 0
         self._stamp_s: float | None = None
         self._frame: str | None = None
+        self._trail: deque[tuple[float, Pose2D]] = (
+            deque()
+        )  # of the last `_WINDOW_S`, with their times
 
     def take(self, message: Odometry, now_s: float) -> None:
         """Takes a message that arrived at `now_s`. Raises PinelError `reference_lost`, `odometry_frame_changed`."""
@@ -54,7 +60,9 @@ class OdometryFilter:
         before, gap_s = self.state, now_s - self.arrived_s
         if before is not None and gap_s < _JUMP_S:
             _require_no_jump(before.pose, pose)
-        twist = self._twist(message, pose, gap_s)
+        if gap_s > _JUMP_S:
+            self._trail.clear()
+        twist = self._twist(message, pose, now_s)
         self.state, self.arrived_s, self._stamp_s = RobotState(pose, twist), now_s, message.stamp_s
 
     def _is_late(self, message: Odometry, now_s: float) -> bool:
@@ -69,16 +77,20 @@ class OdometryFilter:
         elif frame != self._frame:
             raise PinelError("odometry_frame_changed", before=self._frame, now=frame)
 
-    def _twist(self, message: Odometry, pose: Pose2D, gap_s: float) -> Twist2D:
-        """The measured velocity, or the one that two poses tell."""
+    def _twist(self, message: Odometry, pose: Pose2D, now_s: float) -> Twist2D:
+        """The measured velocity, or the mean one that the poses of the last `_WINDOW_S` tell."""
         if message.v_mps is not None and message.omega_radps is not None:
             return Twist2D(message.v_mps, message.omega_radps)
-        if self.state is None or gap_s > _JUMP_S:
+        trail = self._trail
+        while len(trail) > 1 and now_s - trail[1][0] >= _WINDOW_S:
+            trail.popleft()
+        if not trail or now_s - trail[-1][0] >= _SHORTEST_S:
+            trail.append((now_s, pose))
+        begun_s, begin = trail[0]
+        if now_s - begun_s < _SHORTEST_S:
             return Twist2D(0.0, 0.0)
-        if gap_s < _SHORTEST_S:
-            return self.state.twist
-        moved = pose.relative_to(self.state.pose)
-        return Twist2D(moved.x_m / gap_s, moved.yaw_rad / gap_s)
+        moved, took_s = pose.relative_to(begin), now_s - begun_s
+        return Twist2D(moved.x_m / took_s, moved.yaw_rad / took_s)
 
 
 def _is_possible(message: Odometry) -> bool:

@@ -53,9 +53,9 @@ class Sender:
     def _work(self) -> None:
         while not self._ending:
             twist, at_s = self._newest
-            is_stale = time.monotonic() - at_s > STALE_S
-            self._hand_on(STANDSTILL if is_stale else twist)
-            self._wake.wait(PERIOD_S)
+            left_s = at_s + STALE_S - time.monotonic()
+            self._hand_on(twist if left_s > 0.0 else STANDSTILL)
+            self._wake.wait(min(PERIOD_S, left_s) if left_s > 0.0 else PERIOD_S)
             self._wake.clear()
         for _ in range(N_LAST_ZEROS):  # one of them gets through where packets are lost
             self._hand_on(STANDSTILL)

@@ -160,6 +160,7 @@ class BridgeRecord(RobotRecord):
     Attributes:
         host, port: where this PC listens.
         key: what each request must bring; empty for none, as the original's clients do.
+        wait_s: how long connecting waits for the first request.
     """
 
     link = "bridge"
@@ -167,6 +168,7 @@ class BridgeRecord(RobotRecord):
     host: HostName = "127.0.0.1"
     port: Annotated[int, Field(ge=0, le=65535)] = 5000
     key: Annotated[str, Field(max_length=100)] = ""
+    wait_s: Annotated[float, Field(ge=0.1, le=3600.0)] = 60.0
 
     @property
     def address(self) -> str:

@@ -3,6 +3,7 @@
 import math
 import os
 from dataclasses import replace
+from random import Random
 from typing import Any
 from unittest.mock import ANY
 
@@ -113,6 +114,38 @@ def test_the_velocity_of_a_robot_that_tells_its_pose_only_is_that_of_its_poses()
     checked.take(message(1.03, 0.1, v_mps=None, omega_radps=None), 0.1)
     assert checked.state is not None
     assert checked.state.twist == pytest.approx((0.3, 1.0))
+
+
+def driven(checked: OdometryFilter, times_s: list[float], late_s: list[float]) -> list[Twist2D]:
+    """The velocities told of a robot at 0.3 m/s whose poses of these times arrive late."""
+    told = []
+    for at_s, by_s in zip(times_s, late_s, strict=True):
+        checked.take(message(0.3 * at_s, v_mps=None, omega_radps=None), at_s + by_s)
+        assert checked.state is not None
+        told.append(checked.state.twist)
+    return told
+
+
+def test_poses_that_come_early_and_late_tell_a_calm_velocity() -> None:
+    late = Random(1)
+    times_s = [tick / 30 for tick in range(300)]
+    told = driven(OdometryFilter(), times_s, [late.uniform(0.0, 0.01) for _ in times_s])
+    assert all(abs(twist.v_mps - 0.3) < 0.035 for twist in told[4:])
+
+
+def test_a_thousand_poses_a_second_tell_the_velocity() -> None:
+    times_s = [tick / 1000 for tick in range(500)]
+    told = driven(OdometryFilter(), times_s, [0.0] * len(times_s))
+    assert told[-1] == pytest.approx((0.3, 0.0))
+
+
+def test_a_robot_that_stands_is_known_to_stand_within_five_of_its_poses() -> None:
+    checked = OdometryFilter()
+    driven(checked, [tick / 30 for tick in range(30)], [0.0] * 30)
+    for tick in range(30, 35):
+        checked.take(message(0.3 * 29 / 30, v_mps=None, omega_radps=None), tick / 30)
+    assert checked.state is not None
+    assert checked.state.twist == (0.0, 0.0)
 
 
 def test_yaw_of_quaternions() -> None:

@@ -16,7 +16,8 @@ class TestSimLink(LinkContract):
 @pytest.mark.parametrize("name", LINK_NAMES)
 def test_every_backend_is_held_to_the_contract(name: str) -> None:
     tests = Path(__file__).with_name(f"test_{name}.py").read_text("utf-8")
-    assert f'(LinkContract):\n    link = "{name}"\n' in tests
+    contract = "LinkContract" if name == "sim" else "RealLinkContract"
+    assert f'({contract}):\n    link = "{name}"\n' in tests
 
 
 def test_unknown_world_and_unknown_link_are_errors_that_list_what_there_is() -> None:
@@ -25,7 +26,7 @@ def test_unknown_world_and_unknown_link_are_errors_that_list_what_there_is() -> 
     with pytest.raises(PinelError) as link:
         open_link("teleporter", world="empty_room")
     assert (world.value.code, link.value.code) == ("unknown_world", "unknown_link")
-    assert link.value.params["allowed"] == ["sim"]
+    assert link.value.params["allowed"] == list(LINK_NAMES)
 
 
 def test_simulator_has_every_sensor() -> None:

@@ -49,13 +49,18 @@ class Unicycle:
 
     def stood_from_s(self) -> float | None:
         """Since when only zeros have come (monotonic); None if the last velocity was another one."""
-        since: float | None = None
-        for at_s, twist in self.heard:
-            if twist != STANDSTILL:
-                since = None
-            elif since is None:
-                since = at_s
-        return since
+        return stood_from_s(self.heard)
+
+
+def stood_from_s(heard: list[tuple[float, Twist2D]]) -> float | None:
+    """The time of the first of the zeros at the end of `heard`; None if the last velocity was another one."""
+    since: float | None = None
+    for at_s, twist in heard:
+        if twist != STANDSTILL:
+            since = None
+        elif since is None:
+            since = at_s
+    return since
 
 
 class MemoryTransport:

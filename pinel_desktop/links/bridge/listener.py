@@ -1,0 +1,243 @@
+"""A small HTTP/1.1 server on one thread. Nobody holds up anybody: no request waits for another connection.
+
+Flask is not here because the engine must start fast and knows no page.
+"""
+
+import asyncio
+import errno
+import json
+import socket
+import sys
+import threading
+from collections.abc import Callable
+from http import HTTPStatus
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.links.bridge.routes import Answer, Request, refusal
+
+MAX_BODY_BYTES = 64 * 1024
+_MAX_HEAD_BYTES = 8 * 1024
+# For a whole request, counted from the answer before: dripping bytes does not prolong it.
+REQUEST_S = 10.0
+# Beyond, the connection that has been without a whole request for the longest is closed.
+MAX_CONNECTIONS = 32
+_END_OF_HEAD = b"\r\n\r\n"
+
+
+class Listener:
+    """Listens once constructed, answers after `start`.
+
+    Raises:
+        PinelError: `bridge_port_busy`, `bridge_address_wrong`.
+    """
+
+    def __init__(self, host: str, port: int, answer: Callable[[Request], Answer]) -> None:
+        self._socket = _listening(host, port)
+        self.port: int = self._socket.getsockname()[1]
+        self._answer = answer
+        self._connections: dict[_Connection, None] = {}  # the one that was served last is last
+        self._ready = threading.Event()
+        self._thread = threading.Thread(target=self._work, name="bridge", daemon=True)
+
+    def start(self) -> None:
+        """Answers requests until `close`."""
+        self._thread.start()
+        self._ready.wait()
+
+    def close(self) -> None:
+        """Closes all connections; safe without `start`."""
+        if self._thread.is_alive():
+            self._loop.call_soon_threadsafe(self._ending.set)
+            self._thread.join()
+        self._socket.close()
+
+    def _work(self) -> None:
+        try:
+            asyncio.run(self._serve())
+        finally:
+            self._ready.set()
+
+    async def _serve(self) -> None:
+        self._loop, self._ending = asyncio.get_running_loop(), asyncio.Event()
+        server = await self._loop.create_server(self._connection, sock=self._socket)
+        self._ready.set()
+        await self._ending.wait()
+        server.close()
+        for connection in list(self._connections):
+            connection.abort()
+        await server.wait_closed()
+        await asyncio.sleep(0)  # the connections take leave in the loop's next round
+
+    def _connection(self) -> "_Connection":
+        return _Connection(self._answer, self._connections)
+
+
+class _Connection(asyncio.Protocol):
+    """One client: reads a request, answers it, and so on.
+
+    Args:
+        connections: those of the server; this one enters and leaves by itself.
+    """
+
+    def __init__(
+        self,
+        answer: Callable[[Request], Answer],
+        connections: "dict[_Connection, None]",
+    ) -> None:
+        self._answer, self._connections = answer, connections
+        self._loop = asyncio.get_running_loop()
+        self._buffer = bytearray()
+        self._was_told_to_continue = False
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        assert isinstance(transport, asyncio.Transport)
+        self._transport = transport
+        self._client: str = transport.get_extra_info("peername")[0]
+        while len(self._connections) >= MAX_CONNECTIONS:
+            next(iter(self._connections)).abort()
+        self._begin_request()
+
+    def _begin_request(self) -> None:
+        self._connections.pop(self, None)
+        self._connections[self] = None
+        self._was_told_to_continue = False
+        self._deadline = self._loop.call_later(REQUEST_S, self.abort)
+
+    def connection_lost(self, error: Exception | None) -> None:
+        self._deadline.cancel()
+        self._connections.pop(self, None)
+
+    def abort(self) -> None:
+        """Closes the connection without an answer."""
+        self._connections.pop(self, None)
+        self._transport.abort()
+
+    def pause_writing(self) -> None:
+        """The client sends requests and takes no answers."""
+        self.abort()
+
+    def data_received(self, data: bytes) -> None:
+        self._buffer += data
+        self._go_on()
+
+    def _go_on(self) -> None:
+        """Answers the first request in the buffer, if it is whole; what is behind it waits for the others' turn."""
+        if self._transport.is_closing():
+            return
+        try:
+            request, is_last = self._next_request()
+        except PinelError as error:
+            self._reply(refusal(error), is_last=True)
+            return
+        if request is None:
+            self._transport.resume_reading()
+            return
+        self._reply(self._answer(request), is_last)
+        if self._buffer:
+            self._transport.pause_reading()
+            self._loop.call_soon(self._go_on)
+
+    def _next_request(self) -> tuple[Request | None, bool]:
+        """A whole request, and whether it is the last; None while its end has not come.
+
+        Raises PinelError `bridge_request_wrong`, `bridge_too_large`.
+        """
+        end = self._buffer.find(_END_OF_HEAD)
+        if end < 0:
+            if len(self._buffer) > _MAX_HEAD_BYTES:
+                raise PinelError("bridge_request_wrong", detail="head too long")
+            return None, False
+        method, target, version, headers = _parsed(bytes(self._buffer[:end]))
+        length, begin = _length(headers), end + len(_END_OF_HEAD)
+        if len(self._buffer) < begin + length:
+            self._tell_to_continue(headers)
+            return None, False
+        body = bytes(self._buffer[begin : begin + length])
+        del self._buffer[: begin + length]
+        connection = headers.get("connection", "").lower()
+        is_last = connection == "close" or (version == "HTTP/1.0" and connection != "keep-alive")
+        return Request(method, target, headers, body, self._client), is_last
+
+    def _tell_to_continue(self, headers: dict[str, str]) -> None:
+        """Clients that send large bodies ask first whether they may."""
+        if headers.get("expect", "").lower() == "100-continue" and not self._was_told_to_continue:
+            self._was_told_to_continue = True
+            self._transport.write(b"HTTP/1.1 100 Continue\r\n\r\n")
+
+    def _reply(self, answer: Answer, is_last: bool) -> None:
+        self._deadline.cancel()
+        self._transport.write(_encoded(answer, is_last))
+        if is_last:
+            self._transport.close()
+        self._begin_request()  # a client that does not take its answer meets the deadline too
+
+
+def _parsed(head: bytes) -> tuple[str, str, str, dict[str, str]]:
+    """Method, target, version and headers. Raises PinelError `bridge_request_wrong`."""
+    first, *lines = head.decode("latin-1").split("\r\n")
+    words = first.split(" ")
+    if len(words) != 3 or words[2] not in ("HTTP/1.0", "HTTP/1.1") or words[1][:1] != "/":
+        raise PinelError("bridge_request_wrong", detail=first)
+    headers: dict[str, str] = {}
+    for line in lines:
+        name, colon, value = line.partition(":")
+        name = name.lower()
+        is_twice = name in headers and name in ("host", "content-length")
+        if not colon or not name or name != name.strip() or is_twice:
+            raise PinelError("bridge_request_wrong", detail=line)
+        headers[name] = value.strip()
+    return words[0], words[1], words[2], headers
+
+
+def _length(headers: dict[str, str]) -> int:
+    """Bytes of the body. Raises PinelError `bridge_request_wrong`, `bridge_too_large`."""
+    if "transfer-encoding" in headers:
+        raise PinelError("bridge_request_wrong", detail="Transfer-Encoding")
+    text = headers.get("content-length", "0")
+    if not (text.isascii() and text.isdigit()):
+        raise PinelError("bridge_request_wrong", detail=f"Content-Length: {text}")
+    if len(text) > 9 or int(text) > MAX_BODY_BYTES:
+        raise PinelError("bridge_too_large", max_kib=MAX_BODY_BYTES // 1024)
+    return int(text)
+
+
+def _encoded(answer: Answer, is_last: bool) -> bytes:
+    body = json.dumps(answer.document, allow_nan=False).encode()
+    headers = {
+        "Content-Type": "application/json",
+        "Content-Length": str(len(body)),
+        "Cache-Control": "no-store",
+        "Connection": "close" if is_last else "keep-alive",
+        **answer.headers,
+    }
+    lines = [f"HTTP/1.1 {answer.status} {HTTPStatus(answer.status).phrase}"]
+    lines += [f"{name}: {value}" for name, value in headers.items()]
+    return "\r\n".join([*lines, "", ""]).encode() + body
+
+
+def _listening(host: str, port: int) -> socket.socket:
+    try:
+        family, kind, protocol, _, address = socket.getaddrinfo(
+            host, port, type=socket.SOCK_STREAM
+        )[0]
+        listener = socket.socket(family, kind, protocol)
+    except (OSError, UnicodeError) as error:  # a name that leads nowhere, or is none
+        raise _cannot_listen(host, port, error) from error
+    try:
+        if sys.platform == "win32":  # where SO_REUSEADDR lets another program take over the port
+            listener.setsockopt(socket.SOL_SOCKET, socket.SO_EXCLUSIVEADDRUSE, 1)
+        else:
+            listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        listener.bind(address)
+        listener.listen(MAX_CONNECTIONS)
+    except OSError as error:
+        listener.close()
+        raise _cannot_listen(host, port, error) from error
+    return listener
+
+
+def _cannot_listen(host: str, port: int, error: OSError | UnicodeError) -> PinelError:
+    if isinstance(error, OSError) and error.errno == errno.EADDRINUSE:
+        return PinelError("bridge_port_busy", port=port, host=host)
+    detail = error.strerror if isinstance(error, OSError) else str(error)
+    return PinelError("bridge_address_wrong", host=host, port=port, detail=detail)
