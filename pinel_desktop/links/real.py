@@ -50,6 +50,8 @@ class RealLink:
         self._odometry = OdometryFilter()
         self._start: Pose2D | None = None
         self._problem: PinelError | None = None
+        # A problem that arrives while a velocity is being set is not overruled by it.
+        self._commanding = threading.Lock()
         self._closed = False
         self.battery: float | None = None
 
@@ -98,11 +100,12 @@ class RealLink:
 
     def command(self, twist: Twist2D) -> None:
         v, omega = twist
-        if not (math.isfinite(v) and math.isfinite(omega)) or self._problem is not None:
+        if not (math.isfinite(v) and math.isfinite(omega)) or self.age_s > SILENT_S:
             v = omega = 0.0
         v = min(max(v, -self._max_v), self._max_v)
         omega = min(max(omega, -self._max_omega), self._max_omega)
-        self._sender.command(Twist2D(v, omega))
+        with self._commanding:
+            self._sender.command(STANDSTILL if self._problem else Twist2D(v, omega))
 
     def advance(self, dt_s: float) -> None:
         """Does nothing: the time of a real robot passes by itself."""
@@ -129,8 +132,9 @@ class RealLink:
         self.battery = level if 0.0 <= level <= 1.0 else None
 
     def on_problem(self, problem: PinelError) -> None:
-        self._problem = self._problem or problem
-        self._sender.command(STANDSTILL)
+        with self._commanding:
+            self._problem = self._problem or problem
+            self._sender.command(STANDSTILL)
 
     def _silent(self) -> PinelError:
         if self._odometry.state is None and self._odometry.n_invalid:

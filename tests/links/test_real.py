@@ -2,6 +2,7 @@
 
 import math
 import os
+import time
 from dataclasses import replace
 from random import Random
 from typing import Any
@@ -154,6 +155,20 @@ def test_yaw_of_quaternions() -> None:
     assert yaw_of(0.0, 0.0, 2 * math.sin(half), 2 * math.cos(half)) == pytest.approx(2 * half)
     assert math.isnan(yaw_of(0.0, 0.0, 0.0, 0.0))
     assert math.isnan(yaw_of(math.nan, 0.0, 0.0, 1.0))
+
+
+def test_a_silent_robot_is_not_driven_on_even_if_nobody_reads_it() -> None:
+    robot = Unicycle()
+    link = real_link(lambda record: MemoryTransport(robot), Setting(), FAST)
+    link.connect()
+    robot.is_mute = True
+    due_s = time.monotonic() + 20.0
+    while robot.stood_from_s() is None or len(robot.heard) < 30:
+        assert time.monotonic() < due_s, "the robot drives on"
+        link.command(Twist2D(0.2, 0.0))
+        time.sleep(0.02)
+    link.close()
+    assert Twist2D(0.2, 0.0) in {twist for _, twist in robot.heard}
 
 
 def test_a_second_problem_does_not_hide_the_first() -> None:
