@@ -12,6 +12,7 @@ from pinel_desktop.robot.record import RobotRecord
 
 _BACKENDS = {
     "sim": ("pinel_desktop.links.sim", "SimLink"),
+    "dds": ("pinel_desktop.links.dds.transport", "dds_link"),
     "bridge": ("pinel_desktop.links.bridge.transport", "bridge_link"),
 }
 LINK_NAMES = tuple(_BACKENDS)

@@ -1,0 +1,121 @@
+"""Who publishes and subscribes what in a domain, from DDS's built-in topics."""
+
+import platform
+import re
+import uuid
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import psutil
+from cyclonedds.builtin import (
+    BuiltinDataReader,
+    BuiltinTopic,
+    BuiltinTopicDcpsParticipant,
+    BuiltinTopicDcpsPublication,
+    BuiltinTopicDcpsSubscription,
+)
+from cyclonedds.core import InstanceState, Policy, Qos
+from cyclonedds.domain import DomainParticipant
+
+from pinel_desktop.links.dds.session import TOPIC_PREFIX, Session
+
+_AT_ONCE = 200
+_PINEL = re.compile(r"pinel=([^;/]*)/(\d+);")
+
+
+@dataclass(frozen=True, slots=True)
+class Endpoint:
+    """A publisher or subscriber of a topic of ROS.
+
+    Attributes:
+        topic: full name, without the first slash.
+        type_name: as on the network.
+        user_data: what it tells of itself, such as a type hash.
+    """
+
+    topic: str
+    type_name: str
+    participant: uuid.UUID
+    user_data: str
+
+
+@dataclass(frozen=True, slots=True)
+class Participant:
+    """A program in the domain.
+
+    Attributes:
+        name: of its PC as far as it is told, else its identifier.
+        is_pinel: it is a PINEL.
+        is_gone: its process, on this PC, has ended; DDS notices after ten seconds only.
+    """
+
+    name: str
+    is_pinel: bool
+    is_gone: bool
+
+
+class Graph:
+    """The endpoints in a session's domain, its own ones left out. Used on one thread at a time."""
+
+    def __init__(self, session: Session) -> None:
+        participant = session.participant
+        self._own: uuid.UUID = participant.get_guid()
+        self._participants = _Collected(participant, BuiltinTopicDcpsParticipant)
+        self._publications = _Collected(participant, BuiltinTopicDcpsPublication)
+        self._subscriptions = _Collected(participant, BuiltinTopicDcpsSubscription)
+
+    def publishers(self, topic: str = "") -> list[Endpoint]:
+        """Who publishes `topic`, or any topic of ROS."""
+        return list(self._endpoints(self._publications, topic))
+
+    def subscribers(self, topic: str = "") -> list[Endpoint]:
+        """Who subscribes to `topic`, or to any topic of ROS."""
+        return list(self._endpoints(self._subscriptions, topic))
+
+    def participant(self, key: uuid.UUID) -> Participant:
+        """Who an endpoint belongs to."""
+        found = self._participants.now().get(key)
+        qos = found.qos if found is not None else Qos()
+        host, pid = _properties(qos)
+        pinel = _PINEL.search(_user_data(qos))
+        if pinel:
+            host, pid = pinel[1], pinel[2]
+        is_gone = host == platform.node() and pid.isdigit() and not psutil.pid_exists(int(pid))
+        return Participant(host or str(key), pinel is not None, is_gone)
+
+    def _endpoints(self, collected: "_Collected", topic: str) -> Iterator[Endpoint]:
+        for found in collected.now().values():
+            name = found.topic_name
+            if found.participant_key == self._own or not name.startswith(TOPIC_PREFIX):
+                continue
+            name = name.removeprefix(TOPIC_PREFIX)
+            if topic in {"", name}:
+                yield Endpoint(name, found.type_name, found.participant_key, _user_data(found.qos))
+
+
+class _Collected:
+    """What a built-in topic has told, by key."""
+
+    def __init__(self, participant: DomainParticipant, topic: BuiltinTopic) -> None:
+        self._reader = BuiltinDataReader(participant, topic)
+        self._alive: dict[uuid.UUID, Any] = {}
+
+    def now(self) -> dict[uuid.UUID, Any]:
+        for sample in self._reader.take(_AT_ONCE):
+            if sample.sample_info.instance_state == InstanceState.Alive:
+                self._alive[sample.key] = sample
+            else:
+                self._alive.pop(sample.key, None)
+        return self._alive
+
+
+def _user_data(qos: Qos) -> str:
+    told = qos[Policy.Userdata] if Policy.Userdata in qos else None  # noqa: SIM401 - no dictionary
+    return told.data.decode("utf-8", "replace") if told else ""
+
+
+def _properties(qos: Qos) -> tuple[str, str]:
+    """Name of the PC and number of the process, which participants of Cyclone DDS tell."""
+    told = {policy.key: policy.value for policy in qos if isinstance(policy, Policy.Property)}
+    return told.get("__Hostname", ""), told.get("__Pid", "")

@@ -1,0 +1,58 @@
+"""Whether somebody else drives the robot: two publishers of one command topic would pull it to and fro."""
+
+import time
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.links.dds.graph import Endpoint, Graph, Participant
+
+# Others in the domain have answered by then: they are known before the first command.
+_LISTENING_S = 1.0
+# Another PINEL that comes later withdraws by itself before this; what else comes is not waited for.
+_WITHDRAWS_WITHIN_S = 3.0
+
+
+class Holding:
+    """Watches the publishers of a command topic other than this PC's own."""
+
+    def __init__(self, graph: Graph, topic: str) -> None:
+        self._graph, self._topic = graph, topic
+        self._began_s = time.monotonic()
+        self._since_s: float | None = None  # another PINEL has been there
+
+    def holder(self) -> Participant | None:
+        """Somebody else who publishes commands now; the one that cannot withdraw first."""
+        owners = (self._graph.participant(found.participant) for found in self._publishers())
+        there = [owner for owner in owners if not owner.is_gone]
+        return min(there, key=lambda owner: owner.is_pinel, default=None)
+
+    def is_free(self) -> bool:
+        """Whether nobody has published for long enough to be sure."""
+        if self.holder() is not None:
+            self._began_s = time.monotonic()
+        return time.monotonic() - self._began_s >= _LISTENING_S
+
+    def began(self) -> None:
+        """This PC publishes commands from now on."""
+        self._began_s = time.monotonic()
+
+    def require_alone(self) -> None:
+        """Raises PinelError `robot_held` when somebody else begins to drive, and does not withdraw."""
+        holder = self.holder()
+        if holder is None:
+            self._since_s = None
+            return
+        now_s = time.monotonic()
+        self._since_s = self._since_s or now_s
+        was_alone = self._since_s - self._began_s > 2 * _LISTENING_S
+        if holder.is_pinel and was_alone and now_s - self._since_s < _WITHDRAWS_WITHIN_S:
+            return
+        raise self.problem()
+
+    def problem(self) -> PinelError:
+        holder = self.holder()
+        return PinelError(
+            "robot_held", holder=holder.name if holder else "?", topic=f"/{self._topic}"
+        )
+
+    def _publishers(self) -> list[Endpoint]:
+        return self._graph.publishers(self._topic)

@@ -1,0 +1,177 @@
+"""Carries velocities to a robot of ROS 2 and its messages back, over DDS."""
+
+import socket
+import threading
+import time
+from collections.abc import Callable
+from typing import Any
+
+from cyclonedds.idl import IdlStruct
+from cyclonedds.pub import DataWriter
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.links.dds import messages
+from pinel_desktop.links.dds.graph import Graph
+from pinel_desktop.links.dds.holding import Holding
+from pinel_desktop.links.dds.messages import Twist, TwistStamped, type_name
+from pinel_desktop.links.dds.receiving import Receiving
+from pinel_desktop.links.dds.search import Search
+from pinel_desktop.links.dds.session import Session, range_type
+from pinel_desktop.links.real import RealLink, real_link
+from pinel_desktop.links.ros_sensors import RosSensors
+from pinel_desktop.links.transport import Cancelled, Receiver
+from pinel_desktop.robot import STANDSTILL, RobotModel, Sensors, Setting, Twist2D
+from pinel_desktop.robot.record import DdsRecord, RobotRecord
+
+_FOUND_WITHIN_S = 5.0
+_MATCHED_WITHIN_S = 3.0
+_POLL_S = 0.05
+
+
+class DdsTransport:
+    """A robot in a DDS domain, as its record names it."""
+
+    def __init__(self, record: DdsRecord, robot: RobotModel) -> None:
+        self._record = record
+        self._command_topic = record.name_of(record.command_topic)
+        self._sensors = RosSensors(robot)
+        self.sensors: Sensors = self._sensors
+        self._session: Session | None = None
+        self._writer: DataWriter[Any] | None = None
+        self._message: Callable[[Twist2D], IdlStruct] = _plain
+        self._receiving: Receiving | None = None
+
+    def open(self, receiver: Receiver, cancelled: Cancelled) -> None:
+        peers = _addresses(self._record.peers, cancelled)
+        if cancelled():
+            return
+        self._session = session = Session(self._record.domain, peers)
+        graph = Graph(session)
+        search, holding = Search(graph, self._record), Holding(graph, self._command_topic)
+        for condition, problem in (
+            (search.is_complete, search.problem),
+            (holding.is_free, holding.problem),
+        ):
+            if not _wait(condition, cancelled, _FOUND_WITHIN_S):
+                if cancelled():
+                    return
+                raise problem()
+        self._connect(session, graph, search, holding, receiver)
+        _wait(self._is_matched, cancelled, _MATCHED_WITHIN_S)
+
+    def send(self, twist: Twist2D) -> None:
+        if self._writer is not None:
+            self._writer.write(self._message(twist))
+
+    def bumper(self) -> bool:
+        return self._sensors.touches()
+
+    def close(self) -> None:
+        if self._receiving is not None:
+            self._receiving.close()
+        if self._session is not None:
+            self._session.close()
+
+    def _connect(
+        self,
+        session: Session,
+        graph: Graph,
+        search: Search,
+        holding: Holding,
+        receiver: Receiver,
+    ) -> None:
+        command, odometry = search.command_type, search.odometry_type
+        assert command is not None
+        assert odometry is not None
+        found = _Sensors(graph, self._record)
+
+        def watch() -> None:
+            for topic, message in found.new():
+                receiving.subscribe(topic, message)
+            holding.require_alone()
+
+        self._receiving = receiving = Receiving(session, receiver, self._sensors, watch)
+        self._message = receiving.stamped if command is TwistStamped else _plain
+        self._writer = session.writer(self._command_topic, command)
+        holding.began()
+        receiving.subscribe(self._record.name_of(self._record.odometry_topic), odometry)
+        receiving.start()
+
+    def _is_matched(self) -> bool:
+        """Sends zeros until the robot hears them: the first ones of a new publisher are lost on their way."""
+        self.send(STANDSTILL)
+        return bool(self._writer and self._writer.get_matched_subscriptions())
+
+
+class _Sensors:
+    """The topics of a record's sensors, as the robot comes to publish them."""
+
+    def __init__(self, graph: Graph, record: DdsRecord) -> None:
+        self._graph = graph
+        scan, sonar = (messages.LaserScan,), (messages.Range, messages.PointCloud)
+        rows = (
+            (record.scan_topic, scan),
+            (record.sonar_topic, sonar),
+            (record.bumper_topic, (messages.Bool,)),
+            (record.battery_topic, (messages.BatteryState,)),
+        )
+        self._waiting = {record.name_of(topic): kinds for topic, kinds in rows if topic}
+
+    def new(self) -> list[tuple[str, type[IdlStruct]]]:
+        """Topics and types that have been found since the last call."""
+        found: list[tuple[str, type[IdlStruct]]] = []
+        for topic, kinds in tuple(self._waiting.items()):
+            for publisher in self._graph.publishers(topic):
+                kind = next(
+                    (kind for kind in kinds if type_name(kind) == publisher.type_name), None
+                )
+                if kind is not None:
+                    is_range = kind is messages.Range
+                    found.append((topic, range_type(publisher.user_data) if is_range else kind))
+                    del self._waiting[topic]
+                    break
+        return found
+
+
+def _plain(twist: Twist2D) -> Twist:
+    return Twist(messages.Vector3(x=twist.v_mps), messages.Vector3(z=twist.omega_radps))
+
+
+def _wait(condition: Callable[[], bool], cancelled: Cancelled, seconds: float) -> bool:
+    """Whether `condition` came true in time, and nobody cancelled."""
+    due_s = time.monotonic() + seconds
+    while not cancelled():
+        if condition():
+            return True
+        if time.monotonic() > due_s:
+            return False
+        time.sleep(_POLL_S)
+    return False
+
+
+def _addresses(peers: tuple[str, ...], cancelled: Cancelled) -> list[str]:
+    """Numeric addresses of peers. Raises PinelError `peer_unknown`. A slow name server holds up nobody."""
+    found: dict[str, str] = {}
+
+    def resolve() -> None:
+        for peer in peers:
+            try:
+                found[peer] = str(socket.getaddrinfo(peer, None, type=socket.SOCK_DGRAM)[0][4][0])
+            except OSError:
+                return
+
+    thread = threading.Thread(target=resolve, name="robot-peers", daemon=True)
+    thread.start()
+    _wait(lambda: not thread.is_alive(), cancelled, _FOUND_WITHIN_S)
+    unknown = next((peer for peer in peers if peer not in found), None)
+    if unknown is not None and not cancelled():
+        raise PinelError("peer_unknown", peer=unknown)
+    return list(found.values())
+
+
+def dds_link(
+    *, world: Any, setting: Setting, seed: int, robot: RobotRecord | None = None
+) -> RealLink:
+    """A robot of ROS 2 as a robot link. Raises PinelError `robot_not_set_up`."""
+    del world, seed
+    return real_link(lambda record: DdsTransport(record, setting.robot), setting, robot)

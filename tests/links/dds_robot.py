@@ -1,0 +1,160 @@
+"""A robot of ROS 2 on DDS, as a process: `python -m tests.links.dds_robot JSON`.
+
+It follows velocities at once (`Unicycle`) and prints each one that comes as a line of JSON; a line on its standard
+input changes what it does.
+"""
+
+import json
+import math
+import sys
+import threading
+import time
+from dataclasses import dataclass
+from typing import Any
+
+from pinel_desktop.links.dds import messages as m
+from pinel_desktop.links.dds.session import Session
+from pinel_desktop.robot import Twist2D
+from tests.links.unicycle import Unicycle
+
+PERIOD_S = 0.01
+
+
+@dataclass
+class Behaviour:
+    """What the robot offers, and how it misbehaves.
+
+    Attributes:
+        command: type that it subscribes to; empty for none.
+        odometry: type that it publishes; empty for none.
+        sensors: publishes a scan, sonars, a bumper and its battery.
+        is_mute: reports nothing.
+        broken: `nan`, `quaternion`, `jump`, `frame` or `clock`: what is wrong with the odometry.
+        period_s: from one message to the next.
+        second: somebody else's participant, which publishes commands.
+    """
+
+    domain: int
+    command: str = "Twist"
+    odometry: str = "Odometry"
+    namespace: str = ""
+    sensors: bool = False
+    is_mute: bool = False
+    broken: str = ""
+    period_s: float = PERIOD_S
+    drives: bool = True
+    publishes_commands: bool = False
+
+
+class DdsRobot:
+    def __init__(self, behaviour: Behaviour) -> None:
+        self.behaviour, self.robot = behaviour, Unicycle()
+        self._session = session = Session(behaviour.domain, ("127.0.0.1",))
+        self._prefix = f"{behaviour.namespace}/" if behaviour.namespace else ""
+        self._commands = self._reader("cmd_vel", behaviour.command)
+        self._odometry = self._writer("odom", behaviour.odometry)
+        self._others: Any = None
+        self._sensors = (
+            [
+                (session.writer(self._prefix + topic, type(message)), message)
+                for topic, message in SENSORS
+            ]
+            if behaviour.sensors
+            else []
+        )
+
+    def _reader(self, topic: str, name: str) -> Any:
+        return self._session.reader(self._prefix + topic, getattr(m, name)) if name else None
+
+    def _writer(self, topic: str, name: str) -> Any:
+        return self._session.writer(self._prefix + topic, getattr(m, name)) if name else None
+
+    def work(self) -> None:
+        threading.Thread(target=self._report, daemon=True).start()
+        say({"ready": True})
+        while True:
+            for sample in self._commands.take(1) if self._commands else ():
+                twist = sample if isinstance(sample, m.Twist) else getattr(sample, "twist", None)
+                if twist is not None:
+                    self._hear(Twist2D(twist.linear.x, twist.angular.z), sample)
+            time.sleep(0.001)
+
+    def _hear(self, twist: Twist2D, sample: Any) -> None:
+        stamp = sample.header.stamp.sec if isinstance(sample, m.TwistStamped) else None
+        self.robot.hear(twist)
+        say({"heard": [*self.robot.heard[-1][0:1], *twist], "stamp": stamp})
+
+    def _report(self) -> None:
+        while True:
+            self._share_commands()
+            if not self.behaviour.is_mute and self._odometry is not None:
+                self._odometry.write(self._message())
+            for writer, message in self._sensors:
+                writer.write(message)
+            time.sleep(self.behaviour.period_s)
+
+    def _share_commands(self) -> None:
+        wanted = self.behaviour.publishes_commands
+        if wanted and self._others is None:
+            self._others = Session(self.behaviour.domain, ("127.0.0.1",))
+            self._others.writer(self._prefix + "cmd_vel", m.Twist)
+        elif not wanted and self._others is not None:
+            self._others.close()
+            self._others = None
+
+    def _message(self) -> Any:
+        now, broken = self.robot.report(), self.behaviour.broken
+        x = math.nan if broken == "nan" else now.x_m + (2.0 if broken == "jump" else 0.0)
+        turned = m.Quaternion(z=math.sin(now.yaw_rad / 2), w=math.cos(now.yaw_rad / 2))
+        if broken == "quaternion":
+            turned = m.Quaternion(w=0.0)
+        pose = m.Pose(m.Point(x, now.y_m), turned)
+        s = time.time() - (1e6 if broken == "clock" else 0.0)
+        header = m.Header(m.Time(int(s), int(s % 1 * 1e9)), "map" if broken == "frame" else "odom")
+        if self.behaviour.odometry == "PoseStamped":
+            return m.PoseStamped(header, pose)
+        twist = m.Twist(m.Vector3(now.v_mps or 0.0), m.Vector3(z=now.omega_radps or 0.0))
+        covariances = m.PoseWithCovariance(pose), m.TwistWithCovariance(twist)
+        return m.Odometry(header, "base_link", *covariances)
+
+
+SENSORS: tuple[tuple[str, Any], ...] = (
+    (
+        "scan",
+        m.LaserScan(
+            angle_min=-math.pi / 2,
+            angle_max=math.pi / 2,
+            angle_increment=math.pi / 180,
+            range_min=0.1,
+            range_max=8.0,
+            ranges=[1.0 + index / 100 for index in range(181)],
+        ),
+    ),
+    ("sonar", m.PointCloud(points=[m.Point32(0.2225 + 1.5 + index / 10) for index in range(16)])),
+    ("bumper_state", m.Bool(data=True)),
+    ("battery_state", m.BatteryState(percentage=0.75)),
+)
+
+
+def say(message: dict[str, Any]) -> None:
+    sys.stdout.write(json.dumps(message) + "\n")
+    sys.stdout.flush()
+
+
+def listen(robot: DdsRobot) -> None:
+    """Each line changes fields of the behaviour, and is answered when it has been taken."""
+    for line in sys.stdin:
+        for name, value in json.loads(line).items():
+            setattr(robot.behaviour, name, value)
+        say({"changed": True})
+    sys.exit()
+
+
+def main() -> None:
+    robot = DdsRobot(Behaviour(**json.loads(sys.argv[1])))
+    threading.Thread(target=robot.work, daemon=True).start()
+    listen(robot)
+
+
+if __name__ == "__main__":
+    main()
