@@ -1,5 +1,6 @@
 """The real app and a real browser, both checked for unexpected requests and errors."""
 
+import itertools
 import os
 import shutil
 from collections.abc import Callable, Generator, Iterator
@@ -97,6 +98,8 @@ def open_studio(
 
     yield open_
     if contexts and {"lasting_app", "school"} & set(request.fixturenames):  # the next test uses it
+        for page in itertools.chain.from_iterable(context.pages for context in contexts):
+            watch.settle(page)
         settings = f"{app.origin}api/settings"
         assert contexts[0].request.put(settings, data={"language": "pt-BR"}).ok
         for name in KEPT_BY_PAGE:
