@@ -1,17 +1,19 @@
 """What a PC keeps outlives window and app: a browser without cookies shows it again."""
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Route, expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.python_pane import write_program
+from tests.e2e.studio import Studio
+from tests.e2e.watch import Watch
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
 
 
 def test_theme_level_class_and_mute_are_there_after_the_window_was_closed(
-    open_studio: OpenStudio, app: AppProcess
+    open_studio: OpenStudio, app: AppProcess, watch: Watch
 ) -> None:
     studio = open_studio()
     studio.tell("PUT", "/teacher/pin", {"pin": "2468"})
@@ -25,6 +27,7 @@ def test_theme_level_class_and_mute_are_there_after_the_window_was_closed(
     studio["mute"].click()
     expect(studio["mute"]).to_have_attribute("data-muted", "true")
     group = studio.api("/groups")["groups"][0]
+    watch.settle(studio.page)
     studio.page.context.close()
 
     app.stop()
@@ -51,3 +54,23 @@ def test_the_page_arrives_in_its_theme(open_studio: OpenStudio) -> None:
     studio.page.reload()
     expect(studio.page.locator("html[data-ready]")).to_be_attached()
     assert not [url for url in asked if "/settings" in url]
+
+
+def test_a_language_that_is_chosen_before_the_server_has_answered_stays(studio: Studio) -> None:
+    expect(studio.page.locator("html[data-ready]")).to_be_attached()
+    status = studio.api("/status")
+    assert status["language"] == "pt-BR"
+    held: list[Route] = []
+
+    def hold_the_first(route: Route) -> None:
+        if held:
+            route.continue_()
+        held.append(route)
+
+    studio.page.route("**/api/status", hold_the_first)
+    studio.page.reload()
+    studio["language"].select_option("en")
+    expect(studio.page.locator("html")).to_have_attribute("lang", "en")
+    held[0].fulfill(json=status)
+    expect(studio.page.locator("html[data-ready]")).to_be_attached()
+    expect(studio["language"]).to_have_value("en")

@@ -1,6 +1,7 @@
 """What a group sees when the file or the disk is in trouble."""
 
 import re
+from collections.abc import Callable
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -51,14 +52,37 @@ def test_a_disk_that_fills_up_is_said_and_the_line_goes_by_itself_when_there_is_
         studio = open_studio(app.address)
         expect(studio.page.get_by_role("main")).to_be_visible()
         expect(studio["notice"]).to_have_count(0)
+        release = hold_status_of_stream(studio)
         room[0] = 300 * 10**6
         app._maintenance.check_space()
+        expect(studio["notice"]).to_contain_text("quase cheio: restam 300 MB")
+        release()
         expect(studio["notice"]).to_contain_text("quase cheio: restam 300 MB")
         room[0] = 10**12
         app._maintenance.check_space()
         expect(studio["notice"]).to_contain_text("resolvido")
         expect(studio["notice"]).to_have_count(0, timeout=15_000)
         studio.page.close()
+
+
+def hold_status_of_stream(studio: Studio) -> Callable[[], None]:
+    """Loads the page anew; the status that it asks for when its stream begins is answered, as it was, when called."""
+    page, asked = studio.page, list[Route]()
+    answer = studio.api("/status")
+
+    def hold_the_second(route: Route) -> None:
+        asked.append(route)
+        if len(asked) != 2:
+            route.continue_()
+
+    def release() -> None:
+        with page.expect_event("requestfinished", lambda one: one.url.endswith("/api/status")):
+            asked[1].fulfill(json=answer)
+
+    page.route("**/api/status", hold_the_second)
+    page.reload()
+    studio.eventually(lambda: len(asked), 2)
+    return release
 
 
 def test_a_group_that_is_deleted_under_its_program_is_told_once_and_can_take_its_text(

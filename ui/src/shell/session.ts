@@ -80,15 +80,20 @@ function poll(): void {
   }
 }
 
+/** Number of notices that came over the stream. */
+let notices = 0;
+
 /** Loads the server's status; polls while the server is gone or its engine is not ready. */
 export async function refreshStatus(): Promise<void> {
+  const told = notices;
   try {
     const answer = await serverStatus();
-    if (["opening", "failed"].includes(connection.value) && isLanguage(answer.language)) {
-      await speak(answer.language);
-    }
+    const isFirst = ["opening", "failed"].includes(connection.value);
+    // a page that is shown before the first answer has its choice of language already
+    if (isFirst && !languageChosen && isLanguage(answer.language)) await speak(answer.language);
     status.value = answer;
-    notice.value = answer.database.notice;
+    // what the stream told meanwhile is newer than the answer
+    if (told === notices) notice.value = answer.database.notice;
     connection.value = "open";
     if (answer.engine !== "ready") poll();
   } catch (error) {
@@ -97,9 +102,12 @@ export async function refreshStatus(): Promise<void> {
   }
 }
 
+/** A person chose the language of this page. */
+let languageChosen = false;
 let languageKept: Promise<unknown> = Promise.resolve();
 
 export async function chooseLanguage(chosen: Language): Promise<void> {
+  languageChosen = true;
   // in sequence: of two concurrent requests the server would keep the one that arrives last
   languageKept = languageKept.then(() => api.setLanguage(chosen));
   try {
@@ -141,6 +149,7 @@ function onStream(event: StreamEvent, runs: Follower, camera: CameraFollower): v
       camera.receive(event);
       break;
     case "notice":
+      notices++;
       notice.value = event;
       if (GOOD_NEWS.has(event.code)) window.setTimeout(() => void refreshStatus(), GOOD_NEWS_MS);
       break;
