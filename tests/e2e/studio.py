@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable
 from typing import Any, TypeVar, cast
 
-from playwright.sync_api import APIResponse, Locator, Page, expect
+from playwright.sync_api import APIResponse, Locator, Page, Response, expect
 
 from tests.e2e.blocks import Blocks
 
@@ -14,6 +14,7 @@ RUN_MS = 60_000  # a run in real time, on a busy PC
 SAVE_S = 10.0
 POLL_MS = 50
 
+_OVER = re.compile("finished|stopped|failed")
 _NUMBERS = itertools.count(1)
 
 T = TypeVar("T")
@@ -124,10 +125,17 @@ class Studio:
         self.eventually(lambda: _inner(self.commands(), "distance"), [metres, None])
 
     def run(self) -> None:
+        """Presses Run and waits until the run has begun: what the page shows then is not of the run before."""
         run = self["run"]
         expect(run).to_have_attribute("data-does", "run")
         expect(run).to_be_enabled(timeout=RUN_MS)
-        run.click()
+        with self.page.expect_response(_begins_run, timeout=RUN_MS):
+            run.click()
+
+    def run_to_the_end(self) -> None:
+        """Runs the program until the page says how it ended."""
+        self.run()
+        expect(self["scene"]).to_have_attribute("data-phase", _OVER, timeout=RUN_MS)
 
     def wait_for_phase(self, phase: str, timeout_ms: float = RUN_MS) -> None:
         expect(self["scene"]).to_have_attribute("data-phase", phase, timeout=timeout_ms)
@@ -135,6 +143,10 @@ class Studio:
     def number(self, test_id: str) -> float:
         """The exact value of a number shown in the page, from `data-value`."""
         return float(self[test_id].get_attribute("data-value") or "nan")
+
+
+def _begins_run(answer: Response) -> bool:
+    return answer.request.method == "POST" and answer.url.endswith("/api/runs")
 
 
 def _inner(commands: list[dict[str, Any]], key: str) -> list[Any]:

@@ -1,5 +1,7 @@
 """Steps, breakpoints and speed, as a pupil uses them."""
 
+import time
+
 import pytest
 from playwright.sync_api import Locator, expect
 
@@ -15,17 +17,23 @@ def app(lasting_app: AppProcess) -> AppProcess:
     return lasting_app
 
 
-def add_two_moves(studio: Studio) -> tuple[Locator, Locator]:
-    """Forward, then backward, a little each."""
+def add_two_moves(studio: Studio, back: str = "0,2") -> tuple[Locator, Locator]:
+    """Forward a little, then backward."""
     blocks = studio.blocks
     blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
     forward = blocks.by_words("andar para frente")
     blocks.type_into(forward, "0,2")
     blocks.drag_from_toolbox("motion", "andar para trás", blocks.below(forward))
     backward = blocks.by_words("andar para trás")
-    blocks.type_into(backward, "0,2")
-    studio.eventually(lambda: studio.values("distance"), [0.2, 0.2])
+    blocks.type_into(backward, back)
+    studio.eventually(lambda: studio.values("distance"), [0.2, float(back.replace(",", "."))])
     return blocks.by_words("andar para frente"), backward
+
+
+def expect_paused_before(studio: Studio, block: str) -> None:
+    """Waits for the end of a step, by the id of the next block: the run was paused before the step too."""
+    expect(studio.blocks.running()).to_have_attribute("data-id", block)
+    studio.wait_for_phase("paused")
 
 
 def dots(studio: Studio) -> Locator:
@@ -34,12 +42,13 @@ def dots(studio: Studio) -> Locator:
 
 def test_a_run_is_steered_by_keys(studio: Studio) -> None:
     studio.enter_new_group()
-    add_two_moves(studio)
+    add_two_moves(studio, back="3")
+    forward, backward = (command["block"] for command in studio.commands())
     press = studio.page.keyboard.press
     press("F7")
-    studio.wait_for_phase("paused")
+    expect_paused_before(studio, forward)
     press("F10")
-    studio.wait_for_phase("paused")
+    expect_paused_before(studio, backward)
     press("F8")
     studio.wait_for_phase("running")
     press("Shift+F8")
@@ -80,14 +89,13 @@ def test_the_run_pauses_at_a_breakpoint(studio: Studio) -> None:
 
 def test_fast_forward_is_faster_than_the_clock(studio: Studio) -> None:
     studio.enter_new_group()
-    blocks = studio.blocks
-    blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
-    blocks.type_into(blocks.by_words("andar para frente"), "3")
-    studio.eventually(lambda: studio.values("distance"), [3])
+    write_program(studio, "robot.wait(20)\n")
     studio["speed"].select_option("10")
-    studio.run()
-    studio.wait_for_phase("finished", timeout_ms=4_000)  # six seconds of robot time
-    studio["speed"].select_option("1")
+    begun = time.monotonic()
+    studio.run_to_the_end()
+    taken_s = time.monotonic() - begun
+    assert studio.number("elapsed") == pytest.approx(20, abs=0.1)
+    assert taken_s < 20
 
 
 def test_the_value_of_a_block_is_shown_while_the_run_stands(studio: Studio) -> None:
@@ -111,13 +119,16 @@ def test_sensors_calls_and_variables_are_watched_while_the_run_stands(studio: St
         studio,
         "def look(n):\n    robot.say(robot.sonar(3))\n    robot.say(n)\n\nside = 2\nlook(side)\n",
     )
+    document = studio.document() or {}
+    assign, call = (command["block"] for command in document["commands"])
+    say = document["functions"][0]["commands"][0]["block"]
     studio["step"].click()
-    studio.wait_for_phase("paused")
+    expect_paused_before(studio, assign)
     watched = studio.page.locator('[data-testid="watch-value"]')
     expect(watched.filter(visible=True)).to_have_count(1)  # the sonar; nothing has a value yet
-    for _ in range(2):
+    for block in (call, say):
         studio["step"].click()
-        studio.wait_for_phase("paused")
+        expect_paused_before(studio, block)
     expect(studio.page.locator('[data-name="side"]')).to_have_text("2")
     expect(studio.page.locator('[data-name="n"]')).to_have_text("2")
     expect(studio.page.locator('[data-name="dentro de"]')).to_contain_text("look")
