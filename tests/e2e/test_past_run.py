@@ -31,6 +31,12 @@ def drive(studio: Studio) -> None:
     studio.eventually(studio.actions, ["move_forward", "turn"])
     studio.run()
     studio.wait_for_phase("finished")
+    group = studio.api(f"/programs/{studio.program_id}")["group_id"]
+    (run,) = studio.api(f"/groups/{group}/runs")["runs"]
+    # the last samples and what a screen reader says come after the end
+    end = round(run["duration_s"] * 30)
+    expect(studio["past-run-slider"]).to_have_attribute("max", str(end))
+    expect(studio["status-line"].get_by_role("status")).to_contain_text("Programa terminou")
 
 
 def floor_picture(studio: Studio) -> str:
