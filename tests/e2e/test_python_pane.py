@@ -38,7 +38,7 @@ def test_the_text_follows_the_blocks(studio: Studio) -> None:
 
 def test_the_line_that_runs_is_lit(studio: Studio) -> None:
     studio.enter_new_group()
-    write_program(studio, "robot.wait(1)\nrobot.move_forward(0.3)\n")
+    write_program(studio, "robot.wait(2)\nrobot.move_forward(3)\n")
     open_python(studio)
     lines = studio["python-text"].locator(".code__text").inner_text().splitlines()
     places = [
@@ -48,7 +48,8 @@ def test_the_line_that_runs_is_lit(studio: Studio) -> None:
     studio.run()
     for place in places:
         expect(studio["python-text"]).to_have_attribute("data-lit", place, timeout=RUN_MS)
-    studio.wait_for_phase("finished")
+    studio["stop"].click()
+    studio.wait_for_phase("stopped")
     expect(studio["python-text"]).to_have_attribute("data-lit", "")
 
 
