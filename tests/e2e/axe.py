@@ -20,7 +20,9 @@ BLOCKLYS = {
     "region",
 }
 THEMES = {"light", "dark", "contrast"}
-FADE_MS = 300  # elements that fade in have another contrast until then
+# elements that fade, and buttons whose request is on its way, have another contrast until then
+_AT_REST = """() => !document.querySelector('[aria-busy=true]') && document.getAnimations()
+  .every((one) => one.playState !== 'running' || one.effect.getComputedTiming().endTime === Infinity)"""
 
 
 def violations(studio: Studio) -> list[str]:
@@ -41,7 +43,7 @@ def violations(studio: Studio) -> list[str]:
 
 
 def _found(page: Page, options: str) -> list[str]:
-    page.wait_for_timeout(FADE_MS)
+    page.wait_for_function(_AT_REST)
     answer: dict[str, Any] = page.evaluate(
         f"() => axe.run(document, {{ resultTypes: ['violations'], ...{options} }})"
     )
