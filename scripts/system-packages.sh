@@ -22,6 +22,8 @@ xdotool|types and clicks in tests|digita e clica nos testes|escribe y pulsa en l
 binutils|takes programs apart for the package|desmonta programas para o pacote|desmonta programas para el paquete
 xz-utils|packs the package|comprime o pacote|comprime el paquete'
 BROWSER='|browser for tests|navegador para os testes|navegador para las pruebas'
+DDS_PACKAGES='g++|builds a robot for tests|compila um robô para os testes|compila un robot para las pruebas
+libfastrtps-dev|the network of that robot|a rede desse robô|la red de ese robot'
 
 wanted() {
     case "$1" in
@@ -30,6 +32,7 @@ wanted() {
         test)
             printf '%s\n' "$PYTHON_PACKAGES" "$WINDOW_PACKAGES" "$TEST_PACKAGES"
             command -v chromium-headless-shell >/dev/null || command -v chromium >/dev/null || printf '%s\n' "$(browser_package)$BROWSER"
+            ! has_fast_dds || printf '%s\n' "$DDS_PACKAGES"
             ;;
         package)
             # Debian's python3 does not link its own shared library; PyInstaller ships that library.
@@ -47,6 +50,12 @@ browser_package() {
         fi
     done
     echo chromium
+}
+
+# Fast DDS 2. Where it is another one, no package has this name: the tests with it are skipped there, and say so.
+has_fast_dds() {
+    apt-cache show libfastrtps-dev >/dev/null 2>&1 ||
+        { [ -z "$(package_lists)" ] && grep -q '^VERSION_CODENAME=bookworm$' "${PINEL_OS_RELEASE:-/etc/os-release}"; }
 }
 
 # Names of installed packages and of what they provide (Ubuntu renames: libpython3.12t64 provides libpython3.12).
@@ -70,9 +79,14 @@ show() {
     done
 }
 
+# One of apt's package lists that `find` with these conditions finds.
+package_lists() {
+    find "${PINEL_APT_LISTS:-/var/lib/apt/lists}" -name '*Packages*' "$@" 2>/dev/null | head -n 1
+}
+
 # Package lists that are absent or a week old answer "404 Not Found" for the newest versions.
 lists_are_old() {
-    [ -z "$(find "${PINEL_APT_LISTS:-/var/lib/apt/lists}" -name '*Packages*' -mtime -7 2>/dev/null | head -n 1)" ]
+    [ -z "$(package_lists -mtime -7)" ]
 }
 
 # Runs apt-get; of what it says, faults are shown, and each package that is ready.

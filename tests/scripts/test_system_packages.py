@@ -28,6 +28,8 @@ class FakePc:
         self.lists = folder / "lists"
         self.lists.mkdir()
         (self.lists / "main_Packages").touch()
+        self.os_release = folder / "os-release"
+        self.os_release.write_text("VERSION_CODENAME=bookworm\n", "utf-8")
         self.program("dpkg-query", f'cat "{self.state}"')
         self.program("apt-cache", "exit 1")
         self.apt("")
@@ -63,6 +65,7 @@ class FakePc:
             "PATH": f"{self.bin}:{path}",
             "LANG": language,
             "PINEL_APT_LISTS": str(self.lists),
+            "PINEL_OS_RELEASE": str(self.os_release),
         }
         return subprocess.run(
             ["/bin/sh", str(SCRIPT), *arguments],
@@ -175,6 +178,27 @@ def test_a_removed_package_whose_settings_stayed_counts_as_missing(pc: FakePc) -
 def test_a_pc_without_a_screen_needs_no_window(pc: FakePc) -> None:
     pc.installed("python3", "python3-venv", "ca-certificates")
     assert pc.run("--dry-run", "serve").returncode == 0
+
+
+FAST_DDS = "libfastrtps-dev"
+
+
+def test_tests_need_fast_dds_where_apt_has_it(pc: FakePc) -> None:
+    pc.program("apt-cache", f'[ "$*" = "show {FAST_DDS}" ]')
+    assert f"  {FAST_DDS} " in pc.run("--dry-run", "test").stdout
+
+
+def test_where_apt_has_another_fast_dds_none_is_needed(pc: FakePc) -> None:
+    assert FAST_DDS not in pc.run("--dry-run", "test").stdout
+
+
+@pytest.mark.parametrize(("release", "is_needed"), [("bookworm", True), ("trixie", False)])
+def test_without_package_lists_the_release_tells_whether_apt_will_have_fast_dds(
+    pc: FakePc, release: str, is_needed: bool
+) -> None:
+    (pc.lists / "main_Packages").unlink()
+    pc.os_release.write_text(f"VERSION_CODENAME={release}\n", "utf-8")
+    assert (FAST_DDS in pc.run("--dry-run", "test").stdout) == is_needed
 
 
 def test_a_purpose_that_does_not_exist_is_refused(pc: FakePc) -> None:
