@@ -1,36 +1,90 @@
-"""Real robots on the command line: the record of one, and the end of its run by a signal."""
+"""Real robots on the command line: the options that lead to one, its record, the end of its run by a signal."""
 
 import contextlib
 import json
 import signal
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator
 from typing import Any
+
+import click
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.execution.control import RunControl
-from pinel_desktop.robot.record import RECORDS, RobotRecord, record_from
+from pinel_desktop.messages import describe
+from pinel_desktop.robot.record import RECORDS, BridgeRecord, RobotRecord, record_from
+
+# the options of `chosen_robot`
+ROBOT_OPTIONS = ("robot", "robot_settings", "bridge", "bridge_key")
+_BRIDGE = BridgeRecord.link
 
 
-def chosen_robot(link: str, settings: Mapping[str, str]) -> RobotRecord | None:
-    """The record of a real robot with these settings; None for the simulator.
+def robot_options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Adds the options that say how a real robot is reached."""
+    for add in (
+        click.option(
+            "--bridge-key",
+            metavar="KEY",
+            help="What each request to the bridge must bring, in the header X-PINEL-Key or as ?key=KEY.",
+        ),
+        click.option(
+            "--bridge",
+            metavar="HOST:PORT",
+            help="Where the bridge listens for the program of the robot; with --robot bridge.",
+        ),
+        click.option(
+            "--robot-setting",
+            "robot_settings",
+            metavar="NAME=VALUE",
+            multiple=True,
+            help="How a real robot is reached and what it may do, such as domain=5 or room.width_m=6 (docs/robots.md).",
+        ),
+    ):
+        command = add(command)
+    return command
+
+
+def chosen_robot(
+    robot: str, robot_settings: tuple[str, ...], bridge: str | None, bridge_key: str | None
+) -> RobotRecord | None:
+    """The record of a real robot; None for the simulator.
 
     Args:
-        settings: fields and their values, as typed; a part of the room has the name `room.width_m`.
+        robot: name of the link.
+        robot_settings: `NAME=VALUE`, as typed; a part of the room has the name `room.width_m`.
+        bridge: `HOST:PORT` of the bridge, an IPv6 address in brackets.
 
     Raises:
-        PinelError: what `record_from` raises.
+        PinelError: `robot_setting_unclear`, `bridge_option_unclear`, `bridge_option_alone`, what `record_from` raises.
     """
-    if link not in RECORDS:
-        return None
-    fields: dict[str, Any] = {"link": link}
-    for name, typed in settings.items():
-        inner, parts = fields, name.split(".")
-        for part in parts[:-1]:
-            inner = inner.setdefault(part, {})
-            if not isinstance(inner, dict):
-                raise PinelError("robot_record_invalid", field=name, value=typed)
-        inner[parts[-1]] = _value(typed)
-    return record_from(fields)
+    fields: dict[str, Any] = {"link": robot}
+    for typed in robot_settings:
+        _set(fields, typed)
+    if bridge is not None or bridge_key is not None:
+        if robot != _BRIDGE:
+            raise PinelError("bridge_option_alone")
+        fields |= _address(bridge) | ({} if bridge_key is None else {"key": bridge_key})
+    return record_from(fields) if robot in RECORDS else None
+
+
+def _set(fields: dict[str, Any], typed: str) -> None:
+    name, equals, value = typed.partition("=")
+    if not equals:
+        raise PinelError("robot_setting_unclear", value=typed)
+    inner, parts = fields, name.strip().split(".")
+    for part in parts[:-1]:
+        inner = inner.setdefault(part, {})
+        if not isinstance(inner, dict):
+            raise PinelError("robot_record_invalid", field=name, value=value)
+    inner[parts[-1]] = _value(value)
+
+
+def _address(typed: str | None) -> dict[str, Any]:
+    if typed is None:
+        return {}
+    host, _, port = typed.rpartition(":")
+    if not host or not (port.isascii() and port.isdigit()):
+        raise PinelError("bridge_option_unclear", value=typed)
+    return {"host": host.removeprefix("[").removesuffix("]"), "port": int(port)}
 
 
 def _value(typed: str) -> Any:
@@ -42,8 +96,11 @@ def _value(typed: str) -> Any:
 
 
 @contextlib.contextmanager
-def stopped_by_signals(control: RunControl) -> Iterator[None]:
-    """Ctrl+C and SIGTERM stop the robot; without this they would end the process, and the robot would drive on."""
+def stopped_by_signals(robot: RobotRecord | None, control: RunControl) -> Iterator[None]:
+    """Ctrl+C and SIGTERM stop a real robot; without this they would end the process, and the robot would drive on."""
+    if robot is None:
+        yield
+        return
     numbers = (signal.SIGINT, signal.SIGTERM)
     before = {
         number: signal.signal(number, lambda number, frame: control.stop()) for number in numbers
@@ -53,3 +110,10 @@ def stopped_by_signals(control: RunControl) -> Iterator[None]:
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
+
+
+def tell_waiting(robot: RobotRecord | None, language: str) -> None:
+    """Says on standard error where the client of the bridge is waited for."""
+    if isinstance(robot, BridgeRecord):
+        values = {"host": robot.url_host, "port": robot.port, "seconds": robot.wait_s}
+        click.echo(describe("bridge_waiting", values, language).line, err=True)

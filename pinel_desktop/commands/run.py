@@ -15,7 +15,13 @@ from pinel_desktop.camera.inputs import WRONG_SOURCE, CameraInputs
 from pinel_desktop.commands.options import chosen_database, database_option
 from pinel_desktop.commands.printing import print_problem
 from pinel_desktop.commands.program_file import place_of, read_file
-from pinel_desktop.commands.real_robot import chosen_robot, stopped_by_signals
+from pinel_desktop.commands.real_robot import (
+    ROBOT_OPTIONS,
+    chosen_robot,
+    robot_options,
+    stopped_by_signals,
+    tell_waiting,
+)
 from pinel_desktop.commands.world_file import ChosenWorld, WorldFileError, choose_world
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event
@@ -47,6 +53,8 @@ _INVALID_REASONS = (
     "robot_record_invalid",
     "robot_record_range",
     "robot_setting_unclear",
+    "bridge_option_unclear",
+    "bridge_option_alone",
     *WRONG_SOURCE,
 )
 
@@ -61,13 +69,7 @@ _INVALID_REASONS = (
     show_default=True,
     help="What is to be driven.",
 )
-@click.option(
-    "--robot-setting",
-    "robot_settings",
-    metavar="NAME=VALUE",
-    multiple=True,
-    help="How a real robot is reached and what it may do, such as domain=5 or room.width_m=6 (docs/robots.md).",
-)
+@robot_options
 @click.option(
     "--world",
     metavar="NAME|FILE",
@@ -197,13 +199,14 @@ def _run(
 ) -> dict[str, Any]:
     curves = Curves() if options["plot"] else None
     try:
-        robot = chosen_robot(options["robot"], _settings(options["robot_settings"]))
+        robot = chosen_robot(**{name: options[name] for name in ROBOT_OPTIONS})
         world = _world(robot, options)
         control = RunControl()
-        with _inputs(options, language) as inputs, _signals(robot, control):
+        with _inputs(options, language) as inputs, stopped_by_signals(robot, control):
             spec = _spec(reading, world, robot, options, inputs)
             if recording is not None:
                 recording.will_keep(_record(spec, world, options))
+            tell_waiting(robot, language)
             observers = (part.observe for part in (recording, curves) if part is not None)
             result = start(spec, all_of(*observers), control)
     except PinelError as error:
@@ -221,20 +224,6 @@ def _world(robot: RobotRecord | None, options: dict[str, Any]) -> ChosenWorld:
     if robot is not None:
         return ChosenWorld(ROOM, robot.room.as_world())
     return choose_world(options["world"], robot=options["model"])
-
-
-def _settings(typed: tuple[str, ...]) -> dict[str, str]:
-    """The typed settings by name. Raises PinelError `robot_setting_unclear`."""
-    for one in typed:
-        if "=" not in one:
-            raise PinelError("robot_setting_unclear", value=one)
-    return {name.strip(): value for name, _, value in (one.partition("=") for one in typed)}
-
-
-def _signals(
-    robot: RobotRecord | None, control: RunControl
-) -> contextlib.AbstractContextManager[None]:
-    return contextlib.nullcontext() if robot is None else stopped_by_signals(control)
 
 
 def _inputs(options: dict[str, Any], language: str) -> contextlib.AbstractContextManager[RunInputs]:

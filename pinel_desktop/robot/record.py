@@ -172,7 +172,12 @@ class BridgeRecord(RobotRecord):
 
     @property
     def address(self) -> str:
-        return f"{self.host}:{self.port}"
+        return f"{self.url_host}:{self.port}"
+
+    @property
+    def url_host(self) -> str:
+        """The host as it stands in a URL."""
+        return f"[{self.host}]" if ":" in self.host else self.host
 
 
 RECORDS: dict[str, type[RobotRecord]] = {

@@ -41,7 +41,7 @@ class BridgeTransport:
         due_s = time.monotonic() + record.wait_s
         while not exchange.asked.wait(_POLL_S) and not cancelled():
             if time.monotonic() > due_s:
-                raise PinelError("bridge_no_client", host=record.host, port=self.port)
+                raise PinelError("bridge_no_client", host=record.url_host, port=self.port)
 
     def send(self, twist: Twist2D) -> None:
         if self._exchange is not None:
