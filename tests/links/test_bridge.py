@@ -8,6 +8,7 @@ import socket
 import threading
 import time
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -432,3 +433,10 @@ def test_nobody_is_waited_for_at_the_end_if_nobody_is_there(bridge: Bridge) -> N
 def test_nothing_is_handed_out_that_was_never_sent(bridge: Bridge) -> None:
     velocity = bridge.ask("GET", "/bridge/cmd_vel")[1]
     assert Twist2D(velocity["linear_x"], velocity["angular_z"]) == STANDSTILL
+
+
+def test_every_refusal_is_documented_with_its_status() -> None:
+    page = (Path(__file__).parents[2] / "docs" / "robots.md").read_text("utf-8")
+    rows = [line for line in page.splitlines() if line.startswith("|")]
+    for code, status in STATUS.items():
+        assert any(row.startswith(f"| {status} ") and f"`{code}`" in row for row in rows), code
