@@ -15,6 +15,8 @@ DATA_FOLDERS = {
     "pinel_desktop/activities/example_catalogue": "pinel_desktop/activities/example_catalogue",
     "pinel_desktop/camera/recordings": "pinel_desktop/camera/recordings",
     "pinel_desktop/gestures/weights": "pinel_desktop/gestures/weights",
+    # run by the Python of an installed ROS
+    "pinel_desktop/links/ros2/node": "pinel_desktop/links/ros2/node",
     "sim/worlds": "sim/worlds",
     "LICENSE": ".",
 }

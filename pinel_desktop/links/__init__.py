@@ -14,6 +14,7 @@ _BACKENDS = {
     "sim": ("pinel_desktop.links.sim", "SimLink"),
     "dds": ("pinel_desktop.links.dds.transport", "dds_link"),
     "bridge": ("pinel_desktop.links.bridge.transport", "bridge_link"),
+    "ros2": ("pinel_desktop.links.ros2.transport", "ros2_link"),
 }
 LINK_NAMES = tuple(_BACKENDS)
 _DEFAULT_SETTING = Setting()

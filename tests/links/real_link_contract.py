@@ -43,6 +43,10 @@ class RealLinkContract(LinkContract):
 
     @pytest.fixture(autouse=True)
     def _robot(self) -> Iterator[None]:
+        yield from self.with_robot()
+
+    def with_robot(self) -> Iterator[None]:
+        """Starts the robot, and ends it and all opened links."""
         self.opened: list[RobotLink] = []
         self.peer, self.record = self.start_peer()
         yield

@@ -1,0 +1,160 @@
+"""A robot of ROS 2 over our node, which runs with the Python of an installed ROS (`node/node.py`)."""
+
+import contextlib
+import json
+import math
+import os
+import platform
+import queue
+import re
+import subprocess
+import threading
+import time
+from typing import Any
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.links.odometry import yaw_of
+from pinel_desktop.links.real import RealLink, real_link
+from pinel_desktop.links.ros2.installed import node_command
+from pinel_desktop.links.transport import Cancelled, Odometry, Receiver
+from pinel_desktop.robot import Sensors, Setting, Twist2D
+from pinel_desktop.robot.record import RobotRecord, Ros2Record
+
+# ROS itself starts in 1 to 2 s; finding the robot takes up to 5 s more
+_OPEN_S = 15.0
+_POLL_S = 0.05
+_END_S = 3.0
+Message = dict[str, Any]
+
+
+def ros2_link(*, world: Any, setting: Setting, seed: int, robot: RobotRecord | None) -> RealLink:
+    """The link to the robot of a `Ros2Record`."""
+    return real_link(Ros2Transport, setting, robot)
+
+
+class Ros2Transport:
+    """Talks to the node over pipes. Velocities are handed over without waiting: only the newest one counts."""
+
+    def __init__(self, record: Ros2Record) -> None:
+        self.sensors = Sensors()
+        self._record = record
+        self._process: subprocess.Popen[str] | None = None
+        self._outbox: queue.Queue[Twist2D | None] = queue.Queue(maxsize=1)
+        self._is_ready = threading.Event()
+        self._problem: PinelError | None = None
+        self._closing = False
+        self._threads: list[threading.Thread] = []
+
+    def open(self, receiver: Receiver, cancelled: Cancelled) -> None:
+        command = node_command(json.dumps(self._configuration()))
+        if command is None:
+            raise PinelError("ros_missing")
+        self._process = self._started(command)
+        for work in (self._write, self._read):
+            thread = threading.Thread(
+                target=work, args=(self._process, receiver), name="ros2-node", daemon=True
+            )
+            thread.start()
+            self._threads.append(thread)
+        due_s = time.monotonic() + _OPEN_S
+        while not self._is_ready.wait(_POLL_S):
+            if cancelled():
+                return
+            if self._problem is not None:
+                raise self._problem
+            if time.monotonic() > due_s:
+                raise PinelError("ros_silent")
+
+    def _configuration(self) -> Message:
+        record = self._record
+        topics = {
+            name: topic and record.name_of(topic)
+            for name, topic in (
+                ("command_topic", record.command_topic),
+                ("odometry_topic", record.odometry_topic),
+                ("battery_topic", record.battery_topic),
+            )
+        }
+        holder = re.sub(r"[^A-Za-z0-9]", "_", platform.node()) or "pc"
+        return {**topics, "domain": record.domain, "holder": f"{holder}_{os.getpid()}"}
+
+    def _started(self, command: list[str]) -> subprocess.Popen[str]:
+        try:
+            return subprocess.Popen(
+                command,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                text=True,
+                encoding="utf-8",
+                # a signal to the terminal's group ends PINEL first, which ends the node in order
+                start_new_session=True,
+                creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
+            )
+        except OSError as error:
+            raise PinelError("ros_does_not_start", detail=str(error)) from error
+
+    def send(self, twist: Twist2D) -> None:
+        while True:
+            try:
+                self._outbox.put_nowait(twist)
+                return
+            except queue.Full:  # the node has not taken the last one, which is stale now
+                with contextlib.suppress(queue.Empty):
+                    self._outbox.get_nowait()
+
+    def _write(self, process: subprocess.Popen[str], receiver: Receiver) -> None:
+        assert process.stdin is not None
+        with contextlib.suppress(OSError, ValueError):  # the node has ended; the reader tells
+            while (twist := self._outbox.get()) is not None:
+                process.stdin.write(json.dumps({"twist": list(twist)}) + "\n")
+                process.stdin.flush()
+        with contextlib.suppress(OSError):
+            process.stdin.close()
+
+    def _read(self, process: subprocess.Popen[str], receiver: Receiver) -> None:
+        assert process.stdout is not None
+        with process.stdout:
+            for line in process.stdout:
+                with contextlib.suppress(ValueError, KeyError, TypeError):
+                    self._take(json.loads(line), receiver)
+        if not self._closing:
+            self._report(PinelError("ros_node_ended"), receiver)
+
+    def _take(self, message: Message, receiver: Receiver) -> None:
+        kind = message["type"]
+        if kind == "odometry":
+            receiver.on_odometry(_odometry(message))
+        elif kind == "battery":
+            receiver.on_battery(float(message["level"]))
+        elif kind == "ready":
+            self._is_ready.set()
+        elif kind == "problem":
+            self._report(PinelError(message["code"], **message["params"]), receiver)
+
+    def _report(self, problem: PinelError, receiver: Receiver) -> None:
+        self._problem = self._problem or problem
+        receiver.on_problem(problem)
+
+    def bumper(self) -> bool:
+        return False
+
+    def close(self) -> None:
+        process, self._closing = self._process, True
+        if process is None:
+            return
+        with contextlib.suppress(queue.Empty):
+            self._outbox.get_nowait()
+        self._outbox.put(None)
+        try:
+            process.wait(_END_S)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+        for thread in self._threads:
+            thread.join()
+
+
+def _odometry(message: Message) -> Odometry:
+    (x, y), (v, omega) = message["position"], message["velocity"]
+    yaw = yaw_of(*(math.nan if part is None else part for part in message["orientation"]))
+    return Odometry(x, y, yaw, v, omega, message["stamp"], message["frame"])

@@ -1,0 +1,84 @@
+"""Nodes, publishers and subscriptions of one process, connected with a robot over a socket."""
+
+import json
+import os
+import socket
+import threading
+import time
+from types import SimpleNamespace
+
+_GRAPH = json.loads(os.environ["PINEL_FAKE_ROS"])
+
+
+def init(*, context, domain_id):
+    context.domain_id = domain_id
+
+
+def shutdown(*, context):
+    assert context.n_nodes == 0, "a node outlived its context: rclpy would abort"
+
+
+def create_node(name, *, context):
+    return Node(name, context)
+
+
+class Node:
+    def __init__(self, name, context):
+        assert name.replace("_", "").isalnum(), "ROS refuses such a name"
+        self._name, self._context = name, context
+        context.n_nodes += 1
+        self._robot = socket.create_connection(("127.0.0.1", _GRAPH["port"]))
+        self._takers = {}
+        self._publishes = set()
+        threading.Thread(target=self._listen, daemon=True).start()
+
+    def _listen(self):
+        with self._robot.makefile("r", encoding="utf-8") as lines:
+            for line in lines:
+                report = json.loads(line)
+                for kind, (make, take) in list(self._takers.items()):
+                    if kind == report["kind"]:
+                        take(make(report))
+
+    def get_name(self):
+        return self._name
+
+    def get_subscriptions_info_by_topic(self, topic):
+        there = topic == "/cmd_vel" and _GRAPH["command_type"]
+        return [SimpleNamespace(node_name="robot", topic_type=there)] if there else []
+
+    def get_publishers_info_by_topic(self, topic):
+        if topic == "/odom" and _GRAPH["odometry_type"]:
+            return [SimpleNamespace(node_name="robot", topic_type=_GRAPH["odometry_type"])]
+        names = [*_GRAPH["others"], *([self._name] if topic in self._publishes else [])]
+        return [SimpleNamespace(node_name=name, topic_type="") for name in names]
+
+    def create_publisher(self, kind, topic, qos):
+        assert qos.reliability == "reliable"
+        self._publishes.add(topic)
+        return Publisher(self._robot)
+
+    def create_subscription(self, kind, topic, take, qos):
+        assert qos.reliability == "best_effort"
+        self._takers[kind.KIND] = (kind.of, take)
+
+    def get_clock(self):
+        stamp = SimpleNamespace(sec=int(time.time()), nanosec=0)
+        return SimpleNamespace(now=lambda: SimpleNamespace(to_msg=lambda: stamp))
+
+    def destroy_node(self):
+        self._context.n_nodes -= 1
+        self._robot.close()
+
+
+class Publisher:
+    def __init__(self, robot):
+        self._robot = robot
+
+    def get_subscription_count(self):
+        return 1
+
+    def publish(self, message):
+        twist = getattr(message, "twist", message)
+        sent = {"type": type(message).__name__, "twist": [twist.linear.x, twist.angular.z]}
+        self._robot.sendall(json.dumps(sent).encode() + b"\n")

@@ -1,0 +1,2 @@
+class Context:
+    n_nodes = 0
