@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, expect
+from playwright.sync_api import Browser, Route, expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
@@ -263,6 +263,27 @@ def test_answers_about_one_folder_do_not_stand_under_another(
     studio["shared-folder"].fill(str(empty))
     studio.page.get_by_role("button", name="Usar esta pasta").click()
     expect(studio.page.get_by_text("Ainda sem arquivos")).to_be_visible()
+    expect(studio["merge-results"]).to_have_count(0)
+
+
+def test_a_merging_that_goes_on_while_somebody_looks_again_shows_nothing_later(
+    studio: Studio, stick: Path
+) -> None:
+    studio.enter_group("Os Tatus")
+    at_the_files(studio, stick)
+    studio["save-bundle"].click()
+    expect(studio.page.get_by_text("Salvo em")).to_be_visible()
+    held: list[Route] = []
+
+    def hold(route: Route) -> None:
+        held.append(route)
+
+    studio.page.route("**/api/bundles/merge", hold)
+    studio["merge-files"].click()
+    studio.eventually(lambda: len(held), 1)
+    studio.page.get_by_role("button", name="Procurar de novo").click()
+    held[0].continue_()
+    expect(studio["merge-files"]).not_to_have_attribute("aria-busy", "true")
     expect(studio["merge-results"]).to_have_count(0)
 
 

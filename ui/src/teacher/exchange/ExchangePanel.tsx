@@ -2,7 +2,7 @@ import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { classesApi } from "../../api/classes";
 import { exchange } from "../../api/exchange";
-import type { FolderList, Merged } from "../../api/model";
+import type { FolderList } from "../../api/model";
 import { texts } from "../../i18n";
 import { Loaded } from "../../kit/requests/Loaded";
 import type { Loadable } from "../../kit/requests/useLoaded";
@@ -11,6 +11,7 @@ import { KnownComputers } from "./KnownComputers";
 import { MergeBox } from "./MergeBox";
 import { SaveBox, type Saved } from "./SaveBox";
 import { SharedFolder } from "./SharedFolder";
+import { useMerging } from "./useMerging";
 
 /** Polling interval for sticks. */
 const POLL_MS = 4000;
@@ -45,15 +46,15 @@ interface BoxesProps {
 }
 
 function Boxes({ found: { folders, shared }, places, known }: BoxesProps) {
-  const results = useSignal<Merged[]>([]);
   const saved = useSignal<Saved | null>(null);
   usePolling(places);
   const loadAll = async () => {
     await Promise.all([places.again(), known.again()]);
   };
+  const merging = useMerging(loadAll);
   /** Results of one folder must not be shown under another. */
   const forgetAnswers = () => {
-    results.value = [];
+    merging.forget();
     saved.value = null;
   };
   const lookAgain = () => {
@@ -62,7 +63,7 @@ function Boxes({ found: { folders, shared }, places, known }: BoxesProps) {
   };
   return (
     <>
-      <MergeBox folders={folders} results={results} onMerged={loadAll} onLook={lookAgain} />
+      <MergeBox folders={folders} merging={merging} onLook={lookAgain} />
       <Loaded of={known}>
         {({ computers, classes }) => (
           <>

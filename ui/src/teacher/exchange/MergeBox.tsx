@@ -1,25 +1,24 @@
-import { type Signal, useSignal } from "@preact/signals";
+import { useSignal } from "@preact/signals";
 import { Combine, RefreshCw } from "lucide-preact";
-import type { FileFound, Folder, Merged } from "../../api/model";
+import type { FileFound, Folder } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { TEST } from "../../shell/testids";
 import { FolderFiles } from "./FolderFiles";
 import { MergeResult } from "./MergeResult";
-import { useMerging } from "./useMerging";
+import type { Merging } from "./useMerging";
 
 interface MergeBoxProps {
   folders: readonly Folder[];
-  results: Signal<Merged[]>;
-  onMerged(): Promise<void>;
+  merging: Merging;
   /** Reloads folders and known PCs. */
   onLook(): Promise<void>;
 }
 
 /** Merges files of sticks; all but anonymous ones are selected initially. */
-export function MergeBox({ folders, results, onMerged, onLook }: MergeBoxProps) {
+export function MergeBox({ folders, merging, onLook }: MergeBoxProps) {
   const ticked = useSignal<ReadonlyMap<string, boolean>>(new Map());
-  const { progress, mergeAll, deleteToo, keep } = useMerging(results, onMerged);
+  const { results, progress, mergeAll, deleteToo, keep } = merging;
   const say = texts.value.exchange;
   const isChosen = (file: FileFound) => ticked.value.get(file.path) ?? !file.anonymous;
   const chosen = folders.flatMap((folder) => folder.files.filter(isChosen));

@@ -1,21 +1,32 @@
-import { type Signal, useSignal } from "@preact/signals";
+import { useSignal } from "@preact/signals";
+import { useRef } from "preact/hooks";
 import { exchange } from "../../api/exchange";
 import type { Merged } from "../../api/model";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 
+export type Merging = ReturnType<typeof useMerging>;
+
 /** Merges files in sequence; `results` has an entry for each. */
-export function useMerging(results: Signal<Merged[]>, onMerged: () => Promise<void>) {
+export function useMerging(onMerged: () => Promise<void>) {
+  const results = useSignal<Merged[]>([]);
+  /** Number of times that results were cleared: those of an earlier merging are not shown. */
+  const turn = useRef(0);
   const progress = useSignal<{ n: number; of: number } | null>(null);
   const replace = (merged: Merged) => {
     results.value = results.value.map((one) => (one.path === merged.path ? merged : one));
   };
-  const mergeAll = async (paths: readonly string[]) => {
+  const forget = () => {
+    turn.current++;
     results.value = [];
+  };
+  const mergeAll = async (paths: readonly string[]) => {
+    forget();
+    const mine = turn.current;
     try {
       for (const [index, path] of paths.entries()) {
         progress.value = { n: index + 1, of: paths.length };
         const merged = await asTeacher(() => exchange.merge(path));
-        if (merged) results.value = [...results.value, merged];
+        if (merged && mine === turn.current) results.value = [...results.value, merged];
       }
     } finally {
       progress.value = null;
@@ -35,5 +46,5 @@ export function useMerging(results: Signal<Merged[]>, onMerged: () => Promise<vo
     void onMerged();
   };
   const keep = (merged: Merged) => replace({ ...merged, would_delete: null });
-  return { progress, mergeAll, deleteToo, keep };
+  return { results, progress, mergeAll, deleteToo, keep, forget };
 }
