@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page, Request, expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import OpenStudio
@@ -121,21 +121,39 @@ def _go(page: Page, place: str) -> None:
 
 
 def _seen_in_turn(page: Page, places: dict[str, str], names: Iterable[str]) -> dict[str, Any]:
+    requests = UnderWay(page)
     seen = {}
     for name in names:
         _go(page, places[name])
         expect(page.get_by_test_id(_STANDS[name]).first).to_be_visible()
-        seen[name] = _at_rest(page)
+        seen[name] = _at_rest(page, requests)
     return seen
 
 
-def _at_rest(page: Page) -> list[str]:
-    """The boxes, once they have stood still for a while: parts of a screen are fetched one after the other."""
+class UnderWay:
+    """The requests of a page that are not answered yet, without the stream of events."""
+
+    def __init__(self, page: Page) -> None:
+        self.requests = set[Request]()
+        page.on("request", self._begin)
+        page.on("requestfinished", self._end)
+        page.on("requestfailed", self._end)
+
+    def _begin(self, request: Request) -> None:
+        if not request.url.endswith("/stream"):
+            self.requests.add(request)
+
+    def _end(self, request: Request) -> None:
+        self.requests.discard(request)
+
+
+def _at_rest(page: Page, under_way: UnderWay) -> list[str]:
+    """The boxes, once all parts of the screen are fetched and stand still."""
     before: list[str] = []
-    for _ in range(40):
-        page.wait_for_timeout(250)
+    for _ in range(100):
+        page.wait_for_timeout(100)
         now = list(page.evaluate(_BOXES))
-        if now == before:
+        if now == before and not under_way.requests:
             return now
         before = now
     raise AssertionError("the screen does not come to rest")
