@@ -47,7 +47,6 @@ def test_an_empty_loop_and_a_robot_at_rest_are_no_success(group: Studio) -> None
     group.blocks.click_in_toolbox("motion", "girar")
     expect_words(group, "calm", "Apertem Rodar")
     group.run()
-    group.wait_for_phase("running")
     group.wait_for_phase("finished")
     expect_words(group, "done", "Programa terminou")
 
@@ -104,7 +103,6 @@ def test_the_block_that_failed_is_shown_until_the_program_is_mended(group: Studi
     expect_words(group, "calm", "Apertem Rodar")
 
     group.run()
-    group.wait_for_phase("running")
     group.wait_for_phase("finished")
     expect(group.page.locator(".blocklyBubbleCanvas > *")).to_have_count(0)
 

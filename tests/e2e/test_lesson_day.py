@@ -158,7 +158,6 @@ def stops(pc: Studio) -> None:
 
 def finish(pc: Studio) -> None:
     pc.run()
-    pc.wait_for_phase("running")
     pc.wait_for_phase("finished")
 
 
