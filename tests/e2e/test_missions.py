@@ -11,6 +11,7 @@ from tests.e2e.test_layout import cut
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
+LOOKED_FOR_EVERY_MS = 15_000  # a lesson that the teacher opens meanwhile
 MOVE = "andar para frente"
 
 
@@ -53,13 +54,15 @@ def test_a_mission_that_the_teacher_opens_later_is_offered(
 ) -> None:
     prepare(studio)
     studio["sign-out"].click()
+    studio.page.clock.install()
     studio.enter_group("Os Tatus")
     expect(studio["lesson-mission"]).to_have_count(0)
     teacher = open_studio()
     sign_in_with(teacher)
     to_part(teacher, "lessons")
     open_lesson(teacher, "Sair do labirinto", "maze")
-    expect(studio["lesson-mission"]).to_be_visible(timeout=RUN_MS)
+    studio.page.clock.fast_forward(LOOKED_FOR_EVERY_MS)
+    expect(studio["lesson-mission"]).to_be_visible()
     studio["lesson-mission"].click()
     expect(studio["world-locked"]).to_contain_text("Labirinto")
     expect(studio["lesson-mission"]).to_have_count(0)
@@ -74,6 +77,8 @@ def test_a_group_chooses_a_mission_solves_it_and_goes_on(studio: Studio) -> None
     studio.wait_until_open()
     expect(studio["mission"]).to_be_visible()
     put_move(studio, "5,6")
+    studio["level"].select_option("2")
+    studio["speed"].select_option("10")
     studio.run()
     expect(studio["mission-done"]).to_be_visible(timeout=RUN_MS)
     assert violations(studio) == []

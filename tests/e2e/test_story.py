@@ -47,6 +47,7 @@ def test_a_program_and_its_run_are_there_the_next_day(
     studio.enter_group("Os Tatus")
     studio.build_square(side="0,3")
     [loop] = studio.commands()
+    studio["speed"].select_option("10")
     studio.run()
     studio.wait_for_phase("finished")
     studio.page.context.close()
