@@ -42,7 +42,8 @@ class RealLink:
         self._max_v, self._max_omega = robot.max_v_mps, robot.max_omega_radps
         self._edge = _Edge(record.room, robot.radius_m)
         self._address = record.address
-        self._lock_file = FileLock(_lock_path(record))
+        # All accounts of the PC share the file: whoever drove first must not keep the others from it for good.
+        self._lock_file = FileLock(_lock_path(record), mode=0o666)
         self._transport = transport
         self.sensors = transport.sensors
         self._sender = Sender(transport.send)

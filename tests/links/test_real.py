@@ -4,6 +4,7 @@ import math
 import os
 import time
 from dataclasses import replace
+from pathlib import Path
 from random import Random
 from typing import Any
 from unittest.mock import ANY
@@ -275,3 +276,15 @@ def test_a_run_keeps_the_record_of_its_robot_without_the_key() -> None:
     assert kept.parameters["robot"]["max_v_mps"] == 0.3
     assert "secret" not in str(kept)
     assert spec_from(spec.as_message(), ScriptedInputs()) == replace(spec, inputs=ANY)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="Windows has a temporary folder for each account")
+def test_every_account_of_the_pc_may_drive_the_robot(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    link = real_link(lambda record: MemoryTransport(Unicycle()), Setting(), FAST)
+    link.connect()
+    link.close()
+    (lock,) = tmp_path.iterdir()
+    assert lock.stat().st_mode & 0o777 == 0o666
