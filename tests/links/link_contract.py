@@ -34,6 +34,7 @@ class LinkContract:
 
     link: ClassVar[str]
     farthest_m = 0.31  # after a second at 0.3 m/s
+    twist_error = 0.0  # of a measured velocity, as a part of it
 
     def open(self) -> RobotLink:
         """Opens and connects the link."""
@@ -73,14 +74,14 @@ class LinkContract:
         self.drive(link, Twist2D(0.0, 1.0), 1.5)
         self.drive(link, Twist2D(-0.3, 0.0), 1.0)
         measured = link.read().twist
-        assert math.isclose(measured.v_mps, -0.3, abs_tol=0.02)
+        assert math.isclose(measured.v_mps, -0.3, abs_tol=0.02 + 0.3 * self.twist_error)
         assert math.isclose(measured.omega_radps, 0.0, abs_tol=0.02)
         link.close()
 
     def test_commands_beyond_the_robot_are_cut_to_what_it_can_do(self) -> None:
         link = self.open()
         self.drive(link, Twist2D(50.0, 0.0), 1.0)
-        assert link.read().twist.v_mps <= 1.2 + 1e-6
+        assert link.read().twist.v_mps <= 1.2 * (1.0 + self.twist_error) + 1e-6
         link.close()
 
     def test_closing_twice_is_fine(self) -> None:

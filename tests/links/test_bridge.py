@@ -31,6 +31,7 @@ POSE = {"x": 1.0, "y": 2.0, "yaw": 0.5}
 
 class TestBridgeLink(RealLinkContract):
     link = "bridge"
+    twist_error = 0.3  # of poses that come early or late on a busy PC
 
     def start_peer(self) -> tuple[Peer, RobotRecord]:
         record = BridgeRecord(port=free_port(), max_v_mps=1.2, max_omega_dps=300.0, room=ROOM)
@@ -39,6 +40,12 @@ class TestBridgeLink(RealLinkContract):
 
     def stop_peer(self) -> None:
         self.aurora.close()
+
+    def test_no_client_hears_a_velocity_beyond_the_robot(self) -> None:
+        self.drive(self.open(), Twist2D(50.0, -50.0), 0.5)
+        velocities = [twist for _, twist in self.peer.heard]
+        assert max(twist.v_mps for twist in velocities) == 1.2
+        assert min(twist.omega_radps for twist in velocities) >= -math.radians(300.0)
 
     def test_a_client_that_crashes_is_lost(self) -> None:
         run = self.start_run()
@@ -323,13 +330,14 @@ def test_a_second_robot_is_refused(bridge: Bridge) -> None:
 
 def test_a_connection_serves_many_requests_also_sent_at_once(bridge: Bridge) -> None:
     with bridge.connect() as client:
-        client.sendall(b"GET /bridge/status HTTP/1.1\r\n\r\n" * 50)
-        answers = b""
-        while answers.count(b'"active"') < 50:
-            part = client.recv(10_000)
-            assert part
-            answers += part
-    assert answers.count(b"HTTP/1.1 200 OK") == 50
+        for _ in range(3):
+            client.sendall(b"GET /bridge/status HTTP/1.1\r\n\r\n" * 50)
+            answers = b""
+            while answers.count(b'"active"') < 50:
+                part = client.recv(10_000)
+                assert part
+                answers += part
+            assert answers.count(b"HTTP/1.1 200 OK") == 50
 
 
 def test_a_client_that_asks_whether_it_may_send_is_told_so(bridge: Bridge) -> None:
@@ -371,21 +379,24 @@ def test_a_client_that_takes_no_answers_is_closed(bridge: Bridge) -> None:
 def test_a_flood_holds_up_neither_robot_nor_pinel(bridge: Bridge) -> None:
     """A thousand requests a second and more beside a client at 30 Hz, whose answers come in time."""
     ending = threading.Event()
+    flooded: list[int] = []
 
     def flood() -> None:
         with bridge.connect() as client:
             while not ending.wait(0.01):
                 client.sendall(b"GET /bridge/status HTTP/1.1\r\n\r\n" * 20)
-                client.recv(100_000)
+                flooded.append(client.recv(100_000).count(b"200 OK"))
 
     flooding = threading.Thread(target=flood)
     flooding.start()
     try:
-        began_s = time.monotonic()
-        for _ in range(30):
+        due_s = time.monotonic() + 60.0
+        while sum(flooded) < 1000:
+            asked_s = time.monotonic()
+            assert asked_s < due_s, "the flood itself is held up"
             bridge.transport.send(Twist2D(0.1, 0.0))
             assert bridge.ask("GET", "/bridge/cmd_vel")[1]["linear_x"] in (0.1, 0.0)
-        assert time.monotonic() - began_s < 5.0
+            assert time.monotonic() - asked_s < 5.0
     finally:
         ending.set()
         flooding.join()

@@ -136,6 +136,8 @@ class _Connection(asyncio.Protocol):
         if self._buffer:
             self._transport.pause_reading()
             self._loop.call_soon(self._go_on)
+        else:
+            self._transport.resume_reading()
 
     def _next_request(self) -> tuple[Request | None, bool]:
         """A whole request, and whether it is the last; None while its end has not come.
