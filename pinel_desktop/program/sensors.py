@@ -60,6 +60,7 @@ class Sensor:
         argument: None for a sensor without an argument.
         block: type of its block, which sensors without an argument may share; empty is the name.
         cost: evaluation time, as a number of parts of an expression.
+        simulated_only: True if no real robot can have it; a program that reads it is not run on one.
     """
 
     name: str
@@ -73,6 +74,7 @@ class Sensor:
     argument: Argument | None = None
     block: str = ""
     cost: int = 2
+    simulated_only: bool = False
 
     @property
     def block_type(self) -> str:
@@ -110,7 +112,14 @@ _ROWS = (
     Sensor("y", "number", "how far to the left of its start", 2, "m", block="position"),
     Sensor("heading", "number", "where it looks; left is positive", 2, DEGREES, -180.0, 180.0),
     Sensor("time", "number", "how long the run has taken", 2, "s", low=0.0),
-    Sensor("floor", "text", "colour of the floor under the robot", level=2, texts=get_args(Color)),
+    Sensor(
+        "floor",
+        "text",
+        "colour of the floor under the robot",
+        level=2,
+        texts=get_args(Color),
+        simulated_only=True,
+    ),
     Sensor("has_mark", "boolean", "whether the place under the robot has a mark", 2, cost=_MARKS),
     Sensor(
         "mark_here",
@@ -120,7 +129,9 @@ _ROWS = (
         texts=("X", "O", ""),
         cost=_MARKS,
     ),
-    Sensor("cell", "text", 'name of the place under the robot, or ""', level=3),
+    Sensor(
+        "cell", "text", 'name of the place under the robot, or ""', level=3, simulated_only=True
+    ),
     Sensor(
         "sonar",
         "number",

@@ -177,6 +177,33 @@ def test_a_real_run_in_a_lesson_with_an_activity_is_not_judged_either(
     assert run["activity"] is None
 
 
+def test_what_no_real_robot_senses_is_a_fault_of_its_block_before_the_run(
+    browser: Browser, teacher: Browser, group: dict[str, Any], program: dict[str, Any]
+) -> None:
+    keep(teacher)
+    red = {"op": "==", "args": [{"sensor": "floor"}, "red"]}
+    commands = [
+        {"action": "wait_until", "block": "w", "condition": red},
+        {"action": "go_to_place", "block": "p", "place": "A"},
+        {"action": "move_forward", "block": "m", "distance": 1},
+    ]
+    saved = browser.post(
+        f"/api/programs/{program['id']}/versions",
+        {"workspace": {"blocks": {}}, "document": {**SQUARE, "commands": commands}},
+    )
+    assert saved.data["faults"] == []
+    answer = browser.post("/api/runs", wish(saved.data))
+    assert (answer.status, answer.error["code"]) == (422, "invalid_program")
+    found = [(one["block"], one["code"], one["pointer"]) for one in answer.error["faults"]]
+    assert found == [
+        ("w", "sensor_missing", "/commands/0/condition/args/0"),
+        ("p", "places_missing", "/commands/1"),
+    ]
+    assert "“floor”" in answer.error["faults"][0]["message"]
+    assert browser.get(f"/api/groups/{group['id']}/runs").data["runs"] == []
+    assert browser.post("/api/runs", wish(saved.data, robot="sim")).status == 200
+
+
 SETUP: dict[str, Any] = {
     "preset": "ideal",
     "feedback": "pose",

@@ -127,7 +127,12 @@ def _spec(version: VersionRow, body: NewRun, parts: Services) -> RunSpec:
 
 
 def _real_spec(document: dict[str, object], body: NewRun, parts: Services) -> RunSpec:
+    from pinel_desktop.runs.robot_checks import missing_on_real_robots  # noqa: PLC0415 - heavy
+
     record = parts.robots.record(body.robot)
+    faults = missing_on_real_robots(document)
+    if faults:
+        raise InvalidProgramError(describe_faults(faults, parts.preferences.language))
     if body.slow:
         record = record.slowed()
     world = record.room.as_world()

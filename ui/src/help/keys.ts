@@ -1,4 +1,5 @@
 import type { Texts } from "../i18n";
+import { EMERGENCY_KEY } from "../run/real/real_robot";
 import { ACTIONS } from "../studio/run_bar/actions";
 
 export interface KeyRow {
@@ -19,7 +20,7 @@ export function keyGroups(texts: Texts): KeyGroup[] {
   const { keys } = texts.help;
   const { studio, scene } = texts;
   return [
-    { title: texts.run.bar, rows: runRows(texts) },
+    { title: texts.run.bar, rows: [...runRows(texts), emergencyRow(texts)] },
     {
       title: keys.blocks,
       rows: [
@@ -39,6 +40,11 @@ export function keyGroups(texts: Texts): KeyGroup[] {
     { title: studio.floor, rows: [], more: [scene.startKeys, scene.measureKeys] },
   ];
 }
+
+const emergencyRow = ({ robot }: Texts): KeyRow => ({
+  keys: [EMERGENCY_KEY],
+  words: robot.emergencyHelp,
+});
 
 /** Actions that share a key share its row: one of them is possible at a time. */
 function runRows(texts: Texts): KeyRow[] {

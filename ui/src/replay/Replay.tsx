@@ -3,6 +3,7 @@ import { useEffect } from "preact/hooks";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import type { Playback } from "../run/playback";
+import { RobotName } from "../run/real/RobotName";
 import { beep } from "../run/sound";
 import { later } from "../shell/later";
 import { cancelWaiting, isPinAsked, teacherSession } from "../shell/teacher/teacher_session";
@@ -58,6 +59,7 @@ function ReplayProgram({ recording, onOpen }: ReplayProps) {
       <div class="blocks__tools replay__tools">
         <Eye class="icon" aria-hidden="true" />
         <p>{run.version ? replay.readOnly : replay.noVersion}</p>
+        <RobotName link={run.link} />
         {run.program_id && (
           <Button icon={Blocks} testId={TEST.replayProgram} onPress={onOpen}>
             {replay.openProgram}

@@ -7,6 +7,7 @@ export const TEACHER_PARTS = [
   "activities",
   "classes",
   "camera",
+  "robot",
   "files",
   "computer",
 ] as const;

@@ -23,6 +23,20 @@ export const TEST = {
   gone: "gone",
   fetchAgain: "fetch-again",
 
+  // real robots
+  realRobot: "real-robot", // in the header while a real robot may move
+  emergencyStop: "emergency-stop",
+  robotName: "robot-name", // of each; data-link
+  robotChoice: "robot-choice", // a select: sim and the links that are set up
+  beforeRun: "before-run", // the check list
+  beforePoint: "before-point", // of each
+  beforeGo: "before-go",
+  notJudged: "not-judged",
+  robotKind: "robot-kind", // of each; data-value
+  robotField: "robot-field", // of each; data-name
+  robotKeep: "robot-keep",
+  robotForget: "robot-forget",
+
   // start
   groupName: "group-name",
   createGroup: "create-group",

@@ -5,10 +5,11 @@ import { texts } from "../i18n";
 import { Loaded } from "../kit/requests/Loaded";
 import { useLoaded } from "../kit/requests/useLoaded";
 import { clear, live, liveRun } from "../run/live";
+import { loadRealRobots } from "../run/real/real_robot";
 import { isLive } from "../run/reducer";
 import { programAndGroups } from "../shell/first_answers";
 import { LEVELS, levelInUse, type MissionLevel, missionLevel } from "../shell/level";
-import { group, program } from "../shell/session";
+import { group, program, report } from "../shell/session";
 import { couldNotOpen, OpenProgram, opened, reloads } from "./program/open_program";
 import { Studio } from "./Studio";
 
@@ -35,6 +36,7 @@ async function open(programId: string, signal: AbortSignal): Promise<OpenProgram
   group.value = groups.find((one) => one.id === loaded.group_id) ?? null;
   program.value = loaded;
   levelInUse.value = levelNeeded(loaded.version?.workspace);
+  void loadRealRobots().catch(report);
   void chooseSigns(group.value?.classroom_id ?? null);
   const made = new OpenProgram(loaded);
   await made.loadMission();

@@ -2,6 +2,7 @@ import { batch, computed, type ReadonlySignal } from "@preact/signals";
 import type { Start, World } from "../api/model";
 import * as robot from "../run/live";
 import { moment } from "../run/moment";
+import { chosenRobot } from "../run/real/real_robot";
 import { isLive } from "../run/reducer";
 import { startOf, toWorld } from "../scene/frames";
 import { onTurn, turned } from "../scene/tools/measure";
@@ -15,7 +16,7 @@ interface Place {
 export class StartChoice {
   /** The chosen start; null for that of the world. */
   readonly start = computed<Start | null>(() =>
-    this.open.mission.value ? null : (this.open.setup.value.start ?? null),
+    this.open.mission.value || chosenRobot.value ? null : (this.open.setup.value.start ?? null),
   );
   /** The world with the effective start. */
   readonly world = computed<World | null>(() => {
@@ -43,6 +44,7 @@ export class StartChoice {
     const { value: view } = robot.live;
     const { value: world } = this.world;
     if (isLive(view) || moment.value || !world || this.open.mission.value) return null;
+    if (chosenRobot.value) return null; // the start of a real robot is a place in the room
     if (view.run === null) return world.start;
     const start = startOf(world);
     const { x, y } = toWorld(start, view.truth.x, view.truth.y);

@@ -14,6 +14,7 @@ import type { StoredProgram } from "../run/idle_parts";
 import { verdictOf, withJudgement } from "../run/judgement";
 import * as robot from "../run/live";
 import { moment, shown } from "../run/moment";
+import { chosenRobot, isChecked, robotHasRun, robotOfRun } from "../run/real/real_robot";
 import { isLive, runningBlock } from "../run/reducer";
 import { parameterIn, type Sentence, sentenceOf, type Voice } from "../run/sentence";
 import { valueWords } from "../run/values";
@@ -42,6 +43,8 @@ export class StudioControl {
   editor: Editor | null = null;
   /** Run was pressed without any command. */
   readonly asked = signal(false);
+  /** Run or Step was pressed for a real robot before its check list was gone through. */
+  readonly asksBefore = signal<{ paused: boolean } | null>(null);
   /** Whether the live run is of this program. */
   readonly mine = computed(() => robot.liveRun.value?.program_id === this.open.id);
   readonly worlds: WorldControl;
@@ -206,6 +209,7 @@ export class StudioControl {
     if (this.busy || isLive(robot.live.value)) return;
     if (this.worlds.isFaulty.peek()) this.worlds.edit();
     else if (this.open.isEmpty) this.asked.value = true;
+    else if (chosenRobot.peek() && !isChecked.peek()) this.asksBefore.value = { paused };
     else {
       this.busy = true;
       await this.saveAndStart(paused);
@@ -223,11 +227,16 @@ export class StudioControl {
       if (!version || version.faults.length > 0) return this.showFirst();
       this.ran = open.content.value;
       const start = this.start.start.value;
-      const wanted = { ...runSettings(open, paused), ...(start ? { start } : {}) };
+      const wanted = {
+        ...runSettings(open, paused),
+        ...(start ? { start } : {}),
+        ...robotOfRun(),
+      };
       const begun = robot.start(version.id, this.worlds.name.value, wanted);
       // the failure of the run before is gone by now; it must not come back for a moment
       this.edited.value = false;
       await begun;
+      robotHasRun();
     } catch (error) {
       if (error instanceof ApiError && error.faults.length > 0) open.faults.value = error.faults;
       else this.tell(error);

@@ -3,6 +3,7 @@ import { DEFAULT_WORLD } from "../api/declared";
 import { OWN_WORLD, type World } from "../api/model";
 import { texts } from "../i18n";
 import * as robot from "../run/live";
+import { chosenRobot } from "../run/real/real_robot";
 import { isLive } from "../run/reducer";
 import { worlds } from "../shell/session";
 import { EditorStore } from "../world_editor/editor_store";
@@ -28,13 +29,14 @@ export class WorldControl {
   readonly world = computed<World | null>(() => {
     const { value: run } = robot.liveRun;
     if (run && isLive(robot.live.value) && "world_document" in run) return run.world_document;
+    if (chosenRobot.value) return chosenRobot.value.world;
     if (this.mission.value) return this.mission.value.goal_picture.world;
     if (this.name.value === OWN_WORLD) return this.open.ownWorld.now.value;
     return worlds.value.find((world) => world.name === this.name.value) ?? null;
   });
   /** The selected world has faults, so the server would reject it. */
   readonly isFaulty = computed(
-    () => this.name.value === OWN_WORLD && this.open.ownWorld.isRefused.value,
+    () => !chosenRobot.value && this.name.value === OWN_WORLD && this.open.ownWorld.isRefused.value,
   );
   /** Whether a change in the editor would replace the group's own world. */
   readonly replaces = computed(

@@ -1,4 +1,13 @@
-import { BookOpen, Camera, ClipboardList, Medal, Monitor, Usb, UsersRound } from "lucide-preact";
+import {
+  BookOpen,
+  Bot,
+  Camera,
+  ClipboardList,
+  Medal,
+  Monitor,
+  Usb,
+  UsersRound,
+} from "lucide-preact";
 import { texts } from "../i18n";
 import { Loaded } from "../kit/requests/Loaded";
 import { hashOf, TEACHER_PARTS, type TeacherPart } from "../shell/route";
@@ -10,6 +19,7 @@ import { ExchangePanel } from "./exchange/ExchangePanel";
 import { LessonsPart } from "./lessons/LessonsPart";
 import { ActivitiesPart } from "./making/ActivitiesPart";
 import { PlanPart } from "./plan/PlanPart";
+import { RobotPart } from "./robot/RobotPart";
 import { loadSchool } from "./school";
 import { RequireTeacher } from "./sign_in/RequireTeacher";
 import { useTeacherLoaded } from "./useTeacherLoaded";
@@ -20,6 +30,7 @@ const ICONS = {
   activities: Medal,
   classes: UsersRound,
   camera: Camera,
+  robot: Bot,
   files: Usb,
   computer: Monitor,
 } as const;
@@ -28,7 +39,7 @@ interface TeacherScreenProps {
   part: TeacherPart;
 }
 
-/** The teacher's page: lessons, the plan of one, own activities, classes and groups, camera, files, this PC. */
+/** The teacher's page: lessons, the plan of one, own activities, classes and groups, camera, real robots, files, this PC. */
 export function TeacherScreen({ part }: TeacherScreenProps) {
   return (
     <RequireTeacher>
@@ -69,6 +80,7 @@ function PartLinks({ part }: TeacherScreenProps) {
 function Part({ part }: TeacherScreenProps) {
   if (part === "activities") return <ActivitiesPart />;
   if (part === "camera") return <CameraPart />;
+  if (part === "robot") return <RobotPart />;
   if (part === "files") return <ExchangePanel />;
   if (part === "computer") return <ComputerPart />;
   return <SchoolPart part={part} />;

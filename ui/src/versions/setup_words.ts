@@ -1,6 +1,7 @@
 import { OWN_WORLD, type Setup, type VersionMark, worldTitle } from "../api/model";
 import type { Language, Texts } from "../i18n";
 import { decimal } from "../i18n/format";
+import { ROOM_WORLD } from "../run/real/real_robot";
 import { worlds } from "../shell/session";
 import { lifelikeOf } from "../studio/program/setup";
 
@@ -60,6 +61,7 @@ function partsOf(setup: Setup, texts: Texts, language: Language): [string, strin
 /** The name of a world: of one that ships, or of the group's own. */
 export function worldWords(name: string, texts: Texts, language: Language): string {
   if (name === OWN_WORLD) return texts.world.own;
+  if (name === ROOM_WORLD) return texts.robot.room;
   const world = worlds.value.find((one) => one.name === name);
   return world ? worldTitle(world, language) : name;
 }

@@ -2,6 +2,7 @@ import { CircleCheck, CircleStop, CircleX, LoaderCircle } from "lucide-preact";
 import type { Run } from "../api/model";
 import { language, texts } from "../i18n";
 import { duration, moment } from "../i18n/format";
+import { RobotName } from "../run/real/RobotName";
 import { PathPicture } from "../scene/PathPicture";
 import { hashOf } from "../shell/route";
 import { TEST } from "../shell/testids";
@@ -43,6 +44,7 @@ export function RunCard({ run }: { run: Run }) {
         <span class="work-card__line work-card__line--strong">
           {run.program_name ?? work.noName}
         </span>
+        <RobotName link={run.link} />
         <span class="work-card__line work-card__line--facts">
           {facts.filter(Boolean).join(" · ")}
         </span>

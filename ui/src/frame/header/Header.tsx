@@ -27,6 +27,7 @@ import { opened } from "../../studio/program/open_program";
 import { LessonChip } from "./LessonChip";
 import { Mark } from "./Mark";
 import { ProgramName } from "./ProgramName";
+import { RealRobot } from "./RealRobot";
 import { useRoom } from "./room";
 import { SavedMark } from "./SavedMark";
 import { TeacherChip } from "./TeacherChip";
@@ -49,6 +50,7 @@ export function Header() {
       {route.value.screen === "studio" && <SavedMark />}
       {route.value.screen === "studio" && <LessonChip />}
       <span class="header__space" />
+      <RealRobot />
       <TeacherChip />
       {route.value.screen === "studio" && <PracticeLink />}
       {inside && route.value.screen !== "activities" && <ActivitiesLink />}
@@ -171,7 +173,11 @@ function BackToProgram() {
   const program = opened.value?.program;
   if (!program) return null;
   return (
-    <LinkButton icon={ArrowLeft} href={hashOf({ screen: "studio", program: program.id })}>
+    <LinkButton
+      icon={ArrowLeft}
+      label={texts.value.header.backToProgram}
+      href={hashOf({ screen: "studio", program: program.id })}
+    >
       <span class="header__word">{texts.value.header.backToProgram}</span>
     </LinkButton>
   );

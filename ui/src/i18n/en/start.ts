@@ -1,5 +1,6 @@
 import * as blockly from "blockly/msg/en";
 import program from "../../../../pinel_desktop/messages/catalogue/en/program.json";
+import robots from "../../../../pinel_desktop/messages/catalogue/en/robots.json";
 import run from "../../../../pinel_desktop/messages/catalogue/en/run.json";
 import type { StartTexts } from "../texts";
 import { activity } from "./activity";
@@ -11,7 +12,7 @@ import { page } from "./page";
 import { plots } from "./plots";
 import { programFile } from "./program_file";
 import { searchWords } from "./search_words";
-import { world } from "./world";
+import { robot, world } from "./world";
 
 export const start: StartTexts = {
   ...page,
@@ -21,8 +22,9 @@ export const start: StartTexts = {
   keeping,
   plots,
   programFile,
+  robot,
   searchWords,
   world,
   blockly: { ...(blockly as object), ...editor },
-  reasons: { ...program, ...run },
+  reasons: { ...program, ...robots, ...run },
 };

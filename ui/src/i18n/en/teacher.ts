@@ -40,6 +40,7 @@ export const teacher: typeof first = {
     activities: "Activities",
     classes: "Classes and groups",
     camera: "Camera",
+    robot: "Robot",
     files: "Stick and folder",
     computer: "This PC",
   },
@@ -274,4 +275,28 @@ export const making: typeof firstMaking = {
     name: "lesson",
     openFound: (name) => `Open ${name}`,
   },
+};
+
+export const robotSetup = {
+  title: "Real robot",
+  hint: "Say how this PC reaches the robot, how fast it may drive, and where. Groups then choose it above the floor, in place of the simulator.",
+  none: "This release drives no real robot.",
+  kind: "Kind of robot",
+  about: {
+    dds: "A robot that speaks ROS 2 on the same network. The PC needs no ROS.",
+    ros2: "A robot that speaks ROS 2, by the ROS installed on this PC.",
+    bridge: "A simulator or robot that asks this PC for its velocity, as AuRoRA does.",
+  },
+  isSetUp: "Set up: groups can choose it.",
+  notSetUp: "Not set up yet: groups do not see it.",
+  parts: {
+    speed: "How fast",
+    room: "Where: free floor and start",
+    address: "How to reach the robot",
+    tolerance: "More: tolerances",
+  },
+  picture: "The free floor with the robot at its start",
+  keep: "Save the robot",
+  kept: "Saved.",
+  forget: "Forget this robot",
 };

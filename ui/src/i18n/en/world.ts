@@ -72,3 +72,32 @@ export const world: typeof first = {
   tooLarge: "It is too large: a world has 256 kB at most.",
   between: (least: string, most: string) => `Type a number from ${least} to ${most}.`,
 };
+
+export const robot = {
+  choice: "Which robot is to drive",
+  simulator: "Simulator",
+  real: "Real robot",
+  names: {
+    dds: "Robot with ROS 2",
+    ros2: "Robot by the ROS of this PC",
+    bridge: "Robot by the bridge",
+  },
+  room: "Real room",
+  emergency: "STOP",
+  emergencyWhat: "THE ROBOT",
+  emergencyHelp: "Stops the real robot at once, on every screen",
+  notJudged: "A run with a real robot is not judged. To have it judged, run in the simulator.",
+  before: {
+    title: "Before the real robot moves",
+    points: [
+      "The floor around it is free: no bags, cables or steps.",
+      "Nobody has hands or feet near the robot.",
+      "The robot stands at the start, turned as in the drawing.",
+      "The teacher is nearby.",
+    ],
+    speed: (full: string, slow: string) =>
+      `It drives at ${full} m/s at most; this first run is slow, at ${slow} m/s.`,
+    go: "Run slowly",
+    later: "Not now",
+  },
+};

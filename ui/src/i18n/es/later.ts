@@ -7,7 +7,7 @@ import { exchange } from "./exchange";
 import { help } from "./help";
 import { plan } from "./plan";
 import { review } from "./review";
-import { making, teacher } from "./teacher";
+import { making, robotSetup, teacher } from "./teacher";
 
 export const later: LaterTexts = {
   camera,
@@ -19,6 +19,7 @@ export const later: LaterTexts = {
   making,
   practice,
   review,
+  robotSetup,
   teacher,
   teaching,
 };

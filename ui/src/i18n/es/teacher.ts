@@ -42,6 +42,7 @@ export const teacher: typeof first = {
     activities: "Actividades",
     classes: "Cursos y grupos",
     camera: "Cámara",
+    robot: "Robot",
     files: "Memoria USB y carpeta",
     computer: "Esta computadora",
   },
@@ -279,4 +280,28 @@ export const making: typeof firstMaking = {
     name: "clase",
     openFound: (name) => `Abrir ${name}`,
   },
+};
+
+export const robotSetup = {
+  title: "Robot de verdad",
+  hint: "Diga cómo llega esta computadora al robot, qué tan rápido puede andar y dónde. Después los grupos lo eligen sobre el piso, en lugar del simulador.",
+  none: "Esta versión no maneja ningún robot de verdad.",
+  kind: "Tipo de robot",
+  about: {
+    dds: "Un robot que habla ROS 2 en la misma red. La computadora no necesita ROS.",
+    ros2: "Un robot que habla ROS 2, por el ROS instalado en esta computadora.",
+    bridge: "Un simulador o robot que le pide la velocidad a esta computadora, como AuRoRA.",
+  },
+  isSetUp: "Configurado: los grupos pueden elegirlo.",
+  notSetUp: "Todavía sin configurar: los grupos no lo ven.",
+  parts: {
+    speed: "Qué tan rápido",
+    room: "Dónde: área libre y partida",
+    address: "Cómo llegar al robot",
+    tolerance: "Más: tolerancias",
+  },
+  picture: "El área libre con el robot en la partida",
+  keep: "Guardar el robot",
+  kept: "Guardado.",
+  forget: "Olvidar este robot",
 };

@@ -73,3 +73,33 @@ export const world: typeof first = {
   tooLarge: "Es demasiado grande: un mundo tiene hasta 256 kB.",
   between: (least: string, most: string) => `Escriban un número de ${least} a ${most}.`,
 };
+
+export const robot = {
+  choice: "Qué robot va a andar",
+  simulator: "Simulador",
+  real: "Robot de verdad",
+  names: {
+    dds: "Robot con ROS 2",
+    ros2: "Robot por el ROS de esta computadora",
+    bridge: "Robot por el puente",
+  },
+  room: "Sala de verdad",
+  emergency: "PARAR",
+  emergencyWhat: "EL ROBOT",
+  emergencyHelp: "Detiene el robot de verdad en el acto, en cualquier pantalla",
+  notJudged:
+    "Un recorrido con robot de verdad no se evalúa. Para evaluarlo, ejecuten en el simulador.",
+  before: {
+    title: "Antes de que ande el robot de verdad",
+    points: [
+      "El piso alrededor está libre: sin mochilas, cables ni escalones.",
+      "Nadie tiene las manos o los pies cerca del robot.",
+      "El robot está en el lugar de partida, girado como en el dibujo.",
+      "La o el docente está cerca.",
+    ],
+    speed: (full: string, slow: string) =>
+      `Anda como máximo a ${full} m/s; este primer recorrido es despacio, a ${slow} m/s.`,
+    go: "Ejecutar despacio",
+    later: "Ahora no",
+  },
+};

@@ -7,7 +7,7 @@ import { exchange } from "./exchange";
 import { help } from "./help";
 import { plan } from "./plan";
 import { review } from "./review";
-import { making, teacher } from "./teacher";
+import { making, robotSetup, teacher } from "./teacher";
 
 export const later = {
   camera,
@@ -21,6 +21,7 @@ export const later = {
   making,
   practice,
   review,
+  robotSetup,
   teacher,
   teaching,
 };

@@ -1,5 +1,6 @@
 import * as blockly from "blockly/msg/pt-br";
 import program from "../../../../pinel_desktop/messages/catalogue/pt-BR/program.json";
+import robots from "../../../../pinel_desktop/messages/catalogue/pt-BR/robots.json";
 import run from "../../../../pinel_desktop/messages/catalogue/pt-BR/run.json";
 import type { BlocklyMessages, Catalogue } from "../message";
 import { activity } from "./activity";
@@ -11,7 +12,7 @@ import { page } from "./page";
 import { plots } from "./plots";
 import { programFile } from "./program_file";
 import { searchWords } from "./search_words";
-import { world } from "./world";
+import { robot, world } from "./world";
 
 export const start = {
   ...page,
@@ -21,9 +22,10 @@ export const start = {
   keeping,
   plots,
   programFile,
+  robot,
   searchWords,
   world,
   blockly: { ...(blockly as object), ...editor } as BlocklyMessages,
   /** Why a run ended. */
-  reasons: { ...program, ...run } as Catalogue,
+  reasons: { ...program, ...robots, ...run } as Catalogue,
 };

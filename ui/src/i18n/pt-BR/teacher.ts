@@ -40,6 +40,7 @@ export const teacher = {
     activities: "Atividades",
     classes: "Turmas e grupos",
     camera: "Câmera",
+    robot: "Robô",
     files: "Pendrive e pasta",
     computer: "Este computador",
   },
@@ -278,4 +279,28 @@ export const making = {
     name: "aula",
     openFound: (name: string) => `Abrir ${name}`,
   },
+};
+
+export const robotSetup = {
+  title: "Robô de verdade",
+  hint: "Diga como este computador chega ao robô, quão rápido ele pode andar e onde. Depois os grupos o escolhem em cima do chão, no lugar do simulador.",
+  none: "Esta versão não dirige nenhum robô de verdade.",
+  kind: "Tipo de robô",
+  about: {
+    dds: "Um robô que fala ROS 2 na mesma rede. O computador não precisa ter ROS.",
+    ros2: "Um robô que fala ROS 2, pelo ROS instalado neste computador.",
+    bridge: "Um simulador ou robô que pergunta a velocidade a este computador, como o AuRoRA.",
+  },
+  isSetUp: "Configurado: os grupos podem escolhê-lo.",
+  notSetUp: "Ainda não configurado: os grupos não o veem.",
+  parts: {
+    speed: "Quão rápido",
+    room: "Onde: área livre e partida",
+    address: "Como chegar ao robô",
+    tolerance: "Mais: tolerâncias",
+  },
+  picture: "Área livre com o robô na partida",
+  keep: "Salvar o robô",
+  kept: "Salvo.",
+  forget: "Esquecer este robô",
 };

@@ -70,3 +70,33 @@ export const world = {
   tooLarge: "Ele é grande demais: um mundo tem até 256 kB.",
   between: (least: string, most: string) => `Escrevam um número de ${least} a ${most}.`,
 };
+
+/** Real robots: choice, check list, emergency stop. */
+export const robot = {
+  choice: "Que robô vai andar",
+  simulator: "Simulador",
+  real: "Robô de verdade",
+  names: {
+    dds: "Robô com ROS 2",
+    ros2: "Robô pelo ROS deste computador",
+    bridge: "Robô pela ponte",
+  },
+  room: "Sala de verdade",
+  emergency: "PARAR",
+  emergencyWhat: "O ROBÔ",
+  emergencyHelp: "Para o robô de verdade na hora, em qualquer tela",
+  notJudged: "Rodada com robô de verdade: não é avaliada. Para avaliar, rodem no simulador.",
+  before: {
+    title: "Antes de o robô de verdade andar",
+    points: [
+      "O chão em volta está livre: sem mochilas, cabos e degraus.",
+      "Ninguém está com as mãos ou os pés perto do robô.",
+      "O robô está no lugar da partida, virado como no desenho.",
+      "A professora ou o professor está por perto.",
+    ],
+    speed: (full: string, slow: string) =>
+      `Ele anda no máximo a ${full} m/s; esta primeira rodada é devagar, a ${slow} m/s.`,
+    go: "Rodar devagar",
+    later: "Agora não",
+  },
+};

@@ -12,6 +12,7 @@ import { isLive } from "../../run/reducer";
 import { helpIsOpen } from "../../shell/help";
 import { later } from "../../shell/later";
 import { TEST } from "../../shell/testids";
+import { BeforeRun } from "../real_robot/BeforeRun";
 import { Controls } from "../run_bar/Controls";
 import type { StudioControl } from "../studio_control";
 import { DRAWER, type DrawerState } from "../text/drawer";
@@ -47,6 +48,7 @@ export function FloorPane({ control }: { control: StudioControl }) {
     <section class="floor" aria-label={texts.value.studio.floor}>
       <Controls control={control} />
       <Status control={control} />
+      <BeforeRun control={control} />
       <Forgotten control={control} />
       {helpIsOpen.value && <HelpPanel control={control} />}
       <Stage control={control} drawer={drawer} />

@@ -9,12 +9,14 @@ import { isNow, shown, shownPose } from "../../run/moment";
 import type { Question } from "../../run/output";
 import { MuteButton } from "../../run/panels/MuteButton";
 import { Shown } from "../../run/panels/Shown";
+import { chosenRobot } from "../../run/real/real_robot";
 import { isLive } from "../../run/reducer";
 import { Scene } from "../../scene/Scene";
 import { later } from "../../shell/later";
 import { worlds } from "../../shell/session";
 import { TEST } from "../../shell/testids";
 import { sensorValues } from "../debug/sensor_values";
+import { RobotChoice } from "../real_robot/RobotChoice";
 import type { StudioControl } from "../studio_control";
 import type { DrawerState } from "../text/drawer";
 import { CapturePanel } from "./CapturePanel";
@@ -94,9 +96,11 @@ function Corner({ control }: { control: StudioControl }) {
   const own = control.open.ownWorld.now.value;
   const words = texts.value.world;
   const { mission } = control.worlds;
+  if (chosenRobot.value) return <RoomCorner control={control} />;
   if (mission.value) return <MissionCorner control={control} />;
   return (
     <div class="floor__corner">
+      <RobotChoice />
       <WorldChoice
         worlds={worlds.value}
         world={control.worlds.name.value}
@@ -119,11 +123,23 @@ function Corner({ control }: { control: StudioControl }) {
   );
 }
 
+/** A real robot drives in its room. */
+function RoomCorner({ control }: { control: StudioControl }) {
+  return (
+    <div class="floor__corner">
+      <RobotChoice />
+      <p class="floor__locked">{texts.value.robot.room}</p>
+      <MuteButton view={robot.live} expected={control.beeps.value} />
+    </div>
+  );
+}
+
 /** A mission determines the world. */
 function MissionCorner({ control }: { control: StudioControl }) {
   const { world } = control.worlds;
   return (
     <div class="floor__corner">
+      <RobotChoice />
       <p class="floor__locked" title={texts.value.activity.locked} data-testid={TEST.worldLocked}>
         <Lock class="icon" aria-hidden="true" />
         {world.value && worldTitle(world.value, language.value)}

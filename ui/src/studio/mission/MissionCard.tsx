@@ -6,6 +6,7 @@ import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { checksOf, verdictOf } from "../../run/judgement";
 import * as robot from "../../run/live";
+import { movingLink } from "../../run/real/real_robot";
 import { GoalPicture } from "../../scene/goal/GoalPicture";
 import { checksStand, judged, report } from "../../shell/session";
 import { TEST } from "../../shell/testids";
@@ -41,6 +42,7 @@ export function MissionCard({ control }: { control: StudioControl }) {
         {done && <Success open={open} mission={mission} />}
         {!folded.value && (
           <>
+            <NotJudged />
             {!done && <Task mission={mission} />}
             <CheckList checks={checks} />
             {verdict && <CasesTried cases={verdict.cases} />}
@@ -59,6 +61,16 @@ export function MissionCard({ control }: { control: StudioControl }) {
         }}
       />
     </section>
+  );
+}
+
+/** Says of a real robot that its runs are not judged. */
+function NotJudged() {
+  if (!movingLink.value) return null;
+  return (
+    <p class="mission__not-judged" data-testid={TEST.notJudged}>
+      {texts.value.robot.notJudged}
+    </p>
   );
 }
 

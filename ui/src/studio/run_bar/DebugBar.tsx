@@ -2,6 +2,7 @@ import { Bot, Gauge } from "lucide-preact";
 import { language, texts } from "../../i18n";
 import { decimal } from "../../i18n/format";
 import { Select } from "../../kit/Select";
+import { movingLink } from "../../run/real/real_robot";
 import { isUnderWay } from "../../run/reducer";
 import { TEST } from "../../shell/testids";
 import type { OpenProgram } from "../program/open_program";
@@ -18,18 +19,30 @@ export function DebugBar(props: ActionsProps) {
       {STEPS.filter(({ isShown }) => isShown(props.state)).map((action) => (
         <ActionButton key={action.name} {...props} action={action} />
       ))}
-      {!isUnderWay(props.state.phase) && !open.mission.value && <LifelikeChoice open={open} />}
-      <Select
-        class="debug-bar__speed"
-        icon={Gauge}
-        label={debug.speed}
-        tip={debug.speed}
-        testId={TEST.speed}
-        value={open.setup.value.speed}
-        options={SPEEDS.map((factor) => [factor, debug.times(timesOf(factor))])}
-        onChange={(speed) => open.changeSetup({ speed })}
-      />
+      {!movingLink.value && (
+        <>
+          {!isUnderWay(props.state.phase) && !open.mission.value && <LifelikeChoice open={open} />}
+          <SpeedChoice open={open} />
+        </>
+      )}
     </section>
+  );
+}
+
+/** Selects how fast the time of the simulator passes; a real robot has its own. */
+function SpeedChoice({ open }: { open: OpenProgram }) {
+  const { debug } = texts.value;
+  return (
+    <Select
+      class="debug-bar__speed"
+      icon={Gauge}
+      label={debug.speed}
+      tip={debug.speed}
+      testId={TEST.speed}
+      value={open.setup.value.speed}
+      options={SPEEDS.map((factor) => [factor, debug.times(timesOf(factor))])}
+      onChange={(speed) => open.changeSetup({ speed })}
+    />
   );
 }
 

@@ -3,6 +3,7 @@ import type { HistoryRun } from "../../../api/model";
 import { language, texts } from "../../../i18n";
 import { duration, moment } from "../../../i18n/format";
 import { GroupPicture } from "../../../kit/pictures/GroupPicture";
+import { RobotName } from "../../../run/real/RobotName";
 import { PathPicture } from "../../../scene/PathPicture";
 import { hashOf } from "../../../shell/route";
 import { TEST } from "../../../shell/testids";
@@ -57,6 +58,7 @@ export function HistoryCard({ run, chosen, lesson }: HistoryCardProps) {
             <GroupPicture name={run.group?.picture ?? ""} class="run-card__picture" />
             <span>{run.group?.name ?? runs.commandLine}</span>
           </span>
+          <RobotName link={run.link} />
           <span class="work-card__line work-card__line--strong run-card__outcome">
             <OutcomeSign outcome={outcome} />
             {SHORT[outcome] ? runs.outcomes[SHORT[outcome]] : outcomes[outcome]}

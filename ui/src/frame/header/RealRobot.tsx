@@ -1,0 +1,55 @@
+import { OctagonX } from "lucide-preact";
+import { useEffect } from "preact/hooks";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { listen } from "../../kit/listen";
+import { RobotName, robotWords } from "../../run/real/RobotName";
+import { EMERGENCY_KEY, emergencyStop, movingLink } from "../../run/real/real_robot";
+import { report } from "../../shell/session";
+import { TEST } from "../../shell/testids";
+
+const halt = () => void emergencyStop().catch(report);
+
+/** While a real robot may move: which one, and the emergency stop. */
+export function RealRobot() {
+  const { value: link } = movingLink;
+  useEffect(
+    () => (link ? listen(window, { keydown: onKey }, { capture: true }) : undefined),
+    [link],
+  );
+  if (!link) return null;
+  const { robot } = texts.value;
+  return (
+    <section
+      class="real-robot"
+      aria-label={`${robot.real}: ${robotWords(link)}`}
+      data-testid={TEST.realRobot}
+    >
+      <span class="real-robot__words">
+        <strong>{robot.real}</strong>
+        <RobotName link={link} />
+      </span>
+      <Button
+        class="real-robot__stop"
+        kind="stop"
+        icon={OctagonX}
+        tip={`${robot.emergencyHelp} (${EMERGENCY_KEY})`}
+        testId={TEST.emergencyStop}
+        aria-keyshortcuts={EMERGENCY_KEY}
+        onPress={halt}
+      >
+        {robot.emergency}
+        <span class="real-robot__what">{robot.emergencyWhat}</span>
+        <kbd class="real-robot__key">{EMERGENCY_KEY}</kbd>
+      </Button>
+    </section>
+  );
+}
+
+/** With any modifier, and while held: whoever hits it wants the robot to stand. */
+function onKey(event: KeyboardEvent): void {
+  if (event.key !== EMERGENCY_KEY) return;
+  event.preventDefault();
+  event.stopPropagation();
+  halt();
+}

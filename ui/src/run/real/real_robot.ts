@@ -1,0 +1,68 @@
+import { computed, signal } from "@preact/signals";
+import type { RealRobot } from "../../api/model";
+import { robotsApi } from "../../api/robots";
+import { live, liveRun, stop } from "../live";
+import { isLive } from "../reducer";
+
+/** The link of the simulator, which every page begins with: nothing real moves because somebody chose it before. */
+export const SIMULATOR = "sim";
+
+/** The name of the room's world document in the list of runs: pinel_desktop/robot/record.py. */
+export const ROOM_WORLD = "room";
+
+/** The kinds of real robots, as the server last told. */
+export const realRobots = signal<readonly RealRobot[]>([]);
+
+const choice = signal(SIMULATOR);
+
+/** Whether the group has gone through the check list since it chose the robot. */
+export const isChecked = signal(false);
+
+/** Whether a run of the chosen robot has begun: the first one is slow. */
+const hasRun = signal(false);
+
+/** The real robot of the next run; null for the simulator. */
+export const chosenRobot = computed<RealRobot | null>(
+  () => realRobots.value.find((one) => one.link === choice.value && one.is_set_up) ?? null,
+);
+
+/** Link of the real robot that may move: of the live run, else of the chosen robot; null if all is simulated. */
+export const movingLink = computed<string | null>(() => {
+  const run = isLive(live.value) ? liveRun.value : null;
+  if (run && run.link !== SIMULATOR) return run.link;
+  return chosenRobot.value?.link ?? null;
+});
+
+export function chooseRobot(link: string): void {
+  choice.value = link;
+  isChecked.value = false;
+  hasRun.value = false;
+}
+
+export async function loadRealRobots(): Promise<void> {
+  realRobots.value = await robotsApi.all();
+}
+
+/** What a run on the chosen robot is asked for with; nothing for the simulator. */
+export function robotOfRun(): { robot?: string; slow?: boolean } {
+  const robot = chosenRobot.peek();
+  return robot ? { robot: robot.link, slow: !hasRun.peek() } : {};
+}
+
+/** A run on the chosen robot has begun. */
+export function robotHasRun(): void {
+  if (chosenRobot.peek()) hasRun.value = true;
+}
+
+/** The highest speed of the next run in m/s. */
+export const nextSpeed = computed(() => {
+  const { value: robot } = chosenRobot;
+  if (!robot) return 0;
+  return hasRun.value ? robot.max_v_mps : robot.slow_v_mps;
+});
+
+/** The key that stops a real robot on every screen. */
+export const EMERGENCY_KEY = "F9";
+
+/** Stops the live run, before anything else. */
+export const emergencyStop = (): Promise<void> => stop();

@@ -1,0 +1,33 @@
+import { Bot } from "lucide-preact";
+import { texts } from "../../i18n";
+import { Select } from "../../kit/Select";
+import * as robot from "../../run/live";
+import { robotWords } from "../../run/real/RobotName";
+import { chooseRobot, chosenRobot, realRobots, SIMULATOR } from "../../run/real/real_robot";
+import { isLive } from "../../run/reducer";
+import { TEST } from "../../shell/testids";
+
+/** The simulator or a real robot; shown where the teacher has set up one. */
+export function RobotChoice() {
+  const { robot: say } = texts.value;
+  const ready = realRobots.value.filter((one) => one.is_set_up);
+  if (ready.length === 0) return null;
+  return (
+    <Select
+      icon={Bot}
+      label={say.choice}
+      tip={say.choice}
+      testId={TEST.robotChoice}
+      value={chosenRobot.value?.link ?? SIMULATOR}
+      options={[
+        [SIMULATOR, say.simulator],
+        ...ready.map(({ link }) => [link, robotWords(link)] as const),
+      ]}
+      disabled={isLive(robot.live.value)}
+      onChange={(link) => {
+        chooseRobot(link);
+        robot.clear();
+      }}
+    />
+  );
+}

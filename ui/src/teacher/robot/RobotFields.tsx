@@ -1,0 +1,54 @@
+import type { RealRobot, RobotField } from "../../api/model";
+import { texts } from "../../i18n";
+import { Field } from "../../kit/Field";
+import { TEST } from "../../shell/testids";
+import { RoomPicture } from "./RoomPicture";
+import type { Draft } from "./record";
+
+interface RobotFieldsProps {
+  robot: RealRobot;
+  draft: Draft;
+  field(name: string): { value: string | undefined; onText(text: string): void };
+}
+
+/** The fields of a record in their parts. */
+export function RobotFields({ robot, draft, field }: RobotFieldsProps) {
+  const { parts } = texts.value.robotSetup;
+  const inputs = (part: RobotField["part"]) =>
+    robot.fields
+      .filter((one) => one.part === part)
+      .map(({ name, label, hint, low }) => (
+        <Field
+          key={name}
+          label={label}
+          hint={hint}
+          maxLength={100}
+          inputMode={low === null ? "text" : "decimal"}
+          data-testid={TEST.robotField}
+          data-name={name}
+          value={field(name).value ?? ""}
+          onText={field(name).onText}
+        />
+      ));
+  return (
+    <>
+      <fieldset class="robot-form__part">
+        <legend>{parts.speed}</legend>
+        {inputs("speed")}
+      </fieldset>
+      <fieldset class="robot-form__part robot-form__part--room">
+        <legend>{parts.room}</legend>
+        {inputs("room")}
+        <RoomPicture draft={draft} />
+      </fieldset>
+      <fieldset class="robot-form__part">
+        <legend>{parts.address}</legend>
+        {inputs("address")}
+      </fieldset>
+      <details class="robot-form__more">
+        <summary>{parts.tolerance}</summary>
+        <div class="robot-form__part">{inputs("tolerance")}</div>
+      </details>
+    </>
+  );
+}

@@ -1,0 +1,62 @@
+import { Check, Trash2 } from "lucide-preact";
+import { useState } from "preact/hooks";
+import type { RealRobot } from "../../api/model";
+import { robotsApi } from "../../api/robots";
+import { language, texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { Form } from "../../kit/Form";
+import { useAct } from "../../kit/requests/act";
+import { FaultLine } from "../../kit/requests/FaultLine";
+import { knownLink } from "../../run/real/RobotName";
+import { asTeacher } from "../../shell/teacher/teacher_session";
+import { TEST } from "../../shell/testids";
+import { useDraft } from "../useDraft";
+import { RobotFields } from "./RobotFields";
+import { draftOf, recordOf } from "./record";
+
+interface RobotFormProps {
+  robot: RealRobot;
+  onChanged(robot: RealRobot): void;
+}
+
+/** The record of one kind of robot: speeds, room, address, and tolerances folded away. */
+export function RobotForm({ robot, onChanged }: RobotFormProps) {
+  const { robotSetup: say } = texts.value;
+  const [isKept, setKept] = useState(false);
+  const { busy, fault, act, clear } = useAct(asTeacher);
+  const { draft, field } = useDraft<string>(draftOf(robot, language.value), () => {
+    setKept(false);
+    clear();
+  });
+  const change = (work: () => Promise<RealRobot>) => act(async () => onChanged(await work()));
+  const keep = async () =>
+    setKept(await change(() => robotsApi.keep(robot.link, recordOf(robot.fields, draft))));
+  const known = knownLink(robot.link);
+  return (
+    <Form class="panel card robot-form" onSubmit={keep}>
+      {known && <p>{say.about[known]}</p>}
+      <p class="robot-form__state" data-set-up={robot.is_set_up}>
+        {robot.is_set_up ? say.isSetUp : say.notSetUp}
+      </p>
+      <RobotFields robot={robot} draft={draft} field={field} />
+      <div class="teacher__row">
+        <Button submit kind="main" icon={Check} busy={busy} testId={TEST.robotKeep}>
+          {say.keep}
+        </Button>
+        {robot.is_set_up && (
+          <Button
+            icon={Trash2}
+            testId={TEST.robotForget}
+            onPress={() => change(() => robotsApi.forget(robot.link))}
+          >
+            {say.forget}
+          </Button>
+        )}
+      </div>
+      <p class="teacher__done" role="status">
+        {isKept && say.kept}
+      </p>
+      <FaultLine fault={fault} />
+    </Form>
+  );
+}

@@ -1,0 +1,63 @@
+import { useSignal } from "@preact/signals";
+import type { RealRobot } from "../../api/model";
+import { robotsApi } from "../../api/robots";
+import { language, texts } from "../../i18n";
+import { Choice } from "../../kit/Choice";
+import { Loaded } from "../../kit/requests/Loaded";
+import { robotWords } from "../../run/real/RobotName";
+import { realRobots } from "../../run/real/real_robot";
+import { TEST } from "../../shell/testids";
+import { useTeacherLoaded } from "../useTeacherLoaded";
+import { RobotForm } from "./RobotForm";
+
+/** The real robots of this PC: which ones it can drive, how they are reached and what they may do. */
+export function RobotPart() {
+  const { robotSetup: say } = texts.value;
+  // the labels of the fields come in the language of the page
+  const robots = useTeacherLoaded(language.value, robotsApi.all);
+  return (
+    <>
+      <h1>{say.title}</h1>
+      <p class="teacher__hint">{say.hint}</p>
+      <Loaded of={robots}>
+        {(found) => (
+          <Kinds
+            robots={found}
+            onChanged={(changed) => {
+              const all = found.map((one) => (one.link === changed.link ? changed : one));
+              robots.set(all);
+              realRobots.value = all;
+            }}
+          />
+        )}
+      </Loaded>
+    </>
+  );
+}
+
+interface KindsProps {
+  robots: readonly RealRobot[];
+  onChanged(robot: RealRobot): void;
+}
+
+function Kinds({ robots, onChanged }: KindsProps) {
+  const { robotSetup: say } = texts.value;
+  const first = robots.find((one) => one.is_set_up) ?? robots[0];
+  const link = useSignal(first?.link ?? "");
+  const robot = robots.find((one) => one.link === link.value);
+  if (!robot) return <p>{say.none}</p>;
+  return (
+    <>
+      <Choice
+        label={say.kind}
+        value={robot.link}
+        options={robots.map((one) => [one.link, robotWords(one.link)] as const)}
+        onChange={(chosen) => {
+          link.value = chosen;
+        }}
+        testId={TEST.robotKind}
+      />
+      <RobotForm key={`${robot.link} ${robot.is_set_up}`} robot={robot} onChanged={onChanged} />
+    </>
+  );
+}

@@ -1,0 +1,36 @@
+import { texts } from "../../i18n";
+import { numberIn } from "../../kit/NumberField";
+import type { Draft } from "./record";
+
+/** Radius of the drawn robot: the Pioneer 3-DX. */
+const RADIUS_M = 0.25;
+
+/** The free floor with the robot at its start, as it is typed; nothing while a number is missing. */
+export function RoomPicture({ draft }: { draft: Draft }) {
+  const number = (name: string) => numberIn(draft[`room.${name}`] ?? "");
+  const [width, depth, x, y] = ["width_m", "depth_m", "x_m", "y_m"].map(number);
+  const heading = number("heading_deg");
+  if (!width || !depth || x == null || y == null || heading === null) return null;
+  const edge = Math.max(width, depth) / 50;
+  const box = [-width / 2 - edge, -depth / 2 - edge, width + 2 * edge, depth + 2 * edge];
+  return (
+    <svg
+      class="room-picture"
+      viewBox={box.join(" ")}
+      role="img"
+      aria-label={texts.value.robotSetup.picture}
+    >
+      <rect
+        class="room-picture__floor"
+        x={-width / 2}
+        y={-depth / 2}
+        width={width}
+        height={depth}
+      />
+      <g transform={`translate(${x} ${-y}) rotate(${-heading})`}>
+        <circle class="room-picture__robot" r={RADIUS_M} />
+        <path class="room-picture__nose" d={`M 0 0 H ${RADIUS_M}`} />
+      </g>
+    </svg>
+  );
+}

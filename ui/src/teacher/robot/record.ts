@@ -1,0 +1,44 @@
+import type { RealRobot, RobotField } from "../../api/model";
+import { numberIn } from "../../kit/NumberField";
+
+export type Draft = Readonly<Record<string, string>>;
+type Values = Readonly<Record<string, unknown>>;
+
+/** What the form of a robot shows at first: each field of its record as text. */
+export function draftOf({ record, fields }: RealRobot, locale: string): Record<string, string> {
+  return Object.fromEntries(
+    fields.map((field) => [field.name, written(valueAt(record ?? {}, field.name), locale)]),
+  );
+}
+
+/** The record of what was typed. What is no number stays text: the server says what is wrong with it. */
+export function recordOf(fields: readonly RobotField[], draft: Draft): Record<string, unknown> {
+  const own: Record<string, unknown> = {};
+  const room: Record<string, unknown> = {};
+  for (const field of fields) {
+    const [first, inner] = field.name.split(".");
+    const value = typedOf(field, draft[field.name] ?? "");
+    if (inner) room[inner] = value;
+    else if (first) own[first] = value;
+  }
+  return { ...own, room };
+}
+
+function valueAt(record: Values, name: string): unknown {
+  const [first = "", inner] = name.split(".");
+  const value = record[first];
+  return inner ? (value as Values | undefined)?.[inner] : value;
+}
+
+function written(value: unknown, locale: string): string {
+  if (typeof value === "number") {
+    return value.toLocaleString(locale, { maximumFractionDigits: 3, useGrouping: false });
+  }
+  return Array.isArray(value) ? value.join(", ") : String(value ?? "");
+}
+
+function typedOf({ low, is_list }: RobotField, text: string): unknown {
+  if (low !== null) return numberIn(text) ?? text;
+  const parts = text.split(",").map((part) => part.trim());
+  return is_list ? parts.filter(Boolean) : text.trim();
+}
