@@ -31,7 +31,8 @@ class Behaviour:
         is_mute: reports nothing.
         broken: `nan`, `quaternion`, `jump`, `frame` or `clock`: what is wrong with the odometry.
         period_s: from one message to the next.
-        second: somebody else's participant, which publishes commands.
+        publishes_commands: somebody else's participant publishes commands, too.
+        relays: the robot's own one does, as a bridge to ROS 1.
     """
 
     domain: int
@@ -42,8 +43,8 @@ class Behaviour:
     is_mute: bool = False
     broken: str = ""
     period_s: float = PERIOD_S
-    drives: bool = True
     publishes_commands: bool = False
+    relays: bool = False
 
 
 class DdsRobot:
@@ -54,6 +55,8 @@ class DdsRobot:
         self._commands = self._reader("cmd_vel", behaviour.command)
         self._odometry = self._writer("odom", behaviour.odometry)
         self._others: Any = None
+        if behaviour.relays:
+            self._writer("cmd_vel", behaviour.command)
         self._sensors = (
             [
                 (session.writer(self._prefix + topic, type(message)), message)

@@ -55,4 +55,7 @@ class Holding:
         )
 
     def _publishers(self) -> list[Endpoint]:
-        return self._graph.publishers(self._topic)
+        """Publishers in other programs than the robot's own, which a bridge to ROS 1 is: it passes on both ways."""
+        robots = {found.participant for found in self._graph.subscribers(self._topic)}
+        found = self._graph.publishers(self._topic)
+        return [publisher for publisher in found if publisher.participant not in robots]
