@@ -198,6 +198,14 @@ def test_a_robot_that_another_node_commands_is_not_driven(
     assert (error.code, error.params["holder"]) == ("robot_held", "joystick")
 
 
+def test_a_node_that_also_listens_to_commands_is_the_robot(
+    robot: SocketRobot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    use_fake_ros(monkeypatch, robot, others=["robot"])
+    with connected() as link:
+        assert link.read().pose.x_m == 0.0
+
+
 def test_the_battery_is_known(robot: SocketRobot, monkeypatch: pytest.MonkeyPatch) -> None:
     use_fake_ros(monkeypatch, robot)
     robot.level = 0.75

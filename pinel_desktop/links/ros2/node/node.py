@@ -104,9 +104,11 @@ class Drive:
 
     def require_nobody_else(self):
         """Raises RefusalError where another node commands the robot."""
-        mine = self._node.get_name()
+        listeners = self._node.get_subscriptions_info_by_topic(self._command_topic)
+        # what listens to commands and passes them on is the robot, as ros1_bridge
+        ours = {self._node.get_name(), *(endpoint.node_name for endpoint in listeners)}
         for endpoint in self._node.get_publishers_info_by_topic(self._command_topic):
-            if endpoint.node_name != mine:
+            if endpoint.node_name not in ours:
                 raise RefusalError(
                     "robot_held", topic=self._command_topic, holder=endpoint.node_name
                 )
