@@ -4,6 +4,7 @@ import contextlib
 import csv
 import json
 import math
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -38,6 +39,7 @@ from pinel_desktop.robot import FEEDBACKS, PIONEER_3DX, PRESETS, ROBOTS, Setting
 from pinel_desktop.robot.record import ROOM, RobotRecord
 from pinel_desktop.runs.plotting import Curves, draw, plot_format
 from pinel_desktop.runs.record import record_of
+from pinel_desktop.runs.robot_checks import missing_on_real_robots
 from pinel_desktop.runs.spec import RunInputs, RunSpec
 from pinel_desktop.runs.start import all_of, start
 from storage import Recorder, RunStart, Store, StoreError, open_store
@@ -144,8 +146,9 @@ def command(
     language = language_of_system()
     wrong = _wrong_plot(options["plot"])
     reading = read_file(file)
-    if reading.program is None:
-        summary = _faulty(reading, language)
+    faults = reading.faults or _faults_on(options["robot"], reading)
+    if faults:
+        summary = _faulty(faults, language)
     elif wrong is not None:
         summary = _not_begun(wrong, language)
     else:
@@ -175,10 +178,15 @@ def _status(summary: dict[str, Any]) -> int:
     return _FINISHED if summary["state"] == "finished" else _NOT_FINISHED
 
 
-def _faulty(reading: Reading, language: str) -> dict[str, Any]:
-    faults = [_fault_object(fault, language) for fault in reading.faults]
+def _faults_on(link: str, reading: Reading) -> Sequence[Fault]:
+    """What a program asks of a robot that a real one cannot tell."""
+    return () if link == "sim" else missing_on_real_robots(reading.document)
+
+
+def _faulty(faults: Sequence[Fault], language: str) -> dict[str, Any]:
     return faulty_object(
-        faults, describe("invalid_program", {"count": len(faults)}, language).message
+        [_fault_object(fault, language) for fault in faults],
+        describe("invalid_program", {"count": len(faults)}, language).message,
     )
 
 

@@ -370,3 +370,12 @@ def test_page_is_not_served_with_a_camera_that_is_not_there(tmp_path: Path) -> N
     result = pinel("serve", "--camera", str(tmp_path / "nowhere.mp4"))
     assert result.exit_code == 1
     assert "nowhere.mp4" in result.stderr
+
+
+def test_what_a_real_robot_cannot_sense_is_a_fault_before_it_moves(tmp_path: Path) -> None:
+    file = tmp_path / "floor.py"
+    file.write_text('robot.move_forward(0.5)\nif robot.floor == "black":\n    robot.stop()\n')
+    status, printed = run_json(str(file), "--robot", "bridge", "--bridge", "127.0.0.1:0")
+    assert status == 2
+    assert [fault["code"] for fault in printed["faults"]] == ["sensor_missing"]
+    assert printed["n_executed"] == 0

@@ -76,6 +76,14 @@ def test_a_plot_is_refused_with_what_to_install(tmp_path: Path) -> None:
     assert not (FOLDER / "_internal" / "matplotlib").exists()
 
 
+def test_the_network_of_real_robots_is_inside(tmp_path: Path) -> None:
+    settings = ("--robot-setting", "domain=101", "--robot-setting", 'peers=["127.0.0.1"]')
+    square = str(ROOT / "tests/programs/square.json")
+    done = run(tmp_path, "run", square, "--json", "--no-store", "--robot", "dds", *settings)
+    assert json.loads(done.stdout)["reason"] == "robot_not_found", done.stderr
+    assert (FOLDER / "_internal/pinel_desktop/links/ros2/node/node.py").is_file()
+
+
 def test_what_went_wrong_is_said_in_words(tmp_path: Path) -> None:
     done = run(tmp_path, "run", str(tmp_path / "no such file.json"))
     assert done.returncode == 2
