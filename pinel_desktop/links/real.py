@@ -116,9 +116,8 @@ class RealLink:
             return
         self._closed = True
         self._sender.close()
-        with contextlib.suppress(
-            Exception
-        ):  # the robot stands; what fails now is of no use to anybody
+        # the robot stands; what fails now is of no use to anybody
+        with contextlib.suppress(Exception):
             self._transport.close()
         self._lock_file.release()
 
@@ -153,13 +152,14 @@ class _Edge:
 
     def __init__(self, room: Room, radius_m: float) -> None:
         self._start = Pose2D(room.x_m, room.y_m, math.radians(room.heading_deg))
-        self._x_m, self._y_m = room.width_m / 2 - radius_m, room.depth_m / 2 - radius_m
+        self._room, self._radius_m = room, radius_m
 
     def require_inside(self, pose: Pose2D) -> None:
         """`pose` in the start frame. Raises PinelError `left_room`."""
+        room, radius = self._room, self._radius_m
         x, y, _ = self._start.compose(pose)
-        if abs(x) > self._x_m or abs(y) > self._y_m:
-            raise PinelError("left_room", width=2 * self._x_m, depth=2 * self._y_m)
+        if abs(x) + radius > room.width_m / 2 or abs(y) + radius > room.depth_m / 2:
+            raise PinelError("left_room", width=room.width_m, depth=room.depth_m)
 
 
 def real_link(

@@ -64,9 +64,8 @@ class Sender:
     def _hand_on(self, twist: Twist2D) -> None:
         try:
             self._send(twist)
-        except (
-            Exception
-        ):  # the next attempt may succeed; a robot that hears nothing stops by itself
+        except Exception:
+            # the next attempt may succeed; a robot that hears nothing stops by itself
             if not self._has_failed:
                 _log.exception("a velocity could not be sent")
             self._has_failed = True

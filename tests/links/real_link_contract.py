@@ -191,6 +191,7 @@ class RealLinkContract(LinkContract):
         self.record = self.record.model_copy(update={"room": room})
         ended = self.start_run().result().ended
         assert (ended.state, ended.reason) == ("failed", "left_room")
+        assert ended.params == {"width": 1.0, "depth": 1.0}
         assert ended.pose is not None
         assert ended.pose["x_m"] < 0.5
         self.stands_since_s()

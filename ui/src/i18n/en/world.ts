@@ -92,7 +92,7 @@ export const robot = {
     points: [
       "The floor around it is free: no bags, cables or steps.",
       "Nobody has hands or feet near the robot.",
-      "The robot stands at the start, turned as in the drawing.",
+      "The robot stands at its start, facing the way it is to go.",
       "The teacher is nearby.",
     ],
     speed: (full: string, slow: string) =>

@@ -94,7 +94,7 @@ export const robot = {
     points: [
       "El piso alrededor está libre: sin mochilas, cables ni escalones.",
       "Nadie tiene las manos o los pies cerca del robot.",
-      "El robot está en el lugar de partida, girado como en el dibujo.",
+      "El robot está en el lugar de partida, mirando hacia donde debe andar.",
       "La o el docente está cerca.",
     ],
     speed: (full: string, slow: string) =>

@@ -91,7 +91,7 @@ export const robot = {
     points: [
       "O chão em volta está livre: sem mochilas, cabos e degraus.",
       "Ninguém está com as mãos ou os pés perto do robô.",
-      "O robô está no lugar da partida, virado como no desenho.",
+      "O robô está no lugar da partida, virado para onde deve andar.",
       "A professora ou o professor está por perto.",
     ],
     speed: (full: string, slow: string) =>

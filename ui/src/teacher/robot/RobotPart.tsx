@@ -55,6 +55,7 @@ function Kinds({ robots, onChanged }: KindsProps) {
         onChange={(chosen) => {
           link.value = chosen;
         }}
+        class="robot-kinds"
         testId={TEST.robotKind}
       />
       <RobotForm key={`${robot.link} ${robot.is_set_up}`} robot={robot} onChanged={onChanged} />
