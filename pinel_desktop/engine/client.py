@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from typing import Any
 
-from pinel_desktop.engine.commands import ALIVE, ALIVE_PERIOD_S, Command, Evaluate
+from pinel_desktop.engine.commands import ALIVE, ALIVE_PERIOD_S, REPLY, Command, Evaluate
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import RunEnded
 from pinel_desktop.events.stamp import EventStamp
@@ -14,11 +14,13 @@ from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.processes import own_command
 from pinel_desktop.processes.messages import Message
 from pinel_desktop.processes.owned import OwnedProcess, ProcessState
+from pinel_desktop.robot.record import RobotRecord
 from pinel_desktop.runs.spec import RunSpec
 
 EventSink = Callable[[dict[str, Any]], None]
 
 _ANSWER_TIMEOUT_S = 2.0
+_CONTACT_TIMEOUT_S = 40.0
 
 
 class EngineClient:
@@ -114,10 +116,7 @@ class EngineClient:
         return None
 
     def _evaluate(self, run_id: str, command: Evaluate) -> Any:
-        answer: Future[Any] = Future()
-        with self._lock:
-            question = self._n_questions = self._n_questions + 1
-            self._questions[question] = answer
+        question, answer = self._new_question()
         try:
             self._tell(run_id, command, question=question)
             return answer.result(_ANSWER_TIMEOUT_S)
@@ -126,6 +125,34 @@ class EngineClient:
         finally:
             self._questions.pop(question, None)
 
+    def contact(self, robot: RobotRecord) -> dict[str, Any]:
+        """What a robot tells of itself (`runs.contact.Contact`).
+
+        Raises PinelError `run_in_progress`, `engine_not_ready`, and what connecting with it raises.
+        """
+        with self._lock:
+            if self._live is not None:
+                raise PinelError("run_in_progress")
+            if self.state != "ready":
+                raise PinelError("engine_not_ready")
+            question, answer = self._new_question()
+            self._process.send({"contact": question, "robot": robot.as_message()})
+        try:
+            found: dict[str, Any] = answer.result(_CONTACT_TIMEOUT_S)
+            return found
+        except TimeoutError as error:
+            raise PinelError("engine_not_ready") from error
+        finally:
+            self._questions.pop(question, None)
+
+    def _new_question(self) -> tuple[int, Future[Any]]:
+        """The number of a question to the engine, and its answer."""
+        answer: Future[Any] = Future()
+        with self._lock:
+            question = self._n_questions = self._n_questions + 1
+            self._questions[question] = answer
+        return question, answer
+
     def _tell(self, run_id: str, command: Command, **more: Any) -> None:
         with self._lock:
             if self._live != run_id:
@@ -133,7 +160,7 @@ class EngineClient:
             self._process.send({"run": run_id, "command": dict(command), **more})
 
     def _receive(self, message: Message) -> None:
-        if message.get("type") == "evaluated":
+        if message.get("type") == REPLY:
             self._settle(message)
         else:
             self._hand_on(message)

@@ -6,12 +6,13 @@ from typing import Any, BinaryIO
 
 from pydantic import ValidationError
 
-from pinel_desktop.engine.commands import ALIVE, Command, LiveCommand
+from pinel_desktop.engine.commands import ALIVE, REPLY, Command, LiveCommand
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, RunEnded
 from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.processes.messages import Message, read_messages, write_message
+from pinel_desktop.robot.record import record_from
 from pinel_desktop.runs.spec import spec_from
 from pinel_desktop.runs.start import start
 
@@ -39,11 +40,7 @@ class _LiveRun:
         """Does what the app asks of the run; `question` is the number under which a value is to be sent back."""
 
         def reply(value: Any, error: PinelError | None) -> None:
-            told: Message = {"type": "evaluated", "run": self.id, "question": question}
-            if error is None:
-                self._engine.send({**told, "value": value})
-            else:
-                self._engine.send({**told, "code": error.code, "params": error.params})
+            self._engine.answer(question, value, error)
 
         command.apply(self.control, reply)
 
@@ -88,6 +85,14 @@ class Engine:
         with self._writing:
             write_message(self._events, message)
 
+    def answer(self, question: int | None, value: Any, error: PinelError | None) -> None:
+        """Answers a question of the app."""
+        told: Message = {"type": REPLY, "question": question}
+        if error is None:
+            self.send({**told, "value": value})
+        else:
+            self.send({**told, "code": error.code, "params": error.params})
+
     def serve(self) -> None:
         """Works until the messages end; then stops the robot."""
         LiveCommand.model_rebuild()  # now, so that the first Stop is not late
@@ -103,6 +108,9 @@ class Engine:
         if "spec" in message:
             self._begin(message)
             return
+        if "contact" in message:
+            threading.Thread(target=self._contact, args=(message,), daemon=True).start()
+            return
         if live is not None and message.get("type") == ALIVE["type"]:
             live.control.hear_app()
             return
@@ -114,6 +122,16 @@ class Engine:
             _log.warning("an unknown command was ignored: %s", message)
             return
         live.apply(command.root, message.get("question"))
+
+    def _contact(self, message: Message) -> None:
+        from pinel_desktop.runs.contact import contact  # noqa: PLC0415 - for real robots only
+
+        try:
+            found = contact(record_from(message["robot"]))
+        except PinelError as error:
+            self.answer(message["contact"], None, error)
+        else:
+            self.answer(message["contact"], found.as_message(), None)
 
     def _begin(self, message: Message) -> None:
         # The app asks for one run at a time; should an old one still be winding down, it goes first.

@@ -33,6 +33,7 @@ class OdometryFilter:
     Attributes:
         state: the newest state; None before the first valid message.
         arrived_s: when it arrived, by this PC's monotonic clock.
+        n_taken: valid messages.
         n_invalid: messages with impossible values, passed over.
         n_late: messages whose time runs backwards, passed over.
     """
@@ -40,7 +41,7 @@ class OdometryFilter:
     def __init__(self) -> None:
         self.state: RobotState | None = None
         self.arrived_s = -math.inf
-        self.n_invalid = self.n_late = 0
+        self.n_taken = self.n_invalid = self.n_late = 0
         self._stamp_s: float | None = None
         self._frame: str | None = None
         self._trail: deque[tuple[float, Pose2D]] = (
@@ -63,6 +64,7 @@ class OdometryFilter:
         if gap_s > _JUMP_S:
             self._trail.clear()
         twist = self._twist(message, pose, now_s)
+        self.n_taken += 1
         self.state, self.arrived_s, self._stamp_s = RobotState(pose, twist), now_s, message.stamp_s
 
     def _is_late(self, message: Odometry, now_s: float) -> bool:

@@ -93,6 +93,11 @@ class RealLink:
         """Time since the newest valid message about the robot's pose; infinite before the first."""
         return time.monotonic() - self._odometry.arrived_s
 
+    @property
+    def n_heard(self) -> int:
+        """How many valid messages about its pose have come."""
+        return self._odometry.n_taken
+
     def bumper(self) -> bool:
         return self._transport.bumper()
 

@@ -20,6 +20,7 @@ _SETTINGS = ConfigDict(defer_build=True, frozen=True, extra="forbid")
 LAST_DOMAIN = 232
 # A ROS name: letters, digits, underlines, parts separated by slashes.
 _ROS_NAME = r"^/?[A-Za-z_][A-Za-z0-9_]*(/[A-Za-z_][A-Za-z0-9_]*)*$"
+_SOON_S = 20.0
 # name of the world document of a room
 ROOM = "room"
 RosName = Annotated[str, Field(pattern=_ROS_NAME, max_length=100)]
@@ -108,6 +109,10 @@ class RobotRecord(BaseModel):
         }
         return self.model_copy(update=halved)
 
+    def for_contact(self) -> Self:
+        """For a try whether the robot can be reached, which somebody watches."""
+        return self
+
 
 class RosRecord(RobotRecord):
     """A robot that speaks ROS 2.
@@ -169,6 +174,9 @@ class BridgeRecord(RobotRecord):
     port: Annotated[int, Field(ge=0, le=65535)] = 5000
     key: Annotated[str, Field(max_length=100)] = ""
     wait_s: Annotated[float, Field(ge=0.1, le=3600.0)] = 60.0
+
+    def for_contact(self) -> Self:
+        return self.model_copy(update={"wait_s": min(self.wait_s, _SOON_S)})
 
     @property
     def address(self) -> str:

@@ -18,6 +18,7 @@ if TYPE_CHECKING:  # heavy, and not needed to serve the page
     from pinel_desktop.events.hub import Hub
     from pinel_desktop.program.faults import Fault
     from pinel_desktop.program.reading import Reading
+    from pinel_desktop.robot.record import RobotRecord
     from pinel_desktop.runs.spec import RunSpec
     from pinel_desktop.school.robots import Robots
     from pinel_desktop.school.teacher import TeacherSessions
@@ -51,6 +52,8 @@ class Engine(Protocol):
     def run(self, run_id: str, spec: RunSpec, commands: Sequence[Command] = ()) -> None: ...
 
     def command(self, run_id: str, command: Command) -> Any: ...
+
+    def contact(self, robot: RobotRecord) -> dict[str, Any]: ...
 
 
 class CameraState(Protocol):

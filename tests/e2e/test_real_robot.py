@@ -116,6 +116,18 @@ def review(studio: Studio) -> None:
     expect(studio.page.locator(".replay__tools").get_by_test_id("robot-name")).to_be_visible()
 
 
+def test_teacher_tries_whether_the_robot_responds(studio: Studio) -> None:
+    port = free_port()
+    prepare(studio)
+    set_up(studio, port)
+    with client(port) as aurora:
+        studio["robot-contact"].click()
+        expect(studio["robot-found"]).to_contain_text("O robô responde", timeout=RUN_MS)
+        assert not any(twist.v_mps or twist.omega_radps for _, twist in aurora.heard)
+    assert violations(studio) == []
+    assert cut(studio.page) == []
+
+
 def test_wrong_field_is_named_and_a_forgotten_robot_is_offered_no_more(
     studio: Studio, watch: Watch
 ) -> None:

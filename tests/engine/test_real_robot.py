@@ -17,6 +17,7 @@ import psutil
 import pytest
 
 from pinel_desktop.engine.client import EngineClient
+from pinel_desktop.errors import PinelError
 from tests.engine.memory_robot import FAR, engine_command
 
 # 0.3 s on a PC at rest, measured by tests/benchmarks/bench_robot_stops.py; other tests may keep this one busy
@@ -154,3 +155,28 @@ def test_an_engine_that_is_killed_is_told_and_the_robot_has_its_own_watchdog(
     engine.wait(timeout=10)
     ended = driving.ended()
     assert (ended["state"], ended["reason"]) == ("failed", "engine_lost")
+
+
+def test_contact_tells_where_the_robot_is_and_leaves_it_standing(tmp_path: Path) -> None:
+    log, events = tmp_path / "heard", queue.Queue[dict[str, Any]]()
+    client = EngineClient(events.put, engine_command(log))
+    client.start()
+    assert client.wait_until_ready(30.0)
+    assert FAR.robot is not None
+    found = client.contact(FAR.robot)
+    client.close()
+    assert (found["x_m"], found["y_m"], found["battery"]) == (0.0, 0.0, None)
+    assert found["rate_hz"] > 10.0
+    assert {v for _, v in heard(log)} == {0.0}
+
+
+def test_contact_is_refused_while_a_run_drives(tmp_path: Path) -> None:
+    log, events = tmp_path / "heard", queue.Queue[dict[str, Any]]()
+    client = EngineClient(events.put, engine_command(log))
+    client.start()
+    assert client.wait_until_ready(30.0)
+    client.run("r1", FAR)
+    assert FAR.robot is not None
+    with pytest.raises(PinelError, match="run_in_progress"):
+        client.contact(FAR.robot)
+    client.close()

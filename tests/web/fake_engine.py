@@ -5,6 +5,7 @@ from typing import Any, Literal
 
 from pinel_desktop.engine.commands import Command, Evaluate
 from pinel_desktop.errors import PinelError
+from pinel_desktop.robot.record import RobotRecord
 from pinel_desktop.runs.spec import RunSpec
 
 Event = dict[str, Any]
@@ -30,6 +31,14 @@ class FakeEngine:
         self.live_run = run_id
         self.begun = {"run": run_id, **spec.as_message()}
         self.first = list(commands)
+
+    def contact(self, robot: RobotRecord) -> dict[str, Any]:
+        if self.state != "ready":
+            raise PinelError("engine_not_ready")
+        if robot.link != "bridge":
+            raise PinelError("robot_not_found", topic="/cmd_vel", domain=0)
+        pose = {"x_m": 1.0, "y_m": 0.0, "heading_deg": 90.0}
+        return {**pose, "rate_hz": 30.0, "battery": None}
 
     def command(self, run_id: str, command: Command) -> Any:
         if run_id != self.live_run:

@@ -213,3 +213,21 @@ SETUP: dict[str, Any] = {
     "activity": None,
     "n_hints": 0,
 }
+
+
+def test_only_the_teacher_tries_the_connection_and_hears_what_the_robot_tells(
+    browser: Browser, teacher: Browser
+) -> None:
+    assert browser.post(f"{HERE}/contact").error["code"] == "teacher_only"
+    assert teacher.post(f"{HERE}/contact").error["code"] == "robot_not_set_up"
+    keep(teacher)
+    found = teacher.post(f"{HERE}/contact").data
+    assert (found["x_m"], found["rate_hz"], found["problem"]) == (1.0, 30.0, None)
+
+
+def test_a_robot_that_cannot_be_reached_is_told_in_words(teacher: Browser) -> None:
+    teacher.put("/api/real-robots/dds", {"record": {}})
+    found = teacher.post("/api/real-robots/dds/contact").data
+    assert "/cmd_vel" in found["problem"]
+    assert found["remedy"]
+    assert found["rate_hz"] is None

@@ -66,6 +66,18 @@ class RealRobotRecord(Body):
     record: Json
 
 
+class RobotContact(Shape):
+    """What a robot told of itself, or why it cannot be reached."""
+
+    x_m: float | None
+    y_m: float | None
+    heading_deg: float | None
+    rate_hz: Annotated[float | None, Field(description="messages about its pose in a second")]
+    battery: Annotated[float | None, Field(description="from 0 to 1; null if it does not tell")]
+    problem: str | None
+    remedy: str | None
+
+
 class LinkPath(Body):
     """The `{link}` in a path."""
 

@@ -36,6 +36,8 @@ export const TEST = {
   robotField: "robot-field", // of each; data-name
   robotKeep: "robot-keep",
   robotForget: "robot-forget",
+  robotContact: "robot-contact",
+  robotFound: "robot-found",
 
   // start
   groupName: "group-name",

@@ -70,8 +70,10 @@ export class StudioControl {
   /** What the run that is over lacks, with the block to look at, until the program is changed. */
   readonly advice = computed<BlockFault | null>(() => {
     const { value: edited } = this.edited;
-    const { run } = robot.live.value;
-    const verdict = this.mine.value && !edited ? verdictOf(run, judged.value) : null;
+    const view = robot.live.value;
+    // a verdict can be here before the end of the run is shown, which is drawn with the next frame
+    const isOver = this.mine.value && !edited && !isLive(view);
+    const verdict = isOver ? verdictOf(view.run, judged.value) : null;
     if (!verdict?.missing || !verdict.block || verdict.block === this.failure.value?.block) {
       return null;
     }
@@ -124,8 +126,11 @@ export class StudioControl {
       subscribeToRings(report),
       watchSensors(() => (this.mine.peek() ? this.documentThatRuns() : null)),
       effect(() => editor.highlight(this.lit.value)),
-      effect(() => this.showFaults(editor)),
-      effect(() => editor.showAdvice(this.advice.value)),
+      effect(() => {
+        this.showFaults(editor);
+        // after the faults: of what both say at once, the verdict is read
+        editor.showAdvice(this.advice.value);
+      }),
       effect(() => editor.setRunning(this.mine.value && isLive(robot.live.value))),
     ];
     return () => {

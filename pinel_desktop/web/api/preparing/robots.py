@@ -6,7 +6,7 @@ from typing import Literal
 from flask import Response
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.messages import describe
+from pinel_desktop.messages import describe, explain
 from pinel_desktop.robot.record import RECORDS, RobotRecord, fields_of, limits
 from pinel_desktop.web.api import TEACHER, WRITES, answers, resource
 from pinel_desktop.web.models.robots import (
@@ -14,6 +14,7 @@ from pinel_desktop.web.models.robots import (
     RealRobot,
     RealRobotList,
     RealRobotRecord,
+    RobotContact,
     RobotField,
 )
 from pinel_desktop.web.models.worlds import World
@@ -55,6 +56,24 @@ def forget_real_robot(path: LinkPath) -> Response:
     require_teacher()
     services().robots.forget(path.link)
     return answer(_robot(path.link))
+
+
+@api.post(
+    "/real-robots/<link>/contact",
+    responses=answers(RobotContact, "unknown_link", "robot_not_set_up", *TEACHER),
+)
+def contact_real_robot(path: LinkPath) -> Response:
+    """Connects with the robot, listens for a second and leaves it standing. For the teacher."""
+    require_teacher()
+    parts = services()
+    record = parts.robots.record(path.link)
+    try:
+        found = parts.engine.contact(record.for_contact())
+    except PinelError as error:
+        words = explain(error, parts.preferences.language)
+        nothing = dict.fromkeys(("x_m", "y_m", "heading_deg", "rate_hz", "battery"))
+        return answer(RobotContact(**nothing, problem=words.message, remedy=words.remedy))
+    return answer(RobotContact(**found, problem=None, remedy=None))
 
 
 def _in_words(error: PinelError, link: str) -> PinelError:

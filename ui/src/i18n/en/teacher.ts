@@ -299,4 +299,13 @@ export const robotSetup = {
   keep: "Save the robot",
   kept: "Saved.",
   forget: "Forget this robot",
+  contact: {
+    title: "Does the robot respond?",
+    hint: "Connects with the robot as it is saved, and listens for a second. The robot does not move.",
+    ask: "Try the connection",
+    asking: "Looking for the robot…",
+    found: (x: string, y: string, rate: string) =>
+      `The robot responds: it is at x ${x} m, y ${y} m, and says so ${rate} times a second.`,
+    battery: (percent: string) => `Battery: ${percent} %.`,
+  },
 };

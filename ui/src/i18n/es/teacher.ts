@@ -304,4 +304,13 @@ export const robotSetup = {
   keep: "Guardar el robot",
   kept: "Guardado.",
   forget: "Olvidar este robot",
+  contact: {
+    title: "¿El robot responde?",
+    hint: "Se conecta con el robot según lo guardado y escucha por un segundo. El robot no se mueve.",
+    ask: "Probar la conexión",
+    asking: "Buscando el robot…",
+    found: (x: string, y: string, rate: string) =>
+      `El robot responde: está en x ${x} m, y ${y} m, y lo dice ${rate} veces por segundo.`,
+    battery: (percent: string) => `Batería: ${percent} %.`,
+  },
 };

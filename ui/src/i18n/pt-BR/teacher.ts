@@ -303,4 +303,13 @@ export const robotSetup = {
   keep: "Salvar o robô",
   kept: "Salvo.",
   forget: "Esquecer este robô",
+  contact: {
+    title: "O robô responde?",
+    hint: "Conecta ao robô com o que está salvo e escuta por um segundo. O robô não anda.",
+    ask: "Experimentar a conexão",
+    asking: "Procurando o robô…",
+    found: (x: string, y: string, rate: string) =>
+      `O robô responde: está em x ${x} m, y ${y} m, e diz isso ${rate} vezes por segundo.`,
+    battery: (percent: string) => `Bateria: ${percent} %.`,
+  },
 };

@@ -11,6 +11,7 @@ import { knownLink } from "../../run/real/RobotName";
 import { asTeacher } from "../../shell/teacher/teacher_session";
 import { TEST } from "../../shell/testids";
 import { useDraft } from "../useDraft";
+import { Contact } from "./Contact";
 import { RobotFields } from "./RobotFields";
 import { draftOf, recordOf } from "./record";
 
@@ -57,6 +58,7 @@ export function RobotForm({ robot, onChanged }: RobotFormProps) {
         {isKept && say.kept}
       </p>
       <FaultLine fault={fault} />
+      {robot.is_set_up && <Contact link={robot.link} />}
     </Form>
   );
 }

@@ -1,0 +1,50 @@
+"""Whether a real robot can be reached: connects, listens for a moment, and leaves it standing."""
+
+import math
+import time
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from pinel_desktop.links import open_link
+from pinel_desktop.links.real import RealLink
+from pinel_desktop.robot.record import RobotRecord
+
+_LISTEN_S = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Contact:
+    """What a robot told of itself.
+
+    Attributes:
+        x_m, y_m, heading_deg: pose in its own odometry frame.
+        rate_hz: messages about its pose in a second.
+        battery: charge from 0 to 1; None if it does not tell.
+    """
+
+    x_m: float
+    y_m: float
+    heading_deg: float
+    rate_hz: float
+    battery: float | None
+
+    def as_message(self) -> dict[str, Any]:
+        """Plain JSON data."""
+        return asdict(self)
+
+
+def contact(robot: RobotRecord) -> Contact:
+    """Connects with a robot, which is commanded zeros only. Raises what connecting with it raises."""
+    link = open_link(robot.link, world=robot.room.as_world(), robot=robot)
+    assert isinstance(link, RealLink)
+    try:
+        link.connect()
+        before, began_s = link.n_heard, time.monotonic()
+        time.sleep(_LISTEN_S)
+        pose = link.read().pose
+        rate_hz = (link.n_heard - before) / (time.monotonic() - began_s)
+        return Contact(
+            pose.x_m, pose.y_m, math.degrees(pose.yaw_rad), round(rate_hz, 1), link.battery
+        )
+    finally:
+        link.close()
