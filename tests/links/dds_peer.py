@@ -8,7 +8,8 @@ import threading
 from pathlib import Path
 from typing import Any
 
-from pinel_desktop.robot import STANDSTILL, Twist2D
+from pinel_desktop.robot import Twist2D
+from tests.links.unicycle import stood_from_s
 
 _ROOT = Path(__file__).parents[2]
 _ANSWERS_WITHIN_S = 30.0
@@ -56,13 +57,8 @@ class DdsPeer:
         assert self._answers.get(timeout=_ANSWERS_WITHIN_S) == "changed"
 
     def stood_from_s(self) -> float | None:
-        since: float | None = None
-        for at_s, twist in tuple(self.heard):
-            if twist != STANDSTILL:
-                since = None
-            elif since is None:
-                since = at_s
-        return since
+        """Since when only zeros have come (monotonic); None if the last velocity was another one."""
+        return stood_from_s(list(self.heard))
 
     def close(self) -> None:
         self.process.kill()

@@ -7,8 +7,9 @@ import threading
 import time
 from typing import Any, Literal
 
-from pinel_desktop.robot import STANDSTILL, Twist2D
+from pinel_desktop.robot import Twist2D
 from tests.links.fastdds_peer.build import built_peer
+from tests.links.unicycle import stood_from_s
 
 CommandType = Literal["twist", "twist_stamped"]
 READY_WITHIN_S = 10.0
@@ -67,13 +68,7 @@ class FastDdsPeer:
 
     def stood_from_s(self) -> float | None:
         """Since when only zeros have come (monotonic); None if the last velocity was another one."""
-        since: float | None = None
-        for at_s, twist in self.heard:
-            if twist != STANDSTILL:
-                since = None
-            elif since is None:
-                since = at_s
-        return since
+        return stood_from_s(list(self.heard))
 
     def wait_until_driven(self) -> None:
         """Waits for velocities of a motion."""
