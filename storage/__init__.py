@@ -8,6 +8,7 @@ from storage.errors import StoreError
 from storage.file.opening import Notice
 from storage.recording import Recorder, warm_up
 from storage.records import (
+    SIMULATOR,
     ClassroomRow,
     FaultRow,
     GroupRow,
@@ -27,6 +28,7 @@ from storage.store import Store, open_for_reading, open_store
 from storage.work.lesson_records import EditLine, GroupLine, GroupLines, LessonLines, LessonRun
 
 __all__ = [
+    "SIMULATOR",
     "ClassroomRow",
     "EditLine",
     "FaultRow",

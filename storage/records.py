@@ -9,6 +9,7 @@ from storage.text import readable_object, readable_points
 _SAMPLE_BYTES = 2 * N_FEATURES
 
 Json = dict[str, Any]
+SIMULATOR = "sim"  # the link of simulated runs
 
 
 @dataclass(frozen=True, slots=True)
@@ -186,7 +187,11 @@ class VersionMark:
 
 @dataclass(frozen=True, slots=True)
 class RunStart:
-    """What is known when a run begins. Give `version_id`, or `document` for a run without a version."""
+    """What is known when a run begins. Give `version_id`, or `document` for a run without a version.
+
+    Attributes:
+        program_id: of a run whose document grows: the program that gets it as a version in the end (`Runs.grow`).
+    """
 
     link: str
     world: str
@@ -197,6 +202,7 @@ class RunStart:
     document: Json | None = None
     parameters: Json = field(default_factory=dict)
     activity: str | None = None
+    program_id: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,5 +1,6 @@
 """Motion profile, tracking controller, goal check. PURE: no IO, thread or clock."""
 
+from pinel_desktop.control.breakaway import Breakaway
 from pinel_desktop.control.goal import ApproachCheck, GoalCheck, ProgressCheck
 from pinel_desktop.control.profile import s_curve
 from pinel_desktop.control.tracking import (
@@ -17,6 +18,7 @@ __all__ = [
     "SLIPPING_GAINS",
     "ApproachCheck",
     "Arc",
+    "Breakaway",
     "Gains",
     "GoalCheck",
     "Line",

@@ -49,14 +49,18 @@ class Goals:
     Attributes:
         move: of lines and arcs, in m.
         turn: of turns, in rad.
+        sticks: the robot's wheels may stick before the goal.
     """
 
     move: GoalCheck = MOVE_GOAL
     turn: GoalCheck = TURN_GOAL
+    sticks: bool = False
 
     def widened(self, move_m: float, turn_rad: float) -> "Goals":
         """With these errors accepted in the end: wheels of a real robot stick before they move by less."""
-        return Goals(replace(self.move, coarse=move_m), replace(self.turn, coarse=turn_rad))
+        return Goals(
+            replace(self.move, coarse=move_m), replace(self.turn, coarse=turn_rad), sticks=True
+        )
 
 
 GOALS = Goals()

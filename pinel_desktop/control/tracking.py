@@ -22,7 +22,14 @@ class Gains(NamedTuple):
     yaw: float = 5.0
     integral: float = 0.0
 
+    def for_delay(self, delay_s: float) -> "Gains":
+        """Smaller ones for a robot that answers so late that these would make it oscillate."""
+        slower = _STABLE / max(self.along * delay_s, _STABLE)
+        return Gains(*(gain * slower for gain in self))
 
+
+# Of a gain and the delay of its loop. Oscillation grows from pi / 2 on; the true delay is longer than the known one.
+_STABLE = 0.5
 DEFAULT_GAINS = Gains()
 # for wheels that slip and poses that come with noise
 SLIPPING_GAINS = Gains(integral=10.0)

@@ -81,23 +81,27 @@ class JudgedCase(TypedDict):
 
 @dataclass(frozen=True, slots=True)
 class Judged(StreamEvent):
-    """A run that has ended was checked against the activity of its lesson.
+    """A run that has ended was checked against its activity.
 
     Attributes:
         run: id of the run.
-        passed: whether it passed.
+        passed: whether it passed; null if a run on a real robot was not judged.
         missing: in words what does not hold yet; null where the program fulfils the activity, also when the run did
             not come to its end.
         block: id of the block that `missing` is about; null where it is about none.
         cases: every case of an activity that has several.
+        by_robot: whether the run that the group saw was judged by what a real robot measured.
+        not_judged: in words why it was not judged; null where it was.
     """
 
     type: ClassVar[str] = "judged"
     run: str
-    passed: bool
+    passed: bool | None
     missing: str | None
     block: str | None = None
     cases: list[JudgedCase] = field(default_factory=list)
+    by_robot: bool = False
+    not_judged: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,6 +179,45 @@ class CameraChanged(StreamEvent):
     state: Literal["off", "opening", "on", "failed"]
     code: str | None
     params: dict[str, Any]
+    message: str
+    remedy: str
+
+
+@dataclass(frozen=True, slots=True)
+class RobotStateTold(StreamEvent):
+    """A real robot that a page asks about, when what is known of it changes, at most twice a second.
+
+    Attributes:
+        link: its kind.
+        use: what its link is there for: somebody looks at it, a run or a try drives it, or the teacher's keys.
+        state: `searching`, `waiting` for the client of the bridge, `connected`, or `silent`: nothing has come for a
+            while.
+        address: where it is waited for, of the bridge; "" of other kinds.
+        age_s: for how many seconds nothing has come; null while it is not silent.
+        rate_hz: messages about its pose in a second; null while that is not known.
+        battery: its charge from 0 to 1; null if it does not tell.
+        x_m: its place in the room, counted from where it stood at the start; null while that is not known.
+        y_m: its place, likewise.
+        heading_deg: the direction it looks in, in the room.
+        holder: who else drives it; null for nobody.
+        code: of the message about what is missing, or what ended driving by keys; null where all is well.
+        message: that, in words of the chosen language.
+        remedy: what to do.
+    """
+
+    type: ClassVar[str] = "robot_state"
+    link: str
+    use: Literal["watch", "run", "jog"]
+    state: Literal["searching", "waiting", "connected", "silent"]
+    address: str
+    age_s: float | None
+    rate_hz: float | None
+    battery: float | None
+    x_m: float | None
+    y_m: float | None
+    heading_deg: float | None
+    holder: str | None
+    code: str | None
     message: str
     remedy: str
 

@@ -348,6 +348,21 @@ class Ranges(Event):
 
 
 @dataclass(frozen=True, slots=True)
+class CommandsAwaited(Event):
+    """All commands of an open run are done: it waits for the next ones, which continue it (docs/bridge.md).
+
+    Attributes:
+        n_executed: how many commands were executed since the run began.
+        result: the last gesture result.
+    """
+
+    type: ClassVar[str] = "commands_awaited"
+    kept: ClassVar[bool] = False
+    n_executed: int
+    result: str
+
+
+@dataclass(frozen=True, slots=True)
 class RunEnded(Event):
     """The last event of every run. Exactly one closes each run.
 
@@ -360,7 +375,8 @@ class RunEnded(Event):
         block: the block that was running.
         n_executed: how many commands were executed.
         duration_s: robot time, in s.
-        path_length_m: length of the way, in m: the true one in the simulator, else that of the robot's own pose.
+        path_length_m: length of the way, in m: the true one in the simulator, else that of the robot's own poses
+            without their noise.
         closing_error_m: distance between start and end, in m.
         pose: the estimated pose.
         telemetry_sha256: hash of the telemetry, which a repetition must give again.

@@ -114,6 +114,10 @@ class RunContext:
         self.output = Output(self.emit)
         self.evaluator = Evaluator(self)
 
+    def adapt_to(self, delay_s: float) -> None:
+        """The robot follows commands so late, and is driven the more gently the later it follows them."""
+        self.command_delay_s, self.gains = delay_s, self.gains.for_delay(delay_s)
+
     @property
     def sensors(self) -> Sensors:
         """The sensors of the link."""

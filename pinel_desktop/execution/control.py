@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Callable
-from queue import SimpleQueue
+from queue import Empty, SimpleQueue
 from typing import Any, Literal, NamedTuple
 
 from pinel_desktop.errors import PinelError
@@ -38,6 +38,7 @@ class RunControl:
         speed: robot time divided by wall time; simulator only.
         evaluations: expressions to evaluate while the run is paused.
         inputs: receive people's answers to captures and questions.
+        is_open: whether the run waits at its end for more commands.
     """
 
     def __init__(self) -> None:
@@ -50,6 +51,8 @@ class RunControl:
         self.speed = 1.0
         self.evaluations: SimpleQueue[EvaluationRequest] = SimpleQueue()
         self.inputs = LiveInputs()
+        self.is_open = False
+        self._more: SimpleQueue[list[Any]] = SimpleQueue()
         self._app_heard_s: float | None = None
 
     def hear_app(self) -> None:
@@ -85,6 +88,23 @@ class RunControl:
     def set_speed(self, speed: float) -> None:
         """Sets the speed factor, clamped to LEAST_SPEED..GREATEST_SPEED."""
         self.speed = min(max(speed, LEAST_SPEED), GREATEST_SPEED)
+
+    def append(self, commands: list[Any]) -> None:
+        """Commands, as document data, for the end of the program; the run is an open one from then on."""
+        self.is_open = True
+        if commands:
+            self._more.put(commands)
+
+    def finish(self) -> None:
+        """An open run ends when all of its commands are done."""
+        self.is_open = False
+
+    def next_commands(self) -> list[Any] | None:
+        """The commands that were appended first and not taken yet; None where there are none."""
+        try:
+            return self._more.get_nowait()
+        except Empty:
+            return None
 
     def evaluate(self, expression: Any, reply: Reply) -> None:
         """Queues an expression for evaluation on the run's thread; replies `run_not_paused` at once unless paused."""

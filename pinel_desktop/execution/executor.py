@@ -9,7 +9,15 @@ from typing import Any, Literal
 from pinel_desktop.control import DEFAULT_GAINS, SLIPPING_GAINS, Gains
 from pinel_desktop.control.goal import GOALS, Goals, at_rest
 from pinel_desktop.errors import PinelError
-from pinel_desktop.events.model import Event, GestureResult, Marked, RunEnded, RunState, Telemetry
+from pinel_desktop.events.model import (
+    CommandsAwaited,
+    Event,
+    GestureResult,
+    Marked,
+    RunEnded,
+    RunState,
+    Telemetry,
+)
 from pinel_desktop.execution.clock import TICK_HZ, TICK_S, WALL_TIME, Clock, MaxClock, WallTime
 from pinel_desktop.execution.context import RunContext, RunFailureError, Sources
 from pinel_desktop.execution.control import RunControl
@@ -19,6 +27,7 @@ from pinel_desktop.execution.debug.sensor_stream import SensorStream
 from pinel_desktop.execution.debug.variable_watch import VariableWatch
 from pinel_desktop.execution.inputs import Inputs, ScriptedInputs
 from pinel_desktop.execution.limits import StepLimit
+from pinel_desktop.execution.open_end import MOVED_BY_HAND_M, await_commands
 from pinel_desktop.execution.recorder import Recorder
 from pinel_desktop.execution.semantics import CURRENT, MEASURES_THE_TRUE_WAY
 from pinel_desktop.execution.stack import ProgramStack
@@ -32,9 +41,9 @@ Observer = Callable[[int, Event], None]
 
 _MAX_TICKS = round(MAX_RUN_S * TICK_HZ)
 _REST_TICKS = TICK_HZ
-_MOVED_BY_HAND_M = 0.02
 _APP_LOST_S = 2.0
 _NOWHERE = (None, None, None)
+_WITHOUT_REST = ("link_lost", "internal_error", "time_limit")
 
 
 class _Stopped(Exception):  # noqa: N818 - not an error
@@ -140,16 +149,10 @@ class _Run:
             state = "failed"
         ended = self._ended(state, reason, params, block)
         self._emit(ended)
-        context = self._context
-        return RunResult(
-            ended,
-            self._recorder,
-            context.gesture_result,
-            context.output.said,
-            context.output.marks,
-            context.output.n_beeps,
-            context.variables.global_values(),
-        )
+        result, output = self._context.gesture_result, self._context.output
+        variables = self._context.variables.global_values()
+        told = (output.said, output.marks, output.n_beeps)
+        return RunResult(ended, self._recorder, result, *told, variables)
 
     def _outcome(self) -> tuple[Outcome, str | None, dict[str, Any]]:
         try:
@@ -159,9 +162,8 @@ class _Run:
             return "stopped", "stopped_by_person", {"tick": self._tick}
         except PinelError as error:
             return "failed", error.code, error.params
-        except (
-            Exception
-        ) as error:  # even a defect of the program must lead to the zero velocity below
+        except Exception as error:
+            # even a defect of the program must lead to the zero velocity below
             return "failed", "internal_error", {"detail": f"{type(error).__name__}: {error}"}
         return "finished", None, {}
 
@@ -169,6 +171,8 @@ class _Run:
         self._link.connect(self._stop_requested)
         if self._control.stop_requested:
             raise _Stopped
+        if not self._link.simulated:  # only now it is known how late the robot answers
+            self._context.adapt_to(self._link.command_delay_s)
         start = self._link.read()
         self._origin = None if start.pose == Pose2D() else start.pose
         self._context.origin = start.pose
@@ -184,15 +188,17 @@ class _Run:
 
     def _run(self) -> None:
         control, stack, clock = self._control, self._stack, self._clock
-        context, watcher, stop_wanted = self._context, self._watcher, self._stop_requested
+        watcher, stop_wanted = self._watcher, self._stop_requested
         while True:
-            if control.pause_requested:
-                self._pause()
-            if control.app_is_silent and not self._link.simulated:
-                self._wait_for_app()
+            if control.pause_requested or control.app_is_silent:
+                self._hold()
+            stack.is_open = control.is_open
             time_needed = stack.run_until_time(MAX_STEPS_PER_TICK, stop_wanted)
-            if context.unreported:
-                self._report()
+            if stack.awaits_commands:
+                if not self._await_commands():
+                    return
+                continue
+            self._report()
             if watcher is not None:
                 watcher.report()
             self._require_going_on()
@@ -205,6 +211,13 @@ class _Run:
                 self._pass_tick()
             elif stack.finished:
                 return
+
+    def _hold(self) -> None:
+        """A pause between two calls of an open run holds the first tick of the next one: it is repeated there, too."""
+        if self._control.pause_requested and not self._stack.awaits_commands:
+            self._pause()
+        if self._control.app_is_silent and not self._link.simulated:
+            self._wait_for_app()
 
     def _require_going_on(self) -> None:
         """Raises _Stopped, or RunFailureError `too_busy`."""
@@ -278,13 +291,31 @@ class _Run:
             return
         began_s = self._wall.now()
         if self._link.simulated:
-            self._wall.sleep(TICK_S)
-            if self._sensor_stream is not None:
-                self._sensor_stream.report_new_subscriptions()
+            self._stand_a_moment()
         else:
             self._clock.wait_for_tick()
             self._pass_tick()
         self._context.waited_s += self._wall.now() - began_s
+
+    def _await_commands(self) -> bool:
+        """At the end of an open run's program; False when it ends there."""
+        context, simulated = self._context, self._link.simulated
+        self._emit(CommandsAwaited(self._stack.n_executed, context.gesture_result))
+        wait = self._stand_a_moment if simulated else self._stand_a_tick
+        return await_commands(self._stack, context, self._control, wait, simulated=simulated)
+
+    def _stand_a_moment(self) -> None:
+        """Robot time stands still."""
+        self._wall.sleep(TICK_S)
+        if self._sensor_stream is not None:
+            self._sensor_stream.report_new_subscriptions()
+
+    def _stand_a_tick(self) -> None:
+        if self._control.app_is_silent:
+            self._wait_for_app()
+        self._context.command = STANDSTILL
+        self._clock.wait_for_tick()
+        self._pass_tick()
 
     def _pause(self) -> None:
         """Stops the robot until resume or stop. In a simulator robot time stands still once the robot is at rest."""
@@ -307,7 +338,7 @@ class _Run:
                 self._update_state(self._link.read())
         if self._control.stop_requested:
             raise _Stopped
-        if context.pose.distance_to(before) > _MOVED_BY_HAND_M:
+        if context.pose.distance_to(before) > MOVED_BY_HAND_M:
             context.reference_lost = True
         if context.driving is not None:
             context.command = context.driving
@@ -340,11 +371,7 @@ class _Run:
         self._context.command = STANDSTILL
         try:
             self._link.command(STANDSTILL)
-            if 0 < self._tick < _MAX_TICKS and reason not in (
-                "link_lost",
-                "internal_error",
-                "time_limit",
-            ):
+            if 0 < self._tick < _MAX_TICKS and reason not in _WITHOUT_REST:
                 self._rest()
         except PinelError as error:
             return reason or error.code, params or error.params
@@ -352,6 +379,8 @@ class _Run:
 
     def _way_m(self) -> float:
         recorder = self._recorder
+        if not self._link.simulated:
+            return recorder.measured_way_m()
         is_true = self._context.semantics >= MEASURES_THE_TRUE_WAY
         return recorder.true_way_m() if is_true else recorder.path_length_m()
 

@@ -3,7 +3,15 @@
 import math
 from collections.abc import Callable
 
-from pinel_desktop.control import ApproachCheck, Arc, Line, ProgressCheck, hold_position, s_curve
+from pinel_desktop.control import (
+    ApproachCheck,
+    Arc,
+    Breakaway,
+    Line,
+    ProgressCheck,
+    hold_position,
+    s_curve,
+)
 from pinel_desktop.control.goal import at_rest
 from pinel_desktop.execution.clock import TICK_HZ, TICK_S
 from pinel_desktop.execution.context import RunContext, RunFailureError
@@ -19,6 +27,8 @@ _NEARLY_DONE_RAD = math.radians(5.0)
 _BESIDE_M = 0.05  # cross-track error at the end of an arc; the next motion corrects less
 _OFF_LINE_M = 0.1  # cross-track error of a straight motion that was pushed off its line; arcs hand on up to 0.05 m
 _ALREADY_THERE_M = 1e-6
+# Beyond the speed at which wheels stick: 0.03 m/s of a robot that was never oiled.
+_BREAKAWAY_MPS, _BREAKAWAY_RADPS = 0.1, 0.6
 _SLOWEST = 1e-6  # m/s, rad/s; such a motion ends as blocked
 _LONGEST_S = MAX_RUN_S + 60.0
 _KEPT_S = 120.0
@@ -124,16 +134,17 @@ def drive_straight(
     setpoints = _Setpoints(context, distance_m, plan)
     progress = ProgressCheck(_MOVE_STEP_M, _BLOCKED_TICKS)
     sliding = _Sliding(context, line, distance_m)
+    breakaway = Breakaway(context.goals.move, _most(context, _BREAKAWAY_MPS), TICK_S)
     while True:
         along = line.along(context.pose)
         expected, speed, past_end = setpoints.next(along)
         if (
             past_end >= 0
-            and context.goals.move.arrived(distance_m - along, context.twist, past_end)
+            and breakaway.arrived(distance_m - along, context.twist, past_end)
             and not sliding.is_beside()
         ):
             break
-        stuck = progress.stuck(along, context.tick), sliding.is_stuck()
+        stuck = progress.stuck(along, context.tick), sliding.is_stuck(), breakaway.is_hopeless
         if any(stuck):
             done_m = round(sliding.done_m(along), 3)
             raise RunFailureError("blocked", done=done_m, amount=distance_m, unit="m")
@@ -141,7 +152,9 @@ def drive_straight(
             context.reference_lost = True
             yield from come_to_rest(context)
             return None
-        context.command = line.correct(context.pose, expected - along, speed)
+        v, omega = line.correct(context.pose, expected - along, speed)
+        v += breakaway.more(distance_m - along, context.twist, past_end)
+        context.command = Twist2D(v, omega)
         if context.observed:
             context.setpoint = line.point(expected)
             context.done = sliding.done_m(along)
@@ -166,20 +179,20 @@ def turn_on_the_spot(context: RunContext, angle_rad: float) -> Routine:
 
     setpoints = _Setpoints(context, angle_rad, plan)
     progress = ProgressCheck(_TURN_STEP_RAD, _BLOCKED_TICKS)
+    breakaway = Breakaway(context.goals.turn, _most(context, _BREAKAWAY_RADPS), TICK_S)
     turned, yaw = 0.0, start.yaw_rad
     while True:
         turned += wrap_angle(context.pose.yaw_rad - yaw)
         yaw = context.pose.yaw_rad
         expected, speed, past_end = setpoints.next(turned)
-        if past_end >= 0 and context.goals.turn.arrived(
-            angle_rad - turned, context.twist, past_end
-        ):
+        if past_end >= 0 and breakaway.arrived(angle_rad - turned, context.twist, past_end):
             break
-        if progress.stuck(turned, context.tick):
+        if progress.stuck(turned, context.tick) or breakaway.is_hopeless:
             raise _blocked_turn(turned, angle_rad)
         # wheels without slip need no correction of the position
         v = hold_position(start, context.pose, gains) if gains.integral else 0.0
-        context.command = Twist2D(v, speed + gains.yaw * (expected - turned))
+        more = breakaway.more(angle_rad - turned, context.twist, past_end)
+        context.command = Twist2D(v, speed + gains.yaw * (expected - turned) + more)
         if context.observed:
             context.setpoint = start._replace(yaw_rad=wrap_angle(start.yaw_rad + expected))
             context.done = math.degrees(turned)
@@ -209,26 +222,35 @@ def drive_arc(context: RunContext, radius_m: float, angle_rad: float) -> Routine
     setpoints = _Setpoints(context, angle_rad, plan)
     progress = ProgressCheck(_TURN_STEP_RAD, _BLOCKED_TICKS)
     way = ProgressCheck(_MOVE_STEP_M, _BLOCKED_TICKS)
+    move = Breakaway(context.goals.move, _most(context, _BREAKAWAY_MPS), TICK_S)
+    turn = Breakaway(context.goals.turn, _most(context, _BREAKAWAY_RADPS), TICK_S)
     while True:
         done = arc.done(context.pose)
         expected, speed, past_end = setpoints.next(done)
         along_m, across_m, yaw_error = arc.errors(context.pose, expected)
         if (
             past_end >= 0
-            and context.goals.move.arrived(along_m, context.twist, past_end)
-            and context.goals.turn.arrived(yaw_error, context.twist, past_end)
+            and move.arrived(along_m, context.twist, past_end)
+            and turn.arrived(yaw_error, context.twist, past_end)
             and abs(across_m) <= _BESIDE_M
         ):
             break
         stuck = progress.stuck(done, context.tick), way.stuck(done * length, context.tick)
-        if all(stuck):
+        if all(stuck) or move.is_hopeless or turn.is_hopeless:
             raise _blocked_arc(context, arc, done, angle_rad)
-        context.command = arc.correct(context.pose, expected, speed)
+        v, omega = arc.correct(context.pose, expected, speed)
+        v += move.more(along_m, context.twist, past_end)
+        context.command = Twist2D(v, omega + turn.more(yaw_error, context.twist, past_end))
         if context.observed:
             context.setpoint, context.done = arc.point(expected), math.degrees(done)
         yield None
     _end(context, arc.point(angle_rad))
     return None
+
+
+def _most(context: RunContext, breakaway: float) -> float:
+    """Nothing is added to the speed of a simulated robot, whose wheels do not stick."""
+    return breakaway if context.goals.sticks else 0.0
 
 
 def drive_to(

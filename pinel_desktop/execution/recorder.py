@@ -10,6 +10,7 @@ from operator import sub
 from pinel_desktop.robot import Pose2D
 
 WAY_STEP_M = 0.002  # of true poses; a shorter motion is the wheels' slip in a turn
+MEASURED_STEP_M = 0.02  # of poses that a robot measures; a shorter motion is noise
 
 
 class Recorder:
@@ -30,12 +31,23 @@ class Recorder:
 
     def true_way_m(self) -> float:
         """Length of the true way where it was recorded, else that of the robot's own path."""
-        return _way_m(self._true[::2], self._true[1::2]) if self._true else self.path_length_m()
+        if not self._true:
+            return self.path_length_m()
+        return _way_m(self._true[::2], self._true[1::2], WAY_STEP_M)
+
+    def measured_way_m(self) -> float:
+        """Length of the way of a real robot by its own poses, without their noise."""
+        return _way_m(*self._positions(), MEASURED_STEP_M)
 
     def path_length_m(self) -> float:
         """Length of the path through the start and all recorded positions."""
-        xs, ys = (array("d", [0.0]) + self.rows[column :: self.COLUMNS] for column in (1, 2))
+        xs, ys = self._positions()
         return sum(map(math.hypot, map(sub, xs[1:], xs), map(sub, ys[1:], ys)))
+
+    def _positions(self) -> "tuple[array[float], array[float]]":
+        """The start and all recorded positions."""
+        xs, ys = (array("d", [0.0]) + self.rows[column :: self.COLUMNS] for column in (1, 2))
+        return xs, ys
 
     def last_pose(self) -> Pose2D:
         """Pose of the newest row; the start without rows."""
@@ -50,11 +62,11 @@ class Recorder:
         return hashlib.sha256(rows).hexdigest()
 
 
-def _way_m(xs: Sequence[float], ys: Sequence[float]) -> float:
-    """Length of the way in steps of at least `WAY_STEP_M`, and to the last position."""
+def _way_m(xs: Sequence[float], ys: Sequence[float], least_m: float) -> float:
+    """Length of the way in steps of at least `least_m`, and to the last position."""
     way, x, y = 0.0, xs[0], ys[0]
     for new_x, new_y in zip(xs, ys, strict=True):
         step = math.hypot(new_x - x, new_y - y)
-        if step >= WAY_STEP_M:
+        if step >= least_m:
             way, x, y = way + step, new_x, new_y
     return way + math.hypot(xs[-1] - x, ys[-1] - y)

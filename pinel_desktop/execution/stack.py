@@ -82,6 +82,8 @@ class ProgramStack:
         should_pause: called before each command; None without an observer.
         is_paused: whether the run pauses before the next command.
         awaits_person: whether the running command waits for a person or a camera.
+        is_open: whether the program may grow: at its end it waits for more commands.
+        awaits_commands: whether an open program has come to its end.
     """
 
     def __init__(self, program: Program, context: RunContext) -> None:
@@ -96,6 +98,8 @@ class ProgramStack:
         self.should_pause: Callable[[Any], bool] | None = None
         self.is_paused = False
         self.awaits_person = False
+        self.is_open = self.awaits_commands = False
+        self._last_step = 0
         self._reported: set[str] = set()
         self._forget_at = _REPORT_TICKS
         # keyed by identity: the program is frozen and outlives the run
@@ -128,13 +132,14 @@ class ProgramStack:
     def run_until_time(self, max_steps: int, stop: Callable[[], bool]) -> bool:
         """Runs commands until a tick is needed or `max_steps` are done; False when the program has ended.
 
-        Also returns True, without need of a tick, before a command at which the run pauses (`is_paused`) and while one
-        waits for a person or a camera (`awaits_person`). Long expressions count as several steps; `stop` is polled
-        between steps and ends them.
+        Also returns True, without need of a tick, before a command at which the run pauses (`is_paused`), while one
+        waits for a person or a camera (`awaits_person`) and at the end of an open program (`awaits_commands`). Long
+        expressions count as several steps; `stop` is polled between steps and ends them.
         """
         if self._reported and self._context.tick >= self._forget_at:
             self._reported.clear()
             self._forget_at = self._context.tick + _REPORT_TICKS
+        goes_on, self.awaits_commands = self.awaits_commands, False
         self.is_paused = self.awaits_person = False
         timed = self._timed
         if (
@@ -144,8 +149,9 @@ class ProgramStack:
             if self._go_on(self._frames[-1], timed):
                 return True
         context = self._context
-        last = self.n_steps + max_steps + context.n_evaluated // _PARTS_A_STEP
-        while self.n_steps + context.n_evaluated // _PARTS_A_STEP < last:
+        if not goes_on:  # else no tick has passed: the run equals one of the whole program
+            self._last_step = self.n_steps + max_steps + context.n_evaluated // _PARTS_A_STEP
+        while self.n_steps + context.n_evaluated // _PARTS_A_STEP < self._last_step:
             self.n_steps += 1
             if self._step():
                 return True
@@ -154,6 +160,11 @@ class ProgramStack:
             if stop():
                 return True
         return True
+
+    def extend(self, commands: Sequence[Any]) -> None:
+        """More commands for an open program that has come to its end."""
+        frame = self._frames[0]
+        frame.commands = [*frame.commands, *commands]
 
     def close(self) -> None:
         """Closes all running routines, so that they release their resources."""
@@ -174,6 +185,10 @@ class ProgramStack:
             self._begin(frame.commands[index], f"{frame.pointer}/{index}")
             return False
         if frame.routine is None:
+            if self.is_open and frame.function is None:
+                self.n_steps -= 1
+                self.awaits_commands = True
+                return True
             self._finish_function(None)
             return False
         return self._go_on(frame, frame.routine)

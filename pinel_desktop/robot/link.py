@@ -28,7 +28,7 @@ class RobotLink(Protocol):
 
     Attributes:
         simulated: True if time passes only in `advance`.
-        command_delay_s: mean time from `command` until the velocity takes effect, in seconds.
+        command_delay_s: mean time from `command` until the velocity takes effect, in seconds; final once connected.
         slips: True if wheels roll more or less far than commanded; the controller then uses integral control.
         sensors: the sensors besides those of the robot's own state.
     """

@@ -11,6 +11,7 @@ from typing import Annotated, Any, ClassVar, Self
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.robot.geometry import Pose2D
 from pinel_desktop.robot.models import RobotModel
 
 # The app's start imports this module; a model is built when it is first used.
@@ -40,6 +41,11 @@ class Room(BaseModel):
     x_m: Annotated[float, Field(ge=-25.0, le=25.0)] = 0.0
     y_m: Annotated[float, Field(ge=-25.0, le=25.0)] = 0.0
     heading_deg: Annotated[float, Field(ge=-360.0, le=360.0)] = 0.0
+
+    @property
+    def start(self) -> Pose2D:
+        """Where the robot stands at the start, in m and rad."""
+        return Pose2D(self.x_m, self.y_m, math.radians(self.heading_deg))
 
     def as_world(self) -> dict[str, Any]:
         """A world document (docs/worlds.md) that shows the room: its edge as walls, and the start."""

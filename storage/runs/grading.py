@@ -1,37 +1,41 @@
 """Whether runs have passed their activity, which is found out after they have ended."""
 
 from storage.file.repository import Repository
-from storage.records import Json
+from storage.records import SIMULATOR, Json
 from storage.sql import require
 from storage.text import dumped
+
+# Runs that count for their activity: those of the simulator, and of real robots those that were judged.
+COUNTS = f"(link = '{SIMULATOR}' OR passed IS NOT NULL)"
 
 
 class Checks(Repository):
     """Results of the runs that an activity belongs to."""
 
     def pending(self) -> list[str]:
-        """Runs that have ended and have no result yet, the oldest first."""
+        """Runs that have ended and have no result yet, the oldest first. That a run is not judged is a result, too."""
         rows = self._rows(
             """SELECT id FROM runs INDEXED BY runs_lesson WHERE lesson_id IS NOT NULL AND activity IS NOT NULL
-               AND passed IS NULL AND state != 'running' ORDER BY id"""
+               AND passed IS NULL AND check_report IS NULL AND state != 'running' ORDER BY id"""
         )
         return [str(row["id"]) for row in rows]
 
     def of_group(self, group_id: str) -> dict[str, bool]:
-        """The activities that a group has runs for, with whether one of these passed.
+        """The activities that a group has tried, with whether a run passed; a real run that was not judged is no try.
 
         Raises:
             StoreError: `group_not_found`.
         """
-        query = """SELECT activity, coalesce(max(passed), 0) AS passed FROM runs
-            WHERE group_id = ? AND activity IS NOT NULL GROUP BY activity"""
+        query = f"""SELECT activity, coalesce(max(passed), 0) AS passed FROM runs
+            WHERE group_id = ? AND activity IS NOT NULL AND {COUNTS} GROUP BY activity"""
         with self._database.reading() as db:
             require(db, "groups", group_id)
             return {row["activity"]: bool(row["passed"]) for row in db.execute(query, [group_id])}
 
-    def record(self, run_id: str, passed: bool, report: Json) -> None:
-        """On disk when this returns; a run gets one result."""
+    def record(self, run_id: str, passed: bool | None, report: Json) -> None:
+        """On disk when this returns; a run gets one result. `passed` is None for one that was not judged."""
 
-        query = "UPDATE runs SET passed = ?, check_report = ? WHERE id = ? AND passed IS NULL"
-        values = [int(passed), dumped(report), run_id]
+        query = """UPDATE runs SET passed = ?, check_report = ?
+            WHERE id = ? AND passed IS NULL AND check_report IS NULL"""
+        values = [None if passed is None else int(passed), dumped(report), run_id]
         self._database.write(lambda db: db.execute(query, values).rowcount)

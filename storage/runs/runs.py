@@ -23,7 +23,6 @@ if TYPE_CHECKING:
 _SELECT = selected(RunRow, "runs")
 _LINE = selected(RunLine, "runs", params_json="params", passed_bit="passed", path_json="path")
 _OBJECTS = ("document", "world_document", "parameters", "params", "summary", "check_report")
-_SIMULATOR = "sim"
 _NEEDED = ("world_document", "parameters")
 _IN_COLUMNS = ("v", "type", "run", "seq", "tick")
 _FIGURES = ("n_executed", "path_length_m", "closing_error_m", "telemetry_sha256")
@@ -61,6 +60,28 @@ class Runs(Repository):
         """Takes back a run that could not begin after all."""
         self._database.write(
             lambda db: db.execute("DELETE FROM runs WHERE id = ?", [run_id]).rowcount
+        )
+
+    def grow(self, run_id: str, document: Json) -> None:
+        """The document of a live run without a version is this one from now on; on disk when this returns."""
+        self._database.write(
+            lambda db: (
+                db.execute(
+                    "UPDATE runs SET document = ? WHERE id = ? AND version_id IS NULL",
+                    [dumped(document), run_id],
+                ).rowcount
+            )
+        )
+
+    def settle(self, run_id: str, version_id: str) -> None:
+        """A version holds the run's document from now on."""
+        self._database.write(
+            lambda db: (
+                db.execute(
+                    "UPDATE runs SET version_id = ?, document = NULL WHERE id = ?",
+                    [version_id, run_id],
+                ).rowcount
+            )
         )
 
     def get(self, run_id: str) -> RunRow:
@@ -172,8 +193,7 @@ def _insert(db: sqlite3.Connection, start: RunStart, now: Moment) -> str:
     }
     if origin["group_id"]:
         row["lesson_id"], row["computer_id"] = lesson_for(db, origin["group_id"], now)
-        if start.link == _SIMULATOR:  # only its runs are judged
-            row["activity"] = row["activity"] or _activity_of(db, str(row["lesson_id"]))
+        row["activity"] = row["activity"] or _activity_of(db, str(row["lesson_id"]))
     insert(db, "runs", row)
     if origin["group_id"]:
         mark_used(db, origin["group_id"], now.text)
@@ -183,6 +203,8 @@ def _insert(db: sqlite3.Connection, start: RunStart, now: Moment) -> str:
 def _origin(db: sqlite3.Connection, start: RunStart) -> dict[str, str | None]:
     """Group and program of a version; a run of the command line has its document's name only."""
     version_id = start.version_id
+    if version_id is None and start.program_id is not None:
+        return _origin_of_program(db, start.program_id)
     if version_id is None:
         name = (start.document or {}).get("name")
         return {"group_id": None, "program_id": None, "program_name": str(name) if name else None}
@@ -193,6 +215,16 @@ def _origin(db: sqlite3.Connection, start: RunStart) -> dict[str, str | None]:
     ).fetchone()
     if row is None:
         raise not_found("versions", version_id)
+    return dict(row)
+
+
+def _origin_of_program(db: sqlite3.Connection, program_id: str) -> dict[str, str | None]:
+    row = db.execute(
+        "SELECT group_id, id AS program_id, name AS program_name FROM programs WHERE id = ?",
+        [program_id],
+    ).fetchone()
+    if row is None:
+        raise not_found("programs", program_id)
     return dict(row)
 
 

@@ -20,7 +20,7 @@ _EDITS = f"""
 _RUNS = f"""
     SELECT runs.group_id, runs.id, runs.program_id, runs.program_name, runs.version_id, versions.number,
            runs.started_at, runs.ended_at, runs.state, runs.reason, runs.params, runs.activity, runs.passed,
-           runs.duration_s, runs.computer_id, runs.lesson_id, runs.world,
+           runs.duration_s, runs.computer_id, runs.lesson_id, runs.world, runs.link,
            CASE WHEN runs.passed = 0 THEN (SELECT json_group_array(json(json_extract(value, '$.advice')))
                 FROM json_each(runs.check_report, '$.cases')) END
     FROM runs LEFT JOIN versions ON versions.id = runs.version_id
@@ -80,6 +80,7 @@ class LessonRun(NamedTuple):
     computer_id: str | None
     lesson_id: str
     world: str
+    link: str
     advice_json: str | None
 
     @property
@@ -89,7 +90,7 @@ class LessonRun(NamedTuple):
 
     @property
     def passed(self) -> bool | None:
-        """Whether the activity was passed; None without one."""
+        """Whether the activity was passed; None without one, and if the run was not judged."""
         return None if self.passed_bit is None else bool(self.passed_bit)
 
 

@@ -55,3 +55,16 @@ def test_standing_still_is_no_way() -> None:
         recorder.add((tick, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
         recorder.add_true((2.0 + 0.0005 * (tick % 2), 1.0))
     assert recorder.true_way_m() == pytest.approx(0.0, abs=0.001)
+
+
+def test_a_real_robot_tells_its_way_without_the_noise_of_its_poses() -> None:
+    rng = np.random.default_rng(0)
+    there = np.linspace(0.0, 4.0, 801)
+    ways = []
+    for xs in (np.concatenate([there, there[::-1]]), np.zeros(900)):
+        recorder = Recorder()
+        for tick, (x, y) in enumerate(rng.normal(0.0, 0.001, (len(xs), 2)), start=1):
+            recorder.add((tick, xs[tick - 1] + x, y, 0.0, 0.3, 0.0, 0.3, 0.0))
+        assert recorder.path_length_m() > recorder.measured_way_m()
+        ways.append(recorder.measured_way_m())
+    assert ways == pytest.approx([8.0, 0.0], abs=0.08)
