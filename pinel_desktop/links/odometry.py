@@ -2,6 +2,8 @@
 
 import math
 from collections import deque
+from itertools import pairwise
+from statistics import median
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links.transport import Odometry
@@ -18,6 +20,7 @@ _FASTEST_MPS, _FASTEST_RADPS = 20.0, 100.0
 # Between poses whose difference tells a velocity: poses come over a network, some ms early or late.
 _WINDOW_S = 0.1
 _SHORTEST_S = 0.01
+_N_GAPS = 5  # whose median is the period of the messages
 
 
 def yaw_of(x: float, y: float, z: float, w: float) -> float:
@@ -44,9 +47,23 @@ class OdometryFilter:
         self.n_taken = self.n_invalid = self.n_late = 0
         self._stamp_s: float | None = None
         self._frame: str | None = None
+        self._arrivals: deque[float] = deque(maxlen=_N_GAPS + 1)
         self._trail: deque[tuple[float, Pose2D]] = (
             deque()
         )  # of the last `_WINDOW_S`, with their times
+
+    @property
+    def knows_period(self) -> bool:
+        """Whether enough messages have come for `period_s` to be that of the robot."""
+        return len(self._arrivals) > _N_GAPS
+
+    @property
+    def period_s(self) -> float | None:
+        """From one message to the next, lately; None before there are three."""
+        arrivals = list(self._arrivals)
+        if len(arrivals) < 3:
+            return None
+        return median(after - before for before, after in pairwise(arrivals))
 
     def take(self, message: Odometry, now_s: float) -> None:
         """Takes a message that arrived at `now_s`. Raises PinelError `reference_lost`, `odometry_frame_changed`."""
@@ -65,6 +82,7 @@ class OdometryFilter:
             self._trail.clear()
         twist = self._twist(message, pose, now_s)
         self.n_taken += 1
+        self._arrivals.append(now_s)
         self.state, self.arrived_s, self._stamp_s = RobotState(pose, twist), now_s, message.stamp_s
 
     def _is_late(self, message: Odometry, now_s: float) -> bool:

@@ -22,8 +22,13 @@ from pinel_desktop.robot.record import RobotRecord, Room
 SILENT_S = 1.0
 _FIRST_ODOMETRY_S = 5.0
 _POLL_S = 0.05
-# From a command until a wheel turns, beside the network: half a period of the robot's own loop and of its odometry.
-_DELAY_S = 0.05
+# How long the period of the odometry is listened for.
+_LISTEN_S = 1.0
+_PAUSE_S = 0.4  # a robot that is silent for longer tells nothing about its period
+# From a command until it is seen to work: what is taken for it before the robot is heard, and the most.
+_DELAY_S, _LONGEST_DELAY_S = 0.1, 0.3
+# Of it, what does not show in how often the robot reports: network and drives (tests/links/test_late_robot.py).
+_REACTS_S = 0.08
 
 
 class RealLink:
@@ -31,6 +36,10 @@ class RealLink:
 
     What protects people and robot is here, the same for every transport: a command expires after 0.2 s, velocities are
     limited by the record, a robot whose odometry is silent for a second, jumps or leaves the room is stopped.
+
+    Attributes:
+        battery: charge from 0 to 1; None where it is not told.
+        holder: who else drives the robot, as the network tells; None for nobody.
     """
 
     simulated = False
@@ -55,6 +64,11 @@ class RealLink:
         self._commanding = threading.Lock()
         self._closed = False
         self.battery: float | None = None
+        self.holder: str | None = None
+
+    def listen(self, cancelled: Callable[[], bool] = lambda: False) -> None:
+        """In place of `connect`: hears the robot and leaves it to whoever drives it. Raises as `connect` does."""
+        self._transport.listen(self, cancelled)
 
     def connect(self, cancelled: Callable[[], bool] = lambda: False) -> None:
         self._take()
@@ -67,8 +81,24 @@ class RealLink:
             if time.monotonic() > due_s:
                 raise self._silent()
             time.sleep(_POLL_S)
-        if self._odometry.state is not None:
+        if self._odometry.state is None:
+            return
+        self._learn_delay(cancelled)
+        if self._start is None:
             self._start = self._odometry.state.pose
+
+    def begin_at(self, pose: Pose2D) -> None:
+        """Before `connect`: where the robot stood, in its odometry frame, when it stood at the room's start."""
+        self._start = pose
+
+    def _learn_delay(self, cancelled: Callable[[], bool]) -> None:
+        """Learns how often the robot reports, and from it how late it follows."""
+        due_s = time.monotonic() + _LISTEN_S
+        while not self._odometry.knows_period and time.monotonic() < due_s and not cancelled():
+            if self.age_s > _PAUSE_S:
+                break
+            time.sleep(_POLL_S / 5)
+        self.command_delay_s = delay_s(self._odometry.period_s)
 
     def _take(self) -> None:
         """Makes sure that no other run of this PC drives the robot."""
@@ -84,9 +114,23 @@ class RealLink:
             raise self._problem
         if state is None or age_s > SILENT_S:
             raise self._silent()
-        if self._start is not None:
-            self._edge.require_inside(state.pose.relative_to(self._start))
         return state
+
+    @property
+    def start(self) -> Pose2D | None:
+        """Where the robot stood at the room's start, in its odometry frame; None before it is connected."""
+        return self._start
+
+    @property
+    def pose(self) -> Pose2D | None:
+        """The newest pose in the odometry frame, however old; None before the first."""
+        state = self._odometry.state
+        return state and state.pose
+
+    @property
+    def problem(self) -> PinelError | None:
+        """Why the robot must not be driven any more."""
+        return self._problem
 
     @property
     def age_s(self) -> float:
@@ -130,8 +174,17 @@ class RealLink:
         try:
             with self._lock:
                 self._odometry.take(odometry, time.monotonic())
+            self._require_inside()
         except PinelError as problem:
             self.on_problem(problem)
+
+    def _require_inside(self) -> None:
+        start, state = self._start, self._odometry.state
+        if start is not None and state is not None:
+            self._edge.require_inside(state.pose.relative_to(start))
+
+    def on_holder(self, name: str | None) -> None:
+        self.holder = name
 
     def on_battery(self, level: float) -> None:
         self.battery = level if 0.0 <= level <= 1.0 else None
@@ -147,6 +200,16 @@ class RealLink:
         return PinelError("link_lost" if self._odometry.state else "robot_silent")
 
 
+def delay_s(period_s: float | None) -> float:
+    """Mean time from a command until it is seen to work, for a robot that reports every `period_s`; None if unknown.
+
+    A report is half a period old on average, and a loop as long as that takes a command after half a period.
+    """
+    if period_s is None:
+        return _DELAY_S
+    return min(period_s + _REACTS_S, _LONGEST_DELAY_S)
+
+
 def _lock_path(record: RobotRecord) -> str:
     name = hashlib.sha256(f"{record.link} {record.address}".encode()).hexdigest()[:16]
     return os.path.join(tempfile.gettempdir(), f"pinel-robot-{name}.lock")
@@ -156,7 +219,7 @@ class _Edge:
     """The edge of the room, which the robot's body must not cross."""
 
     def __init__(self, room: Room, radius_m: float) -> None:
-        self._start = Pose2D(room.x_m, room.y_m, math.radians(room.heading_deg))
+        self._start = room.start
         self._room, self._radius_m = room, radius_m
 
     def require_inside(self, pose: Pose2D) -> None:

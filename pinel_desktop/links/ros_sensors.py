@@ -66,6 +66,15 @@ class RosSensors(Sensors):
         """The robot has a sensor: `lidar`, `sonar` or `bumper`."""
         self._offered.add(sensor)
 
+    def withdraw(self, sensor: str) -> None:
+        """Nobody tells a sensor's readings any more: the last one counts no longer."""
+        if sensor == "lidar":
+            self._scan = None
+        elif sensor == "sonar":
+            self._sonars = {}
+        else:
+            self._bumper = None
+
     def on_scan(self, scan: Scan) -> None:
         self._scan = scan
 

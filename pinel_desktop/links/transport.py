@@ -41,6 +41,9 @@ class Receiver(Protocol):
     def on_battery(self, level: float) -> None:
         """Charge of the battery, from 0 to 1."""
 
+    def on_holder(self, name: str | None) -> None:
+        """Who else drives the robot now; None for nobody."""
+
     def on_problem(self, problem: PinelError) -> None:
         """The robot must not be driven any more: the next reading raises `problem`, and zeros are sent."""
 
@@ -58,6 +61,12 @@ class Transport(Protocol):
         """Connects; returns when the robot can hear commands, or when `cancelled()`, which is polled every 50 ms.
 
         Raises PinelError that says what is missing and what to do, after a few seconds at most.
+        """
+
+    def listen(self, receiver: Receiver, cancelled: Cancelled) -> None:
+        """In place of `open`: connects to hear only. Nothing is published, and nobody takes the robot for driven.
+
+        Raises as `open` does. Afterwards nothing is sent.
         """
 
     def send(self, twist: Twist2D) -> None:

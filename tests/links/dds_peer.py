@@ -20,11 +20,13 @@ class DdsPeer:
 
     Attributes:
         heard: velocities that reached it, with the time (s, monotonic, the same clock in all processes of a PC).
+        senders: who sent each of `heard`.
         stamps: seconds of the stamps of the commands that had one.
     """
 
     def __init__(self, domain: int, **behaviour: Any) -> None:
         self.heard: list[tuple[float, Twist2D]] = []
+        self.senders: list[int] = []
         self.stamps: list[int] = []
         self._answers: queue.Queue[str] = queue.Queue()
         self._is_mute = bool(behaviour.get("is_mute"))
@@ -71,6 +73,7 @@ class DdsPeer:
             message = json.loads(line)
             if "heard" in message:
                 at_s, v, omega = message["heard"]
+                self.senders.append(message["by"])
                 self.heard.append((at_s, Twist2D(v, omega)))
                 if message["stamp"] is not None:
                     self.stamps.append(message["stamp"])

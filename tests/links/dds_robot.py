@@ -9,11 +9,12 @@ import math
 import sys
 import threading
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from pinel_desktop.links.dds import messages as m
-from pinel_desktop.links.dds.session import Session
+from pinel_desktop.links.dds.session import Session, delete
 from pinel_desktop.robot import Twist2D
 from tests.links.unicycle import Unicycle
 
@@ -28,8 +29,9 @@ class Behaviour:
         command: type that it subscribes to; empty for none.
         odometry: type that it publishes; empty for none.
         sensors: publishes a scan, sonars, a bumper and its battery.
+        gone: topics that it published, or subscribed to, and has left.
         is_mute: reports nothing.
-        broken: `nan`, `quaternion`, `jump`, `frame` or `clock`: what is wrong with the odometry.
+        broken: `nan`, `quaternion`, `jump`, `frame`, `clock` or `ahead`: what is wrong with the odometry.
         period_s: from one message to the next.
         publishes_commands: somebody else's participant publishes commands, too.
         relays: the robot's own one does, as a bridge to ROS 1.
@@ -40,6 +42,7 @@ class Behaviour:
     odometry: str = "Odometry"
     namespace: str = ""
     sensors: bool = False
+    gone: Sequence[str] = ()
     is_mute: bool = False
     broken: str = ""
     period_s: float = PERIOD_S
@@ -57,14 +60,10 @@ class DdsRobot:
         self._others: Any = None
         if behaviour.relays:
             self._writer("cmd_vel", behaviour.command)
-        self._sensors = (
-            [
-                (session.writer(self._prefix + topic, type(message)), message)
-                for topic, message in SENSORS
-            ]
-            if behaviour.sensors
-            else []
-        )
+        self._sensors = {
+            topic: (session.writer(self._prefix + topic, type(messages[0])), messages)
+            for topic, messages in (SENSORS if behaviour.sensors else ())
+        }
 
     def _reader(self, topic: str, name: str) -> Any:
         return self._session.reader(self._prefix + topic, getattr(m, name)) if name else None
@@ -76,6 +75,9 @@ class DdsRobot:
         threading.Thread(target=self._report, daemon=True).start()
         say({"ready": True})
         while True:
+            if self._commands is not None and "cmd_vel" in self.behaviour.gone:
+                delete(self._commands)
+                self._commands = None
             for sample in self._commands.take(1) if self._commands else ():
                 twist = sample if isinstance(sample, m.Twist) else getattr(sample, "twist", None)
                 if twist is not None:
@@ -85,16 +87,23 @@ class DdsRobot:
     def _hear(self, twist: Twist2D, sample: Any) -> None:
         stamp = sample.header.stamp.sec if isinstance(sample, m.TwistStamped) else None
         self.robot.hear(twist)
-        say({"heard": [*self.robot.heard[-1][0:1], *twist], "stamp": stamp})
+        by = sample.sample_info.publication_handle
+        say({"heard": [*self.robot.heard[-1][0:1], *twist], "stamp": stamp, "by": by})
 
     def _report(self) -> None:
         while True:
             self._share_commands()
             if not self.behaviour.is_mute and self._odometry is not None:
                 self._odometry.write(self._message())
-            for writer, message in self._sensors:
-                writer.write(message)
+            self._tell_sensors()
             time.sleep(self.behaviour.period_s)
+
+    def _tell_sensors(self) -> None:
+        for topic in set(self.behaviour.gone) & set(self._sensors):
+            delete(self._sensors.pop(topic)[0])
+        for writer, messages in self._sensors.values():
+            for message in messages:
+                writer.write(message)
 
     def _share_commands(self) -> None:
         wanted = self.behaviour.publishes_commands
@@ -112,7 +121,7 @@ class DdsRobot:
         if broken == "quaternion":
             turned = m.Quaternion(w=0.0)
         pose = m.Pose(m.Point(x, now.y_m), turned)
-        s = time.time() - (1e6 if broken == "clock" else 0.0)
+        s = time.time() + {"clock": -1e6, "ahead": 1e6}.get(broken, 0.0)
         header = m.Header(m.Time(int(s), int(s % 1 * 1e9)), "map" if broken == "frame" else "odom")
         if self.behaviour.odometry == "PoseStamped":
             return m.PoseStamped(header, pose)
@@ -121,21 +130,25 @@ class DdsRobot:
         return m.Odometry(header, "base_link", *covariances)
 
 
+SCAN = m.LaserScan(
+    angle_min=-math.pi / 2,
+    angle_max=math.pi / 2,
+    angle_increment=math.pi / 180,
+    range_min=0.1,
+    range_max=8.0,
+    ranges=[1.0 + index / 100 for index in range(181)],
+)
+POINTS = m.PointCloud(points=[m.Point32(0.2225 + 1.5 + index / 10) for index in range(16)])
+RANGES = [
+    m.Range(m.Header(frame_id=f"sonar_{index}"), max_range=5.0, range=1.5 + index / 10)
+    for index in range(16)
+]
 SENSORS: tuple[tuple[str, Any], ...] = (
-    (
-        "scan",
-        m.LaserScan(
-            angle_min=-math.pi / 2,
-            angle_max=math.pi / 2,
-            angle_increment=math.pi / 180,
-            range_min=0.1,
-            range_max=8.0,
-            ranges=[1.0 + index / 100 for index in range(181)],
-        ),
-    ),
-    ("sonar", m.PointCloud(points=[m.Point32(0.2225 + 1.5 + index / 10) for index in range(16)])),
-    ("bumper_state", m.Bool(data=True)),
-    ("battery_state", m.BatteryState(percentage=0.75)),
+    ("scan", [SCAN]),
+    ("sonar", [POINTS]),
+    ("sonar_ring", RANGES),
+    ("bumper_state", [m.Bool(data=True)]),
+    ("battery_state", [m.BatteryState(percentage=0.75)]),
 )
 
 

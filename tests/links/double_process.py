@@ -13,7 +13,13 @@ _SETTINGS = ('peers=["127.0.0.1"]', "room.width_m=6", "max_v_mps=0.5", "max_omeg
 
 
 class Double:
-    """A Pioneer double (`tests/links/pioneer_double.py`) in a process of its own."""
+    """A Pioneer double (`tests/links/pioneer_double.py`) in a process of its own.
+
+    Attributes:
+        way_m: how far it really drove, once it has ended.
+    """
+
+    way_m = math.nan
 
     def __init__(self, domain: int, seed: int = 0) -> None:
         self._domain = domain
@@ -46,6 +52,7 @@ class Double:
     def closing_error_m(self) -> float:
         """Ends the robot; how far from its start it really stands."""
         end = json.loads(self.process.communicate(timeout=20)[0])
+        self.way_m = float(end["way_m"])
         return math.hypot(end["x_m"], end["y_m"])
 
     def close(self) -> None:

@@ -10,6 +10,7 @@ import sys
 import threading
 import time
 
+from pinel_desktop.execution.recorder import Recorder
 from pinel_desktop.links.dds import messages as m
 from pinel_desktop.links.dds.session import Session
 from pinel_desktop.links.sim import SimLink
@@ -22,7 +23,11 @@ _SCAN_EACH_TICKS = 6
 
 
 class PioneerDouble:
-    """The robot; `tick` advances it by one tick of the simulator."""
+    """The robot; `tick` advances it by one tick of the simulator.
+
+    Attributes:
+        recorder: knows the way that it truly drove.
+    """
 
     def __init__(self, domain: int, seed: int) -> None:
         setting = Setting(preset="realistic", feedback="pose")
@@ -35,6 +40,7 @@ class PioneerDouble:
         self._session = session
         self._commanded_s = -math.inf
         self._ticks = 0
+        self.recorder = Recorder()
 
     def tick(self) -> None:
         for sample in self._commands.take(1):
@@ -44,6 +50,7 @@ class PioneerDouble:
         if time.monotonic() - self._commanded_s > WATCHDOG_S:
             self.link.command(STANDSTILL)
         self.link.advance(TICK_S)
+        self.recorder.add_true(self.true_pose()[:2])
         self._odometry.write(self._message())
         if self._ticks % _SCAN_EACH_TICKS == 0:
             self._scan.write(self._scanned())
@@ -81,7 +88,7 @@ def _header(frame: str) -> m.Header:
 
 
 def main() -> None:
-    """Runs until its input ends; then prints where it really stands, relative to where it began."""
+    """Runs until its input ends; then prints where it stands, seen from its start, and how far it really drove."""
     double = PioneerDouble(int(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 0)
     start, ended = double.true_pose(), threading.Event()
 
@@ -96,7 +103,8 @@ def main() -> None:
         double.tick()
         due_s = max(due_s + TICK_S, time.monotonic() - TICK_S)
         ended.wait(max(0.0, due_s - time.monotonic()))
-    print(json.dumps(double.true_pose().relative_to(start)._asdict()), flush=True)
+    end = double.true_pose().relative_to(start)._asdict()
+    print(json.dumps({**end, "way_m": double.recorder.true_way_m()}), flush=True)
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ from pinel_desktop.events.model import Event
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.execution.executor import RunResult
 from pinel_desktop.links import open_link
-from pinel_desktop.links.real import SILENT_S
+from pinel_desktop.links.real import SILENT_S, RealLink
 from pinel_desktop.robot import STANDSTILL, RobotLink, Twist2D
 from pinel_desktop.robot.record import RobotRecord
 from pinel_desktop.runs.spec import RunSpec
@@ -185,6 +185,26 @@ class RealLinkContract(LinkContract):
         ended = self.start_run().result().ended
         assert (ended.state, ended.reason) == ("failed", "robot_silent")
         assert not any(twist != STANDSTILL for _, twist in self.peer.heard)
+
+    def test_listening_hears_the_robot_and_leaves_it_to_whoever_drives_it(self) -> None:
+        link = self.listen()
+        assert link.pose is not None
+        assert not any(twist != STANDSTILL for _, twist in self.peer.heard)
+        link.close()
+        self.drive(self.open(), AHEAD, 0.3)
+        assert any(twist != STANDSTILL for _, twist in self.peer.heard)
+
+    def listen(self) -> RealLink:
+        """A link that has heard the robot."""
+        link = open_link(self.link, world="empty_room", robot=self.record)
+        assert isinstance(link, RealLink)
+        self.opened.append(link)
+        link.listen()
+        due_s = time.monotonic() + 15.0
+        while not link.n_heard:
+            assert time.monotonic() < due_s, "the robot is not heard"
+            time.sleep(0.01)
+        return link
 
     def test_the_edge_of_the_room_stops_the_robot(self) -> None:
         room = self.record.room.model_copy(update={"width_m": 1.0, "depth_m": 1.0})

@@ -25,6 +25,8 @@ from pinel_desktop.robot.record import BridgeRecord, RobotRecord, Room
 from tests.links.aurora import Aurora, free_port
 from tests.links.real_link_contract import Peer, RealLinkContract
 
+pytestmark = pytest.mark.waits
+
 ROOM = Room(width_m=20.0, depth_m=20.0)
 POSE = {"x": 1.0, "y": 2.0, "yaw": 0.5}
 
@@ -69,6 +71,9 @@ class Robot:
 
     def on_odometry(self, odometry: Odometry) -> None:
         self.poses.append(odometry)
+
+    def on_holder(self, name: str | None) -> None:
+        pass
 
     def on_battery(self, level: float) -> None:
         raise AssertionError("no battery on the bridge")
@@ -447,7 +452,7 @@ def test_nothing_is_handed_out_that_was_never_sent(bridge: Bridge) -> None:
 
 
 def test_every_refusal_is_documented_with_its_status() -> None:
-    page = (Path(__file__).parents[2] / "docs" / "robots.md").read_text("utf-8")
+    page = (Path(__file__).parents[2] / "docs" / "bridge.md").read_text("utf-8")
     rows = [line for line in page.splitlines() if line.startswith("|")]
     for code, status in STATUS.items():
         assert any(row.startswith(f"| {status} ") and f"`{code}`" in row for row in rows), code

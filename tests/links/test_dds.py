@@ -8,6 +8,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any
 
 import pytest
@@ -15,11 +16,17 @@ import pytest
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links import open_link
 from pinel_desktop.links.dds import session
+from pinel_desktop.links.dds.finding import find_robots
+from pinel_desktop.links.dds.graph import Graph
+from pinel_desktop.links.dds.messages import Twist
+from pinel_desktop.links.real import RealLink
 from pinel_desktop.robot import RobotLink, Twist2D
-from pinel_desktop.robot.record import RobotRecord
+from pinel_desktop.robot.record import RobotRecord, RosRecord
 from tests.links.dds_domains import local_record, own_domain
 from tests.links.dds_peer import DdsPeer
 from tests.links.real_link_contract import RealLinkContract
+
+pytestmark = pytest.mark.waits
 
 
 class TestDdsLink(RealLinkContract):
@@ -35,6 +42,32 @@ class TestDdsLink(RealLinkContract):
 
     def stop_peer(self) -> None:
         self._ending.close()
+
+    def test_nobody_sees_who_only_listens_as_the_holder(self) -> None:
+        link = self.listen()
+        for other in self.others_in_the_domain():
+            assert other.publishers("cmd_vel") == []
+        driver = self.open()  # not held up by who listens
+        due_s = time.monotonic() + 10.0
+        while link.holder is None:
+            assert time.monotonic() < due_s, "the listener is not told who drives"
+            time.sleep(0.05)
+        assert link.holder == platform.node()
+        driver.close()
+
+    def others_in_the_domain(self) -> Iterator[Graph]:
+        """A second party, which has had time to hear of everybody, and has heard of the robot."""
+        assert isinstance(self.record, RosRecord)
+        party = session.Session(self.record.domain, ("127.0.0.1",))
+        try:
+            graph, due_s = Graph(party), time.monotonic() + 10.0
+            while not (graph.subscribers("cmd_vel") and graph.publishers("odom")):
+                assert time.monotonic() < due_s, "the robot is not found"
+                time.sleep(0.05)
+            time.sleep(1.0)
+            yield graph
+        finally:
+            party.close()
 
 
 @pytest.fixture
@@ -224,17 +257,61 @@ def test_impossible_odometry_stops_the_robot(
     wait_for(lambda: robot.stood_from_s() is not None)
 
 
-def test_a_clock_that_is_set_back_interrupts_for_less_than_a_second(
+@pytest.mark.parametrize("broken", ["clock", "ahead"])
+def test_a_clock_that_is_set_interrupts_for_less_than_a_second(
+    start_robot: Callable[..., DdsPeer], connect: Callable[..., RobotLink], broken: str
+) -> None:
+    robot = start_robot()
+    link = connect()
+    for state in (broken, ""):
+        robot.change(broken=state)
+        until_s = time.monotonic() + 1.5
+        while time.monotonic() < until_s:
+            link.command(Twist2D(0.2, 0.0))
+            link.read()
+            time.sleep(0.02)
+    wait_for(lambda: commanded(link, Twist2D(0.25, 0.0)) == robot.heard[-1][1])
+
+
+def test_a_robot_that_no_longer_listens_ends_the_run(
     start_robot: Callable[..., DdsPeer], connect: Callable[..., RobotLink]
 ) -> None:
     robot = start_robot()
     link = connect()
-    robot.change(broken="clock")
-    until_s = time.monotonic() + 2.0
-    while time.monotonic() < until_s:
-        link.command(Twist2D(0.2, 0.0))
-        link.read()
-        time.sleep(0.02)
+    robot.change(gone=["cmd_vel"])
+    assert problem_of(link) == "robot_deaf"
+
+
+def test_sensors_that_vanish_are_silent_and_the_robot_drives_on(
+    start_robot: Callable[..., DdsPeer], connect: Callable[..., RobotLink]
+) -> None:
+    robot = start_robot(sensors=True)
+    link = connect()
+    assert isinstance(link, RealLink)
+    sensors = link.sensors
+    reads = {
+        "scan": ("lidar", lambda: sensors.lidar(0.0)),
+        "sonar": ("sonar", lambda: sensors.sonar(0)),
+        "bumper_state": ("bumper", sensors.reader("bumper")),
+    }
+    wait_for(lambda: link.battery == 0.75)
+    for topic, (sensor, read) in reads.items():
+        eventually(read)
+        robot.change(gone=[topic])
+        wait_for(partial(is_silent, read, sensor))
+    robot.change(gone=["battery_state"])
+    wait_for(lambda: link.battery is None)
+    wait_for(lambda: commanded(link, Twist2D(0.25, 0.0)) == robot.heard[-1][1])
+    assert not link.bumper()
+
+
+def is_silent(read: Callable[[], Any], sensor: str) -> bool:
+    """Whether the sensor is told to be silent, not missing."""
+    try:
+        read()
+    except PinelError as problem:
+        return (problem.code, problem.params) == ("sensor_silent", {"sensor": sensor})
+    return False
 
 
 def test_a_flood_of_messages_leaves_the_newest(
@@ -260,6 +337,22 @@ def test_sensors_are_those_that_the_robot_publishes(
     assert eventually(lambda: sensors.scan()[::90]) == pytest.approx([1.0, 1.9, 2.8])
     assert eventually(lambda: sensors.sonars()[:2]) == pytest.approx([1.5, 1.6])
     assert eventually(sensors.reader("bumper")) is True
+
+
+def test_a_ring_of_sonars_on_one_topic_is_heard_as_a_whole(
+    start_robot: Callable[..., DdsPeer], connect: Callable[..., RobotLink]
+) -> None:
+    start_robot(sensors=True)
+    sensors = connect(sonar_topic="sonar_ring").sensors
+    wait_for(lambda: len(silent_or(sensors.sonars)) == 16)
+    assert eventually(sensors.sonars) == pytest.approx([1.5 + index / 10 for index in range(16)])
+
+
+def silent_or(read: Callable[[], list[float]]) -> list[float]:
+    try:
+        return read()
+    except PinelError:
+        return []
 
 
 def eventually(read: Callable[[], Any]) -> Any:
@@ -290,6 +383,24 @@ def test_a_bridge_to_ros_1_that_publishes_commands_too_is_the_robot(
     assert connect().read().pose.x_m == 0.0
 
 
+def test_a_pc_of_the_same_name_is_another_pc(
+    start_robot: Callable[..., DdsPeer],
+    connect: Callable[..., RobotLink],
+    domain: int,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """PCs that were set up from one image have one name, and a process there is none of here."""
+    start_robot()
+    told = f"pinel={platform.node()}/4194304999/abc;".encode()
+    with monkeypatch.context() as other_pc:
+        other_pc.setattr(session, "own_user_data", lambda: told)
+        other = session.Session(domain, ("127.0.0.1",))
+    other.writer("cmd_vel", Twist)
+    problem = refused(connect)
+    other.close()
+    assert (problem.code, problem.params["holder"]) == ("robot_held", platform.node())
+
+
 def test_somebody_else_who_begins_to_drive_stops_the_run(
     start_robot: Callable[..., DdsPeer], connect: Callable[..., RobotLink]
 ) -> None:
@@ -307,3 +418,16 @@ def test_the_link_is_loaded_for_a_robot_only() -> None:
         "sys.exit('cyclonedds' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_robots_of_a_domain_are_found_with_their_namespace_and_who_drives_them() -> None:
+    with own_domain() as domain, contextlib.ExitStack() as ending:
+        for namespace, more in {"": {}, "lab/r2": {"publishes_commands": True}}.items():
+            ending.callback(DdsPeer(domain, namespace=namespace, **more).close)
+        found = find_robots(local_record(domain, namespace="nobody"))
+        assert find_robots(local_record(domain)) == found
+    assert [(one.namespace, one.command_topic, one.odometry_topic) for one in found] == [
+        ("", "cmd_vel", "odom"),
+        ("lab/r2", "cmd_vel", "odom"),
+    ]
+    assert [one.holder for one in found] == [None, platform.node()]

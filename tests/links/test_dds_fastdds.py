@@ -18,6 +18,8 @@ from tests.links.fastdds_peer.build import built_peer
 from tests.links.fastdds_peer.process import CommandType, FastDdsPeer
 from tests.links.real_link_contract import AHEAD, FAR, STANDS_WITHIN_S, LiveRun
 
+pytestmark = pytest.mark.waits
+
 HASHES = get_typestore(Stores.ROS2_JAZZY)
 Robots = Callable[..., FastDdsPeer]
 DDS_SAYS_SO_S = 10.0  # lease duration of participants

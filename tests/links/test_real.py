@@ -25,6 +25,8 @@ from pinel_desktop.worlds import read_own_world
 from tests.links.real_link_contract import Peer, RealLinkContract
 from tests.links.unicycle import MemoryTransport, Unicycle
 
+pytestmark = pytest.mark.waits
+
 ROOM = Room(width_m=20.0, depth_m=20.0)
 # a robot of its own: other tests drive theirs at the same time
 FAST = BridgeRecord(host=f"memory-{os.getpid()}", max_v_mps=1.2, max_omega_dps=300.0, room=ROOM)

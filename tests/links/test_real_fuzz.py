@@ -46,7 +46,7 @@ velocities = st.builds(Twist2D, anything, anything)
 
 
 class Silent:
-    """A transport that keeps what it is given; its robot says once that it is there.
+    """A transport that keeps what it is given; its robot says a few times that it is there.
 
     Attributes:
         sent: all velocities.
@@ -57,7 +57,11 @@ class Silent:
         self.sent: list[Twist2D] = []
 
     def open(self, receiver: Receiver, cancelled: Cancelled) -> None:
-        receiver.on_odometry(Odometry(0.0, 0.0, 0.0, 0.0, 0.0, None, "odom"))
+        for _ in range(6):
+            receiver.on_odometry(Odometry(0.0, 0.0, 0.0, 0.0, 0.0, None, "odom"))
+
+    def listen(self, receiver: Receiver, cancelled: Cancelled) -> None:
+        self.open(receiver, cancelled)
 
     def send(self, twist: Twist2D) -> None:
         self.sent.append(twist)

@@ -2,13 +2,13 @@
 
 import contextlib
 import json
+import math
 import os
 import signal
-import socket
 import sys
-import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -19,69 +19,12 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.links import open_link
 from pinel_desktop.links.real import RealLink
 from pinel_desktop.links.ros2 import installed, transport
-from pinel_desktop.robot import RobotLink, Twist2D
+from pinel_desktop.robot import PIONEER_3DX, RobotLink, Twist2D
 from pinel_desktop.robot.record import RobotRecord, Room, Ros2Record
 from tests.links.real_link_contract import Peer, RealLinkContract
-from tests.links.unicycle import Unicycle
+from tests.links.socket_robot import SocketRobot, use_fake_ros
 
-FAKE = Path(__file__).parent / "fake_ros"
-GRAPH: dict[str, Any] = {
-    "command_type": "geometry_msgs/msg/Twist",
-    "odometry_type": "nav_msgs/msg/Odometry",
-    "others": [],
-}
-
-
-class SocketRobot:
-    """A unicycle that the fake ROS reaches over a socket; reports 100 times a second.
-
-    Attributes:
-        types: message types of the velocities that came.
-        level: charge that it reports.
-    """
-
-    def __init__(self) -> None:
-        self.unicycle = Unicycle()
-        self.types: set[str] = set()
-        self.level: float | None = None
-        self._server = socket.create_server(("127.0.0.1", 0))
-        self.port = self._server.getsockname()[1]
-        self._ending = threading.Event()
-        self._threads = [threading.Thread(target=self._accept, daemon=True)]
-        self._threads[0].start()
-
-    def _accept(self) -> None:
-        with contextlib.suppress(OSError):
-            while True:
-                node, _ = self._server.accept()
-                for work in (self._hear, self._report):
-                    thread = threading.Thread(target=work, args=(node,), daemon=True)
-                    self._threads.append(thread)
-                    thread.start()
-
-    def _hear(self, node: socket.socket) -> None:
-        with node, contextlib.suppress(OSError), node.makefile("r", encoding="utf-8") as lines:
-            for line in lines:
-                sent = json.loads(line)
-                self.types.add(sent["type"])
-                self.unicycle.hear(Twist2D(*sent["twist"]))
-
-    def _report(self, node: socket.socket) -> None:
-        with contextlib.suppress(OSError):
-            while not self._ending.wait(0.01):
-                if not self.unicycle.is_mute:
-                    report = {"kind": "odometry", "pose": list(self.unicycle.report())}
-                    node.sendall(json.dumps(report).encode() + b"\n")
-                if self.level is not None:
-                    battery = {"kind": "battery", "level": self.level}
-                    node.sendall(json.dumps(battery).encode() + b"\n")
-
-    def close(self) -> None:
-        self._ending.set()
-        self._server.shutdown(socket.SHUT_RDWR)
-        self._server.close()
-        for thread in self._threads:
-            thread.join(5.0)
+pytestmark = pytest.mark.waits
 
 
 def a_record() -> Ros2Record:
@@ -95,19 +38,15 @@ def a_record() -> Ros2Record:
     )
 
 
-def use_fake_ros(monkeypatch: pytest.MonkeyPatch, robot: SocketRobot, **graph: Any) -> None:
-    """Lets the link find the fake ROS in place of an installed one."""
-    monkeypatch.setenv("PINEL_FAKE_ROS", json.dumps({**GRAPH, "port": robot.port, **graph}))
-    monkeypatch.setenv("PYTHONPATH", str(FAKE))
-    monkeypatch.setattr(
-        transport,
-        "node_command",
-        lambda configuration: [sys.executable, str(installed.NODE), configuration],
-    )
-
-
 class TestRos2Link(RealLinkContract):
     link = "ros2"
+
+    def open(self) -> RobotLink:
+        """Waits for the robot's sensors, so that the contract's test of sensors meets them."""
+        link = super().open()
+        read = link.sensors.reader
+        wait_for(lambda: all(answers(read(name)) for name in ("scan", "sonars", "bumper")))
+        return link
 
     @pytest.fixture(autouse=True)
     def _ros(self, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -168,7 +107,8 @@ def test_a_robot_that_wants_stamped_twists_gets_them(
 def test_a_robot_that_tells_its_pose_only_can_be_driven(
     robot: SocketRobot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    use_fake_ros(monkeypatch, robot, odometry_type="geometry_msgs/msg/PoseStamped")
+    published = {"/odom": "geometry_msgs/msg/PoseStamped"}
+    use_fake_ros(monkeypatch, robot, published=published)
     robot.unicycle.x_m = 2.0
     with connected() as link:
         assert link.read().pose.x_m == 2.0
@@ -185,7 +125,7 @@ def test_without_a_robot_topic_and_domain_are_named(
 def test_a_topic_of_another_type_is_named(
     robot: SocketRobot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    use_fake_ros(monkeypatch, robot, odometry_type="std_msgs/msg/String")
+    use_fake_ros(monkeypatch, robot, published={"/odom": "std_msgs/msg/String"})
     error = why_not()
     assert (error.code, error.params["found"]) == ("robot_wrong_type", "std_msgs/msg/String")
 
@@ -198,6 +138,32 @@ def test_a_robot_that_another_node_commands_is_not_driven(
     assert (error.code, error.params["holder"]) == ("robot_held", "joystick")
 
 
+def test_another_node_that_begins_to_command_stops_the_run(
+    robot: SocketRobot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    use_fake_ros(monkeypatch, robot)
+    with connected() as link:
+        robot.let_drive(["joystick"])
+        wait_for(lambda: problem_of(link) == "robot_held")
+        wait_for(lambda: robot.unicycle.stood_from_s() is not None)
+
+
+def test_a_pinel_that_withdraws_disturbs_nobody_who_drives(
+    robot: SocketRobot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    use_fake_ros(monkeypatch, robot)
+    with connected() as link:
+        time.sleep(2.5)  # what came earlier began together with this one
+        robot.let_drive(["pinel_blue_1"])
+        time.sleep(1.0)
+        robot.let_drive([])
+        for _ in range(20):
+            link.read()
+            time.sleep(0.05)
+        robot.let_drive(["pinel_blue_1"])
+        wait_for(lambda: problem_of(link) == "robot_held")
+
+
 def test_a_node_that_also_listens_to_commands_is_the_robot(
     robot: SocketRobot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -206,12 +172,75 @@ def test_a_node_that_also_listens_to_commands_is_the_robot(
         assert link.read().pose.x_m == 0.0
 
 
-def test_the_battery_is_known(robot: SocketRobot, monkeypatch: pytest.MonkeyPatch) -> None:
+def answers(read: Callable[[], Any]) -> bool:
+    try:
+        read()
+    except PinelError:
+        return False
+    return True
+
+
+def test_sensors_are_those_that_the_robot_publishes(
+    robot: SocketRobot, monkeypatch: pytest.MonkeyPatch
+) -> None:
     use_fake_ros(monkeypatch, robot)
-    robot.level = 0.75
     with connected() as link:
         assert isinstance(link, RealLink)
         wait_for(lambda: link.battery == 0.75)
+        wait_for(link.bumper)
+        sensors = link.sensors
+        wait_for(lambda: answers(lambda: (sensors.lidar(0.0), sensors.sonars())))
+        assert (sensors.lidar(0.0), sensors.lidar(math.pi / 2)) == (1.25, 8.0)
+        assert sensors.sonars() == pytest.approx([1.5 + n / 10 for n in range(16)], abs=1e-3)
+
+
+def is_silent(read: Callable[[], Any]) -> bool:
+    """Whether a sensor is told to be silent, not missing."""
+    try:
+        read()
+    except PinelError as problem:
+        return problem.code == "sensor_silent"
+    return False
+
+
+def test_a_ring_of_sonars_on_one_topic_is_heard_as_a_whole(
+    robot: SocketRobot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    use_fake_ros(monkeypatch, robot)
+    with connected(sonar_topic="sonar_ring") as link:
+        wait_for(lambda: answers(lambda: link.sensors.sonar(15)))
+        assert link.sensors.sonars() == pytest.approx([1.5 + n / 10 for n in range(16)])
+
+
+def test_what_vanishes_in_a_run_is_told(
+    robot: SocketRobot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    use_fake_ros(monkeypatch, robot)
+    with connected() as link:
+        assert isinstance(link, RealLink)
+        sensors = link.sensors
+        wait_for(lambda: link.battery == 0.75)
+        reads = {
+            "/scan": lambda: sensors.lidar(0.0),
+            "/sonar": lambda: sensors.sonar(0),
+            "/bumper_state": sensors.reader("bumper"),
+        }
+        for count, read in enumerate(reads.values(), 1):
+            wait_for(partial(answers, read))
+            robot.take_leave_of(list(reads)[:count])
+            wait_for(partial(is_silent, read))
+        robot.take_leave_of([*reads, "/battery_state"])
+        wait_for(lambda: link.battery is None)
+        robot.take_leave_of(["/cmd_vel"])
+        wait_for(lambda: problem_of(link) == "robot_deaf")
+
+
+def problem_of(link: RobotLink) -> str | None:
+    try:
+        link.read()
+    except PinelError as error:
+        return error.code
+    return None
 
 
 def test_without_ros_the_link_says_so(robot: SocketRobot, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -248,15 +277,8 @@ class TestNode:
     def test_a_node_that_is_killed_is_a_problem_of_the_link(self) -> None:
         with connected() as link:
             self.node().kill()
-            wait_for(lambda: self.problem(link) is not None)
-            assert self.problem(link) == "ros_node_ended"
-
-    def problem(self, link: RobotLink) -> str | None:
-        try:
-            link.read()
-        except PinelError as error:
-            return error.code
-        return None
+            wait_for(lambda: problem_of(link) is not None)
+            assert problem_of(link) == "ros_node_ended"
 
     def test_a_node_that_hangs_does_not_hold_up_the_end(self) -> None:
         with connected():
@@ -266,8 +288,8 @@ class TestNode:
 
     def test_a_silent_app_leaves_the_robot_standing(self, robot: SocketRobot) -> None:
         """The whole process is frozen, so that the link's own sender is, too."""
-        configuration = transport.Ros2Transport(a_record())._configuration()
-        node = transport.Ros2Transport(a_record())._started(
+        configuration = transport.Ros2Transport(a_record(), PIONEER_3DX)._configuration()
+        node = transport.Ros2Transport(a_record(), PIONEER_3DX)._started(
             [sys.executable, str(installed.NODE), json.dumps(configuration)]
         )
         assert node.stdin is not None

@@ -64,9 +64,10 @@ def stood_from_s(heard: list[tuple[float, Twist2D]]) -> float | None:
 
 
 class MemoryTransport:
-    """Carries velocities to a unicycle and its reports back, 100 times a second."""
+    """Carries velocities to a unicycle and its reports back, one every `period_s`."""
 
-    def __init__(self, robot: Unicycle) -> None:
+    def __init__(self, robot: Unicycle, period_s: float = 0.01) -> None:
+        self._period_s = period_s
         self.sensors = Sensors()
         self._robot = robot
         self._ending = threading.Event()
@@ -76,8 +77,11 @@ class MemoryTransport:
         self._thread = threading.Thread(target=self._report, args=(receiver,), daemon=True)
         self._thread.start()
 
+    def listen(self, receiver: Receiver, cancelled: Cancelled) -> None:
+        self.open(receiver, cancelled)
+
     def _report(self, receiver: Receiver) -> None:
-        while not self._ending.wait(0.01):
+        while not self._ending.wait(self._period_s):
             if not self._robot.is_mute:
                 receiver.on_odometry(self._robot.report())
 

@@ -4,12 +4,14 @@ Flask is not here because the engine must start fast and knows no page.
 """
 
 import asyncio
+import contextlib
 import errno
 import json
 import socket
 import sys
 import threading
 from collections.abc import Callable
+from concurrent.futures import Future
 from http import HTTPStatus
 
 from pinel_desktop.errors import PinelError
@@ -21,20 +23,37 @@ _MAX_HEAD_BYTES = 8 * 1024
 REQUEST_S = 10.0
 # Beyond, the connection that has been without a whole request for the longest is closed.
 MAX_CONNECTIONS = 32
+_PICTURE_S = 0.1
+_BOUNDARY = "frame"
+STREAM_TYPE = f"multipart/x-mixed-replace; boundary={_BOUNDARY}"
 _END_OF_HEAD = b"\r\n\r\n"
+
+# An answer, or what somebody else will answer.
+Answered = Answer | Future[Answer]
 
 
 class Listener:
     """Listens once constructed, answers after `start`.
 
+    Args:
+        answer: called on the listener's thread; must not wait. A future is the answer of somebody else, and is
+            cancelled when the client hangs up before.
+        max_body: bytes of the largest body, by the target of the request.
+
     Raises:
         PinelError: `bridge_port_busy`, `bridge_address_wrong`.
     """
 
-    def __init__(self, host: str, port: int, answer: Callable[[Request], Answer]) -> None:
+    def __init__(
+        self,
+        host: str,
+        port: int,
+        answer: Callable[[Request], Answered],
+        max_body: Callable[[str], int] = lambda target: MAX_BODY_BYTES,
+    ) -> None:
         self._socket = _listening(host, port)
         self.port: int = self._socket.getsockname()[1]
-        self._answer = answer
+        self._answer, self._max_body = answer, max_body
         self._connections: dict[_Connection, None] = {}  # the one that was served last is last
         self._ready = threading.Event()
         self._thread = threading.Thread(target=self._work, name="bridge", daemon=True)
@@ -69,32 +88,37 @@ class Listener:
         await asyncio.sleep(0)  # the connections take leave in the loop's next round
 
     def _connection(self) -> "_Connection":
-        return _Connection(self._answer, self._connections)
+        return _Connection(self._answer, self._max_body, self._connections)
 
 
 class _Connection(asyncio.Protocol):
-    """One client: reads a request, answers it, and so on.
-
-    Args:
-        connections: those of the server; this one enters and leaves by itself.
-    """
+    """One client: requests of HTTP/1.1 one after another, each answered before the next is read."""
 
     def __init__(
         self,
-        answer: Callable[[Request], Answer],
+        answer: Callable[[Request], Answered],
+        max_body: Callable[[str], int],
         connections: "dict[_Connection, None]",
     ) -> None:
-        self._answer, self._connections = answer, connections
+        self._answer, self._max_body, self._connections = answer, max_body, connections
         self._loop = asyncio.get_running_loop()
         self._buffer = bytearray()
         self._was_told_to_continue = False
+        self._awaited: Future[Answer] | None = None
+        self._is_stream = self._is_full = False
+
+    @property
+    def is_waiting(self) -> bool:
+        """Whether somebody else works on the answer."""
+        return self._awaited is not None
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         assert isinstance(transport, asyncio.Transport)
         self._transport = transport
         self._client: str = transport.get_extra_info("peername")[0]
         while len(self._connections) >= MAX_CONNECTIONS:
-            next(iter(self._connections)).abort()
+            idle = (other for other in self._connections if not other.is_waiting)
+            next(idle, next(iter(self._connections))).abort()
         self._begin_request()
 
     def _begin_request(self) -> None:
@@ -106,6 +130,8 @@ class _Connection(asyncio.Protocol):
     def connection_lost(self, error: Exception | None) -> None:
         self._deadline.cancel()
         self._connections.pop(self, None)
+        if self._awaited is not None:
+            self._awaited.cancel()
 
     def abort(self) -> None:
         """Closes the connection without an answer."""
@@ -113,31 +139,91 @@ class _Connection(asyncio.Protocol):
         self._transport.abort()
 
     def pause_writing(self) -> None:
-        """The client sends requests and takes no answers."""
-        self.abort()
+        """The client takes no answers: one of a stream gets the next picture later, others are closed."""
+        if not self._is_stream:
+            self.abort()
+            return
+        self._is_full = True
+        self._deadline = self._loop.call_later(REQUEST_S, self.abort)
+
+    def resume_writing(self) -> None:
+        """The client has taken its picture."""
+        self._is_full = False
+        self._deadline.cancel()
 
     def data_received(self, data: bytes) -> None:
         self._buffer += data
+        if self.is_waiting or self._is_stream:
+            if len(self._buffer) > MAX_BODY_BYTES:
+                self.abort()
+            return
         self._go_on()
 
     def _go_on(self) -> None:
         """Answers the first request in the buffer, if it is whole; what is behind it waits for the others' turn."""
-        if self._transport.is_closing():
+        if self._transport.is_closing() or self.is_waiting:
             return
         try:
-            request, is_last = self._next_request()
+            request, self._is_last = self._next_request()
         except PinelError as error:
-            self._reply(refusal(error), is_last=True)
+            self._is_last = True
+            self._reply(refusal(error))
             return
         if request is None:
             self._transport.resume_reading()
             return
-        self._reply(self._answer(request), is_last)
-        if self._buffer:
-            self._transport.pause_reading()
-            self._loop.call_soon(self._go_on)
+        self._request = request
+        self._ask()
+
+    def _ask(self) -> None:
+        answer = self._answer(self._request)
+        if isinstance(answer, Answer):
+            self._take(answer)
+            return
+        self._deadline.cancel()
+        self._awaited = answer
+        self._transport.resume_reading()  # or nobody would notice that the client hangs up
+        _keep_alive(self._transport.get_extra_info("socket"))
+        answer.add_done_callback(self._settled)
+
+    def _settled(self, answer: "Future[Answer]") -> None:
+        """Called on any thread."""
+        if not answer.cancelled():
+            with contextlib.suppress(RuntimeError):  # the listener was closed meanwhile
+                self._loop.call_soon_threadsafe(self._take, answer.result())
+
+    def _take(self, answer: Answer) -> None:
+        self._awaited = None
+        if self._transport.is_closing():
+            return
+        if answer.jpeg is not None:
+            self._show(answer, answer.jpeg)
+        elif self._is_stream:  # there are no more pictures
+            self._transport.close()
         else:
-            self._transport.resume_reading()
+            self._reply(answer)
+            if self._buffer:
+                self._transport.pause_reading()
+                self._loop.call_soon(self._go_on)
+            else:
+                self._transport.resume_reading()
+
+    def _show(self, answer: Answer, jpeg: bytes) -> None:
+        """One picture of a stream; the next is asked for a moment later, or when the client has taken this one."""
+        self._deadline.cancel()
+        if not self._is_stream:
+            self._is_stream = True
+            self._transport.write(_head(answer, {"Content-Type": STREAM_TYPE}, is_last=True))
+        self._transport.write(_part(jpeg))
+        self._loop.call_later(_PICTURE_S, self._ask_again)
+
+    def _ask_again(self) -> None:
+        if self._transport.is_closing():
+            return
+        if self._is_full:
+            self._loop.call_later(_PICTURE_S, self._ask_again)
+        else:
+            self._ask()
 
     def _next_request(self) -> tuple[Request | None, bool]:
         """A whole request, and whether it is the last; None while its end has not come.
@@ -150,7 +236,7 @@ class _Connection(asyncio.Protocol):
                 raise PinelError("bridge_request_wrong", detail="head too long")
             return None, False
         method, target, version, headers = _parsed(bytes(self._buffer[:end]))
-        length, begin = _length(headers), end + len(_END_OF_HEAD)
+        length, begin = _length(headers, self._max_body(target)), end + len(_END_OF_HEAD)
         if len(self._buffer) < begin + length:
             self._tell_to_continue(headers)
             return None, False
@@ -166,10 +252,10 @@ class _Connection(asyncio.Protocol):
             self._was_told_to_continue = True
             self._transport.write(b"HTTP/1.1 100 Continue\r\n\r\n")
 
-    def _reply(self, answer: Answer, is_last: bool) -> None:
+    def _reply(self, answer: Answer) -> None:
         self._deadline.cancel()
-        self._transport.write(_encoded(answer, is_last))
-        if is_last:
+        self._transport.write(_encoded(answer, self._is_last))
+        if self._is_last:
             self._transport.close()
         self._begin_request()  # a client that does not take its answer meets the deadline too
 
@@ -191,30 +277,48 @@ def _parsed(head: bytes) -> tuple[str, str, str, dict[str, str]]:
     return words[0], words[1], words[2], headers
 
 
-def _length(headers: dict[str, str]) -> int:
+def _length(headers: dict[str, str], most: int) -> int:
     """Bytes of the body. Raises PinelError `bridge_request_wrong`, `bridge_too_large`."""
     if "transfer-encoding" in headers:
         raise PinelError("bridge_request_wrong", detail="Transfer-Encoding")
     text = headers.get("content-length", "0")
     if not (text.isascii() and text.isdigit()):
         raise PinelError("bridge_request_wrong", detail=f"Content-Length: {text}")
-    if len(text) > 9 or int(text) > MAX_BODY_BYTES:
-        raise PinelError("bridge_too_large", max_kib=MAX_BODY_BYTES // 1024)
+    if len(text) > 9 or int(text) > most:
+        raise PinelError("bridge_too_large", max_kib=most // 1024)
     return int(text)
 
 
 def _encoded(answer: Answer, is_last: bool) -> bytes:
-    body = json.dumps(answer.document, allow_nan=False).encode()
-    headers = {
-        "Content-Type": "application/json",
-        "Content-Length": str(len(body)),
+    document = answer.document
+    body = b"" if document is None else json.dumps(document, allow_nan=False).encode()
+    headers = {"Content-Type": "application/json", "Content-Length": str(len(body))}
+    return _head(answer, headers, is_last=is_last) + body
+
+
+def _head(answer: Answer, headers: dict[str, str], *, is_last: bool) -> bytes:
+    told = {
+        **headers,
         "Cache-Control": "no-store",
         "Connection": "close" if is_last else "keep-alive",
         **answer.headers,
     }
     lines = [f"HTTP/1.1 {answer.status} {HTTPStatus(answer.status).phrase}"]
-    lines += [f"{name}: {value}" for name, value in headers.items()]
-    return "\r\n".join([*lines, "", ""]).encode() + body
+    lines += [f"{name}: {value}" for name, value in told.items()]
+    return "\r\n".join([*lines, "", ""]).encode()
+
+
+def _part(jpeg: bytes) -> bytes:
+    head = f"--{_BOUNDARY}\r\nContent-Type: image/jpeg\r\nContent-Length: {len(jpeg)}\r\n\r\n"
+    return head.encode() + jpeg + b"\r\n"
+
+
+def _keep_alive(connected: socket.socket) -> None:
+    """Notices within seconds that the client is out of reach: a robot drives as long as it is there."""
+    connected.setsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1)
+    for name, value in (("TCP_KEEPIDLE", 2), ("TCP_KEEPINTVL", 1), ("TCP_KEEPCNT", 3)):
+        if hasattr(socket, name):
+            connected.setsockopt(socket.IPPROTO_TCP, getattr(socket, name), value)
 
 
 def _listening(host: str, port: int) -> socket.socket:

@@ -1,25 +1,22 @@
 """Which requests of the bridge are answered, and how: pure but for the exchange behind them."""
 
-import hmac
-import ipaddress
 import json
-import socket
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, NoReturn
-from urllib.parse import parse_qs, urlsplit
+from typing import Any, NoReturn, Protocol
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.links.bridge.exchange import POSE_EXAMPLE, Exchange
+from pinel_desktop.links.bridge.callers import Callers
+from pinel_desktop.links.bridge.exchange import POSE_EXAMPLE
 from pinel_desktop.messages import explain
 from pinel_desktop.robot.record import BridgeRecord
 
-KEY_HEADER = "x-pinel-key"
 STATUS = {
     "bridge_request_wrong": 400,
     "bridge_key_wrong": 401,
     "bridge_host_wrong": 403,
     "bridge_origin_wrong": 403,
+    "bridge_page_foreign": 403,
     "bridge_path_unknown": 404,
     "bridge_method_wrong": 405,
     "bridge_other_client": 409,
@@ -28,6 +25,8 @@ STATUS = {
     "bridge_too_large": 413,
     "bridge_json_invalid": 422,
     "bridge_pose_invalid": 422,
+    "bridge_too_many": 503,
+    "bridge_app_silent": 504,
 }
 
 
@@ -44,20 +43,37 @@ class Request:
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """Status, JSON document, and more headers than those that every answer has."""
+    """Status, JSON document (None for an empty body), and more headers than those that every answer has.
+
+    Attributes:
+        jpeg: a picture of a stream in place of the document; the same request is then made again for the next one.
+    """
 
     status: int
-    document: Mapping[str, Any]
+    document: Mapping[str, Any] | None
     headers: Mapping[str, str] = field(default_factory=dict)
+    jpeg: bytes | None = None
+
+
+class Conversation(Protocol):
+    """What the client of the bridge is told, and what becomes of what it tells: `exchange.Exchange`."""
+
+    def velocity(self, client: str) -> dict[str, Any]: ...
+
+    def take_pose(self, client: str, document: object) -> dict[str, Any]: ...
+
+    def status(self) -> dict[str, Any]: ...
+
+    def begin(self, client: str) -> dict[str, Any]: ...
+
+    def end(self, client: str) -> dict[str, Any]: ...
 
 
 class Routes:
     """Answers requests for the record's address and key."""
 
-    def __init__(self, record: BridgeRecord, exchange: Exchange) -> None:
-        self._key = record.key
-        self._names = {"localhost", record.host.lower(), *_names_of_this_pc()}
-        self._exchange = exchange
+    def __init__(self, record: BridgeRecord, exchange: Conversation) -> None:
+        self._callers = Callers(record)
         self._routes: dict[str, tuple[str, Callable[[Request], dict[str, Any]]]] = {
             "/bridge/cmd_vel": ("GET", lambda request: exchange.velocity(request.client)),
             "/bridge/pose": (
@@ -69,6 +85,11 @@ class Routes:
             "/bridge/run_end": ("POST", lambda request: exchange.end(request.client)),
         }
 
+    @property
+    def paths(self) -> list[str]:
+        """All paths that are answered here."""
+        return list(self._routes)
+
     def answer(self, request: Request) -> Answer:
         """The answer to any request; what is wrong with it is said in words."""
         try:
@@ -78,30 +99,14 @@ class Routes:
 
     def _answer(self, request: Request) -> dict[str, Any]:
         path, _, query = request.target.partition("?")
-        self._require_own_site(request.headers)
-        self._require_key(request.headers, query)
+        self._callers.require_program(request.headers)
+        self._callers.require_key(request.headers, query)
         if path not in self._routes:
-            raise PinelError("bridge_path_unknown", path=path, known=list(self._routes))
+            raise PinelError("bridge_path_unknown", path=path, known=self.paths)
         method, handle = self._routes[path]
         if request.method != method:
             raise PinelError("bridge_method_wrong", method=request.method, allowed=method)
         return handle(request)
-
-    def _require_own_site(self, headers: Mapping[str, str]) -> None:
-        """Refuses what a foreign web page makes a browser send, also by a name that leads here (DNS rebinding)."""
-        if "origin" in headers or headers.get("sec-fetch-site", "none") != "none":
-            raise PinelError("bridge_origin_wrong", origin=headers.get("origin", ""))
-        host = headers.get("host", "")
-        name = _name_in(host)
-        if host and name not in self._names and not _is_ip(name):
-            raise PinelError("bridge_host_wrong", host=host)
-
-    def _require_key(self, headers: Mapping[str, str], query: str) -> None:
-        if not self._key:
-            return
-        given = headers.get(KEY_HEADER, "").encode("latin-1") or _key_in(query)
-        if not hmac.compare_digest(given, self._key.encode()):
-            raise PinelError("bridge_key_wrong")
 
 
 def refusal(error: PinelError) -> Answer:
@@ -133,28 +138,3 @@ def _document(body: bytes) -> Any:
 
 def _no_number(text: str) -> NoReturn:
     raise ValueError(f"{text} is no number")
-
-
-def _key_in(query: str) -> bytes:
-    return parse_qs(query).get("key", [""])[0].encode(errors="replace")
-
-
-def _name_in(host: str) -> str:
-    """The name of a Host header, without its port; "" for none."""
-    try:
-        return (urlsplit(f"//{host}").hostname or "").lower()
-    except ValueError:
-        return ""
-
-
-def _is_ip(name: str) -> bool:
-    try:
-        ipaddress.ip_address(name)
-    except ValueError:
-        return False
-    return True
-
-
-def _names_of_this_pc() -> set[str]:
-    name = socket.gethostname().lower()
-    return {name, name.partition(".")[0], f"{name.partition('.')[0]}.local"}

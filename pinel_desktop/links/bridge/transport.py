@@ -7,6 +7,7 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.links.bridge.exchange import Exchange
 from pinel_desktop.links.bridge.listener import Listener
 from pinel_desktop.links.bridge.routes import Routes
+from pinel_desktop.links.bridge.standing import StandingBridge, standing_bridge
 from pinel_desktop.links.real import RealLink, real_link
 from pinel_desktop.links.transport import Cancelled, Receiver
 from pinel_desktop.robot import Sensors, Setting, Twist2D
@@ -18,7 +19,9 @@ _FAREWELL_S = 1.0
 
 
 class BridgeTransport:
-    """Listens while it is open. The client comes to PINEL, so opening waits for it, as long as the record says.
+    """Listens while it is open, or uses the bridge that stands at its address.
+
+    The client comes to PINEL, so opening waits for it, as long as the record says.
 
     Attributes:
         port: where it listens; that of the record unless that is 0, which chooses a free one.
@@ -30,18 +33,31 @@ class BridgeTransport:
         self._record = record
         self._exchange: Exchange | None = None
         self._listener: Listener | None = None
+        self._standing: StandingBridge | None = None
+        self._routes: Routes | None = None
 
     def open(self, receiver: Receiver, cancelled: Cancelled) -> None:
         record = self._record
         self._exchange = exchange = Exchange(receiver)
-        routes = Routes(record, exchange)
-        self._listener = Listener(record.host, record.port, routes.answer)
-        self.port = self._listener.port
-        self._listener.start()
+        self._answer(Routes(record, exchange))
         due_s = time.monotonic() + record.wait_s
         while not exchange.asked.wait(_POLL_S) and not cancelled():
             if time.monotonic() > due_s:
                 raise PinelError("bridge_no_client", host=record.url_host, port=self.port)
+
+    def listen(self, receiver: Receiver, cancelled: Cancelled) -> None:
+        """Takes poses and hands out zeros; a client that comes later is heard, too."""
+        self._answer(Routes(self._record, Exchange(receiver)))
+
+    def _answer(self, routes: Routes) -> None:
+        """Answers clients from now on."""
+        self._routes, self._standing = routes, standing_bridge(self._record)
+        if self._standing is not None:
+            self._standing.attach(routes)
+            return
+        self._listener = Listener(self._record.host, self._record.port, routes.answer)
+        self.port = self._listener.port
+        self._listener.start()
 
     def send(self, twist: Twist2D) -> None:
         if self._exchange is not None:
@@ -51,10 +67,12 @@ class BridgeTransport:
         return False
 
     def close(self) -> None:
-        if self._listener is None or self._exchange is None:
-            return
-        self._exchange.finish(_FAREWELL_S)
-        self._listener.close()
+        if self._exchange is not None and (self._listener or self._standing):
+            self._exchange.finish(_FAREWELL_S)
+        if self._listener is not None:
+            self._listener.close()
+        if self._standing is not None and self._routes is not None:
+            self._standing.detach(self._routes)
 
 
 def bridge_link(*, world: Any, setting: Setting, seed: int, robot: RobotRecord | None) -> RealLink:

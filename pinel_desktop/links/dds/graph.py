@@ -1,6 +1,5 @@
 """Who publishes and subscribes what in a domain, from DDS's built-in topics."""
 
-import platform
 import re
 import uuid
 from collections.abc import Iterator
@@ -18,10 +17,10 @@ from cyclonedds.builtin import (
 from cyclonedds.core import InstanceState, Policy, Qos
 from cyclonedds.domain import DomainParticipant
 
-from pinel_desktop.links.dds.session import TOPIC_PREFIX, Session
+from pinel_desktop.links.dds.session import TOPIC_PREFIX, Session, this_machine
 
 _AT_ONCE = 200
-_PINEL = re.compile(r"pinel=([^;/]*)/(\d+);")
+_PINEL = re.compile(r"pinel=([^;/]*)/(\d+)/([0-9a-f]+);")
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +46,7 @@ class Participant:
     Attributes:
         name: of its PC as far as it is told, else its identifier.
         is_pinel: it is a PINEL.
-        is_gone: its process, on this PC, has ended; DDS notices after ten seconds only.
+        is_gone: it is a PINEL of this PC whose process has ended; DDS notices after ten seconds only.
     """
 
     name: str
@@ -77,12 +76,12 @@ class Graph:
         """Who an endpoint belongs to."""
         found = self._participants.now().get(key)
         qos = found.qos if found is not None else Qos()
-        host, pid = _properties(qos)
         pinel = _PINEL.search(_user_data(qos))
-        if pinel:
-            host, pid = pinel[1], pinel[2]
-        is_gone = host == platform.node() and pid.isdigit() and not psutil.pid_exists(int(pid))
-        return Participant(host or str(key), pinel is not None, is_gone)
+        if pinel is None:
+            return Participant(_host(qos) or str(key), is_pinel=False, is_gone=False)
+        host, pid, machine = pinel.groups()
+        is_gone = machine == this_machine() and not psutil.pid_exists(int(pid))
+        return Participant(host, is_pinel=True, is_gone=is_gone)
 
     def _endpoints(self, collected: "_Collected", topic: str) -> Iterator[Endpoint]:
         for found in collected.now().values():
@@ -115,7 +114,7 @@ def _user_data(qos: Qos) -> str:
     return told.data.decode("utf-8", "replace") if told else ""
 
 
-def _properties(qos: Qos) -> tuple[str, str]:
-    """Name of the PC and number of the process, which participants of Cyclone DDS tell."""
+def _host(qos: Qos) -> str:
+    """Name of the PC, which participants of Cyclone DDS tell."""
     told = {policy.key: policy.value for policy in qos if isinstance(policy, Policy.Property)}
-    return told.get("__Hostname", ""), told.get("__Pid", "")
+    return str(told.get("__Hostname", ""))

@@ -100,6 +100,13 @@ class Receiving:
         if message in _OFFERED:
             self._sensors.offer(_OFFERED[message])
 
+    def withdraw(self, message: type[IdlStruct]) -> None:
+        """The robot publishes messages of this type no more: what the last one told counts no longer."""
+        if message in _OFFERED:
+            self._sensors.withdraw(_OFFERED[message])
+        else:
+            self._receiver.on_battery(math.nan)
+
     def _work(self) -> None:
         watched_s = -math.inf
         while not self._ending.is_set():

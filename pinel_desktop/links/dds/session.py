@@ -4,6 +4,7 @@ import itertools
 import os
 import platform
 import socket
+import uuid
 from collections.abc import Sequence
 from typing import Any, TypeVar
 from xml.sax.saxutils import quoteattr
@@ -29,7 +30,8 @@ _DISCOVERY_PORT = 7400  # of domain 0; any port tells the way to a peer
 _own_numbers = itertools.count(1000)
 
 _XCDR1 = Policy.DataRepresentation(use_cdrv0_representation=True, use_xcdrv2_representation=False)
-_NEWEST = Policy.History.KeepLast(1)
+# A robot with a ring of sonars tells all of them at once on one topic.
+_SONARS = 32
 _E = TypeVar("_E", bound=Entity)
 
 
@@ -65,7 +67,8 @@ class Session:
 
     def reader(self, topic: str, message: type[IdlStruct]) -> "DataReader[Any]":
         """A reader of the newest message; it matches reliable and other writers."""
-        qos = _endpoint_qos(message, Policy.Reliability.BestEffort)
+        depth = _SONARS if message in {Range, RangeBeforeIron} else 1
+        qos = _endpoint_qos(message, Policy.Reliability.BestEffort, depth)
         return self._keep(DataReader(self.participant, self._topic(topic, message), qos=qos))
 
     def close(self) -> None:
@@ -88,8 +91,13 @@ def delete(entity: Entity) -> None:
 
 
 def own_user_data() -> bytes:
-    """What other PCs read about this participant: the context of ROS, this PC's name and process."""
-    return f"enclave=/;pinel={platform.node() or 'PC'}/{os.getpid()};".encode()
+    """What other PCs read about this participant: the context of ROS, this PC's name, process and machine."""
+    return f"enclave=/;pinel={platform.node() or 'PC'}/{os.getpid()}/{this_machine()};".encode()
+
+
+def this_machine() -> str:
+    """Tells PCs apart that share their name, as those that were set up from one image do."""
+    return f"{uuid.getnode():x}"
 
 
 def configuration(domain: int, peers: Sequence[str]) -> str:
@@ -121,10 +129,10 @@ def _address_towards(peer: str) -> str:
         raise PinelError("network_missing", detail=str(error)) from error
 
 
-def _endpoint_qos(message: type[IdlStruct], reliability: Any) -> Qos:
+def _endpoint_qos(message: type[IdlStruct], reliability: Any, depth: int = 1) -> Qos:
     told = TYPE_HASHES.get(message)
     user_data = [Policy.Userdata(f"typehash={told};".encode())] if told else []
-    return Qos(reliability, _NEWEST, _XCDR1, *user_data)
+    return Qos(reliability, Policy.History.KeepLast(depth), _XCDR1, *user_data)
 
 
 def range_type(user_data: str) -> type[IdlStruct]:

@@ -24,7 +24,9 @@ from pinel_desktop.robot import STANDSTILL, RobotModel, Sensors, Setting, Twist2
 from pinel_desktop.robot.record import DdsRecord, RobotRecord
 
 _FOUND_WITHIN_S = 5.0
-_MATCHED_WITHIN_S = 3.0
+_MATCHED_WITHIN_S = 5.0
+# A robot whose program begins anew hears again within this time.
+_DEAF_S = 1.0
 _POLL_S = 0.05
 
 
@@ -40,24 +42,61 @@ class DdsTransport:
         self._writer: DataWriter[Any] | None = None
         self._message: Callable[[Twist2D], IdlStruct] = _plain
         self._receiving: Receiving | None = None
+        self._is_open = False
+        self._deaf_since_s: float | None = None
 
     def open(self, receiver: Receiver, cancelled: Cancelled) -> None:
-        peers = _addresses(self._record.peers, cancelled)
-        if cancelled():
+        found = self._found(cancelled)
+        if found is None:
             return
+        session, graph, search = found
+        holding = Holding(graph, self._command_topic)
+        if not _wait(holding.is_free, cancelled, _FOUND_WITHIN_S):
+            if cancelled():
+                return
+            raise holding.problem()
+
+        def watch() -> None:
+            holding.require_alone()
+            self._require_heard()
+
+        self._receiving = receiving = self._receive(session, graph, search, receiver, watch)
+        assert search.command_type is not None
+        self._message = receiving.stamped if search.command_type is TwistStamped else _plain
+        self._writer = session.writer(self._command_topic, search.command_type)
+        holding.began()
+        receiving.start()
+        if not _wait(self._is_matched, cancelled, _MATCHED_WITHIN_S) and not cancelled():
+            raise self._deaf()
+        self._is_open = True
+
+    def listen(self, receiver: Receiver, cancelled: Cancelled) -> None:
+        found = self._found(cancelled)
+        if found is None:
+            return
+        session, graph, search = found
+        holding = Holding(graph, self._command_topic)
+
+        def watch() -> None:
+            holder = holding.holder()
+            receiver.on_holder(holder.name if holder else None)
+
+        self._receiving = self._receive(session, graph, search, receiver, watch)
+        self._receiving.start()
+
+    def _found(self, cancelled: Cancelled) -> tuple[Session, Graph, Search] | None:
+        """Looks for the robot; None where it was cancelled."""
+        peers = addresses(self._record.peers, cancelled)
+        if cancelled():
+            return None
         self._session = session = Session(self._record.domain, peers)
         graph = Graph(session)
-        search, holding = Search(graph, self._record), Holding(graph, self._command_topic)
-        for condition, problem in (
-            (search.is_complete, search.problem),
-            (holding.is_free, holding.problem),
-        ):
-            if not _wait(condition, cancelled, _FOUND_WITHIN_S):
-                if cancelled():
-                    return
-                raise problem()
-        self._connect(session, graph, search, holding, receiver)
-        _wait(self._is_matched, cancelled, _MATCHED_WITHIN_S)
+        search = Search(graph, self._record)
+        if _wait(search.is_complete, cancelled, _FOUND_WITHIN_S):
+            return session, graph, search
+        if cancelled():
+            return None
+        raise search.problem()
 
     def send(self, twist: Twist2D) -> None:
         if self._writer is not None:
@@ -72,35 +111,49 @@ class DdsTransport:
         if self._session is not None:
             self._session.close()
 
-    def _connect(
+    def _receive(
         self,
         session: Session,
         graph: Graph,
         search: Search,
-        holding: Holding,
         receiver: Receiver,
-    ) -> None:
-        command, odometry = search.command_type, search.odometry_type
-        assert command is not None
-        assert odometry is not None
+        watch: Callable[[], None],
+    ) -> Receiving:
+        """Receives, once started, odometry and whatever sensors the robot comes to publish."""
         found = _Sensors(graph, self._record)
 
-        def watch() -> None:
+        def look() -> None:
             for topic, message in found.new():
                 receiving.subscribe(topic, message)
-            holding.require_alone()
+            for message in found.gone():
+                receiving.withdraw(message)
+            watch()
 
-        self._receiving = receiving = Receiving(session, receiver, self._sensors, watch)
-        self._message = receiving.stamped if command is TwistStamped else _plain
-        self._writer = session.writer(self._command_topic, command)
-        holding.began()
-        receiving.subscribe(self._record.name_of(self._record.odometry_topic), odometry)
-        receiving.start()
+        assert search.odometry_type is not None
+        receiving = Receiving(session, receiver, self._sensors, look)
+        receiving.subscribe(self._record.name_of(self._record.odometry_topic), search.odometry_type)
+        return receiving
 
     def _is_matched(self) -> bool:
         """Sends zeros until the robot hears them: the first ones of a new publisher are lost on their way."""
         self.send(STANDSTILL)
+        return self._is_heard()
+
+    def _is_heard(self) -> bool:
         return bool(self._writer and self._writer.get_matched_subscriptions())
+
+    def _require_heard(self) -> None:
+        """Raises PinelError `robot_deaf` when nobody takes the commands any more."""
+        if not self._is_open or self._is_heard():
+            self._deaf_since_s = None
+            return
+        now_s = time.monotonic()
+        self._deaf_since_s = self._deaf_since_s or now_s
+        if now_s - self._deaf_since_s > _DEAF_S:
+            raise self._deaf()
+
+    def _deaf(self) -> PinelError:
+        return PinelError("robot_deaf", topic=f"/{self._command_topic}")
 
 
 class _Sensors:
@@ -116,6 +169,7 @@ class _Sensors:
             (record.battery_topic, (messages.BatteryState,)),
         )
         self._waiting = {record.name_of(topic): kinds for topic, kinds in rows if topic}
+        self._found: dict[str, type[IdlStruct]] = {}
 
     def new(self) -> list[tuple[str, type[IdlStruct]]]:
         """Topics and types that have been found since the last call."""
@@ -130,7 +184,12 @@ class _Sensors:
                     found.append((topic, range_type(publisher.user_data) if is_range else kind))
                     del self._waiting[topic]
                     break
+        self._found.update(found)
         return found
+
+    def gone(self) -> list[type[IdlStruct]]:
+        """Types of the topics that were found, and that nobody publishes now."""
+        return [kind for topic, kind in self._found.items() if not self._graph.publishers(topic)]
 
 
 def _plain(twist: Twist2D) -> Twist:
@@ -149,7 +208,7 @@ def _wait(condition: Callable[[], bool], cancelled: Cancelled, seconds: float) -
     return False
 
 
-def _addresses(peers: tuple[str, ...], cancelled: Cancelled) -> list[str]:
+def addresses(peers: tuple[str, ...], cancelled: Cancelled) -> list[str]:
     """Numeric addresses of peers. Raises PinelError `peer_unknown`. A slow name server holds up nobody."""
     found: dict[str, str] = {}
 

@@ -7,6 +7,7 @@ import os
 import platform
 import queue
 import re
+import secrets
 import subprocess
 import threading
 import time
@@ -16,27 +17,37 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.links.odometry import yaw_of
 from pinel_desktop.links.real import RealLink, real_link
 from pinel_desktop.links.ros2.installed import node_command
+from pinel_desktop.links.ros_sensors import RosSensors, Scan
 from pinel_desktop.links.transport import Cancelled, Odometry, Receiver
-from pinel_desktop.robot import Sensors, Setting, Twist2D
+from pinel_desktop.robot import RobotModel, Sensors, Setting, Twist2D
 from pinel_desktop.robot.record import RobotRecord, Ros2Record
 
 # ROS itself starts in 1 to 2 s; finding the robot takes up to 5 s more
 _OPEN_S = 15.0
 _POLL_S = 0.05
 _END_S = 3.0
+_TOPICS = (
+    "command_topic",
+    "odometry_topic",
+    "scan_topic",
+    "sonar_topic",
+    "bumper_topic",
+    "battery_topic",
+)
 Message = dict[str, Any]
 
 
 def ros2_link(*, world: Any, setting: Setting, seed: int, robot: RobotRecord | None) -> RealLink:
     """The link to the robot of a `Ros2Record`."""
-    return real_link(Ros2Transport, setting, robot)
+    return real_link(lambda record: Ros2Transport(record, setting.robot), setting, robot)
 
 
 class Ros2Transport:
     """Talks to the node over pipes. Velocities are handed over without waiting: only the newest one counts."""
 
-    def __init__(self, record: Ros2Record) -> None:
-        self.sensors = Sensors()
+    def __init__(self, record: Ros2Record, robot: RobotModel) -> None:
+        self._sensors = RosSensors(robot)
+        self.sensors: Sensors = self._sensors
         self._record = record
         self._process: subprocess.Popen[str] | None = None
         self._outbox: queue.Queue[Twist2D | None] = queue.Queue(maxsize=1)
@@ -46,7 +57,13 @@ class Ros2Transport:
         self._threads: list[threading.Thread] = []
 
     def open(self, receiver: Receiver, cancelled: Cancelled) -> None:
-        command = node_command(json.dumps(self._configuration()))
+        self._begin(receiver, cancelled, drives=True)
+
+    def listen(self, receiver: Receiver, cancelled: Cancelled) -> None:
+        self._begin(receiver, cancelled, drives=False)
+
+    def _begin(self, receiver: Receiver, cancelled: Cancelled, *, drives: bool) -> None:
+        command = node_command(json.dumps({**self._configuration(), "drives": drives}))
         if command is None:
             raise PinelError("ros_missing")
         self._process = self._started(command)
@@ -67,16 +84,12 @@ class Ros2Transport:
 
     def _configuration(self) -> Message:
         record = self._record
-        topics = {
-            name: topic and record.name_of(topic)
-            for name, topic in (
-                ("command_topic", record.command_topic),
-                ("odometry_topic", record.odometry_topic),
-                ("battery_topic", record.battery_topic),
-            )
-        }
+        names = {name: str(getattr(record, name)) for name in _TOPICS}
+        topics = {name: topic and record.name_of(topic) for name, topic in names.items()}
         holder = re.sub(r"[^A-Za-z0-9]", "_", platform.node()) or "pc"
-        return {**topics, "domain": record.domain, "holder": f"{holder}_{os.getpid()}"}
+        # PCs that were set up from one image have one name, and count their processes alike
+        own = f"{holder}_{os.getpid()}_{secrets.token_hex(3)}"
+        return {**topics, "domain": record.domain, "holder": own}
 
     def _started(self, command: list[str]) -> subprocess.Popen[str]:
         try:
@@ -125,18 +138,43 @@ class Ros2Transport:
         if kind == "odometry":
             receiver.on_odometry(_odometry(message))
         elif kind == "battery":
-            receiver.on_battery(float(message["level"]))
+            level = float(message["level"])  # from 0 to 1; some robots count to 100
+            receiver.on_battery(level / 100 if level > 1.0 else level)
+        elif kind == "holder":
+            receiver.on_holder(message["name"])
         elif kind == "ready":
             self._is_ready.set()
         elif kind == "problem":
             self._report(PinelError(message["code"], **message["params"]), receiver)
+        elif message.get("sensor") == "battery":
+            if kind == "gone":
+                receiver.on_battery(math.nan)
+        else:
+            self._take_sensor(kind, message)
+
+    def _take_sensor(self, kind: str, message: Message) -> None:
+        sensors = self._sensors
+        if kind == "offered":
+            sensors.offer(message["sensor"])
+        elif kind == "gone":
+            sensors.withdraw(message["sensor"])
+        elif kind == "scan":
+            shortest_m, longest_m = message["bounds"]
+            bounds = (message["first"], message["step"], shortest_m, longest_m)
+            sensors.on_scan(Scan(*bounds, message["ranges"]))
+        elif kind == "range":
+            sensors.on_range(message["frame"], message["range"], message["longest"])
+        elif kind == "points":
+            sensors.on_points([(x, y) for x, y in message["points"]])
+        elif kind == "bumper":
+            sensors.on_bumper(message["pressed"])
 
     def _report(self, problem: PinelError, receiver: Receiver) -> None:
         self._problem = self._problem or problem
         receiver.on_problem(problem)
 
     def bumper(self) -> bool:
-        return False
+        return self._sensors.touches()
 
     def close(self) -> None:
         process, self._closing = self._process, True

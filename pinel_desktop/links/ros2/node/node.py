@@ -2,10 +2,14 @@
 
     python3 node.py CONFIGURATION
 
-CONFIGURATION is a JSON object: `command_topic`, `odometry_topic`, `battery_topic` (full names; "" for none),
-`domain` and `holder`, which is part of the name of the node.
+CONFIGURATION is a JSON object: `command_topic`, `odometry_topic`, `scan_topic`, `sonar_topic`, `bumper_topic`,
+`battery_topic` (full names; "" for none), `domain`, `holder`, which is part of the name of the node, and `drives`:
+without it the node only listens.
 Standard input brings JSON lines `{"twist": [m/s, rad/s]}`; when it ends, or brings nothing for 0.3 s, the robot stands.
-Standard output gives JSON lines, each with a `type`: `ready`, `odometry`, `battery`, or `problem` (code and params).
+Standard output gives JSON lines, each with a `type`: `ready`, `odometry`, `scan`, `range`, `points`, `bumper`,
+`battery`, `offered` and `gone` (a sensor), `problem` (code and params), or from a node that only listens `holder` (the
+name of the node that drives the robot, or null). An app that does not read them holds up nobody: of each kind the
+newest waits.
 It uses the standard library and rclpy only, and works with Python 3.8, that of Foxy.
 """
 
@@ -15,17 +19,26 @@ import threading
 import time
 
 import rclpy
+import sensor_msgs.msg
 from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
 from nav_msgs.msg import Odometry
+from outbox import Outbox
 from rclpy.context import Context
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.qos import HistoryPolicy, QoSProfile, ReliabilityPolicy
-from sensor_msgs.msg import BatteryState
+from std_msgs.msg import Bool
 
 SEARCH_S = 5.0
 POLL_S = 0.05
 STALE_S = 0.3
-WATCH_S = 0.5
+WATCH_S = 0.2
+# Others in the domain are known by then, before the first command.
+LISTENING_S = 1.0
+# Another PINEL that comes later withdraws by itself before this.
+WITHDRAWS_S = 3.0
+# A robot whose program begins anew hears again within this time.
+DEAF_S = 1.0
+PINEL = "pinel_"
 COMMANDS = {"geometry_msgs/msg/Twist": Twist, "geometry_msgs/msg/TwistStamped": TwistStamped}
 ODOMETRIES = {"nav_msgs/msg/Odometry": Odometry, "geometry_msgs/msg/PoseStamped": PoseStamped}
 NEWEST = QoSProfile(
@@ -35,8 +48,10 @@ NEWEST = QoSProfile(
 ANY = QoSProfile(
     depth=1, history=HistoryPolicy.KEEP_LAST, reliability=ReliabilityPolicy.BEST_EFFORT
 )
-
-_writing = threading.Lock()
+# a robot with a ring of sonars tells all of them at once on one topic
+RING = QoSProfile(
+    depth=32, history=HistoryPolicy.KEEP_LAST, reliability=ReliabilityPolicy.BEST_EFFORT
+)
 
 
 class RefusalError(Exception):
@@ -47,40 +62,56 @@ class RefusalError(Exception):
         self.code, self.params = code, params
 
 
-def say(kind, **fields):
-    """Writes a line; safe from any thread. Raises OSError when the app has gone."""
-    with _writing:
-        sys.stdout.write(json.dumps({"type": kind, **fields}) + "\n")
-        sys.stdout.flush()
-
-
 class Drive:
     """Publishers and subscriptions of one robot."""
 
-    def __init__(self, node, configuration):
-        self._node, self._configuration = node, configuration
+    def __init__(self, node, configuration, outbox):
+        self._node, self._configuration, self._outbox = node, configuration, outbox
         self._command_topic = "/" + configuration["command_topic"]
         self._odometry_topic = "/" + configuration["odometry_topic"]
         self._publisher, self._type = None, None
-        self._heard_s = time.monotonic()
+        self._drives = configuration.get("drives", True)
+        self._messages = Messages(outbox)
+        self._sensors = Sensors(node, configuration, self._messages, outbox)
+        self._heard_s = self._began_s = time.monotonic()
+        self._held_since_s = self._deaf_since_s = None
 
     def open(self):
         """Finds the robot's topics and connects with them. Raises RefusalError."""
-        self.require_nobody_else()
+        if self._drives:
+            self._wait_until_free()
         self._type = self._found(
             self._command_topic, COMMANDS, self._node.get_subscriptions_info_by_topic
         )
         odometry = self._found(
             self._odometry_topic, ODOMETRIES, self._node.get_publishers_info_by_topic
         )
-        self._publisher = self._node.create_publisher(self._type, self._command_topic, NEWEST)
-        take = take_odometry if odometry is Odometry else take_pose
+        messages = self._messages
+        take = messages.take_odometry if odometry is Odometry else messages.take_pose
         self._node.create_subscription(odometry, self._odometry_topic, take, ANY)
-        if self._configuration.get("battery_topic"):
-            topic = "/" + self._configuration["battery_topic"]
-            self._node.create_subscription(BatteryState, topic, take_battery, ANY)
-        self._wait(lambda: self._publisher.get_subscription_count() > 0, self._command_topic)
-        self.require_nobody_else()
+        self._sensors.look()
+        if self._drives:
+            self._publish()
+
+    def _publish(self):
+        """From here on others see who drives the robot."""
+        self._publisher = self._node.create_publisher(self._type, self._command_topic, NEWEST)
+        self._began_s = time.monotonic()
+        self._wait(self._is_heard, self._command_topic)
+        self._require_nobody_else()
+
+    def _is_heard(self):
+        return self._publisher.get_subscription_count() > 0
+
+    def _wait_until_free(self):
+        """Until nobody has commanded the robot for long enough to be sure. Raises RefusalError."""
+        free_s = began_s = time.monotonic()
+        while time.monotonic() - free_s < LISTENING_S:
+            if self._holder() is not None:
+                free_s = time.monotonic()
+                if free_s - began_s > SEARCH_S:
+                    raise self._held()
+            time.sleep(POLL_S)
 
     def _found(self, topic, known, endpoints):
         """The message type that the robot uses on a topic."""
@@ -102,19 +133,45 @@ class Drive:
                 )
             time.sleep(POLL_S)
 
-    def require_nobody_else(self):
-        """Raises RefusalError where another node commands the robot."""
+    def _holder(self):
+        """Name of another node that commands the robot, of one that cannot withdraw first; None without any."""
         listeners = self._node.get_subscriptions_info_by_topic(self._command_topic)
         # what listens to commands and passes them on is the robot, as ros1_bridge
         ours = {self._node.get_name(), *(endpoint.node_name for endpoint in listeners)}
-        for endpoint in self._node.get_publishers_info_by_topic(self._command_topic):
-            if endpoint.node_name not in ours:
-                raise RefusalError(
-                    "robot_held", topic=self._command_topic, holder=endpoint.node_name
-                )
+        publishers = self._node.get_publishers_info_by_topic(self._command_topic)
+        others = {endpoint.node_name for endpoint in publishers} - ours
+        return min(others, key=lambda name: (name.startswith(PINEL), name), default=None)
+
+    def _held(self):
+        return RefusalError("robot_held", topic=self._command_topic, holder=self._holder() or "?")
+
+    def _require_nobody_else(self):
+        """Raises RefusalError when somebody else begins to command the robot, and does not withdraw."""
+        holder = self._holder()
+        if holder is None:
+            self._held_since_s = None
+            return
+        now_s = time.monotonic()
+        self._held_since_s = self._held_since_s or now_s
+        was_alone = self._held_since_s - self._began_s > 2 * LISTENING_S
+        withdraws = holder.startswith(PINEL) and now_s - self._held_since_s < WITHDRAWS_S
+        if not (was_alone and withdraws):
+            raise self._held()
+
+    def _require_heard(self):
+        """Raises RefusalError when nobody takes the commands any more."""
+        if self._is_heard():
+            self._deaf_since_s = None
+            return
+        now_s = time.monotonic()
+        self._deaf_since_s = self._deaf_since_s or now_s
+        if now_s - self._deaf_since_s > DEAF_S:
+            raise RefusalError("robot_deaf", topic=self._command_topic)
 
     def send(self, v, omega):
-        """Publishes a velocity."""
+        """Publishes a velocity, unless the node only listens."""
+        if self._publisher is None:
+            return
         message = self._type()
         twist = message
         if self._type is TwistStamped:
@@ -130,7 +187,7 @@ class Drive:
         self.send(v, omega)
 
     def watch(self, ending):
-        """Until the end: stops a robot whose app is silent, and tells of others that command it."""
+        """Until the end: stops a robot whose app is silent, tells of others that command it and of what vanishes."""
         checked_s = time.monotonic()
         while not ending.wait(POLL_S):
             now_s = time.monotonic()
@@ -138,45 +195,127 @@ class Drive:
                 self.send(0.0, 0.0)
             if now_s - checked_s > WATCH_S:
                 checked_s = now_s
-                try:
-                    self.require_nobody_else()
-                except RefusalError as refusal:
-                    say("problem", code=refusal.code, params=refusal.params)
+                self._look_around()
+
+    def _look_around(self):
+        self._sensors.look()
+        if not self._drives:
+            self._outbox.say("holder", name=self._holder())
+            return
+        try:
+            self._require_nobody_else()
+            self._require_heard()
+        except RefusalError as refusal:
+            tell(self._outbox, refusal)
 
 
-def seconds(stamp):
-    return stamp.sec + stamp.nanosec * 1e-9
+class Sensors:
+    """Subscriptions to the sensors that the robot publishes, as it comes to publish them."""
 
-
-def take_odometry(message):
-    pose, twist = message.pose.pose, message.twist.twist
-    velocity = [twist.linear.x, twist.angular.z]
-    say_pose(pose, velocity, message.header)
-
-
-def take_pose(message):
-    say_pose(message.pose, [None, None], message.header)
-
-
-def say_pose(pose, velocity, header):
-    q = pose.orientation
-    say(
-        "odometry",
-        position=[pose.position.x, pose.position.y],
-        orientation=[q.x, q.y, q.z, q.w],
-        velocity=velocity,
-        stamp=seconds(header.stamp),
-        frame=header.frame_id,
+    KINDS = (
+        ("scan_topic", "lidar", ("LaserScan",)),
+        ("sonar_topic", "sonar", ("Range", "PointCloud")),
+        ("bumper_topic", "bumper", ("Bool",)),
+        ("battery_topic", "battery", ("BatteryState",)),
     )
 
+    def __init__(self, node, configuration, messages, outbox):
+        self._node, self._messages, self._outbox = node, messages, outbox
+        self._waiting = [
+            ("/" + configuration[field], sensor, kinds)
+            for field, sensor, kinds in self.KINDS
+            if configuration.get(field)
+        ]
+        self._found, self._gone = {}, set()
 
-def take_battery(message):
-    say("battery", level=message.percentage)
+    def look(self):
+        """Subscribes to what is new, and tells what nobody publishes any more."""
+        for row in list(self._waiting):
+            topic, sensor, kinds = row
+            kind = next((kind for kind in kinds if self._is_published(topic, kind)), None)
+            if kind is not None:
+                self._waiting.remove(row)
+                self._found[sensor] = topic
+                self._subscribe(topic, kind)
+                self._outbox.say("offered", sensor, sensor=sensor)
+        for sensor, topic in self._found.items():
+            if self._node.get_publishers_info_by_topic(topic):
+                self._gone.discard(sensor)
+            elif sensor not in self._gone:
+                self._gone.add(sensor)
+                self._outbox.say("gone", sensor, sensor=sensor)
+
+    def _is_published(self, topic, kind):
+        types = {endpoint.topic_type for endpoint in self._node.get_publishers_info_by_topic(topic)}
+        package = "std_msgs" if kind == "Bool" else "sensor_msgs"
+        return f"{package}/msg/{kind}" in types and message_type(kind) is not None
+
+    def _subscribe(self, topic, kind):
+        take = getattr(self._messages, "take_" + kind.lower())
+        quality = RING if kind == "Range" else ANY
+        self._node.create_subscription(message_type(kind), topic, take, quality)
 
 
-def run(configuration, context):
+def message_type(kind):
+    """None where this ROS has no such message any more."""
+    return Bool if kind == "Bool" else getattr(sensor_msgs.msg, kind, None)
+
+
+class Messages:
+    """Turns messages of the robot into lines."""
+
+    def __init__(self, outbox):
+        self._say = outbox.say
+
+    def take_odometry(self, message):
+        twist = message.twist.twist
+        self._say_pose(message.pose.pose, [twist.linear.x, twist.angular.z], message.header)
+
+    def take_pose(self, message):
+        self._say_pose(message.pose, [None, None], message.header)
+
+    def _say_pose(self, pose, velocity, header):
+        q = pose.orientation
+        self._say(
+            "odometry",
+            position=[pose.position.x, pose.position.y],
+            orientation=[q.x, q.y, q.z, q.w],
+            velocity=velocity,
+            stamp=header.stamp.sec + header.stamp.nanosec * 1e-9,
+            frame=header.frame_id,
+        )
+
+    def take_laserscan(self, message):
+        self._say(
+            "scan",
+            first=message.angle_min,
+            step=message.angle_increment,
+            bounds=[message.range_min, message.range_max],
+            ranges=[round(float(found), 3) for found in message.ranges],
+        )
+
+    def take_range(self, message):
+        frame = message.header.frame_id
+        self._say("range", frame, frame=frame, range=message.range, longest=message.max_range)
+
+    def take_pointcloud(self, message):
+        points = [[round(float(point.x), 3), round(float(point.y), 3)] for point in message.points]
+        self._say("points", points=points)
+
+    def take_bool(self, message):
+        self._say("bumper", pressed=bool(message.data))
+
+    def take_batterystate(self, message):
+        self._say("battery", level=message.percentage)
+
+
+def tell(outbox, refusal):
+    outbox.say("problem", refusal.code, code=refusal.code, params=refusal.params)
+
+
+def run(configuration, context, outbox):
     """Drives until the input ends."""
-    node = rclpy.create_node(f"pinel_{configuration['holder']}", context=context)
+    node = rclpy.create_node(PINEL + configuration["holder"], context=context)
     executor = SingleThreadedExecutor(context=context)
     executor.add_node(node)
     spinning = threading.Thread(target=executor.spin)
@@ -184,9 +323,9 @@ def run(configuration, context):
     ending = threading.Event()
     watching = None
     try:
-        drive = Drive(node, configuration)
+        drive = Drive(node, configuration, outbox)
         drive.open()
-        say("ready")
+        outbox.say("ready")
         watching = threading.Thread(target=drive.watch, args=(ending,))
         watching.start()
         for line in sys.stdin:
@@ -195,7 +334,7 @@ def run(configuration, context):
             drive.send(0.0, 0.0)
             time.sleep(0.02)
     except RefusalError as refusal:
-        say("problem", code=refusal.code, params=refusal.params)
+        tell(outbox, refusal)
     finally:
         # this order: without the join, the end of the context aborts the process
         ending.set()
@@ -210,10 +349,12 @@ def main():
     configuration = json.loads(sys.argv[1])
     context = Context()
     rclpy.init(context=context, domain_id=configuration["domain"])
+    outbox = Outbox()
     try:
-        run(configuration, context)
+        run(configuration, context, outbox)
     finally:
         rclpy.shutdown(context=context)
+        outbox.close()
 
 
 if __name__ == "__main__":

@@ -1,4 +1,7 @@
-"""Nodes, publishers and subscriptions of one process, connected with a robot over a socket."""
+"""Nodes, publishers and subscriptions of one process, connected with a robot over a socket.
+
+The robot also tells who else publishes commands, and of which topics it has taken leave.
+"""
 
 import json
 import os
@@ -29,13 +32,15 @@ class Node:
         context.n_nodes += 1
         self._robot = socket.create_connection(("127.0.0.1", _GRAPH["port"]))
         self._takers = {}
-        self._publishes = set()
+        self._publishers, self._gone = [], []
         threading.Thread(target=self._listen, daemon=True).start()
 
     def _listen(self):
         with self._robot.makefile("r", encoding="utf-8") as lines:
             for line in lines:
                 report = json.loads(line)
+                if report["kind"] == "graph":
+                    self._publishers, self._gone = report["publishers"], report["gone"]
                 for kind, (make, take) in list(self._takers.items()):
                     if kind == report["kind"]:
                         take(make(report))
@@ -44,19 +49,20 @@ class Node:
         return self._name
 
     def get_subscriptions_info_by_topic(self, topic):
-        there = topic == "/cmd_vel" and _GRAPH["command_type"]
+        there = topic == "/cmd_vel" and topic not in self._gone and _GRAPH["command_type"]
         return [SimpleNamespace(node_name="robot", topic_type=there)] if there else []
 
     def get_publishers_info_by_topic(self, topic):
-        if topic == "/odom" and _GRAPH["odometry_type"]:
-            return [SimpleNamespace(node_name="robot", topic_type=_GRAPH["odometry_type"])]
-        names = [*_GRAPH["others"], *([self._name] if topic in self._publishes else [])]
-        return [SimpleNamespace(node_name=name, topic_type="") for name in names]
+        if topic == "/cmd_vel":
+            names = [*_GRAPH["others"], *self._publishers]
+            return [SimpleNamespace(node_name=name, topic_type="") for name in names]
+        there = topic not in self._gone and _GRAPH["published"].get(topic)
+        return [SimpleNamespace(node_name="robot", topic_type=there)] if there else []
 
     def create_publisher(self, kind, topic, qos):
         assert qos.reliability == "reliable"
-        self._publishes.add(topic)
-        return Publisher(self._robot)
+        self._robot.sendall(json.dumps({"publishes": self._name}).encode() + b"\n")
+        return Publisher(self, self._robot)
 
     def create_subscription(self, kind, topic, take, qos):
         assert qos.reliability == "best_effort"
@@ -72,11 +78,11 @@ class Node:
 
 
 class Publisher:
-    def __init__(self, robot):
-        self._robot = robot
+    def __init__(self, node, robot):
+        self._node, self._robot = node, robot
 
     def get_subscription_count(self):
-        return 1
+        return len(self._node.get_subscriptions_info_by_topic("/cmd_vel"))
 
     def publish(self, message):
         twist = getattr(message, "twist", message)

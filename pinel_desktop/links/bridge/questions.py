@@ -1,0 +1,119 @@
+"""Requests that another process answers: a question as a message, its answer as another."""
+
+import base64
+import itertools
+import os
+import queue
+import threading
+import time
+from collections.abc import Callable, Mapping
+from concurrent.futures import Future
+from typing import Any, NamedTuple
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.links.bridge.routes import Answer, Request, refusal
+
+Message = dict[str, Any]
+# of one path: who watches pictures keeps nobody from a call
+MAX_QUESTIONS = 4
+# A process that says nothing for so long hangs, or is frozen; it says once a second that it works on an answer.
+SILENT_S = 5.0
+_CHECK_S = 0.5
+
+
+class _Open(NamedTuple):
+    """A question that nobody has answered yet, and when it came."""
+
+    answer: Future[Answer]
+    path: str
+    at_s: float
+
+
+class Questions:
+    """All questions that are open. `ask` never waits for the pipe.
+
+    Args:
+        send: hands a message to the process, on a thread of this class; may wait.
+        silent_s: how long the process may say nothing while a question is open.
+    """
+
+    def __init__(self, send: Callable[[Message], None], silent_s: float = SILENT_S) -> None:
+        self._send, self._silent_s = send, silent_s
+        self._numbers = itertools.count()
+        self._lock = threading.Lock()
+        self._open: dict[str, _Open] = {}
+        self._heard_s = time.monotonic()
+        self._outbox: queue.SimpleQueue[Message | None] = queue.SimpleQueue()
+        self._closing = threading.Event()
+        for work in (self._write, self._watch):
+            threading.Thread(target=work, name="bridge-questions", daemon=True).start()
+
+    def ask(self, request: Request) -> "Future[Answer]":
+        """The answer to come; cancelling it withdraws the question."""
+        answer: Future[Answer] = Future()
+        path = request.target.partition("?")[0]
+        with self._lock:
+            if [one.path for one in self._open.values()].count(path) >= MAX_QUESTIONS:
+                answer.set_result(refusal(PinelError("bridge_too_many", max=MAX_QUESTIONS)))
+                return answer
+            # of no engine before this one
+            number = f"{os.getpid()}-{next(self._numbers)}"
+            self._open[number] = _Open(answer, path, time.monotonic())
+        answer.add_done_callback(lambda done: self._withdraw(number) if done.cancelled() else None)
+        self._outbox.put(
+            {
+                "type": "bridge_asked",
+                "question": number,
+                "method": request.method,
+                "path": path,
+                "body": request.body.decode("utf-8", "surrogateescape"),
+            }
+        )
+        return answer
+
+    def hear(self) -> None:
+        """The process is there."""
+        self._heard_s = time.monotonic()
+
+    def settle(self, message: Mapping[str, Any]) -> None:
+        """The answer to a question; nothing for one that was withdrawn."""
+        self.hear()
+        jpeg = message.get("jpeg")
+        picture = None if jpeg is None else base64.b64decode(jpeg)
+        answer = Answer(message["status"], message.get("document"), jpeg=picture)
+        self._settle(message["question"], answer)
+
+    def close(self) -> None:
+        """Asks no more."""
+        self._closing.set()
+        self._outbox.put(None)
+
+    def _settle(self, number: str, answer: Answer) -> None:
+        with self._lock:
+            asked = self._open.pop(number, None)
+        if asked and asked.answer.set_running_or_notify_cancel():
+            asked.answer.set_result(answer)
+
+    def _withdraw(self, number: str) -> None:
+        with self._lock:
+            self._open.pop(number, None)
+        self._outbox.put({"type": "bridge_withdrawn", "question": number})
+
+    def _write(self) -> None:
+        while (message := self._outbox.get()) is not None:
+            try:
+                self._send(message)
+            except OSError:
+                return  # the process is gone, and this one ends soon
+
+    def _watch(self) -> None:
+        """Ends questions to a process that hangs."""
+        while not self._closing.wait(_CHECK_S):
+            since_s = time.monotonic() - self._silent_s
+            if self._heard_s > since_s:
+                continue
+            with self._lock:
+                due = [number for number, one in self._open.items() if one.at_s < since_s]
+            for number in due:
+                self._settle(number, refusal(PinelError("bridge_app_silent")))
+                self._outbox.put({"type": "bridge_withdrawn", "question": number})

@@ -1,0 +1,66 @@
+"""What the node tells the app: JSON lines on standard output (`node.py` names them)."""
+
+import json
+import math
+import os
+import threading
+import time
+
+# s between two lines of a kind: what comes more often is thinned
+PAUSES = {"odometry": 0.005, "scan": 0.1, "range": 0.1, "points": 0.1, "battery": 1.0}
+LEAVES_S = 1.0
+
+
+class Outbox:
+    """Lines for the app, written by a thread of its own: nobody waits for an app that does not read.
+
+    Of each kind and key only the newest line waits.
+    """
+
+    def __init__(self):
+        self._waiting, self._written_s = {}, {}
+        self._changed, self._ending = threading.Condition(), False
+        self._thread = threading.Thread(target=self._work, daemon=True)
+        self._thread.start()
+
+    def say(self, kind, key="", **fields):
+        """Hands a line over; never waits."""
+        with self._changed:
+            self._waiting[kind, key] = {"type": kind, **fields}
+            self._changed.notify()
+
+    def close(self):
+        """Writes what waits, if the app reads it."""
+        with self._changed:
+            self._ending = True
+            self._changed.notify()
+        self._thread.join(LEAVES_S)
+
+    def _work(self):
+        try:
+            while True:
+                lines = self._due()
+                if not lines:
+                    return
+                text = "".join(json.dumps(line) + "\n" for line in lines).encode()
+                while text:  # not over sys.stdout, whose lock would outlive this thread
+                    text = text[os.write(1, text) :]
+        except OSError:
+            pass  # the app has gone: standard input ends, too
+
+    def _due(self):
+        """The lines whose time has come; waits for some, empty at the end."""
+        with self._changed:
+            while True:
+                now_s = time.monotonic()
+                wait_s = {which: self._wait_s(which, now_s) for which in self._waiting}
+                due = [which for which, left_s in wait_s.items() if left_s <= 0.0]
+                if due or self._ending:
+                    self._written_s.update(dict.fromkeys(due, now_s))
+                    return [self._waiting.pop(which) for which in due]
+                self._changed.wait(min(wait_s.values(), default=None))
+
+    def _wait_s(self, which, now_s):
+        if self._ending:
+            return 0.0
+        return self._written_s.get(which, -math.inf) + PAUSES.get(which[0], 0.0) - now_s

@@ -1,0 +1,145 @@
+"""A robot for the fake ROS (`fake_ros`), which it talks to over a socket; it serves several nodes."""
+
+import contextlib
+import json
+import socket
+import sys
+import threading
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from pinel_desktop.links.ros2 import installed, transport
+from pinel_desktop.robot import Twist2D
+from tests.links.two_pcs import Heard
+from tests.links.unicycle import Unicycle
+
+FAKE = Path(__file__).parent / "fake_ros"
+GRAPH: dict[str, Any] = {
+    "command_type": "geometry_msgs/msg/Twist",
+    "published": {
+        "/odom": "nav_msgs/msg/Odometry",
+        "/scan": "sensor_msgs/msg/LaserScan",
+        "/sonar": "sensor_msgs/msg/PointCloud",
+        "/sonar_ring": "sensor_msgs/msg/Range",
+        "/bumper_state": "std_msgs/msg/Bool",
+        "/battery_state": "sensor_msgs/msg/BatteryState",
+    },
+    "others": [],
+}
+SENSORS: list[tuple[str, dict[str, Any]]] = [
+    ("/scan", {"kind": "scan", "ahead": 1.25}),
+    ("/sonar", {"kind": "points", "points": [[1.7225 + n / 10, 0.0] for n in range(16)]}),
+    *(
+        ("/sonar_ring", {"kind": "range", "frame": f"sonar_{n}", "range": 1.5 + n / 10})
+        for n in range(16)
+    ),
+    ("/bumper_state", {"kind": "bumper", "pressed": True}),
+    ("/battery_state", {"kind": "battery", "level": 0.75}),
+]
+
+
+class SocketRobot:
+    """A unicycle that reports 100 times a second.
+
+    Attributes:
+        types: message types of the velocities that came.
+        heard: the velocities with the connection that they came over.
+    """
+
+    def __init__(self) -> None:
+        self.unicycle = Unicycle()
+        self.types: set[str] = set()
+        self.heard: list[Heard] = []
+        self._gone: list[str] = []
+        self._others: list[str] = []
+        self._publishers: dict[socket.socket, str] = {}
+        self._nodes: list[socket.socket] = []
+        self._lock = threading.Lock()
+        self._server = socket.create_server(("127.0.0.1", 0))
+        self.port = self._server.getsockname()[1]
+        self._ending = threading.Event()
+        self._threads = [threading.Thread(target=self._accept, daemon=True)]
+        self._threads[0].start()
+
+    def take_leave_of(self, topics: Iterable[str]) -> None:
+        """Neither publishes these topics any more nor subscribes to them."""
+        self._gone = list(topics)
+        self._tell_graph()
+
+    def let_drive(self, others: Iterable[str]) -> None:
+        """Nodes of these names command it, too."""
+        self._others = list(others)
+        self._tell_graph()
+
+    def _accept(self) -> None:
+        with contextlib.suppress(OSError):
+            while True:
+                node, _ = self._server.accept()
+                self._nodes.append(node)
+                self._tell_graph()
+                for work in (self._hear, self._report):
+                    thread = threading.Thread(target=work, args=(node,), daemon=True)
+                    self._threads.append(thread)
+                    thread.start()
+
+    def _hear(self, node: socket.socket) -> None:
+        with node, contextlib.suppress(OSError), node.makefile("r", encoding="utf-8") as lines:
+            for line in lines:
+                sent = json.loads(line)
+                if "publishes" in sent:
+                    self._publishers[node] = sent["publishes"]
+                    self._tell_graph()
+                    continue
+                self.types.add(sent["type"])
+                if "/cmd_vel" not in self._gone:
+                    self.unicycle.hear(Twist2D(*sent["twist"]))
+                    self.heard.append(Heard(*self.unicycle.heard[-1], id(node)))
+        self._nodes.remove(node)
+        self._publishers.pop(node, None)
+        self._tell_graph()
+
+    def _tell_graph(self) -> None:
+        names = [*self._publishers.values(), *self._others]
+        graph = {"kind": "graph", "publishers": names, "gone": self._gone}
+        for node in list(self._nodes):
+            self._tell(node, graph)
+
+    def _tell(self, node: socket.socket, report: dict[str, Any]) -> None:
+        with contextlib.suppress(OSError), self._lock:
+            node.sendall(json.dumps(report).encode() + b"\n")
+
+    def _report(self, node: socket.socket) -> None:
+        while node in self._nodes and not self._ending.wait(0.01):
+            if not self.unicycle.is_mute:
+                pose = list(self.unicycle.report())
+                self._tell(node, {"kind": "odometry", "pose": pose})
+            for topic, reading in SENSORS:
+                if topic not in self._gone:
+                    self._tell(node, reading)
+
+    def close(self) -> None:
+        self._ending.set()
+        self._server.shutdown(socket.SHUT_RDWR)
+        self._server.close()
+        for thread in self._threads:
+            thread.join(5.0)
+
+
+def fake_environment(robot: SocketRobot, **graph: Any) -> dict[str, str]:
+    """The environment in which a node meets the fake ROS."""
+    told = {**GRAPH, "port": robot.port, **graph}
+    return {"PINEL_FAKE_ROS": json.dumps(told), "PYTHONPATH": str(FAKE)}
+
+
+def use_fake_ros(monkeypatch: pytest.MonkeyPatch, robot: SocketRobot, **graph: Any) -> None:
+    """Lets the link find the fake ROS in place of an installed one."""
+    for name, value in fake_environment(robot, **graph).items():
+        monkeypatch.setenv(name, value)
+    monkeypatch.setattr(
+        transport,
+        "node_command",
+        lambda configuration: [sys.executable, str(installed.NODE), configuration],
+    )

@@ -1,0 +1,49 @@
+"""Five PCs and one Pioneer: PCs that begin at the same moment never drive it together."""
+
+import contextlib
+import os
+import platform
+from pathlib import Path
+
+import pytest
+
+from tests.links.dds_domains import own_domain
+from tests.links.dds_peer import DdsPeer
+from tests.links.socket_robot import SocketRobot, fake_environment
+from tests.links.two_pcs import Heard, race, require_one_driver
+
+pytestmark = pytest.mark.waits
+
+head_starts = pytest.mark.parametrize(
+    "head_start_s",
+    [0.0, *(pytest.param(part / 10, marks=pytest.mark.nightly) for part in range(1, 20))],
+)
+
+
+@head_starts
+def test_over_dds(head_start_s: float, tmp_path: Path) -> None:
+    with own_domain() as domain, contextlib.closing(DdsPeer(domain)) as robot:
+        settings = (f"domain={domain}", 'peers=["127.0.0.1"]')
+        options = [text for each in settings for text in ("--robot-setting", each)]
+        results = race(tmp_path, ["--robot", "dds", *options], head_start_s)
+        heard = [
+            Heard(*one, sender) for one, sender in zip(robot.heard, robot.senders, strict=False)
+        ]
+    print(head_start_s, [(result["state"], result["reason"]) for result in results])
+    require_one_driver(results, heard)
+    assert all(platform.node() in result["message"] for result in results if result["message"])
+
+
+@head_starts
+def test_over_an_installed_ros(head_start_s: float, tmp_path: Path) -> None:
+    robot = SocketRobot()
+    try:
+        environment = {"ROS_VERSION": "2", **fake_environment(robot)}
+        setting = f"domain={os.getpid() % 233}"
+        options = ["--robot", "ros2", "--robot-setting", setting]
+        results = race(tmp_path, options, head_start_s, **environment)
+    finally:
+        robot.close()
+    print(head_start_s, [(result["state"], result["reason"]) for result in results])
+    require_one_driver(results, robot.heard)
+    assert all("pinel_" in result["message"] for result in results if result["message"])

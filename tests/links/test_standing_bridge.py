@@ -1,0 +1,199 @@
+"""The bridge that stands between runs: what it says by itself, and the routes that somebody else answers."""
+
+import base64
+import http.client
+import json
+import queue
+import threading
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from pinel_desktop.links.bridge.questions import MAX_QUESTIONS, Questions
+from pinel_desktop.links.bridge.standing import HandedRoute, StandingBridge
+from pinel_desktop.links.bridge.transport import BridgeTransport
+from pinel_desktop.robot import Twist2D
+from pinel_desktop.robot.record import BridgeRecord
+from tests.links.aurora import free_port
+from tests.links.test_bridge import POSE, Robot
+
+pytestmark = pytest.mark.waits
+
+WAIT_S = 20.0
+HANDED = {"/execute": HandedRoute("POST", 1000), "/stream": HandedRoute("GET")}
+LOCAL = {"Origin": "http://localhost:3000"}
+FOREIGN = {"Origin": "http://evil.example"}
+
+
+class Standing:
+    """A standing bridge, and the owner who answers."""
+
+    def __init__(self, *, key: str = "", silent_s: float = WAIT_S) -> None:
+        self.told: queue.Queue[dict[str, Any]] = queue.Queue()
+        self.questions = Questions(self.told.put, silent_s)
+        self.record = BridgeRecord(port=free_port(), key=key)
+        self.bridge = StandingBridge(self.record, HANDED, self.questions.ask)
+        self.bridge.start()
+
+    def connect(self) -> http.client.HTTPConnection:
+        return http.client.HTTPConnection("127.0.0.1", self.bridge.port, timeout=WAIT_S)
+
+    def ask(
+        self, method: str, path: str, body: str | None = None, **headers: str
+    ) -> tuple[int, Any]:
+        client = self.connect()
+        client.request(method, path, body and body.encode(), headers)
+        answer = client.getresponse()
+        text = answer.read()
+        client.close()
+        return answer.status, json.loads(text) if text else dict(answer.headers)
+
+    def answer_next(self, **answer: Any) -> None:
+        def work() -> None:
+            question = self.told.get(timeout=WAIT_S)
+            self.questions.settle({"question": question["question"], "status": 200, **answer})
+
+        threading.Thread(target=work, daemon=True).start()
+
+    def close(self) -> None:
+        self.questions.close()
+        self.bridge.close()
+
+
+@pytest.fixture
+def standing() -> Iterator[Standing]:
+    it = Standing()
+    yield it
+    it.close()
+
+
+def test_without_a_run_a_client_that_loops_stands_still(standing: Standing) -> None:
+    status, velocity = standing.ask("GET", "/bridge/cmd_vel")
+    assert (status, velocity["linear_x"], velocity["angular_z"]) == (200, 0.0, 0.0)
+    assert standing.ask("POST", "/bridge/pose", json.dumps(POSE)) == (200, {"ok": True})
+    assert standing.ask("GET", "/bridge/status") == (200, {"active": False})
+    assert standing.ask("POST", "/bridge/run_start") == (200, {"ok": True, "active": False})
+    assert standing.ask("POST", "/bridge/run_end")[0] == 409
+    assert standing.ask("GET", "/other")[0] == 404
+
+
+def test_a_run_at_its_address_uses_it_and_leaves_it_standing(standing: Standing) -> None:
+    robot, transport = Robot(), BridgeTransport(standing.record)
+    transport.open(robot, lambda: True)
+    transport.send(Twist2D(0.25, 0.0))
+    assert standing.ask("GET", "/bridge/cmd_vel")[1]["linear_x"] == 0.25
+    assert standing.ask("GET", "/bridge/status") == (200, {"active": True})
+    standing.ask("POST", "/bridge/pose", json.dumps(POSE))
+    assert len(robot.poses) == 1
+    transport.close()
+    assert standing.ask("GET", "/bridge/status") == (200, {"active": False})
+
+
+def test_other_routes_are_handed_on_while_the_robot_is_answered(standing: Standing) -> None:
+    answers: list[tuple[int, Any]] = []
+    asking = threading.Thread(
+        target=lambda: answers.append(standing.ask("POST", "/execute?a=1", '["é"]'))
+    )
+    asking.start()
+    question = standing.told.get(timeout=WAIT_S)
+    assert (question["method"], question["path"]) == ("POST", "/execute")
+    assert question["body"].encode("utf-8", "surrogateescape").decode() == '["é"]'
+    assert standing.ask("GET", "/bridge/status")[0] == 200
+    standing.questions.settle(
+        {"question": question["question"], "status": 409, "document": {"a": 1}}
+    )
+    asking.join()
+    assert answers == [(409, {"a": 1})]
+
+
+def test_a_client_that_hangs_up_withdraws_its_question(standing: Standing) -> None:
+    client = standing.connect()
+    client.request("POST", "/execute", "[]")
+    number = standing.told.get(timeout=WAIT_S)["question"]
+    client.close()
+    assert standing.told.get(timeout=WAIT_S) == {"type": "bridge_withdrawn", "question": number}
+    standing.questions.settle({"question": number, "status": 200, "document": {}})  # too late
+
+
+def test_an_owner_that_is_silent_is_not_waited_for() -> None:
+    standing = Standing(silent_s=0.5)
+    status, answer = standing.ask("POST", "/execute", "[]")
+    assert (status, answer["error"]["code"]) == (504, "bridge_app_silent")
+    assert standing.told.get(timeout=WAIT_S)["type"] == "bridge_asked"
+    assert standing.told.get(timeout=WAIT_S)["type"] == "bridge_withdrawn"
+    standing.close()
+
+
+def test_so_many_questions_of_a_path_are_open_at_once_and_no_more(standing: Standing) -> None:
+    clients = [standing.connect() for _ in range(MAX_QUESTIONS)]
+    for client in clients:
+        client.request("POST", "/execute", "[]")
+        standing.told.get(timeout=WAIT_S)
+    status, answer = standing.ask("POST", "/execute", "[]")
+    assert (status, answer["error"]["code"]) == (503, "bridge_too_many")
+    standing.answer_next(document={})
+    assert standing.ask("GET", "/stream")[0] == 200
+    for client in clients:
+        client.close()
+
+
+def test_a_stream_asks_for_each_picture_until_nobody_watches(standing: Standing) -> None:
+    client = standing.connect()
+    for number in range(3):
+        jpeg = base64.b64encode(b"picture %d" % number).decode()
+        standing.answer_next(document=None, jpeg=jpeg)
+        if number == 0:
+            client.request("GET", "/stream")
+            stream = client.getresponse()
+            assert stream.headers["Content-Type"] == "multipart/x-mixed-replace; boundary=frame"
+        assert stream.readline() == b"--frame\r\n"
+        assert stream.readline() == b"Content-Type: image/jpeg\r\n"
+        assert stream.readline() == b"Content-Length: 9\r\n"
+        assert stream.read(2 + 9 + 2) == b"\r\npicture %d\r\n" % number
+    question = standing.told.get(timeout=WAIT_S)["question"]
+    stream.close()
+    client.close()
+    assert standing.told.get(timeout=WAIT_S) == {"type": "bridge_withdrawn", "question": question}
+
+
+def test_a_body_may_be_as_large_as_its_route_says(standing: Standing) -> None:
+    standing.answer_next(document={})
+    assert standing.ask("POST", "/execute", "a" * 1000)[0] == 200
+    assert standing.ask("POST", "/execute", "a" * 1001)[0] == 413
+
+
+def test_without_a_key_a_page_of_this_pc_may_ask_and_no_other(standing: Standing) -> None:
+    status, headers = standing.ask("OPTIONS", "/execute", **LOCAL)
+    assert (status, headers["Access-Control-Allow-Origin"]) == (204, LOCAL["Origin"])
+    standing.answer_next(document={"a": 1})
+    assert standing.ask("POST", "/execute", "[]", **LOCAL) == (200, {"a": 1})
+    image = {"Sec-Fetch-Site": "cross-site", "Referer": "http://127.0.0.1:3000/page"}
+    standing.answer_next(document={"a": 2})
+    assert standing.ask("GET", "/stream", **image) == (200, {"a": 2})
+    for headers in (
+        FOREIGN,
+        {"Origin": "null"},
+        {"Sec-Fetch-Site": "cross-site"},
+        {"Sec-Fetch-Site": "cross-site", "Referer": "http://evil.example/127.0.0.1"},
+    ):
+        for method in ("OPTIONS", "POST"):
+            status, answer = standing.ask(method, "/execute", "[]", **headers)
+            assert (status, answer["error"]["code"]) == (403, "bridge_page_foreign")
+    status, answer = standing.ask("POST", "/execute", "[]", **LOCAL, Host="evil.example")
+    assert (status, answer["error"]["code"]) == (403, "bridge_host_wrong")
+    # the robot itself is no web page
+    assert standing.ask("GET", "/bridge/cmd_vel", **LOCAL)[0] == 403
+    assert standing.told.empty()
+
+
+def test_with_a_key_any_page_that_has_it_may_ask() -> None:
+    standing = Standing(key="k")
+    assert standing.ask("OPTIONS", "/execute", **FOREIGN)[0] == 204
+    assert standing.ask("POST", "/execute", "[]", **FOREIGN)[0] == 401
+    assert standing.ask("POST", "/execute?key=l", "[]")[0] == 401
+    standing.answer_next(document={})
+    assert standing.ask("POST", "/execute?key=k", "[]", **FOREIGN)[0] == 200
+    standing.answer_next(document={})
+    assert standing.ask("POST", "/execute", "[]", **{"X-PINEL-Key": "k"}, **FOREIGN)[0] == 200
+    standing.close()
