@@ -33,7 +33,14 @@ from pinel_desktop.activities.reading import (
     world_title,
     world_titles,
 )
-from pinel_desktop.activities.recorded import case_of_run
+from pinel_desktop.activities.recorded import (
+    before_words,
+    case_of_real_run,
+    case_of_run,
+    not_judged_words,
+    obstacles,
+    slack_of,
+)
 from pinel_desktop.activities.standing import RunStanding, Standing, standings_before
 
 __all__ = [
@@ -55,6 +62,8 @@ __all__ = [
     "Trial",
     "activity_names",
     "activity_titles",
+    "before_words",
+    "case_of_real_run",
     "case_of_run",
     "check_files",
     "check_program",
@@ -64,12 +73,15 @@ __all__ = [
     "goal_of",
     "input_words",
     "judge_run",
+    "not_judged_words",
+    "obstacles",
     "program_of_example",
     "read_activity",
     "sample_of",
     "shipped_activity",
     "shipped_goal",
     "shipped_texts",
+    "slack_of",
     "solution_of",
     "standings_before",
     "trials",

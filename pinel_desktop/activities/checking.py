@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
+from pinel_desktop.activities.check_kinds import Check, Slack
 from pinel_desktop.activities.checks import Finding, Value, find
 from pinel_desktop.activities.diagnosis import Advice, Facts, advice_of, fits
 from pinel_desktop.activities.evidence import Evidence, LogWriter, RunLog
@@ -100,10 +101,17 @@ def _rank(advice: Advice) -> float:
 
 @dataclass(frozen=True, slots=True)
 class RecordedRun:
-    """A run that the group saw: all that it told, and the number of the case that it is, from 1."""
+    """A run that the group saw.
+
+    Attributes:
+        log: all that it told.
+        case: number of the case that it is, from 1.
+        slack: how exactly its robot drives; None for the simulator's.
+    """
 
     log: RunLog
     case: int = 1
+    slack: Slack | None = None
 
 
 def check_program(
@@ -124,7 +132,14 @@ def check_program(
     for number in range(1, len(activity.cases) + 1):
         if recorded is not None and recorded.case == number:
             reports.append(
-                judge_run(activity, number, reading.document, recorded.log, recorded=True)
+                judge_run(
+                    activity,
+                    number,
+                    reading.document,
+                    recorded.log,
+                    recorded=True,
+                    slack=recorded.slack,
+                )
             )
         else:
             reports.append(_run(activity, number, reading))
@@ -169,6 +184,7 @@ def judge_run(
     log: RunLog,
     *,
     recorded: bool = False,
+    slack: Slack | None = None,
 ) -> CaseReport:
     """Judges one run of a program, executed just now or long ago.
 
@@ -176,15 +192,16 @@ def judge_run(
         number: the case, from 1.
         document: the program in its normal form.
         recorded: whether it is a run that the group saw.
+        slack: of a run on a real robot, which has no limit of time either: its speed is limited for people's safety.
 
     Raises:
         PinelError: what `world_of` raises.
     """
     case = activity.cases[number - 1]
-    log = limited(log, activity.limit_s)
+    log = log if slack else limited(log, activity.limit_s)
     evidence = Evidence(document, world_from_document(world_of(activity, case)), log)
     checks = [*activity.checks, *case.checks]
-    findings = [find(check, evidence) for check in checks]
+    findings = [find_on_robot(check, evidence, slack) for check in checks]
     reports = tuple(
         _check_report(check, finding, evidence)
         for check, finding in zip(checks, findings, strict=True)
@@ -199,8 +216,17 @@ def judge_run(
         checks=reports,
         case=number,
         recorded=recorded,
-        advice=_advice(activity, case, number, evidence, reports),
+        advice=_advice(activity, checks, number, evidence, reports),
     )
+
+
+def find_on_robot(check: Check, evidence: Evidence, slack: Slack | None) -> Finding:
+    """Evaluates a check, of a real robot with a tolerance that it can meet; what is missing is told of the check."""
+    if slack is not None:
+        found = find(check.widened(slack), evidence)
+        if found.holds:
+            return found
+    return find(check, evidence)
 
 
 def limited(log: RunLog, limit_s: float) -> RunLog:
@@ -231,7 +257,7 @@ def _check_report(check: Any, finding: Finding, evidence: Evidence) -> CheckRepo
 
 def _advice(
     activity: Activity,
-    case: Case,
+    checks: list[Check],
     number: int,
     evidence: Evidence,
     reports: tuple[CheckReport, ...],
@@ -240,7 +266,7 @@ def _advice(
     failed = next((report for report in reports if not report.holds), None)
     if failed is None:
         return None
-    facts = Facts(evidence, case, number, [*activity.checks, *case.checks])
+    facts = Facts(evidence, activity.cases[number - 1], number, checks)
     for index, diagnosis in enumerate(activity.diagnoses):
         if fits(diagnosis, facts):
             return advice_of(diagnosis, index, facts)

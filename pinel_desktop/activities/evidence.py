@@ -19,12 +19,11 @@ from pinel_desktop.activities.drawing import Points, Sampled, sampled
 from pinel_desktop.events.model import Event, RunEnded, Telemetry
 from pinel_desktop.events.types import KEPT
 from pinel_desktop.execution.clock import TICK_HZ
-from pinel_desktop.execution.recorder import WAY_STEP_M
+from pinel_desktop.execution.recorder import MEASURED_STEP_M, WAY_STEP_M
 from sim.floor import Disc, Rectangle, Zone
 from sim.world import World
 
 STEP_M, STEP_RAD, STEP_DONE = 1e-4, 1e-4, 1e-3  # what a record rounds to
-_COUNTED_MEASURED_M = 0.02  # a shorter motion of a measured pose is noise
 _DOT_M = 0.01  # a shorter line is not seen
 _COUNTED_RAD = np.radians(2.0)
 # the columns of telemetry that checks look at
@@ -182,7 +181,7 @@ class Evidence:
     @cached_property
     def path(self) -> Points:
         """The path in the start frame without what is noise, shape (n, 2)."""
-        step_m = WAY_STEP_M if self.log.is_true else _COUNTED_MEASURED_M
+        step_m = WAY_STEP_M if self.log.is_true else MEASURED_STEP_M
         return _at_steps(self.log.poses[:, :2], step_m)
 
     @cached_property

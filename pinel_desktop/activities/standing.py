@@ -5,12 +5,19 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from pinel_desktop.activities import check_kinds as kinds
-from pinel_desktop.activities.checking import limited
-from pinel_desktop.activities.checks import Finding, find
+from pinel_desktop.activities.check_kinds import Slack
+from pinel_desktop.activities.checking import find_on_robot, limited
+from pinel_desktop.activities.checks import Finding
 from pinel_desktop.activities.criteria import criterion_of, measured_of
 from pinel_desktop.activities.evidence import Evidence, RunLog
 from pinel_desktop.activities.model import Activity
-from pinel_desktop.activities.recorded import begins_like, case_of_run, cases_in
+from pinel_desktop.activities.recorded import (
+    begins_like,
+    case_of_real_run,
+    case_of_run,
+    cases_in,
+    obstacles,
+)
 from pinel_desktop.robot import Setting
 from sim.world import world_from_document
 
@@ -47,6 +54,7 @@ class RunStanding:
     Args:
         document: the program in its normal form.
         world, setting: of the run.
+        slack: how exactly the robot drives; None for the simulator's.
 
     Raises:
         PinelError: what `activities.world_of` raises.
@@ -58,37 +66,49 @@ class RunStanding:
         document: Mapping[str, Any],
         world: Mapping[str, Any],
         setting: Setting,
+        slack: Slack | None = None,
     ) -> None:
         self._activity, self._document = activity, document
         self._world_document, self._setting = world, setting
-        self._cases = cases_in(activity, world, setting)
+        self._slack = slack
+        self._cases = _cases(activity, world, setting, slack)
         self._world = world_from_document(dict(world)) if self._cases else None
         self._did_not_hold: set[int] = set()  # ids of checks
 
     @property
     def is_of_activity(self) -> bool:
-        """Whether the run has world, start and robot of the activity, so that its checks are about it."""
+        """Whether the activity's checks are about the run.
+
+        In the simulator it must have world, start and robot of the activity; a real robot tells all that the checks
+        need, or none of them is followed.
+        """
         return bool(self._cases)
 
     def of(self, log: RunLog, language: str) -> list[Standing]:
         """The check list after all that the run has told so far."""
         assert self._world is not None
-        log = limited(log, self._activity.limit_s)
+        if self._slack is None:
+            log = limited(log, self._activity.limit_s)
         evidence = Evidence(self._document, self._world, log)
         return [
-            self._standing(check, find(check, evidence), log, language)
+            self._standing(check, find_on_robot(check, evidence, self._slack), log, language)
             for check in self._checks(log)
         ]
 
     def _checks(self, log: RunLog) -> list[kinds.Check]:
         """Those of the activity, and those of the case as soon as it is known which one the run is."""
         if log.is_over:
-            number = case_of_run(self._activity, self._world_document, self._setting, log)
+            number = self._case(log)
             numbers = [] if number is None else [number]
         else:
             numbers = [n for n in self._cases if begins_like(self._activity.cases[n - 1], log)]
         own = self._activity.cases[numbers[0] - 1].checks if len(numbers) == 1 else []
         return [*self._activity.checks, *own]
+
+    def _case(self, log: RunLog) -> int | None:
+        if self._slack:
+            return case_of_real_run(self._activity, log)
+        return case_of_run(self._activity, self._world_document, self._setting, log)
 
     def _standing(
         self, check: kinds.Check, finding: Finding, log: RunLog, language: str
@@ -107,3 +127,12 @@ class RunStanding:
             return "open"
         is_early = isinstance(check, _ABOUT_THE_END) and id(check) not in self._did_not_hold
         return "open" if is_early else "met"
+
+
+def _cases(
+    activity: Activity, world: Mapping[str, Any], setting: Setting, slack: Slack | None
+) -> list[int]:
+    """Numbers from 1 of the cases that the run may be."""
+    if slack is None:
+        return cases_in(activity, world, setting)
+    return [] if obstacles(activity) else list(range(1, len(activity.cases) + 1))

@@ -49,7 +49,7 @@ class Question:
         activity: the activity as plain data.
         document: the program's document.
         world: name of the world in which the group ran it.
-        seen: that run; None where it is no evidence, as one on a real robot or one that was stopped.
+        seen: that run; None where it is no evidence, as one that was stopped.
         language: of the words for the group.
     """
 
@@ -82,18 +82,20 @@ class Verdict:
     """What was found.
 
     Attributes:
-        passed: whether every case passes.
+        passed: whether every case passes; None if a run on a real robot cannot be judged.
         missing: in words what does not hold yet; None if the program passes.
         cases: the report of each case, as the store keeps it.
         block: id of the block that `missing` is about.
         tried: every case of an activity that has several, as event `judged` has them.
+        not_judged: why a run on a real robot was not judged, as a reason of `activities.recorded`.
     """
 
-    passed: bool
+    passed: bool | None
     missing: str | None
     cases: list[dict[str, Any]]
     block: str | None = None
     tried: list[JudgedCase] = field(default_factory=list)
+    not_judged: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,9 +12,12 @@ from pinel_desktop.activities import (
     RunLog,
     RunStanding,
     Standing,
+    case_of_real_run,
     case_of_run,
     check_program,
     input_words,
+    obstacles,
+    slack_of,
     world_title,
 )
 from pinel_desktop.errors import PinelError
@@ -24,6 +27,7 @@ from pinel_desktop.messages import describe
 from pinel_desktop.processes.messages import Message, read_messages, write_message
 from pinel_desktop.program.reading import read_document
 from pinel_desktop.robot import setting_from
+from pinel_desktop.robot.record import ROOM
 
 _log = logging.getLogger(__name__)
 
@@ -70,6 +74,7 @@ class Followed:
             begun.document,
             begun.world,
             setting_from(begun.parameters),
+            slack_of(begun.parameters),
         )
         self._run, self._writer = run, LogWriter()
         self._standing = standing if standing.is_of_activity else None
@@ -96,11 +101,18 @@ def _answer(message: Message, followed: Followed) -> Message:
 def verdict_on(question: Question) -> Verdict:
     """Judges a program: the run that was seen where it was a case of the activity, the other cases in the simulator.
 
+    A run on a real robot is judged by its own telemetry, or not at all.
+
     Raises:
-        PinelError: what `check_program` and `case_of_run` raise.
+        PinelError: what `check_program`, `case_of_run` and `obstacles` raise.
     """
     activity = Activity.model_validate(question.activity)
     seen = _recorded(activity, question.seen) if question.seen else None
+    if question.seen and slack_of(question.seen.parameters):
+        found = obstacles(activity)
+        reason = found[0].missing if found else None if seen else "inputs"
+        if reason is not None:
+            return Verdict(None, None, [], not_judged=reason)
     report = check_program(activity, read_document(dict(question.document)), recorded=seen)
     missing, block = (None, None) if report.passed else _missing(activity, question, report)
     cases = [asdict(case) for case in report.cases]
@@ -121,8 +133,12 @@ def _tried(activity: Activity, report: Report, language: str) -> list[JudgedCase
 
 def _recorded(activity: Activity, seen: SeenRun) -> RecordedRun | None:
     log = RunLog.of_columns(lambda name: seen.columns[name], seen.events)
-    case = case_of_run(activity, seen.world, setting_from(seen.parameters), log)
-    return None if case is None else RecordedRun(log, case)
+    slack = slack_of(seen.parameters)
+    if slack is None:
+        case = case_of_run(activity, seen.world, setting_from(seen.parameters), log)
+    else:
+        case = case_of_real_run(activity, log)
+    return None if case is None else RecordedRun(log, case, slack)
 
 
 def _missing(
@@ -133,6 +149,7 @@ def _missing(
     A run in another world comes first: the group has not seen what the checks are about.
     """
     language, title = question.language, world_title(activity, question.language)
-    if title is not None and question.world != activity.world:
+    is_elsewhere = question.world not in (activity.world, ROOM)
+    if title is not None and is_elsewhere:
         return describe("check_other_world", {"world": title}, language).message, None
     return (report.advice.words[language], report.advice.block) if report.advice else (None, None)

@@ -1,0 +1,233 @@
+"""Which activities a run on a real robot is judged for, and by which tolerances."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from pinel_desktop.activities import (
+    Activity,
+    LogWriter,
+    RecordedRun,
+    RunLog,
+    RunStanding,
+    activity_names,
+    before_words,
+    case_of_real_run,
+    check_kinds,
+    check_program,
+    not_judged_words,
+    obstacles,
+    shipped_activity,
+    slack_of,
+    solution_of,
+)
+from pinel_desktop.activities.check_kinds import AnyCheck
+from pinel_desktop.activities.checking import spec_of
+from pinel_desktop.activities.recorded import Reason
+from pinel_desktop.errors import PinelError
+from pinel_desktop.messages import LANGUAGES
+from pinel_desktop.program.python_text import read_python
+from pinel_desktop.program.reading import Reading, read_document
+from pinel_desktop.program.sensors import SENSORS
+from pinel_desktop.robot import Setting
+from pinel_desktop.robot.record import BridgeRecord, Room
+from pinel_desktop.runs.start import start
+from tests.activities.test_checks import activity
+
+PROGRAMS = Path(__file__).parent / "programs"
+BRIDGE = {"robot": BridgeRecord().as_record()}
+JUDGED = (
+    "dashed_line",
+    "stairs",
+    "square",
+    "triangle",
+    "polygon",
+    "star",
+    "lemniscate",
+    "letter",
+    "flower",
+    "sign_b",
+    "b_or_a",
+    "until_b",
+    "up_to_three_metres",
+)
+MISSING = {
+    "ends_in": "zones",
+    "visits": "zones",
+    "marks": "zones",
+    "pushed": "boxes",
+    "touches_nothing": "contact",
+    "time": "pace",
+}
+EMPTY = "empty_room"
+
+
+def kinds() -> Iterator[tuple[str, type[AnyCheck]]]:
+    for kind in AnyCheck.__subclasses__():
+        yield kind.model_fields["check"].annotation.__args__[0], kind  # type: ignore[union-attr]
+
+
+def test_every_kind_declares_what_it_needs_of_the_simulator() -> None:
+    assert {name: kind.needs for name, kind in kinds() if "needs" in vars(kind)} == {
+        name: MISSING.get(name) for name, _ in kinds()
+    }
+    assert len(list(kinds())) == 21
+
+
+def test_every_kind_with_a_tolerance_widens_it() -> None:
+    tolerant = {"within_m", "within_deg", "tolerance", "at_most_m", "at_most_deg", "net_within"}
+    for name, kind in kinds():
+        has_one = tolerant & kind.model_fields.keys()
+        assert (kind.widened is not AnyCheck.widened) == bool(
+            has_one or name == "any_of"
+        ) or name == "symmetric", name
+
+
+def test_the_catalogue_is_judged_where_the_world_does_not_matter() -> None:
+    found = {name for name in activity_names() if not obstacles(shipped_activity(name))}
+    assert found == set(JUDGED)
+    first = {
+        name: obstacles(shipped_activity(name))[0].missing
+        for name in activity_names()
+        if name not in JUDGED
+    }
+    assert first.pop("pushing") == "boxes"
+    assert set(first.values()) == {"zones"}
+
+
+@pytest.mark.parametrize(
+    ("more", "missing", "kinds"),
+    [
+        ({"checks": [{"check": "ends_in", "zone": "A"}]}, "zones", ("ends_in",)),
+        ({"checks": [{"check": "touches_nothing"}], "world": EMPTY}, "contact", ("touches_nothing",)),
+        ({"checks": [{"check": "time", "at_most_s": 9.0}], "world": EMPTY}, "pace", ("time",)),
+        ({"world": "city_block"}, "boxes", ()),
+        ({"world": "maze"}, "walls", ()),
+        ({"world": EMPTY, "cases": [{}, {"start": {"x_m": 1.0, "y_m": 0.0}}]}, "starts", ()),
+    ],
+)  # fmt: skip
+def test_what_only_the_simulator_tells_keeps_a_run_from_being_judged(
+    more: dict[str, Any], missing: str, kinds: tuple[str, ...]
+) -> None:
+    wanted = activity(**{"checks": [{"check": "finished"}], **more})
+    assert obstacles(wanted)[0] == (missing, kinds)
+
+
+def test_one_of_several_checks_needs_what_each_of_them_needs() -> None:
+    some = [{"check": "finished"}, {"check": "visits", "zones": ["A"]}]
+    wanted = activity({"check": "any_of", "checks": some})
+    assert obstacles(wanted) == (("zones", ("any_of",)),)
+
+
+@pytest.mark.parametrize("sensor", sorted(SENSORS))
+def test_a_solution_that_reads_the_world_needs_it(sensor: str) -> None:
+    until = {"action": "wait_until", "condition": {"op": "==", "args": [{"sensor": sensor}, 1]}}
+    document = {"pinel_ir": 1, "commands": [until]}
+    wanted = activity({"check": "finished"}, world=EMPTY, solution=document)
+    own = {"x", "y", "heading", "time", "has_mark", "mark_here"}
+    assert bool(obstacles(wanted)) == (sensor not in own)
+
+
+def test_every_reason_has_words_that_name_what_is_missing() -> None:
+    reasons = ["zones", "boxes", "contact", "pace", "walls", "sensors", "starts"]
+    for language in LANGUAGES:
+        told = {not_judged_words(reason, language) for reason in [*reasons, "inputs", "stopped"]}
+        assert len(told) == 9
+    assert "zonas do chão" in not_judged_words("zones", "pt-BR")
+    assert not_judged_words("of a newer release", "en") == not_judged_words("failed", "en")
+    assert "record" in str(Reason)
+    assert before_words(shipped_activity("square"), "pt-BR") is None
+
+
+def test_the_robot_s_record_decides_how_exactly_it_drives() -> None:
+    coarse = {"robot": {**BridgeRecord().as_record(), "move_tolerance_m": 0.1}}
+    fine, wide = slack_of(BRIDGE), slack_of(coarse)
+    assert fine is not None
+    assert wide is not None
+    assert fine.move_m == pytest.approx(0.02)
+    assert wide == replace(fine, move_m=wide.move_m)
+    assert wide.move_m == pytest.approx(0.11)
+    assert slack_of({"model": "pioneer_3dx"}) is None
+    with pytest.raises(PinelError, match="run_damaged"):
+        slack_of({"robot": {"move_tolerance_m": "wide"}})
+
+
+def driven(wanted: Activity, case: int, reading: Reading) -> RunLog:
+    """What a real robot tells: the realistic simulator's run, of which nobody knows the true poses."""
+    spec = spec_of(wanted, wanted.cases[case - 1], reading)
+    writer = LogWriter()
+
+    def observe(tick: int, event: Any) -> None:
+        if event.type == "telemetry":
+            event = replace(event, true_x_m=None, true_y_m=None, true_yaw_rad=None)
+        writer.observe(tick, event)
+
+    start(replace(spec, setting=Setting(wanted.model, "realistic", "pose"), seed=3), observe)
+    return writer.log()
+
+
+def judged(name: str, reading: Reading, case: int) -> bool:
+    wanted = shipped_activity(name)
+    log = driven(wanted, case, reading)
+    assert not log.is_true
+    number = case_of_real_run(wanted, log)
+    assert number is not None
+    report = check_program(wanted, reading, recorded=RecordedRun(log, number, slack_of(BRIDGE)))
+    seen = [one for one in report.cases if one.recorded]
+    assert len(seen) == 1
+    return report.passed
+
+
+@cache
+def solution(name: str) -> Reading:
+    return read_document(solution_of(name) or {})
+
+
+@pytest.mark.parametrize("name", JUDGED)
+def test_a_solution_passes_by_what_a_real_robot_measured(name: str) -> None:
+    for case in range(1, len(shipped_activity(name).cases) + 1):
+        assert judged(name, solution(name), case), case
+
+
+WRONG = [
+    file
+    for file in sorted(PROGRAMS.glob("*/wrong_*.py"))
+    if file.parent.name in JUDGED and "no_reading" not in file.stem
+]
+
+
+@pytest.mark.parametrize("file", WRONG, ids=lambda file: f"{file.parent.name}/{file.stem}")
+def test_a_wrong_program_does_not_pass_by_a_wider_tolerance(file: Path) -> None:
+    reading = read_python(file.read_text("utf-8")).reading
+    assert not judged(file.parent.name, reading, 1)
+
+
+def test_inputs_that_no_case_gives_are_of_none() -> None:
+    wanted = shipped_activity("polygon")
+    four = wanted.model_copy(update={"cases": [check(["4"])]})
+    log = driven(four, 1, solution("polygon"))
+    assert case_of_real_run(wanted, log) is None
+
+
+def check(answers: list[str]) -> Any:
+    return shipped_activity("polygon").cases[0].model_copy(update={"answers": answers})
+
+
+def test_the_check_list_follows_a_real_run_and_says_what_counts_as_before() -> None:
+    wanted, reading = shipped_activity("square"), solution("square")
+    assert reading.document is not None
+    world = Room().as_world()
+    standing = RunStanding(wanted, reading.document, world, Setting(), slack_of(BRIDGE))
+    assert standing.is_of_activity
+    lines = standing.of(driven(wanted, 1, reading), "en")
+    assert [line.state for line in lines] == ["met"] * len(wanted.checks)
+    assert "Drive 4 m in all" in [line.criterion for line in lines]
+    maze = shipped_activity("maze")
+    assert not RunStanding(
+        maze, reading.document, world, Setting(), slack_of(BRIDGE)
+    ).is_of_activity
+    assert check_kinds.needs_of(wanted.checks[0]) == frozenset()
