@@ -7,7 +7,7 @@ import contextlib
 import threading
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from pinel_desktop import __version__
 from pinel_desktop.camera.client import Camera, CameraState
@@ -23,6 +23,7 @@ from pinel_desktop.page_settings import PageSettings
 from pinel_desktop.preferences import Preferences
 from pinel_desktop.school.grading import Grader
 from pinel_desktop.school.live_checks import LiveChecks
+from pinel_desktop.school.robot_watching import RobotWatching
 from pinel_desktop.school.robots import Robots
 from pinel_desktop.school.sign_teaching import SignTeaching
 from pinel_desktop.school.teacher import TeacherSessions
@@ -36,6 +37,7 @@ from storage.maintenance import Maintenance
 if TYPE_CHECKING:
     from pinel_desktop.program.faults import Fault
     from pinel_desktop.program.reading import Reading
+    from pinel_desktop.web.legacy.api import BridgeChoice, BridgeEngine, LegacyApi
 
 Event = dict[str, Any]
 _PATIENCE_S = 2.0
@@ -62,7 +64,11 @@ class MakeEngine(Protocol):
     """Makes an engine, as `EngineClient` does."""
 
     def __call__(
-        self, on_event: Callable[[Event], None], *, is_watched: Callable[[], bool]
+        self,
+        on_event: Callable[[Event], None],
+        *,
+        on_robot: Callable[[Event], None],
+        is_watched: Callable[[], bool],
     ) -> EngineOfApp: ...
 
 
@@ -79,6 +85,7 @@ class App:
             the first edit and the first run need, would keep busy.
         on_show: brings the window forward when the app is started a second time.
         camera: in place of the one that was chosen: as `camera.frames.open_reader` takes it.
+        bridge: where the HTTP interface of the original is served, and which robot its calls drive; None for none.
     """
 
     def __init__(  # noqa: PLR0913 - everything that may be another, for the window and for tests
@@ -94,6 +101,7 @@ class App:
         read: ReadDocument | None = None,
         worlds: Sequence[dict[str, Any]] | None = None,
         camera: str | None = None,
+        bridge: "BridgeChoice | None" = None,
     ) -> None:
         self._database = database
         self._port = port
@@ -105,6 +113,8 @@ class App:
         self._read = read or _read_document
         self._worlds = list_worlds() if worlds is None else worlds
         self._camera_source = camera
+        self._bridge = bridge
+        self._legacy: LegacyApi | None = None
         self._closing = contextlib.ExitStack()
 
     def start(self) -> None:
@@ -137,6 +147,10 @@ class App:
     def notice(self) -> Problem | None:
         """What a person should know about the database, None when all is well."""
         return self._database_state().notice
+
+    def wait_for_bridge(self) -> str | None:
+        """The address of the bridge once it stands; None for none. Raises PinelError that says why it does not."""
+        return self._legacy.wait_until_listening() if self._legacy else None
 
     def close(self) -> None:
         """Stops the robot, writes what is pending, ends every stream. Safe to call twice."""
@@ -182,7 +196,10 @@ class App:
         undo.callback(server.close)
         undo.callback(self._hub.close)
         self._guard = server.guard
-        self._engine = self._make_engine(self._take, is_watched=self._hub.has_readers)
+        self._robot_watching = RobotWatching(self._hub.publish, lambda: self._preferences.language)
+        self._engine = self._make_engine(
+            self._take, on_robot=self._robot_watching.take, is_watched=self._is_watched
+        )
         undo.callback(self._engine.close)
         self._camera = Camera(
             self._camera_source or self._preferences.camera,
@@ -194,9 +211,23 @@ class App:
         self._signs = SignTeaching(
             self._store, self._camera, self._hub.publish, lambda: self._preferences.language
         )
-        server.open(create_app(self._services()))
+        services = self._services()
+        server.open(create_app(services))
+        self._serve_bridge(services, undo)
         self._maintenance.start()
         self._start_engine(undo)
+
+    def _serve_bridge(self, services: Services, undo: contextlib.ExitStack) -> None:
+        if self._bridge is None:
+            return
+        from pinel_desktop.web.legacy.api import LegacyApi  # noqa: PLC0415 - for who wants one
+
+        self._legacy = LegacyApi(services, cast("BridgeEngine", self._engine), self._bridge)
+        undo.callback(self._legacy.close)
+        self._legacy.start()
+
+    def _is_watched(self) -> bool:
+        return self._hub.has_readers() or (self._legacy is not None and self._legacy.is_watched)
 
     def _start_engine(self, undo: contextlib.ExitStack) -> None:
         if not self._engine_after_s:
@@ -225,6 +256,7 @@ class App:
             preferences=self._preferences,
             teacher=TeacherSessions(self._store.settings),
             robots=Robots(self._store.settings, LINK_NAMES),
+            robot_watching=self._robot_watching,
             read_document=self._read,
             read_world=_read_world,
             worlds=self._worlds,
@@ -237,6 +269,8 @@ class App:
     def _take(self, event: Event) -> None:
         """An event of the engine: first to the store, so that the page finds ended what it hears has ended."""
         self._recorder(event)
+        if self._legacy is not None:
+            self._legacy.observe(event)
         self._hub.publish(event)
         self._camera.observe(event)
         self._live_checks.observe(event)

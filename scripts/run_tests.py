@@ -5,6 +5,7 @@ build/test-logs. The last line is `N passed, N failed, N skipped` over all test 
 """
 
 import argparse
+import os
 import re
 import subprocess
 import sys
@@ -18,6 +19,8 @@ LOGS = ROOT / "build" / "test-logs"
 PYTEST = (sys.executable, "-m", "pytest", "-q")
 # one process per core, limited because robots that drive in real time would run late
 SIDE_BY_SIDE = ("-n", "logical", "--maxprocesses", "4", "--dist", "worksteal")
+# those that mostly wait leave most of the cores idle
+MANY = ("-n", str(min(3 * (os.cpu_count() or 1), 12)), "--dist", "worksteal")
 _COLOURS = re.compile(r"\x1b\[[0-9;]*m")
 # pytest: "3 passed, 1 skipped in 0.5s", between = without -q; vitest: "Tests  3 passed (3)"
 _CLOSING = re.compile(
@@ -52,7 +55,23 @@ def npm(*arguments: str) -> tuple[str, ...]:
     return ("sh", "-c", script, "npm", *arguments)
 
 
-UNIT = "not e2e and not packaged and not nightly and not fuzz"
+def files_with(marker: str) -> list[str]:
+    """Files of the tests with a marker: to collect all tests takes each process a quarter of a minute."""
+    files = sorted((ROOT / "tests").rglob("test_*.py"))
+    return [
+        str(file.relative_to(ROOT))
+        for file in files
+        if f"pytest.mark.{marker}" in file.read_text("utf-8")
+    ]
+
+
+def marked_tests(name: str, group: str, *options: str, only: str, without: str = "") -> Step:
+    """Runs the tests with a marker, without those that have another one too."""
+    markers = f"{only} and not {without}" if without else only
+    return Step(name, group, (*PYTEST, *files_with(only), *options, "-m", markers), counts=True)
+
+
+UNIT = "not e2e and not packaged and not nightly and not fuzz and not waits"
 STEPS = (
     Step("ruff", "lint", (sys.executable, "-m", "ruff", "check", ".")),
     Step("format", "lint", (sys.executable, "-m", "ruff", "format", "--check", ".")),
@@ -62,13 +81,14 @@ STEPS = (
     Step("page-lint", "lint", npm("run", "--silent", "check")),
     Step("page-unit", "test", npm("run", "--silent", "test"), counts=True),
     Step("unit", "test", (*PYTEST, *SIDE_BY_SIDE, "-m", UNIT), counts=True),
-    Step("fuzz", "test", (*PYTEST, *SIDE_BY_SIDE, "-m", "fuzz", "--fuzz-s=30"), counts=True),
-    Step("e2e", "test", (*PYTEST, *SIDE_BY_SIDE, "-m", "e2e and not nightly"), counts=True),
+    marked_tests("waits", "test", *MANY, only="waits", without="nightly"),
+    marked_tests("fuzz", "test", *SIDE_BY_SIDE, "--fuzz-s=30", only="fuzz"),
+    marked_tests("e2e", "test", *SIDE_BY_SIDE, only="e2e", without="nightly"),
     Step("package", "package", ("make", "package")),
-    Step("packaged", "package", (*PYTEST, "-m", "packaged and not nightly"), counts=True),
+    marked_tests("packaged", "package", only="packaged", without="nightly"),
     Step("smoke", "package", (sys.executable, "packaging/smoke.py")),
-    Step("nightly", "nightly", (*PYTEST, "-m", "nightly"), counts=True),
-    Step("long-fuzz", "nightly", (*PYTEST, "-m", "fuzz", "--fuzz-s=300"), counts=True),
+    marked_tests("nightly", "nightly", only="nightly"),
+    marked_tests("long-fuzz", "nightly", "--fuzz-s=300", only="fuzz"),
     Step("bench", "nightly", ("make", "bench"), counts=True),
 )
 

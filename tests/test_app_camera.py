@@ -20,6 +20,8 @@ from tests.camera.taught_hands import packed, shown, write_strange_hand
 from tests.live_runs import begun, command, saved
 from tests.web.browser import Browser, Stream
 
+pytestmark = pytest.mark.waits
+
 RECORDINGS = Path(__file__).parent / "camera" / "recordings"
 PHOTOS = os.environ.get("PINEL_LIBRAS", "")
 WAIT_S = 60.0

@@ -17,6 +17,8 @@ from pinel_desktop.web.models.events import StreamEvent
 from tests.live_runs import begun, command, saved
 from tests.web.browser import Browser, Stream
 
+pytestmark = pytest.mark.waits
+
 SQUARE = json.loads((Path(__file__).parent / "programs" / "square.json").read_text("utf-8"))
 READY_S = 30.0
 OLD_ENOUGH_TICKS = 100  # an engine that dies in its first seconds is not started again

@@ -81,7 +81,7 @@ class Camera:
         self._closing = threading.Event()
         self._numbers = count()
         self._run: str | None = None
-        self._preview = Preview(self._closing)
+        self._preview, self._annotated = Preview(self._closing), Preview(self._closing)
         self._taught: Taught = ()
         self._recording: SampleRecording | None = None
 
@@ -179,23 +179,30 @@ class Camera:
         elif kind in ("gesture_result", "run_ended") and run == self._run:
             self._end_capture()
 
-    def previews(self) -> Generator[bytes]:
-        """Mirrored JPEG pictures as they come, for one who watches; ends when none comes for a while."""
+    def previews(self, *, annotated: bool = False) -> Generator[bytes]:
+        """Mirrored JPEG pictures as they come, for one who watches; ends when none comes for a while.
+
+        Args:
+            annotated: with the hands and their signs drawn into them; the page draws them itself.
+        """
+        preview = self._annotated if annotated else self._preview
+        wanted = "annotated" if annotated else "preview"
         self.use()
         try:
             with self._lock:  # held while counting: one who leaves takes the picture from nobody
-                self._want(preview=self._preview.enter())
-            for picture in self._preview.pictures(_NO_PICTURE_S):
+                self._want(**{wanted: preview.enter()})
+            for picture in preview.pictures(_NO_PICTURE_S):
                 self.use()
                 yield picture
         finally:
             with self._lock:
-                self._want(preview=self._preview.leave())
+                self._want(**{wanted: preview.leave()})
 
     def close(self) -> None:
         """Ends the process and all previews."""
         self._closing.set()
         self._preview.wake()
+        self._annotated.wake()
         self._process.close()
         if self._tender:
             self._tender.join()
@@ -268,6 +275,8 @@ class Camera:
                 self._sampled(message)
             case "preview":
                 self._preview.show(base64.b64decode(message["jpeg"]))
+            case "annotated":
+                self._annotated.show(base64.b64decode(message["jpeg"]))
 
     def _recognised(self, message: Message) -> None:
         with self._lock:

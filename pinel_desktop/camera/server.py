@@ -12,6 +12,7 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
+from pinel_desktop.camera.annotation import annotated
 from pinel_desktop.camera.learning import Learner, MovementTaker, SampleTaker
 from pinel_desktop.camera.sight import SeenSign, Sight
 from pinel_desktop.camera.source import CameraSource, Frame
@@ -223,7 +224,16 @@ class _Session:
             }
         )
         if self._wanted.preview:
-            self._send({"type": "preview", "jpeg": _jpeg(picture, mirror=self._wanted.mirror)})
+            self._send({"type": "preview", "jpeg": _base64(self._shown(picture))})
+        if self._wanted.annotated:
+            shown = annotated(self._shown(picture), told)
+            self._send({"type": "annotated", "jpeg": _base64(shown)})
+
+    def _shown(self, picture: Picture) -> Picture:
+        """The picture as people see it: small, and as in a mirror."""
+        scale = min(1.0, _PREVIEW_SIDE / max(picture.shape[:2]))
+        small = cv2.resize(picture, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
+        return np.asarray(small[:, ::-1] if self._wanted.mirror else small, np.uint8)
 
     def _tell_state(self, state: Message) -> None:
         if state != self._state:
@@ -265,11 +275,10 @@ def _as_message(hand: SeenSign, width: int, height: int, *, mirror: bool) -> dic
     }
 
 
-def _jpeg(picture: Picture, *, mirror: bool) -> str:
-    scale = min(1.0, _PREVIEW_SIDE / max(picture.shape[:2]))
-    small = cv2.resize(picture, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
-    shown = cv2.cvtColor(small[:, ::-1] if mirror else small, cv2.COLOR_RGB2BGR)
-    _, jpeg = cv2.imencode(".jpg", shown, [cv2.IMWRITE_JPEG_QUALITY, _JPEG_QUALITY])
+def _base64(shown: Picture) -> str:
+    """The picture as JPEG."""
+    picture = cv2.cvtColor(shown, cv2.COLOR_RGB2BGR)
+    _, jpeg = cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, _JPEG_QUALITY])
     return base64.b64encode(jpeg.tobytes()).decode("ascii")
 
 

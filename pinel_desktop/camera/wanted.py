@@ -15,6 +15,7 @@ class Wanted:
         mirror: whether pupils are to see themselves as in a mirror; signs are recognised alike.
         capture: id of the run whose capture waits for a sign; None while none does.
         preview: whether somebody watches the picture.
+        annotated: whether somebody watches it with the hands and their signs drawn into it.
         record: id of the recording that waits for hands; None while none does.
         record_moving: whether it waits for movements, not for hands at rest.
     """
@@ -23,6 +24,7 @@ class Wanted:
     mirror: bool = True
     capture: str | None = None
     preview: bool = False
+    annotated: bool = False
     record: str | None = None
     record_moving: bool = False
 

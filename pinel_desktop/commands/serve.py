@@ -4,6 +4,7 @@ import signal
 import socket
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
 import click
 
@@ -11,9 +12,15 @@ from pinel_desktop.app import App
 from pinel_desktop.camera.address import check_address
 from pinel_desktop.commands.options import chosen_database, database_option
 from pinel_desktop.commands.printing import Failure, print_problem
+from pinel_desktop.commands.real_robot import chosen_robot
 from pinel_desktop.errors import PinelError
 from pinel_desktop.instance import AlreadyRunningError
+from pinel_desktop.links import LINK_NAMES
 from pinel_desktop.messages import describe
+from pinel_desktop.robot.record import BridgeRecord
+
+if TYPE_CHECKING:
+    from pinel_desktop.web.legacy.api import BridgeChoice
 
 
 @click.command()
@@ -29,19 +36,43 @@ from pinel_desktop.messages import describe
     metavar="SOURCE",
     help="Look through this in place of the chosen webcam: its number, a video file, a folder of pictures.",
 )
+@click.option(
+    "--bridge",
+    metavar="HOST:PORT",
+    help="Serve the HTTP interface of the original PINEL there: /execute, /bridge/ and others (docs/bridge.md).",
+)
+@click.option(
+    "--bridge-key",
+    metavar="KEY",
+    help="What each request to it must bring, in the header X-PINEL-Key or as ?key=KEY.",
+)
+@click.option(
+    "--robot",
+    type=click.Choice(LINK_NAMES),
+    default="sim",
+    show_default=True,
+    help="Which robot its calls drive; bridge is the program that asks it for velocities.",
+)
 @database_option
 @click.pass_context
-def command(ctx: click.Context, port: int, camera: str | None) -> None:
+def command(
+    ctx: click.Context,
+    port: int,
+    camera: str | None,
+    bridge: str | None,
+    bridge_key: str | None,
+    robot: str,
+) -> None:
     """Serve the page without a window and print its address.
 
     The address works once and on this PC only; start the command again for a new one. Ctrl+C ends it.
-    Exit status: 0, or 1 if the page cannot be served, or there is no video and no folder of that path.
+    Exit status: 0, or 1 if the page or the bridge cannot be served, or there is no video and no folder of that path.
     """
-    app = App(chosen_database(ctx), port=port, camera=camera)
     try:
+        choice = _bridge(bridge, bridge_key, robot)
         if camera is not None:
             check_address(camera)
-        _serve(app)
+        _serve(App(chosen_database(ctx), port=port, camera=camera, bridge=choice), robot)
     except AlreadyRunningError as first:
         print_problem(first)
         click.echo(first.running.fresh_link())
@@ -49,12 +80,28 @@ def command(ctx: click.Context, port: int, camera: str | None) -> None:
         raise Failure(error) from error
 
 
-def _serve(app: App) -> None:
+def _bridge(bridge: str | None, key: str | None, robot: str) -> "BridgeChoice | None":
+    """What stands beside the page. Raises PinelError for options that do not fit."""
+    if bridge is None:
+        if key is not None or robot != "sim":
+            raise PinelError("bridge_option_missing")
+        return None
+    from pinel_desktop.web.legacy.api import BridgeChoice  # noqa: PLC0415 - for who wants one
+
+    record = chosen_robot("bridge", (), bridge, key)
+    assert isinstance(record, BridgeRecord)
+    return BridgeChoice(record, robot)
+
+
+def _serve(app: App, robot: str) -> None:
     with _signals() as signals, app:
         if app.notice is not None:
             print_problem(app.notice, app.language)
         click.echo(describe("serving", {}, app.language).line, err=True)
         click.echo(app.address)
+        if (address := app.wait_for_bridge()) is not None:
+            told = {"address": address, "robot": robot}
+            click.echo(describe("bridge_serving", told, app.language).line, err=True)
         signals.recv(1)
 
 

@@ -1,12 +1,19 @@
 """The app's side of the engine: sends messages to its process, hands on its events."""
 
+import math
 import threading
 import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from typing import Any
 
-from pinel_desktop.engine.commands import ALIVE, ALIVE_PERIOD_S, REPLY, Command, Evaluate
+from pinel_desktop.engine.commands import (
+    ALIVE,
+    ALIVE_PERIOD_S,
+    REPLY,
+    Command,
+    Evaluate,
+)
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import RunEnded
 from pinel_desktop.events.stamp import EventStamp
@@ -15,21 +22,27 @@ from pinel_desktop.processes import own_command
 from pinel_desktop.processes.messages import Message
 from pinel_desktop.processes.owned import OwnedProcess, ProcessState
 from pinel_desktop.robot.record import RobotRecord
+from pinel_desktop.runs.robots import AT_START, HALT, JOG, ROBOT_STATE, WATCH
 from pinel_desktop.runs.spec import RunSpec
 
 EventSink = Callable[[dict[str, Any]], None]
 
 _ANSWER_TIMEOUT_S = 2.0
 _CONTACT_TIMEOUT_S = 40.0
+_FIND_TIMEOUT_S = 15.0
+# Without a new key in this time, a run may take the robot.
+_HELD_S = 0.5
 
 
 class EngineClient:
     """Keeps the engine process running; thread-safe.
 
     `on_event` is called on the reader thread with every event, in order. When the process dies during a run, the
-    client makes up the missing `run_ended` (failed, `engine_lost`).
+    client makes up the missing `run_ended` (failed, `engine_lost`; `real_engine_lost` of a real robot, which only its
+    own watchdog stops then).
 
     Args:
+        on_robot: called on the reader thread with every state of a real robot that is watched.
         is_watched: whether somebody could stop a robot: a real one stands still, and its run ends, while nobody could.
     """
 
@@ -38,14 +51,23 @@ class EngineClient:
         on_event: EventSink,
         command: Sequence[str] | None = None,
         *,
+        on_robot: EventSink = lambda state: None,
         is_watched: Callable[[], bool] = lambda: True,
     ) -> None:
         self._on_event, self._is_watched = on_event, is_watched
+        self._on_robot = on_robot
+        self._held_s = -math.inf
         self._process = OwnedProcess(
-            "engine", command or own_command("engine"), self._receive, self._report_loss
+            "engine",
+            command or own_command("engine"),
+            self._receive,
+            self._report_loss,
+            self._on_ready,
         )
+        self._bridge: tuple[Message, Callable[[Message], None]] | None = None
         self._lock = threading.RLock()
         self._live: str | None = None
+        self._is_real = False
         self._next_seq = 0
         self._tick = 0
         self._n_questions = 0
@@ -87,11 +109,14 @@ class EngineClient:
         with self._lock:
             if self._live is not None:
                 raise PinelError("run_in_progress")
+            if time.monotonic() - self._held_s < _HELD_S:
+                raise PinelError("robot_held_by_keys")
             if self.state == "lost":  # one more try, which the next press of Run will find
                 self.start()
             if self.state != "ready":
                 raise PinelError("engine_not_ready")
             self._live, self._next_seq, self._tick = run_id, 0, 0
+            self._is_real = spec.robot is not None
             first = [dict(command) for command in commands]
             self._process.send({"run": run_id, "spec": spec.as_message(), "commands": first})
         if spec.robot is not None:
@@ -135,15 +160,71 @@ class EngineClient:
                 raise PinelError("run_in_progress")
             if self.state != "ready":
                 raise PinelError("engine_not_ready")
-            question, answer = self._new_question()
-            self._process.send({"contact": question, "robot": robot.as_message()})
+        found: dict[str, Any] = self._ask("contact", robot, _CONTACT_TIMEOUT_S)
+        return found
+
+    def find(self, robot: RobotRecord) -> list[dict[str, Any]]:
+        """The robots in the domain of a record (`links.dds.finding.FoundRobot`).
+
+        Raises PinelError `engine_not_ready`, `network_missing`, `peer_unknown`.
+        """
+        if self.state != "ready":
+            raise PinelError("engine_not_ready")
+        found: list[dict[str, Any]] = self._ask("find", robot, _FIND_TIMEOUT_S)
+        return found
+
+    def _ask(self, what: str, robot: RobotRecord, timeout_s: float) -> Any:
+        """Asks the engine about a robot, and waits for the answer."""
+        question, answer = self._new_question()
+        self._process.send({what: question, "robot": robot.as_message()})
         try:
-            found: dict[str, Any] = answer.result(_CONTACT_TIMEOUT_S)
-            return found
+            return answer.result(timeout_s)
         except TimeoutError as error:
             raise PinelError("engine_not_ready") from error
         finally:
             self._questions.pop(question, None)
+
+    def keep_bridge(self, listen: Message, on_message: Callable[[Message], None]) -> None:
+        """Has every engine from now on keep a bridge (`runs.bridge`); `on_message` takes what it tells and asks."""
+        self._bridge = listen, on_message
+        if self.state == "ready":
+            self._process.send(listen)
+
+    def tell_bridge(self, message: Message) -> None:
+        """Sends the bridge a message."""
+        self._process.send(message)
+
+    def _on_ready(self) -> None:
+        if self._bridge is not None:
+            self._process.send(self._bridge[0])
+
+    def watch(self, robot: RobotRecord) -> None:
+        """Lets the engine listen to a robot for some seconds longer; does nothing while it is not ready."""
+        self._tell_of_robot(WATCH, robot)
+
+    def jog(self, robot: RobotRecord, drive: float, turn: float, sent_s: float) -> None:
+        """Moves a robot slowly for a fifth of a second. `drive` and `turn` from -1 to 1, `sent_s` by the PC's clock.
+
+        Raises PinelError `run_in_progress`.
+        """
+        with self._lock:
+            if self._live is not None:
+                raise PinelError("run_in_progress")
+            if drive or turn:
+                self._held_s = time.monotonic()
+            self._tell_of_robot(JOG, robot, drive=drive, turn=turn, sent_s=sent_s)
+
+    def halt(self, robot: RobotRecord) -> None:
+        """Stops a robot that is moved by keys."""
+        self._tell_of_robot(HALT, robot)
+
+    def stand_at_start(self, robot: RobotRecord) -> None:
+        """The robot stands at the start of its room."""
+        self._tell_of_robot(AT_START, robot)
+
+    def _tell_of_robot(self, kind: str, robot: RobotRecord, **more: Any) -> None:
+        if self.state == "ready":
+            self._process.send({"type": kind, "robot": robot.as_message(), **more})
 
     def _new_question(self) -> tuple[int, Future[Any]]:
         """The number of a question to the engine, and its answer."""
@@ -162,6 +243,10 @@ class EngineClient:
     def _receive(self, message: Message) -> None:
         if message.get("type") == REPLY:
             self._settle(message)
+        elif self._bridge and message["type"].startswith("bridge_"):
+            self._bridge[1](message)
+        elif message.get("type") == ROBOT_STATE:
+            self._on_robot(message)
         else:
             self._hand_on(message)
 
@@ -188,5 +273,6 @@ class EngineClient:
             lost_run, seq, tick = self._live, self._next_seq, self._tick
             self._live = None
         if lost_run is not None:
-            ended = RunEnded.cut_off("engine_lost", tick / TICK_HZ)
+            reason = "real_engine_lost" if self._is_real else "engine_lost"
+            ended = RunEnded.cut_off(reason, tick / TICK_HZ)
             self._on_event(EventStamp(lost_run, seq).wire(tick, ended))

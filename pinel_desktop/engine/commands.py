@@ -1,7 +1,7 @@
 """The commands to a live run, declared once.
 
-The route, the page's types, the client and the engine's reader derive from `LiveCommand`. A new command is a class
-here, with what it does to a run (`apply`), and whatever in the page sends it.
+The route and the page's types derive from `LiveCommand`, the engine's reader from `EngineCommand`. A new command is
+a class here, with what it does to a run (`apply`), and whatever in the page sends it.
 """
 
 from typing import Annotated, Any, Literal, get_args
@@ -144,7 +144,29 @@ class Answer(_Command):
         control.inputs.answers.answer(self.value)
 
 
-Command = (
+class Append(_Command):
+    """Commands for the end of the program, in the normal form of a document; the run is an open one from then on.
+
+    The app alone sends it, since it keeps the document that the run grows to.
+    """
+
+    do: Literal["append"] = "append"
+    commands: list[Any]
+
+    def apply(self, control: RunControl, reply: Reply) -> None:
+        control.append(self.commands)
+
+
+class Finish(_Command):
+    """An open run ends as soon as all of its commands are done."""
+
+    do: Literal["finish"] = "finish"
+
+    def apply(self, control: RunControl, reply: Reply) -> None:
+        control.finish()
+
+
+PageCommand = (
     Pause
     | Resume
     | Stop
@@ -156,15 +178,25 @@ Command = (
     | AnswerCapture
     | Answer
 )
-COMMANDS: dict[str, type[Command]] = {
-    model.model_fields["do"].default: model for model in get_args(Command)
+Command = PageCommand | Append | Finish
+# those of a page
+COMMANDS: dict[str, type[PageCommand]] = {
+    model.model_fields["do"].default: model for model in get_args(PageCommand)
 }
 
 
 class LiveCommand(RootModel[Any]):
-    """One command to a live run."""
+    """One command of a page to a live run."""
 
     model_config = _LATER
 
     # in the brackets of RootModel it would be built at once, whatever the configuration says
+    root: Annotated[PageCommand, Field(discriminator="do")]
+
+
+class EngineCommand(RootModel[Any]):
+    """One command of the app to a live run."""
+
+    model_config = _LATER
+
     root: Annotated[Command, Field(discriminator="do")]

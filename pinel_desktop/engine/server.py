@@ -2,19 +2,24 @@
 
 import logging
 import threading
-from typing import Any, BinaryIO
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 from pydantic import ValidationError
 
-from pinel_desktop.engine.commands import ALIVE, REPLY, Command, LiveCommand
+from pinel_desktop.engine.commands import ALIVE, REPLY, Command, EngineCommand
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, RunEnded
 from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.control import RunControl
 from pinel_desktop.processes.messages import Message, read_messages, write_message
-from pinel_desktop.robot.record import record_from
+from pinel_desktop.robot.record import RobotRecord, record_from
+from pinel_desktop.runs.robots import ROBOT_MESSAGES
 from pinel_desktop.runs.spec import spec_from
 from pinel_desktop.runs.start import start
+
+if TYPE_CHECKING:
+    from pinel_desktop.runs.bridge import OwnedBridge
+    from pinel_desktop.runs.robots.service import Robots
 
 _log = logging.getLogger(__name__)
 _EMPTY_SHA256 = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"
@@ -34,7 +39,7 @@ class _LiveRun:
         if message["spec"].get("robot"):
             self.control.hear_app()  # from now on the robot drives only while the app is heard
         for command in message.get("commands", ()):
-            self.apply(LiveCommand.model_validate(command).root, None)
+            self.apply(EngineCommand.model_validate(command).root, None)
 
     def apply(self, command: Command, question: int | None) -> None:
         """Does what the app asks of the run; `question` is the number under which a value is to be sent back."""
@@ -47,7 +52,11 @@ class _LiveRun:
     def _execute(self) -> None:
         try:
             spec = spec_from(self._message["spec"], self.control.inputs)
-            start(spec, self._observe, self.control)
+            if spec.robot is None:
+                start(spec, self._observe, self.control)
+                return
+            with self._engine.robots.reserved(spec.robot) as follow:
+                start(spec, self._observe, self.control, on_link=follow)
         except PinelError as error:  # before the first tick: unknown world, faults in the document
             self._observe(0, _never_began(error))
         except OSError:
@@ -79,6 +88,20 @@ class Engine:
         self._messages, self._events = messages, events
         self._writing = threading.Lock()
         self._live: _LiveRun | None = None
+        self._bridge: OwnedBridge | None = None
+        self._making = threading.Lock()
+        self._robots: Robots | None = None
+        # what the app asks about a real robot, under the number of its question
+        self._about_robots = {"contact": self._contact, "find": self._find}
+
+    @property
+    def robots(self) -> "Robots":
+        """The real robots; what they need is imported with the first of them."""
+        from pinel_desktop.runs.robots.service import Robots  # noqa: PLC0415 - for real robots only
+
+        with self._making:
+            self._robots = self._robots or Robots(self.send)
+            return self._robots
 
     def send(self, message: Message) -> None:
         """Writes an event; safe from any thread."""
@@ -95,43 +118,71 @@ class Engine:
 
     def serve(self) -> None:
         """Works until the messages end; then stops the robot."""
-        LiveCommand.model_rebuild()  # now, so that the first Stop is not late
+        EngineCommand.model_rebuild()  # now, so that the first Stop is not late
         self.send({"type": "engine_ready"})
         try:
             for message in read_messages(self._messages):
                 self._handle(message)
         finally:
             self._stop_and_wait()
+            if self._bridge is not None:
+                self._bridge.close()
+            if self._robots is not None:
+                self._robots.close()
 
     def _handle(self, message: Message) -> None:
         live = self._live
         if "spec" in message:
             self._begin(message)
             return
-        if "contact" in message:
-            threading.Thread(target=self._contact, args=(message,), daemon=True).start()
+        for what in self._about_robots.keys() & message.keys():
+            threading.Thread(target=self._tell_of, args=(what, message), daemon=True).start()
+            return
+        if message.get("type") in ROBOT_MESSAGES:
+            self.robots.handle(message)
             return
         if live is not None and message.get("type") == ALIVE["type"]:
             live.control.hear_app()
             return
+        if str(message.get("type")).startswith("bridge_"):
+            self._steer_bridge(message)
+            return
         if live is None or message.get("run") != live.id:
             return  # the run ended while the message was on its way
         try:
-            command = LiveCommand.model_validate(message.get("command"))
+            command = EngineCommand.model_validate(message.get("command"))
         except ValidationError:
             _log.warning("an unknown command was ignored: %s", message)
             return
         live.apply(command.root, message.get("question"))
 
-    def _contact(self, message: Message) -> None:
+    def _steer_bridge(self, message: Message) -> None:
+        if self._bridge is None:
+            from pinel_desktop.runs.bridge import OwnedBridge  # noqa: PLC0415 - for who wants one
+
+            self._bridge = OwnedBridge(self.send)
+        self._bridge.take(message)
+
+    def _tell_of(self, what: str, message: Message) -> None:
+        """Answers a question about real robots, on a thread of its own."""
+        try:
+            record = record_from(message["robot"])
+            found = self._about_robots[what](record)
+        except PinelError as error:
+            self.answer(message[what], None, error)
+        else:
+            self.answer(message[what], found, None)
+
+    def _contact(self, record: RobotRecord) -> Message:
         from pinel_desktop.runs.contact import contact  # noqa: PLC0415 - for real robots only
 
-        try:
-            found = contact(record_from(message["robot"]))
-        except PinelError as error:
-            self.answer(message["contact"], None, error)
-        else:
-            self.answer(message["contact"], found.as_message(), None)
+        with self.robots.reserved(record):
+            return contact(record).as_message()
+
+    def _find(self, record: RobotRecord) -> list[Message]:
+        from pinel_desktop.runs.contact import robots_near  # noqa: PLC0415 - for real robots only
+
+        return robots_near(record)
 
     def _begin(self, message: Message) -> None:
         # The app asks for one run at a time; should an old one still be winding down, it goes first.

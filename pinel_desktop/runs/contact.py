@@ -1,4 +1,4 @@
-"""Whether a real robot can be reached: connects, listens for a moment, and leaves it standing."""
+"""Whether a real robot can be reached, and which ones there are; every robot is left standing."""
 
 import math
 import time
@@ -7,7 +7,7 @@ from typing import Any
 
 from pinel_desktop.links import open_link
 from pinel_desktop.links.real import RealLink
-from pinel_desktop.robot.record import RobotRecord
+from pinel_desktop.robot.record import RobotRecord, RosRecord
 
 _LISTEN_S = 1.0
 
@@ -31,6 +31,17 @@ class Contact:
     def as_message(self) -> dict[str, Any]:
         """Plain JSON data."""
         return asdict(self)
+
+
+def robots_near(robot: RobotRecord) -> list[dict[str, Any]]:
+    """The robots in the domain of a record of ROS 2, as plain JSON data (`links.dds.finding.FoundRobot`).
+
+    Raises PinelError `network_missing`, `peer_unknown`.
+    """
+    from pinel_desktop.links.dds.finding import find_robots  # noqa: PLC0415 - loads DDS
+
+    assert isinstance(robot, RosRecord)
+    return [asdict(found) for found in find_robots(robot)]
 
 
 def contact(robot: RobotRecord) -> Contact:

@@ -19,6 +19,7 @@ def record_of(
     app_version: str,
     version_id: str | None = None,
     activity: str | None = None,
+    program_id: str | None = None,
     more: dict[str, Any] | None = None,
 ) -> RunStart:
     """What is kept of a run when it begins; its inputs follow as events.
@@ -26,6 +27,7 @@ def record_of(
     Args:
         version_id: of the stored version that holds the document; without one the document itself is kept.
         activity: what was to be solved.
+        program_id: of a run whose document grows, as in `RunStart`.
         more: further parameters, for people to look up.
     """
     assert isinstance(spec.world, dict)
@@ -39,6 +41,7 @@ def record_of(
         seed=spec.seed,
         app_version=app_version,
         activity=activity,
+        program_id=program_id,
         parameters={
             **spec.setting.as_parameters(),
             _SEMANTICS: spec.semantics,

@@ -3,7 +3,7 @@
 import contextlib
 import gc
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from pinel_desktop.control.goal import GOALS, Goals
 from pinel_desktop.errors import PinelError
@@ -29,6 +29,7 @@ def start(
     *,
     wall: WallTime = WALL_TIME,
     step_limit: StepLimit | None = None,
+    on_link: Callable[[RobotLink], None] = lambda link: None,
 ) -> RunResult:
     """Executes a run to its end, on the calling thread.
 
@@ -37,6 +38,7 @@ def start(
         control: lets other threads pause, stop and inspect the run.
         wall: the time of live ticks and of people.
         step_limit: for a run that nobody watches.
+        on_link: called with the run's link before it connects.
 
     Raises:
         PinelError: before the robot moves, what reading the document and opening the link raise: `invalid_program`,
@@ -47,6 +49,7 @@ def start(
     link = open_link(
         spec.link, world=spec.world, setting=spec.setting, seed=spec.seed, robot=spec.robot
     )
+    on_link(link)
     options = RunOptions(
         observer=all_of(observer, spec.inputs.attach(control)),
         clock=_clock(spec, link, control, wall),

@@ -23,7 +23,7 @@ from storage import RunRow, Store
 
 Outcome = Literal["identical", "equal", "different", "altered"]
 # a record that breaks off there, as when the power was cut, is compared as far as it goes
-_CUT_OFF = ("interrupted", "engine_lost", "internal_error")
+_CUT_OFF = ("interrupted", "engine_lost", "real_engine_lost", "internal_error")
 
 
 @dataclass(frozen=True, slots=True)

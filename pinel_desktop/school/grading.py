@@ -1,13 +1,15 @@
 """Grades the runs of lessons with an activity.
 
 The run that the group saw is judged where it was a case of the activity; the other cases are run in the simulator
-afterwards, by the judge's process. It passes if it finished and all cases pass.
+afterwards, by the judge's process. It passes if it finished and all cases pass. A run on a real robot that came to its
+end is judged by what the robot measured where the activity allows that, else not at all.
 """
 
 import contextlib
 import logging
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +17,7 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.events.app_events import Judged
 from pinel_desktop.messages import describe
 from pinel_desktop.school.own_activities import known_activity
-from storage import RunRow, Store, StoreError
+from storage import SIMULATOR, RunRow, Store, StoreError
 
 if TYPE_CHECKING:
     from pinel_desktop.judge.client import JudgeClient
@@ -80,18 +82,45 @@ class Grader:
         try:
             self._settle()
             run = self._store.runs.get(run_id)
-            if run.activity is None or run.passed is not None or run.state == "running":
+            if run.activity is None or run.state == "running":
                 return
-            verdict = self._verdict(self._question(run))
-            passed = run.state == "finished" and verdict.passed
-            self._store.checks.record(run_id, passed, {"cases": verdict.cases})
-            judged = Judged(run_id, passed, verdict.missing, verdict.block, verdict.tried)
-            self._publish(judged.flat())
+            if run.passed is not None or run.check_report is not None:
+                return
+            verdict = self._verdict_on(run)
+            self._store.checks.record(run_id, verdict.passed, _report(run, verdict))
+            self._publish(self._judged(run, verdict).flat())
         except (PinelError, StoreError) as error:  # an activity of a newer release; a full disk
             _log.warning("run %s was not graded: %s", run_id, error)
             if isinstance(error, PinelError) and error.code == "judge_lost":
                 words = describe(error.code, {}, self._language())
                 self._publish(Judged(run_id, False, f"{words.message} {words.remedy}").flat())
+
+    def _verdict_on(self, run: RunRow) -> "Verdict":
+        from pinel_desktop.judge.messages import Verdict  # noqa: PLC0415 - heavy
+
+        if run.link == SIMULATOR:
+            verdict = self._verdict(self._question(run))
+            return replace(verdict, passed=run.state == "finished" and verdict.passed)
+        if run.state != "finished":
+            return Verdict(None, None, [], not_judged=run.state)
+        question = self._question(run)
+        if question.seen is None:
+            return Verdict(None, None, [], not_judged="record")
+        return self._verdict(question)
+
+    def _judged(self, run: RunRow, verdict: "Verdict") -> Judged:
+        from pinel_desktop.activities import not_judged_words  # noqa: PLC0415 - heavy
+
+        why = verdict.not_judged
+        return Judged(
+            run.id,
+            verdict.passed,
+            verdict.missing,
+            verdict.block,
+            verdict.tried,
+            by_robot=run.link != SIMULATOR and verdict.passed is not None,
+            not_judged=not_judged_words(why, self._language()) if why else None,
+        )
 
     def _verdict(self, question: "Question") -> "Verdict":
         """Asks a judge that dies or hangs once more: perhaps the PC was out of memory for a moment."""
@@ -121,7 +150,7 @@ class Grader:
         from pinel_desktop.judge.messages import SeenRun  # noqa: PLC0415 - heavy
 
         telemetry = self._store.runs.telemetry(run.id)
-        if run.link != "sim" or run.state == "stopped" or len(telemetry.rows) == 0:
+        if run.state == "stopped" or len(telemetry.rows) == 0:
             return None
         return SeenRun(
             world=run.world_document,
@@ -129,3 +158,11 @@ class Grader:
             columns={name: telemetry.column(name) for name in COLUMNS},
             events=tuple(self._store.runs.events(run.id)),
         )
+
+
+def _report(run: RunRow, verdict: "Verdict") -> dict[str, Any]:
+    """What the store keeps beside `passed`: the cases, and by what a run on a real robot was judged, or why not."""
+    report: dict[str, Any] = {"cases": verdict.cases}
+    if verdict.not_judged:
+        return {**report, "not_judged": verdict.not_judged}
+    return report if run.link == SIMULATOR else {**report, "by": "robot"}

@@ -96,9 +96,9 @@ class LiveChecks:
                 return
 
     def _begun(self, run_id: str) -> "BegunRun | None":
-        """The run, where it is to solve an activity in the simulator."""
+        """The run, where it is to solve an activity; the judge knows whether it can follow one on a real robot."""
         run = self._store.runs.get(run_id)
-        if run.activity is None or run.version_id is None or run.link != "sim":
+        if run.activity is None or run.version_id is None:
             return None
         from pinel_desktop.judge.messages import BegunRun  # noqa: PLC0415 - heavy
 

@@ -3,7 +3,8 @@
 from collections.abc import Mapping
 from datetime import datetime
 
-from pinel_desktop.messages import describe
+from pinel_desktop.messages import catalogue, describe
+from pinel_desktop.robot.record import ROOM
 from pinel_desktop.school.review import Counts, LessonReview, Mark, spreadsheet
 from pinel_desktop.school.review.spreadsheet import Cell
 
@@ -25,6 +26,7 @@ _COLUMNS = (
     "passed",
     "duration_s",
     "repairs",
+    "robot",
     "lesson",
     "world",
 )
@@ -50,7 +52,10 @@ def mark_table(
     from pinel_desktop.activities import world_titles  # noqa: PLC0415 - heavy
 
     own = describe("review_own_world", {}, language).message
-    worlds = world_titles(language) | {"own": own}
+    worlds = world_titles(language) | {
+        "own": own,
+        ROOM: describe("review_room", {}, language).message,
+    }
 
     def words(code: str) -> str:
         return describe(f"review_{code}", {}, language).message
@@ -74,6 +79,7 @@ def mark_table(
             None if run is None or run.passed is None else words(_YES_NO[run.passed]),
             run.duration_s if run else None,
             begins.get(mark.repairs or ""),
+            _robot(run.link, language) if run else None,
             lessons.get(mark.lesson_id or ""),
             worlds.get(run.world, run.world) if run and run.world else None,
         ]
@@ -87,6 +93,12 @@ def mark_table(
 
 
 _YES_NO = {True: "passed_yes", False: "passed_no"}
+
+
+def _robot(link: str, language: str) -> str:
+    """The kind of robot; the link itself of a newer release."""
+    code = f"review_robot_{link}"
+    return describe(code, {}, language).message if code in catalogue(language) else link
 
 
 def _local(time: str) -> str:

@@ -39,8 +39,11 @@ STATUS = {
     "signs_too_many": 409,
     "own_activities_too_many": 409,
     "run_in_progress": 409,
+    "bridge_busy": 409,
     "run_not_live": 409,
     "robot_not_set_up": 409,
+    "robot_in_use": 409,
+    "robot_held_by_keys": 409,
     "body_too_large": 413,
     "host_wrong": 421,
     "pin_wait": 429,
@@ -148,13 +151,25 @@ def error_answer(
         status: HTTP status; None is that of the code.
         words: code of a more specific message; None is that of `code`.
     """
+    body = error_body(code, params, language, faults=faults, words=words)
+    return answer(ErrorAnswer(error=body), status or status_of(code))
+
+
+def error_body(
+    code: str,
+    params: Mapping[str, object],
+    language: str,
+    *,
+    faults: Iterable[Fault] = (),
+    words: str | None = None,
+) -> ErrorBody:
+    """What an error answer says; `words` as in `error_answer`."""
     shown = json_safe(params)
     text = describe(words or code, shown, language)
-    body = ErrorBody(
+    return ErrorBody(
         code=code,
         message=text.message,
         remedy=text.remedy,
         params=shown,
         faults=list(faults),
     )
-    return answer(ErrorAnswer(error=body), status or status_of(code))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, Protocol, cast
 
@@ -20,6 +20,7 @@ if TYPE_CHECKING:  # heavy, and not needed to serve the page
     from pinel_desktop.program.reading import Reading
     from pinel_desktop.robot.record import RobotRecord
     from pinel_desktop.runs.spec import RunSpec
+    from pinel_desktop.school.robot_watching import RobotWatching
     from pinel_desktop.school.robots import Robots
     from pinel_desktop.school.teacher import TeacherSessions
     from storage import Store
@@ -55,6 +56,16 @@ class Engine(Protocol):
 
     def contact(self, robot: RobotRecord) -> dict[str, Any]: ...
 
+    def find(self, robot: RobotRecord) -> list[dict[str, Any]]: ...
+
+    def watch(self, robot: RobotRecord) -> None: ...
+
+    def jog(self, robot: RobotRecord, drive: float, turn: float, sent_s: float) -> None: ...
+
+    def halt(self, robot: RobotRecord) -> None: ...
+
+    def stand_at_start(self, robot: RobotRecord) -> None: ...
+
 
 class CameraState(Protocol):
     """What the camera does, and why it is of no use."""
@@ -79,7 +90,7 @@ class Camera(Protocol):
 
     def choose(self, source: str) -> None: ...
 
-    def previews(self) -> Iterator[bytes]: ...
+    def previews(self, *, annotated: bool = False) -> Generator[bytes]: ...
 
 
 class KnownSign(Protocol):
@@ -158,6 +169,7 @@ class Services:
     preferences: Preferences
     teacher: TeacherSessions
     robots: Robots
+    robot_watching: RobotWatching
     read_document: ReadDocument
     read_world: ReadWorld
     worlds: Sequence[dict[str, Any]]

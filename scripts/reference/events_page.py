@@ -27,7 +27,7 @@ radians, unless the field says otherwise. `block` is the id of a block, null whe
 
 Exactly one `run_ended` closes every run. A run that was cut off by a power cut or a kill is closed at the next start of
 the app: `run_ended` with state `failed`, reason `interrupted`, and null for unknown figures. When the engine dies, the
-app closes the run at once, with reason `engine_lost`.
+app closes the run at once, with reason `engine_lost`, or `real_engine_lost` where it drove a real robot.
 
 Three attributes of a declaration decide how its events are handled:
 

@@ -1,4 +1,4 @@
-"""How soon a real robot stands: Stop, a frozen app, an app that is killed, an engine that is told to end.
+"""How soon a real robot stands: Stop, a frozen or killed app, an engine that is told to end, a key that is let go.
 
 Real processes and a robot in memory. Each figure may be later by what a bare sleeper of the same run is late.
 """
@@ -19,6 +19,7 @@ from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.engine.commands import Stop
 from tests.engine.memory_robot import FAR, engine_command
 from tests.engine.test_real_robot import Driving, stood_after_s, wait_until_driving
+from tests.engine.test_robots import Teacher
 
 REPEATS = 10
 STOP_WITHIN_S = 0.1
@@ -116,3 +117,20 @@ def test_stop_reaches_the_robot(tmp_path: Path) -> None:
                 pass
     client.close()
     report("stop", taken, late, STOP_WITHIN_S)
+
+
+@pytest.mark.timeout(300)
+@pytest.mark.parametrize("is_told", [True, False], ids=["key let go", "page silent"])
+def test_a_robot_that_is_moved_by_keys_stands_soon_after(is_told: bool, tmp_path: Path) -> None:
+    """The page says that the key was let go; or it says nothing any more, because it was closed, frozen or killed."""
+    teacher, taken = Teacher(tmp_path / "heard"), []
+    with lateness() as late:
+        for _ in range(REPEATS):
+            teacher.drive_until_moving()
+            moment_s = time.monotonic()
+            teacher.hold()
+            if is_told:
+                teacher.client.jog(teacher.robot, 0.0, 0.0, time.time())
+            taken.append(stood_after_s(teacher.log, moment_s))
+    teacher.client.close()
+    report("key let go" if is_told else "page silent", taken, late, STANDS_WITHIN_S)

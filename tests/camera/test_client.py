@@ -15,13 +15,15 @@ import pytest
 
 from pinel_desktop.camera import client, sample_recording
 from pinel_desktop.camera.client import Camera, CameraState
-from pinel_desktop.camera.recording import read_recording
+from pinel_desktop.camera.recording import read_recording, write_recording
 from pinel_desktop.execution.inputs import Capture
 from pinel_desktop.gestures.features import N_FEATURES
 from pinel_desktop.gestures.training import moving_hands as hands
 from tests.camera.moving_hands import movements, write_moving_hand
 from tests.camera.moving_hands import packed as packed_movements
 from tests.camera.taught_hands import packed, shown, write_strange_hand
+
+pytestmark = pytest.mark.waits
 
 WAIT_S = 30.0
 SLOW = "time.sleep(2.5); say('camera_ready'); time.sleep(0.8)"
@@ -334,9 +336,12 @@ class TestTeaching:
             told.get(timeout=1.0)
 
     def test_a_recording_without_a_hand_is_given_up(
-        self, harness: Harness, monkeypatch: pytest.MonkeyPatch
+        self, harness: Harness, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
     ) -> None:
         monkeypatch.setattr(sample_recording, "_PATIENCE_S", 0.1)
+        nobody = tmp_path / "nobody.npz"
+        write_recording(nobody, [None])
+        harness.camera.choose(str(nobody))
         stopped = threading.Event()
         harness.camera.record(10, lambda samples: None, stopped.set)
         assert stopped.wait(WAIT_S)

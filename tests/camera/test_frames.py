@@ -15,6 +15,8 @@ from pinel_desktop.camera.recording import RecordedHand, read_recording, write_r
 from pinel_desktop.errors import PinelError
 from pinel_desktop.gestures.features import N_SEEN, N_SHAPE
 
+pytestmark = pytest.mark.waits
+
 RED_BGR = (0, 0, 255)
 
 

@@ -16,6 +16,8 @@ from pinel_desktop.robot.record import BridgeRecord
 from tests.commands.typed import SQUARE, pinel, run_json
 from tests.links.aurora import Aurora, free_port
 
+pytestmark = pytest.mark.waits
+
 # as fast as a Pioneer, so that the test does not take minutes
 _FAST = ("--robot-setting", "max_v_mps=1.2", "--robot-setting", "max_omega_dps=300")
 

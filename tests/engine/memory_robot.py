@@ -1,17 +1,21 @@
-"""An engine whose robot is a unicycle in its memory (`engine`), and an app that lets it drive (`app`).
+"""An engine whose robot is a unicycle in its memory (`engine`), and an app that lets it drive (`app`), or moves it by
+a held key (`jog`).
 
     python -m tests.engine.memory_robot engine FILE
     python -m tests.engine.memory_robot app FILE
+    python -m tests.engine.memory_robot jog FILE
 
 Each velocity that the robot hears is a line of FILE: seconds (monotonic, the same clock in all processes), m/s,
 rad/s. The app prints the closing event of the run.
 """
 
+import functools
 import json
 import os
 import queue
 import sys
 import threading
+import time
 from pathlib import Path
 from typing import Any
 
@@ -47,9 +51,15 @@ class LoggedUnicycle(Unicycle):
 
 def memory_link(*, world: Any, setting: Setting, seed: int, robot: RobotRecord | None) -> RealLink:
     """The link `bridge`, over memory."""
+    return real_link(lambda record: MemoryTransport(_unicycle()), setting, robot)
+
+
+@functools.cache
+def _unicycle() -> LoggedUnicycle:
+    """The engine's only robot, which stays where a link has left it."""
     unicycle = LoggedUnicycle()
     unicycle.log = Path(sys.argv[2])
-    return real_link(lambda record: MemoryTransport(unicycle), setting, robot)
+    return unicycle
 
 
 def engine_command(file: Path) -> list[str]:
@@ -79,10 +89,20 @@ def app() -> None:
     client.close()
 
 
+def jog() -> None:
+    """Holds a key for good."""
+    client = EngineClient(lambda event: None, engine_command(Path(sys.argv[2])))
+    client.start()
+    assert client.wait_until_ready(20.0)
+    while True:
+        client.jog(RECORD, 1.0, 0.0, time.time())
+        time.sleep(0.1)
+
+
 def _close_at_end_of_input(client: EngineClient) -> None:
     sys.stdin.read()
     client.close()
 
 
 if __name__ == "__main__":
-    {"engine": engine, "app": app}[sys.argv[1]]()
+    {"engine": engine, "app": app, "jog": jog}[sys.argv[1]]()

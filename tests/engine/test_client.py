@@ -31,6 +31,8 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.events.types import RUN_EVENTS
 from pinel_desktop.runs.spec import RunSpec
 
+pytestmark = pytest.mark.waits
+
 WAIT_S = 20.0
 SHORT = {"pinel_ir": 1, "commands": [{"action": "move_forward", "distance": 0.1, "block": "m"}]}
 LONG = {"pinel_ir": 1, "commands": [{"action": "move_forward", "distance": 3, "block": "m"}]}

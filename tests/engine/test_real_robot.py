@@ -20,6 +20,8 @@ from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.errors import PinelError
 from tests.engine.memory_robot import FAR, engine_command
 
+pytestmark = pytest.mark.waits
+
 # 0.3 s on a PC at rest, measured by tests/benchmarks/bench_robot_stops.py; other tests may keep this one busy
 STANDS_WITHIN_S = 1.0
 
@@ -154,7 +156,7 @@ def test_an_engine_that_is_killed_is_told_and_the_robot_has_its_own_watchdog(
     engine.kill()
     engine.wait(timeout=10)
     ended = driving.ended()
-    assert (ended["state"], ended["reason"]) == ("failed", "engine_lost")
+    assert (ended["state"], ended["reason"]) == ("failed", "real_engine_lost")
 
 
 def test_contact_tells_where_the_robot_is_and_leaves_it_standing(tmp_path: Path) -> None:

@@ -18,6 +18,8 @@ pytestmark = [pytest.mark.fuzz, pytest.mark.timeout(900)]
 
 PROGRAMS = Path(__file__).parents[1] / "programs"
 SLOWEST_S = 5.0  # a document of 1 MiB takes a tenth of a second; more is a way to stop a server
+# One more mutation at most doubles it, which this test can still write; the bound of the reader is far below.
+DEEP = 300
 ODD: list[Any] = [
     None, True, -1, 0, 1.5, math.nan, math.inf, -0.0, 10**400, 1e308, "", "x" * 20_000, "\ud800", "result", [], {},
     [[]], [{}], {"op": "+", "args": []}, {"op": [], "args": {}}, {"var": {}}, {"var": ""}, {"call": "area"},
@@ -88,9 +90,19 @@ def mutated(chance: random.Random) -> Any:
         value.setdefault("functions", [AREA, WAVE])
         value = json.loads(json.dumps(value))
     for _ in range(chance.choice([1, 1, 2, 5])):
-        if places(value):
+        if places(value) and depth(value) < DEEP:
             chance.choice(MUTATIONS)(value, chance)
     return value
+
+
+def depth(value: Any) -> int:
+    """How many lists and objects stand inside one another."""
+    levels, here = 0, [value]
+    while here:
+        levels += 1
+        inside = (one.values() if isinstance(one, dict) else one for one in here)
+        here = [one for some in inside for one in some if isinstance(one, dict | list)]
+    return levels
 
 
 def check(source: Any, parsed: Any) -> None:

@@ -1,5 +1,7 @@
 """The sums at the end of `make test` tell the truth."""
 
+import tomllib
+
 import pytest
 
 from tests.packaging.loading import load
@@ -58,6 +60,27 @@ def test_a_runner_that_breaks_off_counts_as_one_failure() -> None:
     }
 
 
+@pytest.fixture(scope="module")
+def markers() -> list[str]:
+    """Those that a step asks for."""
+    settings = tomllib.loads((run_tests.ROOT / "pyproject.toml").read_text("utf-8"))
+    lines = settings["tool"]["pytest"]["ini_options"]["markers"]
+    return [line.partition(":")[0] for line in lines]
+
+
+def test_a_marker_stands_in_the_file_of_its_tests(markers: list[str]) -> None:
+    """Steps look for it there: a test that got its marker elsewhere would never run."""
+    others = (run_tests.ROOT / "tests").rglob("*.py")
+    texts = {
+        file: file.read_text("utf-8")
+        for file in others
+        if not file.name.startswith(("test_", "bench_"))
+    }
+    assert not [file for file, text in texts.items() for one in markers if f"mark.{one}" in text]
+    for marker in markers:
+        assert run_tests.files_with(marker)
+
+
 def test_every_test_is_in_exactly_one_step() -> None:
     """A marker that no step asks for would be a test that never runs."""
     chosen = [
@@ -66,7 +89,8 @@ def test_every_test_is_in_exactly_one_step() -> None:
         if step.command[:3] == run_tests.PYTEST[:3]
     ]
     assert chosen == [
-        "not e2e and not packaged and not nightly and not fuzz",
+        "not e2e and not packaged and not nightly and not fuzz and not waits",
+        "waits and not nightly",
         "fuzz",
         "e2e and not nightly",
         "packaged and not nightly",

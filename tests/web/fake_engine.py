@@ -13,9 +13,14 @@ Event = dict[str, Any]
 
 class FakeEngine:
     def __init__(
-        self, on_event: Callable[[Event], None], *, is_watched: Callable[[], bool] = lambda: True
+        self,
+        on_event: Callable[[Event], None],
+        *,
+        on_robot: Callable[[Event], None] = lambda state: None,
+        is_watched: Callable[[], bool] = lambda: True,
     ) -> None:
-        self.on_event = on_event
+        self.on_event, self.on_robot = on_event, on_robot
+        self.of_robots: list[tuple[Any, ...]] = []
         self.state: Literal["starting", "ready", "lost"] = "starting"
         self.live_run: str | None = None
         self.told: list[Command] = []
@@ -39,6 +44,24 @@ class FakeEngine:
             raise PinelError("robot_not_found", topic="/cmd_vel", domain=0)
         pose = {"x_m": 1.0, "y_m": 0.0, "heading_deg": 90.0}
         return {**pose, "rate_hz": 30.0, "battery": None}
+
+    def find(self, robot: RobotRecord) -> list[dict[str, Any]]:
+        names = {"command_topic": "cmd_vel", "odometry_topic": "odom"}
+        return [{"namespace": "r1", **names, "holder": "LAB-03"}]
+
+    def watch(self, robot: RobotRecord) -> None:
+        self.of_robots.append(("watch", robot.link))
+
+    def jog(self, robot: RobotRecord, drive: float, turn: float, sent_s: float) -> None:
+        if self.live_run is not None:
+            raise PinelError("run_in_progress")
+        self.of_robots.append(("jog", robot.link, drive, turn, sent_s))
+
+    def halt(self, robot: RobotRecord) -> None:
+        self.of_robots.append(("halt", robot.link))
+
+    def stand_at_start(self, robot: RobotRecord) -> None:
+        self.of_robots.append(("at_start", robot.link))
 
     def command(self, run_id: str, command: Command) -> Any:
         if run_id != self.live_run:

@@ -69,6 +69,8 @@ def test_a_run_that_has_ended_is_judged(
         "missing": missing,
         "block": block,
         "cases": [],
+        "by_robot": False,
+        "not_judged": None,
     }
     assert browser.get(f"/api/runs/{run}").data["passed"] is passed
 
@@ -129,7 +131,7 @@ def test_a_run_whose_judge_dies_is_kept_for_the_next_start_and_the_group_is_told
     assert judge.n_asked == 2
     missing = "This run could not be checked. It is kept. Run again."
     said = {"passed": False, "missing": missing, "block": None, "cases": []}
-    assert told == [{"type": "judged", "run": run, **said}]
+    assert told == [{"type": "judged", "run": run, **said, "by_robot": False, "not_judged": None}]
     assert app._store.checks.pending() == [run]
 
 

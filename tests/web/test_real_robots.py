@@ -148,7 +148,7 @@ def test_a_slow_run_has_half_of_the_speeds(
     )
 
 
-def test_a_real_run_of_a_mission_drives_in_the_room_and_is_not_judged(
+def test_a_real_run_of_a_mission_drives_in_the_room(
     browser: Browser, teacher: Browser, engine: FakeEngine, program: dict[str, Any]
 ) -> None:
     keep(teacher)
@@ -158,11 +158,11 @@ def test_a_real_run_of_a_mission_drives_in_the_room_and_is_not_judged(
         {"workspace": {"blocks": {}}, "document": SQUARE, "setup": setup},
     )
     run = browser.post("/api/runs", wish({"id": saved.data["id"]})).data
-    assert (run["activity"], run["passed"], run["world"]) == (None, None, "room")
+    assert (run["activity"], run["passed"], run["world"]) == ("around_the_block", None, "room")
     assert engine.begun["world"]["name"] == "room"
 
 
-def test_a_real_run_in_a_lesson_with_an_activity_is_not_judged_either(
+def test_a_real_run_in_a_lesson_is_of_its_activity_as_a_simulated_one(
     browser: Browser, teacher: Browser, group: dict[str, Any], version: dict[str, Any]
 ) -> None:
     keep(teacher)
@@ -174,7 +174,7 @@ def test_a_real_run_in_a_lesson_with_an_activity_is_not_judged_either(
     assert opened.status == 200, opened.data
     run = browser.post("/api/runs", wish(version)).data
     assert run["lesson_id"] == opened.data["id"]
-    assert run["activity"] is None
+    assert run["activity"] == "around_the_block"
 
 
 def test_what_no_real_robot_senses_is_a_fault_of_its_block_before_the_run(
@@ -231,3 +231,65 @@ def test_a_robot_that_cannot_be_reached_is_told_in_words(teacher: Browser) -> No
     assert "/cmd_vel" in found["problem"]
     assert found["remedy"]
     assert found["rate_hz"] is None
+
+
+def test_only_the_teacher_finds_robots_moves_one_by_keys_and_says_where_it_stands(
+    browser: Browser, teacher: Browser, engine: FakeEngine
+) -> None:
+    keep(teacher)
+    asked = {
+        "find": {"record": {}},
+        "jog": {"drive": 1, "turn": 0, "sent_ms": 5000},
+        "at-start": {},
+    }
+    for path, body in asked.items():
+        assert browser.post(f"{HERE}/{path}", body).error["code"] == "teacher_only"
+    assert engine.of_robots == []
+    for path in ("jog", "at-start"):
+        assert teacher.post(f"{HERE}/{path}", asked[path]).status == 200
+    assert browser.delete(f"{HERE}/jog").status == 200  # anybody stops it
+    assert engine.of_robots == [
+        ("jog", "bridge", 1.0, 0.0, 5.0),
+        ("at_start", "bridge"),
+        ("halt", "bridge"),
+    ]
+
+
+def test_robots_are_looked_for_in_the_domain_of_a_form_that_is_not_saved(teacher: Browser) -> None:
+    found = teacher.post("/api/real-robots/dds/find", {"record": {"domain": 7}}).data
+    assert found["domain"] == 7
+    assert [(one["namespace"], one["holder"]) for one in found["robots"]] == [("r1", "LAB-03")]
+    assert teacher.post(f"{HERE}/find", {"record": {}}).error["code"] == "unknown_link"
+    wrong = teacher.post("/api/real-robots/dds/find", {"record": {"domain": 999}})
+    assert "999" in wrong.error["message"]
+
+
+def test_a_page_that_watches_is_told_how_the_robot_is_in_words(
+    browser: Browser, teacher: Browser, engine: FakeEngine, app: App
+) -> None:
+    assert browser.post(f"{HERE}/watch", {"is_first": True}).error["code"] == "robot_not_set_up"
+    keep(teacher)
+    assert browser.post(f"{HERE}/watch", {"is_first": True}).status == 200
+    engine.on_robot(STATE)
+    with app._hub.subscribe() as later:
+        browser.post(f"{HERE}/watch", {"is_first": False})
+        assert later.get(timeout_s=0.0) is None
+        browser.post(f"{HERE}/watch", {"is_first": True})  # a second page hears what is known
+        told = later.get(timeout_s=0.0)
+    assert told is not None
+    assert (told["type"], told["state"], told["code"]) == ("robot_state", "searching", "robot_held")
+    assert "LAB-03" in told["message"]
+    assert told["remedy"]
+    assert engine.of_robots == [("watch", "bridge")] * 3
+
+
+STATE: dict[str, Any] = {
+    "type": "robot_state",
+    "link": "bridge",
+    "use": "watch",
+    "state": "searching",
+    "address": "127.0.0.1:5000",
+    **dict.fromkeys(("age_s", "rate_hz", "battery", "x_m", "y_m", "heading_deg", "holder")),
+    "code": "robot_held",
+    "params": {"holder": "LAB-03", "topic": "/cmd_vel"},
+}

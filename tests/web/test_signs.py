@@ -11,6 +11,8 @@ from pinel_desktop.gestures.letters import LETTERS
 from tests.camera.taught_hands import packed, shown
 from tests.web.browser import Browser
 
+pytestmark = pytest.mark.waits
+
 RECORDING = Path(__file__).parents[1] / "camera" / "recordings" / "b.npz"
 
 

@@ -28,8 +28,8 @@ class Figures:
         time_to_first_run_s: from the first edit to the first run after it, by the clock of the PC, without absences
             of more than an hour; None without such a run, if the lesson began with a run, or if the clocks of two PCs
             are involved.
-        attempts_until_passed: ended runs of the activity, up to and including the first that passed; None if none
-            passed. The activity is the lesson's, else that of the first run that passed.
+        attempts_until_passed: ended runs of the activity that count, up to and including the first that passed; None
+            if none passed. The activity is the lesson's, else that of the first run that passed.
         n_hints: hints of activities that were opened, of all programs of the lesson.
         active_s: time with runs and saved versions of any kind, without pauses of more than five minutes.
     """
@@ -160,7 +160,9 @@ def _attempts(runs: list[Run], activity: str | None) -> int | None:
     if first is None:
         return None
     tries = runs[: runs.index(first) + 1]
-    return sum(run.activity == first.activity and run.state != "running" for run in tries)
+    return sum(
+        run.activity == first.activity and run.state != "running" and run.counts for run in tries
+    )
 
 
 def _hints(edits: Iterable[Edit]) -> int:

@@ -36,10 +36,11 @@ class Run:
     Attributes:
         number: of the version, None for a run without one.
         state: "running", "finished", "stopped" or "failed"; `reason` is the cause.
-        passed: True if the activity was passed; None without an activity.
+        passed: True if the activity was passed; None without an activity, and for a real run that was not judged.
         lesson_id: the lesson, or part of a joined one, in which it ran.
         world: its name, "own" for one that the group made.
         told: what was said about a run that did not pass, without numbers; equal for equal mistakes.
+        link: the robot; "sim" is the simulator.
         duration_s: robot time, which may be slower or faster than wall time.
     """
 
@@ -59,6 +60,12 @@ class Run:
     lesson_id: str | None = None
     world: str | None = None
     told: str | None = None
+    link: str = "sim"
+
+    @property
+    def counts(self) -> bool:
+        """Whether it is an attempt at its activity: a run on a real robot is one if it was judged."""
+        return self.link == "sim" or self.passed is not None
 
 
 @dataclass(frozen=True, slots=True)

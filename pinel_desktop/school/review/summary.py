@@ -76,8 +76,13 @@ def _need(runs: Sequence[Run], activity: str | None) -> Need:
 
 def _last_failing(runs: Sequence[Run]) -> list[Run]:
     """The failing runs among the last three that say something: not stopped by hand, and over."""
-    told = [run for run in runs if is_failing(run) or run.state == "finished"]
+    told = [run for run in runs if is_failing(run) or (run.state == "finished" and _tells(run))]
     return [run for run in told[-_STUCK_AFTER:] if is_failing(run)]
+
+
+def _tells(run: Run) -> bool:
+    """False for a real run of an activity that was not judged: it neither failed nor ends a row of failures."""
+    return run.activity is None or run.counts
 
 
 def _commonest_fault(groups: Iterable[Sequence[Run]]) -> Fault | None:

@@ -61,7 +61,10 @@ def list_examples() -> Response:
 )
 def get_activity(path: ActivityPath) -> Response:
     """An activity with what its card says."""
-    from pinel_desktop.activities import standings_before  # noqa: PLC0415 - heavy
+    from pinel_desktop.activities import (  # noqa: PLC0415 - heavy
+        before_words,
+        standings_before,
+    )
 
     mission, language = known_activity(services().store, path.name), services().preferences.language
     return answer(
@@ -77,6 +80,7 @@ def get_activity(path: ActivityPath) -> Response:
             world=world_name(mission),
             preset=mission.preset,
             feedback=mission.feedback,
+            not_on_robot=before_words(mission, language),
             next=_after(mission),
         )
     )

@@ -21,7 +21,6 @@ from pinel_desktop.web.api.programs import version_model
 from pinel_desktop.web.errors import InvalidProgramError
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.runs import (
-    SIMULATOR,
     CommandAnswer,
     NewRun,
     Run,
@@ -33,7 +32,7 @@ from pinel_desktop.web.models.runs import (
 from pinel_desktop.web.models.worlds import Start, World
 from pinel_desktop.web.responses import answer, describe_faults
 from pinel_desktop.web.services import Services, services
-from storage import RunLine, RunRow, StoreError, VersionRow
+from storage import SIMULATOR, RunLine, RunRow, StoreError, VersionRow
 
 if TYPE_CHECKING:
     from pinel_desktop.activities import Activity
@@ -59,6 +58,7 @@ def list_runs(path: IdPath, query: RunPage) -> Response:
         Run,
         "version_not_found",
         "run_in_progress",
+        "robot_held_by_keys",
         "engine_not_ready",
         "invalid_program",
         "unknown_world",
@@ -73,14 +73,14 @@ def begin_run(body: NewRun) -> Response:
 
     World, start and robot of a version that is to solve an activity are the activity's, whatever is asked for. A start
     pose where the robot does not fit is refused with 422 and the reason, such as `start_in_wall`. A real robot drives
-    in its room whatever is asked for; its run is not judged, so it is of no activity.
+    in its room whatever is asked for; whether its run can be judged depends on the activity.
     """
     parts = services()
     version = parts.store.versions.get(body.version_id)
     spec = _spec(version, body, parts)
     if parts.engine.live_run is not None:
         raise PinelError("run_in_progress")
-    activity = None if spec.robot else _activity(version)
+    activity = _activity(version)
     record = record_of(
         spec,
         world_name=_world_name(spec, activity, body),
@@ -236,8 +236,22 @@ def get_run(path: IdPath) -> Response:
             run_model(row),
             version=version_model(version) if version else None,
             world_document=_world_of(row),
+            **_verdict(row),
         )
     )
+
+
+def _verdict(row: RunRow) -> dict[str, object]:
+    """By what a run was judged, or why it was not."""
+    report = row.check_report or {}
+    by_robot = row.link != SIMULATOR and row.passed is not None
+    why = report.get("not_judged")
+    if not isinstance(why, str):
+        return {"by_robot": by_robot, "not_judged": None}
+    from pinel_desktop.activities import not_judged_words  # noqa: PLC0415 - heavy
+
+    words = not_judged_words(why, services().preferences.language)
+    return {"by_robot": by_robot, "not_judged": words}
 
 
 def _world_of(row: RunRow) -> World:

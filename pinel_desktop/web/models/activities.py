@@ -70,6 +70,10 @@ class Activity(ActivityChoice):
     world: Annotated[str, Field(description="name of the world, `own` for one of the activity's")]
     preset: Preset
     feedback: Feedback
+    not_on_robot: Annotated[
+        str | None,
+        Field(description="why a run on a real robot is not judged, in words; null if it can be"),
+    ]
     next: Annotated[NextActivity | None, Field(description="the one after it on its path")]
 
 

@@ -56,6 +56,7 @@ class ReviewMark(Shape):
     activity: str | None
     passed: bool | None
     duration_s: float | None
+    link: Annotated[str | None, Field(description="the robot; null for edits")]
     repairs: Annotated[Id | None, Field(description="the failed run that this run repairs")]
 
 

@@ -78,6 +78,43 @@ class RobotContact(Shape):
     remedy: str | None
 
 
+class FoundRobot(Shape):
+    """A robot of ROS 2 that the network shows."""
+
+    namespace: str
+    command_topic: str
+    odometry_topic: str
+    holder: Annotated[str | None, Field(description="who drives it now; null for nobody")]
+
+
+class FoundRobots(Shape):
+    """The robots in a domain of ROS."""
+
+    domain: int
+    robots: list[FoundRobot]
+
+
+class RobotWatch(Body):
+    """A page that shows how a robot is."""
+
+    is_first: Annotated[
+        bool, Field(description="it knows nothing yet: what is known comes with the events at once")
+    ]
+
+
+class Jog(Body):
+    """The keys that are held."""
+
+    drive: Annotated[float, Field(ge=-1, le=1, description="1 ahead, -1 back")]
+    turn: Annotated[float, Field(ge=-1, le=1, description="1 left, -1 right")]
+    sent_ms: Annotated[
+        float,
+        Field(
+            description="when, by the PC's clock, in ms since 1970; what comes late is passed over"
+        ),
+    ]
+
+
 class LinkPath(Body):
     """The `{link}` in a path."""
 

@@ -10,9 +10,9 @@ from pinel_desktop.web.models import Body, Id, Json, Shape, Time
 from pinel_desktop.web.models.events import Event
 from pinel_desktop.web.models.work import Version
 from pinel_desktop.web.models.worlds import Start, World
+from storage import SIMULATOR
 
 Point = tuple[float, float]
-SIMULATOR = "sim"
 
 
 class Run(Shape):
@@ -42,13 +42,19 @@ class Run(Shape):
     lesson_id: Id | None
     activity: str | None
     passed: Annotated[
-        bool | None, Field(description="null without activity, or before it was checked")
+        bool | None,
+        Field(description="null without activity, before it was checked, and if it was not judged"),
     ]
     path: Annotated[list[Point], Field(max_length=64, description="x, y in m, for the picture")]
 
 
 class RunWithVersion(Run):
     """A run with the data for its replay; `version` is null for runs of the command line."""
+
+    by_robot: Annotated[bool, Field(description="judged by what a real robot measured")]
+    not_judged: Annotated[
+        str | None, Field(description="why a run on a real robot was not judged, in words")
+    ]
 
     version: Version | None
     world_document: World | None

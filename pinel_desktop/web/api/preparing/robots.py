@@ -7,15 +7,27 @@ from flask import Response
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.messages import describe, explain
-from pinel_desktop.robot.record import RECORDS, RobotRecord, fields_of, limits
+from pinel_desktop.robot.record import (
+    RECORDS,
+    RobotRecord,
+    RosRecord,
+    fields_of,
+    limits,
+    record_from,
+)
 from pinel_desktop.web.api import TEACHER, WRITES, answers, resource
+from pinel_desktop.web.models import Empty
 from pinel_desktop.web.models.robots import (
+    FoundRobot,
+    FoundRobots,
+    Jog,
     LinkPath,
     RealRobot,
     RealRobotList,
     RealRobotRecord,
     RobotContact,
     RobotField,
+    RobotWatch,
 )
 from pinel_desktop.web.models.worlds import World
 from pinel_desktop.web.responses import answer
@@ -74,6 +86,77 @@ def contact_real_robot(path: LinkPath) -> Response:
         nothing = dict.fromkeys(("x_m", "y_m", "heading_deg", "rate_hz", "battery"))
         return answer(RobotContact(**nothing, problem=words.message, remedy=words.remedy))
     return answer(RobotContact(**found, problem=None, remedy=None))
+
+
+@api.post(
+    "/real-robots/<link>/find",
+    responses=answers(
+        FoundRobots,
+        "unknown_link",
+        "robot_record_range",
+        "robot_record_invalid",
+        "network_missing",
+        "peer_unknown",
+        "engine_not_ready",
+        *TEACHER,
+    ),
+)
+def find_real_robots(path: LinkPath, body: RealRobotRecord) -> Response:
+    """Looks for robots of ROS 2 in the domain of a record that need not be kept. For the teacher."""
+    require_teacher()
+    try:
+        record = record_from({**body.record, "link": path.link})
+    except PinelError as error:
+        raise _in_words(error, path.link) from error
+    if not isinstance(record, RosRecord):
+        raise PinelError("unknown_link", value=path.link, allowed=["dds", "ros2"])
+    found = services().engine.find(record)
+    return answer(FoundRobots(domain=record.domain, robots=[FoundRobot(**one) for one in found]))
+
+
+@api.post("/real-robots/<link>/watch", responses=answers(Empty, "unknown_link", "robot_not_set_up"))
+def watch_real_robot(path: LinkPath, body: RobotWatch) -> Response:
+    """Listens to the robot for the next seconds: `robot_state` events tell how it is. Nothing is commanded."""
+    parts = services()
+    record = parts.robots.record(path.link)
+    parts.robot_watching.watch(parts.engine, record, is_first=body.is_first)
+    return answer(Empty())
+
+
+@api.post(
+    "/real-robots/<link>/jog",
+    responses=answers(Empty, "unknown_link", "robot_not_set_up", "run_in_progress", *TEACHER),
+)
+def jog_real_robot(path: LinkPath, body: Jog) -> Response:
+    """Moves the robot slowly for a fifth of a second. For the teacher.
+
+    While a key is held, this is said again and again; the first one connects.
+    """
+    require_teacher()
+    parts = services()
+    record = parts.robots.record(path.link)
+    parts.engine.jog(record, body.drive, body.turn, body.sent_ms / 1000)
+    return answer(Empty())
+
+
+@api.delete("/real-robots/<link>/jog", responses=answers(Empty, "unknown_link", "robot_not_set_up"))
+def halt_real_robot(path: LinkPath) -> Response:
+    """Stops a robot that is moved by keys, at once; anybody may."""
+    parts = services()
+    parts.engine.halt(parts.robots.record(path.link))
+    return answer(Empty())
+
+
+@api.post(
+    "/real-robots/<link>/at-start",
+    responses=answers(Empty, "unknown_link", "robot_not_set_up", *TEACHER),
+)
+def stand_real_robot_at_start(path: LinkPath) -> Response:
+    """The robot stands at the start of its room: its place is counted from here. For the teacher."""
+    require_teacher()
+    parts = services()
+    parts.engine.stand_at_start(parts.robots.record(path.link))
+    return answer(Empty())
 
 
 def _in_words(error: PinelError, link: str) -> PinelError:

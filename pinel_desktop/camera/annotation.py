@@ -1,0 +1,48 @@
+"""Draws what the camera recognises into its picture: a box around each hand, with its sign, as the original did."""
+
+import unicodedata
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from pinel_desktop.gestures.opencv import cv2
+from pinel_desktop.gestures.pictures import Picture
+
+_SURE, _UNSURE = (0, 160, 60), (230, 140, 0)  # RGB
+_WHITE = (255, 255, 255)
+_MARGIN = 0.03  # of the picture's height, around the landmarks
+_FONT, _SCALE, _THICKNESS = cv2.FONT_HERSHEY_SIMPLEX, 0.6, 2
+
+
+def annotated(picture: Picture, hands: Sequence[Mapping[str, Any]]) -> Picture:
+    """A copy with the hands drawn into it, as `camera_sight` tells of them: landmarks as fractions of the picture.
+
+    A sign that is sure has a green box, a doubtful one an orange box and a question mark.
+    """
+    drawn = np.ascontiguousarray(picture)
+    if drawn is picture:
+        drawn = picture.copy()
+    for hand in hands:
+        _draw(drawn, hand)
+    return drawn
+
+
+def _draw(picture: Picture, hand: Mapping[str, Any]) -> None:
+    height, width = picture.shape[:2]
+    points = np.array(hand["points"], np.float32) * (width, height)
+    margin = _MARGIN * height
+    left, top = (int(value) for value in points.min(axis=0) - margin)
+    right, bottom = (int(value) for value in points.max(axis=0) + margin)
+    color = _SURE if hand["sure"] else _UNSURE
+    cv2.rectangle(picture, (left, top), (right, bottom), color, _THICKNESS)
+    label = _ascii(f"{hand['best']} {hand['confidence']:.0%}{'' if hand['sure'] else ' ?'}")
+    (text_width, text_height), _ = cv2.getTextSize(label, _FONT, _SCALE, _THICKNESS)
+    base = max(top, text_height + 8)
+    cv2.rectangle(picture, (left, base - text_height - 8), (left + text_width + 8, base), color, -1)
+    cv2.putText(picture, label, (left + 4, base - 5), _FONT, _SCALE, _WHITE, _THICKNESS)
+
+
+def _ascii(text: str) -> str:
+    """OpenCV's letters have no accents."""
+    return unicodedata.normalize("NFKD", text).encode("ascii", "ignore").decode("ascii")

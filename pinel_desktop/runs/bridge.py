@@ -1,0 +1,66 @@
+"""The bridge that an owner of this process switched on: it stands between runs, too. Steered by messages.
+
+From the owner:
+
+- `bridge_listen` with `record` and `routes` (of each path `method` and `max_body`);
+- `bridge_answer` with `question`, `status`, and `document` or `jpeg`;
+- `bridge_alive`, once a second while a question is open.
+
+To the owner:
+
+- `bridge_listens` with `port`, or `bridge_refused` with `code` and `params`;
+- `bridge_asked` with `question`, `method`, `path` and `body`;
+- `bridge_withdrawn` with `question`: the client hung up, or the owner was silent for too long.
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.links.bridge.questions import Questions
+from pinel_desktop.links.bridge.standing import HandedRoute, StandingBridge
+from pinel_desktop.robot.record import BridgeRecord, record_from
+
+Message = dict[str, Any]
+
+
+class OwnedBridge:
+    """Does what the owner's messages say.
+
+    Args:
+        send: hands a message to the owner; may wait.
+    """
+
+    def __init__(self, send: Callable[[Message], None]) -> None:
+        self._send = send
+        self._questions = Questions(send)
+        self._bridge: StandingBridge | None = None
+
+    def take(self, message: Message) -> None:
+        """A message of the owner, as the table says."""
+        match message["type"]:
+            case "bridge_listen":
+                if self._bridge is None:
+                    self._listen(message)
+            case "bridge_answer":
+                self._questions.settle(message)
+            case "bridge_alive":
+                self._questions.hear()
+
+    def close(self) -> None:
+        """Listens no more."""
+        self._questions.close()
+        if self._bridge is not None:
+            self._bridge.close()
+
+    def _listen(self, message: Message) -> None:
+        routes = {path: HandedRoute(**route) for path, route in message["routes"].items()}
+        try:
+            record = record_from(message["record"])
+            assert isinstance(record, BridgeRecord)
+            self._bridge = StandingBridge(record, routes, self._questions.ask)
+        except PinelError as error:
+            self._send({"type": "bridge_refused", "code": error.code, "params": error.params})
+            return
+        self._bridge.start()
+        self._send({"type": "bridge_listens", "port": self._bridge.port})

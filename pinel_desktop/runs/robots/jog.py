@@ -1,0 +1,157 @@
+"""Moves a real robot slowly while a key is held: a command counts for a fifth of a second, then the robot stands."""
+
+import logging
+import math
+import threading
+import time
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.links import open_link
+from pinel_desktop.links.real import RealLink
+from pinel_desktop.robot import STANDSTILL, Twist2D
+from pinel_desktop.robot.record import RobotRecord
+from pinel_desktop.runs.robots.watched import WatchedRobot
+
+FASTEST_MPS = 0.15
+FASTEST_RADPS = math.radians(30.0)
+# A command that was so long on its way may have been taken back since.
+TOO_LATE_S = 0.25
+# For so long after the last use the link is kept, so that the next press need not connect again.
+_KEPT_S = 3.0
+# After a stop or a problem the keys count again once nothing has been held for so long.
+_RELEASED_S = 0.5
+_POLL_S = 0.05
+
+_log = logging.getLogger(__name__)
+
+
+class Jog:
+    """Takes the robot at the first command as a run does, and lets go soon after the last one.
+
+    `command` is called on the engine's reading thread and never waits; the link's own sender expires its commands.
+    """
+
+    def __init__(self, robot: WatchedRobot) -> None:
+        self._robot = robot
+        self._lock = threading.Lock()
+        self._drive: _Drive | None = None
+        self._held_s = -math.inf
+        self._sent_s = 0.0
+        self._is_halted = False
+
+    def command(self, record: RobotRecord, drive: float, turn: float, sent_s: float) -> None:
+        """What is held: ahead (1) or back (-1), left (1) or right (-1).
+
+        Args:
+            sent_s: when the page sent it, by the PC's clock (s since 1970).
+        """
+        now_s, wanted = time.monotonic(), drive != 0.0 or turn != 0.0
+        with self._lock:
+            is_overtaken = 0.0 < self._sent_s - sent_s < TOO_LATE_S
+            if wanted and (is_overtaken or abs(time.time() - sent_s) > TOO_LATE_S):
+                return
+            self._sent_s = sent_s
+            if wanted:
+                self._is_halted = self._is_halted and now_s - self._held_s < _RELEASED_S
+                self._held_s = now_s
+            if self._drive is not None and self._drive.is_over:
+                self._drive = None
+            if self._is_halted:
+                return
+            if self._drive is None and wanted:
+                self._drive = _Drive(self, self._robot, record)
+            if self._drive is not None:
+                self._drive.command(_twist(record, drive, turn))
+
+    def halt(self) -> None:
+        """The robot stands at once and is let go; what is held now counts no more."""
+        with self._lock:
+            self._is_halted = True
+            drive = self._drive
+        if drive is not None:
+            drive.stop()
+
+    def end(self) -> None:
+        """As `halt`; returns when the robot was let go."""
+        self.halt()
+        drive = self._drive
+        if drive is not None:
+            drive.join()
+
+
+class _Drive:
+    """One connection, on a thread of its own."""
+
+    def __init__(self, jog: Jog, robot: WatchedRobot, record: RobotRecord) -> None:
+        self._jog, self._robot, self._record = jog, robot, record
+        self._link: RealLink | None = None
+        self._used_s = time.monotonic()
+        self._ending = threading.Event()
+        self._commanding = threading.Lock()
+        self._thread = threading.Thread(target=self._work, name="robot-jog", daemon=True)
+        self._thread.start()
+
+    @property
+    def is_over(self) -> bool:
+        return not self._thread.is_alive()
+
+    def command(self, twist: Twist2D) -> None:
+        if twist != STANDSTILL:
+            self._used_s = time.monotonic()
+        with self._commanding:
+            if self._link is not None and not self._ending.is_set():
+                self._link.command(twist)
+
+    def stop(self) -> None:
+        with self._commanding:
+            self._ending.set()
+            if self._link is not None:
+                self._link.command(STANDSTILL)
+
+    def join(self) -> None:
+        self._thread.join()
+
+    def _work(self) -> None:
+        try:
+            with self._robot.reserved("jog", self._record) as follow:
+                link = open_link(
+                    self._record.link, world=self._record.room.as_world(), robot=self._record
+                )
+                assert isinstance(link, RealLink)
+                try:
+                    self._connect(link)
+                    follow(link)
+                    self._stay(link)
+                finally:
+                    link.close()
+        except PinelError as problem:
+            self._robot.fail(problem)
+            self._jog.halt()
+        except Exception:
+            _log.exception("a robot could not be moved by keys")
+
+    def _connect(self, link: RealLink) -> None:
+        start = self._robot.start
+        if start is not None:
+            link.begin_at(start)
+        link.connect(self._ending.is_set)
+        self._link = link
+
+    def _stay(self, link: RealLink) -> None:
+        """Until nobody uses it any more. Raises what is wrong with the robot."""
+        while not self._ending.wait(_POLL_S):
+            link.read()
+            if time.monotonic() - self._used_s > _KEPT_S:
+                return
+
+
+def _twist(record: RobotRecord, drive: float, turn: float) -> Twist2D:
+    """At most half of the record's speeds."""
+    slow = record.slowed()
+    v = min(FASTEST_MPS, slow.max_v_mps)
+    omega = min(FASTEST_RADPS, math.radians(slow.max_omega_dps))
+    return Twist2D(_share(drive) * v, _share(turn) * omega)
+
+
+def _share(value: float) -> float:
+    return min(max(float(value), -1.0), 1.0) if math.isfinite(value) else 0.0

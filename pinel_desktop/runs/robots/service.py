@@ -1,0 +1,72 @@
+"""The real robots between runs: heard while a page asks for it, moved by held keys, let go before a run."""
+
+import contextlib
+import threading
+from collections.abc import Callable, Iterator
+
+from pinel_desktop.processes.messages import Message
+from pinel_desktop.robot.record import RobotRecord, record_from
+from pinel_desktop.runs.robots import AT_START, HALT, JOG
+from pinel_desktop.runs.robots.jog import Jog
+from pinel_desktop.runs.robots.watched import Follow, WatchedRobot
+
+
+class Robots:
+    """One watched robot for each kind of link. Called on the engine's reading thread, and on those of runs.
+
+    Args:
+        send: writes a message to the app; safe from any thread.
+    """
+
+    def __init__(self, send: Callable[[Message], None]) -> None:
+        self._send = send
+        self._robots: dict[str, WatchedRobot] = {}
+        self._jogs: dict[str, Jog] = {}
+        self._lock = threading.Lock()
+
+    def handle(self, message: Message) -> None:
+        """Does what a message of one of the `ROBOT_MESSAGES` asks. Never waits."""
+        record = record_from(message["robot"])
+        if message["type"] == JOG:
+            self._jog(message, record)
+        elif message["type"] == HALT:
+            self._halt(record)
+        elif message["type"] == AT_START:
+            self._robot(record).stand_at_start()
+        else:
+            self._robot(record).renew(record)
+
+    @contextlib.contextmanager
+    def reserved(self, record: RobotRecord) -> Iterator[Follow]:
+        """The robot for a run or a try: nothing else of this engine uses it, keys are let go first.
+
+        The link that is followed tells its state.
+        """
+        jog = self._jogs.get(record.link)
+        if jog is not None:
+            jog.end()
+        with self._robot(record).reserved("run", record) as follow:
+            yield follow
+
+    def close(self) -> None:
+        """Stops what is jogged, and ends all links."""
+        for jog in tuple(self._jogs.values()):
+            jog.end()
+        for robot in tuple(self._robots.values()):
+            robot.close()
+
+    def _robot(self, record: RobotRecord) -> WatchedRobot:
+        with self._lock:
+            return self._robots.setdefault(record.link, WatchedRobot(record, self._send))
+
+    def _jog(self, message: Message, record: RobotRecord) -> None:
+        robot = self._robot(record)
+        jog = self._jogs.get(record.link)
+        if jog is None:
+            jog = self._jogs[record.link] = Jog(robot)
+        jog.command(record, message["drive"], message["turn"], message["sent_s"])
+
+    def _halt(self, record: RobotRecord) -> None:
+        jog = self._jogs.get(record.link)
+        if jog is not None:
+            jog.halt()

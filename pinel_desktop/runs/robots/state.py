@@ -1,0 +1,110 @@
+"""What is told of a real robot between and during runs: when it changes, at most twice a second."""
+
+import math
+import time
+from collections.abc import Callable
+from typing import Literal, NamedTuple
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.links.real import SILENT_S, RealLink
+from pinel_desktop.processes.messages import Message
+from pinel_desktop.robot import Pose2D
+from pinel_desktop.robot.record import RobotRecord
+from pinel_desktop.runs.robots import ROBOT_STATE
+
+TOLD_EACH_S = 0.5
+_RATE_OVER_S = 2.0
+
+Use = Literal["watch", "run", "jog"]
+
+
+class Seen(NamedTuple):
+    """A robot at a moment.
+
+    Attributes:
+        use: what its link is there for.
+        link: None while there is none.
+        start: where it stood at the room's start, in its odometry frame; None where nobody knows.
+        problem: what is wrong, or was when it was driven last.
+    """
+
+    record: RobotRecord
+    use: Use
+    link: RealLink | None
+    start: Pose2D | None
+    problem: PinelError | None
+
+
+class Telling:
+    """Sends the state of one robot."""
+
+    def __init__(self, send: Callable[[Message], None]) -> None:
+        self._send = send
+        self._last: Message | None = None
+        self._told_s = -math.inf
+        self._counted: tuple[RealLink | None, float, int] = (None, 0.0, 0)
+        self._rate_hz: float | None = None
+
+    def tell(self, seen: Seen) -> None:
+        """Tells the state if it is another one; a use that begins or ends at once, all else in its turn."""
+        state, now_s = self._state(seen), time.monotonic()
+        is_due = now_s - self._told_s >= TOLD_EACH_S
+        is_other_use = self._last is None or self._last["use"] != state["use"]
+        if state != self._last and (is_due or is_other_use):
+            self._last, self._told_s = state, now_s
+            self._send(state)
+
+    def begin(self) -> None:
+        """Whatever comes next is news."""
+        self._last = None
+
+    def _state(self, seen: Seen) -> Message:
+        link, problem = seen.link, seen.problem
+        heard = _nothing(seen) if link is None or link.pose is None else self._heard(link, seen)
+        return {
+            "type": ROBOT_STATE,
+            "link": seen.record.link,
+            "address": seen.record.address if seen.record.link == "bridge" else "",
+            "use": seen.use,
+            **heard,
+            "holder": link and link.holder,
+            "code": problem and problem.code,
+            "params": dict(problem.params) if problem else {},
+        }
+
+    def _heard(self, link: RealLink, seen: Seen) -> Message:
+        pose, age_s = link.pose, link.age_s
+        assert pose is not None
+        begin = link.start or seen.start or pose
+        x, y, yaw = seen.record.room.start.compose(pose.relative_to(begin))
+        is_silent = age_s > SILENT_S
+        rate_hz = self._rate(link)
+        return {
+            "state": "silent" if is_silent else "connected",
+            "age_s": math.floor(age_s) if is_silent else None,
+            "rate_hz": None if is_silent else rate_hz,
+            "battery": None if link.battery is None else round(link.battery, 2),
+            "x_m": round(x, 2) + 0.0,  # no -0.0
+            "y_m": round(y, 2) + 0.0,
+            "heading_deg": round(math.degrees(yaw)),
+        }
+
+    def _rate(self, link: RealLink) -> float | None:
+        """Messages in a second. One that trembles by a tenth is no news."""
+        now_s, n_heard = time.monotonic(), link.n_heard
+        counted, since_s, before = self._counted
+        if counted is not link:
+            self._counted, self._rate_hz = (link, now_s, n_heard), None
+        elif now_s - since_s >= _RATE_OVER_S:
+            rate_hz = (n_heard - before) / (now_s - since_s)
+            if self._rate_hz is None or abs(rate_hz - self._rate_hz) > max(1.0, rate_hz / 10):
+                self._rate_hz = float(round(rate_hz))
+            self._counted = (link, now_s, n_heard)
+        return self._rate_hz
+
+
+def _nothing(seen: Seen) -> Message:
+    """The bridge's client comes by itself; all other robots are looked for."""
+    waits = seen.record.link == "bridge" and seen.problem is None
+    fields = ("age_s", "rate_hz", "battery", "x_m", "y_m", "heading_deg")
+    return {"state": "waiting" if waits else "searching", **dict.fromkeys(fields)}

@@ -1,0 +1,57 @@
+"""What pages are told of the real robots that they ask about."""
+
+import time
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from pinel_desktop.events.app_events import RobotStateTold
+from pinel_desktop.messages import describe
+from pinel_desktop.robot.record import RobotRecord
+from pinel_desktop.runs.robots import LEASE_S
+
+
+class Watcher(Protocol):
+    """The part of the engine that listens to robots."""
+
+    def watch(self, robot: RobotRecord) -> None: ...
+
+
+class RobotWatching:
+    """Lets the engine listen while a page asks, and publishes what it tells in words of the chosen language.
+
+    Args:
+        publish: takes events for all pages.
+        language: gives the chosen language.
+    """
+
+    def __init__(
+        self, publish: Callable[[dict[str, Any]], None], language: Callable[[], str]
+    ) -> None:
+        self._publish, self._language = publish, language
+        self._asked_s: dict[str, float] = {}
+        self._last: dict[str, dict[str, Any]] = {}
+
+    def watch(self, engine: Watcher, robot: RobotRecord, *, is_first: bool) -> None:
+        """A page asks; one that asks for the first time is told what is known already."""
+        now_s = time.monotonic()
+        if now_s - self._asked_s.get(robot.link, now_s) > LEASE_S:  # what was told last is old
+            self._last.pop(robot.link, None)
+        self._asked_s[robot.link] = now_s
+        known = self._last.get(robot.link)
+        if is_first and known is not None:
+            self._publish(known)
+        engine.watch(robot)
+
+    def take(self, state: dict[str, Any]) -> None:
+        """A message of the engine."""
+        told = dict(state)
+        code, params = told["code"], told.pop("params")
+        del told["type"]
+        words = describe(code, params, self._language()) if code else None
+        event = RobotStateTold(
+            **told,
+            message=words.message if words else "",
+            remedy=words.remedy if words else "",
+        )
+        self._last[event.link] = event.flat()
+        self._publish(event.flat())

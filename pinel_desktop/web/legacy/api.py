@@ -1,0 +1,227 @@
+"""Answers the requests that the engine hands on: the routes of the original PINEL."""
+
+import base64
+import logging
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Protocol
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.messages import describe
+from pinel_desktop.program.limits import MAX_BYTES
+from pinel_desktop.robot.record import BridgeRecord
+from pinel_desktop.runs.spec import RunSpec
+from pinel_desktop.web.errors import InvalidProgramError
+from pinel_desktop.web.legacy import open_run
+from pinel_desktop.web.legacy.keeping import Commands, Keeping
+from pinel_desktop.web.legacy.open_run import Event, OpenRun, Outcome
+from pinel_desktop.web.legacy.pictures import Pictures
+from pinel_desktop.web.responses import describe_faults, error_body, json_safe, plain, status_of
+from storage import SIMULATOR, StoreError
+
+if TYPE_CHECKING:
+    from pinel_desktop.robot.record import RobotRecord
+    from pinel_desktop.web.services import Services
+
+Message = dict[str, Any]
+
+_ALIVE_S = 1.0
+_READY_S = 40.0
+_WORLD = "empty_room"
+_CAPTURE: Commands = [{"action": "classify_gestures"}]
+_EXAMPLE = '[{"action": "move_forward", "distance": 1}]'
+_log = logging.getLogger(__name__)
+
+
+class BridgeEngine(open_run.Engine, Protocol):
+    """The part of `engine.client.EngineClient` that keeps the listener."""
+
+    def keep_bridge(self, listen: Message, on_message: Callable[[Message], None]) -> None: ...
+
+    def tell_bridge(self, message: Message) -> None: ...
+
+
+@dataclass(frozen=True, slots=True)
+class BridgeChoice:
+    """Where the bridge stands, and which robot its calls drive.
+
+    Attributes:
+        robot: name of the link; `bridge` is the program that asks this bridge for velocities.
+    """
+
+    record: BridgeRecord
+    robot: str = SIMULATOR
+
+
+class LegacyApi:
+    """Thread-safe; each request is answered on a thread of its own."""
+
+    def __init__(
+        self,
+        parts: "Services",
+        engine: BridgeEngine,
+        choice: BridgeChoice,
+        later: Callable[[float, Callable[[], None]], open_run.Cancel] = open_run.by_timer,
+    ) -> None:
+        self._parts, self._engine, self._choice = parts, engine, choice
+        keeping = Keeping(parts.store, parts.app_version, lambda: parts.preferences.language)
+        self._run = OpenRun(engine, keeping, self._spec, self._check, later)
+        self._pictures = Pictures(parts.camera)
+        self._routes: dict[str, tuple[str, int, Callable[[bytes, threading.Event], Message]]] = {
+            "/execute": ("POST", MAX_BYTES, self._execute),
+            "/classify_gestures": ("POST", MAX_BYTES, self._classify),
+            "/get_last_gesture_result": ("GET", 0, self._last_result),
+            "/classify_stream": ("GET", 0, self._picture),
+        }
+        self._open: dict[str, threading.Event] = {}
+        self._closing = threading.Event()
+        self._listening = threading.Event()
+        self._port, self._problem = 0, PinelError("engine_not_ready")
+
+    def start(self) -> None:
+        """Has the engine listen."""
+        routes = {
+            path: {"method": method, "max_body": max_body}
+            for path, (method, max_body, _) in self._routes.items()
+        }
+        record = self._choice.record.as_message()
+        listen = {"type": "bridge_listen", "record": record, "routes": routes}
+        self._engine.keep_bridge(listen, self.receive)
+        threading.Thread(target=self._say_alive, name="bridge-alive", daemon=True).start()
+
+    def wait_until_listening(self) -> str:
+        """The address, such as `http://127.0.0.1:5000`. Raises PinelError that says why nobody listens."""
+        if not self._listening.wait(_READY_S) or not self._port:
+            raise self._problem
+        return f"http://{self._choice.record.url_host}:{self._port}"
+
+    def close(self) -> None:
+        """Answers no more."""
+        self._closing.set()
+        self._run.close()
+
+    @property
+    def is_watched(self) -> bool:
+        """Whether somebody could stop the robot of a call."""
+        return self._run.is_watched
+
+    def observe(self, event: Event) -> None:
+        """To be called with every event of live runs, in order, when the store has it."""
+        self._run.observe(event)
+
+    def receive(self, message: Message) -> None:
+        """What the bridge tells and asks (`runs.bridge`); called on the engine's reader thread."""
+        match message["type"]:
+            case "bridge_asked":
+                self._open[message["question"]] = threading.Event()
+                threading.Thread(target=self._answer, args=(message,), daemon=True).start()
+            case "bridge_withdrawn":
+                if withdrawn := self._open.get(message["question"]):
+                    withdrawn.set()
+            case "bridge_listens":
+                self._port = message["port"]
+                self._listening.set()
+            case "bridge_refused":
+                self._problem = PinelError(message["code"], **message["params"])
+                self._listening.set()
+
+    def _answer(self, message: Message) -> None:
+        number = message["question"]
+        withdrawn = self._open[number]
+        _, _, work = self._routes[message["path"]]
+        body = message["body"].encode("utf-8", "surrogateescape")
+        try:
+            answer = work(body, withdrawn)
+        except (PinelError, StoreError) as error:
+            answer = self._refusal(error)
+        except Exception as error:
+            _log.exception("%s failed", message["path"])
+            answer = self._refusal(PinelError("internal_error", detail=type(error).__name__))
+        del self._open[number]
+        if not withdrawn.is_set():
+            self._engine.tell_bridge({"type": "bridge_answer", "question": number, **answer})
+
+    def _say_alive(self) -> None:
+        while not self._closing.wait(_ALIVE_S):
+            if self._open:
+                self._engine.tell_bridge({"type": "bridge_alive"})
+
+    def _execute(self, body: bytes, withdrawn: threading.Event) -> Message:
+        return _answered(self._told(self._run.call(self._commands(body), withdrawn)))
+
+    def _classify(self, body: bytes, withdrawn: threading.Event) -> Message:
+        outcome = self._run.call(_CAPTURE, withdrawn)
+        told = self._told(outcome)
+        is_done = outcome is not None and outcome.state == "ok"
+        return _answered({"result": self._run.result} if is_done else told)
+
+    def _last_result(self, body: bytes, withdrawn: threading.Event) -> Message:
+        return _answered({"resultado": self._run.result})
+
+    def _picture(self, body: bytes, withdrawn: threading.Event) -> Message:
+        return {"status": 200, "jpeg": base64.b64encode(self._pictures.next()).decode("ascii")}
+
+    def _commands(self, body: bytes) -> Commands:
+        """The commands of a call. Raises PinelError `invalid_program`, with all faults, and `bridge_list_needed`."""
+        from pinel_desktop.program.reading import read_document  # noqa: PLC0415 - heavy
+        from pinel_desktop.runs.robot_checks import missing_on_real_robots  # noqa: PLC0415
+
+        reading = read_document(body)
+        if reading.document is None:
+            raise self._invalid(reading.faults)
+        if not body.lstrip().startswith(b"["):
+            raise PinelError("bridge_list_needed", example=_EXAMPLE)
+        commands: Commands = reading.document["commands"]
+        if self._choice.robot != SIMULATOR and (faults := missing_on_real_robots(commands)):
+            raise self._invalid(faults)
+        self._parts.camera.wake()  # the first capture finds it ready
+        return commands
+
+    def _check(self, commands: Commands) -> None:
+        """Raises PinelError `invalid_program` where a run has grown too long."""
+        from pinel_desktop.program.reading import read_document  # noqa: PLC0415 - heavy
+
+        if faults := read_document({"pinel_ir": 1, "commands": commands}).faults:
+            raise self._invalid(faults)
+
+    def _spec(self, document: dict[str, Any]) -> RunSpec:
+        if self._choice.robot == SIMULATOR:
+            world = next(one for one in self._parts.worlds if one["name"] == _WORLD)
+            return RunSpec(document, world, pace="live")
+        robot = self._robot()
+        world = robot.room.as_world()
+        return RunSpec(document, world, link=robot.link, robot=robot, pace="live")
+
+    def _robot(self) -> "RobotRecord":
+        """Raises PinelError `robot_not_set_up`; the bridge needs no set-up."""
+        record, robots = self._choice.record, self._parts.robots
+        if self._choice.robot != record.link:
+            return robots.record(self._choice.robot)
+        kept = robots.kept(record.link) or record
+        return kept.model_copy(update={"host": record.host, "port": self._port, "key": record.key})
+
+    def _invalid(self, faults: Any) -> InvalidProgramError:
+        return InvalidProgramError(describe_faults(faults, self._parts.preferences.language))
+
+    def _told(self, outcome: Outcome | None) -> dict[str, Any]:
+        """What the caller reads; nothing for one who has left."""
+        if outcome is None:
+            return {}
+        told: dict[str, Any] = {"status": outcome.state, "n_executed": outcome.n_executed}
+        if outcome.code is None:
+            return told
+        words = describe(outcome.code, outcome.params, self._parts.preferences.language)
+        error = {"code": outcome.code, "message": words.message, "remedy": words.remedy}
+        return {**told, "error": {**error, "params": json_safe(outcome.params)}}
+
+    def _refusal(self, error: PinelError | StoreError) -> Message:
+        faults = getattr(error, "faults", ())
+        language = self._parts.preferences.language
+        body = error_body(error.code, error.params, language, faults=faults)
+        status = 503 if error.code.startswith("camera_") else status_of(error.code)
+        return {"status": status, "document": {"error": plain(body)}}
+
+
+def _answered(document: dict[str, Any]) -> Message:
+    return {"status": 200, "document": document}

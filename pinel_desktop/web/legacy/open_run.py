@@ -1,0 +1,238 @@
+"""The one run that calls add up to: it waits between them, for a minute at most."""
+
+import contextlib
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
+from typing import Any, Literal, NamedTuple, Protocol
+
+from pinel_desktop.engine.commands import Append, Command, Finish, Stop
+from pinel_desktop.errors import PinelError
+from pinel_desktop.robot.record import ROOM
+from pinel_desktop.runs.spec import RunSpec
+from pinel_desktop.web.legacy.keeping import Commands, Keeping, with_blocks
+from storage import StoreError
+
+Event = dict[str, Any]
+Cancel = Callable[[], None]
+
+# From the end of a call to the beginning of the next; after that it begins another run.
+SILENCE_S = 60.0
+_END_S = 10.0
+_LOOK_S = 0.2
+
+
+class Engine(Protocol):
+    """The part of `engine.client.EngineClient` that drives the run."""
+
+    @property
+    def live_run(self) -> str | None: ...
+
+    def run(self, run_id: str, spec: RunSpec, commands: Sequence[Command] = ()) -> None: ...
+
+    def command(self, run_id: str, command: Command) -> Any: ...
+
+
+class Outcome(NamedTuple):
+    """How a call went.
+
+    Attributes:
+        n_executed: how many of its commands were executed.
+        code, params: why it did not go to its end; None if it did.
+    """
+
+    state: Literal["ok", "stopped", "failed"]
+    n_executed: int
+    code: str | None = None
+    params: Mapping[str, Any] = MappingProxyType({})
+
+
+def by_timer(delay_s: float, call: Callable[[], None]) -> Cancel:
+    """Calls after a delay unless it is cancelled."""
+    timer = threading.Timer(delay_s, call)
+    timer.daemon = True
+    timer.start()
+    return timer.cancel
+
+
+class OpenRun:
+    """Carries out one call after another; thread-safe.
+
+    Args:
+        make_spec: the spec of a run of a document.
+        check: takes all commands of the run with those of the call; raises PinelError where they are too many.
+        later: as `by_timer`.
+
+    Attributes:
+        result: the last gesture result of the run, or of the last one; "" before any.
+    """
+
+    def __init__(
+        self,
+        engine: Engine,
+        keeping: Keeping,
+        make_spec: Callable[[dict[str, Any]], RunSpec],
+        check: Callable[[Commands], None],
+        later: Callable[[float, Callable[[], None]], Cancel] = by_timer,
+    ) -> None:
+        self.result = ""
+        self._engine, self._keeping = engine, keeping
+        self._make_spec, self._check, self._later = make_spec, check, later
+        self._changed = threading.Condition()
+        self._state: Literal["idle", "busy", "waiting", "ending"] = "idle"
+        self._outcome: Outcome | None = None
+        self._caller_left = False
+        self._cancel_end: Cancel = _nothing
+        self._run: str | None = None
+        self._commands: Commands = []
+        self._n_executed = self._n_blocks = self._n_before_call = 0
+
+    @property
+    def is_watched(self) -> bool:
+        """Whether somebody could stop the robot: a caller who waits. Between two calls it stands."""
+        return self._state in ("waiting", "ending") or (
+            self._state == "busy" and not self._caller_left
+        )
+
+    def call(self, commands: Commands, withdrawn: threading.Event) -> Outcome | None:
+        """Carries out the commands; None when the caller has left meanwhile, which stops the robot.
+
+        Raises:
+            PinelError: `bridge_busy`, `run_in_progress`, `engine_not_ready`, and what `make_spec` and `check` raise.
+            StoreError: why the run cannot be kept.
+        """
+        if not commands:
+            return Outcome("ok", 0)
+        self._take_turn()
+        before = self._commands, self._n_blocks
+        try:
+            self._send(commands)
+        except BaseException:
+            self._give_turn_back(*before)
+            raise
+        return self._wait(withdrawn)
+
+    def observe(self, event: Event) -> None:
+        """To be called with every event of live runs, in order, when the store has it."""
+        if event["run"] != self._run:
+            return
+        match event["type"]:
+            case "gesture_result":
+                self.result = event["result"]
+            case "commands_awaited":
+                self._calls_done(event)
+            case "run_ended":
+                self._ended(event)
+
+    def close(self) -> None:
+        """Ends no run any more; the engine does, which closes after this."""
+        self._cancel_end()
+
+    def _take_turn(self) -> None:
+        with self._changed:
+            self._changed.wait_for(self._is_up_to_date, _END_S)
+            if self._state not in ("idle", "waiting"):
+                raise PinelError("bridge_busy")
+            if self._run is None and self._engine.live_run is not None:
+                raise PinelError("run_in_progress")
+            self._cancel_end()
+            self._state, self._outcome, self._caller_left = "busy", None, False
+
+    def _is_up_to_date(self) -> bool:
+        """Whether the end of the run, if it has ended, has been observed."""
+        is_over = self._run is not None and self._engine.live_run != self._run
+        return self._state != "ending" and (self._state == "busy" or not is_over)
+
+    def _give_turn_back(self, commands: Commands, n_blocks: int) -> None:
+        with self._changed:
+            self._state = "idle"
+            if self._run is not None:
+                self._commands, self._n_blocks = commands, n_blocks
+                self._await_next_call()
+
+    def _send(self, commands: Commands) -> None:
+        labelled, n_blocks = with_blocks(commands, self._n_blocks)
+        whole = [*self._commands, *labelled]
+        self._check(whole)
+        run, self._n_before_call = self._run, len(self._commands)
+        self._commands, self._n_blocks = whole, n_blocks
+        if run is None:
+            self._begin(whole)
+        else:
+            self._keeping.grow(run, whole)
+            self._engine.command(run, Append(commands=labelled))
+
+    def _begin(self, commands: Commands) -> None:
+        spec = self._make_spec(self._keeping.document(commands))
+        run = self._keeping.begin(spec, ROOM if spec.robot else str(spec.world["name"]))  # type: ignore[index] # a document
+        self._run, self.result = run, ""
+        try:
+            self._engine.run(run, spec, [Append(commands=[])])
+        except PinelError:
+            self._forget()
+            self._keeping.discard(run)
+            raise
+
+    def _wait(self, withdrawn: threading.Event) -> Outcome | None:
+        with self._changed:
+            while self._outcome is None:
+                if withdrawn.is_set():
+                    self._caller_left = True
+                    break
+                self._changed.wait(_LOOK_S)
+            outcome, run = self._outcome, self._run
+        if outcome is None and run is not None:
+            with contextlib.suppress(PinelError):  # it has just ended
+                self._engine.command(run, Stop())
+        return outcome
+
+    def _calls_done(self, event: Event) -> None:
+        with self._changed:
+            self.result = event["result"]
+            self._outcome = Outcome("ok", event["n_executed"] - self._n_executed)
+            self._n_executed = event["n_executed"]
+            self._await_next_call()
+            self._changed.notify_all()
+
+    def _await_next_call(self) -> None:
+        self._state = "waiting"
+        self._cancel_end = self._later(SILENCE_S, self._end)
+
+    def _end(self) -> None:
+        with self._changed:
+            run = self._run
+            if self._state != "waiting" or run is None:
+                return
+            self._state = "ending"
+        with contextlib.suppress(PinelError):  # it has just ended
+            self._engine.command(run, Finish())
+
+    def _ended(self, event: Event) -> None:
+        with self._changed:
+            self._cancel_end()
+            run, commands, outcome = self._run, self._commands, self._outcome_of(event)
+            if self._state == "busy" and event["state"] == "finished":
+                # somebody stopped it between two calls, before it had taken the commands of this one
+                commands = commands[: self._n_before_call]
+            self._state = "ending"
+        if run is not None:
+            with contextlib.suppress(StoreError):  # the run keeps its document
+                self._keeping.settle(run, commands)
+        with self._changed:
+            self._forget()
+            self._state, self._outcome = "idle", outcome
+            self._changed.notify_all()
+
+    def _outcome_of(self, event: Event) -> Outcome:
+        n_executed = (event["n_executed"] or self._n_executed) - self._n_executed
+        if event["state"] == "failed":
+            return Outcome("failed", n_executed, event["reason"], event["params"])
+        return Outcome("stopped", n_executed, "stopped_by_person")
+
+    def _forget(self) -> None:
+        self._run, self._commands = None, []
+        self._n_executed = self._n_blocks = self._n_before_call = 0
+
+
+def _nothing() -> None:
+    return

@@ -1,0 +1,288 @@
+"""The HTTP interface of the original, used by a client that knows the contract only; every real part behind it."""
+
+import http.client
+import json
+import threading
+import time
+import urllib.error
+import urllib.request
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+import pytest
+
+from pinel_desktop.app import App
+from pinel_desktop.robot.record import BridgeRecord
+from pinel_desktop.runs.verification import verify_run
+from pinel_desktop.web.legacy import open_run
+from pinel_desktop.web.legacy.api import BridgeChoice
+from tests.links.aurora import free_port
+from tests.live_runs import command
+from tests.web.browser import Browser
+
+WAIT_S = 60.0
+RECORDINGS = Path(__file__).parent / "camera" / "recordings"
+SIDE = {"action": "move_forward", "distance": 0.1}
+CORNER = {"action": "turn", "angle": -90}
+FAR = [{"action": "move_forward", "distance": 3}]
+
+
+def until(is_so: Callable[[], bool]) -> None:
+    """Waits for it."""
+    due_s = time.monotonic() + WAIT_S
+    while not is_so():
+        assert time.monotonic() < due_s
+        time.sleep(0.02)
+
+
+class Client:
+    """Posts commands and reads answers, as the original's page does."""
+
+    def __init__(self, address: str) -> None:
+        self._address = address
+
+    def post(self, path: str, document: object) -> tuple[int, Any]:
+        return self._ask(path, json.dumps(document).encode())
+
+    def get(self, path: str) -> tuple[int, Any]:
+        return self._ask(path, None)
+
+    def execute(self, *commands: object) -> Any:
+        status, answer = self.post("/execute", list(commands))
+        assert status == 200, answer
+        return answer
+
+    def _ask(self, path: str, body: bytes | None) -> tuple[int, Any]:
+        headers = {"Content-Type": "application/json"}
+        request = urllib.request.Request(self._address + path, body, headers)
+        try:
+            with urllib.request.urlopen(request, timeout=WAIT_S) as answer:
+                return answer.status, json.load(answer)
+        except urllib.error.HTTPError as refused:
+            return refused.code, json.load(refused)
+
+
+class Bridged:
+    """A running app with its bridge, a client of it, and the app's page."""
+
+    def __init__(self, app: App) -> None:
+        self.app = app
+        address = app.wait_for_bridge()
+        assert address
+        self.port = int(address.rpartition(":")[2])
+        self.client, self.browser = Client(address), Browser.signed_in(app.address)
+
+    def live_run(self) -> str | None:
+        run: str | None = self.browser.get("/api/status").data["run"]
+        return run
+
+    @staticmethod
+    def in_background(work: Callable[[], Any]) -> tuple[threading.Thread, list[Any]]:
+        """A thread that does it, and where it puts its answer."""
+        answers: list[Any] = []
+        thread = threading.Thread(target=lambda: answers.append(work()))
+        thread.start()
+        return thread, answers
+
+    def sign(self, letter: str, work: Callable[[], Any]) -> Any:
+        """What a call answers whose capture a person answers on the page."""
+        thread, answers = self.in_background(work)
+        while thread.is_alive():
+            if run := self.live_run():
+                command(self.browser, run, "answer_capture", result=letter)
+            thread.join(0.05)
+        return answers[0]
+
+    def stop(self) -> None:
+        """As the page's button does."""
+        if run := self.live_run():
+            command(self.browser, run, "stop")
+        until(lambda: self.live_run() is None)
+
+
+@pytest.fixture(scope="module")
+def app(tmp_path_factory: pytest.TempPathFactory) -> Iterator[App]:
+    choice = BridgeChoice(BridgeRecord(port=free_port()))
+    database = tmp_path_factory.mktemp("data") / "pinel.db"
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setenv("PINEL_LANG", "en")
+        with App(database, bridge=choice, camera="9") as running:
+            yield running
+
+
+@pytest.fixture
+def bridged(app: App) -> Iterator[Bridged]:
+    it = Bridged(app)
+    yield it
+    it.stop()
+
+
+def test_calls_that_follow_one_another_are_one_run_that_can_be_repeated(bridged: Bridged) -> None:
+    """Experiment 4: classify; if B drive the square, classify again, if A drive the triangle; all in calls."""
+    client = bridged.client
+    square = {
+        "action": "conditional_execution",
+        "condition": 'resultado == "B"',
+        "commands": [SIDE, CORNER] * 4,
+    }
+    triangle = {
+        "action": "conditional_execution",
+        "condition": "result == 'A'",
+        "commands": [SIDE, {"action": "turn", "angle": 120}] * 3,
+    }
+    assert client.get("/get_last_gesture_result") == (200, {"resultado": ""})
+    classify = {"action": "classificar_gestos", "status": "pending"}
+    assert bridged.sign("B", lambda: client.execute(classify)) == {"status": "ok", "n_executed": 1}
+    run = bridged.live_run()
+    assert run
+    command(bridged.browser, run, "speed", factor=10)
+    assert client.get("/get_last_gesture_result") == (200, {"resultado": "B"})
+    assert client.execute(triangle, square) == {"status": "ok", "n_executed": 8}
+    answer = bridged.sign("A", lambda: client.post("/classify_gestures", {}))
+    assert answer == (200, {"result": "A"})
+    assert client.execute(square) == {"status": "ok", "n_executed": 0}
+    assert client.execute(triangle) == {"status": "ok", "n_executed": 6}
+    for one in (SIDE, CORNER):
+        assert client.execute(one) == {"status": "ok", "n_executed": 1}
+    assert client.execute() == {"status": "ok", "n_executed": 0}
+    assert bridged.live_run() == run
+    bridged.stop()
+    _check_record(bridged, run, [classify, triangle, square, classify, square, triangle, SIDE])
+
+
+def _check_record(bridged: Bridged, run_id: str, commands: list[dict[str, Any]]) -> None:
+    """The page lists and replays it as any other; it is verified with the whole program."""
+    group = bridged.browser.get(f"/api/runs/{run_id}").data["group_id"]
+    listed = bridged.browser.get(f"/api/groups/{group}/runs").data["runs"]
+    assert listed[0]["id"] == run_id
+    shown = bridged.browser.get(f"/api/runs/{run_id}").data
+    assert (shown["state"], shown["program_name"], shown["n_executed"]) == (
+        "finished",
+        "HTTP bridge",
+        18,
+    )
+    assert shown["version"]["workspace"]["document"] == shown["version"]["document"]
+    actions = [one["action"] for one in shown["version"]["document"]["commands"]]
+    assert actions[:-1] == [
+        one["action"].replace("classificar_gestos", "classify_gestures") for one in commands
+    ]
+    store = bridged.app._store
+    assert verify_run(store, store.runs.get(run_id)).outcome == "identical"
+
+
+def test_nothing_moves_for_a_call_with_faults(bridged: Bridged) -> None:
+    client = bridged.client
+    broken = [SIDE, {"action": "fly"}, {"action": "move_forward", "distance": -1}]
+    status, answer = client.post("/execute", broken)
+    assert status == 422
+    faults = answer["error"]["faults"]
+    assert [(one["code"], one["pointer"]) for one in faults] == [
+        ("unknown_action", "/1"),
+        ("distance_out_of_range", "/2/distance"),
+    ]
+    assert all(one["message"] and one["remedy"] for one in faults)
+    for body, code in (
+        (b'[{"action": "move_forward", "distance": NaN}]', "invalid_program"),
+        (b'[{"action": "move_forward"', "invalid_program"),
+        (b"\xff\x00", "invalid_program"),
+        (b"[" * 50_000, "invalid_program"),
+        (b'"move_forward"', "invalid_program"),
+        (b'{"pinel_ir": 1, "commands": []}', "bridge_list_needed"),
+    ):
+        status, answer = client._ask("/execute", body)
+        assert (status, answer["error"]["code"]) == (422, code)
+    assert client._ask("/execute", b" " * (2**20 + 1))[0] == 413
+    assert client.get("/execute")[0] == 405
+    assert bridged.live_run() is None
+
+
+def test_one_call_at_a_time_and_a_stopped_one_says_so(bridged: Bridged) -> None:
+    client = bridged.client
+    thread, answers = bridged.in_background(lambda: client.execute(SIDE, *FAR))
+    until(lambda: bridged.live_run() is not None)
+    for path in ("/execute", "/classify_gestures"):
+        status, answer = client.post(path, [SIDE])
+        assert (status, answer["error"]["code"]) == (409, "bridge_busy")
+    bridged.stop()
+    thread.join()
+    (answer,) = answers
+    assert (answer["status"], answer["error"]["code"]) == ("stopped", "stopped_by_person")
+    assert client.execute(SIDE) == {"status": "ok", "n_executed": 1}
+
+
+def test_a_call_that_fails_says_why_and_the_next_one_begins_anew(bridged: Bridged) -> None:
+    client = bridged.client
+    client.execute({"action": "set_gesture_result", "result": "B"})
+    unset = {"action": "move_forward", "distance": {"var": "side"}}
+    answer = client.execute(SIDE, unset, SIDE)
+    assert (answer["status"], answer["n_executed"]) == ("failed", 2)
+    assert answer["error"]["code"] == "unset_variable"
+    assert answer["error"]["remedy"]
+    assert client.get("/get_last_gesture_result") == (200, {"resultado": "B"})
+    assert client.execute(SIDE)["status"] == "ok"
+    assert client.get("/get_last_gesture_result") == (200, {"resultado": ""})
+
+
+def test_a_caller_who_hangs_up_stops_the_robot(bridged: Bridged) -> None:
+    caller = http.client.HTTPConnection("127.0.0.1", bridged.port)
+    caller.request("POST", "/execute", json.dumps(FAR))
+    until(lambda: bridged.live_run() is not None)
+    run = bridged.live_run()
+    caller.close()
+    until(lambda: bridged.live_run() is None)
+    # its record is written a moment later
+    until(lambda: bridged.browser.get(f"/api/runs/{run}").data["state"] == "stopped")
+
+
+def test_after_a_minute_of_silence_the_run_has_finished(
+    bridged: Bridged, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(open_run, "SILENCE_S", 0.3)
+    bridged.client.execute(SIDE)
+    until(lambda: bridged.live_run() is None)
+    group = next(
+        one
+        for one in bridged.browser.get("/api/groups").data["groups"]
+        if one["name"] == "HTTP bridge"
+    )
+    runs = bridged.browser.get(f"/api/groups/{group['id']}/runs").data["runs"]
+    assert (runs[0]["state"], runs[0]["n_executed"]) == ("finished", 1)
+
+
+def test_without_a_camera_the_stream_says_so(bridged: Bridged) -> None:
+    status, answer = bridged.client.get("/classify_stream")
+    assert (status, answer["error"]["code"]) == (503, "camera_missing")
+
+
+def test_the_camera_answers_a_capture_while_its_picture_shows_the_hand_in_a_box(
+    tmp_path: Path,
+) -> None:
+    choice = BridgeChoice(BridgeRecord(port=free_port()))
+    with App(tmp_path / "pinel.db", bridge=choice, camera=str(RECORDINGS / "b.npz")) as app:
+        address = app.wait_for_bridge()
+        assert address
+        watching, pictures = Bridged.in_background(lambda: _pictures(address, 3))
+        assert Client(address).post("/classify_gestures", {}) == (200, {"result": "B"})
+        assert Client(address).get("/get_last_gesture_result") == (200, {"resultado": "B"})
+        watching.join()
+    for jpeg in pictures[0]:
+        shown = cv2.imdecode(np.frombuffer(jpeg, np.uint8), cv2.IMREAD_COLOR).astype(int)
+        blue, green, red = shown.transpose(2, 0, 1)
+        assert np.count_nonzero((green > 120) & (red < 80) & (blue < 120)) > 300  # a sure sign
+
+
+def _pictures(address: str, count: int) -> list[bytes]:
+    """The first pictures of the stream."""
+    with urllib.request.urlopen(f"{address}/classify_stream", timeout=WAIT_S) as stream:
+        return [_next_picture(stream) for _ in range(count)]
+
+
+def _next_picture(stream: Any) -> bytes:
+    assert stream.readline() == b"--frame\r\n"
+    assert stream.readline() == b"Content-Type: image/jpeg\r\n"
+    length = int(stream.readline().partition(b":")[2])
+    picture: bytes = stream.read(2 + length + 2)[2:-2]
+    return picture
