@@ -5,7 +5,7 @@ from typing import Any
 
 from playwright.sync_api import Page
 
-from tests.e2e.studio import Studio
+from tests.e2e.studio import Studio, at_rest
 
 AXE = Path(__file__).parents[2] / "ui" / "node_modules" / "axe-core" / "axe.min.js"
 # Blockly's toolbox and blocks have roles whose children axe does not find
@@ -20,9 +20,6 @@ BLOCKLYS = {
     "region",
 }
 THEMES = {"light", "dark", "contrast"}
-# elements that fade, and buttons whose request is on its way, have another contrast until then
-_AT_REST = """() => !document.querySelector('[aria-busy=true]') && document.getAnimations()
-  .every((one) => one.playState !== 'running' || one.effect.getComputedTiming().endTime === Infinity)"""
 
 
 def violations(studio: Studio) -> list[str]:
@@ -43,7 +40,7 @@ def violations(studio: Studio) -> list[str]:
 
 
 def _found(page: Page, options: str) -> list[str]:
-    page.wait_for_function(_AT_REST)
+    at_rest(page)  # what fades or is busy has another contrast until then
     answer: dict[str, Any] = page.evaluate(
         f"() => axe.run(document, {{ resultTypes: ['violations'], ...{options} }})"
     )

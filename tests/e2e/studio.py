@@ -15,9 +15,17 @@ SAVE_S = 10.0
 POLL_MS = 50
 
 _OVER = re.compile("finished|stopped|failed")
+# nothing loads, no request of a button is on its way, nothing moves but what always does
+_AT_REST = """() => !document.querySelector('[aria-busy=true]') && document.getAnimations()
+  .every((one) => one.playState !== 'running' || one.effect.getComputedTiming().endTime === Infinity)"""
 _NUMBERS = itertools.count(1)
 
 T = TypeVar("T")
+
+
+def at_rest(page: Page) -> None:
+    """Waits until what is on the screen is all there and stands still."""
+    page.wait_for_function(_AT_REST)
 
 
 class Studio:
@@ -48,6 +56,11 @@ class Studio:
     def enter_new_group(self, name: str = "Os Tatus", level: int | None = 3) -> None:
         """Creates a group with a unique name, for tests that share an app."""
         self.enter_group(f"{name} {next(_NUMBERS)}", level)
+
+    def choose_language(self, language: str) -> None:
+        """Chooses a language and waits until the page speaks it."""
+        self["language"].select_option(language)
+        expect(self.page.locator("html")).to_have_attribute("lang", language)
 
     def wait_until_open(self) -> None:
         expect(self.blocks.start()).to_be_visible()

@@ -1,6 +1,7 @@
 """The first screens, as somebody meets them who does not see them or sees them badly."""
 
 import pytest
+from playwright.sync_api import expect
 
 from tests.e2e.axe import violations
 from tests.e2e.python_pane import edit_python, open_python, write_program
@@ -15,6 +16,7 @@ def test_screens_have_names_and_contrast(studio: Studio) -> None:
     def look(screen: str) -> None:
         found[screen] = violations(studio)
 
+    expect(studio["group-name"]).to_be_visible()
     look("start")
     studio.enter_new_group()
     look("studio, empty")

@@ -30,7 +30,9 @@ def prepare(studio: Studio, classroom: str = "9º A") -> None:
 
 
 def to_part(studio: Studio, part: str) -> None:
-    studio.page.locator(f"[data-testid=teacher-part][data-part={part}]").click()
+    link = studio.page.locator(f"[data-testid=teacher-part][data-part={part}]")
+    link.click()
+    expect(link).to_have_attribute("aria-current", "page")
 
 
 def open_lesson(studio: Studio, title: str, activity: str = "") -> None:
@@ -331,9 +333,11 @@ def test_twelve_groups_with_long_names_are_not_cut(
     for number in range(12):
         name = f"{number} {LONG}"[:60]
         call(studio, "POST", "/groups", {"name": name, "classroom_id": classroom})
-    studio["language"].select_option(language)
-    for part in ("lessons", "computer", "classes"):
+    studio.choose_language(language)
+    parts = {"lessons": "open-lesson", "computer": "computer-name", "classes": "class-group"}
+    for part, shown in parts.items():
         to_part(studio, part)
+        expect(studio[shown].first).to_be_visible()
         assert cut(studio.page) == []
     expect(studio["class-group"]).to_have_count(12)
     studio["sign-out"].click()

@@ -162,7 +162,7 @@ def test_another_language_says_the_same_program(one_move: Studio) -> None:
         ("es", "avanzar", "Movimiento"),
         ("pt-BR", "andar para frente", "Movimento"),
     ):
-        one_move["language"].select_option(language)
+        one_move.choose_language(language)
         expect(blocks.by_id(before[0]["block"])).to_contain_text(words)
         expect(blocks.category("motion")).to_contain_text(category)
         assert one_move.commands() == before

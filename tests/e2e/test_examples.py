@@ -57,7 +57,7 @@ def test_the_examples_are_read_in_every_language_and_theme(studio: Studio) -> No
     studio.enter_group("Os Tatus")
     studio["open-activities"].click()
     for language, title in {"en": "Examples", "es": "Ejemplos", "pt-BR": "Exemplos"}.items():
-        studio["language"].select_option(language)
+        studio.choose_language(language)
         expect(studio["examples"].get_by_role("heading")).to_have_text(title, timeout=RUN_MS)
         studio["to-examples"].click()
         assert cut(studio.page) == []

@@ -121,7 +121,7 @@ def test_the_help_is_read_in_every_language_and_theme(studio: Studio) -> None:
     studio.enter_group("Os Tatus", level=None)
     studio["help"].click()
     for language, words in {"en": "Drive and turn", "es": "Avanzar y girar"}.items():
-        studio["language"].select_option(language)
+        studio.choose_language(language)
         expect(studio["help-panel"]).to_contain_text(words)
         for tab in ("blocks", "keys", "tasks"):
             to_tab(studio, tab)

@@ -113,7 +113,7 @@ def test_the_robot_says_numbers_as_the_language_does(group: Studio) -> None:
     group.wait_for_phase("finished")
     expect(group["talk"]).to_contain_text("3,33")
     expect(group["talk"]).to_contain_text("d: 0,5")
-    group["language"].select_option("en")
+    group.choose_language("en")
     expect(group["talk"]).to_contain_text("3.33")
     expect(group["talk"]).to_contain_text("d: 0.5")
     events = group.api(

@@ -69,8 +69,16 @@ def test_a_language_that_is_chosen_before_the_server_has_answered_stays(studio: 
 
     studio.page.route("**/api/status", hold_the_first)
     studio.page.reload()
-    studio["language"].select_option("en")
-    expect(studio.page.locator("html")).to_have_attribute("lang", "en")
+    studio.choose_language("en")
     held[0].fulfill(json=status)
     expect(studio.page.locator("html[data-ready]")).to_be_attached()
     expect(studio["language"]).to_have_value("en")
+
+
+def test_a_language_that_is_chosen_in_the_moment_of_a_reload_stays(studio: Studio) -> None:
+    expect(studio.page.locator("html[data-ready]")).to_be_attached()
+    studio.page.route("**/api/settings", lambda route: None, times=1)  # the reload ends the request
+    studio.choose_language("en")
+    studio.page.reload()
+    expect(studio.page.locator("html")).to_have_attribute("lang", "en")
+    studio.eventually(lambda: studio.api("/status")["language"], "en")

@@ -8,7 +8,7 @@ from playwright.sync_api import Page, expect
 from pinel_desktop.messages import LANGUAGES
 from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import OpenStudio
-from tests.e2e.studio import Studio
+from tests.e2e.studio import Studio, at_rest
 from tests.e2e.watch import Watch
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
@@ -51,6 +51,7 @@ def app(lasting_app: AppProcess) -> AppProcess:
 
 
 def cut(page: Page) -> list[Any]:
+    at_rest(page)
     page.evaluate("document.fonts.ready")
     return list(page.evaluate(_CUT))
 
@@ -59,8 +60,7 @@ def cut(page: Page) -> list[Any]:
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_no_words_are_cut(open_studio: OpenStudio, size: tuple[int, int], language: str) -> None:
     studio: Studio = open_studio(viewport={"width": size[0], "height": size[1]})
-    studio["language"].select_option(language)
-    studio.page.locator(f'html[lang="{language}"]').wait_for(state="attached")
+    studio.choose_language(language)
     assert cut(studio.page) == [], "start"
     studio.enter_new_group("Os Engenheiros")
     assert cut(studio.page) == [], "studio"
@@ -89,15 +89,14 @@ def test_the_lesson_gives_way_to_the_group_and_its_program(
     studio.page.reload()
     studio.wait_until_open()
     expect(studio["lesson-chip"]).to_be_visible()
-    studio["language"].select_option(language)
-    studio.page.locator(f'html[lang="{language}"]').wait_for(state="attached")
+    studio.choose_language(language)
     assert _cut_names(studio) == []
     _expect_ways_out(studio)
-    studio["language"].select_option("pt-BR")
+    studio.choose_language("pt-BR")
     studio.page.route("**/api/programs/*/versions", lambda route: route.abort())
     start = studio.blocks.start()
     studio.blocks.drag_from_toolbox("motion", "andar para frente", studio.blocks.below(start))
-    studio["language"].select_option(language)
+    studio.choose_language(language)
     expect(studio["saved-mark"]).to_have_attribute("data-state", "failed")
     assert _cut_names(studio) == []
     assert cut(studio.page) == []

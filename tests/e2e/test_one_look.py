@@ -75,7 +75,9 @@ def test_screens_look_the_same_whatever_was_opened_before(
     open_studio: OpenStudio, school: tuple[AppProcess, dict[str, str]]
 ) -> None:
     places = school[1]
-    page = _teacher(open_studio()).page
+    studio = _teacher(open_studio())
+    studio.eventually(lambda: studio.api("/status")["engine"], "ready")  # the studio says so
+    page = studio.page
     page.reload()  # the page learns that the teacher is in
     there = _seen_in_turn(page, places, places)
     page.reload()

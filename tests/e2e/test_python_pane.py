@@ -166,10 +166,10 @@ def test_faults_are_in_the_language_of_the_page(studio: Studio) -> None:
     studio.enter_new_group()
     edit_python(studio, "import os\n")
     expect(studio["python-fault"]).to_contain_text("Linha 1")
-    studio["language"].select_option("en")
+    studio.choose_language("en")
     expect(studio["python-fault"]).to_contain_text("Line 1")
     expect(studio["python-fault"]).not_to_contain_text("Não")
-    studio["language"].select_option("pt-BR")
+    studio.choose_language("pt-BR")
 
 
 def test_more_commands_than_blocks_can_show_are_refused_in_words_and_kept(studio: Studio) -> None:

@@ -1,21 +1,32 @@
 """A real robot in a lesson: set up by the teacher, chosen, checked, driven, stopped by the emergency key, reviewed."""
 
 import contextlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import pytest
 from playwright.sync_api import Locator, expect
 
 from tests.e2e.axe import violations
 from tests.e2e.studio import RUN_MS, Studio
-from tests.e2e.test_classes import PIN, prepare, to_part
+from tests.e2e.test_classes import PIN, open_lesson, prepare, to_part
 from tests.e2e.test_layout import cut
+from tests.e2e.test_missions import begin
+from tests.e2e.test_tour import covers
 from tests.e2e.watch import Watch
 from tests.links.aurora import Aurora, free_port
+from tests.links.dds_domains import own_domain
+from tests.links.double_process import Double
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(300)]
 
 SPEED_MPS = 0.4
+NEAR_THE_EDGE = {"max_v_mps": "0,4", "room.x_m": "-1,5"}
+FAST_IN_A_HALL = {
+    "max_v_mps": "1,2",
+    "max_omega_dps": "250",
+    "room.width_m": "8",
+    "room.depth_m": "8",
+}
 
 
 @contextlib.contextmanager
@@ -32,11 +43,11 @@ def field(studio: Studio, name: str) -> Locator:
     return studio.page.locator(f"[data-testid=robot-field][data-name='{name}']")
 
 
-def set_up(studio: Studio, port: int) -> None:
-    """What a teacher types for a robot that stands near an edge of its room."""
+def set_up(studio: Studio, port: int, fields: Mapping[str, str] = NEAR_THE_EDGE) -> None:
+    """What a teacher types for a robot."""
     to_part(studio, "robot")
     studio.page.locator("[data-testid=robot-kind][data-value=bridge]").click()
-    for name, typed in {"port": str(port), "max_v_mps": "0,4", "room.x_m": "-1,5"}.items():
+    for name, typed in {"port": str(port), **fields}.items():
         field(studio, name).fill(typed)
     studio["robot-keep"].click()
     expect(studio["robot-forget"]).to_be_visible()
@@ -70,14 +81,23 @@ def test_group_drives_the_robot_that_its_teacher_set_up_and_stops_it_by_the_emer
 
     studio["robot-choice"].select_option("bridge")
     expect(studio["real-robot"]).to_contain_text("Robô de verdade")
+    expect(studio["robot-state"]).to_contain_text(f"Esperando o simulador em 127.0.0.1:{port}")
     expect(studio["emergency-stop"]).to_be_visible()
     expect(studio["speed"]).to_have_count(0)
     expect(studio["world"]).to_have_count(0)
     with client(port) as aurora:
+        expect(studio["robot-state"]).to_contain_text("Conectado", timeout=RUN_MS)
+        expect(studio.page.locator(".floor__room")).to_have_text("Sala de verdadeConectado")
         studio["run"].click()
         expect(studio["before-run"]).to_contain_text("devagar, a 0,20 m/s")
+        expect(studio["status-line"]).to_contain_text("confiram a lista")
+        assert not covers(studio["before-run"], studio["scene"])
         assert violations(studio) == []
         assert cut(studio.page) == []
+        studio.page.keyboard.press("Escape")
+        expect(studio["before-run"]).to_have_count(0)
+        expect(studio["run"]).to_be_focused()
+        studio["run"].click()
         check_off(studio)
         studio.wait_for_phase("finished")
         assert aurora.has_ended(RUN_MS / 1000)
@@ -116,6 +136,53 @@ def review(studio: Studio) -> None:
     expect(studio.page.locator(".replay__tools").get_by_test_id("robot-name")).to_be_visible()
 
 
+def test_a_mission_driven_on_the_robot_is_judged_by_what_it_measured(studio: Studio) -> None:
+    port = free_port()
+    prepare(studio)
+    set_up(studio, port, FAST_IN_A_HALL)
+    to_part(studio, "lessons")
+    open_lesson(studio, "Quadrado", "square")
+    studio["sign-out"].click()
+    studio.enter_group("Os Tatus")
+    expect(studio["how-judged"]).to_have_count(0)
+    studio["robot-choice"].select_option("bridge")
+    expect(studio["how-judged"]).to_have_attribute("data-state", "will_be")
+    studio.build_square("1")
+    with client(port) as aurora:
+        studio["run"].click()
+        check_off(studio)
+        expect(studio["mission-done"]).to_be_visible(timeout=RUN_MS)
+        assert aurora.has_ended(RUN_MS / 1000)
+    expect(studio["how-judged"]).to_have_text("Julgada pelo que o robô mediu.")
+    assert violations(studio) == []
+    assert cut(studio.page) == []
+    begin(studio, "maze")
+    expect(studio["how-judged"]).to_have_attribute("data-state", "not_judged")
+    expect(studio["how-judged"]).to_contain_text("precisa do simulador (zonas do chão)")
+    judged_in_review(studio)
+
+
+def judged_in_review(studio: Studio) -> None:
+    """The teacher sees in the lesson and in the replay by what the run was judged."""
+    studio["home"].click()
+    studio["teacher-link"].click()
+    studio["pin"].fill(PIN)
+    studio["sign-in"].click()
+    expect(studio["sign-out"]).to_be_visible()
+    (line,) = studio.api("/runs")["runs"]
+    studio.page.goto(f"{studio.origin}/#/lesson/{line['lesson_id']}")
+    expect(studio["review-group"]).to_have_attribute("data-need", "passed")
+    studio["review-open"].click()
+    run = studio["review-run"]
+    expect(run).to_have_attribute("data-outcome", "passed")
+    expect(run).to_contain_text("Robô pela ponte · julgada pelo que o robô mediu")
+    assert violations(studio) == []
+    assert cut(studio.page) == []
+    run.get_by_role("link").click()
+    expect(studio["how-judged"]).to_have_attribute("data-state", "by_robot")
+    assert cut(studio.page) == []
+
+
 def test_teacher_tries_whether_the_robot_responds(studio: Studio) -> None:
     port = free_port()
     prepare(studio)
@@ -126,6 +193,81 @@ def test_teacher_tries_whether_the_robot_responds(studio: Studio) -> None:
         assert not any(twist.v_mps or twist.omega_radps for _, twist in aurora.heard)
     assert violations(studio) == []
     assert cut(studio.page) == []
+
+
+@contextlib.contextmanager
+def pioneer() -> Iterator[int]:
+    """A Pioneer on DDS, and its domain."""
+    with own_domain() as domain:
+        double = Double(domain)
+        try:
+            yield domain
+        finally:
+            double.close()
+
+
+def test_teacher_finds_the_robot_moves_it_by_a_held_key_and_makes_its_place_the_start(
+    studio: Studio,
+) -> None:
+    with pioneer() as domain:
+        prepare(studio)
+        to_part(studio, "robot")
+        studio.page.locator("[data-testid=robot-kind][data-value=dds]").click()
+        for name, typed in {"domain": domain, "peers": "127.0.0.1", "command_topic": "x"}.items():
+            field(studio, name).fill(str(typed))
+        studio["robots-find"].click()
+        studio["robot-use"].click(timeout=RUN_MS)
+        expect(field(studio, "command_topic")).to_have_value("cmd_vel")
+        studio["robot-keep"].click()
+        expect(studio.page.get_by_role("status").filter(has_text="Salvo.")).to_be_visible()
+        expect(studio["robot-now"]).to_contain_text("Conectado · bateria 80 %", timeout=RUN_MS)
+
+        hold_until_moved(studio)
+        assert violations(studio) == []
+        assert cut(studio.page) == []
+        make_its_place_the_start(studio)
+
+        studio["sign-out"].click()
+        studio.enter_group("Os Tatus")
+        build_move(studio, "0,2")
+        studio["robot-choice"].select_option("dds")
+        expect(studio["robot-state"]).to_contain_text("Conectado", timeout=RUN_MS)
+        studio["run"].click()
+        check_off(studio)
+        studio.wait_for_phase("finished")
+        expect(studio["robot-state"]).to_contain_text("Conectado · bateria 80 %", timeout=RUN_MS)
+
+
+def hold_until_moved(studio: Studio) -> None:
+    """Holds the arrow key until the robot has gone a way, and lets go; it stands."""
+    studio.page.locator("[data-testid=jog][data-direction=back]").focus()
+    studio.page.keyboard.down("ArrowUp")
+    expect(studio.page.locator("[data-testid=jog][data-direction=ahead]")).to_have_attribute(
+        "aria-pressed", "true"
+    )
+    expect(studio["emergency-stop"]).to_be_visible(timeout=RUN_MS)
+    studio.eventually(lambda: place(studio)[0] > 0.2, True)
+    studio.page.keyboard.up("ArrowUp")
+    expect(studio["emergency-stop"]).to_have_count(0, timeout=RUN_MS)  # let go
+    stood = place(studio)
+    studio.page.wait_for_timeout(1500)
+    assert place(studio) == stood
+
+
+def place(studio: Studio) -> tuple[float, float]:
+    """Where the robot is drawn in the room, in m."""
+    drawn = studio["robot-place"].get_attribute("transform") or ""
+    x, y = drawn.partition("(")[2].partition(")")[0].split(" ")
+    return float(x), -float(y)
+
+
+def make_its_place_the_start(studio: Studio) -> None:
+    x, _ = place(studio)
+    studio["robot-here"].click()
+    expect(field(studio, "room.x_m")).to_have_value(f"{x:g}".replace(".", ","))
+    studio["robot-keep"].click()
+    expect(studio.page.get_by_role("status").filter(has_text="Salvo.")).to_be_visible()
+    studio.eventually(lambda: abs(place(studio)[0] - x) < 0.03, True)
 
 
 def test_wrong_field_is_named_and_a_forgotten_robot_is_offered_no_more(
@@ -168,6 +310,7 @@ def test_emergency_stop_stays_in_reach_on_every_screen_and_in_a_narrow_window(
         if screen == "studio":
             studio["open-work"].click()
             expect(studio.page.get_by_role("heading", level=1)).to_be_visible()
-    studio.page.reload()
-    expect(studio["home"]).to_be_visible()
-    expect(studio["emergency-stop"]).to_have_count(0)  # every page begins with the simulator
+    studio["home"].click()
+    studio.enter_group("Os Tatus")
+    expect(studio["robot-choice"]).to_have_value("sim")  # each group chooses its robot itself
+    expect(studio["emergency-stop"]).to_have_count(0)

@@ -22,9 +22,9 @@ def test_each_screen_has_a_title_in_the_language_of_the_page(studio: Studio) -> 
     expect(studio.page).to_have_title("Programa 1 · Programa · PINEL")
     studio["open-work"].click()
     expect(studio.page).to_have_title("Programa 1 · Nossos trabalhos · PINEL")
-    studio["language"].select_option("es")
+    studio.choose_language("es")
     expect(studio.page).to_have_title("Programa 1 · Nuestros trabajos · PINEL")
-    studio["language"].select_option("pt-BR")
+    studio.choose_language("pt-BR")
     studio["home"].click()
     expect(studio.page).to_have_title("Grupos · PINEL")
 

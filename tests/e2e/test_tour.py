@@ -234,7 +234,7 @@ def test_a_hand_shows_the_drag_unless_motion_is_reduced(open_studio: OpenStudio)
 
 @pytest.mark.parametrize("language", ["en", "es", "pt-BR"])
 def test_it_is_read_in_every_language_and_theme(studio: Studio, language: str) -> None:
-    studio["language"].select_option(language)
+    studio.choose_language(language)
     studio.enter_group("Os Tatus", level=None, tour=True)
     assert violations(studio) == []
     studio["tour-go"].click()

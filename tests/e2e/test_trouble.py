@@ -98,10 +98,12 @@ def test_a_group_that_is_deleted_under_its_program_is_told_once_and_can_take_its
     studio.tell("PUT", "/teacher/pin", {"pin": "314159"})
     studio.tell("DELETE", f"/groups/{group['id']}")
 
+    studio.page.clock.install()
     studio.blocks.type_into(studio.blocks.by_words("andar para frente"), "0,5")
     expect(studio["deleted"]).to_contain_text("O grupo foi apagado")
     studio["run"].click()
-    studio.page.wait_for_timeout(3000)  # longer than any pause between two tries
+    studio.page.clock.run_for(10_000)  # longer than any pause between two tries
+    studio.page.evaluate("fetch('/api/status')")  # a try would be answered before
     assert answers.count(404) == 1
     expect(studio["problem"]).to_have_count(0)
     expect(studio["unsaved"]).to_have_count(0)

@@ -197,7 +197,7 @@ def test_two_versions_are_compared_block_by_block(studio: Studio) -> None:
     studio["difference-previous"].click()
     expect(changed).to_have_attribute("aria-current", "true")
 
-    studio["language"].select_option("en")
+    studio.choose_language("en")
     expect(added).to_contain_text("turn left 90°")
     expect(page.locator(".pinelAdded")).to_have_count(1)
     after = page.locator('[data-testid=difference-side][data-side="after"]')

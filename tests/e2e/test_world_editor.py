@@ -277,7 +277,7 @@ def test_it_has_names_and_contrast(studio: Studio, board: WorldBoard) -> None:
 @pytest.mark.parametrize("width", [1366, 1024])
 def test_no_words_are_cut(open_studio: OpenStudio, width: int, language: str) -> None:
     studio = open_studio(viewport={"width": width, "height": 768})
-    studio["language"].select_option(language)
+    studio.choose_language(language)
     studio.enter_new_group()
     board = WorldBoard(studio)
     board.open()
@@ -285,5 +285,7 @@ def test_no_words_are_cut(open_studio: OpenStudio, width: int, language: str) ->
     for tool in ("wall", "box", "zone", "paint", "start"):
         board.choose(tool)
         if tool != "start":
+            n_things = board["thing"].count()
             board.drag((1, 1), (2, 2))
+            expect(board["thing"]).to_have_count(n_things + 1)
         assert cut(studio.page) == [], tool

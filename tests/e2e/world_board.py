@@ -27,7 +27,9 @@ class WorldBoard:
         expect(self["editor"]).to_have_count(0)
 
     def choose(self, tool: str) -> None:
-        self._studio.page.locator(f'[data-testid="world-tool"][data-tool="{tool}"]').click()
+        button = self._studio.page.locator(f'[data-testid="world-tool"][data-tool="{tool}"]')
+        button.click()
+        expect(button).to_have_attribute("aria-pressed", "true")
 
     def thing(self, kind: str, index: int = 0) -> Locator:
         at = f'[data-index="{index}"]' if kind != "start" else ""

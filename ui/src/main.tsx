@@ -7,6 +7,7 @@ import "./frame/fetch_ahead";
 import * as camera from "./camera/sight";
 import { fetchTexts, language } from "./i18n";
 import { receive, resync } from "./run/live";
+import { receiveState } from "./run/real/robot_state";
 import { firstRequestsSettled } from "./shell/first_answers";
 import { open } from "./shell/session";
 
@@ -15,7 +16,7 @@ const PATIENCE_MS = 300;
 
 const patience = new Promise((resolve) => setTimeout(resolve, PATIENCE_MS));
 const texts = fetchTexts(language.peek());
-const opened = texts.then(() => open({ receive, resync }, camera));
+const opened = texts.then(() => open({ receive, resync }, camera, receiveState));
 const root = document.getElementById("app");
 
 // Otherwise drawn once, with everything in its place.

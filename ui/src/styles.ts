@@ -9,6 +9,8 @@ import "./kit/tokens.css";
 import "./kit/base.css";
 import "./kit/controls.css";
 import "./frame/header/header.css";
+import "./frame/header/real_robot.css";
+import "./run/real/real.css";
 import "./kit/pictures/pictures.css";
 import "./start/start.css";
 import "./editor/editor.css";

@@ -4,6 +4,7 @@ import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import type { Playback } from "../run/playback";
 import { RobotName } from "../run/real/RobotName";
+import { VerdictLine } from "../run/real/VerdictLine";
 import { beep } from "../run/sound";
 import { later } from "../shell/later";
 import { cancelWaiting, isPinAsked, teacherSession } from "../shell/teacher/teacher_session";
@@ -66,6 +67,7 @@ function ReplayProgram({ recording, onOpen }: ReplayProps) {
           </Button>
         )}
       </div>
+      <VerdictLine of={run} />
       {!forTeacher && <RunNotes runId={run.id} />}
       <ReplayBlocks run={run} view={playback.view} />
       {forTeacher && run.group_id && <TeacherNote key={run.id} run={run.id} />}

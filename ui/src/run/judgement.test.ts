@@ -9,8 +9,22 @@ const ptBR = textsOf("pt-BR");
 const ended: Sentence = { text: "Terminou.", more: "Em 3 s.", tone: "done" };
 
 function judged(passed: boolean, missing: string | null): JudgedEvent {
-  return { type: "judged", run: "r", passed, missing, block: null, cases: [] };
+  return {
+    type: "judged",
+    run: "r",
+    passed,
+    missing,
+    block: null,
+    cases: [],
+    by_robot: false,
+    not_judged: null,
+  };
 }
+
+test("a run on a real robot that was not judged is neither a failure nor a success", () => {
+  const told = { ...judged(false, null), passed: null, not_judged: "Não julgada." };
+  expect(withJudgement(ended, "r", told, ptBR)).toEqual({ ...ended, more: "Não julgada." });
+});
 
 test("a run that passed says so first", () => {
   const said = withJudgement(ended, "r", judged(true, null), ptBR);
@@ -22,6 +36,17 @@ test("a run that did not pass says what is missing, after how it ended", () => {
   expect([said.text, said.tone]).toEqual(["Terminou.", "notice"]);
   expect(said.more).toContain("O robô termina no início.");
   expect(withJudgement(ended, "r", judged(false, null), ptBR).more).toBe(ptBR.activity.toTheEnd);
+});
+
+test("what to do about a run that failed is not replaced by that it is not judged", () => {
+  const verdict = { ...judged(false, null), not_judged: "Não julgada." };
+  const failed: Sentence = {
+    text: "O robô não responde.",
+    more: "Ele está ligado?",
+    tone: "fault",
+  };
+  expect(withJudgement(failed, "r", verdict, ptBR)).toBe(failed);
+  expect(withJudgement(ended, "r", verdict, ptBR).more).toBe("Não julgada.");
 });
 
 test("the judgement of another run is not said", () => {

@@ -11,6 +11,9 @@ export function withJudgement(
 ): Sentence {
   if (!judged || judged.run !== run) return ended;
   if (judged.passed) return { text: activity.passed, more: ended.text, tone: "done" };
+  // why a run failed comes with what to do about it; that it is not judged stands on the mission's card
+  if (judged.not_judged)
+    return ended.tone === "fault" ? ended : { ...ended, more: judged.not_judged };
   const tone = ended.tone === "done" ? "notice" : ended.tone;
   if (judged.missing) return { ...ended, tone, more: activity.missing(judged.missing) };
   return { ...ended, tone, more: activity.toTheEnd };

@@ -27,7 +27,13 @@ const HEARD_TICKS = 90;
 const LOOPS = new Set(["repeat", "while", "until", "for", "forever"]);
 
 /** Endings after which the only advice is to run again. */
-const RUN_AGAIN = new Set(["stopped_by_person", "engine_lost", "link_lost", "internal_error"]);
+const RUN_AGAIN = new Set([
+  "stopped_by_person",
+  "engine_lost",
+  "real_engine_lost",
+  "link_lost",
+  "internal_error",
+]);
 
 export interface Voice {
   texts: Texts;

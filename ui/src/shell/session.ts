@@ -10,6 +10,7 @@ import type {
   Notice,
   Program,
   ProgramChangedEvent,
+  RobotStateToldEvent,
   RunEvent,
   SignRecordingEvent,
   SignsChangedEvent,
@@ -105,11 +106,14 @@ export async function refreshStatus(): Promise<void> {
 /** A person chose the language of this page. */
 let languageChosen = false;
 let languageKept: Promise<unknown> = Promise.resolve();
+/** A page that is reloaded at once ends the request of the last choice: the choice is sent again. */
+const UNSENT_LANGUAGE = "pinel_language_unsent";
 
 export async function chooseLanguage(chosen: Language): Promise<void> {
   languageChosen = true;
+  sessionStorage.setItem(UNSENT_LANGUAGE, chosen);
   // in sequence: of two concurrent requests the server would keep the one that arrives last
-  languageKept = languageKept.then(() => api.setLanguage(chosen));
+  languageKept = languageKept.then(() => api.setLanguage(chosen)).then(() => languageSent(chosen));
   try {
     await Promise.all([languageKept, speak(chosen)]);
     if (notice.value) await refreshStatus();
@@ -117,6 +121,16 @@ export async function chooseLanguage(chosen: Language): Promise<void> {
     languageKept = Promise.resolve();
     report(error);
   }
+}
+
+function languageSent(sent: Language): void {
+  // a later choice may still be under way
+  if (sessionStorage.getItem(UNSENT_LANGUAGE) === sent) sessionStorage.removeItem(UNSENT_LANGUAGE);
+}
+
+function sendUnsentLanguage(): void {
+  const unsent = sessionStorage.getItem(UNSENT_LANGUAGE);
+  if (isLanguage(unsent)) void chooseLanguage(unsent);
 }
 
 /** Receiver of the events of runs. */
@@ -135,7 +149,15 @@ interface CameraFollower {
   resync(): Promise<void>;
 }
 
-function onStream(event: StreamEvent, runs: Follower, camera: CameraFollower): void {
+/** Who follows the real robots that this page watches. */
+type RobotFollower = (event: RobotStateToldEvent) => void;
+
+function onStream(
+  event: StreamEvent,
+  runs: Follower,
+  camera: CameraFollower,
+  robots: RobotFollower,
+): void {
   switch (event.type) {
     case "hello":
       void refreshStatus();
@@ -147,6 +169,9 @@ function onStream(event: StreamEvent, runs: Follower, camera: CameraFollower): v
     case "sign_recording":
     case "signs_changed":
       camera.receive(event);
+      break;
+    case "robot_state":
+      robots(event);
       break;
     case "notice":
       notices++;
@@ -180,17 +205,22 @@ function title(): string {
 }
 
 /** Opens the connection to the server, after the texts of the first language have loaded. */
-export async function open(runs: Follower, camera: CameraFollower): Promise<void> {
+export async function open(
+  runs: Follower,
+  camera: CameraFollower,
+  robots: RobotFollower,
+): Promise<void> {
   effect(() => {
     document.documentElement.lang = language.value;
   });
   effect(() => {
     document.title = title();
   });
+  sendUnsentLanguage();
   await refreshStatus();
   if (connection.value === "locked") return;
   openStream({
-    onEvent: (event) => onStream(event, runs, camera),
+    onEvent: (event) => onStream(event, runs, camera, robots),
     onLost: () => void refreshStatus(),
   });
   try {

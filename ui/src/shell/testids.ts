@@ -31,13 +31,23 @@ export const TEST = {
   beforeRun: "before-run", // the check list
   beforePoint: "before-point", // of each
   beforeGo: "before-go",
-  notJudged: "not-judged",
+  howJudged: "how-judged", // data-state: will_be | by_robot | not_judged
   robotKind: "robot-kind", // of each; data-value
   robotField: "robot-field", // of each; data-name
   robotKeep: "robot-keep",
   robotForget: "robot-forget",
   robotContact: "robot-contact",
   robotFound: "robot-found",
+  robotState: "robot-state", // in the header; data-state
+  robotNow: "robot-now", // in the teacher's part; data-state
+  robotHere: "robot-here", // uses the robot's place as the start
+  robotAtStart: "robot-at-start",
+  robotPlace: "robot-place", // drawn in the room
+  jog: "jog", // of each key; data-direction
+  jogFault: "jog-fault",
+  robotsFind: "robots-find",
+  robotOnNetwork: "robot-on-network", // of each; data-namespace
+  robotUse: "robot-use", // of each
 
   // start
   groupName: "group-name",

@@ -3,6 +3,7 @@ import { api } from "../api/client";
 import { ApiError } from "../api/errors";
 import type { Content, LiveCommand } from "../api/model";
 import { versionsApi } from "../api/versions";
+import { commandCount, MOST_SHOWN, workspaceOf } from "../blocks/loader";
 import { expectedSigns, hasCapture } from "../camera/expected";
 import { asKnown } from "../camera/signs";
 import type { Fault as BlockFault, Editor } from "../editor";
@@ -14,7 +15,15 @@ import type { StoredProgram } from "../run/idle_parts";
 import { verdictOf, withJudgement } from "../run/judgement";
 import * as robot from "../run/live";
 import { moment, shown } from "../run/moment";
-import { chosenRobot, isChecked, robotHasRun, robotOfRun } from "../run/real/real_robot";
+import {
+  chosenRobot,
+  isChecked,
+  movingLink,
+  robotHasRun,
+  robotOfRun,
+  SIMULATOR,
+} from "../run/real/real_robot";
+import { robotSentence } from "../run/real/robot_sentence";
 import { isLive, runningBlock } from "../run/reducer";
 import { parameterIn, type Sentence, sentenceOf, type Voice } from "../run/sentence";
 import { valueWords } from "../run/values";
@@ -62,6 +71,7 @@ export class StudioControl {
   );
   /** The program has a block that waits for a sign. */
   readonly captures = computed(() => hasCapture(this.open.content.value?.document ?? null));
+  private readonly lacking = computed(robotSentence);
   private readonly lit = computed(() => this.running.value?.block ?? null);
   private readonly failure = computed(() => {
     const { phase, ending } = robot.live.value;
@@ -171,7 +181,6 @@ export class StudioControl {
 
   /** Replaces the blocks by those of a document, and renames the program to its name. */
   async place(document: object): Promise<void> {
-    const { commandCount, MOST_SHOWN, workspaceOf } = await import("../blocks/loader");
     const n = commandCount(document);
     if (n > MOST_SHOWN) {
       const { tooLong, tooLongRemedy } = texts.value.python;
@@ -287,7 +296,7 @@ export class StudioControl {
   }
 
   private say(): Sentence {
-    const { status, run } = texts.value;
+    const { status, run, robot: real } = texts.value;
     const view = robot.live.value;
     const voice = {
       texts: texts.value,
@@ -301,6 +310,11 @@ export class StudioControl {
     if (isLive(view) && view.run && !this.mine.value) {
       return { text: run.other, more: "", tone: "notice" };
     }
+    const { value: lacking } = this.lacking;
+    if (view.phase === "starting" && movingLink.value) {
+      return lacking ?? { text: real.searching, more: real.searchingHow, tone: "calm" };
+    }
+    if (this.asksBefore.value) return { text: real.before.first, more: "", tone: "notice" };
     if (isLive(view)) {
       const now = sentenceOf(view, voice) ?? calm(status.ready);
       return this.edited.value ? { ...now, more: status.nextRun } : now;
@@ -319,12 +333,14 @@ export class StudioControl {
     }
     const ended = this.mine.value ? sentenceOf(view, voice) : null;
     const isMended = this.edited.value && ended !== null && ended.tone !== "done";
-    if (ended && !isMended) return withJudgement(ended, view.run, judged.value, texts.value);
+    if (ended && !isMended)
+      return withWayBack(withJudgement(ended, view.run, judged.value, texts.value));
     if (connection.value === "gone") return calm(texts.value.trouble.goneTitle);
     if (connection.value === "open" && engine.value !== "ready") {
       return calm(engine.value === "lost" ? status.engineLost : status.engineStarting);
     }
-    return calm(view.ending && !this.mine.value ? run.otherEnded : status.ready);
+    const over = view.ending && !this.mine.value ? run.otherEnded : status.ready;
+    return lacking ?? withWayBack(calm(over));
   }
 
   /** The document of the live run; a run begun in another window brings its own. */
@@ -336,6 +352,14 @@ export class StudioControl {
     const { value: run } = robot.liveRun;
     return run && "version" in run ? run.version : this.ran;
   }
+}
+
+/** A real robot stands where its run ended, and the next one begins at the start again. */
+function withWayBack(said: Sentence): Sentence {
+  const isReal = (robot.liveRun.value?.link ?? SIMULATOR) !== SIMULATOR;
+  const { reason } = robot.live.value.ending ?? {};
+  const hasMore = said.more && reason !== "stopped_by_person";
+  return isReal && !hasMore ? { ...said, more: texts.value.robot.backToStart } : said;
 }
 
 /** What the robot did at the past moment that is shown, with its time. */

@@ -10,5 +10,10 @@ export function useDraft<Name extends string>(initial: Record<Name, string>, onT
       setDraft((now) => ({ ...now, [name]: text }));
     },
   });
-  return { draft, field, reset: () => setDraft(initial) };
+  /** Types several texts at once. */
+  const fill = (texts: Partial<Record<Name, string>>) => {
+    onTyped();
+    setDraft((now) => ({ ...now, ...texts }));
+  };
+  return { draft, field, fill, reset: () => setDraft(initial) };
 }

@@ -1,7 +1,12 @@
 import type * as Blockly from "blockly/core";
 import type { Shadow } from "../definition";
+import { commandCount, MOST_SHOWN, workspaceOf } from "../loader";
 import { shadowState } from "../shapes/shadows";
 
+interface Saved {
+  blocks?: { blocks?: BlockState[] };
+  document?: object;
+}
 type BlockState = Blockly.serialization.blocks.State;
 type Inputs = NonNullable<BlockState["inputs"]>;
 type ToShadow = (value: unknown) => Shadow;
@@ -34,9 +39,15 @@ const DEFAULTS: Readonly<Record<string, number | string>> = {
   RESULT: "B",
 };
 
-/** A saved workspace as this version writes it. The only place that knows how blocks were saved before. */
+/**
+ * A saved workspace as this version writes it. The only place that knows how blocks were saved before.
+ *
+ * What came as commands over HTTP was saved as `{ document }`: it has its blocks from there, unless they are too many to
+ * be shown.
+ */
 export function upgradeWorkspace(workspace: object): object {
-  const { blocks, ...rest } = workspace as { blocks?: { blocks?: BlockState[] } };
+  const { blocks, document, ...rest } = workspace as Saved;
+  if (document) return commandCount(document) > MOST_SHOWN ? {} : workspaceOf(document);
   if (!blocks) return workspace;
   return { ...rest, blocks: { ...blocks, blocks: (blocks.blocks ?? []).map(upgradedStack) } };
 }

@@ -2,6 +2,7 @@ import * as Blockly from "blockly/core";
 import { beforeAll, describe, expect, test } from "vitest";
 import { registerBlocks } from "..";
 import { generateDocument } from "../generator";
+import { MOST_SHOWN } from "../loader";
 import { setBlockLanguage } from "../words";
 import { upgradeWorkspace } from ".";
 import saved from "./saved_by_0_1.json";
@@ -47,6 +48,20 @@ test("a workspace of this version stays as it is", () => {
   );
   expect(upgradeWorkspace(workspace)).toEqual(workspace);
   expect(upgradeWorkspace({})).toEqual({});
+});
+
+describe("commands that came over HTTP", () => {
+  const turn = { action: "turn", angle: 90, block: "call-7" };
+
+  test("are shown as blocks that keep their names", () => {
+    const blocks = opened(upgradeWorkspace({ document: { pinel_ir: 1, commands: [turn] } }));
+    expect(blocks.getBlockById("call-7")?.type).toBe("turn");
+  });
+
+  test("are not shown if no browser could show them", () => {
+    const commands = Array(MOST_SHOWN + 1).fill({ action: "stop" });
+    expect(upgradeWorkspace({ document: { pinel_ir: 1, commands } })).toEqual({});
+  });
 });
 
 test("a block saved without its fields gets what it held to begin with", () => {

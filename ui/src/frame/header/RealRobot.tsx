@@ -3,8 +3,10 @@ import { useEffect } from "preact/hooks";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { listen } from "../../kit/listen";
-import { RobotName, robotWords } from "../../run/real/RobotName";
+import { robotWords } from "../../run/real/RobotName";
+import { RobotState } from "../../run/real/RobotState";
 import { EMERGENCY_KEY, emergencyStop, movingLink } from "../../run/real/real_robot";
+import { watchRobot } from "../../run/real/robot_state";
 import { report } from "../../shell/session";
 import { TEST } from "../../shell/testids";
 
@@ -17,6 +19,7 @@ export function RealRobot() {
     () => (link ? listen(window, { keydown: onKey }, { capture: true }) : undefined),
     [link],
   );
+  useEffect(() => (link ? watchRobot(link) : undefined), [link]);
   if (!link) return null;
   const { robot } = texts.value;
   return (
@@ -27,7 +30,7 @@ export function RealRobot() {
     >
       <span class="real-robot__words">
         <strong>{robot.real}</strong>
-        <RobotName link={link} />
+        <RobotState link={link} testId={TEST.robotState} />
       </span>
       <Button
         class="real-robot__stop"

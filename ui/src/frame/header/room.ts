@@ -2,7 +2,7 @@ import type { RefObject } from "preact";
 import { useLayoutEffect } from "preact/hooks";
 
 /** What the header leaves out where it has no room, in this order: `data-short` names each. */
-const LEFT_OUT = ["brand", "language", "work", "help", "words", "lesson"] as const;
+const LEFT_OUT = ["brand", "language", "work", "help", "words", "robot", "lesson"] as const;
 
 /** Leaves words out of the header while its contents are wider than it: names are shortened last. */
 export function useRoom(header: RefObject<HTMLElement>): void {

@@ -299,6 +299,38 @@ export const robotSetup = {
   keep: "Save the robot",
   kept: "Saved.",
   forget: "Forget this robot",
+  now: {
+    title: "The robot now",
+    rate: (times: string) => `${times} messages a second`,
+    place: (x: string, y: string, heading: string) =>
+      `In the room: x ${x} m, y ${y} m, ${heading}°`,
+    honest:
+      "In the picture, filled is the start and dashed is the robot. The place is an estimate: it counts the turns of the wheels since somebody last said where the robot stands, and errs a little with each metre.",
+    use: "The robot is here: use as the start",
+    used: "The start was filled in. Now save the robot.",
+    atStart: "The robot stands at the start",
+  },
+  jog: {
+    title: "Move the robot slowly",
+    hint: "Hold a button, or click one of them and hold an arrow key. When you let go, the robot stops.",
+    ahead: "Ahead",
+    back: "Back",
+    left: "Turn left",
+    right: "Turn right",
+    connecting: "Connecting… keep holding.",
+    moving: "The robot is moving.",
+  },
+  find: {
+    ask: "Look for robots on the network",
+    asking: "Looking for some seconds…",
+    hint: (domain: string) => `Looks in domain ${domain} of ROS only, that of the form.`,
+    none: (domain: number) => `No robot in domain ${domain}. Is it on, and on the same network?`,
+    use: "Use this one",
+    used: "The address was filled in. Now save the robot.",
+    nameless: "without a name",
+    topics: (command: string, odometry: string) => `${command} and ${odometry}`,
+    free: "nobody drives it",
+  },
   contact: {
     title: "Does the robot respond?",
     hint: "Connects with the robot as it is saved, and listens for a second. The robot does not move.",

@@ -304,6 +304,38 @@ export const robotSetup = {
   keep: "Guardar el robot",
   kept: "Guardado.",
   forget: "Olvidar este robot",
+  now: {
+    title: "El robot ahora",
+    rate: (times: string) => `${times} mensajes por segundo`,
+    place: (x: string, y: string, heading: string) => `En la sala: x ${x} m, y ${y} m, ${heading}°`,
+    honest:
+      "En el dibujo, lleno es la partida y a rayas es el robot. El lugar es una estimación: cuenta las vueltas de las ruedas desde la última vez que alguien dijo dónde está el robot, y falla un poco en cada metro.",
+    use: "El robot está aquí: usar como partida",
+    used: "La partida quedó escrita. Ahora guarde el robot.",
+    atStart: "El robot está en la partida",
+  },
+  jog: {
+    title: "Mover el robot despacio",
+    hint: "Mantenga presionado un botón, o haga clic en uno y mantenga una flecha del teclado. Al soltar, el robot se detiene.",
+    ahead: "Adelante",
+    back: "Atrás",
+    left: "Girar a la izquierda",
+    right: "Girar a la derecha",
+    connecting: "Conectando… no suelte.",
+    moving: "El robot se está moviendo.",
+  },
+  find: {
+    ask: "Buscar robots en la red",
+    asking: "Buscando unos segundos…",
+    hint: (domain: string) => `Busca solo en el dominio ${domain} de ROS, el del formulario.`,
+    none: (domain: number) =>
+      `Ningún robot en el dominio ${domain}. ¿Está encendido y en la misma red?`,
+    use: "Usar este",
+    used: "La dirección quedó escrita. Ahora guarde el robot.",
+    nameless: "sin nombre",
+    topics: (command: string, odometry: string) => `${command} y ${odometry}`,
+    free: "nadie lo maneja",
+  },
   contact: {
     title: "¿El robot responde?",
     hint: "Se conecta con el robot según lo guardado y escucha por un segundo. El robot no se mueve.",

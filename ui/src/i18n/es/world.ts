@@ -87,10 +87,35 @@ export const robot = {
   emergency: "PARAR",
   emergencyWhat: "EL ROBOT",
   emergencyHelp: "Detiene el robot de verdad en el acto, en cualquier pantalla",
-  notJudged:
-    "Un recorrido con robot de verdad no se evalúa. Para evaluarlo, ejecuten en el simulador.",
+  willBeJudged: "Recorrido con robot de verdad: vale lo que el robot mida.",
+  judgedByRobot: "Evaluado por lo que midió el robot.",
+  inReview: {
+    judged: "evaluado por lo que midió el robot",
+    notJudged: "no evaluado con el robot de verdad",
+  },
+  searching: "Buscando el robot…",
+  searchingHow: "¿Está encendido y en la misma red? Parar cancela la búsqueda.",
+  backToStart: "Pongan el robot de nuevo en la partida antes de ejecutar otra vez.",
+  state: {
+    searching: "Buscando el robot…",
+    waiting: (address: string) => `Esperando el simulador en ${address}`,
+    missing: "El robot no aparece.",
+    connected: "Conectado",
+    silent: (seconds: string) => `Sin noticias hace ${seconds} s`,
+    lost: "Sin noticias del robot",
+    battery: (percent: string) => `batería ${percent} %`,
+    held: (name: string) => `${name} lo está manejando`,
+    tips: {
+      searching: "Enciendan el robot y esperen un poco. Si no aparece, llamen a la o el docente.",
+      waiting: "Abran ahora el simulador o el programa del robot.",
+      connected: "El robot responde a esta computadora.",
+      silent: "¿El robot está encendido y cerca? Si no vuelve, llamen a la o el docente.",
+      held: "Otra computadora maneja este robot. Pónganse de acuerdo con el otro grupo.",
+    },
+  },
   before: {
     title: "Antes de que ande el robot de verdad",
+    first: "Antes de andar, revisen la lista de al lado.",
     points: [
       "El piso alrededor está libre: sin mochilas, cables ni escalones.",
       "Nadie tiene las manos o los pies cerca del robot.",

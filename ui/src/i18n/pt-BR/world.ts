@@ -85,9 +85,36 @@ export const robot = {
   emergency: "PARAR",
   emergencyWhat: "O ROBÔ",
   emergencyHelp: "Para o robô de verdade na hora, em qualquer tela",
-  notJudged: "Rodada com robô de verdade: não é avaliada. Para avaliar, rodem no simulador.",
+  willBeJudged: "Rodada com robô de verdade: vale o que o robô medir.",
+  judgedByRobot: "Julgada pelo que o robô mediu.",
+  inReview: {
+    judged: "julgada pelo que o robô mediu",
+    notJudged: "não julgada no robô de verdade",
+  },
+  searching: "Procurando o robô…",
+  searchingHow: "Ele está ligado e na mesma rede? Parar cancela a procura.",
+  backToStart: "Ponham o robô de volta na partida antes de rodar de novo.",
+  state: {
+    searching: "Procurando o robô…",
+    waiting: (address: string) => `Esperando o simulador em ${address}`,
+    missing: "O robô não foi encontrado.",
+    connected: "Conectado",
+    silent: (seconds: string) => `Sem notícias há ${seconds} s`,
+    lost: "Sem notícias do robô",
+    battery: (percent: string) => `bateria ${percent} %`,
+    held: (name: string) => `${name} está dirigindo`,
+    tips: {
+      searching:
+        "Liguem o robô e esperem um pouco. Se ele não aparecer, chamem a professora ou o professor.",
+      waiting: "Abram agora o simulador ou o programa do robô.",
+      connected: "O robô responde a este computador.",
+      silent: "O robô está ligado e perto? Se não voltar, chamem a professora ou o professor.",
+      held: "Outro computador dirige este robô. Combinem com o outro grupo.",
+    },
+  },
   before: {
     title: "Antes de o robô de verdade andar",
+    first: "Antes de andar, confiram a lista ao lado.",
     points: [
       "O chão em volta está livre: sem mochilas, cabos e degraus.",
       "Ninguém está com as mãos ou os pés perto do robô.",

@@ -1,8 +1,10 @@
-import { computed, signal } from "@preact/signals";
+import { computed, effect, signal } from "@preact/signals";
 import type { RealRobot } from "../../api/model";
 import { robotsApi } from "../../api/robots";
+import { group } from "../../shell/session";
 import { live, liveRun, stop } from "../live";
 import { isLive } from "../reducer";
+import { haltKeys, joggedLink } from "./jog";
 
 /** The link of the simulator, which every page begins with: nothing real moves because somebody chose it before. */
 export const SIMULATOR = "sim";
@@ -30,7 +32,7 @@ export const chosenRobot = computed<RealRobot | null>(
 export const movingLink = computed<string | null>(() => {
   const run = isLive(live.value) ? liveRun.value : null;
   if (run && run.link !== SIMULATOR) return run.link;
-  return chosenRobot.value?.link ?? null;
+  return chosenRobot.value?.link ?? joggedLink.value;
 });
 
 export function chooseRobot(link: string): void {
@@ -38,6 +40,14 @@ export function chooseRobot(link: string): void {
   isChecked.value = false;
   hasRun.value = false;
 }
+
+/** Another group chooses its robot itself and goes through the check list: nothing real moves by who was here before. */
+let chosenBy: string | null = null;
+effect(() => {
+  const here = group.value?.id ?? null;
+  if (here !== chosenBy) chooseRobot(SIMULATOR);
+  chosenBy = here;
+});
 
 export async function loadRealRobots(): Promise<void> {
   realRobots.value = await robotsApi.all();
@@ -64,5 +74,8 @@ export const nextSpeed = computed(() => {
 /** The key that stops a real robot on every screen. */
 export const EMERGENCY_KEY = "F9";
 
-/** Stops the live run, before anything else. */
-export const emergencyStop = (): Promise<void> => stop();
+/** Stops the live run and what is moved by keys, before anything else. */
+export async function emergencyStop(): Promise<void> {
+  const jogged = joggedLink.peek();
+  await Promise.all([stop(), jogged && haltKeys(jogged)]);
+}

@@ -9,7 +9,9 @@ import { isNow, shown, shownPose } from "../../run/moment";
 import type { Question } from "../../run/output";
 import { MuteButton } from "../../run/panels/MuteButton";
 import { Shown } from "../../run/panels/Shown";
-import { chosenRobot } from "../../run/real/real_robot";
+import { chosenRobot, movingLink } from "../../run/real/real_robot";
+import { robotStates } from "../../run/real/robot_state";
+import { stateWords } from "../../run/real/state_words";
 import { isLive } from "../../run/reducer";
 import { Scene } from "../../scene/Scene";
 import { later } from "../../shell/later";
@@ -128,9 +130,23 @@ function RoomCorner({ control }: { control: StudioControl }) {
   return (
     <div class="floor__corner">
       <RobotChoice />
-      <p class="floor__locked">{texts.value.robot.room}</p>
+      <RoomWords />
       <MuteButton view={robot.live} expected={control.beeps.value} />
     </div>
+  );
+}
+
+/** The room, and how a robot is that was heard: the header has room for that in wide windows only. */
+function RoomWords() {
+  const { value: link } = movingLink;
+  const state = link ? robotStates.value[link] : undefined;
+  const isHeard = state?.state === "connected" || state?.state === "silent";
+  const { short, tip } = stateWords(state);
+  return (
+    <p class="floor__locked floor__room" title={isHeard ? tip : undefined}>
+      {texts.value.robot.room}
+      {isHeard && <span class="floor__robot-state">{short}</span>}
+    </p>
   );
 }
 

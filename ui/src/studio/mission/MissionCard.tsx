@@ -6,13 +6,13 @@ import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { checksOf, verdictOf } from "../../run/judgement";
 import * as robot from "../../run/live";
-import { movingLink } from "../../run/real/real_robot";
 import { GoalPicture } from "../../scene/goal/GoalPicture";
 import { checksStand, judged, report } from "../../shell/session";
 import { TEST } from "../../shell/testids";
 import type { StudioControl } from "../studio_control";
 import { CasesTried } from "./CasesTried";
 import { CheckList } from "./CheckList";
+import { HowJudged } from "./HowJudged";
 import { Success } from "./Success";
 
 /** What the group is to solve: picture of the goal, story, what counts as a check list, hints. Folds to one line. */
@@ -27,7 +27,7 @@ export function MissionCard({ control }: { control: StudioControl }) {
   if (!mission) return setup.activity ? <UnknownMission /> : null;
   const run = control.mine.value ? robot.live.value.run : null;
   const verdict = verdictOf(run, judged.value);
-  const checks = checksOf(mission, run, checksStand.value);
+  const checks = checksOf(mission, verdict?.not_judged ? null : run, checksStand.value);
   const done = verdict?.passed === true;
   return (
     <section
@@ -42,7 +42,7 @@ export function MissionCard({ control }: { control: StudioControl }) {
         {done && <Success open={open} mission={mission} />}
         {!folded.value && (
           <>
-            <NotJudged />
+            <HowJudged mission={mission} verdict={verdict} />
             {!done && <Task mission={mission} />}
             <CheckList checks={checks} />
             {verdict && <CasesTried cases={verdict.cases} />}
@@ -61,16 +61,6 @@ export function MissionCard({ control }: { control: StudioControl }) {
         }}
       />
     </section>
-  );
-}
-
-/** Says of a real robot that its runs are not judged. */
-function NotJudged() {
-  if (!movingLink.value) return null;
-  return (
-    <p class="mission__not-judged" data-testid={TEST.notJudged}>
-      {texts.value.robot.notJudged}
-    </p>
   );
 }
 

@@ -1,4 +1,4 @@
-import { useSignal } from "@preact/signals";
+import { type Signal, useSignal } from "@preact/signals";
 import { Play, TriangleAlert } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
 import { language, texts } from "../../i18n";
@@ -9,46 +9,51 @@ import { chosenRobot, isChecked } from "../../run/real/real_robot";
 import { TEST } from "../../shell/testids";
 import type { StudioControl } from "../studio_control";
 
-/** The check list before a real robot moves for the first time; Run opens it. */
+/** The check list before a real robot moves for the first time; Run opens it, over the blocks: the floor stays in sight. */
 export function BeforeRun({ control }: { control: StudioControl }) {
-  const { value: robot } = chosenRobot;
+  const link = chosenRobot.value?.link;
   const asked = control.asksBefore.value;
+  // of another robot, Run asks anew
+  useEffect(() => () => close(control), [link]);
+  return asked && link ? <CheckList control={control} paused={asked.paused} /> : null;
+}
+
+function close(control: StudioControl): void {
+  control.asksBefore.value = null;
+}
+
+interface CheckListProps {
+  control: StudioControl;
+  paused: boolean;
+}
+
+function CheckList({ control, paused }: CheckListProps) {
   const done = useSignal<readonly number[]>([]);
-  const first = useRef<HTMLInputElement>(null);
-  useEffect(() => {
-    done.value = [];
-    first.current?.focus();
-  }, [asked]);
-  if (!asked || !robot) return null;
   const { before } = texts.value.robot;
-  const speed = (value: number) => decimal(value, 2, language.value);
-  const points = [...before.points, before.speed(speed(robot.max_v_mps), speed(robot.slow_v_mps))];
+  const points = [...before.points, speedWords()];
+  const list = useFocusInside();
   const go = () => {
     isChecked.value = true;
-    control.asksBefore.value = null;
-    void control.run(asked.paused);
+    close(control);
+    void control.run(paused);
   };
   return (
-    <Form class="before-run card" testId={TEST.beforeRun} aria-label={before.title} onSubmit={go}>
+    <Form
+      class="before-run card"
+      testId={TEST.beforeRun}
+      aria-label={before.title}
+      onSubmit={go}
+      onKeyDown={({ key }) => key === "Escape" && close(control)}
+    >
       <h2 class="before-run__title">
         <TriangleAlert class="icon" aria-hidden="true" />
         {before.title}
       </h2>
-      {points.map((words, index) => (
-        <label key={words} class="before-run__point">
-          <input
-            ref={index === 0 ? first : null}
-            type="checkbox"
-            checked={done.value.includes(index)}
-            data-testid={TEST.beforePoint}
-            onChange={({ currentTarget: { checked } }) => {
-              const others = done.value.filter((one) => one !== index);
-              done.value = checked ? [...others, index] : others;
-            }}
-          />
-          {words}
-        </label>
-      ))}
+      <div ref={list}>
+        {points.map((words, index) => (
+          <Point key={words} words={words} index={index} done={done} />
+        ))}
+      </div>
       <div class="before-run__buttons">
         <Button
           submit
@@ -59,10 +64,51 @@ export function BeforeRun({ control }: { control: StudioControl }) {
         >
           {before.go}
         </Button>
-        <Button kind="plain" onPress={() => (control.asksBefore.value = null)}>
+        <Button kind="plain" onPress={() => close(control)}>
           {before.later}
         </Button>
       </div>
     </Form>
   );
+}
+
+interface PointProps {
+  words: string;
+  index: number;
+  /** The points that were checked off; another language changes nothing about them. */
+  done: Signal<readonly number[]>;
+}
+
+function Point({ words, index, done }: PointProps) {
+  return (
+    <label class="before-run__point">
+      <input
+        type="checkbox"
+        checked={done.value.includes(index)}
+        data-testid={TEST.beforePoint}
+        onChange={({ currentTarget: { checked } }) => {
+          const others = done.value.filter((one) => one !== index);
+          done.value = checked ? [...others, index] : others;
+        }}
+      />
+      {words}
+    </label>
+  );
+}
+
+function speedWords(): string {
+  const { max_v_mps = 0, slow_v_mps = 0 } = chosenRobot.value ?? {};
+  const speed = (value: number) => decimal(value, 2, language.value);
+  return texts.value.robot.before.speed(speed(max_v_mps), speed(slow_v_mps));
+}
+
+/** Focuses the first field of the element, and at its end what had the focus before. */
+function useFocusInside() {
+  const inside = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const before = document.activeElement;
+    inside.current?.querySelector("input")?.focus();
+    return () => before instanceof HTMLElement && before.focus();
+  }, []);
+  return inside;
 }

@@ -4,6 +4,8 @@ import { Select } from "../../kit/Select";
 import * as robot from "../../run/live";
 import { robotWords } from "../../run/real/RobotName";
 import { chooseRobot, chosenRobot, realRobots, SIMULATOR } from "../../run/real/real_robot";
+import { robotStates } from "../../run/real/robot_state";
+import { stateWords } from "../../run/real/state_words";
 import { isLive } from "../../run/reducer";
 import { TEST } from "../../shell/testids";
 
@@ -12,13 +14,14 @@ export function RobotChoice() {
   const { robot: say } = texts.value;
   const ready = realRobots.value.filter((one) => one.is_set_up);
   if (ready.length === 0) return null;
+  const chosen = chosenRobot.value?.link;
   return (
     <Select
       icon={Bot}
       label={say.choice}
-      tip={say.choice}
+      tip={chosen ? `${say.choice}: ${stateWords(robotStates.value[chosen]).short}` : say.choice}
       testId={TEST.robotChoice}
-      value={chosenRobot.value?.link ?? SIMULATOR}
+      value={chosen ?? SIMULATOR}
       options={[
         [SIMULATOR, say.simulator],
         ...ready.map(({ link }) => [link, robotWords(link)] as const),

@@ -2,6 +2,7 @@ import type { RealRobot, RobotField } from "../../api/model";
 import { texts } from "../../i18n";
 import { Field } from "../../kit/Field";
 import { TEST } from "../../shell/testids";
+import { FoundRobots } from "./FoundRobots";
 import { RoomPicture } from "./RoomPicture";
 import type { Draft } from "./record";
 
@@ -9,10 +10,11 @@ interface RobotFieldsProps {
   robot: RealRobot;
   draft: Draft;
   field(name: string): { value: string | undefined; onText(text: string): void };
+  fill(texts: Draft): void;
 }
 
 /** The fields of a record in their parts. */
-export function RobotFields({ robot, draft, field }: RobotFieldsProps) {
+export function RobotFields({ robot, draft, field, fill }: RobotFieldsProps) {
   const { parts } = texts.value.robotSetup;
   const inputs = (part: RobotField["part"]) =>
     robot.fields
@@ -44,6 +46,7 @@ export function RobotFields({ robot, draft, field }: RobotFieldsProps) {
       <fieldset class="robot-form__part">
         <legend>{parts.address}</legend>
         {inputs("address")}
+        {draft.domain !== undefined && <FoundRobots robot={robot} draft={draft} fill={fill} />}
       </fieldset>
       <details class="robot-form__more">
         <summary>{parts.tolerance}</summary>

@@ -13,6 +13,7 @@ import { TEST } from "../../shell/testids";
 import { useDraft } from "../useDraft";
 import { Contact } from "./Contact";
 import { RobotFields } from "./RobotFields";
+import { RobotNow } from "./RobotNow";
 import { draftOf, recordOf } from "./record";
 
 interface RobotFormProps {
@@ -25,7 +26,7 @@ export function RobotForm({ robot, onChanged }: RobotFormProps) {
   const { robotSetup: say } = texts.value;
   const [isKept, setKept] = useState(false);
   const { busy, fault, act, clear } = useAct(asTeacher);
-  const { draft, field } = useDraft<string>(draftOf(robot, language.value), () => {
+  const { draft, field, fill } = useDraft<string>(draftOf(robot, language.value), () => {
     setKept(false);
     clear();
   });
@@ -39,7 +40,7 @@ export function RobotForm({ robot, onChanged }: RobotFormProps) {
       <p class="robot-form__state" data-set-up={robot.is_set_up}>
         {robot.is_set_up ? say.isSetUp : say.notSetUp}
       </p>
-      <RobotFields robot={robot} draft={draft} field={field} />
+      <RobotFields robot={robot} draft={draft} field={field} fill={fill} />
       <div class="teacher__row">
         <Button submit kind="main" icon={Check} busy={busy} testId={TEST.robotKeep}>
           {say.keep}
@@ -58,6 +59,7 @@ export function RobotForm({ robot, onChanged }: RobotFormProps) {
         {isKept && say.kept}
       </p>
       <FaultLine fault={fault} />
+      {robot.is_set_up && <RobotNow robot={robot} draft={draft} fill={fill} />}
       {robot.is_set_up && <Contact link={robot.link} />}
     </Form>
   );

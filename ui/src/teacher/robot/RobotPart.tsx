@@ -44,6 +44,7 @@ function Kinds({ robots, onChanged }: KindsProps) {
   const { robotSetup: say } = texts.value;
   const first = robots.find((one) => one.is_set_up) ?? robots[0];
   const link = useSignal(first?.link ?? "");
+  const forgotten = useSignal(0); // a form that was forgotten begins anew
   const robot = robots.find((one) => one.link === link.value);
   if (!robot) return <p>{say.none}</p>;
   return (
@@ -58,7 +59,14 @@ function Kinds({ robots, onChanged }: KindsProps) {
         class="robot-kinds"
         testId={TEST.robotKind}
       />
-      <RobotForm key={`${robot.link} ${robot.is_set_up}`} robot={robot} onChanged={onChanged} />
+      <RobotForm
+        key={`${robot.link} ${forgotten.value}`}
+        robot={robot}
+        onChanged={(changed) => {
+          if (!changed.is_set_up) forgotten.value++;
+          onChanged(changed);
+        }}
+      />
     </>
   );
 }

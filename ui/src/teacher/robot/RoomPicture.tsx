@@ -1,12 +1,20 @@
 import { texts } from "../../i18n";
 import { numberIn } from "../../kit/NumberField";
+import { placeOf, robotStates } from "../../run/real/robot_state";
+import { TEST } from "../../shell/testids";
 import type { Draft } from "./record";
 
 /** Radius of the drawn robot: the Pioneer 3-DX. */
 const RADIUS_M = 0.25;
 
-/** The free floor with the robot at its start, as it is typed; nothing while a number is missing. */
-export function RoomPicture({ draft }: { draft: Draft }) {
+interface RoomPictureProps {
+  draft: Draft;
+  /** The robot whose place is drawn while it is watched. */
+  link?: string;
+}
+
+/** The free floor with the start as it is typed, and the robot; nothing while a number is missing. */
+export function RoomPicture({ draft, link }: RoomPictureProps) {
   const number = (name: string) => numberIn(draft[`room.${name}`] ?? "");
   const [width, depth, x, y] = ["width_m", "depth_m", "x_m", "y_m"].map(number);
   const heading = number("heading_deg");
@@ -31,6 +39,23 @@ export function RoomPicture({ draft }: { draft: Draft }) {
         <circle class="room-picture__robot" r={RADIUS_M} />
         <path class="room-picture__nose" d={`M 0 0 H ${RADIUS_M}`} />
       </g>
+      {link && <Place link={link} />}
     </svg>
+  );
+}
+
+/** Where the watched robot is, by its wheels. */
+function Place({ link }: { link: string }) {
+  const state = robotStates.value[link];
+  const place = state && placeOf(state);
+  if (!place) return null;
+  return (
+    <g
+      data-testid={TEST.robotPlace}
+      transform={`translate(${place.x_m} ${-place.y_m}) rotate(${-place.heading_deg})`}
+    >
+      <circle class="room-picture__place" r={RADIUS_M} />
+      <path class="room-picture__place" d={`M 0 0 H ${RADIUS_M}`} />
+    </g>
   );
 }

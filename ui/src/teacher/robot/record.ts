@@ -24,6 +24,18 @@ export function recordOf(fields: readonly RobotField[], draft: Draft): Record<st
   return { ...own, room };
 }
 
+/** The fields of a room's start. */
+export function startAt(
+  place: { x_m: number; y_m: number; heading_deg: number },
+  locale: string,
+): Draft {
+  return {
+    "room.x_m": written(place.x_m, locale),
+    "room.y_m": written(place.y_m, locale),
+    "room.heading_deg": written(place.heading_deg, locale),
+  };
+}
+
 function valueAt(record: Values, name: string): unknown {
   const [first = "", inner] = name.split(".");
   const value = record[first];

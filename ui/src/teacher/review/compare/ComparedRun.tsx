@@ -5,6 +5,7 @@ import { duration } from "../../../i18n/format";
 import { GroupPicture } from "../../../kit/pictures/GroupPicture";
 import { ReplayWords } from "../../../replay/ReplayParts";
 import { Readout } from "../../../run/panels/Readout";
+import { RobotName } from "../../../run/real/RobotName";
 import { Scene } from "../../../scene/Scene";
 import { TEST } from "../../../shell/testids";
 import { outcomeOf } from "../model";
@@ -100,6 +101,7 @@ function RunHead({ side, group, number, swatch }: RunHeadProps) {
       <span class="compare__program" data-shortened title={run.program_name ?? undefined}>
         {run.program_name}
       </span>
+      <RobotName link={run.link} />
       <span class="compare__outcome">
         <OutcomeSign outcome={outcome} />
         {outcomes[outcome]}

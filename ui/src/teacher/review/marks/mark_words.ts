@@ -1,6 +1,8 @@
 import type { ReviewMark, VersionDifference } from "../../../api/model";
 import { language, texts } from "../../../i18n";
 import { duration } from "../../../i18n/format";
+import { robotWords } from "../../../run/real/RobotName";
+import { SIMULATOR } from "../../../run/real/real_robot";
 import { roundDuration, timeOfDay } from "../../time_words";
 import { shortDay } from "../days";
 import { outcomeOf } from "../model";
@@ -96,9 +98,18 @@ export function facts(mark: ReviewMark, book: MarkBook): string {
     mark.program_name,
     book.withDays ? `${day} ${time}` : time,
     mark.duration_s ? duration(mark.duration_s, language.value) : null,
+    ...onRobot(mark),
   ]
     .filter(Boolean)
     .join(" · ");
+}
+
+/** Of a run on a real robot its name, and whether it was judged for its activity. */
+function onRobot({ link, activity, passed, state }: ReviewMark): string[] {
+  if (!link || link === SIMULATOR) return [];
+  const { inReview } = texts.value.robot;
+  const isJudged = passed === null ? inReview.notJudged : inReview.judged;
+  return [robotWords(link), activity && state !== "running" ? isJudged : ""];
 }
 
 /** Changes before a mark: block by block if `difference` is known, otherwise the number of blocks. */

@@ -29,6 +29,7 @@ function mark(
     message: null,
     activity: null,
     passed: null,
+    link: null,
     repairs: null,
     ...(kind === "run"
       ? { run_id: `run-${second}`, duration_s: 0, n_edits: null }

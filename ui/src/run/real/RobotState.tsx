@@ -1,0 +1,21 @@
+import { robotStates } from "./robot_state";
+import { stateWords } from "./state_words";
+
+interface RobotStateProps {
+  link: string;
+  testId: string;
+}
+
+/** How a watched robot is. A screen reader hears of changes, not of each second. */
+export function RobotState({ link, testId }: RobotStateProps) {
+  const state = robotStates.value[link];
+  const { short, spoken, tip } = stateWords(state);
+  return (
+    <span class="robot-state" title={tip} data-testid={testId} data-state={state?.state}>
+      <span aria-hidden="true">{short}</span>
+      <span class="visually-hidden" role="status">
+        {spoken}
+      </span>
+    </span>
+  );
+}

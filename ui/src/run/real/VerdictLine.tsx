@@ -1,0 +1,28 @@
+import type { JudgedEvent } from "../../api/model";
+import { texts } from "../../i18n";
+import { TEST } from "../../shell/testids";
+
+interface VerdictLineProps {
+  of: Pick<JudgedEvent, "by_robot" | "not_judged">;
+}
+
+/** By what a run on a real robot was judged, or why it was not; nothing for a simulated run. */
+export function VerdictLine({ of: { by_robot, not_judged } }: VerdictLineProps) {
+  if (not_judged) return <JudgingLine state="not_judged">{not_judged}</JudgingLine>;
+  if (!by_robot) return null;
+  return <JudgingLine state="by_robot">{texts.value.robot.judgedByRobot}</JudgingLine>;
+}
+
+interface JudgingLineProps {
+  state: "by_robot" | "not_judged" | "will_be";
+  children: string;
+}
+
+/** How runs on a real robot are judged. */
+export function JudgingLine({ state, children }: JudgingLineProps) {
+  return (
+    <p class="verdict-line" data-state={state} data-testid={TEST.howJudged}>
+      {children}
+    </p>
+  );
+}

@@ -1,0 +1,106 @@
+import { ArrowDown, ArrowUp, type LucideIcon, RotateCcw, RotateCw } from "lucide-preact";
+import { useEffect } from "preact/hooks";
+import { texts } from "../../i18n";
+import { Button } from "../../kit/Button";
+import { listen } from "../../kit/listen";
+import { FaultLine } from "../../kit/requests/FaultLine";
+import { type Direction, held, hold, jogFault, release } from "../../run/real/jog";
+import { robotStates } from "../../run/real/robot_state";
+import { TEST } from "../../shell/testids";
+
+const KEYS: readonly (readonly [Direction, string, LucideIcon])[] = [
+  ["ahead", "ArrowUp", ArrowUp],
+  ["left", "ArrowLeft", RotateCcw],
+  ["right", "ArrowRight", RotateCw],
+  ["back", "ArrowDown", ArrowDown],
+];
+
+/** Buttons that move the robot slowly while they are held, or an arrow key while one of them has the focus. */
+export function JogPad({ link }: { link: string }) {
+  const { jog: say } = texts.value.robotSetup;
+  useEffect(letGoWithWindow, []);
+  const onKey = (event: KeyboardEvent) => {
+    const own = (event.target as HTMLElement).dataset.direction as Direction | undefined;
+    const isPress = event.key === " " || event.key === "Enter";
+    const wanted = isPress ? own : KEYS.find(([, key]) => key === event.key)?.[0];
+    if (!wanted || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    // a key that was stopped stays down: only the next press counts
+    if (!event.repeat) hold(link, wanted);
+  };
+  return (
+    <div class="jog">
+      <h3 id="jog-title">{say.title}</h3>
+      <p class="teacher__hint">{say.hint}</p>
+      <fieldset
+        class="jog__pad"
+        aria-labelledby="jog-title"
+        onKeyDown={onKey}
+        onKeyUp={release}
+        onFocusOut={release}
+      >
+        {KEYS.map(([direction, key, icon]) => (
+          <JogKey key={direction} link={link} direction={direction} shortcut={key} icon={icon} />
+        ))}
+      </fieldset>
+      <Moving link={link} />
+      <div data-testid={TEST.jogFault}>
+        <FaultLine fault={jogFault.value} />
+      </div>
+    </div>
+  );
+}
+
+interface JogKeyProps {
+  link: string;
+  direction: Direction;
+  shortcut: string;
+  icon: LucideIcon;
+}
+
+function JogKey({ link, direction, shortcut, icon }: JogKeyProps) {
+  return (
+    <Button
+      class={`jog__key jog__key--${direction}`}
+      icon={icon}
+      tip={texts.value.robotSetup.jog[direction]}
+      label={texts.value.robotSetup.jog[direction]}
+      pressed={held.value?.direction === direction}
+      testId={TEST.jog}
+      data-direction={direction}
+      aria-keyshortcuts={shortcut}
+      onPointerDown={(event) => {
+        if (event.button !== 0) return;
+        event.currentTarget.focus();
+        event.currentTarget.setPointerCapture(event.pointerId);
+        hold(link, direction);
+      }}
+      onPointerUp={release}
+      onPointerCancel={release}
+      onLostPointerCapture={release}
+      onContextMenu={(event) => event.preventDefault()}
+    />
+  );
+}
+
+function Moving({ link }: { link: string }) {
+  const { jog: say } = texts.value.robotSetup;
+  const state = robotStates.value[link];
+  const isMoved = state?.use === "jog" && state.state === "connected";
+  return (
+    <p role="status" class="teacher__done">
+      {held.value && (isMoved ? say.moving : say.connecting)}
+    </p>
+  );
+}
+
+/** Whoever looks elsewhere holds nothing. */
+function letGoWithWindow(): () => void {
+  const stop = listen(window, { blur: release, pagehide: release, hashchange: release });
+  document.addEventListener("visibilitychange", release);
+  return () => {
+    stop();
+    document.removeEventListener("visibilitychange", release);
+    release();
+  };
+}

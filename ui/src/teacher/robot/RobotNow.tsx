@@ -1,0 +1,82 @@
+import { Flag, MapPin } from "lucide-preact";
+import { useEffect, useState } from "preact/hooks";
+import type { RealRobot } from "../../api/model";
+import { robotsApi } from "../../api/robots";
+import { language, texts } from "../../i18n";
+import { decimal } from "../../i18n/format";
+import { Button } from "../../kit/Button";
+import { FaultLine } from "../../kit/requests/FaultLine";
+import { RobotState } from "../../run/real/RobotState";
+import {
+  placeOf,
+  robotStates,
+  type RobotState as State,
+  watchRobot,
+} from "../../run/real/robot_state";
+import { asTeacher } from "../../shell/teacher/teacher_session";
+import { TEST } from "../../shell/testids";
+import { JogPad } from "./JogPad";
+import { RoomPicture } from "./RoomPicture";
+import { type Draft, startAt } from "./record";
+
+interface RobotNowProps {
+  robot: RealRobot;
+  draft: Draft;
+  fill(texts: Draft): void;
+}
+
+/** How the robot that is set up is just now: connected or not, where; keys that move it, and its place as the start. */
+export function RobotNow({ robot, draft, fill }: RobotNowProps) {
+  const { now: say } = texts.value.robotSetup;
+  const { link } = robot;
+  useEffect(() => watchRobot(link), [link]);
+  const [isUsed, setUsed] = useState(false);
+  useEffect(() => setUsed(false), [robot]); // it was saved
+  const state = robotStates.value[link];
+  const place = state && placeOf(state);
+  const use = () => {
+    if (!place) return;
+    fill(startAt(place, language.value));
+    setUsed(true);
+  };
+  const standAtStart = () => asTeacher(() => robotsApi.standAtStart(link));
+  return (
+    <section class="robot-now" aria-label={say.title}>
+      <h2>{say.title}</h2>
+      <p class="robot-now__state">
+        <RobotState link={link} testId={TEST.robotNow} />
+        {state && more(state)}
+      </p>
+      <FaultLine fault={state?.code ? state : null} />
+      <div class="robot-now__drive">
+        <JogPad link={link} />
+        <RoomPicture draft={draft} link={link} />
+      </div>
+      <div class="teacher__row">
+        <Button icon={MapPin} disabled={!place} testId={TEST.robotHere} onPress={use}>
+          {say.use}
+        </Button>
+        <Button icon={Flag} disabled={!place} testId={TEST.robotAtStart} onPress={standAtStart}>
+          {say.atStart}
+        </Button>
+      </div>
+      <p role="status" class="teacher__done">
+        {isUsed && say.used}
+      </p>
+      <p class="teacher__hint">{say.honest}</p>
+    </section>
+  );
+}
+
+function more(state: State): string {
+  const { now: say } = texts.value.robotSetup;
+  const number = (value: number, digits: number) => decimal(value, digits, language.value);
+  const place = placeOf(state);
+  return [
+    state.rate_hz !== null && say.rate(number(state.rate_hz, 0)),
+    place && say.place(number(place.x_m, 2), number(place.y_m, 2), number(place.heading_deg, 0)),
+  ]
+    .filter(Boolean)
+    .map((words) => ` · ${words}`)
+    .join("");
+}
