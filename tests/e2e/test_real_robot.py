@@ -249,9 +249,19 @@ def hold_until_moved(studio: Studio) -> None:
     studio.eventually(lambda: place(studio)[0] > 0.2, True)
     studio.page.keyboard.up("ArrowUp")
     expect(studio["emergency-stop"]).to_have_count(0, timeout=RUN_MS)  # let go
+    let_go = place(studio)
+    studio.eventually(lambda: stands(studio), True)  # it brakes, and the picture follows
     stood = place(studio)
-    studio.page.wait_for_timeout(1500)
+    assert abs(stood[0] - let_go[0]) < 0.1
+    studio.page.wait_for_timeout(1000)
     assert place(studio) == stood
+
+
+def stands(studio: Studio) -> bool:
+    """Whether the drawn robot keeps its place for half a second."""
+    before = place(studio)
+    studio.page.wait_for_timeout(500)
+    return place(studio) == before
 
 
 def place(studio: Studio) -> tuple[float, float]:
