@@ -46,6 +46,8 @@ SYSTEM_LIBRARIES = {
 }
 
 
+# Distributions whose metadata names no licence; their licence text is in their folder.
+UNNAMED_LICENCES = {"pysqlite3": "Zlib; SQLite in it: blessing (public domain)"}
 MEDIAPIPE = "MediaPipe hand networks (palm_detection_full, hand_landmark_full)"
 LIBRAS = (
     "Alfabeto em libras (data set of elainesilva on Roboflow Universe, version 6, 2023-08-15; the letters were learnt "
@@ -112,7 +114,7 @@ def python_notices(modules: list[str]) -> Iterator[Notice]:
         yield Notice(
             name,
             distribution.version,
-            _licence_of(distribution.metadata),
+            _licence_of(distribution.metadata) or UNNAMED_LICENCES.get(name, ""),
             tuple(_texts_of(distribution)),
         )
 

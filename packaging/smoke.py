@@ -60,9 +60,15 @@ def faults_of(found: dict[str, Any]) -> list[str]:
         "run.duration_s": found.get("run", {}).get("duration_s", 99) <= 17,
         "judged": found.get("judged") is True,
         "signs": found.get("signs") == ["B", "A"],
+        "versions.sqlite": _is_current(found.get("versions", {}).get("sqlite", "0")),
         "store.telemetry_sha256": bool(found.get("store", {}).get("telemetry_sha256")),
     }
     return [name for name, right in expected.items() if not right]
+
+
+def _is_current(sqlite: str) -> bool:
+    """Without the WAL-reset fault: where the package lost its own SQLite, the system's is used (storage/sqlite.py)."""
+    return tuple(int(part) for part in sqlite.split(".")) >= (3, 51, 3)
 
 
 def files_of(folder: Path) -> dict[str, int]:

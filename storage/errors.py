@@ -4,9 +4,10 @@ import contextlib
 import errno
 import os
 import shutil
-import sqlite3
 import sys
 from pathlib import Path
+
+from storage.sqlite import sqlite3
 
 _BY_PREFIX = {
     "SQLITE_FULL": "disk_full",
@@ -17,6 +18,17 @@ _BY_PREFIX = {
     "SQLITE_LOCKED": "database_locked",
     "SQLITE_CORRUPT": "database_damaged",
     "SQLITE_NOTADB": "database_damaged",
+}
+# what SQLite says of an error of a backup, of which pysqlite3 tells no name (sqlite.org/c3ref/errcode.html)
+_NAMES = {
+    "database or disk is full": "SQLITE_FULL",
+    "attempt to write a readonly database": "SQLITE_READONLY",
+    "unable to open database file": "SQLITE_CANTOPEN",
+    "database is locked": "SQLITE_BUSY",
+    "database table is locked": "SQLITE_LOCKED",
+    "database disk image is malformed": "SQLITE_CORRUPT",
+    "file is not a database": "SQLITE_NOTADB",
+    "disk I/O error": "SQLITE_IOERR",
 }
 _NEARLY_FULL = 2**20
 _PROBE = 2**16
@@ -42,13 +54,18 @@ class StoreError(Exception):
 
 def translated(error: sqlite3.Error, path: Path) -> StoreError:
     """SQLite's error as ours."""
-    name = getattr(error, "sqlite_errorname", "")
+    name = error_name(error)
     for prefix, code in _BY_PREFIX.items():
         if name.startswith(prefix):
             return StoreError(code, path=str(path))
     if name.startswith("SQLITE_IOERR") and _is_without_room(path):
         return StoreError("disk_full", path=str(path))
     return StoreError("database_failed", path=str(path), problem=str(error))
+
+
+def error_name(error: BaseException) -> str:
+    """SQLite's name of an error, such as `SQLITE_FULL`; empty for one that is not SQLite's."""
+    return str(getattr(error, "sqlite_errorname", "")) or _NAMES.get(str(error), "")
 
 
 def is_full(error: OSError) -> bool:

@@ -1,6 +1,5 @@
 """Small statements that many modules need."""
 
-import sqlite3
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import fields
@@ -8,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from storage.errors import StoreError
+from storage.sqlite import sqlite3
 
 Stop = Callable[[], bool]
 _STEPS_BETWEEN_STOPS = 10_000

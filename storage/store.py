@@ -1,7 +1,6 @@
 """The store: all repositories of one open file."""
 
 import contextlib
-import sqlite3
 from collections.abc import Callable
 from concurrent.futures import Future
 from datetime import datetime
@@ -15,6 +14,7 @@ from storage.runs.grading import Checks
 from storage.runs.history import History
 from storage.runs.runs import Batch, Runs, close_runs, write_batch
 from storage.sql import Stop, exists
+from storage.sqlite import sqlite3
 from storage.tables.migrations import migrate
 from storage.text import new_id, utc_now
 from storage.work.class_presets import ClassPresets

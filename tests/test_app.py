@@ -2,7 +2,6 @@
 
 import json
 import os
-import sqlite3
 import stat
 import threading
 import time
@@ -20,6 +19,7 @@ from pinel_desktop.instance import AlreadyRunningError, Instance
 from pinel_desktop.paths import data_folder, database_path
 from storage import RunStart, open_store
 from storage.file.backups import make_backup
+from storage.sqlite import sqlite3
 from tests.storage.sample_runs import ended, sample
 from tests.web.browser import Browser
 from tests.web.fake_engine import FakeEngine

@@ -5,7 +5,6 @@ import json
 import os
 import random
 import signal
-import sqlite3
 import subprocess
 import sys
 import time
@@ -18,6 +17,7 @@ from click.testing import CliRunner, Result
 
 from pinel_desktop.cli import main
 from storage import Recorder, RunStart, open_store
+from storage.sqlite import sqlite3
 from tests.storage.sample_runs import ended
 from tests.web.browser import Browser
 

@@ -38,7 +38,7 @@ def test_a_command_is_run(
 
 def test_who_waits_for_the_window_waits_for_nothing_else() -> None:
     """What the window's process imports before the app's process is on its way."""
-    heavy = "{'click', 'flask', 'pydantic', 'webview', 'gi', 'sqlite3', 'filelock', 'numpy'}"
+    heavy = "{'click', 'flask', 'pydantic', 'webview', 'gi', 'sqlite3', 'pysqlite3', 'filelock', 'numpy'}"
     code = (
         "import sys, pinel_desktop.__main__, pinel_desktop.commands.window;"
         f"print(sorted({heavy} & {{*sys.modules}}))"

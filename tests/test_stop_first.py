@@ -1,6 +1,5 @@
 """Commands reach a live run whatever has become of the database: real store, web, and engine process."""
 
-import sqlite3
 import time
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, closing, contextmanager
@@ -12,6 +11,7 @@ import pytest
 from pinel_desktop.app import App
 from pinel_desktop.engine.client import EngineClient
 from storage.file import opening
+from storage.sqlite import sqlite3
 from tests.web.browser import Answer, Browser, Stream
 
 READY_S = 30.0

@@ -26,6 +26,7 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.instance import Instance
 from pinel_desktop.messages import describe, language_of_system
 from storage import StoreError, open_store
+from storage.sqlite import sqlite3
 
 Json = dict[str, Any]
 
@@ -274,4 +275,5 @@ def _versions() -> Json:
     for library in _LIBRARIES:
         with contextlib.suppress(metadata.PackageNotFoundError):  # packages may lack metadata
             versions[library] = metadata.version(library)
+    versions["sqlite"] = sqlite3.sqlite_version
     return versions

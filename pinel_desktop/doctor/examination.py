@@ -10,7 +10,6 @@ import os
 import platform
 import queue
 import shutil
-import sqlite3
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing
@@ -25,6 +24,7 @@ from pinel_desktop.desktop.backends import Pc, backends, find_browser
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.errors import PinelError
 from storage.file.backups import damage_of, folder_of, list_backups
+from storage.sqlite import has_wal_fault, sqlite3
 
 Level = Literal["ok", "warn", "fail"]
 
@@ -53,6 +53,7 @@ def examine(database: Path, pc: Pc | None = None) -> Iterator[Finding]:
     yield from _window(pc or Pc())
     yield _engine()
     yield from _disk(database.parent)
+    yield _sqlite()
     yield _database(database)
     yield _backups(database)
     yield from _signs(Path("/dev"))
@@ -139,6 +140,13 @@ def _disk(folder: Path) -> Iterator[Finding]:
         )
     if not os.access(folder, os.W_OK):
         yield Finding("disk", "fail", "doctor_folder_closed", {"folder": str(folder)})
+
+
+def _sqlite(version: str = sqlite3.sqlite_version) -> Finding:
+    """The SQLite that the store uses: the system's may have a fault by which a write can be lost."""
+    if has_wal_fault(version):
+        return Finding("sqlite", "warn", "doctor_sqlite_old", {"version": version})
+    return Finding("sqlite", "ok", "doctor_sqlite_ok", {"version": version})
 
 
 def _database(path: Path) -> Finding:

@@ -1,9 +1,9 @@
 """The generated parts of docs/database.md and docs/parquet.md."""
 
-import sqlite3
 from contextlib import closing
 
 from storage.sql import column_names
+from storage.sqlite import sqlite3
 from storage.tables.columns import JSON, Column, Table
 from storage.tables.migrations import migrate
 from storage.tables.replicated import REPLICATED, TABLES

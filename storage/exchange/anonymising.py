@@ -8,10 +8,10 @@ still find a run by its samples: docs/bundles.md says so to teachers.
 """
 
 import re
-import sqlite3
 from collections.abc import Callable, Collection
 from typing import Any
 
+from storage.sqlite import sqlite3
 from storage.tables.columns import KEPT, KEY, Column, ReplicatedTable
 from storage.tables.replicated import REPLICATED
 from storage.text import dumped, loaded, name_key, new_id

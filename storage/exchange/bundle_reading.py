@@ -7,7 +7,6 @@ meanwhile, and a bundle of an earlier release is migrated on the copy.
 import logging
 import re
 import shutil
-import sqlite3
 import tempfile
 import time
 from collections.abc import Iterator
@@ -17,7 +16,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from storage.errors import StoreError
+from storage.errors import StoreError, error_name
 from storage.exchange.bundle_rules import problem_in_rows
 from storage.exchange.bundle_writing import (
     BUNDLE_TABLE,
@@ -29,9 +28,11 @@ from storage.exchange.bundle_writing import (
 from storage.exchange.content_hash import content_hash
 from storage.limits import MAX_VALUE
 from storage.sql import address, column_names, damage, opened
+from storage.sqlite import sqlite3
 from storage.tables import rules
 from storage.tables.ddl import MIGRATIONS
 from storage.tables.migrations import MIGRATION_SET, MIGRATIONS_TABLE, migrate
+from storage.tables.replicated import TABLES
 from storage.text import loaded
 
 _log = logging.getLogger(__name__)
@@ -158,6 +159,8 @@ def _size_by(head: bytes) -> int:
 def _examined(copy: Path, path: Path) -> BundleInfo:
     with closing(_connected(copy)) as db:
         n_steps = _release(db, path)
+        for name in (*TABLES, "bundle"):
+            _require_bounded(db, name)
         if problem := damage(db):
             raise StoreError("bundle_damaged", path=str(path), problem=problem)
         info = _described(db, path)
@@ -178,6 +181,7 @@ def _release(db: sqlite3.Connection, path: Path) -> int:
     tables = {name for kind, name, _, _ in objects if kind == "table"}
     if MIGRATIONS_TABLE not in tables or not _steps_table() <= objects:
         raise StoreError("bundle_foreign", path=str(path))
+    _require_bounded(db, MIGRATIONS_TABLE)
     taken = {
         str(row[0])
         for row in db.execute(
@@ -246,6 +250,7 @@ _RULES = {
 
 def _objects(db: sqlite3.Connection) -> _Objects:
     """Type, name, table and text of everything in the file; SQLite's own indexes have no text."""
+    _require_bounded(db, "sqlite_schema")
     rows = db.execute(
         "SELECT type, name, tbl_name, coalesce(sql, '') FROM sqlite_schema"
     ).fetchall()
@@ -272,15 +277,25 @@ def _steps_table() -> _Objects:
 
 def _connected(copy: Path) -> sqlite3.Connection:
     db = opened(copy, "immutable")
-    db.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, MAX_VALUE)
+    if hasattr(db, "setlimit"):  # pysqlite3 has none: see `_require_bounded`
+        db.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, MAX_VALUE)
     db.execute("PRAGMA trusted_schema = OFF")
     db.execute("PRAGMA cell_size_check = ON")
     return db
 
 
+def _require_bounded(db: sqlite3.Connection, table: str) -> None:
+    """Raises DataError for a text or blob that is too long; SQLite knows the lengths without reading the values."""
+    if hasattr(db, "setlimit"):
+        return
+    longest = " OR ".join(f"octet_length({name}) > {MAX_VALUE}" for name in column_names(db, table))
+    if longest and db.execute(f"SELECT 1 FROM {table} WHERE {longest} LIMIT 1").fetchone():
+        raise sqlite3.DataError("string or blob too big")
+
+
 def _refusal(error: Exception, path: Path) -> StoreError:
     if isinstance(error, sqlite3.DataError):
         return StoreError("bundle_hostile", path=str(path), problem=str(error))
-    if getattr(error, "sqlite_errorname", "").startswith("SQLITE_FULL"):
+    if error_name(error).startswith("SQLITE_FULL"):
         return StoreError("disk_full", path=tempfile.gettempdir())
     return StoreError("bundle_damaged", path=str(path), problem=str(error))

@@ -1,12 +1,12 @@
 """Looking through the rows of a bundle: each value must be one that a store writes (`storage/tables/rules.py`)."""
 
-import sqlite3
 import zlib
 from collections.abc import Iterator
 from typing import Any
 
 from storage.limits import MAX_SAMPLES
 from storage.sql import column_names, tuples
+from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import REPLICATED
 from storage.tables.runs import TELEMETRY

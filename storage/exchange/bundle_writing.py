@@ -5,7 +5,6 @@ its checksum (docs/bundles.md).
 """
 
 import logging
-import sqlite3
 from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass
@@ -19,6 +18,7 @@ from storage.file.connection import Database
 from storage.file.whole_files import numbered, whole_file
 from storage.limits import MAX_REVISION
 from storage.sql import column_names, insert, opened, row_count
+from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.migrations import migrate
 from storage.tables.replicated import REPLICATED

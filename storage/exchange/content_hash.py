@@ -7,10 +7,10 @@ has the same hash on every PC.
 
 import hashlib
 import json
-import sqlite3
 from collections.abc import Iterator
 
 from storage.sql import column_names, row_count, snapshot, tuples
+from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import REPLICATED
 

@@ -1,7 +1,6 @@
 """Deleting for good: rows are deleted from every table and overwritten in the file. A tombstone for each key keeps
 merges from bringing them back."""
 
-import sqlite3
 from collections.abc import Iterable
 from contextlib import closing
 from dataclasses import dataclass, field, replace
@@ -11,6 +10,7 @@ from storage.errors import StoreError
 from storage.file.connection import Database
 from storage.file.opening import connect
 from storage.sql import require, row_count, tuples
+from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import REPLICATED
 from storage.tables.runs import RUNS

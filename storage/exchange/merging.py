@@ -8,7 +8,6 @@ nothing is in the store, and it can be merged again.
 In the SQL `main` is the store and `bundle` the bundle; a row of the store is called `ours`, one of the bundle `theirs`.
 """
 
-import sqlite3
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -25,6 +24,7 @@ from storage.exchange.deletion import (
 )
 from storage.file.connection import Database
 from storage.sql import column_names, insert, row_count
+from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import REPLICATED, TOMBSTONES
 from storage.tables.runs import EVENTS, RUNS, TELEMETRY

@@ -4,7 +4,6 @@ pyarrow is large and used by this module alone: a school that wants Parquet file
 """
 
 import shutil
-import sqlite3
 from collections.abc import Iterator
 from contextlib import closing, suppress
 from pathlib import Path
@@ -13,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from storage.errors import StoreError
 from storage.file.whole_files import free_path
 from storage.sql import opened, tuples
+from storage.sqlite import sqlite3
 from storage.tables.replicated import REPLICATED
 
 if TYPE_CHECKING:

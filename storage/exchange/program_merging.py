@@ -4,7 +4,6 @@ The file may have been changed by anybody. No row of the store changes, and no r
 belongs to: its group, class, lessons and PCs, its versions with their labels, its runs. Notes are the teacher's.
 """
 
-import sqlite3
 from contextlib import closing
 from pathlib import Path
 
@@ -14,6 +13,7 @@ from storage.exchange.bundle_writing import BundleInfo
 from storage.exchange.merging import MergeReport, insert_new, is_new, may_merge, some
 from storage.file.connection import Database
 from storage.file.opening import connect
+from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import COMPUTERS
 from storage.tables.runs import EVENTS, RUNS, TELEMETRY

@@ -1,10 +1,10 @@
 """What of a store goes into a bundle: all, one class, group or program with what belongs to it, or a lesson to open."""
 
-import sqlite3
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 from storage.sql import require
+from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import COMPUTERS, REPLICATED, TOMBSTONES
 from storage.tables.runs import RUNS

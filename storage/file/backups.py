@@ -7,7 +7,6 @@ what the PC took for 2099 must not be the newest for ever.
 import contextlib
 import re
 import shutil
-import sqlite3
 import threading
 import time
 from collections.abc import Callable, Collection, Sequence
@@ -20,6 +19,7 @@ from storage.errors import StoreError, is_full, translated
 from storage.file.filesystems import Free, free_bytes
 from storage.file.whole_files import whole_file
 from storage.sql import Stop, damage, opened
+from storage.sqlite import sqlite3
 from storage.tables.migrations import migrate
 
 Remove = Callable[[sqlite3.Connection, Collection[str]], object]

@@ -1,7 +1,6 @@
 """How the repositories reach the file: one writer thread, and a pool of reading connections."""
 
 import queue
-import sqlite3
 import sys
 import time
 import uuid
@@ -15,6 +14,7 @@ from typing import NamedTuple, TypeVar
 from storage.errors import StoreError, translated
 from storage.file.opening import connect
 from storage.file.writer import Writer
+from storage.sqlite import sqlite3
 from storage.text import time_text
 
 T = TypeVar("T")

@@ -1,7 +1,6 @@
 """Opening the file in any state: damaged, read-only, of a newer release, or of another program."""
 
 import contextlib
-import sqlite3
 from collections.abc import Iterator
 from contextlib import closing
 from dataclasses import dataclass
@@ -12,6 +11,7 @@ from storage.errors import StoreError, translated
 from storage.file.filesystems import is_on_share
 from storage.file.whole_files import free_path
 from storage.sql import address, damage
+from storage.sqlite import sqlite3
 from storage.tables.ddl import MIGRATIONS
 from storage.tables.migrations import MIGRATION_SET, MIGRATIONS_TABLE, migrate
 from storage.text import LAST_ID, continue_after

@@ -1,9 +1,8 @@
 """What the repositories of groups, lessons, programs, runs and so on have in common."""
 
-import sqlite3
-
 from storage.file.connection import Database
 from storage.sql import not_found
+from storage.sqlite import sqlite3
 
 
 class Repository:

@@ -2,7 +2,6 @@
 
 import contextlib
 import queue
-import sqlite3
 import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future
@@ -10,6 +9,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from storage.errors import StoreError, translated
+from storage.sqlite import sqlite3
 
 T = TypeVar("T")
 _Task = Callable[[], None]

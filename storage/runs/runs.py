@@ -3,7 +3,6 @@
 Telemetry needs numpy, which takes longer to load than the rest of the store: it is imported when first used.
 """
 
-import sqlite3
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
@@ -13,6 +12,7 @@ from storage.file.connection import Moment
 from storage.file.repository import Repository
 from storage.records import Json, RunLine, RunRow, RunStart
 from storage.sql import insert, not_found, require, selected
+from storage.sqlite import sqlite3
 from storage.text import dumped, new_id, readable_object, readable_points
 from storage.work.groups import mark_used
 from storage.work.lessons import lesson_for

@@ -7,10 +7,10 @@ sqlite-utils (and numpy with it) takes longer to load than a group's program to 
 tables up to date: it and the declarations of the tables are imported only to change them.
 """
 
-import sqlite3
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from storage.sqlite import sqlite3
 from storage.tables.ddl import MIGRATIONS
 
 if TYPE_CHECKING:

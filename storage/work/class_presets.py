@@ -1,11 +1,11 @@
 """With what the groups of a class begin: one row for a class, made when it is first set."""
 
-import sqlite3
 from collections.abc import Mapping
 from typing import Any
 
 from storage.file.repository import Repository
 from storage.sql import change, exists, insert, require
+from storage.sqlite import sqlite3
 from storage.text import dumped, readable_object
 
 

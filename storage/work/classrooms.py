@@ -1,11 +1,10 @@
 """Classes of the school."""
 
-import sqlite3
-
 from storage.errors import StoreError
 from storage.file.repository import Repository
 from storage.records import ClassroomRow
 from storage.sql import change, insert, require, selected
+from storage.sqlite import sqlite3
 from storage.text import clean_name, name_key, natural_key, new_id
 
 _SELECT = selected(

@@ -5,12 +5,12 @@ one: this PC then gets a key of its own, and earlier work keeps the old key.
 """
 
 import platform
-import sqlite3
 
 from storage.errors import StoreError
 from storage.file.repository import Repository
 from storage.limits import MAX_NAME
 from storage.sql import change, insert
+from storage.sqlite import sqlite3
 from storage.text import clean_name, new_id
 from storage.work import machine
 from storage.work.settings import read_setting, write_setting

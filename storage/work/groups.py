@@ -1,6 +1,5 @@
 """Groups of pupils: a name, a colour and a picture, never the pupils' names."""
 
-import sqlite3
 from collections.abc import Mapping
 from datetime import datetime, timedelta
 
@@ -10,6 +9,7 @@ from storage.file.repository import Repository
 from storage.limits import LAST_YEAR
 from storage.records import GroupRow
 from storage.sql import change, insert, not_found, require, selected
+from storage.sqlite import sqlite3
 from storage.text import clean_name, name_key, new_id, time_text
 
 _SELECT = selected(

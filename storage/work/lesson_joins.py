@@ -4,10 +4,10 @@ Each PC joins lessons by what it knows. Merged, a lesson may be a part of one th
 may each be a part of the other: of such a circle the lesson with the smallest key is the root.
 """
 
-import sqlite3
 from collections.abc import Mapping
 
 from storage.sql import change
+from storage.sqlite import sqlite3
 
 
 def roots(db: sqlite3.Connection) -> dict[str, str]:

@@ -4,7 +4,6 @@ What is made belongs to a lesson by its key, not by its time: the clocks of scho
 the teacher opens has a key made of class and title, so that it is one lesson on all PCs where it was opened.
 """
 
-import sqlite3
 import uuid
 from collections.abc import Mapping
 
@@ -13,6 +12,7 @@ from storage.file.connection import Moment
 from storage.file.repository import Repository
 from storage.records import LessonRow
 from storage.sql import change, insert, not_found, require, selected
+from storage.sqlite import sqlite3
 from storage.text import clean_name, name_key, new_id
 from storage.work.computers import find_computer, this_computer
 from storage.work.lesson_joins import flatten, roots, tree_of

@@ -1,6 +1,5 @@
 """What the teacher writes about a run, for the group to read next time."""
 
-import sqlite3
 from collections.abc import Callable
 
 from storage.errors import StoreError
@@ -8,6 +7,7 @@ from storage.file.repository import Repository
 from storage.limits import MAX_NOTE
 from storage.records import NoteRow
 from storage.sql import change, insert, not_found, require, selected
+from storage.sqlite import sqlite3
 from storage.text import clean_text, new_id
 
 _RUN = {name: f"runs.{name}" for name in ("program_id", "program_name")}

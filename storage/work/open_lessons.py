@@ -4,11 +4,11 @@ A lesson's row is shared by all PCs that it was opened on, so it cannot tell: af
 last. What is open on this PC is kept among the settings, which no merge changes.
 """
 
-import sqlite3
 from datetime import datetime
 from typing import NamedTuple
 
 from storage.file.connection import Moment
+from storage.sqlite import sqlite3
 from storage.work.settings import read_setting, write_setting
 
 # after so long a pause another class is at the PC

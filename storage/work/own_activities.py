@@ -1,6 +1,5 @@
 """Activities that a teacher made. What is deleted is marked only: lessons, runs and programs name it by its key."""
 
-import sqlite3
 from collections.abc import Mapping
 from typing import Any
 
@@ -9,6 +8,7 @@ from storage.file.repository import Repository
 from storage.limits import MAX_OWN_ACTIVITIES
 from storage.records import OwnActivityRow
 from storage.sql import change, insert, row_count, selected
+from storage.sqlite import sqlite3
 from storage.text import clean_name, dumped, new_id, readable_object
 
 _SELECT = selected(OwnActivityRow, "own_activities")

@@ -1,10 +1,9 @@
 """Programs of a group; their content are versions."""
 
-import sqlite3
-
 from storage.file.repository import Repository
 from storage.records import ProgramRow
 from storage.sql import change, insert, require, selected
+from storage.sqlite import sqlite3
 from storage.text import clean_name, new_id
 from storage.work.groups import mark_used
 

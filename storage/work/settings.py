@@ -1,9 +1,9 @@
 """Settings and other values of this PC; they are not replicated."""
 
-import sqlite3
 from typing import Any
 
 from storage.file.repository import Repository
+from storage.sqlite import sqlite3
 from storage.text import dumped, loaded
 
 

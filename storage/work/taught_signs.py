@@ -4,7 +4,6 @@ A recording is one row that never changes, so that the union of those of two PCs
 samples of each kind count; a name is one sign whatever its case.
 """
 
-import sqlite3
 import unicodedata
 from collections.abc import Iterable
 from dataclasses import replace
@@ -14,6 +13,7 @@ from storage.file.repository import Repository
 from storage.limits import MAX_SIGN, MAX_TAUGHT_SAMPLES, MAX_TAUGHT_SIGNS, N_FEATURES
 from storage.records import SignSamples
 from storage.sql import insert, not_found, require
+from storage.sqlite import sqlite3
 from storage.text import clean_name, name_key, natural_key, new_id
 
 _SAMPLE_BYTES = 2 * N_FEATURES

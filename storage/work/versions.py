@@ -1,6 +1,5 @@
 """Versions of programs: every state that was saved, never overwritten."""
 
-import sqlite3
 from collections.abc import Sequence
 from dataclasses import astuple
 
@@ -11,6 +10,7 @@ from storage.json_check import is_object, parsed
 from storage.limits import MAX_NUMBER
 from storage.records import FaultRow, Json, VersionMark, VersionRow
 from storage.sql import insert, not_found, require, selected
+from storage.sqlite import sqlite3
 from storage.text import clean_name, dumped, loaded, new_id
 from storage.work.groups import mark_used
 from storage.work.lessons import lesson_for

@@ -1,6 +1,5 @@
 """With 100,000 runs in the file: a page of them, a five-minute run opened for replay, and what telemetry takes."""
 
-import sqlite3
 import statistics
 import time
 from collections.abc import Callable, Iterator
@@ -19,6 +18,7 @@ from pinel_desktop.program.reading import read_document
 from pinel_desktop.robot import Setting
 from sim.world import list_worlds
 from storage import Recorder, RunFilter, RunLine, RunStart, Store, open_store
+from storage.sqlite import sqlite3
 from storage.text import new_id
 from tests.web.browser import Browser
 from tests.web.fake_engine import FakeEngine

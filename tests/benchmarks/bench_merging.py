@@ -1,7 +1,6 @@
 """Bundles of 40 PCs with 200 runs each, beside a bare copy of the same rows by SQLite."""
 
 import shutil
-import sqlite3
 import statistics
 import time
 from collections.abc import Callable
@@ -15,6 +14,7 @@ from storage import Recorder, RunStart, Store, open_store
 from storage.exchange.bundle_writing import export_bundle
 from storage.exchange.merging import MergeReport
 from storage.sql import column_names
+from storage.sqlite import sqlite3
 from storage.tables.migrations import migrate
 from storage.tables.replicated import REPLICATED
 from storage.text import new_id

@@ -2,7 +2,6 @@
 
 import functools
 import json
-import sqlite3
 import statistics
 import time
 from collections.abc import Callable
@@ -11,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from storage import open_store
+from storage.sqlite import sqlite3
 
 N_WARM, PAIRS = 20, 300
 N_BLOCKS = 60

@@ -1,7 +1,6 @@
 """`pinel export` and `pinel merge` on the command line."""
 
 import json
-import sqlite3
 from contextlib import closing
 from pathlib import Path
 from typing import Any
@@ -12,6 +11,7 @@ from click.testing import CliRunner, Result
 from pinel_desktop.cli import main
 from storage import open_store
 from storage.exchange.scope import Scope
+from storage.sqlite import sqlite3
 from tests.storage.bundle_makers import a_run, exported, work
 
 PROGRAMS = Path(__file__).parents[1] / "programs"

@@ -2,7 +2,6 @@
 
 import json
 import os
-import sqlite3
 from contextlib import closing
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
@@ -19,6 +18,7 @@ from pinel_desktop.doctor.examination import Finding
 from pinel_desktop.messages import LANGUAGES, describe
 from storage import open_store
 from storage.file.backups import list_backups, make_backup
+from storage.sqlite import sqlite3
 
 
 def pc(*, screen: bool = True, gtk: str | None = None, browser: str | None = None) -> Pc:
@@ -60,6 +60,17 @@ def test_without_window_and_browser_every_way_out_is_said() -> None:
 
 def test_without_a_screen_the_page_can_still_be_served() -> None:
     assert window(pc(screen=False)) == [("warn", "doctor_window_none")]
+
+
+@pytest.mark.parametrize("version", ["3.40.1", "3.51.2"])
+def test_a_sqlite_that_can_lose_a_write_is_told(version: str) -> None:
+    finding = examination._sqlite(version)
+    assert (finding.level, finding.code) == ("warn", "doctor_sqlite_old")
+
+
+def test_the_sqlite_in_use_is_named() -> None:
+    assert examination._sqlite("3.51.3").code == "doctor_sqlite_ok"
+    assert examination._sqlite().params == {"version": sqlite3.sqlite_version}
 
 
 def database(path: Path) -> tuple[str, str]:

@@ -1,13 +1,13 @@
 """Nothing that a group did is ever lost: undo after a restart, the line of versions, the bin, notes of the teacher."""
 
 import re
-import sqlite3
 from contextlib import closing
 from typing import Any
 
 import pytest
 from playwright.sync_api import expect
 
+from storage.sqlite import sqlite3
 from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
 from tests.e2e.conftest import OpenStudio

@@ -2,7 +2,6 @@
 
 import json
 import os
-import sqlite3
 import subprocess
 import sys
 from collections.abc import Callable
@@ -24,6 +23,7 @@ from pinel_desktop.runs.verification import verify_run
 from sim.world import world_document
 from storage import Recorder, open_for_reading, open_store
 from storage.runs.telemetry import COLUMNS, Rows, pack
+from storage.sqlite import sqlite3
 from tests.test_programs import NAMES, PROGRAMS, values_of
 
 

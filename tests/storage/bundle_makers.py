@@ -1,6 +1,5 @@
 """Stores with rows of every kind, and bundles of them."""
 
-import sqlite3
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from datetime import UTC, datetime, timedelta
@@ -12,6 +11,7 @@ from storage.exchange.content_hash import content_hash
 from storage.exchange.deletion import remove_keys
 from storage.exchange.merging import MergeReport, merge
 from storage.exchange.scope import ALL, Scope
+from storage.sqlite import sqlite3
 from tests.storage.sample_documents import SQUARE, WORLD
 from tests.storage.sample_runs import ended, sample
 

@@ -1,7 +1,6 @@
 """Stores on real files; an unclosed store fails the test with a ResourceWarning."""
 
 import shutil
-import sqlite3
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from pathlib import Path
@@ -10,6 +9,7 @@ import pytest
 
 from storage import GroupRow, ProgramRow, RunStart, Store, VersionRow, open_store
 from storage.limits import N_FEATURES
+from storage.sqlite import sqlite3
 from storage.tables.migrations import migrate
 from tests.storage.bundle_makers import Opened, a_run, a_store, exported, work
 from tests.storage.sample_documents import SQUARE, WORLD

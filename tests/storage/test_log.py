@@ -8,7 +8,6 @@ place must be there, all of them, and no other.
 import os
 import random
 import shutil
-import sqlite3
 import struct
 from collections.abc import Callable, Iterator
 from contextlib import closing
@@ -18,6 +17,7 @@ from pathlib import Path
 import pytest
 
 from storage import open_store
+from storage.sqlite import sqlite3
 
 HEADER, FRAME_HEADER = 32, 24
 N_MOMENTS, N_CUTS = 6, 20

@@ -2,7 +2,6 @@
 
 import contextlib
 import json
-import sqlite3
 import struct
 from pathlib import Path
 from typing import Any
@@ -21,6 +20,7 @@ from pinel_desktop.engine.commands import (
     Stop,
     Subscribe,
 )
+from storage.sqlite import sqlite3
 from tests.storage.sample_runs import block_started, ended, sample, square
 from tests.web.browser import Answer, Browser
 from tests.web.fake_engine import FakeEngine

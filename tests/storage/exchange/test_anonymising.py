@@ -1,7 +1,6 @@
 """Bundles without names and texts."""
 
 import json
-import sqlite3
 from collections.abc import Callable
 from contextlib import closing
 from pathlib import Path
@@ -9,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from storage import Recorder, RunStart, Store
+from storage.sqlite import sqlite3
 from tests.storage.bundle_makers import exported, merged, problems_in, work
 from tests.storage.sample_runs import ended, sample
 

@@ -1,7 +1,6 @@
 """Bundles: one file that SQLite opens, with all that was to be in it."""
 
 import os
-import sqlite3
 from collections.abc import Callable
 from contextlib import closing
 from pathlib import Path
@@ -13,6 +12,7 @@ from storage.exchange.bundle_reading import open_bundle
 from storage.exchange.bundle_writing import export_bundle
 from storage.exchange.content_hash import content_hash
 from storage.exchange.scope import Scope
+from storage.sqlite import sqlite3
 from tests.storage.bundle_makers import a_run, exported, hash_of, merged, problems_in, work
 
 

@@ -1,6 +1,5 @@
 """What is deleted for good is gone, from every table and from the bytes of the file."""
 
-import sqlite3
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -11,6 +10,7 @@ from storage.exchange.content_hash import content_hash
 from storage.exchange.deletion import checkpoint, remove_keys
 from storage.exchange.scope import Scope
 from storage.file.opening import connect
+from storage.sqlite import sqlite3
 from tests.storage.bundle_makers import exported, work
 from tests.storage.sample_documents import SQUARE, WORLD
 from tests.storage.sample_runs import ended, sample

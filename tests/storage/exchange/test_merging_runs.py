@@ -1,7 +1,6 @@
 """Runs that come again: cut off on one side and ended on the other, judged or not yet."""
 
 import shutil
-import sqlite3
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -9,6 +8,7 @@ import pytest
 
 from storage import Recorder, RunStart, open_store
 from storage.file.backups import make_backup
+from storage.sqlite import sqlite3
 from tests.storage.bundle_makers import Opened, a_run, exported, hash_of, merged, work
 from tests.storage.sample_documents import SQUARE, WORLD
 from tests.storage.sample_runs import ended, sample

@@ -1,7 +1,6 @@
 """What pupils may bring in: one program, and of it only what is not there yet."""
 
 import json
-import sqlite3
 from collections.abc import Callable
 from contextlib import closing
 from pathlib import Path
@@ -12,6 +11,7 @@ from storage import Store, StoreError
 from storage.exchange.bundle_writing import counts_of
 from storage.exchange.content_hash import content_hash
 from storage.exchange.scope import Scope
+from storage.sqlite import sqlite3
 from tests.storage.bundle_makers import (
     a_run,
     exported,

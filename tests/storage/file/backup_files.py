@@ -1,6 +1,5 @@
 """Makes and damages backups."""
 
-import sqlite3
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
@@ -8,6 +7,7 @@ from storage.file.backups import (
     Backup,
     make_backup,
 )
+from storage.sqlite import sqlite3
 
 NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
 DAY = timedelta(days=1)

@@ -1,7 +1,6 @@
 """Copies of the file: made while others write, kept for a while, put back when the file is damaged."""
 
 import os
-import sqlite3
 import threading
 from collections.abc import Callable, Collection
 from datetime import datetime, timedelta
@@ -24,6 +23,7 @@ from storage.file.backups import (
     remove_surplus,
     worth_keeping,
 )
+from storage.sqlite import sqlite3
 from tests.storage.file.backup_files import DAY, MUCH, NOON, backed_up, much, names_in
 from tests.storage.file.refusals import code_of
 

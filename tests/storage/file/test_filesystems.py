@@ -1,6 +1,5 @@
 """Files in places where SQLite's WAL does not work: network shares, disks that share no memory."""
 
-import sqlite3
 from collections.abc import Callable
 from datetime import UTC, datetime
 from pathlib import Path
@@ -12,6 +11,7 @@ from storage.file import filesystems, opening
 from storage.file.backups import list_backups, make_backup
 from storage.file.filesystems import kind_of_file_system
 from storage.sql import address
+from storage.sqlite import sqlite3
 
 NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
 MOUNTS = """\

@@ -3,7 +3,6 @@
 import contextlib
 import errno
 import os
-import sqlite3
 import subprocess
 from collections.abc import Callable, Iterator
 from datetime import UTC, datetime, timedelta
@@ -13,6 +12,7 @@ import pytest
 
 from storage import Recorder, RunRow, RunStart, Store, StoreError, VersionRow, open_store
 from storage.file.backups import make_backup
+from storage.sqlite import sqlite3
 from tests.storage.file.refusals import code_of
 from tests.storage.sample_runs import ended, square
 

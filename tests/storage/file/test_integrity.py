@@ -1,6 +1,5 @@
 """Damage that a start does not see: one wrong bit in an index."""
 
-import sqlite3
 from contextlib import closing
 from pathlib import Path
 
@@ -8,6 +7,7 @@ import pytest
 
 from storage import ProgramRow, Store, StoreError, open_store
 from storage.maintenance import Maintenance
+from storage.sqlite import sqlite3
 
 _PAGE = 4096
 

@@ -4,7 +4,6 @@ import json
 import os
 import random
 import signal
-import sqlite3
 import subprocess
 import sys
 import time
@@ -18,6 +17,7 @@ import pytest
 
 from storage import open_store
 from storage.file.backups import damage_of, list_backups
+from storage.sqlite import sqlite3
 from tests.storage.file.busy_group import FILE_SIZE, PAGES, text_of
 
 BUSY_GROUP = Path(__file__).with_name("busy_group.py")

@@ -2,7 +2,6 @@
 
 import errno
 import os
-import sqlite3
 from pathlib import Path
 
 import pytest
@@ -12,6 +11,7 @@ from storage.file.backups import (
     damage_of,
     list_backups,
 )
+from storage.sqlite import sqlite3
 from tests.storage.file.backup_files import DAY, NOON, backed_up, names_in, spoil
 from tests.storage.file.refusals import code_of
 

@@ -1,7 +1,6 @@
 """Files that are damaged, foreign, newer, locked or read-only."""
 
 import os
-import sqlite3
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -11,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from storage import Store, StoreError, open_store
+from storage.sqlite import sqlite3
 from storage.tables.ddl import MIGRATIONS
 from tests.storage.file.refusals import code_of
 

@@ -1,9 +1,8 @@
 """The page about the file says what is in it, and nothing else."""
 
-import sqlite3
-
 from scripts.reference.database import tables_and_views
 from storage import Store
+from storage.sqlite import sqlite3
 
 
 def test_every_table_is_described(store: Store) -> None:

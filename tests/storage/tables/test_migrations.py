@@ -1,12 +1,12 @@
 """Files of earlier releases are brought up to date with all that they hold."""
 
-import sqlite3
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from storage import Store, StoreError, open_for_reading
+from storage.sqlite import sqlite3
 from storage.tables.migrations import migrate
 
 

@@ -1,12 +1,12 @@
 """The tables that the migrations make are those that are declared, column by column."""
 
-import sqlite3
 from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
 
 import pytest
 
+from storage.sqlite import sqlite3
 from storage.tables.columns import KEPT, TEXT, Column, ReplicatedTable
 from storage.tables.migrations import MIGRATIONS_TABLE, migrate
 from storage.tables.replicated import REPLICATED, TABLES

@@ -1,7 +1,6 @@
 """Which lesson work belongs to: on this PC, after merges, while its clock is set, and by its title."""
 
 import shutil
-import sqlite3
 from collections.abc import Callable
 from datetime import UTC, datetime
 from pathlib import Path
@@ -9,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from storage import LessonRow, ProgramRow, RunStart, Store
+from storage.sqlite import sqlite3
 from tests.storage.bundle_makers import exported, hash_of, merged, removed
 from tests.storage.sample_documents import WORLD
 from tests.storage.work.school_clock import SchoolClock

@@ -1,6 +1,5 @@
 """Groups, programs and versions."""
 
-import sqlite3
 from collections.abc import Callable
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
@@ -9,6 +8,7 @@ from typing import Any
 import pytest
 
 from storage import FaultRow, GroupRow, ProgramRow, Store, StoreError, VersionRow
+from storage.sqlite import sqlite3
 
 
 def test_a_new_file_is_made_with_its_folder(opened: Callable[..., Store], tmp_path: Path) -> None:

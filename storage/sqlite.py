@@ -1,0 +1,27 @@
+"""The one SQLite of the program: that of the wheel pysqlite3, and Python's own where there is no wheel.
+
+A system's SQLite can have the WAL-reset fault (sqlite.org/wal.html, mended in 3.51.3), by which a write can be lost
+when two connections write or checkpoint at the same moment. sqlite-utils chooses in the same way.
+
+No other module imports SQLite: two of its libraries in one process undo each other's locks on a file
+(sqlite.org/howtocorrupt.html, 2.2.1), and the errors of one are not caught as those of the other.
+"""
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import sqlite3
+else:
+    try:
+        import pysqlite3 as sqlite3
+    except ImportError:  # no wheel for this kind of PC
+        import sqlite3
+
+__all__ = ["has_wal_fault", "sqlite3"]
+
+_MENDED_IN = (3, 51, 3)
+
+
+def has_wal_fault(version: str = sqlite3.sqlite_version) -> bool:
+    """Whether that version of SQLite can lose a write when the WAL begins anew."""
+    return tuple(int(part) for part in version.split(".")) < _MENDED_IN
