@@ -284,6 +284,7 @@ def test_the_command_prints_one_object_about_everything(tmp_path: Path) -> None:
         "signs",
         "camera",
         "ros",
+        "sqlite",
     }
     assert levels["engine"] == "ok"
     assert result.exit_code == (0 if found["ok"] else 1)
