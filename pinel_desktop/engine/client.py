@@ -13,12 +13,14 @@ from pinel_desktop.engine.commands import (
     REPLY,
     Command,
     Evaluate,
+    Stop,
 )
 from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import RunEnded
 from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.processes import own_command
+from pinel_desktop.processes.heartbeat import Patience
 from pinel_desktop.processes.messages import Message
 from pinel_desktop.processes.owned import OwnedProcess, ProcessState
 from pinel_desktop.robot.record import RobotRecord
@@ -28,6 +30,10 @@ from pinel_desktop.runs.spec import RunSpec
 EventSink = Callable[[dict[str, Any]], None]
 
 _ANSWER_TIMEOUT_S = 2.0
+# A Stop is confirmed within milliseconds; a person who presses it must not wait long for the truth.
+_CONFIRM_S = 1.0
+# A Run right after an engine was replaced waits for the next one.
+_READY_S = 5.0
 _CONTACT_TIMEOUT_S = 40.0
 _FIND_TIMEOUT_S = 15.0
 # Without a new key in this time, a run may take the robot.
@@ -35,9 +41,10 @@ _HELD_S = 0.5
 
 
 class EngineClient:
-    """Keeps the engine process running; thread-safe.
+    """Keeps the engine process running; thread-safe. No call waits for an engine that hangs.
 
-    `on_event` is called on the reader thread with every event, in order. When the process dies during a run, the
+    `on_event` is called on the reader thread with every event, in order. A process that hangs is killed
+    (`processes.heartbeat`). When it dies during a run, the
     client makes up the missing `run_ended` (failed, `engine_lost`; `real_engine_lost` of a real robot, which only its
     own watchdog stops then).
 
@@ -63,6 +70,7 @@ class EngineClient:
             self._receive,
             self._report_loss,
             self._on_ready,
+            patience=Patience(),
         )
         self._bridge: tuple[Message, Callable[[Message], None]] | None = None
         self._lock = threading.RLock()
@@ -106,6 +114,8 @@ class EngineClient:
         Args:
             commands: applied before the first block begins, such as breakpoints, a speed, or a step to hold there.
         """
+        if self.state == "starting":
+            self.wait_until_ready(_READY_S)
         with self._lock:
             if self._live is not None:
                 raise PinelError("run_in_progress")
@@ -115,10 +125,10 @@ class EngineClient:
                 self.start()
             if self.state != "ready":
                 raise PinelError("engine_not_ready")
+            first = [dict(command) for command in commands]
+            self._send({"run": run_id, "spec": spec.as_message(), "commands": first})
             self._live, self._next_seq, self._tick = run_id, 0, 0
             self._is_real = spec.robot is not None
-            first = [dict(command) for command in commands]
-            self._process.send({"run": run_id, "spec": spec.as_message(), "commands": first})
         if spec.robot is not None:
             threading.Thread(target=self._stay_heard, args=(run_id,), daemon=True).start()
 
@@ -132,21 +142,41 @@ class EngineClient:
     def command(self, run_id: str, command: Command) -> Any:
         """Sends a command to the live run; gives the value of `Evaluate` as plain data, None for all others.
 
-        Raises PinelError `run_not_live` when that run is not the live one; for `Evaluate` also `run_not_paused`,
-        `peek_not_possible`, `peek_invalid` and what evaluating the expression raises.
+        Raises PinelError `run_not_live` when that run is not the live one, `engine_silent` when the engine does not
+        take the command; for `Stop` also `stop_unconfirmed` or `real_stop_unconfirmed`; for `Evaluate` also
+        `run_not_paused`, `peek_not_possible`, `peek_invalid` and what evaluating the expression raises.
         """
         if isinstance(command, Evaluate):
             return self._evaluate(run_id, command)
+        if isinstance(command, Stop):
+            return self._stop(run_id, command)
         self._tell(run_id, command)
         return None
 
     def _evaluate(self, run_id: str, command: Evaluate) -> Any:
+        try:
+            return self._tell_and_wait(run_id, command, _ANSWER_TIMEOUT_S)
+        except TimeoutError as error:  # the run went on before the question's turn came
+            raise PinelError("run_not_paused") from error
+
+    def _stop(self, run_id: str, command: Stop) -> None:
+        """Sends the Stop at once, then waits until the engine has it, or the run has ended."""
+        unconfirmed = "real_stop_unconfirmed" if self._is_real else "stop_unconfirmed"
+        try:
+            self._tell_and_wait(run_id, command, _CONFIRM_S)
+        except TimeoutError as error:
+            if self._live == run_id:
+                raise PinelError(unconfirmed) from error
+        except PinelError as error:
+            if error.code != "engine_silent":
+                raise
+            raise PinelError(unconfirmed) from error
+
+    def _tell_and_wait(self, run_id: str, command: Command, timeout_s: float) -> Any:
         question, answer = self._new_question()
         try:
             self._tell(run_id, command, question=question)
-            return answer.result(_ANSWER_TIMEOUT_S)
-        except TimeoutError as error:  # the run went on before the question's turn came
-            raise PinelError("run_not_paused") from error
+            return answer.result(timeout_s)
         finally:
             self._questions.pop(question, None)
 
@@ -176,8 +206,8 @@ class EngineClient:
     def _ask(self, what: str, robot: RobotRecord, timeout_s: float) -> Any:
         """Asks the engine about a robot, and waits for the answer."""
         question, answer = self._new_question()
-        self._process.send({what: question, "robot": robot.as_message()})
         try:
+            self._send({what: question, "robot": robot.as_message()})
             return answer.result(timeout_s)
         except TimeoutError as error:
             raise PinelError("engine_not_ready") from error
@@ -238,7 +268,12 @@ class EngineClient:
         with self._lock:
             if self._live != run_id:
                 raise PinelError("run_not_live")
-            self._process.send({"run": run_id, "command": dict(command), **more})
+            self._send({"run": run_id, "command": dict(command), **more})
+
+    def _send(self, message: Message) -> None:
+        """Raises PinelError `engine_silent`."""
+        if not self._process.send(message):
+            raise PinelError("engine_silent")
 
     def _receive(self, message: Message) -> None:
         if message.get("type") == REPLY:
@@ -272,6 +307,9 @@ class EngineClient:
         with self._lock:
             lost_run, seq, tick = self._live, self._next_seq, self._tick
             self._live = None
+            unanswered, self._questions = self._questions, {}
+        for answer in unanswered.values():
+            answer.set_exception(PinelError("engine_silent"))
         if lost_run is not None:
             reason = "real_engine_lost" if self._is_real else "engine_lost"
             ended = RunEnded.cut_off(reason, tick / TICK_HZ)

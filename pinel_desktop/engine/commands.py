@@ -64,6 +64,7 @@ class Stop(_Command):
 
     def apply(self, control: RunControl, reply: Reply) -> None:
         control.stop()
+        reply(None, None)
 
 
 class Step(_Command):

@@ -1,7 +1,10 @@
 """The engine process: reads messages, executes one live run at a time, writes its events."""
 
+import contextlib
+import gc
 import logging
 import threading
+from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any, BinaryIO
 
 from pydantic import ValidationError
@@ -11,7 +14,7 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.events.model import Event, RunEnded
 from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.execution.control import RunControl
-from pinel_desktop.processes.messages import Message, read_messages, write_message
+from pinel_desktop.processes.messages import PING, PONG, Message, read_messages, write_message
 from pinel_desktop.robot.record import RobotRecord, record_from
 from pinel_desktop.runs.robots import ROBOT_MESSAGES
 from pinel_desktop.runs.spec import spec_from
@@ -30,12 +33,12 @@ _STOP_TIMEOUT_S = 3.0
 class _LiveRun:
     """One run on a thread of its own."""
 
-    def __init__(self, message: Message, engine: "Engine") -> None:
+    def __init__(self, message: Message, engine: "Engine", former: threading.Thread | None) -> None:
         self.id = str(message["run"])
         self.control = RunControl()
-        self._message, self._engine = message, engine
+        self._message, self._engine, self._former = message, engine, former
         self._stamp = EventStamp(self.id)
-        self.thread = threading.Thread(target=self._execute, name=f"run-{self.id}", daemon=True)
+        self.thread = threading.Thread(target=self._work, name=f"run-{self.id}", daemon=True)
         if message["spec"].get("robot"):
             self.control.hear_app()  # from now on the robot drives only while the app is heard
         for command in message.get("commands", ()):
@@ -45,9 +48,18 @@ class _LiveRun:
         """Does what the app asks of the run; `question` is the number under which a value is to be sent back."""
 
         def reply(value: Any, error: PinelError | None) -> None:
-            self._engine.answer(question, value, error)
+            if question is not None:
+                self._engine.answer(question, value, error)
 
         command.apply(self.control, reply)
+
+    def _work(self) -> None:
+        if self._former is not None:  # still winding down; the reading thread waits for nobody
+            self._former.join(_STOP_TIMEOUT_S)
+            self._former = None
+        self._execute()
+        # `start` keeps the collector off all that is there, whereupon it would never look at the oldest by itself
+        gc.collect()
 
     def _execute(self) -> None:
         try:
@@ -87,6 +99,7 @@ class Engine:
     def __init__(self, messages: BinaryIO, events: BinaryIO) -> None:
         self._messages, self._events = messages, events
         self._writing = threading.Lock()
+        self._answers: SimpleQueue[Message] = SimpleQueue()
         self._live: _LiveRun | None = None
         self._bridge: OwnedBridge | None = None
         self._making = threading.Lock()
@@ -108,16 +121,23 @@ class Engine:
         with self._writing:
             write_message(self._events, message)
 
-    def answer(self, question: int | None, value: Any, error: PinelError | None) -> None:
-        """Answers a question of the app."""
+    def answer(self, question: int, value: Any, error: PinelError | None) -> None:
+        """Answers a question of the app, without waiting for an app that does not read."""
         told: Message = {"type": REPLY, "question": question}
         if error is None:
-            self.send({**told, "value": value})
+            self._answers.put({**told, "value": value})
         else:
-            self.send({**told, "code": error.code, "params": error.params})
+            self._answers.put({**told, "code": error.code, "params": error.params})
+
+    def _send_answers(self) -> None:
+        """On a thread of its own: the reading thread must find Stop whatever becomes of the other pipe."""
+        with contextlib.suppress(OSError):  # the app has gone
+            while True:
+                self.send(self._answers.get())
 
     def serve(self) -> None:
         """Works until the messages end; then stops the robot."""
+        threading.Thread(target=self._send_answers, name="answers", daemon=True).start()
         EngineCommand.model_rebuild()  # now, so that the first Stop is not late
         self.send({"type": "engine_ready"})
         try:
@@ -132,6 +152,9 @@ class Engine:
 
     def _handle(self, message: Message) -> None:
         live = self._live
+        if message == PING:
+            self._answers.put(PONG)
+            return
         if "spec" in message:
             self._begin(message)
             return
@@ -147,14 +170,17 @@ class Engine:
         if str(message.get("type")).startswith("bridge_"):
             self._steer_bridge(message)
             return
-        if live is None or message.get("run") != live.id:
-            return  # the run ended while the message was on its way
+        question = message.get("question")
+        if live is None or message.get("run") != live.id:  # of a run before this engine was started
+            if question is not None:
+                self.answer(question, None, PinelError("run_not_live"))
+            return
         try:
             command = EngineCommand.model_validate(message.get("command"))
         except ValidationError:
             _log.warning("an unknown command was ignored: %s", message)
             return
-        live.apply(command.root, message.get("question"))
+        live.apply(command.root, question)
 
     def _steer_bridge(self, message: Message) -> None:
         if self._bridge is None:
@@ -186,8 +212,10 @@ class Engine:
 
     def _begin(self, message: Message) -> None:
         # The app asks for one run at a time; should an old one still be winding down, it goes first.
-        self._stop_and_wait()
-        self._live = _LiveRun(message, self)
+        former = self._live
+        if former is not None:
+            former.control.stop()
+        self._live = _LiveRun(message, self, former.thread if former else None)
         self._live.thread.start()
 
     def _stop_and_wait(self) -> None:

@@ -80,8 +80,9 @@ class JudgeClient:
             if self._closed:
                 raise PinelError("judge_lost")
             self._waiting[number] = answer
-        self._process.send({"question": number, **message})
         try:
+            if not self._process.send({"question": number, **message}):
+                raise PinelError("judge_lost")
             return answer.result(self._answer_s)
         except TimeoutError as error:
             self._process.kill()

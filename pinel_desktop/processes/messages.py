@@ -5,6 +5,8 @@ from collections.abc import Iterator
 from typing import Any, BinaryIO
 
 Message = dict[str, Any]
+# A process that reads answers the one with the other at once, whatever else it does.
+PING, PONG = {"type": "ping"}, {"type": "pong"}
 _LONGEST = 64_000_000  # octets of a line
 
 

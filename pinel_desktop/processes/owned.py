@@ -1,19 +1,17 @@
 """One process that the app owns: it is started, started again when it dies, and ended with the app."""
 
-import contextlib
 import logging
-import queue
 import subprocess
 import threading
 import time
 from collections.abc import Callable, Sequence
 from typing import Any, BinaryIO, Literal, cast
 
-from pinel_desktop.processes.messages import Message, encoded, read_messages
+from pinel_desktop.processes.heartbeat import Heartbeat, Patience, Seen
+from pinel_desktop.processes.messages import PING, PONG, Message, encoded, read_messages
+from pinel_desktop.processes.outbox import Outbox
 
 ProcessState = Literal["starting", "ready", "lost"]
-
-Outbox = queue.SimpleQueue[bytes | None]
 
 _log = logging.getLogger(__name__)
 _CLOSE_TIMEOUT_S = 4.0
@@ -34,6 +32,7 @@ class OwnedProcess:
         on_death: called on the reader thread when the process has died by itself, before the next one starts.
         on_ready: called on the reader thread when it, or the next one after its death, is ready.
         on_lost: called when the process is not started again by itself; must not wait.
+        patience: of a process that answers each `PING` with a `PONG` at once: one that hangs is ended.
     """
 
     def __init__(
@@ -44,6 +43,7 @@ class OwnedProcess:
         on_death: Callable[[], None],
         on_ready: Callable[[], None] = lambda: None,
         on_lost: Callable[[], None] = lambda: None,
+        patience: Patience | None = None,
     ) -> None:
         self._name, self._command = name, list(command)
         self._on_message, self._on_death = on_message, on_death
@@ -51,11 +51,16 @@ class OwnedProcess:
         self._lock = threading.RLock()
         self._process: subprocess.Popen[bytes] | None = None
         self._reader: threading.Thread | None = None
-        self._outbox: Outbox = queue.SimpleQueue()
+        self._outbox = Outbox()
         self._state: ProcessState = "starting"
         self._closing = False
         self._n_short_lives = 0
         self._ready = threading.Event()
+        self._n_heard, self._is_handing_on = 0, False
+        self._heartbeat: Heartbeat | None = None
+        if patience is not None:
+            self._heartbeat = Heartbeat(self._seen, self._ping, self._kill_silent, patience)
+            self._heartbeat.start(f"{name}-heartbeat")
 
     @property
     def state(self) -> ProcessState:
@@ -85,13 +90,8 @@ class OwnedProcess:
                 _log.error("the %s does not start: %s", self._name, error)
                 self._give_up()
                 return
-            self._outbox = queue.SimpleQueue()
-            threading.Thread(
-                target=_write,
-                args=(_pipe(self._process.stdin), self._outbox),
-                name=f"{self._name}-writer",
-                daemon=True,
-            ).start()
+            self._outbox = Outbox()
+            self._outbox.start_writing(_pipe(self._process.stdin), f"{self._name}-writer")
             self._reader = threading.Thread(
                 target=self._read, args=(self._process,), name=f"{self._name}-reader", daemon=True
             )
@@ -102,12 +102,14 @@ class OwnedProcess:
         self._ready.wait(timeout_s)
         return self._state == "ready"
 
-    def send(self, message: Message) -> None:
-        """Sends a message, in order, without waiting; one to a process that has ended is lost."""
+    def send(self, message: Message) -> bool:
+        """Sends a message, in order, without waiting; one to a process that has ended is lost.
+
+        False when the process does not read, and so much waits for it that this message was not taken.
+        """
         line = encoded(message)
         with self._lock:
-            if not self._closing:
-                self._outbox.put(line)
+            return self._closing or self._outbox.put(line)
 
     def kill(self) -> None:
         """Ends a process that hangs at once; the next one starts by itself."""
@@ -115,17 +117,34 @@ class OwnedProcess:
             if self._process and not self._closing:
                 self._process.kill()
 
+    def _kill_silent(self, pid: int) -> None:
+        with self._lock:
+            if self.pid == pid:
+                _log.error("the %s hangs and is ended", self._name)
+                self.kill()
+
+    def _ping(self) -> None:
+        self.send(PING)
+
+    def _seen(self) -> Seen:
+        with self._lock:
+            is_ready = self._state == "ready"
+            pid = None if self._state == "lost" else self.pid
+            return Seen(pid, self._n_heard, is_ready, self._is_handing_on)
+
     def close(self) -> None:
         """Ends the pipe after all that was sent, whereupon the process exits, and waits for it."""
         with self._lock:
             self._closing = True
+            if self._heartbeat is not None:
+                self._heartbeat.close()
             self._ready.set()  # who waits for a process that is starting would wait in vain
             process, reader, outbox = self._process, self._reader, self._outbox
         if process is None or reader is None:
             return
         if self._state == "starting":  # it does nothing yet, and its imports would keep us waiting
             process.kill()
-        outbox.put(None)
+        outbox.end()
         try:
             process.wait(_CLOSE_TIMEOUT_S)
         except subprocess.TimeoutExpired:
@@ -138,21 +157,27 @@ class OwnedProcess:
         born = time.monotonic()
         messages = _pipe(process.stdout)
         for message in read_messages(messages):
-            if message.get("type") == f"{self._name}_ready":
-                self._state = "ready"
-                self._ready.set()
-                self._on_ready()
-            else:
-                self._on_message(message)
+            self._n_heard += 1
+            self._is_handing_on = True
+            self._take(message)
+            self._is_handing_on = False
         messages.close()
         process.wait()
         if not self._closing:
             self._revive(short_life=time.monotonic() - born < _SHORT_LIFE_S)
 
+    def _take(self, message: Message) -> None:
+        if message.get("type") == f"{self._name}_ready":
+            self._state = "ready"
+            self._ready.set()
+            self._on_ready()
+        elif message != PONG:
+            self._on_message(message)
+
     def _revive(self, *, short_life: bool) -> None:
         with self._lock:
             self._state = "starting"
-            self._outbox.put(None)
+            self._outbox.end()
         _log.error("the %s died", self._name)
         self._on_death()
         self._n_short_lives = self._n_short_lives + 1 if short_life else 0
@@ -165,16 +190,6 @@ class OwnedProcess:
         self._state = "lost"
         self._on_lost()  # before anybody who waits finds that it is lost
         self._ready.set()
-
-
-def _write(pipe: BinaryIO, outbox: Outbox) -> None:
-    """Writes lines to a process until None comes; a pipe that is full holds up nobody else."""
-    with contextlib.suppress(OSError):  # the process has ended; its reader reports it
-        while (line := outbox.get()) is not None:
-            pipe.write(line)
-            pipe.flush()
-    with contextlib.suppress(OSError):
-        pipe.close()
 
 
 def _pipe(pipe: Any) -> BinaryIO:

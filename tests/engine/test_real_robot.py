@@ -17,6 +17,7 @@ import psutil
 import pytest
 
 from pinel_desktop.engine.client import EngineClient
+from pinel_desktop.engine.commands import Stop
 from pinel_desktop.errors import PinelError
 from tests.engine.memory_robot import FAR, engine_command
 
@@ -156,6 +157,22 @@ def test_an_engine_that_is_killed_is_told_and_the_robot_has_its_own_watchdog(
     engine.kill()
     engine.wait(timeout=10)
     ended = driving.ended()
+    assert (ended["state"], ended["reason"]) == ("failed", "real_engine_lost")
+
+
+def test_stop_at_an_engine_that_is_frozen_is_not_told_as_done(tmp_path: Path) -> None:
+    log, events = tmp_path / "heard", queue.Queue[dict[str, Any]]()
+    client = EngineClient(events.put, engine_command(log))
+    client.start()
+    assert client.wait_until_ready(30.0)
+    client.run("r1", FAR)
+    wait_until_driving(log)
+    psutil.Process(client.pid).suspend()
+    with pytest.raises(PinelError, match="real_stop_unconfirmed"):
+        client.command("r1", Stop())
+    while (ended := events.get(timeout=30))["type"] != "run_ended":
+        pass
+    client.close()
     assert (ended["state"], ended["reason"]) == ("failed", "real_engine_lost")
 
 

@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable
 from typing import Any
 
+from pinel_desktop.processes.outbox import MOST_WAITING
 from pinel_desktop.processes.owned import OwnedProcess
 
 WAIT_S = 30.0
@@ -78,3 +79,21 @@ def test_process_that_dies_three_times_soon_after_its_start_is_told_to_be_lost()
 
 def test_process_that_cannot_be_started_is_told_to_be_lost() -> None:
     assert lost(["/nowhere/some"]) == ["lost"]
+
+
+def test_a_process_that_does_not_read_takes_only_so_much_and_the_rest_is_refused_at_once() -> None:
+    owned = process(DEAF, lambda message: None)
+    line, began_s = {"much": "a" * 1_000}, time.monotonic()
+    taken = [owned.send(line) for _ in range(50_000)]
+    assert time.monotonic() - began_s < WAIT_S
+    assert (
+        MOST_WAITING - 2_000 < 1_012 * sum(taken) < MOST_WAITING + 200_000
+    )  # with what the pipe holds
+    assert not taken[-1]
+    owned.close()
+
+
+def test_a_long_message_is_taken_where_nothing_waits() -> None:
+    owned = process(ECHO, lambda message: None)
+    assert owned.send({"much": "a" * 2 * MOST_WAITING})
+    owned.close()

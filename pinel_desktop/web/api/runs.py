@@ -40,6 +40,8 @@ if TYPE_CHECKING:
 api = resource("runs", "Runs: live and recorded.", __name__)
 
 _OWN = "own"
+# what the engine got is not known
+_UNCERTAIN = ("engine_silent", "stop_unconfirmed", "real_stop_unconfirmed")
 
 
 @api.get("/groups/<id>/runs", responses=answers(RunList, "group_not_found"))
@@ -60,6 +62,7 @@ def list_runs(path: IdPath, query: RunPage) -> Response:
         "run_in_progress",
         "robot_held_by_keys",
         "engine_not_ready",
+        "engine_silent",
         "invalid_program",
         "unknown_world",
         "world_missing",
@@ -198,11 +201,16 @@ def _world(version: VersionRow, name: str, parts: Services) -> dict[str, object]
     raise PinelError("unknown_world", value=name, allowed=[world["name"] for world in parts.worlds])
 
 
-@api.post("/runs/<id>/commands", responses=answers(CommandAnswer, "run_not_found", "run_not_live"))
+@api.post(
+    "/runs/<id>/commands",
+    responses=answers(CommandAnswer, "run_not_found", "run_not_live", *_UNCERTAIN),
+)
 def command_run(path: IdPath, body: LiveCommand) -> Response:
     """Sends a command to the live run.
 
-    The engine receives it before the database is read, so that Stop works with a damaged or locked database.
+    The engine receives it before the database is read, so that Stop works with a damaged or locked database. A Stop is
+    answered when the engine has it; after a second without that with `stop_unconfirmed`, of a real robot
+    `real_stop_unconfirmed`. An engine that is silent for two seconds is ended, and its run with it.
     """
     parts = services()
     try:
@@ -210,6 +218,8 @@ def command_run(path: IdPath, body: LiveCommand) -> Response:
     except PinelError as error:
         if error.code == "run_not_live":
             raise _why_not_live(path.id, error) from error
+        if error.code in _UNCERTAIN:
+            raise
         words = explain(error, parts.preferences.language)
         return answer(CommandAnswer(value=None, problem=words.message))
     return answer(CommandAnswer(value=value, problem=None))

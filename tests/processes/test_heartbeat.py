@@ -1,0 +1,81 @@
+"""A process that hangs is ended; one that computes, one that a debugger holds, and a PC that sleeps are left alone."""
+
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from pinel_desktop.processes.heartbeat import Patience, Silence, hangs
+from pinel_desktop.processes.owned import OwnedProcess
+
+BEAT_S = 0.5
+PATIENCE = Patience()
+WAIT_S = 30.0
+# it computes for as long as its file is missing, then answers as usual
+BUSY = """import json, pathlib, sys
+print('{"type": "some_ready"}', flush=True)
+sys.stdin.readline()
+while not pathlib.Path(sys.argv[1]).exists(): sum(range(10_000))
+for line in sys.stdin: print('{"type": "pong"}', flush=True); print('{"type": "heard"}', flush=True)
+"""
+
+
+def silences(beats: list[tuple[float, int, bool]]) -> list[float]:
+    """The silence at each beat of (s, messages heard, whether the app is busy)."""
+    silence = Silence(BEAT_S, now_s=0.0)
+    return [silence.beat(now_s, n, is_app_busy=busy) for now_s, n, busy in beats]
+
+
+def test_silence_is_counted_in_beats_and_ends_with_any_message() -> None:
+    beats = [(0.5, 7, False), (1.0, 7, False), (1.5, 7, False), (2.0, 8, False), (2.5, 8, False)]
+    assert silences(beats) == [0.0, 0.5, 1.0, 0.0, 0.5]
+
+
+def test_a_pc_that_slept_counts_no_silence() -> None:
+    beats = [(0.5, 7, False), (1.0, 7, False), (9_000.0, 7, False), (9_000.5, 7, False)]
+    assert silences(beats) == [0.0, 0.5, 0.0, 0.5]
+
+
+def test_an_app_that_has_not_read_what_was_said_counts_no_silence() -> None:
+    assert silences([(0.5, 7, True), (1.0, 7, True), (1.5, 7, False)]) == [0.0, 0.0, 0.5]
+
+
+@pytest.mark.parametrize(
+    ("silent_s", "is_ready", "doing", "is_ended"),
+    [
+        (1.5, True, "nothing", False),
+        (2.0, True, "nothing", True),
+        (9.5, True, "something", False),
+        (10.0, True, "something", True),
+        (3_600.0, True, "traced", False),
+        (59.5, False, "nothing", False),
+        (60.0, False, "something", True),
+    ],
+)
+def test_patience_depends_on_what_the_process_does(
+    silent_s: float, is_ready: bool, doing: str, is_ended: bool
+) -> None:
+    assert hangs(silent_s, PATIENCE, is_ready=is_ready, doing=doing) == is_ended  # type: ignore[arg-type] # a table
+
+
+def test_a_process_that_computes_and_answers_late_is_the_same_afterwards(tmp_path: Path) -> None:
+    heard: list[object] = []
+    free = tmp_path / "free"
+    owned = OwnedProcess(
+        "some",
+        [sys.executable, "-c", BUSY, str(free)],
+        heard.append,
+        lambda: None,
+        patience=Patience(still_s=0.4, busy_s=600.0, beat_s=0.1),
+    )
+    owned.start()
+    assert owned.wait_until_ready(WAIT_S)
+    first, due_s = owned.pid, time.monotonic() + WAIT_S
+    time.sleep(1.5)  # several times what a process that does nothing is given
+    free.touch()
+    while not heard:
+        assert time.monotonic() < due_s
+        time.sleep(0.02)
+    owned.close()
+    assert owned.pid == first
