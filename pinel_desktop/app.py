@@ -45,6 +45,7 @@ _PATIENCE_S = 2.0
 _WRITABLE_NOTICES = (
     "database_set_aside",
     "database_restored",
+    "database_mended",
     "database_on_share",
     "backup_no_room",
     "backup_failed",

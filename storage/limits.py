@@ -4,8 +4,10 @@ Numbers that grow by one with each change stop at their limit, so that a store w
 another store would refuse.
 """
 
-MAX_NUMBER = 10**9  # of a version within its program
-MAX_REVISION = 10**9
+MAX_NUMBER = 10**9  # of a version within its program; MAX_NUMBERS_AHEAD is far less
+# versions of a program are counted from 1 on, none is ever taken out: a number so far beyond their count was made up
+MAX_NUMBERS_AHEAD = 10_000
+MAX_REVISION = 10**6  # a person changes a row; at the limit the later time decides
 LAST_YEAR = 9998  # of a time: a day to spare at the end of the calendar for zones of time
 # a run of an hour at the most commands a tick has 1.08e8
 MAX_COUNT = 10**12

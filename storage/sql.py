@@ -7,7 +7,9 @@ from pathlib import Path
 from typing import Any
 
 from storage.errors import StoreError
+from storage.limits import MAX_REVISION
 from storage.sqlite import sqlite3
+from storage.text import just_after
 
 Stop = Callable[[], bool]
 _STEPS_BETWEEN_STOPS = 10_000
@@ -93,10 +95,20 @@ def change(
 ) -> None:
     """Gives a row other values. The state is a later one by so many revisions, which decides where files are merged."""
     assignments = "".join(f"{name} = :{name}, " for name in values)
+    parameters = {**values, "n_revisions": n_revisions, "at": _later(db, table, key, now)}
     db.execute(
-        f"UPDATE {table} SET {assignments}revision = revision + :n_revisions, changed_at = :now WHERE id = :key",
-        {**values, "n_revisions": n_revisions, "now": now, "key": key},
+        f"UPDATE {table} SET {assignments}revision = min(revision + :n_revisions, {MAX_REVISION}),"
+        " changed_at = :at WHERE id = :key",
+        {**parameters, "key": key},
     )
+
+
+def _later(db: sqlite3.Connection, table: str, key: str, now: str) -> str:
+    """The time of a change: at the greatest revision, which somebody made up, after that of the state before."""
+    row = db.execute(
+        f"SELECT changed_at FROM {table} WHERE id = ? AND revision >= {MAX_REVISION}", [key]
+    ).fetchone()
+    return now if row is None else max(now, just_after(str(row[0])))
 
 
 def selected(record: Any, table: str, **computed: str) -> str:

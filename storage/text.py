@@ -8,11 +8,11 @@ import threading
 import time
 import unicodedata
 import uuid
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 from typing import Any
 
 from storage.errors import StoreError
-from storage.limits import MAX_NAME
+from storage.limits import LAST_YEAR, MAX_NAME
 
 _UNSEEN = ("Cf", "Cs")
 # within emoji and within words of several scripts
@@ -31,7 +31,8 @@ class _Ids:
 
     def next(self) -> str:
         with self._lock:
-            self._last_ms = ms = max(time.time_ns() // 10**6, self._last_ms + 1)
+            now_ms = min(time.time_ns() // 10**6, _LATEST_CLOCK_MS)
+            self._last_ms = ms = max(now_ms, self._last_ms + 1)
         chance = secrets.randbits(74)
         high, low = chance >> 62, chance & (2**62 - 1)
         return str(uuid.UUID(int=ms << 80 | 7 << 76 | high << 64 | 2 << 62 | low))
@@ -41,10 +42,12 @@ class _Ids:
             self._last_ms = max(self._last_ms, uuid.UUID(newest).int >> 80)
 
 
+_LATEST_CLOCK_MS = 4_102_444_800_000  # the year 2100: clocks of PCs end with 2099
 _ids = _Ids()
-# no clock is that wrong: an id beyond it was made up. One of another PC leaves room for those that are to come after
-LAST_ID = "07"
-LAST_FOREIGN_ID = "06"
+# an id from here on was made up, or follows one that was. The clock is never believed beyond 2100: 30 years of
+# milliseconds are left for ids that follow the last ones of such a clock
+FIRST_MADE_UP_ID = "04979793-8400"  # 2130
+_FIRST_NOT_FOLLOWED = "03bb2cc3-d800"  # 2100
 
 
 def new_id() -> str:
@@ -53,9 +56,9 @@ def new_id() -> str:
 
 
 def continue_after(newest: str) -> None:
-    """Makes all further ids greater than this one, which the file has already: the PC may have started with an
-    earlier time than before. A text that is no id changes nothing."""
-    if newest < LAST_ID:
+    """Makes all further ids greater than this one, which this PC made earlier: it may have started with an
+    earlier time than before. A text that is no id, or one of no clock, changes nothing."""
+    if newest < _FIRST_NOT_FOLLOWED:
         _ids.continue_after(newest)
 
 
@@ -67,6 +70,19 @@ def utc_now() -> datetime:
 def time_text(moment: datetime) -> str:
     """ISO 8601 in UTC; to the microsecond, so that what follows at once still sorts after."""
     return moment.astimezone(UTC).isoformat(timespec="microseconds").replace("+00:00", "Z")
+
+
+def just_after(moment: str) -> str:
+    """A microsecond later: of states of one revision the later one is kept, and a PC whose clock is behind must not
+    lose its own change. The last moment that other PCs take stays; "" after what is no moment."""
+    try:
+        now = datetime.fromisoformat(moment)
+        steps = (now + timedelta(microseconds=1), now + timedelta(seconds=1))
+    except (ValueError, OverflowError):
+        return ""
+    # as texts, as merges compare them: "12:00:00Z" is after "12:00:00.000001Z"
+    later = next(filter(moment.__lt__, map(time_text, steps)), moment)
+    return later if later < f"{LAST_YEAR + 1}" else moment
 
 
 def dumped(value: object) -> str:

@@ -66,6 +66,7 @@ def command(
             anonymous=shipped_texts() if anonymous else None,
         )
     click.echo(json.dumps(_as_object(info), ensure_ascii=False) if as_json else _as_text(info))
+    _say_left_out(info)
 
 
 def _scope(store: Store, *, classroom: str | None, group: str | None, program: str | None) -> Scope:
@@ -100,9 +101,12 @@ def _as_object(info: BundleInfo) -> dict[str, Any]:
 
 
 def _as_text(info: BundleInfo) -> str:
-    language = language_of_system()
-    words = describe("exported", {"path": str(info.path), **info.counts}, language).message
-    if not info.left_out:
-        return words
-    missing = describe("export_left_out", {"count": len(info.left_out)}, language)
-    return f"{words}\n{missing.line}"
+    params = {"path": str(info.path), **info.counts}
+    return describe("exported", params, language_of_system()).message
+
+
+def _say_left_out(info: BundleInfo) -> None:
+    """On standard error, as what the file lacks must not be lost among what it has."""
+    if info.left_out:
+        missing = describe("export_left_out", info.left_out_params, language_of_system())
+        click.echo(missing.line, err=True)

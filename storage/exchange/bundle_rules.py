@@ -2,16 +2,20 @@
 
 import zlib
 from collections.abc import Iterator
+from datetime import UTC, datetime, timedelta
 from typing import Any
 
-from storage.limits import MAX_SAMPLES
+from storage.limits import MAX_NUMBERS_AHEAD, MAX_REVISION, MAX_SAMPLES
 from storage.sql import column_names, tuples
 from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import REPLICATED
 from storage.tables.runs import TELEMETRY
+from storage.text import time_text, utc_now
 
 _SAMPLE_COLUMNS = 16
+_RELEASED = datetime(2026, 11, 23, tzinfo=UTC)  # the clock may be at 2010
+_CLOCKS_DIFFER = timedelta(days=1)
 
 
 def problem_in_rows(db: sqlite3.Connection) -> str | None:
@@ -20,7 +24,9 @@ def problem_in_rows(db: sqlite3.Connection) -> str | None:
         if problem := _problem_in_table(db, table):
             return problem
     violation = db.execute("PRAGMA foreign_key_check").fetchone()
-    return f"{violation[0]}: {violation[2]}" if violation else _problem_in_runs(db)
+    if violation:
+        return f"{violation[0]}: {violation[2]}"
+    return _problem_in_runs(db) or _problem_in_numbers(db) or _problem_in_revisions(db)
 
 
 def refused_rows(
@@ -68,3 +74,24 @@ def _problem_in_runs(db: sqlite3.Connection) -> str | None:
     )
     row = longest.fetchone()
     return "telemetry.n_rows" if row and row[0] > MAX_SAMPLES else None
+
+
+def _problem_in_numbers(db: sqlite3.Connection) -> str | None:
+    """Versions are counted from 1 on and a bundle has all of a program: a number far beyond their count would stay
+    the newest, whatever is edited afterwards. The count grows with each edit, so that no honest one exceeds it."""
+    ahead = db.execute(
+        f"SELECT 1 FROM versions GROUP BY program_id HAVING max(number) > count(*) + {MAX_NUMBERS_AHEAD}"
+    )
+    return "versions.number" if ahead.fetchone() else None
+
+
+def _problem_in_revisions(db: sqlite3.Connection) -> str | None:
+    """At the greatest revision, which no person reaches, the time decides; one to come would win over corrections."""
+    latest = time_text(max(utc_now(), _RELEASED) + _CLOCKS_DIFFER)
+    for table in REPLICATED:
+        if "revision" in column_names(db, table.name):
+            condition = f"revision >= {MAX_REVISION} AND changed_at > ?"
+            query = f"SELECT 1 FROM {table.name} WHERE {condition}"
+            if db.execute(query, [latest]).fetchone():
+                return f"{table.name}.changed_at"
+    return None

@@ -15,6 +15,8 @@ from storage.exchange.bundle_rules import refused_rows
 from storage.exchange.content_hash import content_hash
 from storage.exchange.scope import ALL, Scope
 from storage.file.connection import Database
+from storage.file.made_up import mend
+from storage.file.opening import holds_made_up
 from storage.file.whole_files import numbered, whole_file
 from storage.limits import MAX_REVISION
 from storage.sql import column_names, insert, opened, row_count
@@ -39,6 +41,7 @@ BUNDLE_TABLE = """CREATE TABLE bundle (
     counts TEXT NOT NULL,
     anonymous INTEGER NOT NULL
 ) STRICT"""
+_MOST_NAMED = 8
 Alteration = Callable[[sqlite3.Connection], None]
 
 
@@ -52,6 +55,7 @@ class BundleInfo:
         anonymous: names and texts were left out.
         lesson_id: the lesson that the file prepares a PC for; None for a file of work.
         left_out: of one just written, `table.column key` of rows that other PCs would refuse.
+        lacking: names of groups, and of groups with their programs, whose work is not or not wholly in it therefore.
     """
 
     path: Path
@@ -64,6 +68,16 @@ class BundleInfo:
     anonymous: bool
     lesson_id: str | None = None
     left_out: tuple[str, ...] = ()
+    lacking: tuple[str, ...] = ()
+
+    @property
+    def left_out_params(self) -> dict[str, object]:
+        """What fills the words about `left_out`: how many records, and of whom, as far as a person reads."""
+        more = " …" if len(self.lacking) > _MOST_NAMED else ""
+        return {
+            "count": len(self.left_out),
+            "of": ("; ".join(self.lacking[:_MOST_NAMED]) or "-") + more,
+        }
 
 
 def export_bundle(
@@ -99,7 +113,9 @@ def export_bundle(
             _fill(db, database.address, scope)
             if alter is not None:
                 alter(db)
-            left_out = _leave_out(db)
+            if holds_made_up(db):  # the store is mended at its next start, in the same way
+                mend(db, database.now())
+            left_out, lacking = _leave_out(db)
             info = BundleInfo(
                 final,
                 app_version,
@@ -110,6 +126,7 @@ def export_bundle(
                 alter is not None,
                 scope.lesson_id,
                 left_out,
+                lacking,
             )
             _describe(db, info)
     except sqlite3.Error as error:
@@ -174,20 +191,40 @@ def _copy_table(
         db.execute(f"UPDATE main.{table.name} SET revision = min(revision, {MAX_REVISION})")
 
 
-def _leave_out(db: sqlite3.Connection) -> tuple[str, ...]:
-    """Deletes rows for which the whole bundle would be refused, with what belongs to them; returns which."""
-    found: list[str] = []
-    for table in REPLICATED:
+def _leave_out(db: sqlite3.Connection) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Deletes rows for which the whole bundle would be refused, with what belongs to them; returns which rows, and
+    whose work is missing now."""
+    refused = [
+        (table, key, place) for table in REPLICATED for key, place in refused_rows(db, table)
+    ]
+    if not refused:
+        return (), ()
+    before = _amounts(db)
+    for table, key, _ in refused:
         condition = " AND ".join(f"{name} = ?" for name in table.key)
-        for key, place in list(refused_rows(db, table)):
-            db.execute(f"DELETE FROM {table.name} WHERE {condition}", key)
-            found.append(f"{place} {' '.join(map(str, key))}")
-    while found and (orphans := db.execute("PRAGMA foreign_key_check").fetchall()):
+        db.execute(f"DELETE FROM {table.name} WHERE {condition}", key)
+    while orphans := db.execute("PRAGMA foreign_key_check").fetchall():
         for table_name, rowid, *_ in orphans:
             db.execute(f"DELETE FROM {table_name} WHERE rowid = ?", [rowid])
-    for row in found:
+    rows = tuple(f"{place} {' '.join(map(str, key))}" for _, key, place in refused)
+    for row in rows:
         _log.warning("left out of the bundle, as other PCs would refuse it: %s", row)
-    return tuple(found)
+    after = _amounts(db)
+    return rows, tuple(
+        sorted({name for (key, name), n in before.items() if after.get((key, name)) != n})
+    )
+
+
+def _amounts(db: sqlite3.Connection) -> dict[tuple[str, str], int]:
+    """Rows of work by key and name of each group, and of each program with its group."""
+    found = db.execute(
+        """SELECT id, name, (SELECT count(*) FROM runs WHERE group_id = groups.id) FROM groups
+           UNION ALL
+           SELECT programs.id, groups.name || ' / ' || programs.name,
+                  (SELECT count(*) FROM versions WHERE program_id = programs.id)
+           FROM programs JOIN groups ON groups.id = group_id"""
+    )
+    return {(str(key), str(name)): n for key, name, n in found}
 
 
 def _describe(db: sqlite3.Connection, info: BundleInfo) -> None:

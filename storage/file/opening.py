@@ -1,6 +1,8 @@
 """Opening the file in any state: damaged, read-only, of a newer release, or of another program."""
 
 import contextlib
+import json
+import logging
 from collections.abc import Iterator
 from contextlib import closing
 from dataclasses import dataclass
@@ -10,14 +12,36 @@ from pathlib import Path
 from storage.errors import StoreError, translated
 from storage.file.filesystems import is_on_share
 from storage.file.whole_files import free_path
+from storage.limits import MAX_NUMBERS_AHEAD, MAX_REVISION
 from storage.sql import address, damage
 from storage.sqlite import sqlite3
 from storage.tables.ddl import MIGRATIONS
 from storage.tables.migrations import MIGRATION_SET, MIGRATIONS_TABLE, migrate
-from storage.text import LAST_ID, continue_after
+from storage.text import FIRST_MADE_UP_ID, continue_after, time_text
 
 _BUSY_S = 5.0
-_ORDERED_BY_ID = ("runs", "versions", "programs", "groups")
+# the newest id that this PC made; of rows with thousands from PCs whose clocks are ahead the last merge is near enough
+_MADE_HERE = (
+    *(f"SELECT max(id) FROM {table}" for table in ("merges", "exports")),
+    *(
+        f"""SELECT max(id) FROM (SELECT id, computer_id FROM {table} ORDER BY id DESC LIMIT 2000)
+            WHERE computer_id IS NULL OR computer_id = :this"""
+        for table in ("runs", "versions")
+    ),
+)
+_REVISED = (
+    "computers",
+    "classrooms",
+    "groups",
+    "lessons",
+    "own_activities",
+    "class_presets",
+    "programs",
+    "notes",
+    "version_labels",
+)
+_WITH_ID = (*_REVISED, "taught_signs", "versions", "runs", "tombstones")
+_log = logging.getLogger(__name__)
 # in the order in which they are set aside: a WAL left behind would be read as part of the file's successor
 _SIBLINGS = ("-shm", "-wal", "")
 
@@ -232,8 +256,8 @@ def _migrate(path: Path, now: datetime) -> Notice | None:
                 notice = _back_up(path, now) or notice
             if applied != MIGRATIONS.keys():
                 migrate(connection)
-            _continue_ids(connection)
-            return notice
+            mended = _continue_ids(connection, path, now)
+            return notice or mended
     except sqlite3.OperationalError as error:
         if translated(error, path).code != "database_read_only" or not path.exists():
             raise
@@ -252,12 +276,46 @@ def _told_when_full(path: Path) -> Iterator[None]:
         raise
 
 
-def _continue_ids(connection: sqlite3.Connection) -> None:
-    """Makes new ids greater than those in the file: lists go by them, and an empty battery sets the clock to 2010."""
-    for table in _ORDERED_BY_ID:
-        query = f"SELECT max(id) FROM {table} WHERE id < ?"
-        newest = connection.execute(query, [LAST_ID]).fetchone()[0]
-        continue_after(newest or "")
+def _continue_ids(connection: sqlite3.Connection, path: Path, now: datetime) -> Notice | None:
+    """Makes new ids greater than those made here: lists go by them, and an empty battery sets the clock to 2010.
+
+    Ids of other PCs are not followed. Where an earlier release followed one that somebody made up, the file is mended.
+    """
+    notice = _mend(connection, path, now) if holds_made_up(connection) else None
+    key = connection.execute("SELECT value FROM settings WHERE key = 'computer_id'").fetchone()
+    computer = json.loads(key[0]) if key else None
+    for query in _MADE_HERE:
+        continue_after(connection.execute(query, {"this": computer}).fetchone()[0] or "")
+    return notice
+
+
+def holds_made_up(connection: sqlite3.Connection) -> bool:
+    """Whether a row has an id, a number or a revision that no PC makes, so that no other PC takes it."""
+    ids = (f"SELECT 1 FROM {name} WHERE id >= ?1 AND substr(id, 15, 1) = '7'" for name in _WITH_ID)
+    revisions = (f"SELECT 1 FROM {name} WHERE revision > ?2" for name in _REVISED)
+    numbers = "SELECT 1 FROM versions GROUP BY program_id HAVING max(number) > count(*) + ?3"
+    limits = [FIRST_MADE_UP_ID, MAX_REVISION, MAX_NUMBERS_AHEAD]
+    found = connection.execute(" UNION ALL ".join((*ids, *revisions, numbers)) + " LIMIT 1", limits)
+    return found.fetchone() is not None
+
+
+def _mend(connection: sqlite3.Connection, path: Path, now: datetime) -> Notice | None:
+    """Mends the file in one transaction, after a backup; without room for one it is tried again at the next start."""
+    from storage.file.made_up import mend  # noqa: PLC0415 - hardly any start needs it
+
+    if failed := _back_up(path, now):
+        return failed
+    connection.execute("BEGIN IMMEDIATE")
+    try:
+        count = mend(connection, time_text(now))
+        connection.execute("COMMIT")
+    except BaseException:
+        connection.execute("ROLLBACK")
+        raise
+    _log.warning(
+        "%s: rows with ids, numbers or revisions that were made up, mended: %d", path, count
+    )
+    return Notice("database_mended", {"count": count, "folder": str(path.parent / "backups")})
 
 
 def _back_up(path: Path, now: datetime) -> Notice | None:

@@ -20,7 +20,7 @@ from storage.limits import (
     MAX_TAUGHT_SAMPLES,
     N_FEATURES,
 )
-from storage.text import LAST_FOREIGN_ID
+from storage.text import FIRST_MADE_UP_ID
 
 Rule = Callable[[Any], bool]
 
@@ -103,7 +103,7 @@ def real(value: Any) -> bool:
 
 def key(value: Any) -> bool:
     """A UUID. A UUIDv7 must not be so late that no later one is left for rows made afterwards."""
-    return _is_uuid(value) and not (value[14] == "7" and value >= LAST_FOREIGN_ID)
+    return _is_uuid(value) and not (value[14] == "7" and value >= FIRST_MADE_UP_ID)
 
 
 def time(value: Any) -> bool:

@@ -1,16 +1,14 @@
 """Groups of pupils: a name, a colour and a picture, never the pupils' names."""
 
 from collections.abc import Mapping
-from datetime import datetime, timedelta
 
 from storage.choices import COLORS, PICTURES
 from storage.errors import StoreError
 from storage.file.repository import Repository
-from storage.limits import LAST_YEAR
 from storage.records import GroupRow
 from storage.sql import change, insert, not_found, require, selected
 from storage.sqlite import sqlite3
-from storage.text import clean_name, name_key, new_id, time_text
+from storage.text import clean_name, just_after, name_key, new_id
 
 _SELECT = selected(
     GroupRow,
@@ -109,18 +107,8 @@ def _change(
         require(db, "classrooms", classroom_id)
     if changes.keys() & {"name", "classroom_id"}:
         _require_free(db, changes.get("name") or group["name"], classroom_id, group_id)
-    at = max(now, _just_after(group["changed_at"]))
+    at = max(now, just_after(group["changed_at"]))
     change(db, "groups", group_id, changes, at, n_revisions=int(by_teacher))
-
-
-def _just_after(moment: str) -> str:
-    """Of states of one revision the later one is kept: a PC whose clock is behind must not lose its own change. The
-    last moment that other PCs take stays."""
-    try:
-        later = datetime.fromisoformat(moment) + timedelta(microseconds=1)
-    except (ValueError, OverflowError):
-        return ""
-    return moment if later.year > LAST_YEAR else time_text(later)
 
 
 def _require_free(db: sqlite3.Connection, name: str, classroom_id: str | None, own_id: str) -> None:

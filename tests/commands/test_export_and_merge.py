@@ -72,8 +72,9 @@ def test_what_other_pcs_would_refuse_is_counted_and_not_lost(lab: Path, stick: P
         db.execute("UPDATE groups SET changed_at = '9999-12-31T00:00:00Z' WHERE name = 'Onças'")
     done = pinel("export", stick, "--db", lab)
     assert "1 groups" in done.stdout
-    assert "Records left out of the file" in done.stdout
-    assert "pinel export --json" in done.stdout
+    assert "Records left out of the file" in done.stderr
+    assert "Onças / " in done.stderr
+    assert "pinel export --json" in done.stderr
     left_out = answer("export", stick, "--db", lab)["left_out"]
     assert any(row.startswith("groups.changed_at ") for row in left_out)
     with open_store(lab) as store:

@@ -67,6 +67,7 @@ def test_what_other_pcs_would_refuse_is_said(
     assert written["n_groups"] == 0
     assert written["left_out"]["code"] == "export_left_out"
     assert "left out of the file" in written["left_out"]["message"]
+    assert "Os Robôs / " in written["left_out"]["message"]
 
 
 def test_work_can_be_shown_to_others_without_names(

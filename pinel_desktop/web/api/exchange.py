@@ -250,14 +250,14 @@ def _bundle(info: "BundleInfo") -> Bundle:
         n_groups=info.counts.get("groups", 0),
         n_programs=info.counts.get("programs", 0),
         n_runs=info.counts.get("runs", 0),
-        left_out=_left_out(len(info.left_out)),
+        left_out=_left_out(info),
     )
 
 
-def _left_out(count: int) -> Notice | None:
-    if count == 0:
+def _left_out(info: "BundleInfo") -> Notice | None:
+    if not info.left_out:
         return None
-    return notice("export_left_out", {"count": count}, services().preferences.language)
+    return notice("export_left_out", info.left_out_params, services().preferences.language)
 
 
 def _merged(path: Path, *, delete: bool) -> Merged:

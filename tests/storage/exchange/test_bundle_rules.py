@@ -45,8 +45,8 @@ def test_times_that_no_clock_shows_are_not(text: str) -> None:
     ("text", "allowed"),
     [
         ("0199e4a0-0000-7fff-bfff-ffffffffffff", True),
-        ("05ffffff-ffff-7fff-bfff-ffffffffffff", True),
-        ("06000000-0000-7000-8000-000000000000", False),  # what comes after it would be made up
+        ("04979793-83ff-7fff-bfff-ffffffffffff", True),
+        ("04979793-8400-7000-8000-000000000000", False),  # no clock is at 2130
         ("f6ffffff-ffff-5fff-bfff-ffffffffffff", True),  # made of a name, without a time
     ],
 )

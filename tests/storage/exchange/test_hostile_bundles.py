@@ -14,7 +14,7 @@ import pytest
 from storage import Store, StoreError, open_store
 from storage.exchange import bundle_reading
 from storage.exchange.content_hash import content_hash
-from storage.limits import MAX_NUMBER, MAX_REVISION
+from storage.limits import MAX_NUMBERS_AHEAD, MAX_REVISION
 from storage.runs.telemetry import COLUMNS, pack
 from storage.sqlite import sqlite3
 from storage.tables.columns import Table
@@ -218,6 +218,10 @@ VALUES = {
     "a name with a line feed": "UPDATE classrooms SET name = 'a' || char(10)",
     "a colour that is style": "UPDATE groups SET color = 'red;background:url(x)'",
     "a picture that is a path": "UPDATE groups SET picture = '../../x.svg'",
+    "a key of a time that no clock shows": "UPDATE notes SET id = '05ffffff-ffff-7fff-bfff-ffffffffffff'",
+    "a number far beyond the count of versions": "UPDATE versions SET number = 10003",
+    "a revision that no person reaches": "UPDATE groups SET revision = 1000001",
+    "the last revision at a time to come": "UPDATE groups SET revision = 1000000, changed_at = '2127-01-01T00:00:00Z'",
     "a number that overflows": "UPDATE versions SET number = 9223372036854775807",
     "a revision that overflows": "UPDATE programs SET revision = 9223372036854775807",
     "a time that is none": "UPDATE runs SET started_at = 'yesterday'",
@@ -280,7 +284,7 @@ def test_after_the_largest_revision_and_number_work_still_travels(
     changed(
         bundle,
         f"UPDATE groups SET revision = {MAX_REVISION}; UPDATE programs SET revision = {MAX_REVISION};"
-        f"UPDATE versions SET number = {MAX_NUMBER}",
+        f"UPDATE versions SET number = {MAX_NUMBERS_AHEAD} + 2",
     )
     merged(store, bundle)
     (group,) = store.groups.all()

@@ -347,6 +347,7 @@ export const TEST = {
   wouldDelete: "would-delete", // deletions that a file contains
   deleteToo: "delete-too",
   saveBundle: "save-bundle",
+  exportLeftOut: "export-left-out",
   sharedFolder: "shared-folder",
   deleted: "deleted", // the open program was deleted for good
   takeText: "take-text", // saves its text as a file

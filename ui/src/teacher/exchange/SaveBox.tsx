@@ -1,7 +1,7 @@
 import { type Signal, useSignal } from "@preact/signals";
 import { Save } from "lucide-preact";
 import { exchange } from "../../api/exchange";
-import type { Bundle, Classroom, Folder } from "../../api/model";
+import type { Bundle, Classroom, Folder, Notice } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { Select, type SelectOption } from "../../kit/Select";
@@ -56,7 +56,17 @@ export function SaveBox({ folders, classes, saved, onSaved }: SaveBoxProps) {
       <p role="status" class="exchange__saved">
         {saved.value && savedWords(saved.value)}
       </p>
+      {saved.value?.bundle.left_out && <LeftOut of={saved.value.bundle.left_out} />}
     </section>
+  );
+}
+
+/** Work that the file lacks, as other PCs would refuse it. */
+function LeftOut({ of: { message, remedy } }: { of: Notice }) {
+  return (
+    <p role="alert" class="notice-box" data-testid={TEST.exportLeftOut}>
+      <b>{message}</b> {remedy}
+    </p>
   );
 }
 
@@ -119,9 +129,8 @@ function SaveButtons({ folders, onSave }: SaveButtonsProps) {
 }
 
 function savedWords({ bundle, folder }: Saved): string {
-  const { name, n_groups, n_runs, left_out } = bundle;
+  const { name, n_groups, n_runs } = bundle;
   const say = texts.value.exchange;
   const saved = say.saved(name, say.groups(n_groups), say.runs(n_runs));
-  const missing = left_out && `${left_out.message} ${left_out.remedy}`;
-  return [saved, missing, folder.is_removable && say.takeOut].filter(Boolean).join(" ");
+  return [saved, folder.is_removable && say.takeOut].filter(Boolean).join(" ");
 }
