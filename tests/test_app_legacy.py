@@ -96,6 +96,15 @@ class Bridged:
             thread.join(0.05)
         return answers[0]
 
+    def kept(self, run: str) -> dict[str, Any]:
+        """The record of a run that has ended or will soon, with its program, which is written a moment later."""
+        until(lambda: self._read(run)["state"] != "running" and self._read(run)["version"])
+        return self._read(run)
+
+    def _read(self, run: str) -> dict[str, Any]:
+        found: dict[str, Any] = self.browser.get(f"/api/runs/{run}").data
+        return found
+
     def stop(self) -> None:
         """As the page's button does."""
         if run := self.live_run():
@@ -155,10 +164,9 @@ def test_calls_that_follow_one_another_are_one_run_that_can_be_repeated(bridged:
 
 def _check_record(bridged: Bridged, run_id: str, commands: list[dict[str, Any]]) -> None:
     """The page lists and replays it as any other; it is verified with the whole program."""
-    group = bridged.browser.get(f"/api/runs/{run_id}").data["group_id"]
-    listed = bridged.browser.get(f"/api/groups/{group}/runs").data["runs"]
+    shown = bridged.kept(run_id)
+    listed = bridged.browser.get(f"/api/groups/{shown['group_id']}/runs").data["runs"]
     assert listed[0]["id"] == run_id
-    shown = bridged.browser.get(f"/api/runs/{run_id}").data
     assert (shown["state"], shown["program_name"], shown["n_executed"]) == (
         "finished",
         "HTTP bridge",
@@ -232,9 +240,8 @@ def test_a_caller_who_hangs_up_stops_the_robot(bridged: Bridged) -> None:
     until(lambda: bridged.live_run() is not None)
     run = bridged.live_run()
     caller.close()
-    until(lambda: bridged.live_run() is None)
-    # its record is written a moment later
-    until(lambda: bridged.browser.get(f"/api/runs/{run}").data["state"] == "stopped")
+    assert run
+    assert bridged.kept(run)["state"] == "stopped"
 
 
 def test_after_a_minute_of_silence_the_run_has_finished(
@@ -248,7 +255,9 @@ def test_after_a_minute_of_silence_the_run_has_finished(
         for one in bridged.browser.get("/api/groups").data["groups"]
         if one["name"] == "HTTP bridge"
     )
-    runs = bridged.browser.get(f"/api/groups/{group['id']}/runs").data["runs"]
+    newest = f"/api/groups/{group['id']}/runs"
+    until(lambda: bridged.browser.get(newest).data["runs"][0]["state"] != "running")
+    runs = bridged.browser.get(newest).data["runs"]
     assert (runs[0]["state"], runs[0]["n_executed"]) == ("finished", 1)
 
 

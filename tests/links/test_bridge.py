@@ -1,12 +1,14 @@
 """The bridge, driven by a client that knows the original's HTTP contract only, and by clients that break it."""
 
 import contextlib
+import gc
 import http.client
 import json
 import math
 import socket
 import threading
 import time
+import warnings
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -15,8 +17,8 @@ import pytest
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links.bridge import listener as listening
-from pinel_desktop.links.bridge.listener import MAX_BODY_BYTES, MAX_CONNECTIONS
-from pinel_desktop.links.bridge.routes import STATUS
+from pinel_desktop.links.bridge.listener import MAX_BODY_BYTES, MAX_CONNECTIONS, Listener
+from pinel_desktop.links.bridge.routes import STATUS, Answer
 from pinel_desktop.links.bridge.transport import BridgeTransport
 from pinel_desktop.links.real import RealLink
 from pinel_desktop.links.transport import Odometry
@@ -204,7 +206,7 @@ def test_an_impossible_pose_is_refused_by_its_field(
 
 
 def test_a_robot_that_posts_impossible_poses_only_is_named() -> None:
-    record = BridgeRecord(port=0)
+    record = BridgeRecord(port=free_port())
     transport = BridgeTransport(record)
     link = RealLink(record, Setting(), transport)
     problems: list[PinelError] = []
@@ -228,6 +230,18 @@ def test_a_robot_that_posts_impossible_poses_only_is_named() -> None:
         connecting.join(0.05)
     link.close()
     assert [problem.code for problem in problems] == ["odometry_invalid"]
+
+
+def test_a_client_that_still_sends_what_was_refused_reads_why(bridge: Bridge) -> None:
+    with bridge.connect() as client:
+        client.sendall(
+            b"POST /post_position HTTP/1.1\r\nHost: a\r\nContent-Length: 1000000\r\n\r\n"
+        )
+        assert client.recv(12) == b"HTTP/1.1 413"
+        for _ in range(10):
+            client.sendall(100_000 * b"a")
+        rest = b"".join(iter(lambda: client.recv(65_536), b""))
+    assert b"bridge_too_large" in rest
 
 
 def test_a_body_of_a_megabyte_is_refused_before_it_is_read(bridge: Bridge) -> None:
@@ -405,6 +419,20 @@ def test_a_flood_holds_up_neither_robot_nor_pinel(bridge: Bridge) -> None:
     finally:
         ending.set()
         flooding.join()
+
+
+def test_who_connects_while_the_bridge_closes_is_not_forgotten() -> None:
+    with warnings.catch_warnings(record=True) as caught, contextlib.ExitStack() as clients:
+        warnings.simplefilter("always")
+        for _ in range(30):
+            listener = Listener("127.0.0.1", 0, lambda request: Answer(200, {}))
+            listener.start()
+            for _ in range(3):
+                client = socket.create_connection(("127.0.0.1", listener.port))
+                clients.enter_context(client)
+            listener.close()
+        gc.collect()
+    assert [str(one.message) for one in caught if one.category is ResourceWarning] == []
 
 
 def test_a_port_in_use_is_named() -> None:

@@ -21,8 +21,11 @@ MAX_BODY_BYTES = 64 * 1024
 _MAX_HEAD_BYTES = 8 * 1024
 # For a whole request, counted from the answer before: dripping bytes does not prolong it.
 REQUEST_S = 10.0
+# So long may a client go on sending what was refused; closed at once, it would lose the answer with its own rest.
+_LEAVES_S = 2.0
 # Beyond, the connection that has been without a whole request for the longest is closed.
 MAX_CONNECTIONS = 32
+_ROUNDS = 1_000
 _PICTURE_S = 0.1
 _BOUNDARY = "frame"
 STREAM_TYPE = f"multipart/x-mixed-replace; boundary={_BOUNDARY}"
@@ -81,11 +84,19 @@ class Listener:
         server = await self._loop.create_server(self._connection, sock=self._socket)
         self._ready.set()
         await self._ending.wait()
+        await self._take_leave()
         server.close()
-        for connection in list(self._connections):
-            connection.abort()
         await server.wait_closed()
         await asyncio.sleep(0)  # the connections take leave in the loop's next round
+
+    async def _take_leave(self) -> None:
+        """Closes all connections; who was accepted a moment ago becomes one in the loop's next rounds."""
+        for _ in range(_ROUNDS):  # a flood must not keep it open
+            for connection in list(self._connections):
+                connection.abort()
+            if len(asyncio.all_tasks()) == 1:
+                return
+            await asyncio.sleep(0)
 
     def _connection(self) -> "_Connection":
         return _Connection(self._answer, self._max_body, self._connections)
@@ -105,7 +116,7 @@ class _Connection(asyncio.Protocol):
         self._buffer = bytearray()
         self._was_told_to_continue = False
         self._awaited: Future[Answer] | None = None
-        self._is_stream = self._is_full = False
+        self._is_stream = self._is_full = self._is_leaving = False
 
     @property
     def is_waiting(self) -> bool:
@@ -152,6 +163,8 @@ class _Connection(asyncio.Protocol):
         self._deadline.cancel()
 
     def data_received(self, data: bytes) -> None:
+        if self._is_leaving:
+            return
         self._buffer += data
         if self.is_waiting or self._is_stream:
             if len(self._buffer) > MAX_BODY_BYTES:
@@ -161,13 +174,12 @@ class _Connection(asyncio.Protocol):
 
     def _go_on(self) -> None:
         """Answers the first request in the buffer, if it is whole; what is behind it waits for the others' turn."""
-        if self._transport.is_closing() or self.is_waiting:
+        if self._transport.is_closing() or self.is_waiting or self._is_leaving:
             return
         try:
             request, self._is_last = self._next_request()
         except PinelError as error:
-            self._is_last = True
-            self._reply(refusal(error))
+            self._refuse(error)
             return
         if request is None:
             self._transport.resume_reading()
@@ -251,6 +263,16 @@ class _Connection(asyncio.Protocol):
         if headers.get("expect", "").lower() == "100-continue" and not self._was_told_to_continue:
             self._was_told_to_continue = True
             self._transport.write(b"HTTP/1.1 100 Continue\r\n\r\n")
+
+    def _refuse(self, error: PinelError) -> None:
+        """Answers a request that is not read to its end; what still comes of it is dropped."""
+        self._deadline.cancel()
+        self._is_leaving = True
+        self._buffer.clear()
+        self._transport.write(_encoded(refusal(error), is_last=True))
+        self._transport.write_eof()
+        self._transport.resume_reading()
+        self._deadline = self._loop.call_later(_LEAVES_S, self.abort)
 
     def _reply(self, answer: Answer) -> None:
         self._deadline.cancel()
