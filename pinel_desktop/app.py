@@ -21,6 +21,7 @@ from pinel_desktop.links import LINK_NAMES
 from pinel_desktop.messages import Problem, describe, explain
 from pinel_desktop.page_settings import PageSettings
 from pinel_desktop.preferences import Preferences
+from pinel_desktop.school.confirming import Confirmer
 from pinel_desktop.school.grading import Grader
 from pinel_desktop.school.live_checks import LiveChecks
 from pinel_desktop.school.robot_watching import RobotWatching
@@ -182,6 +183,8 @@ class App:
             lambda: self._preferences.language,
         )
         undo.callback(self._grader.close)
+        self._confirmer = Confirmer(self._store, self._grader.verdict_on, self._grader.grade)
+        undo.callback(self._confirmer.close)
         self._live_checks = LiveChecks(
             self._store,
             lambda: self._grader.judge,
@@ -233,12 +236,14 @@ class App:
     def _start_engine(self, undo: contextlib.ExitStack) -> None:
         if not self._engine_after_s:
             self._engine.start()
+            self._confirmer.start()
             return
 
         def start() -> None:
             self._engine.start()
             _warm_up()
             self._grader.catch_up()
+            self._confirmer.start()
 
         timer = threading.Timer(self._engine_after_s, start)
         timer.start()
@@ -265,6 +270,7 @@ class App:
             show_window=self._on_show,
             flush_recording=self._flush_recording,
             prepare_judge=self._grader.prepare,
+            confirm_runs=self._confirmer.wake,
         )
 
     def _take(self, event: Event) -> None:

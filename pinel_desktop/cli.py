@@ -15,6 +15,7 @@ _COMMANDS = {
     "runs": "List, show and verify recorded runs.",
     "export": "Write all work, or a part of it, into one file.",
     "merge": "Bring in the work of other PCs.",
+    "computers": "List the PCs whose work is here, and approve one.",
     "gestures": "Recognise letters of LIBRAS in pictures.",
     "pin": "Choose another PIN for the teacher.",
     "doctor": "Say what this PC has and lacks.",

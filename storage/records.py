@@ -239,12 +239,19 @@ class RunRow:
     activity: str | None = None
     passed: bool | None = None
     check_report: Json | None = None
+    unconfirmed: str | None = None
+
+    @property
+    def counted(self) -> bool | None:
+        """`passed`, but None while that does not count."""
+        return None if self.unconfirmed else self.passed
 
 
 class RunLine(NamedTuple):
     """A run as a list shows it; neither its world nor its program, and JSON is parsed when it is asked for.
 
-    The names are the columns of `runs`.
+    The names are the columns of `runs`, but `unconfirmed`: None, or why a pass does not count: `waiting` until this PC
+    has repeated the run, else what it found (`storage/runs/confirmation.py`).
     """
 
     id: str
@@ -271,6 +278,7 @@ class RunLine(NamedTuple):
     activity: str | None
     passed_bit: int | None
     path_json: str | None
+    unconfirmed: str | None
 
     @property
     def params(self) -> Json:
@@ -284,5 +292,5 @@ class RunLine(NamedTuple):
 
     @property
     def passed(self) -> bool | None:
-        """Whether the activity was passed; None without one."""
+        """Whether the activity was passed; None without one, and while the pass does not count."""
         return None if self.passed_bit is None else bool(self.passed_bit)

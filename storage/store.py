@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from storage.errors import StoreError
 from storage.file.connection import Database, uptime_s
 from storage.file.opening import Notice, connect, prepare, prepare_reading
+from storage.runs.confirmation import Unconfirmed
 from storage.runs.grading import Checks
 from storage.runs.history import History
 from storage.runs.runs import Batch, Runs, close_runs, write_batch
@@ -19,6 +20,7 @@ from storage.tables.migrations import migrate
 from storage.text import new_id, utc_now
 from storage.work.class_presets import ClassPresets
 from storage.work.classrooms import Classrooms
+from storage.work.computer_keys import ComputerKeys
 from storage.work.computers import Computers
 from storage.work.groups import Groups
 from storage.work.lesson_records import LessonRecords
@@ -49,6 +51,7 @@ class Store:
         self.writable = writable
         self.notice = notice
         self.computers = Computers(database)
+        self.computer_keys = ComputerKeys(database)
         self.classrooms = Classrooms(database)
         self.class_presets = ClassPresets(database)
         self.own_activities = OwnActivities(database)
@@ -59,6 +62,7 @@ class Store:
         self.versions = Versions(database)
         self.runs = Runs(database)
         self.checks = Checks(database)
+        self.unconfirmed = Unconfirmed(database)
         self.notes = Notes(database)
         self.history = History(database)
         self.lesson_records = LessonRecords(database)

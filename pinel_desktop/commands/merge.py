@@ -2,7 +2,7 @@
 
 import json
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -103,12 +103,28 @@ def _as_text(outcome: _Outcome) -> str:
     lines = [describe(code, params, language_of_system()).message]
     if report.info.anonymous and report.added.get("groups"):
         lines.append(describe("merged_nameless", params, language_of_system()).message)
+    lines += _trust(report)
     if report.would_delete is not None:
         lines += _would_delete(report.would_delete)
     if report.left_in:
         kept = {"files": report.left_in}
         lines.append(describe("merge_deleted_kept", kept, language_of_system()).message)
     return "\n".join(lines)
+
+
+def _trust(report: MergeReport) -> Sequence[str]:
+    """What a person should know of who wrote the file, where nobody vouches for it."""
+    if report.sender is None or report.sender.is_vouched_for:
+        return ()
+    if report.sender.trust != "changed_key" and not report.n_unconfirmed:
+        return ()
+    params = {
+        "computer": report.info.computer_name,
+        "fingerprint": report.fingerprint,
+        "count": report.n_unconfirmed,
+    }
+    words = describe(f"merged_{report.sender.trust}", params, language_of_system())
+    return words.message, words.remedy
 
 
 def _would_delete(pending_deletion: PendingDeletion) -> tuple[str, str]:
@@ -142,6 +158,9 @@ def _of_file(outcome: _Outcome) -> dict[str, Any]:
         "computer_id": report.info.computer_id,
         "computer_name": report.info.computer_name,
         "exported_at": report.info.exported_at,
+        "trust": report.sender and report.sender.trust,
+        "fingerprint": report.fingerprint,
+        "n_unconfirmed": report.n_unconfirmed,
         "nothing_new": report.nothing_new,
         "would_delete": report.would_delete and asdict(report.would_delete),
         "still_in": report.left_in,

@@ -82,11 +82,11 @@ class Grader:
         try:
             self._settle()
             run = self._store.runs.get(run_id)
-            if run.activity is None or run.state == "running":
+            if run.activity is None or run.state == "running" or run.unconfirmed:
                 return
             if run.passed is not None or run.check_report is not None:
                 return
-            verdict = self._verdict_on(run)
+            verdict = self.verdict_on(run)
             self._store.checks.record(run_id, verdict.passed, _report(run, verdict))
             self._publish(self._judged(run, verdict).flat())
         except (PinelError, StoreError) as error:  # an activity of a newer release; a full disk
@@ -95,7 +95,8 @@ class Grader:
                 words = describe(error.code, {}, self._language())
                 self._publish(Judged(run_id, False, f"{words.message} {words.remedy}").flat())
 
-    def _verdict_on(self, run: RunRow) -> "Verdict":
+    def verdict_on(self, run: RunRow) -> "Verdict":
+        """What the judge says of a run now, by its record. Raises PinelError, StoreError."""
         from pinel_desktop.judge.messages import Verdict  # noqa: PLC0415 - heavy
 
         if run.link == SIMULATOR:

@@ -208,7 +208,7 @@ def _mark(mark: Mark, lines: LessonLines, words: dict[str, str]) -> shapes.Revie
 
 
 def _of_run(run: Run | None, words: dict[str, str]) -> dict[str, Any]:
-    names = ("state", "reason", "activity", "passed", "duration_s", "link")
+    names = ("state", "reason", "activity", "passed", "unconfirmed", "duration_s", "link")
     if run is None:
         return dict.fromkeys(("run_id", "message", *names))
     values = {name: getattr(run, name) for name in names}

@@ -156,6 +156,7 @@ class Services:
     Attributes:
         flush_recording: writes the pending events of the live run; returns once they can be read, or if that fails.
         prepare_judge: starts the process that judges runs of activities, before the first one ends.
+        confirm_runs: looks for runs that came with a file and are to be repeated, when nobody drives.
         show_window: brings the window forward; does nothing without a window.
     """
 
@@ -177,6 +178,7 @@ class Services:
     show_window: Callable[[], None]
     flush_recording: Callable[[], None]
     prepare_judge: Callable[[], None]
+    confirm_runs: Callable[[], None] = lambda: None
 
 
 def services() -> Services:

@@ -11,7 +11,7 @@ import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import closing, contextmanager, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -26,6 +26,7 @@ from storage.exchange.bundle_writing import (
     counts_of,
 )
 from storage.exchange.content_hash import content_hash
+from storage.exchange.signing import signer
 from storage.limits import MAX_VALUE
 from storage.sql import address, column_names, damage, opened
 from storage.sqlite import sqlite3
@@ -168,6 +169,10 @@ def _examined(copy: Path, path: Path) -> BundleInfo:
             raise StoreError("bundle_damaged", path=str(path), problem="checksum")
         if problem := problem_in_rows(db):
             raise StoreError("bundle_hostile", path=str(path), problem=problem)
+        try:
+            info = replace(info, signed_by=signer(db))
+        except ValueError as error:
+            raise StoreError("bundle_damaged", path=str(path), problem=str(error)) from error
     if n_steps < len(MIGRATIONS):
         with closing(sqlite3.connect(copy, isolation_level=None)) as db:
             migrate(db)

@@ -7,13 +7,14 @@ its checksum (docs/bundles.md).
 import logging
 from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from storage.errors import StoreError, translated
 from storage.exchange.bundle_rules import refused_rows
 from storage.exchange.content_hash import content_hash
 from storage.exchange.scope import ALL, Scope
+from storage.exchange.signing import sign
 from storage.file.connection import Database
 from storage.file.made_up import mend
 from storage.file.opening import holds_made_up
@@ -56,6 +57,7 @@ class BundleInfo:
         lesson_id: the lesson that the file prepares a PC for; None for a file of work.
         left_out: of one just written, `table.column key` of rows that other PCs would refuse.
         lacking: names of groups, and of groups with their programs, whose work is not or not wholly in it therefore.
+        signed_by: public key of the PC that signed it, in hex; None without signature.
     """
 
     path: Path
@@ -69,6 +71,7 @@ class BundleInfo:
     lesson_id: str | None = None
     left_out: tuple[str, ...] = ()
     lacking: tuple[str, ...] = ()
+    signed_by: str | None = None
 
     @property
     def left_out_params(self) -> dict[str, object]:
@@ -112,6 +115,7 @@ def export_bundle(
         ):
             _fill(db, database.address, scope)
             if alter is not None:
+                forget_unconfirmed(db)
                 alter(db)
             if holds_made_up(db):  # the store is mended at its next start, in the same way
                 mend(db, database.now())
@@ -129,6 +133,8 @@ def export_bundle(
                 lacking,
             )
             _describe(db, info)
+            if alter is None:  # a signature would tell the PC
+                info = replace(info, signed_by=sign(db, database.path, info.computer_id))
     except sqlite3.Error as error:
         raise _not_written(translated(error, dest), dest) from error
     if is_noted:
@@ -173,6 +179,10 @@ def _fill(db: sqlite3.Connection, store: str, scope: Scope) -> None:
     db.execute("BEGIN")
     for table, condition in scope.conditions():
         _copy_table(db, table, condition, scope)
+    db.execute(
+        "INSERT INTO main.unconfirmed_runs SELECT * FROM store.unconfirmed_runs"
+        " WHERE run_id IN (SELECT id FROM main.runs)"
+    )
     db.execute("COMMIT")
     db.execute("DETACH DATABASE store")
 
@@ -242,6 +252,12 @@ def _describe(db: sqlite3.Connection, info: BundleInfo) -> None:
     if info.lesson_id is not None:
         db.execute(f"PRAGMA application_id = {LESSON_FILE}")
     db.execute("PRAGMA journal_mode = DELETE")
+
+
+def forget_unconfirmed(db: sqlite3.Connection) -> None:
+    """In a file for statistics, a pass that is not confirmed counts as not judged; nothing else tells of marks."""
+    db.execute("UPDATE runs SET passed = NULL WHERE id IN (SELECT run_id FROM unconfirmed_runs)")
+    db.execute("DELETE FROM unconfirmed_runs")
 
 
 @contextmanager

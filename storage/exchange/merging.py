@@ -8,7 +8,7 @@ nothing is in the store, and it can be merged again.
 In the SQL `main` is the store and `bundle` the bundle; a row of the store is called `ours`, one of the bundle `theirs`.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from storage.exchange.bundle_reading import open_bundle
@@ -21,6 +21,17 @@ from storage.exchange.deletion import (
     pending_deletion,
     remove_keys,
     tombstones,
+)
+from storage.exchange.signing import fingerprint
+from storage.exchange.trust import (
+    Sender,
+    Trust,
+    kept_runs,
+    latest_key,
+    marking,
+    n_unconfirmed,
+    note_key,
+    sender_of,
 )
 from storage.file.connection import Database
 from storage.sql import column_names, insert, row_count
@@ -53,6 +64,8 @@ class MergeReport:
         tombstones: keys of what was deleted; backups are to lose the same.
         exports: files that were written from this store and may still hold it.
         still_in: backups that could not be written anew, and may hold it.
+        sender: who wrote it, as far as the store knows.
+        n_unconfirmed: runs of it whose pass does not count here yet.
     """
 
     info: BundleInfo
@@ -64,11 +77,18 @@ class MergeReport:
     tombstones: tuple[str, ...] = ()
     exports: tuple[Exported, ...] = ()
     still_in: tuple[Path, ...] = ()
+    sender: Sender | None = None
+    n_unconfirmed: int = 0
 
     @property
     def left_in(self) -> list[str]:
         """Files that people have to delete by hand, as they may hold what was deleted."""
         return [one.path for one in self.exports] + [str(path) for path in self.still_in]
+
+    @property
+    def fingerprint(self) -> str | None:
+        """What people compare of the key of the PC that signed it."""
+        return self.info.signed_by and fingerprint(self.info.signed_by)
 
     @property
     def nothing_new(self) -> bool:
@@ -78,13 +98,26 @@ class MergeReport:
 
 @dataclass(frozen=True, slots=True)
 class KnownComputer:
-    """A PC whose bundles were merged into the store; `n_runs` are its runs in the store."""
+    """A PC whose bundles were merged into the store.
+
+    Attributes:
+        n_runs: its runs in the store.
+        public_key: with which it signed the bundle that came last; None if none was signed.
+        trust: `changed_key` if the teacher approved it with another key.
+    """
 
     computer_id: str
     name: str
     exported_at: str
     merged_at: str
     n_runs: int
+    public_key: str | None
+    trust: Trust
+
+    @property
+    def fingerprint(self) -> str | None:
+        """What people compare of its key."""
+        return self.public_key and fingerprint(self.public_key)
 
 
 def merge(database: Database, path: Path, *, delete: bool = False) -> MergeReport:
@@ -99,10 +132,17 @@ def merge(database: Database, path: Path, *, delete: bool = False) -> MergeRepor
             (`run_in_progress`) or the store cannot be written; nothing has changed.
     """
     with open_bundle(path) as bundle:
-        return database.write(
-            lambda db: merge_attached(db, bundle.info, database.now(), delete=delete),
-            attached=bundle.address,
-        )
+
+        def write(db: sqlite3.Connection) -> MergeReport:
+            sender, now = sender_of(db, database, bundle.info), database.now()
+            note_key(db, bundle.info, now)
+            with marking(db, sender, now):
+                report = merge_attached(
+                    db, bundle.info, now, delete=delete, kept_runs=kept_runs(sender)
+                )
+            return replace(report, sender=sender, n_unconfirmed=n_unconfirmed(db))
+
+        return database.write(write, attached=bundle.address)
 
 
 def known_computers(database: Database) -> list[KnownComputer]:
@@ -115,7 +155,8 @@ def known_computers(database: Database) -> list[KnownComputer]:
                FROM merges LEFT JOIN computers ON computers.id = merges.computer_id
                GROUP BY merges.computer_id ORDER BY max(merges.merged_at) DESC, merges.computer_id"""
         ).fetchall()
-    return [KnownComputer(**dict(row)) for row in rows]
+        keys = {str(row["computer_id"]): latest_key(db, str(row["computer_id"])) for row in rows}
+    return [KnownComputer(**dict(row), **keys[row["computer_id"]]._asdict()) for row in rows]
 
 
 def insert_new(db: sqlite3.Connection, table: ReplicatedTable, condition: str) -> int:
@@ -148,10 +189,14 @@ def some(counts: dict[str, int]) -> dict[str, int]:
 
 
 def merge_attached(
-    db: sqlite3.Connection, info: BundleInfo, now: str, *, delete: bool
+    db: sqlite3.Connection, info: BundleInfo, now: str, *, delete: bool, kept_runs: str = "0"
 ) -> MergeReport:
-    """The same with the bundle attached as the schema `bundle`, within the caller's transaction."""
-    merging = _Merging(db, delete=delete)
+    """The same with the bundle attached as the schema `bundle`, within the caller's transaction.
+
+    Args:
+        kept_runs: condition of runs `ours` that must not change.
+    """
+    merging = _Merging(db, delete=delete, kept_runs=kept_runs)
     if _was_merged(db, info):
         would_delete = merging.would_delete()
         if not (would_delete and delete):
@@ -185,12 +230,13 @@ def merge_attached(
 class _Merging:
     """One bundle being merged, table by table; counts what becomes of its rows."""
 
-    def __init__(self, db: sqlite3.Connection, *, delete: bool) -> None:
+    def __init__(self, db: sqlite3.Connection, *, delete: bool, kept_runs: str = "0") -> None:
         self.added: dict[str, int] = {}
         self.changed: dict[str, int] = {}
         self.skipped: dict[str, int] = {}
         self._db = db
         self._delete = delete
+        self._kept_runs = kept_runs
 
     def tombstones(self) -> None:
         """Adds the tombstones; those of rows in the store only when they are to be deleted."""
@@ -233,7 +279,10 @@ class _Merging:
 
     def runs(self) -> None:
         """Runs with their events and samples: those of the later state, of equal states all."""
-        later, equal = self._is_later(RUNS), self._compared(RUNS, "=")
+        later, equal = (
+            self._is_later(RUNS),
+            f"({self._compared(RUNS, '=')} AND NOT {self._kept_runs})",
+        )
         self._do(f"CREATE TEMP TABLE replaced AS SELECT ours.id {_both(RUNS)} WHERE {later}")
         self._do(f"CREATE TEMP TABLE shared AS SELECT ours.id {_both(RUNS)} WHERE {equal}")
         self._do(
@@ -271,7 +320,9 @@ class _Merging:
 
     def _is_later(self, table: ReplicatedTable) -> str:
         is_later = self._compared(table, ">")
-        return f"(ours.state = 'running' OR {is_later})" if table is RUNS else is_later
+        if table is not RUNS:
+            return is_later
+        return f"((ours.state = 'running' OR {is_later}) AND NOT {self._kept_runs})"
 
     def _compared(self, table: ReplicatedTable, sign: str) -> str:
         """Of two states the one with the greater `later_by`, revision, time and values, in this order, is later."""

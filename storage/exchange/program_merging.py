@@ -2,15 +2,18 @@
 
 The file may have been changed by anybody. No row of the store changes, and no row is added but the program and what it
 belongs to: its group, class, lessons and PCs, its versions with their labels, its runs. Notes are the teacher's.
+No teacher was there: a pass of such a run does not count before this PC has repeated it (`trust.py`).
 """
 
 from contextlib import closing
+from dataclasses import replace
 from pathlib import Path
 
 from storage.errors import StoreError
 from storage.exchange.bundle_reading import open_bundle
 from storage.exchange.bundle_writing import BundleInfo
 from storage.exchange.merging import MergeReport, insert_new, is_new, may_merge, some
+from storage.exchange.trust import marking, n_unconfirmed, sender_of
 from storage.file.connection import Database
 from storage.file.opening import connect
 from storage.sqlite import sqlite3
@@ -62,7 +65,14 @@ def merge_program(database: Database, path: Path) -> tuple[MergeReport, str]:
             deletes = db.execute("SELECT 1 FROM tombstones LIMIT 1").fetchone()
         if len(programs) != 1 or deletes:
             raise StoreError("bundle_not_program", path=str(path))
-        report = database.write(lambda db: _merge(db, bundle.info), attached=bundle.address)
+
+        def write(db: sqlite3.Connection) -> MergeReport:
+            sender = sender_of(db, database, bundle.info)
+            with marking(db, sender, database.now(), by_teacher=False):
+                report = _merge(db, bundle.info)
+            return replace(report, sender=sender, n_unconfirmed=n_unconfirmed(db))
+
+        report = database.write(write, attached=bundle.address)
     return report, programs[0]
 
 

@@ -1,6 +1,7 @@
 """Whether runs have passed their activity, which is found out after they have ended."""
 
 from storage.file.repository import Repository
+from storage.marks import counted
 from storage.records import SIMULATOR, Json
 from storage.sql import require
 from storage.text import dumped
@@ -13,20 +14,24 @@ class Checks(Repository):
     """Results of the runs that an activity belongs to."""
 
     def pending(self) -> list[str]:
-        """Runs that have ended and have no result yet, the oldest first. That a run is not judged is a result, too."""
+        """Runs that have ended and have no result yet, the oldest first. That a run is not judged is a result, too.
+
+        Not runs that came from elsewhere and are to be repeated first: they are judged by their record.
+        """
         rows = self._rows(
             """SELECT id FROM runs INDEXED BY runs_lesson WHERE lesson_id IS NOT NULL AND activity IS NOT NULL
-               AND passed IS NULL AND check_report IS NULL AND state != 'running' ORDER BY id"""
+               AND passed IS NULL AND check_report IS NULL AND state != 'running'
+               AND id NOT IN (SELECT run_id FROM unconfirmed_runs) ORDER BY id"""
         )
         return [str(row["id"]) for row in rows]
 
     def of_group(self, group_id: str) -> dict[str, bool]:
-        """The activities that a group has tried, with whether a run passed; a real run that was not judged is no try.
+        """The activities that a group has tried, with whether one run counts as passed; a real run not judged is none.
 
         Raises:
             StoreError: `group_not_found`.
         """
-        query = f"""SELECT activity, coalesce(max(passed), 0) AS passed FROM runs
+        query = f"""SELECT activity, coalesce(max({counted()}), 0) AS passed FROM runs
             WHERE group_id = ? AND activity IS NOT NULL AND {COUNTS} GROUP BY activity"""
         with self._database.reading() as db:
             require(db, "groups", group_id)

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple
 
 from storage.file.repository import Repository
+from storage.marks import counted, mark
 from storage.records import RunLine
 from storage.work.lesson_records import GroupLine
 
@@ -17,8 +18,9 @@ Outcome = Literal["finished", "stopped", "failed", "passed", "not_passed"]
 # in place of a class: the groups that belong to none
 NO_CLASSROOM = "none"
 _PASSED = {"passed": 1, "not_passed": 0}
+_COMPUTED = {"passed_bit": counted(), "unconfirmed": mark()}
 _LINE = ", ".join(
-    "runs." + name.removesuffix("_json").removesuffix("_bit") for name in RunLine._fields
+    _COMPUTED.get(name, f"runs.{name.removesuffix('_json')}") for name in RunLine._fields
 )
 _SELECT = f"""
     SELECT {_LINE}, groups.id, groups.name, groups.color, groups.picture
@@ -75,7 +77,7 @@ def _clauses(which: RunFilter) -> Iterator[tuple[str, Any]]:
     if which.lesson_ids is not None:
         yield "lesson_id IN (SELECT value FROM json_each(?))", json.dumps(which.lesson_ids)
     if which.outcome in _PASSED:
-        yield "+passed = ?", _PASSED[which.outcome]
+        yield f"+{counted()} IS ?", _PASSED[which.outcome]
     elif which.outcome is not None:
         yield "+state = ?", which.outcome
     for clause, value in (

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from storage.errors import StoreError
 from storage.file.connection import Moment
 from storage.file.repository import Repository
+from storage.marks import counted, mark
 from storage.records import Json, RunLine, RunRow, RunStart
 from storage.sql import insert, not_found, require, selected
 from storage.sqlite import sqlite3
@@ -20,8 +21,15 @@ from storage.work.lessons import lesson_for
 if TYPE_CHECKING:
     from storage.runs.telemetry import Telemetry
 
-_SELECT = selected(RunRow, "runs")
-_LINE = selected(RunLine, "runs", params_json="params", passed_bit="passed", path_json="path")
+_SELECT = selected(RunRow, "runs", unconfirmed=mark())
+_LINE = selected(
+    RunLine,
+    "runs",
+    params_json="params",
+    passed_bit=counted(),
+    path_json="path",
+    unconfirmed=mark(),
+)
 _OBJECTS = ("document", "world_document", "parameters", "params", "summary", "check_report")
 _NEEDED = ("world_document", "parameters")
 _IN_COLUMNS = ("v", "type", "run", "seq", "tick")

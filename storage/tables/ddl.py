@@ -197,4 +197,18 @@ MIGRATIONS: dict[str, tuple[str, ...]] = {
             id TEXT PRIMARY KEY REFERENCES classrooms(id), preset TEXT NOT NULL, {_STATE}
         ) STRICT""",
     ),
+    # approvals and marks stay on one PC; `signatures` has a row in bundles only
+    "signed_bundles": (
+        "CREATE TABLE signatures (public_key TEXT PRIMARY KEY, signature TEXT NOT NULL) STRICT, WITHOUT ROWID",
+        """CREATE TABLE computer_keys (
+            public_key TEXT PRIMARY KEY,
+            computer_id TEXT NOT NULL,
+            name TEXT NOT NULL,
+            seen_at TEXT NOT NULL,
+            approved_at TEXT
+        ) STRICT, WITHOUT ROWID""",
+        """CREATE TABLE unconfirmed_runs (
+            run_id TEXT PRIMARY KEY, public_key TEXT, marked_at TEXT NOT NULL, finding TEXT
+        ) STRICT, WITHOUT ROWID""",
+    ),
 }

@@ -45,4 +45,45 @@ LOCAL = (
             Column("content", JSON, "its checksum, what it is of, and how many runs are in it"),
         ),
     ),
+    Table(
+        "signatures",
+        "In a bundle the signature of the PC that wrote it; empty in the file of an app.",
+        (
+            Column("public_key", TEXT, "the PC's public key, in hex", rules.sha256, KEPT),
+            Column("signature", TEXT, "Ed25519, in hex", rules.short, KEPT),
+        ),
+        key=("public_key",),
+    ),
+    Table(
+        "computer_keys",
+        "Keys of PCs whose signed bundles were merged here, and which of them the teacher approved.",
+        (
+            Column("public_key", TEXT, "the PC's public key, in hex", rules.sha256, KEPT),
+            Column("computer_id", KEY, "the PC"),
+            Column("name", TEXT, "its name then", rules.name, KEPT),
+            Column("seen_at", TIME, "when a bundle of this key was merged last"),
+            Column("approved_at", TIME, "when the teacher approved it", optional=True),
+        ),
+        key=("public_key",),
+    ),
+    Table(
+        "unconfirmed_runs",
+        "Runs whose pass does not count until this PC has repeated them: nobody who is approved vouches for them.",
+        (
+            Column("run_id", KEY, "the run"),
+            Column(
+                "public_key", TEXT, "of the PC that signed it", rules.sha256, KEPT, optional=True
+            ),
+            Column("marked_at", TIME, "when it came"),
+            Column(
+                "finding",
+                TEXT,
+                "`differs`, `not_passed` or `not_repeatable`; null while it waits",
+                rules.short,
+                KEPT,
+                optional=True,
+            ),
+        ),
+        key=("run_id",),
+    ),
 )

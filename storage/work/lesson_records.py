@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from storage.file.repository import Repository
+from storage.marks import counted, mark
 from storage.text import loaded
 from storage.work.versions import SETUP_ONLY
 
@@ -19,10 +20,11 @@ _EDITS = f"""
     WHERE versions.lesson_id {_IN} ORDER BY versions.id"""
 _RUNS = f"""
     SELECT runs.group_id, runs.id, runs.program_id, runs.program_name, runs.version_id, versions.number,
-           runs.started_at, runs.ended_at, runs.state, runs.reason, runs.params, runs.activity, runs.passed,
+           runs.started_at, runs.ended_at, runs.state, runs.reason, runs.params, runs.activity, {counted()},
            runs.duration_s, runs.computer_id, runs.lesson_id, runs.world, runs.link,
            CASE WHEN runs.passed = 0 THEN (SELECT json_group_array(json(json_extract(value, '$.advice')))
-                FROM json_each(runs.check_report, '$.cases')) END
+                FROM json_each(runs.check_report, '$.cases')) END,
+           {mark()}
     FROM runs LEFT JOIN versions ON versions.id = runs.version_id
     WHERE runs.lesson_id {_IN} AND runs.group_id IS NOT NULL ORDER BY runs.id"""
 
@@ -62,6 +64,7 @@ class LessonRun(NamedTuple):
 
     Attributes:
         advice_json: list of what was said about each case of a run that did not pass, null for a case that passed.
+        unconfirmed: as in `RunLine`.
     """
 
     id: str
@@ -82,6 +85,7 @@ class LessonRun(NamedTuple):
     world: str
     link: str
     advice_json: str | None
+    unconfirmed: str | None
 
     @property
     def params(self) -> dict[str, Any]:
@@ -90,7 +94,7 @@ class LessonRun(NamedTuple):
 
     @property
     def passed(self) -> bool | None:
-        """Whether the activity was passed; None without one, and if the run was not judged."""
+        """Whether the activity was passed; None without one, if the run was not judged, and while it does not count."""
         return None if self.passed_bit is None else bool(self.passed_bit)
 
 

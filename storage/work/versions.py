@@ -8,6 +8,7 @@ from storage.file.connection import Moment
 from storage.file.repository import Repository
 from storage.json_check import is_object, parsed
 from storage.limits import MAX_NUMBER
+from storage.marks import counted
 from storage.records import FaultRow, Json, VersionMark, VersionRow
 from storage.sql import insert, not_found, require, selected
 from storage.sqlite import sqlite3
@@ -27,7 +28,7 @@ _MARK = selected(
     label=_LABEL,
     computer="SELECT name FROM computers WHERE computers.id = versions.computer_id",
     n_runs="SELECT count(*) FROM runs WHERE version_id = versions.id",
-    n_passed="SELECT count(*) FROM runs WHERE version_id = versions.id AND passed",
+    n_passed=f"SELECT count(*) FROM runs WHERE version_id = versions.id AND {counted()}",
     setup_only=f"SELECT {SETUP_ONLY} FROM versions AS parents WHERE parents.id = versions.parent_id",
 )
 _CONTENT = ("workspace", "document", "faults", "world", "setup")

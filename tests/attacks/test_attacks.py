@@ -4,11 +4,15 @@ Each test is one attack, in a few lines that read as a sentence; how it is done 
 docs/trust.md tells a school the same in plain words.
 """
 
+from collections.abc import Callable
+from itertools import permutations
 from pathlib import Path
 
 import pytest
 
-from storage import Store, open_store
+from storage import Store, StoreError, open_store
+from storage.exchange.signing import key_path
+from storage.exchange.trust import Sender
 from storage.limits import MAX_REVISION
 from tests.attacks.engine import NOTICED_S, SOON_S, desk
 from tests.attacks.made_up_files import (
@@ -20,7 +24,11 @@ from tests.attacks.made_up_files import (
     refusal,
     suffering,
 )
+from tests.attacks.signing import LATEST_ALLOWED, Pc, edited, falsified, pcs
 from tests.storage.bundle_makers import exported, hash_of, merged, work
+
+Pcs = Callable[[str], Pc]
+__all__ = ["pcs"]
 
 # ---- a file that somebody made up ----
 
@@ -80,6 +88,140 @@ def test_a_file_that_lacks_work_says_whose(here: Store, tmp_path: Path) -> None:
 
 
 # ---- a file that somebody signed ----
+
+
+def test_a_file_that_was_changed_after_it_was_signed_is_refused(pcs: Pcs) -> None:
+    pcs("pupil").drives()
+    for change in (
+        "UPDATE bundle SET computer_name = 'X'",
+        "UPDATE bundle SET computer_id = exported_at",
+    ):
+        with pytest.raises(StoreError, match=r"bundle_(damaged|hostile)"):
+            pcs("teacher").merges(edited(pcs("pupil").file(), change))
+
+
+def test_a_pass_that_somebody_wrote_into_the_file_never_counts(pcs: Pcs) -> None:
+    run = pcs("pupil").drives(well=False)
+    pcs("teacher").merges(falsified(pcs("pupil").file(), "UPDATE runs SET passed = 1"))
+    assert (pcs("teacher").counts(run), pcs("teacher").mark(run)) == (False, "waiting")
+    pcs("teacher").confirms()
+    assert (pcs("teacher").counts(run), pcs("teacher").mark(run)) == (False, "not_passed")
+
+
+def test_a_pass_with_samples_of_another_way_never_counts(pcs: Pcs) -> None:
+    run, other = pcs("pupil").drives(well=False), pcs("pupil").drives()
+    samples = f"(SELECT data FROM telemetry WHERE run_id = '{other}' LIMIT 1)"
+    file = falsified(
+        pcs("pupil").file(),
+        f"UPDATE runs SET passed = 1 WHERE id = '{run}'",
+        f"UPDATE telemetry SET data = {samples}, n_rows = (SELECT n_rows FROM telemetry"
+        f" WHERE run_id = '{other}' LIMIT 1) WHERE run_id = '{run}'",
+    )
+    pcs("teacher").merges(file)
+    pcs("teacher").confirms()
+    assert (pcs("teacher").counts(run), pcs("teacher").mark(run)) == (False, "differs")
+    assert pcs("teacher").counts(other)  # the honest pass of the same file
+
+
+def test_an_honest_pass_of_a_pc_that_nobody_approved_counts_once_it_was_repeated(pcs: Pcs) -> None:
+    run = pcs("pupil").drives()
+    report = pcs("teacher").merges(pcs("pupil").file())
+    assert (report.sender and report.sender.trust, report.n_unconfirmed) == ("unapproved", 1)
+    assert not pcs("teacher").counts(run)
+    pcs("teacher").confirms()
+    assert (pcs("teacher").counts(run), pcs("teacher").mark(run)) == (True, None)
+
+
+def test_a_pass_counts_at_once_from_a_pc_that_the_teacher_approved(pcs: Pcs) -> None:
+    first = pcs("pupil").drives()
+    pcs("teacher").merges(pcs("pupil").file())
+    pcs("teacher").approves(pcs("pupil"))
+    second = pcs("pupil").drives()
+    pcs("teacher").merges(pcs("pupil").file())
+    assert pcs("teacher").counts(first)
+    assert pcs("teacher").counts(second)
+
+
+def test_another_key_of_an_approved_pc_is_told_and_vouches_for_nothing(pcs: Pcs) -> None:
+    pcs("teacher").merges(pcs("pupil").file())
+    pcs("teacher").approves(pcs("pupil"))
+    key_path(pcs("pupil").store.path).unlink()
+    run = pcs("pupil").drives()
+    report = pcs("teacher").merges(pcs("pupil").file())
+    assert report.sender == Sender("changed_key", pcs("pupil").public_key)
+    assert not pcs("teacher").counts(run)
+
+
+def test_a_file_without_voucher_neither_takes_a_pass_away_nor_changes_its_record(pcs: Pcs) -> None:
+    run = pcs("teacher").drives()
+    file = falsified(
+        pcs("teacher").file(),
+        "UPDATE runs SET passed = 0, state = 'stopped'",
+        "DELETE FROM telemetry",
+    )
+    pcs("teacher").merges(file)
+    kept = pcs("teacher").store.runs.get(run)
+    assert (kept.state, kept.passed, kept.unconfirmed) == ("finished", True, None)
+    assert len(pcs("teacher").store.runs.telemetry(run).rows)
+
+
+def test_a_forged_copy_that_came_first_gives_way_to_the_one_that_is_vouched_for(pcs: Pcs) -> None:
+    pcs("teacher").merges(pcs("pupil").file())
+    pcs("teacher").approves(pcs("pupil"))
+    run = pcs("pupil").drives()
+    forgery = falsified(pcs("pupil").file(), "UPDATE runs SET world = 'zzz', seed = 9")
+    pcs("teacher").merges(forgery)
+    assert not pcs("teacher").counts(run)
+    pcs("teacher").merges(pcs("pupil").file())
+    assert pcs("teacher").store.runs.get(run) == pcs("pupil").store.runs.get(run)
+    assert pcs("teacher").counts(run)
+
+
+def test_a_signature_on_the_way_does_not_launder_a_forged_pass(pcs: Pcs) -> None:
+    run = pcs("pupil").drives(well=False)
+    pcs("relay").merges(falsified(pcs("pupil").file(), "UPDATE runs SET passed = 1"))
+    pcs("teacher").merges(pcs("relay").file())
+    pcs("teacher").approves(pcs("relay"))
+    pcs("relay").store.groups.create("Outro")
+    pcs("teacher").merges(pcs("relay").file())
+    assert not pcs("teacher").counts(run)
+
+
+def test_a_file_that_pupils_bring_without_the_teacher_counts_only_once_repeated(pcs: Pcs) -> None:
+    run, forgery = pcs("pupil").drives(), pcs("pupil").drives(well=False)
+    pcs("other").store.exchange.merge_program(pcs("pupil").take_along(run))
+    file = falsified(pcs("pupil").take_along(forgery), "UPDATE runs SET passed = 1")
+    pcs("other").store.exchange.merge_program(file)
+    assert (pcs("other").counts(run), pcs("other").counts(forgery)) == (False, False)
+    pcs("other").confirms()
+    assert (pcs("other").counts(run), pcs("other").counts(forgery)) == (True, False)
+
+
+def test_a_row_that_no_checksum_counts_is_no_way_around_the_signature(pcs: Pcs) -> None:
+    run = pcs("pupil").drives(well=False)
+    file = edited(
+        pcs("pupil").file(), f"INSERT INTO computers (id, name) SELECT '{run}', 'Forjado'"
+    )
+    with pytest.raises(StoreError, match=r"bundle_(damaged|hostile)"):
+        pcs("teacher").merges(file)
+
+
+@pytest.mark.parametrize("order", list(permutations(("pupil", "teacher", "third"))))
+def test_a_forged_name_gives_way_to_the_teacher_s_correction_on_all_pcs(
+    pcs: Pcs, order: tuple[str, ...]
+) -> None:
+    group = pcs("pupil").store.groups.create("Onças")
+    forgery = falsified(
+        pcs("pupil").file(), f"UPDATE groups SET name = 'Zzz', name_key = 'zzz', {LATEST_ALLOWED}"
+    )
+    pcs("teacher").merges(forgery)
+    pcs("teacher").store.groups.change(group.id, {"name": "Onças"})
+    files = [forgery, pcs("pupil").file(), pcs("teacher").file()]
+    for name in order:
+        pcs(name).merges(*files)
+        files = [*files[1:], files[0]]
+        assert [one.name for one in pcs(name).store.groups.all()] == ["Onças"]
+
 
 # ---- a person at the page ----
 

@@ -37,6 +37,7 @@ class Run:
         number: of the version, None for a run without one.
         state: "running", "finished", "stopped" or "failed"; `reason` is the cause.
         passed: True if the activity was passed; None without an activity, and for a real run that was not judged.
+        unconfirmed: why a pass that came with a file does not count; `passed` is None then.
         lesson_id: the lesson, or part of a joined one, in which it ran.
         world: its name, "own" for one that the group made.
         told: what was said about a run that did not pass, without numbers; equal for equal mistakes.
@@ -55,6 +56,7 @@ class Run:
     reason: str | None = None
     activity: str | None = None
     passed: bool | None = None
+    unconfirmed: str | None = None
     duration_s: float | None = None
     computer_id: str | None = None
     lesson_id: str | None = None

@@ -17,6 +17,7 @@ from pinel_desktop.web.api import OCTETS, TEACHER, WRITES, answers, resource
 from pinel_desktop.web.models import IdPath
 from pinel_desktop.web.models.errors import Notice
 from pinel_desktop.web.models.exchange import (
+    Approval,
     Bundle,
     BundlesToMerge,
     FileFound,
@@ -32,6 +33,7 @@ from pinel_desktop.web.models.exchange import (
     NewBundle,
     PendingDeletion,
     SharedFolder,
+    UnconfirmedCounts,
 )
 from pinel_desktop.web.responses import answer, json_safe, notice
 from pinel_desktop.web.services import services
@@ -106,6 +108,7 @@ def merge_bundles(body: BundlesToMerge) -> Response:
     require_teacher()
     merged = [_merged(Path(path), delete=body.delete) for path in body.paths]
     services().signs.refresh()
+    services().confirm_runs()
     return answer(MergeList(merged=merged, content_hash=services().store.exchange.content_hash()))
 
 
@@ -113,8 +116,26 @@ def merge_bundles(body: BundlesToMerge) -> Response:
 def list_known_computers() -> Response:
     """PCs whose work was merged into this one, with times. For the teacher."""
     require_teacher()
-    heard = services().store.exchange.known_computers()
-    return answer(KnownComputerList(computers=[KnownComputer.of(one) for one in heard]))
+    return _known_computers()
+
+
+@api.put(
+    "/bundles/approval",
+    responses=answers(KnownComputerList, *TEACHER, "computer_not_found", *WRITES),
+)
+def approve_computer(body: Approval) -> Response:
+    """Approves the key of a PC, or withdraws that. For the teacher."""
+    require_teacher()
+    keys = services().store.computer_keys
+    (keys.approve if body.approved else keys.withdraw)(body.public_key)
+    return _known_computers()
+
+
+def _known_computers() -> Response:
+    store = services().store
+    known = [KnownComputer.of(one) for one in store.exchange.known_computers()]
+    counts = UnconfirmedCounts(**store.unconfirmed.counts())
+    return answer(KnownComputerList(computers=known, unconfirmed=counts))
 
 
 @api.get("/programs/<id>/file", responses=answers(OCTETS, "program_not_found", *WRITES))
@@ -154,6 +175,7 @@ def read_program_file(query: NameOfFile, raw: UploadedFile) -> Response:
     with uploaded(raw, query.name) as path:
         report, program_id = services().store.exchange.merge_program(path)
     services().signs.refresh()
+    services().confirm_runs()
     # raises program_not_found if the program was deleted here for good
     program = services().store.programs.get(program_id)
     return answer(
@@ -283,6 +305,10 @@ def _report(path: Path, report: "MergeReport") -> Merged:
         removed=_counts(report.removed) if report.removed else None,
         would_delete=_pending_deletion(report),
         left_in=[json_safe(path) for path in report.left_in],
+        trust=report.sender.trust if report.sender else None,
+        public_key=report.info.signed_by,
+        fingerprint=report.fingerprint,
+        n_unconfirmed=report.n_unconfirmed,
     )
 
 

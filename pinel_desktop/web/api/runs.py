@@ -306,6 +306,10 @@ def run_model(row: RunRow | RunLine) -> Run:
     """The answer for a run, with a message for its reason."""
     language = services().preferences.language
     words = describe(row.reason, row.params, language) if row.reason else None
+    passed = row.counted if isinstance(row, RunRow) else row.passed
     return Run.of(
-        row, message=words.message if words else None, remedy=words.remedy if words else None
+        row,
+        message=words.message if words else None,
+        remedy=words.remedy if words else None,
+        passed=passed,
     )

@@ -48,15 +48,18 @@ def leave() -> Response:
 @api.get("/computer", responses=answers(Computer, *WRITES))
 def get_computer() -> Response:
     """The key and name of this PC."""
-    key, name = services().store.computers.this()
-    return answer(Computer(id=key, name=name))
+    return _computer()
 
 
 @api.patch("/computer", responses=answers(Computer, *TEACHER, *WRITES))
 def rename_computer(body: ComputerName) -> Response:
     """Renames this PC. For the teacher."""
     require_teacher()
-    computers = services().store.computers
-    computers.rename(body.name)
-    key, name = computers.this()
-    return answer(Computer(id=key, name=name))
+    services().store.computers.rename(body.name)
+    return _computer()
+
+
+def _computer() -> Response:
+    store = services().store
+    key, name = store.computers.this()
+    return answer(Computer(id=key, name=name, fingerprint=store.exchange.own_fingerprint()))

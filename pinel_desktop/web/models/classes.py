@@ -149,10 +149,11 @@ class Pin(Body):
 
 
 class Computer(Shape):
-    """This PC."""
+    """This PC; `fingerprint` is what people compare of its key, null where it cannot sign."""
 
     id: Id
     name: str
+    fingerprint: str | None
 
 
 class ComputerName(Body):

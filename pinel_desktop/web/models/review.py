@@ -7,7 +7,7 @@ from pydantic import Field
 
 from pinel_desktop.web.models import Body, Id, Shape, Time
 from pinel_desktop.web.models.classes import Lesson
-from pinel_desktop.web.models.runs import Run
+from pinel_desktop.web.models.runs import Run, Unconfirmed
 from pinel_desktop.web.models.work import Version
 
 
@@ -55,6 +55,7 @@ class ReviewMark(Shape):
     ]
     activity: str | None
     passed: bool | None
+    unconfirmed: Annotated[Unconfirmed | None, Field(description="as of a run")]
     duration_s: float | None
     link: Annotated[str | None, Field(description="the robot; null for edits")]
     repairs: Annotated[Id | None, Field(description="the failed run that this run repairs")]

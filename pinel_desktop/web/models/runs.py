@@ -15,6 +15,10 @@ from storage import SIMULATOR
 Point = tuple[float, float]
 
 
+# `waiting` until this PC has repeated the run, else what it found
+Unconfirmed = Literal["waiting", "differs", "not_passed", "not_repeatable"]
+
+
 class Run(Shape):
     """One execution of a version; figures are null until the run has ended."""
 
@@ -43,7 +47,13 @@ class Run(Shape):
     activity: str | None
     passed: Annotated[
         bool | None,
-        Field(description="null without activity, before it was checked, and if it was not judged"),
+        Field(
+            description="null without activity, before it was checked, if it was not judged, and while `unconfirmed`"
+        ),
+    ]
+    unconfirmed: Annotated[
+        Unconfirmed | None,
+        Field(description="why a run that came with a file does not count; null where it counts"),
     ]
     path: Annotated[list[Point], Field(max_length=64, description="x, y in m, for the picture")]
 

@@ -57,6 +57,7 @@ def changed(path: Path, change: Change | str, *, honest: bool = True) -> Path:
             change(db)
         if honest:
             db.execute("UPDATE bundle SET content_hash = ?", [content_hash(db)])
+            db.execute("DELETE FROM signatures")  # it would not fit
     return path
 
 

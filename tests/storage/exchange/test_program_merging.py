@@ -43,6 +43,7 @@ def changed(path: Path, *statements: str) -> Path:
             db.execute(statement)
         values = [content_hash(db), json.dumps(counts_of(db))]
         db.execute("UPDATE bundle SET content_hash = ?, counts = ?", values)
+        db.execute("DELETE FROM signatures")  # it would not fit
     return path
 
 

@@ -1,0 +1,158 @@
+"""Confirms runs that came with files for which nobody vouches: repeats each and judges it anew, while nobody drives.
+
+A run is repeated by a process of its own at the lowest priority (`pinel runs verify`), one at a time. It is ended when
+a run begins here, and tried again later. Where the record comes out the same, the judge decides as it does for runs
+of this PC; only then its pass counts.
+"""
+
+import json
+import logging
+import subprocess
+import threading
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from typing import TYPE_CHECKING, Literal
+
+import psutil
+
+from pinel_desktop.errors import PinelError
+from pinel_desktop.processes import own_command
+from storage import SIMULATOR, RunRow, Store, StoreError
+from storage.marks import Finding
+
+if TYPE_CHECKING:
+    from pinel_desktop.judge.messages import Verdict
+
+_log = logging.getLogger(__name__)
+_LOOK_S = 15.0  # between two looks for something to do
+_POLL_S = 0.2  # between two looks whether a run begins here
+_LONGEST_S = 600.0  # a run that takes longer is not repeated
+_LOWEST = getattr(psutil, "IDLE_PRIORITY_CLASS", 19)  # of Windows, else as for `nice`
+_SAME = ("identical", "equal")
+Repeated = Literal["same", "different", "impossible", "interrupted"]
+
+
+class Confirmer:
+    """Confirms marked runs on a thread; must be closed.
+
+    Args:
+        judge: decides about a run by its record, as the grader does.
+        command: repeats the run whose id follows, as `pinel runs verify --json` does; None is that.
+        look_s: how often it looks for something to do, without `wake`.
+    """
+
+    def __init__(
+        self,
+        store: Store,
+        judge: "Callable[[RunRow], Verdict]",
+        grade: Callable[[str], None] = lambda _run_id: None,
+        *,
+        command: Sequence[str] | None = None,
+        look_s: float = _LOOK_S,
+    ) -> None:
+        self._store, self._judge, self._grade = store, judge, grade
+        self._command = command or own_command("--db", str(store.path), "runs", "verify", "--json")
+        self._look_s = look_s
+        self._woken, self._closing = threading.Event(), threading.Event()
+        self._thread = threading.Thread(target=self._work, name="confirmer", daemon=True)
+
+    def start(self) -> None:
+        """Begins to look for marked runs."""
+        self._thread.start()
+
+    def wake(self) -> None:
+        """Looks at once: a file was merged, or a run has ended."""
+        self._woken.set()
+
+    def close(self) -> None:
+        """Ends the process that repeats a run; the run stays marked."""
+        self._closing.set()
+        self._woken.set()
+        if self._thread.is_alive():
+            self._thread.join()
+
+    def _work(self) -> None:
+        while not self._closing.is_set():
+            self._woken.clear()
+            try:
+                for run_id in self._store.unconfirmed.waiting():
+                    if self._is_busy():
+                        break
+                    self.confirm(run_id)
+            except StoreError as error:  # a full disk: tried again
+                _log.warning("runs were not confirmed: %s", error)
+            self._woken.wait(self._look_s)
+
+    def _is_busy(self) -> bool:
+        return self._closing.is_set() or bool(self._store.runs.running())
+
+    def confirm(self, run_id: str) -> None:
+        """Repeats one run and keeps what was found; nothing where a run begins here meanwhile."""
+        try:
+            run = self._store.runs.get(run_id)
+            found = self._repeated(run)
+            if found == "interrupted":
+                return
+            finding = self._finding(run, found)
+        except (
+            PinelError,
+            StoreError,
+        ) as error:  # its activity or its program is not here, or damaged
+            if isinstance(error, PinelError) and error.code == "judge_lost":
+                return  # the PC was busy, or is closing: tried again
+            _log.info("run %s cannot be confirmed: %s", run_id, error)
+            finding = "not_repeatable"
+        if finding is not None:
+            self._store.unconfirmed.note(run_id, finding)
+            return
+        self._store.unconfirmed.confirm(run_id)
+        self._grade(run_id)  # does nothing for one that has its result already
+
+    def _finding(self, run: RunRow, found: Repeated) -> Finding | None:
+        """What keeps the run from being confirmed."""
+        if found == "impossible":
+            return "not_repeatable"
+        if found == "different":
+            return "differs"
+        if run.passed and not (run.state == "finished" and self._judge(run).passed):
+            return "not_passed"
+        return None
+
+    def _repeated(self, run: RunRow) -> Repeated:
+        if run.link != SIMULATOR:
+            return "impossible"
+        with subprocess.Popen(
+            [*self._command, run.id],
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+        ) as process:
+            _step_back(process.pid)
+            return self._answer(process)
+
+    def _answer(self, process: "subprocess.Popen[bytes]") -> Repeated:
+        waited_s = 0.0
+        while True:
+            try:
+                output, _ = process.communicate(timeout=_POLL_S)
+                return _outcome(output)
+            except subprocess.TimeoutExpired:
+                waited_s += _POLL_S
+            if self._is_busy() or waited_s > _LONGEST_S:
+                process.kill()
+                process.communicate()
+                return "impossible" if waited_s > _LONGEST_S else "interrupted"
+
+
+def _outcome(output: bytes) -> Repeated:
+    try:
+        outcome = json.loads(output)["outcome"]
+    except (ValueError, KeyError, TypeError):  # it says in words why it cannot be repeated
+        return "impossible"
+    return "same" if outcome in _SAME else "different"
+
+
+def _step_back(pid: int) -> None:
+    """The process gets what the others leave of the processor."""
+    with suppress(psutil.Error, OSError):
+        psutil.Process(pid).nice(_LOWEST)

@@ -1,0 +1,36 @@
+"""Runs whose pass does not count until this PC has repeated them; `storage/exchange/trust.py` marks them."""
+
+from collections import Counter
+
+from storage.file.repository import Repository
+from storage.marks import WAITING, Finding
+
+
+class Unconfirmed(Repository):
+    """The marks."""
+
+    def waiting(self) -> list[str]:
+        """Runs to be repeated, those that came first before the others; runs that were deleted are none."""
+        rows = self._rows(
+            """SELECT run_id FROM unconfirmed_runs WHERE finding IS NULL AND run_id IN (SELECT id FROM runs)
+               ORDER BY marked_at, run_id"""
+        )
+        return [str(row["run_id"]) for row in rows]
+
+    def counts(self) -> dict[str, int]:
+        """How many runs wait, and how many there are of each finding."""
+        rows = self._rows(
+            f"""SELECT coalesce(finding, '{WAITING}') AS mark, count(*) AS n FROM unconfirmed_runs
+                WHERE run_id IN (SELECT id FROM runs) GROUP BY mark"""
+        )
+        return Counter({str(row["mark"]): int(row["n"]) for row in rows})
+
+    def confirm(self, run_id: str) -> None:
+        """This PC vouches for the run from now on."""
+        query = "DELETE FROM unconfirmed_runs WHERE run_id = ?"
+        self._database.write(lambda db: db.execute(query, [run_id]).rowcount)
+
+    def note(self, run_id: str, finding: Finding) -> None:
+        """The run stays marked, for this reason."""
+        query = "UPDATE unconfirmed_runs SET finding = ? WHERE run_id = ?"
+        self._database.write(lambda db: db.execute(query, [finding, run_id]).rowcount)
