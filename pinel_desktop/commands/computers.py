@@ -19,7 +19,7 @@ def command(ctx: click.Context, approve: str | None, withdraw: str | None) -> No
     """List the PCs whose signed work was merged here, with their fingerprints; this PC first.
 
     The fingerprint of a PC is shown on that PC by `pinel computers`, and on its page for the teacher. Compare before
-    approving (docs/trust.md).
+    approving (docs/bundles.md).
     """
     with opened_store(chosen_database(ctx), may_be_new=True) as store:
         if approve:

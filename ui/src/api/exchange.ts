@@ -10,7 +10,9 @@ export const exchange = {
   /** `drop`: what was deleted for good on the other PC goes here too. */
   merge: async (path: string, drop = false) =>
     (await post("/api/bundles/merge", { body: { paths: [path], delete: drop } })).merged[0],
-  heard: async () => (await get("/api/bundles/heard")).computers,
+  heard: () => get("/api/bundles/heard"),
+  approve: (public_key: string, approved: boolean) =>
+    put("/api/bundles/approval", { body: { public_key, approved } }),
 
   deleteGroup: (id: string) => del("/api/groups/{id}", of(id)),
   deleteClassroom: (id: string) => del("/api/classrooms/{id}", of(id)),

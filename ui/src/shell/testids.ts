@@ -343,6 +343,10 @@ export const TEST = {
   backToReview: "back-to-review", // in the header, for the teacher
   mergeFiles: "merge-files",
   foundFile: "found-file",
+  computerTrust: "computer-trust",
+  approveComputer: "approve-computer",
+  unconfirmed: "unconfirmed",
+  computerCode: "computer-code",
   mergeResults: "merge-results",
   wouldDelete: "would-delete", // deletions that a file contains
   deleteToo: "delete-too",

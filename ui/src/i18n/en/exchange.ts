@@ -65,6 +65,39 @@ export const exchange: typeof first = {
     `On ${computer} this was deleted for good: ${names} (still here: ${work}). Delete it here too? This cannot be undone.`,
   deleteToo: "Delete it here too",
   keepHere: "Keep it here",
+  trust: {
+    title: "Approval",
+    hint: "Before you approve a PC, compare the code with the one shown there, under “This PC” in the teacher's part. Missions of an approved PC count at once; those of the others after this PC has repeated the runs.",
+    states: {
+      own: "this PC",
+      approved: "approved",
+      unapproved: "not approved yet",
+      changed_key: "approved with another code",
+      unsigned: "file without code",
+    },
+    approve: "Approve this PC",
+    approveOf: (name: string) => `Approve ${name}`,
+    withdraw: "Undo",
+    withdrawOf: (name: string) => `Undo the approval of ${name}`,
+    cameUnapproved:
+      "This file came from a PC that you have not approved yet. The work came in; its missions count once they are checked.",
+    cameUnsigned:
+      "This file does not prove which PC it came from. The work came in; its missions count once they are checked.",
+    cameChanged:
+      "Attention: you approved this PC with another code. Either PINEL was installed again there, or somebody else made this file. Compare the code on that PC before you approve it.",
+    waiting: (n: number) =>
+      n === 1
+        ? "1 run waits to be checked. PINEL checks by itself while nobody runs programs here."
+        : `${n} runs wait to be checked. PINEL checks by itself while nobody runs programs here.`,
+    wrong: (n: number) =>
+      n === 1
+        ? "1 run does not hold: repeated here, it came out otherwise. Its mission does not count."
+        : `${n} runs do not hold: repeated here, they came out otherwise. Their missions do not count.`,
+    notRepeatable: (n: number) =>
+      n === 1
+        ? "1 run cannot be repeated here, as one of a real robot. It counts if you approve the PC."
+        : `${n} runs cannot be repeated here, as those of a real robot. They count if you approve the PC.`,
+  },
   deletion: {
     title: "Delete for good",
     hint: "For when a class leaves, or somebody asks for their data to be deleted. It goes from this PC and from its backups, and no stick brings it back.",

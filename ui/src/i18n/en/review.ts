@@ -7,6 +7,10 @@ export const review: typeof first = {
     activities: (n, names) => (n === 1 ? `Activity: ${names}` : `Activities: ${names}`),
     summary: "In short",
     passedBy: (n, all) => `Passed the activity: ${n} of ${all}`,
+    unconfirmed: (n: number) =>
+      n === 1
+        ? "1 run came from a PC that is not approved and does not count yet"
+        : `${n} runs came from PCs that are not approved and do not count yet`,
     stuck: "Need help:",
     notBegun: (names) => `Have not begun: ${names}`,
     needs: {
@@ -100,6 +104,14 @@ export const review: typeof first = {
     ask: (figure) => `${figure}: what does it count?`,
   },
   detail: {
+    unconfirmed: {
+      waiting:
+        "It came in a file of a PC that is not approved: the mission counts once it is checked.",
+      differs: "Does not hold: repeated here, this run was another. The mission does not count.",
+      not_passed: "Does not hold: repeated here, this run does not fulfil the mission.",
+      not_repeatable:
+        "It came from a PC that is not approved and cannot be repeated here: the mission does not count.",
+    },
     open: (group) => `Show the runs of ${group}`,
     close: (group) => `Hide the runs of ${group}`,
     runs: "Runs",

@@ -101,6 +101,8 @@ export const teacher: typeof first = {
     title: "This PC",
     name: "Name of this PC",
     nameHint: "Work that is made here carries this name.",
+    code: (code: string) => `Code of this PC: ${code}`,
+    codeHint: "Whoever collects the work compares this code once and approves the PC.",
     keep: "Save",
     kept: "Saved.",
     pin: "Change the PIN",

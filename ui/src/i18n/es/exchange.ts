@@ -67,6 +67,39 @@ export const exchange: typeof first = {
     `En ${computer} se borró para siempre: ${names} (aquí todavía hay ${work}). ¿Borrarlo aquí también? No se puede deshacer.`,
   deleteToo: "Borrarlo aquí también",
   keepHere: "Dejarlo aquí",
+  trust: {
+    title: "Aprobación",
+    hint: "Antes de aprobar una PC, compare el código con el que aparece en ella, en “Esta computadora” de la parte docente. Las misiones de una PC aprobada cuentan enseguida; las de las demás, después de que esta computadora repite los recorridos.",
+    states: {
+      own: "esta computadora",
+      approved: "aprobada",
+      unapproved: "todavía sin aprobar",
+      changed_key: "aprobada con otro código",
+      unsigned: "archivo sin código",
+    },
+    approve: "Aprobar esta PC",
+    approveOf: (name: string) => `Aprobar ${name}`,
+    withdraw: "Deshacer",
+    withdrawOf: (name: string) => `Deshacer la aprobación de ${name}`,
+    cameUnapproved:
+      "Este archivo vino de una PC que usted todavía no aprobó. El trabajo entró; las misiones solo cuentan después de comprobarlas.",
+    cameUnsigned:
+      "Este archivo no demuestra de qué PC vino. El trabajo entró; las misiones solo cuentan después de comprobarlas.",
+    cameChanged:
+      "Atención: usted aprobó esta PC con otro código. O PINEL se instaló de nuevo en ella, u otra persona hizo este archivo. Compare el código en esa PC antes de aprobarla.",
+    waiting: (n: number) =>
+      n === 1
+        ? "1 recorrido espera la comprobación. PINEL comprueba solo mientras nadie ejecuta programas aquí."
+        : `${n} recorridos esperan la comprobación. PINEL comprueba solo mientras nadie ejecuta programas aquí.`,
+    wrong: (n: number) =>
+      n === 1
+        ? "1 recorrido no coincide: repetido aquí, el resultado fue otro. Su misión no cuenta."
+        : `${n} recorridos no coinciden: repetidos aquí, el resultado fue otro. Sus misiones no cuentan.`,
+    notRepeatable: (n: number) =>
+      n === 1
+        ? "1 recorrido no se puede repetir aquí, por ejemplo de un robot real. Cuenta si usted aprueba la PC."
+        : `${n} recorridos no se pueden repetir aquí, por ejemplo de un robot real. Cuentan si usted aprueba la PC.`,
+  },
   deletion: {
     title: "Borrar para siempre",
     hint: "Para cuando un curso se despide o alguien pide que se borren sus datos. Desaparece de esta computadora y de las copias de seguridad, y ninguna memoria USB lo trae de vuelta.",

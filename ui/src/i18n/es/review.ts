@@ -7,6 +7,10 @@ export const review: typeof first = {
     activities: (n, names) => (n === 1 ? `Actividad: ${names}` : `Actividades: ${names}`),
     summary: "En resumen",
     passedBy: (n, all) => `Cumplieron la actividad: ${n} de ${all}`,
+    unconfirmed: (n: number) =>
+      n === 1
+        ? "1 recorrido vino de una PC sin aprobar y todavía no cuenta"
+        : `${n} recorridos vinieron de PCs sin aprobar y todavía no cuentan`,
     stuck: "Necesitan ayuda:",
     notBegun: (names) => `Aún no empezaron: ${names}`,
     needs: {
@@ -101,6 +105,13 @@ export const review: typeof first = {
     ask: (figure) => `${figure}: ¿qué cuenta?`,
   },
   detail: {
+    unconfirmed: {
+      waiting:
+        "Vino en un archivo de una PC sin aprobar: la misión solo cuenta después de comprobarla.",
+      differs: "No coincide: repetido aquí, este recorrido fue otro. La misión no cuenta.",
+      not_passed: "No coincide: repetido aquí, este recorrido no cumple la misión.",
+      not_repeatable: "Vino de una PC sin aprobar y no se puede repetir aquí: la misión no cuenta.",
+    },
     open: (group) => `Mostrar los recorridos de ${group}`,
     close: (group) => `Ocultar los recorridos de ${group}`,
     runs: "Recorridos",

@@ -103,6 +103,8 @@ export const teacher: typeof first = {
     title: "Esta computadora",
     name: "Nombre de esta computadora",
     nameHint: "Los trabajos hechos aquí llevan este nombre.",
+    code: (code: string) => `Código de esta computadora: ${code}`,
+    codeHint: "Quien junta los trabajos compara este código una vez y aprueba la PC.",
     keep: "Guardar",
     kept: "Guardado.",
     pin: "Cambiar el PIN",

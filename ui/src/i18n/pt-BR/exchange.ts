@@ -66,6 +66,39 @@ export const exchange = {
     `Em ${computer} foi apagado para sempre: ${names} (aqui ainda há ${work}). Apagar aqui também? Não dá para desfazer.`,
   deleteToo: "Apagar aqui também",
   keepHere: "Manter aqui",
+  trust: {
+    title: "Aprovação",
+    hint: "Antes de aprovar um PC, compare o código com o que aparece nele, em “Este computador” na parte de professora ou professor. As missões de um PC aprovado contam na hora; as dos outros, depois que este computador repete as rodadas.",
+    states: {
+      own: "este computador",
+      approved: "aprovado",
+      unapproved: "ainda não aprovado",
+      changed_key: "aprovado com outro código",
+      unsigned: "arquivo sem código",
+    },
+    approve: "Aprovar este PC",
+    approveOf: (name: string) => `Aprovar ${name}`,
+    withdraw: "Desfazer",
+    withdrawOf: (name: string) => `Desfazer a aprovação de ${name}`,
+    cameUnapproved:
+      "Este arquivo veio de um PC que você ainda não aprovou. O trabalho entrou; as missões só contam depois de conferidas.",
+    cameUnsigned:
+      "Este arquivo não diz com segurança de que PC veio. O trabalho entrou; as missões só contam depois de conferidas.",
+    cameChanged:
+      "Atenção: você aprovou este PC com outro código. Ou o PINEL foi instalado de novo nele, ou outra pessoa fez este arquivo. Compare o código no próprio PC antes de aprovar.",
+    waiting: (n: number) =>
+      n === 1
+        ? "1 rodada espera a conferência. O PINEL confere sozinho enquanto ninguém roda programas aqui."
+        : `${n} rodadas esperam a conferência. O PINEL confere sozinho enquanto ninguém roda programas aqui.`,
+    wrong: (n: number) =>
+      n === 1
+        ? "1 rodada não confere: repetida aqui, o resultado foi outro. A missão dela não conta."
+        : `${n} rodadas não conferem: repetidas aqui, o resultado foi outro. As missões delas não contam.`,
+    notRepeatable: (n: number) =>
+      n === 1
+        ? "1 rodada não pode ser repetida aqui, por exemplo de um robô real. Ela conta se você aprovar o PC."
+        : `${n} rodadas não podem ser repetidas aqui, por exemplo de um robô real. Elas contam se você aprovar o PC.`,
+  },
   deletion: {
     title: "Apagar para sempre",
     hint: "Para quando uma turma se despede ou alguém pede que os seus dados sejam apagados. Some deste computador e das cópias de segurança, e nenhum pendrive traz de volta.",

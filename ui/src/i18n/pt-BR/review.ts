@@ -7,6 +7,10 @@ export const review = {
       n === 1 ? `Atividade: ${names}` : `Atividades: ${names}`,
     summary: "Em resumo",
     passedBy: (n: number, all: number) => `Cumpriram a atividade: ${n} de ${all}`,
+    unconfirmed: (n: number) =>
+      n === 1
+        ? "1 rodada veio de um PC sem aprovação e ainda não conta"
+        : `${n} rodadas vieram de PCs sem aprovação e ainda não contam`,
     stuck: "Precisam de ajuda:",
     notBegun: (names: string) => `Ainda não começaram: ${names}`,
     needs: {
@@ -103,6 +107,13 @@ export const review = {
     ask: (figure: string) => `${figure}: o que conta?`,
   },
   detail: {
+    unconfirmed: {
+      waiting: "Veio em um arquivo de um PC sem aprovação: a missão só conta depois de conferida.",
+      differs: "Não confere: repetida aqui, esta rodada foi outra. A missão não conta.",
+      not_passed: "Não confere: repetida aqui, esta rodada não cumpre a missão.",
+      not_repeatable:
+        "Veio de um PC sem aprovação e não pode ser repetida aqui: a missão não conta.",
+    },
     open: (group: string) => `Mostrar as rodadas de ${group}`,
     close: (group: string) => `Esconder as rodadas de ${group}`,
     runs: "Rodadas",

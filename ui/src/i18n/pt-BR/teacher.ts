@@ -101,6 +101,8 @@ export const teacher = {
     title: "Este computador",
     name: "Nome deste computador",
     nameHint: "Os trabalhos feitos aqui levam este nome.",
+    code: (code: string) => `Código deste computador: ${code}`,
+    codeHint: "Quem junta os trabalhos compara este código uma vez e aprova o PC.",
     keep: "Salvar",
     kept: "Salvo.",
     pin: "Mudar o PIN",

@@ -2,6 +2,7 @@ import { classesApi } from "../../api/classes";
 import { texts } from "../../i18n";
 import { Loaded } from "../../kit/requests/Loaded";
 import { useLoaded } from "../../kit/requests/useLoaded";
+import { ComputerCode } from "./ComputerCode";
 import { ComputerName } from "./ComputerName";
 import { NewPin } from "./NewPin";
 import { TurnMinutes } from "./TurnMinutes";
@@ -12,7 +13,14 @@ export function ComputerPart() {
   return (
     <>
       <h1>{texts.value.teacher.computer.title}</h1>
-      <Loaded of={computer}>{({ name }) => <ComputerName name={name} />}</Loaded>
+      <Loaded of={computer}>
+        {({ name, fingerprint }) => (
+          <>
+            <ComputerName name={name} />
+            {fingerprint && <ComputerCode code={fingerprint} />}
+          </>
+        )}
+      </Loaded>
       <NewPin />
       <TurnMinutes />
     </>

@@ -35,8 +35,8 @@ type Known = Awaited<ReturnType<typeof loadKnown>>;
 
 /** The PCs whose work is here, and the classes. */
 async function loadKnown() {
-  const [computers, classes] = await Promise.all([exchange.heard(), classesApi.classrooms()]);
-  return { computers, classes };
+  const [heard, classes] = await Promise.all([exchange.heard(), classesApi.classrooms()]);
+  return { heard, classes };
 }
 
 interface BoxesProps {
@@ -65,10 +65,14 @@ function Boxes({ found: { folders, shared }, places, known }: BoxesProps) {
     <>
       <MergeBox folders={folders} merging={merging} onLook={lookAgain} />
       <Loaded of={known}>
-        {({ computers, classes }) => (
+        {({ heard, classes }) => (
           <>
             <SaveBox folders={folders} classes={classes} saved={saved} onSaved={places.again} />
-            <KnownComputers computers={computers} />
+            <KnownComputers
+              heard={heard}
+              onChanged={(changed) => known.set({ heard: changed, classes })}
+              onAgain={known.again}
+            />
           </>
         )}
       </Loaded>

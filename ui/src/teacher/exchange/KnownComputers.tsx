@@ -1,20 +1,33 @@
-import type { KnownComputer } from "../../api/model";
+import { useEffect } from "preact/hooks";
+import type { KnownComputerList } from "../../api/model";
 
 import { language, texts } from "../../i18n";
 import { when } from "../../i18n/format";
+import { TrustCell } from "./TrustCell";
+import { Unconfirmed } from "./Unconfirmed";
+
+/** Interval of looking how far the checking of runs has come. */
+const LOOK_MS = 3000;
 
 interface KnownComputersProps {
-  computers: readonly KnownComputer[];
+  heard: KnownComputerList;
+  /** After an approval. */
+  onChanged(heard: KnownComputerList): void;
+  /** Loads anew. */
+  onAgain(): Promise<void>;
 }
 
-/** The PCs whose work is here, with the time of the last merge. */
-export function KnownComputers({ computers }: KnownComputersProps) {
+/** The PCs whose work is here, with the time of the last merge, and which of them are approved. */
+export function KnownComputers({ heard, onChanged, onAgain }: KnownComputersProps) {
+  const { computers, unconfirmed } = heard;
+  useProgress(unconfirmed.waiting > 0, onAgain);
   const say = texts.value.exchange;
   const now = new Date();
   const at = (iso: string) => when(iso, now, language.value, texts.value);
   return (
     <section class="panel card" aria-labelledby="exchange-heard">
       <h2 id="exchange-heard">{say.heard}</h2>
+      <Unconfirmed counts={unconfirmed} />
       {computers.length === 0 ? (
         <p class="exchange__hint">{say.heardNobody}</p>
       ) : (
@@ -25,6 +38,7 @@ export function KnownComputers({ computers }: KnownComputersProps) {
                 <th scope="col">{say.computer}</th>
                 <th scope="col">{say.exported}</th>
                 <th scope="col">{say.merged}</th>
+                <th scope="col">{say.trust.title}</th>
                 <th scope="col" class="exchange__number">
                   {say.heardRuns}
                 </th>
@@ -36,14 +50,28 @@ export function KnownComputers({ computers }: KnownComputersProps) {
                   <th scope="row">{one.name}</th>
                   <td>{at(one.exported_at)}</td>
                   <td>{at(one.merged_at)}</td>
+                  <td>
+                    <TrustCell computer={one} onApproved={onChanged} />
+                  </td>
                   <td class="exchange__number">{one.n_runs}</td>
                 </tr>
               ))}
             </tbody>
           </table>
+          <p class="exchange__hint">{say.trust.hint}</p>
           <p class="exchange__hint">{say.clock}</p>
         </>
       )}
     </section>
   );
+}
+
+function useProgress(isWaiting: boolean, look: () => Promise<void>): void {
+  useEffect(() => {
+    if (!isWaiting) return;
+    const timer = setInterval(() => {
+      if (!document.hidden) void look();
+    }, LOOK_MS);
+    return () => clearInterval(timer);
+  }, [isWaiting]);
 }

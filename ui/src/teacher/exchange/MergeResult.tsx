@@ -5,7 +5,7 @@ import { texts } from "../../i18n";
 import { TEST } from "../../shell/testids";
 import { ConfirmDeletion } from "./ConfirmDeletion";
 import { FilesLeft } from "./FilesLeft";
-import { counted, outcome } from "./outcome";
+import { counted, outcome, warning } from "./outcome";
 
 interface MergeResultProps {
   merged: Merged;
@@ -35,6 +35,7 @@ export function MergeResult({ merged, onDelete, onKeep }: MergeResultProps) {
           outcome(merged, say)
         )}
       </p>
+      <Warning merged={merged} />
       {merged.would_delete && (
         <ConfirmDeletion
           confirm={say.deleteToo}
@@ -58,6 +59,12 @@ export function MergeResult({ merged, onDelete, onKeep }: MergeResultProps) {
       )}
     </li>
   );
+}
+
+/** Who wrote the file, where the teacher did not approve that PC. */
+function Warning({ merged }: Pick<MergeResultProps, "merged">) {
+  const words = warning(merged, texts.value.exchange.trust);
+  return words && <p class="notice-box exchange__warning">{words}</p>;
 }
 
 /** Names the file unless the message does. */

@@ -18,13 +18,17 @@ export function LessonSummary({ review: { summary, groups }, place }: LessonSumm
   const say = texts.value.review.lesson;
   const { n_passed, n_groups, fault, fault_run, n_with_fault, not_begun, differing } = summary;
   const stuck = groups.filter(({ need }) => need === "help");
-  const n_other = stuck.length + not_begun.length + differing.length;
+  const n_unconfirmed = groups
+    .flatMap(({ marks }) => marks)
+    .filter((one) => one.unconfirmed).length;
+  const n_other = n_unconfirmed + stuck.length + not_begun.length + differing.length;
   if (n_passed === null && !fault && n_other === 0) return null;
   return (
     <ul class="lesson__summary" aria-label={say.summary} data-testid={TEST.lessonSummary}>
       {n_passed !== null && n_groups > 0 && (
         <li class="lesson__passed">{say.passedBy(n_passed, n_groups)}</li>
       )}
+      {n_unconfirmed > 0 && <li>{say.unconfirmed(n_unconfirmed)}</li>}
       {stuck.length > 0 && (
         <li class="lesson__stuck">
           <span>{say.stuck}</span>

@@ -29,6 +29,9 @@ export function RunLine({ mark, book }: RunLineProps) {
         <p>
           <b>{runTitle(mark, book)}</b> <span class="run-line__facts">{facts(mark, book)}</span>
         </p>
+        {mark.unconfirmed && (
+          <p class="run-line__unconfirmed">{detail.unconfirmed[mark.unconfirmed]}</p>
+        )}
         {mark.message && outcome !== "stopped" && <p>{mark.message}</p>}
         <Repair mark={mark} book={book} />
         <Notes run={mark.run_id} />

@@ -63,6 +63,11 @@ export function HistoryCard({ run, chosen, lesson }: HistoryCardProps) {
             <OutcomeSign outcome={outcome} />
             {SHORT[outcome] ? runs.outcomes[SHORT[outcome]] : outcomes[outcome]}
           </span>
+          {run.unconfirmed && (
+            <span class="work-card__line">
+              {texts.value.review.detail.unconfirmed[run.unconfirmed]}
+            </span>
+          )}
           <span class="work-card__line">{name}</span>
           <span
             class="work-card__line run-card__place"

@@ -29,6 +29,7 @@ function mark(
     message: null,
     activity: null,
     passed: null,
+    unconfirmed: null,
     link: null,
     repairs: null,
     ...(kind === "run"

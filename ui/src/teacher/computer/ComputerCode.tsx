@@ -1,0 +1,17 @@
+import { texts } from "../../i18n";
+import { TEST } from "../../shell/testids";
+
+interface ComputerCodeProps {
+  code: string;
+}
+
+/** What people compare of this PC's key before they approve it elsewhere. */
+export function ComputerCode({ code }: ComputerCodeProps) {
+  const { computer: say } = texts.value.teacher;
+  return (
+    <section class="panel card">
+      <p data-testid={TEST.computerCode}>{say.code(code)}</p>
+      <p class="labelled__hint">{say.codeHint}</p>
+    </section>
+  );
+}

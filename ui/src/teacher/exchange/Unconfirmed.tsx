@@ -1,0 +1,25 @@
+import type { KnownComputerList } from "../../api/model";
+import { texts } from "../../i18n";
+import { TEST } from "../../shell/testids";
+
+interface UnconfirmedProps {
+  counts: KnownComputerList["unconfirmed"];
+}
+
+/** How many runs of files wait to be checked, and how many did not come out as their file says. */
+export function Unconfirmed({ counts }: UnconfirmedProps) {
+  const { trust: say } = texts.value.exchange;
+  const wrong = counts.differs + counts.not_passed;
+  if (counts.waiting + wrong + counts.not_repeatable === 0) return null;
+  return (
+    <div class="notice-box" role="status" data-testid={TEST.unconfirmed}>
+      {counts.waiting > 0 && <p>{say.waiting(counts.waiting)}</p>}
+      {wrong > 0 && (
+        <p>
+          <strong>{say.wrong(wrong)}</strong>
+        </p>
+      )}
+      {counts.not_repeatable > 0 && <p>{say.notRepeatable(counts.not_repeatable)}</p>}
+    </div>
+  );
+}
