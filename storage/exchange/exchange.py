@@ -7,7 +7,12 @@ from dataclasses import replace
 from pathlib import Path
 
 from storage.exchange.anonymising import anonymising
-from storage.exchange.bundle_writing import BundleInfo, export_bundle, note_export
+from storage.exchange.bundle_writing import (
+    BundleInfo,
+    export_bundle,
+    forget_unconfirmed,
+    note_export,
+)
 from storage.exchange.content_hash import content_hash
 from storage.exchange.deletion import Deletion, checkpoint, remove, remove_keys, tombstones
 from storage.exchange.lesson_merging import merge_lesson
@@ -19,7 +24,7 @@ from storage.exchange.signing import fingerprint, own_public_key
 from storage.file.backups import remove_from_backups
 from storage.file.connection import Database
 from storage.file.opening import connect
-from storage.sql import Stop
+from storage.sql import Stop, opened
 from storage.text import new_id
 from storage.work.computers import Computers
 
@@ -74,6 +79,8 @@ class Exchange:
                 is_noted=False,
                 anonymous=anonymous,
             )
+            with closing(opened(info.path, "rw")) as db:
+                forget_unconfirmed(db)
             info = replace(info, path=write_parquet(info.path, dest))
         note_export(self._database, info, scope)
         return info

@@ -16,7 +16,8 @@ def healthy() -> dict[str, Any]:
         "run": {"state": "finished", "closing_error_m": 1e-15, "duration_s": 15.8},
         "judged": True,
         "signs": ["B", "A"],
-        "store": {"telemetry_sha256": "c7e0"},
+        "versions": {"sqlite": "3.53.0"},
+        "store": {"signed": True, "telemetry_sha256": "c7e0"},
     }
 
 
@@ -25,7 +26,7 @@ def test_a_healthy_answer_has_no_fault() -> None:
 
 
 def test_an_empty_answer_is_faulty_in_everything() -> None:
-    assert len(smoke.faults_of({})) == 9
+    assert len(smoke.faults_of({})) == 11
 
 
 @pytest.mark.parametrize(
