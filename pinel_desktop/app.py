@@ -194,6 +194,8 @@ class App:
         undo.callback(self._live_checks.close)
         self._maintenance = Maintenance(self._store, self._publish_keeping)
         undo.callback(self._maintenance.close)
+        self._content_check = self._store.content_check(self._publish_keeping)
+        undo.callback(self._content_check.close)
         if self._store.unfinished:
             self._recorder.flush()  # goes on trying until the disk has room
         server = self._early_server or EarlyServer(self._port, self._preferences.page)
@@ -219,6 +221,7 @@ class App:
         server.open(create_app(services))
         self._serve_bridge(services, undo)
         self._maintenance.start()
+        self._content_check.start()
         self._start_engine(undo)
 
     def _serve_bridge(self, services: Services, undo: contextlib.ExitStack) -> None:
@@ -298,7 +301,7 @@ class App:
     def _database_state(self) -> DatabaseState:
         notice = self._recorder.problem or self._store.notice
         writable = self._store.writable and (notice is None or notice.code in _WRITABLE_NOTICES)
-        notice = notice or self._maintenance.notice
+        notice = notice or self._maintenance.notice or self._content_check.notice
         return DatabaseState(path=str(self._store.path), writable=writable, notice=notice)
 
     def _publish_recording(self, problem: StoreError | None) -> None:

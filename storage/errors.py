@@ -43,7 +43,7 @@ class StoreError(Exception):
     `lesson_not_found`, `note_not_found`, `taught_sign_not_found`; `group_exists`, `classroom_exists`, `name_empty`,
     `name_too_long`, `note_empty`, `note_too_long`, `color_unknown`, `picture_unknown`, `lesson_not_joinable`,
     `sign_name_wrong`, `sign_taught_enough`, `signs_too_many`, `own_activity_not_found`, `own_activities_too_many`,
-    `bundle_not_lesson`, `lesson_without_class`, `work_unreadable`.
+    `version_damaged`, `run_damaged`, `bundle_not_lesson`, `lesson_without_class`, `work_unreadable`.
     """
 
     def __init__(self, code: str, **params: object) -> None:

@@ -1,4 +1,5 @@
-"""SQL about runs whose pass does not count until this PC has repeated them (`storage/exchange/trust.py` marks them)."""
+"""SQL about runs whose pass does not count: until this PC has repeated them (`storage/exchange/trust.py` marks them),
+or as they are not as they were written (`storage/file/sums.py`)."""
 
 from typing import Literal
 
@@ -10,9 +11,23 @@ WAITING = "waiting"
 def counted(run: str = "runs") -> str:
     """The column `passed` of a run, NULL while its pass does not count."""
     marked = f"{run}.id IN (SELECT run_id FROM unconfirmed_runs)"
-    return f"CASE WHEN {marked} THEN NULL ELSE {run}.passed END"
+    return f"CASE WHEN {marked} OR {_is_damaged(run)} THEN NULL ELSE {run}.passed END"
 
 
 def mark(run: str = "runs") -> str:
     """NULL where a run needs no confirmation, else `waiting` or what was found."""
     return f"(SELECT coalesce(finding, '{WAITING}') FROM unconfirmed_runs WHERE run_id = {run}.id)"
+
+
+def as_told(column: str, run: str = "runs") -> str:
+    """A column of a run as lists show it: one that is damaged has failed, for the reason `run_damaged`."""
+    part = f"""(SELECT json_object('part', table_name) FROM content_sums
+        WHERE row_id = {run}.id AND damaged_at IS NOT NULL LIMIT 1)"""
+    instead = {"state": "'failed'", "reason": "'run_damaged'", "params": part}
+    if column not in instead:
+        return f"{run}.{column}"
+    return f"CASE WHEN {_is_damaged(run)} THEN {instead[column]} ELSE {run}.{column} END"
+
+
+def _is_damaged(run: str) -> str:
+    return f"{run}.id IN (SELECT row_id FROM content_sums WHERE damaged_at IS NOT NULL)"

@@ -1,6 +1,6 @@
 """Small statements that many modules need."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import fields
 from pathlib import Path
@@ -38,6 +38,28 @@ def tuples(
     cursor = db.cursor()
     cursor.row_factory = None
     return cursor.execute(query, parameters)
+
+
+def rows_of(
+    db: sqlite3.Connection, query: str, parameters: Sequence[Any] | Mapping[str, Any] = ()
+) -> list[sqlite3.Row]:
+    """All rows; what is damaged in a text is shown as a sign that stands for it, so that a list can still be read."""
+    try:
+        return db.execute(query, parameters).fetchall()
+    except sqlite3.OperationalError as error:
+        if "UTF-8" not in str(error):
+            raise
+    before = db.text_factory
+    db.text_factory = lambda octets: octets.decode("utf-8", "replace")
+    try:
+        return db.execute(query, parameters).fetchall()
+    finally:
+        db.text_factory = before
+
+
+def setup_value(column: str, name: str) -> str:
+    """SQL expression of a value in a JSON column; NULL where the JSON is damaged."""
+    return f"CASE WHEN json_valid({column}) THEN json_extract({column}, '$.{name}') END"
 
 
 def row_count(db: sqlite3.Connection, table: str, condition: str = "1") -> int:

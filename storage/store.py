@@ -33,6 +33,7 @@ from storage.work.taught_signs import TaughtSigns
 from storage.work.versions import Versions
 
 if TYPE_CHECKING:
+    from storage.content_check import ContentCheck
     from storage.exchange.exchange import Exchange
 
 Clock = Callable[[], datetime]
@@ -96,6 +97,12 @@ class Store:
         from storage.file.integrity import check_and_reindex  # noqa: PLC0415 - after the start
 
         return check_and_reindex(self._database, stop)
+
+    def content_check(self, on_found: Callable[[Notice], None]) -> "ContentCheck":
+        """The daily check of versions and runs; see `ContentCheck`."""
+        from storage.content_check import ContentCheck  # noqa: PLC0415 - after the start
+
+        return ContentCheck(self._database, on_found)
 
     def listen(self, on_written: Callable[[], None]) -> None:
         """Calls it after each write that is on disk, on the writer's thread; it must not raise or wait."""

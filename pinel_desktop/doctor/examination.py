@@ -162,7 +162,16 @@ def _database(path: Path) -> Finding:
     if n_rows := _query(path, "SELECT count(*) FROM pragma_foreign_key_check"):
         params |= {"n_rows": n_rows}
         return Finding("database", "warn", "doctor_database_inconsistent", params)
+    if n_values := _damaged_values(path):
+        return Finding("database", "warn", "doctor_values_damaged", params | {"n": n_values})
     return Finding("database", "ok", "doctor_database_ok", params)
+
+
+def _damaged_values(path: Path) -> object:
+    """How many versions and runs the app found damaged; 0 in a file of an earlier release."""
+    with contextlib.suppress(sqlite3.OperationalError):
+        return _query(path, "SELECT count(*) FROM content_sums WHERE damaged_at IS NOT NULL")
+    return 0
 
 
 def _damage(path: Path) -> str | None:

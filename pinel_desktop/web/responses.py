@@ -41,6 +41,8 @@ STATUS = {
     "run_in_progress": 409,
     "bridge_busy": 409,
     "run_not_live": 409,
+    "run_damaged": 409,
+    "version_damaged": 409,
     "robot_not_set_up": 409,
     "robot_in_use": 409,
     "robot_held_by_keys": 409,
@@ -59,7 +61,6 @@ STATUS = {
     "disk_full": 507,
     "database_damaged": 500,
     "database_failed": 500,
-    "run_damaged": 500,
     "internal_error": 500,
 }
 _DEFAULT_STATUS = 422  # all other codes concern the body, such as a name that is too long

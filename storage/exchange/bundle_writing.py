@@ -5,7 +5,7 @@ its checksum (docs/bundles.md).
 """
 
 import logging
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -18,13 +18,16 @@ from storage.exchange.signing import sign
 from storage.file.connection import Database
 from storage.file.made_up import mend
 from storage.file.opening import holds_made_up
+from storage.file.sums import KEYS, OF_RUNS, is_sound
 from storage.file.whole_files import numbered, whole_file
 from storage.limits import MAX_REVISION
-from storage.sql import column_names, insert, opened, row_count
+from storage.sql import column_names, insert, opened, row_count, rows_of
 from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.migrations import migrate
 from storage.tables.replicated import REPLICATED
+from storage.tables.runs import RUNS
+from storage.tables.work import VERSIONS
 from storage.text import dumped, new_id
 
 _log = logging.getLogger(__name__)
@@ -43,6 +46,11 @@ BUNDLE_TABLE = """CREATE TABLE bundle (
     anonymous INTEGER NOT NULL
 ) STRICT"""
 _MOST_NAMED = 8
+_WHOSE = {
+    "versions": """(SELECT groups.name || ' / ' || programs.name FROM store.programs
+        JOIN store.groups ON groups.id = group_id WHERE programs.id = program_id)""",
+    "runs": "coalesce((SELECT name FROM store.groups WHERE groups.id = group_id), '?')",
+}
 Alteration = Callable[[sqlite3.Connection], None]
 
 
@@ -113,13 +121,13 @@ def export_bundle(
             whole_file(final) as part,
             closing(_new_database(part)) as db,
         ):
-            _fill(db, database.address, scope)
+            damaged = _fill(db, database.address, scope)
             if alter is not None:
                 forget_unconfirmed(db)
                 alter(db)
             if holds_made_up(db):  # the store is mended at its next start, in the same way
                 mend(db, database.now())
-            left_out, lacking = _leave_out(db)
+            left_out, lacking = _leave_out(db, damaged)
             info = BundleInfo(
                 final,
                 app_version,
@@ -172,12 +180,17 @@ def _new_database(path: Path) -> sqlite3.Connection:
     return db
 
 
-def _fill(db: sqlite3.Connection, store: str, scope: Scope) -> None:
+def _fill(db: sqlite3.Connection, store: str, scope: Scope) -> dict[str, str]:
+    """Copies the rows; returns `table key` of those that are not as they were written, which stay behind, and whose
+    work they are."""
     migrate(db)
     db.execute(BUNDLE_TABLE)
     db.execute("ATTACH DATABASE ? AS store", [store])
     db.execute("BEGIN")
+    damaged: dict[str, str] = {}
     for table, condition in scope.conditions():
+        if table in (VERSIONS, RUNS):
+            damaged |= _note_damaged(db, table, condition, scope)
         _copy_table(db, table, condition, scope)
     db.execute(
         "INSERT INTO main.unconfirmed_runs SELECT * FROM store.unconfirmed_runs"
@@ -185,6 +198,25 @@ def _fill(db: sqlite3.Connection, store: str, scope: Scope) -> None:
     )
     db.execute("COMMIT")
     db.execute("DETACH DATABASE store")
+    return damaged
+
+
+def _note_damaged(
+    db: sqlite3.Connection, table: ReplicatedTable, condition: str, scope: Scope
+) -> dict[str, str]:
+    """Notes versions, or runs with their events and samples, that are not as they were written."""
+    parts = OF_RUNS if table is RUNS else (table.name,)
+    query = f"SELECT id, {_WHOSE[table.name]} FROM store.{table.name} WHERE {condition}"
+    found = {
+        f"{part} {key}": (key, str(whose))
+        for key, whose in rows_of(db, query, scope.values())
+        for part in parts
+        if not is_sound(db, part, key, "store")
+    }
+    db.execute("CREATE TEMP TABLE IF NOT EXISTS damaged (id TEXT PRIMARY KEY)")
+    keys = [(key,) for key, _ in found.values()]
+    db.executemany("INSERT OR IGNORE INTO temp.damaged VALUES (?)", keys)
+    return {row: whose for row, (_, whose) in found.items()}
 
 
 def _copy_table(
@@ -192,6 +224,8 @@ def _copy_table(
 ) -> None:
     names = column_names(db, table.name)
     listed = ", ".join(names)
+    if key := KEYS.get(table.name):
+        condition = f"{condition} AND {key} NOT IN (SELECT id FROM temp.damaged)"
     db.execute(
         f"INSERT OR IGNORE INTO main.{table.name} ({listed}) SELECT {listed} FROM store.{table.name}"
         f" WHERE {table.condition.format(schema='store')} AND {condition} ORDER BY {', '.join(table.key)}",
@@ -201,13 +235,19 @@ def _copy_table(
         db.execute(f"UPDATE main.{table.name} SET revision = min(revision, {MAX_REVISION})")
 
 
-def _leave_out(db: sqlite3.Connection) -> tuple[tuple[str, ...], tuple[str, ...]]:
+def _leave_out(
+    db: sqlite3.Connection, damaged: Mapping[str, str]
+) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Deletes rows for which the whole bundle would be refused, with what belongs to them; returns which rows, and
-    whose work is missing now."""
+    whose work is missing now.
+
+    Args:
+        damaged: what was not copied, and whose work it is.
+    """
     refused = [
         (table, key, place) for table in REPLICATED for key, place in refused_rows(db, table)
     ]
-    if not refused:
+    if not refused and not damaged:
         return (), ()
     before = _amounts(db)
     for table, key, _ in refused:
@@ -216,13 +256,12 @@ def _leave_out(db: sqlite3.Connection) -> tuple[tuple[str, ...], tuple[str, ...]
     while orphans := db.execute("PRAGMA foreign_key_check").fetchall():
         for table_name, rowid, *_ in orphans:
             db.execute(f"DELETE FROM {table_name} WHERE rowid = ?", [rowid])
-    rows = tuple(f"{place} {' '.join(map(str, key))}" for _, key, place in refused)
+    rows = (*damaged, *(f"{place} {' '.join(map(str, key))}" for _, key, place in refused))
     for row in rows:
         _log.warning("left out of the bundle, as other PCs would refuse it: %s", row)
     after = _amounts(db)
-    return rows, tuple(
-        sorted({name for (key, name), n in before.items() if after.get((key, name)) != n})
-    )
+    names = {name for (key, name), n in before.items() if after.get((key, name)) != n}
+    return rows, tuple(sorted(names.union(damaged.values())))
 
 
 def _amounts(db: sqlite3.Connection) -> dict[tuple[str, str], int]:

@@ -302,12 +302,15 @@ def holds_made_up(connection: sqlite3.Connection) -> bool:
 def _mend(connection: sqlite3.Connection, path: Path, now: datetime) -> Notice | None:
     """Mends the file in one transaction, after a backup; without room for one it is tried again at the next start."""
     from storage.file.made_up import mend  # noqa: PLC0415 - hardly any start needs it
+    from storage.file.sums import Changes  # noqa: PLC0415
 
     if failed := _back_up(path, now):
         return failed
+    changes = Changes(connection)
     connection.execute("BEGIN IMMEDIATE")
     try:
         count = mend(connection, time_text(now))
+        changes.renew(connection)
         connection.execute("COMMIT")
     except BaseException:
         connection.execute("ROLLBACK")

@@ -1,7 +1,8 @@
 """What the repositories of groups, lessons, programs, runs and so on have in common."""
 
 from storage.file.connection import Database
-from storage.sql import not_found
+from storage.file.sums import is_sound
+from storage.sql import not_found, rows_of
 from storage.sqlite import sqlite3
 
 
@@ -13,7 +14,16 @@ class Repository:
 
     def _rows(self, query: str, *values: object) -> list[sqlite3.Row]:
         with self._database.reading() as db:
-            return db.execute(query, values).fetchall()
+            return rows_of(db, query, values)
+
+    def _is_sound(self, table: str, key: str) -> bool:
+        """Whether a row is as it was written (`sums`); one that is not is mended from a backup, where one has it."""
+        with self._database.reading() as db:
+            if is_sound(db, table, key):
+                return True
+        from storage.file.mending import is_mended  # noqa: PLC0415 - hardly ever needed
+
+        return is_mended(self._database, table, key)
 
     def _row(self, table: str, query: str, key: str) -> sqlite3.Row:
         """The first row. Raises StoreError `KIND_not_found`, the kind being the table's name in the singular."""

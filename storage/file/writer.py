@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from storage.errors import StoreError, translated
+from storage.file.sums import Changes, mend_from
 from storage.sqlite import sqlite3
 
 T = TypeVar("T")
@@ -26,6 +27,7 @@ class Writer:
     def __init__(self, connection: sqlite3.Connection, path: Path) -> None:
         # deleted content is overwritten: a renamed group's old name must not stay in the file
         connection.execute("PRAGMA secure_delete = ON")
+        self._changes = Changes(connection)
         self._connection = connection
         self._path = path
         self._tasks: queue.SimpleQueue[_Task | None] = queue.SimpleQueue()
@@ -76,7 +78,7 @@ class Writer:
     ) -> None:
         try:
             with self._attaching(attached):
-                result = self._in_transaction(job)
+                result = self._in_transaction(job, has_attached=attached is not None)
         except sqlite3.Error as error:
             future.set_exception(translated(error, self._path))
         except Exception as error:
@@ -97,11 +99,14 @@ class Writer:
         finally:
             self._connection.execute(f"DETACH DATABASE {ATTACHED}")
 
-    def _in_transaction(self, job: Callable[[sqlite3.Connection], T]) -> T:
+    def _in_transaction(self, job: Callable[[sqlite3.Connection], T], *, has_attached: bool) -> T:
         # IMMEDIATE: a job that reads first must not lose to another process that wrote in between
         self._connection.execute("BEGIN IMMEDIATE")
         try:
             result = job(self._connection)
+            if has_attached:
+                mend_from(self._connection, ATTACHED)
+            self._changes.renew(self._connection)
             self._connection.execute("COMMIT")
         except BaseException:
             if self._connection.in_transaction:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple
 
 from storage.file.repository import Repository
-from storage.marks import counted, mark
+from storage.marks import as_told, counted, mark
 from storage.records import RunLine
 from storage.work.lesson_records import GroupLine
 
@@ -20,7 +20,7 @@ NO_CLASSROOM = "none"
 _PASSED = {"passed": 1, "not_passed": 0}
 _COMPUTED = {"passed_bit": counted(), "unconfirmed": mark()}
 _LINE = ", ".join(
-    _COMPUTED.get(name, f"runs.{name.removesuffix('_json')}") for name in RunLine._fields
+    _COMPUTED.get(name) or as_told(name.removesuffix("_json")) for name in RunLine._fields
 )
 _SELECT = f"""
     SELECT {_LINE}, groups.id, groups.name, groups.color, groups.picture

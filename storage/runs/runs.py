@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any
 from storage.errors import StoreError
 from storage.file.connection import Moment
 from storage.file.repository import Repository
-from storage.marks import counted, mark
+from storage.file.sums import OF_RUNS
+from storage.marks import as_told, counted, mark
 from storage.records import Json, RunLine, RunRow, RunStart
-from storage.sql import insert, not_found, require, selected
+from storage.sql import insert, not_found, require, rows_of, selected
 from storage.sqlite import sqlite3
 from storage.text import dumped, new_id, readable_object, readable_points
 from storage.work.groups import mark_used
@@ -25,7 +26,9 @@ _SELECT = selected(RunRow, "runs", unconfirmed=mark())
 _LINE = selected(
     RunLine,
     "runs",
-    params_json="params",
+    state=as_told("state"),
+    reason=as_told("reason"),
+    params_json=as_told("params"),
     passed_bit=counted(),
     path_json="path",
     unconfirmed=mark(),
@@ -94,6 +97,7 @@ class Runs(Repository):
 
     def get(self, run_id: str) -> RunRow:
         """Raises StoreError `run_not_found`, `run_damaged`."""
+        self._require_sound("runs", run_id)
         return _record(self._row("runs", f"{_SELECT} WHERE id = ?", run_id))
 
     def of_group(
@@ -115,18 +119,30 @@ class Runs(Repository):
 
     def events(self, run_id: str) -> list[Json]:
         """All events but telemetry, as they were on the wire. Raises StoreError `run_not_found`, `run_damaged`."""
+        self._require_sound("events", run_id)
         with self._database.reading() as db:
             require(db, "runs", run_id)
-            rows = db.execute(
-                "SELECT seq, tick, type, data FROM events WHERE run_id = ? ORDER BY seq", [run_id]
-            ).fetchall()
+            rows = rows_of(
+                db,
+                "SELECT seq, tick, type, data FROM events WHERE run_id = ? ORDER BY seq",
+                [run_id],
+            )
         return [_event(run_id, row) for row in rows]
 
     def telemetry(self, run_id: str) -> "Telemetry":
         """All samples of a run. Raises StoreError `run_not_found`, `run_damaged`."""
+        self._require_sound("telemetry", run_id)
         with self._database.reading() as db:
             require(db, "runs", run_id)
             return _telemetry(db, run_id)
+
+    def damaged_parts(self, run_id: str) -> list[str]:
+        """Of `runs`, `events` and `telemetry` what is not as it was written and cannot be mended."""
+        return [part for part in OF_RUNS if not self._is_sound(part, run_id)]
+
+    def _require_sound(self, part: str, run_id: str) -> None:
+        if not self._is_sound(part, run_id):
+            raise StoreError("run_damaged", id=run_id, part=part)
 
     def running(self) -> list[str]:
         """Ids of the runs that have not ended."""

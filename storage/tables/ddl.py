@@ -211,4 +211,15 @@ MIGRATIONS: dict[str, tuple[str, ...]] = {
             run_id TEXT PRIMARY KEY, public_key TEXT, marked_at TEXT NOT NULL, finding TEXT
         ) STRICT, WITHOUT ROWID""",
     ),
+    # of this PC alone: rows of a bundle get theirs where they are merged (storage/file/sums.py)
+    "content_sums": (
+        """CREATE TABLE content_sums (
+            table_name TEXT NOT NULL,
+            row_id TEXT NOT NULL,
+            sha256 TEXT NOT NULL,
+            damaged_at TEXT,
+            PRIMARY KEY (table_name, row_id)
+        ) STRICT, WITHOUT ROWID""",
+        "CREATE INDEX content_sums_damaged ON content_sums (row_id) WHERE damaged_at IS NOT NULL",
+    ),
 }

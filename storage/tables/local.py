@@ -86,4 +86,21 @@ LOCAL = (
         ),
         key=("run_id",),
     ),
+    Table(
+        "content_sums",
+        "What each version and each run that has ended was when it was written, so that a damaged value is seen.",
+        (
+            Column(
+                "table_name",
+                TEXT,
+                "`versions`, `runs`, or `events` and `telemetry` for all of a run",
+                rules.one_of("versions", "runs", "events", "telemetry"),
+                KEPT,
+            ),
+            Column("row_id", KEY, "key of the version or the run"),
+            Column("sha256", TEXT, "SHA-256 of its values, in hex", rules.sha256, KEPT),
+            Column("damaged_at", TIME, "when it was found to be another", optional=True),
+        ),
+        key=("table_name", "row_id"),
+    ),
 )

@@ -6,23 +6,26 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from storage.file.repository import Repository
-from storage.marks import counted, mark
-from storage.text import loaded
+from storage.marks import as_told, counted, mark
+from storage.sql import rows_of, setup_value
+from storage.text import readable_object
 from storage.work.versions import SETUP_ONLY
 
 _IN = "IN (SELECT value FROM json_each(?))"
 _EDITS = f"""
     SELECT programs.group_id, versions.id, versions.program_id, programs.name, versions.number, versions.created_at,
-           versions.computer_id, versions.parent_id, coalesce(json_extract(versions.setup, '$.n_hints'), 0),
-           {SETUP_ONLY}, versions.lesson_id, json_extract(versions.setup, '$.activity')
+           versions.computer_id, versions.parent_id, coalesce({setup_value("versions.setup", "n_hints")}, 0),
+           {SETUP_ONLY}, versions.lesson_id, {setup_value("versions.setup", "activity")}
     FROM versions JOIN programs ON programs.id = versions.program_id
         LEFT JOIN versions AS parents ON parents.id = versions.parent_id
     WHERE versions.lesson_id {_IN} ORDER BY versions.id"""
 _RUNS = f"""
     SELECT runs.group_id, runs.id, runs.program_id, runs.program_name, runs.version_id, versions.number,
-           runs.started_at, runs.ended_at, runs.state, runs.reason, runs.params, runs.activity, {counted()},
+           runs.started_at, runs.ended_at, {as_told("state")}, {as_told("reason")}, {as_told("params")},
+           runs.activity, {counted()},
            runs.duration_s, runs.computer_id, runs.lesson_id, runs.world, runs.link,
-           CASE WHEN runs.passed = 0 THEN (SELECT json_group_array(json(json_extract(value, '$.advice')))
+           CASE WHEN runs.passed = 0 AND json_valid(runs.check_report)
+                THEN (SELECT json_group_array(json(json_extract(value, '$.advice')))
                 FROM json_each(runs.check_report, '$.cases')) END,
            {mark()}
     FROM runs LEFT JOIN versions ON versions.id = runs.version_id
@@ -90,7 +93,7 @@ class LessonRun(NamedTuple):
     @property
     def params(self) -> dict[str, Any]:
         """What fills the words of the reason."""
-        return loaded(self.params_json) or {}
+        return readable_object(self.params_json) or {}
 
     @property
     def passed(self) -> bool | None:
@@ -129,9 +132,9 @@ class LessonRecords(Repository):
         lessons = json.dumps(list(lesson_ids))
         work: dict[str, GroupLines] = {}
         with self._database.reading() as db:
-            for group_id, *edit in db.execute(_EDITS, [lessons]):
+            for group_id, *edit in rows_of(db, _EDITS, [lessons]):
                 work.setdefault(group_id, GroupLines()).edits.append(EditLine(*edit))
-            for group_id, *run in db.execute(_RUNS, [lessons]):
+            for group_id, *run in rows_of(db, _RUNS, [lessons]):
                 work.setdefault(group_id, GroupLines()).runs.append(LessonRun(*run))
             groups = db.execute(
                 f"SELECT id, name, color, picture FROM groups WHERE id {_IN}",
@@ -141,7 +144,8 @@ class LessonRecords(Repository):
         return LessonLines([GroupLine(*row) for row in groups], work, dict(map(tuple, computers)))
 
     def workspaces(self, version_ids: Iterable[str]) -> dict[str, Any]:
-        """Workspaces by version; those that are not in the file are left out."""
+        """Workspaces by version; those that are not in the file, or damaged, are left out."""
         query = f"SELECT id, workspace FROM versions WHERE id {_IN}"
         rows = self._rows(query, json.dumps(list(version_ids)))
-        return {row["id"]: loaded(row["workspace"]) for row in rows}
+        found = {row["id"]: readable_object(row["workspace"]) for row in rows}
+        return {key: workspace for key, workspace in found.items() if workspace is not None}

@@ -2,7 +2,7 @@
 
 from storage.file.repository import Repository
 from storage.records import ProgramRow
-from storage.sql import change, insert, require, selected
+from storage.sql import change, insert, require, selected, setup_value
 from storage.sqlite import sqlite3
 from storage.text import clean_name, new_id
 from storage.work.groups import mark_used
@@ -16,7 +16,7 @@ _SELECT = selected(
 # by id, not by time: the clocks of school PCs are often wrong
 _LAST_CHANGED_FIRST = """ORDER BY
     coalesce((SELECT max(id) FROM versions WHERE program_id = programs.id), programs.id) DESC"""
-_ACTIVITY = """(SELECT json_extract(setup, '$.activity') FROM versions
+_ACTIVITY = f"""(SELECT {setup_value("setup", "activity")} FROM versions
     WHERE program_id = programs.id ORDER BY number DESC, id DESC LIMIT 1)"""
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import astuple
+from datetime import datetime
 
 from storage.errors import StoreError
 from storage.file.connection import Moment
@@ -12,7 +13,7 @@ from storage.marks import counted
 from storage.records import FaultRow, Json, VersionMark, VersionRow
 from storage.sql import insert, not_found, require, selected
 from storage.sqlite import sqlite3
-from storage.text import clean_name, dumped, loaded, new_id
+from storage.text import clean_name, dumped, loaded, new_id, readable_object
 from storage.work.groups import mark_used
 from storage.work.lessons import lesson_for
 
@@ -35,7 +36,12 @@ _CONTENT = ("workspace", "document", "faults", "world", "setup")
 _Content = tuple[str, str | None, str, str | None, str | None]
 # by number, not by time: the clocks of school PCs are often wrong
 _NEWEST_FIRST = "ORDER BY number DESC, id DESC"
-_NEWEST = f"{_SELECT} WHERE program_id = ? {_NEWEST_FIRST} LIMIT 1"
+_NEWEST = f"SELECT id FROM versions WHERE program_id = ? {_NEWEST_FIRST} LIMIT 1"
+# compared by SQLite: a newest version that is damaged may not be readable
+_SAME = f"""SELECT id, number, {" AND ".join(f"{name} IS ?" for name in _CONTENT)} AS is_same
+    FROM versions WHERE program_id = ? {_NEWEST_FIRST} LIMIT 1"""
+_EARLIER = f"""SELECT id FROM versions WHERE program_id = ?
+    AND (number, id) < (SELECT number, id FROM versions WHERE id = ?) {_NEWEST_FIRST}"""
 # versions without a successor, made on another PC than the newest
 _ELSEWHERE = f"""{_MARK} WHERE program_id = ?
          AND computer_id IS NOT (SELECT computer_id FROM versions WHERE id = ?)
@@ -47,13 +53,37 @@ class Versions(Repository):
     """The versions of the file."""
 
     def newest(self, program_id: str) -> VersionRow | None:
-        """None for a program that was never saved."""
+        """None for a program that was never saved. Raises StoreError `version_damaged`."""
         rows = self._rows(_NEWEST, program_id)
-        return _record(rows[0]) if rows else None
+        return self.get(str(rows[0]["id"])) if rows else None
+
+    def newest_sound(self, program_id: str) -> VersionRow | None:
+        """The newest that is as it was written; None where there is none."""
+        try:
+            return self.newest(program_id)
+        except StoreError as error:
+            if error.code != "version_damaged":
+                raise
+            sound = error.params["sound"]
+            return self.get(str(sound)) if sound else None
 
     def get(self, version_id: str) -> VersionRow:
-        """Raises StoreError `version_not_found`."""
-        return _record(self._row("versions", f"{_SELECT} WHERE id = ?", version_id))
+        """The version as it was written; one that is damaged is mended from a backup first.
+
+        Raises:
+            StoreError: `version_not_found`; `version_damaged` with its time, and id and time of the last one before it
+                that is sound.
+        """
+        try:
+            if self._is_sound("versions", version_id):
+                return _record(self._row("versions", f"{_SELECT} WHERE id = ?", version_id))
+        except (
+            ValueError,
+            TypeError,
+            RecursionError,
+        ) as error:  # of an earlier release, without a sum
+            raise self._damaged(version_id) from error
+        raise self._damaged(version_id)
 
     def save(
         self,
@@ -85,9 +115,31 @@ class Versions(Repository):
         )
         _require_readable(content)
         now = self._database.moment()
-        return self.get(
-            self._database.write(lambda db: _insert(db, program_id, content, parent_id, now))
+        kept = self._database.write(lambda db: _insert(db, program_id, content, parent_id, now))
+        return _record(self._row("versions", f"{_SELECT} WHERE id = ?", kept))
+
+    def _damaged(self, version_id: str) -> StoreError:
+        times = "SELECT id, program_id, created_at FROM versions WHERE id = ?"
+        row = self._row("versions", times, version_id)
+        sound = next(filter(self._can_be_read, self._before(row["program_id"], version_id)), None)
+        sound_at = self._row("versions", times, sound)["created_at"] if sound else ""
+        return StoreError(
+            "version_damaged",
+            id=version_id,
+            time=_local(row["created_at"]),
+            sound=sound,
+            sound_time=sound_at,
         )
+
+    def _before(self, program_id: str, version_id: str) -> list[str]:
+        return [str(row["id"]) for row in self._rows(_EARLIER, program_id, version_id)]
+
+    def _can_be_read(self, version_id: str) -> bool:
+        try:
+            _record(self._row("versions", f"{_SELECT} WHERE id = ?", version_id))
+        except (ValueError, TypeError, RecursionError):
+            return False
+        return self._is_sound("versions", version_id)
 
     def elsewhere(self, newest: VersionRow) -> VersionMark | None:
         """The newest version without successor that another PC made; None where there is none."""
@@ -119,14 +171,22 @@ class Versions(Repository):
         return self.get(version_id)
 
 
+def _local(text: str) -> str:
+    """A stored time as people of this PC read it; the time may be what is damaged."""
+    try:
+        return f"{datetime.fromisoformat(text).astimezone():%Y-%m-%d %H:%M}"
+    except ValueError:
+        return "?"
+
+
 def _insert(
     db: sqlite3.Connection, program_id: str, content: _Content, parent_id: str | None, now: Moment
 ) -> str:
     program = db.execute("SELECT group_id FROM programs WHERE id = ?", [program_id]).fetchone()
     if program is None:
         raise not_found("programs", program_id)
-    newest = db.execute(_NEWEST, [program_id]).fetchone()
-    if newest and tuple(newest[name] for name in _CONTENT) == content:
+    newest = db.execute(_SAME, [*content, program_id]).fetchone()
+    if newest and newest["is_same"]:
         return str(newest["id"])
     if parent_id is not None:
         _require_own(db, program_id, parent_id)
@@ -161,7 +221,7 @@ def _require_own(db: sqlite3.Connection, program_id: str, version_id: str) -> No
 
 def _mark(row: sqlite3.Row) -> VersionMark:
     flags = {name: bool(row[name]) for name in ("can_run", "setup_only")}
-    return VersionMark(**{**dict(row), **flags, "setup": loaded(row["setup"])})
+    return VersionMark(**{**dict(row), **flags, "setup": readable_object(row["setup"])})
 
 
 def _record(row: sqlite3.Row) -> VersionRow:

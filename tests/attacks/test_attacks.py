@@ -4,16 +4,20 @@ Each test is one attack, in a few lines that read as a sentence; how it is done 
 docs/trust.md tells a school the same in plain words.
 """
 
+import random
 from collections.abc import Callable
+from contextlib import closing
 from itertools import permutations
 from pathlib import Path
 
 import pytest
 
-from storage import Store, StoreError, open_store
+from storage import RunFilter, Store, StoreError, open_store
 from storage.exchange.signing import key_path
 from storage.exchange.trust import Sender
 from storage.limits import MAX_REVISION
+from storage.sql import opened, row_count
+from tests.attacks.damaged_values import N_PROGRAMS, school
 from tests.attacks.engine import NOTICED_S, SOON_S, desk
 from tests.attacks.made_up_files import (
     AHEAD,
@@ -230,6 +234,75 @@ def test_a_forged_name_gives_way_to_the_teacher_s_correction_on_all_pcs(
 # ---- a file that was damaged ----
 
 # ---- a value that was damaged ----
+
+
+@pytest.mark.parametrize("n", [12, pytest.param(300, marks=pytest.mark.nightly)])
+def test_a_bit_that_flips_in_a_value_is_seen_and_mended_from_the_backup(
+    tmp_path: Path, n: int
+) -> None:
+    chance = random.Random(16)
+    with school(tmp_path) as pc:
+        pc.back_up()
+        for turn in range(n):
+            row = pc.flip(chance)
+            assert (turn, row, pc.check()) == (turn, row, (1, 0))
+
+
+def test_of_a_newest_version_that_is_damaged_the_last_sound_one_is_offered(tmp_path: Path) -> None:
+    with school(tmp_path) as pc:
+        pc.spoil("versions", pc.newest_id, "workspace", b'{"text": "\xff"}')
+        with pytest.raises(StoreError) as told:
+            pc.store.versions.newest(pc.program_id)
+        sound = pc.store.versions.newest_sound(pc.program_id)
+        assert sound is not None
+        assert (told.value.code, sound.number) == ("version_damaged", 1)
+        kept = pc.store.versions.save(pc.program_id, {"text": "on"}, None, parent_id=sound.id)
+        assert pc.store.versions.newest(pc.program_id) == kept
+
+
+def test_a_damaged_newest_version_is_opened_as_it_was_where_a_backup_has_it(tmp_path: Path) -> None:
+    with school(tmp_path) as pc:
+        before = pc.store.versions.newest(pc.program_id)
+        pc.back_up()
+        pc.spoil("versions", pc.newest_id, "workspace", b"{}")
+        assert pc.store.versions.newest(pc.program_id) == before
+
+
+def test_a_damaged_value_is_mended_by_a_bundle_that_brings_it_again(tmp_path: Path) -> None:
+    with school(tmp_path) as pc:
+        pc.export(tmp_path / "a.pinel")
+        pc.spoil("events", pc.run_id, "data", b"{}")
+        assert pc.check() == (0, 1)
+        pc.merge(tmp_path / "a.pinel")
+        assert pc.check() == (0, 0)
+        assert pc.store.runs.events(pc.run_id)[0]["text"] == "P0"
+
+
+def test_a_damaged_run_does_not_count_as_passed_and_says_so(tmp_path: Path) -> None:
+    with school(tmp_path) as pc:
+        pc.judge(pc.run_id, passed=True)
+        pc.spoil("runs", pc.run_id, "check_report", b"{")
+        assert pc.check() == (0, 1)
+        assert pc.store.history.page(RunFilter(outcome="passed")) == []
+        line = pc.store.history.page(RunFilter())[-1]
+        assert (line.run.id, line.run.reason, line.run.passed_bit) == (
+            pc.run_id,
+            "run_damaged",
+            None,
+        )
+        with pytest.raises(StoreError, match="run_damaged"):
+            pc.store.runs.get(pc.run_id)
+
+
+def test_a_damaged_version_goes_into_no_bundle_and_is_named(tmp_path: Path) -> None:
+    with school(tmp_path) as pc:
+        damaged = pc.newest_id
+        pc.spoil("versions", damaged, "document", b"{}")
+        info = pc.export(tmp_path / "a.pinel")
+        assert info.left_out == (f"versions {damaged}",)
+        with closing(opened(info.path, "immutable")) as db:
+            assert row_count(db, "versions") == 2 * N_PROGRAMS - 1
+
 
 # ---- a process that hangs or grows ----
 

@@ -273,9 +273,10 @@ def test_what_cannot_be_repeated_is_said_in_words(change: str, words: str, tmp_p
 
 
 def _change(db: Path, *statements: str) -> None:
+    """As somebody would who knows that the store keeps sums of what it has written."""
     open_store(db).close()
     connection = sqlite3.connect(db)
     with connection:
-        for statement in statements:
+        for statement in (*statements, "DELETE FROM content_sums"):
             connection.execute(statement)
     connection.close()

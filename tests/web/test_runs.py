@@ -306,7 +306,7 @@ def test_a_damaged_record_is_one_error_in_words(
     with contextlib.closing(sqlite3.connect(database)) as db, db:
         db.execute(change)
     answer = browser.get(f"/api/runs/{run['id']}{address}")
-    assert (answer.status, answer.error["code"]) == (500, "run_damaged")
+    assert (answer.status, answer.error["code"]) == (409, "run_damaged")
     assert "damaged" in answer.error["message"]
     runs = browser.get(f"/api/groups/{group['id']}/runs").data["runs"]
     assert [one["id"] for one in runs] == [run["id"]]

@@ -23,6 +23,7 @@ from pinel_desktop.web.models.work import (
     VersionLine,
     VersionMark,
     VersionPage,
+    WhichVersion,
 )
 from pinel_desktop.web.models.worlds import World
 from pinel_desktop.web.presets import prepare_program
@@ -57,12 +58,19 @@ def create_program(path: IdPath, body: ProgramName) -> Response:
     return answer(Program.of(parts.store.programs.get(row.id)))
 
 
-@api.get("/programs/<id>", responses=answers(ProgramWithVersion, "program_not_found"))
-def get_program(path: IdPath) -> Response:
-    """A program with its newest version."""
+@api.get(
+    "/programs/<id>",
+    responses=answers(ProgramWithVersion, "program_not_found", "version_damaged"),
+)
+def get_program(path: IdPath, query: WhichVersion) -> Response:
+    """A program with its newest version, or with the newest that is as it was saved.
+
+    `version_damaged` tells in `params` the id and the time of the last version that can be opened.
+    """
     store = services().store
     row = store.programs.get(path.id)
-    newest = store.versions.newest(path.id)
+    versions = store.versions
+    newest = versions.newest_sound(path.id) if query.sound else versions.newest(path.id)
     elsewhere = store.versions.elsewhere(newest) if newest else None
     return answer(
         ProgramWithVersion.of(
@@ -128,7 +136,7 @@ def _tell_windows(program: ProgramRow, version: str | None = None) -> None:
 
 def _world_to_keep(program_id: str, world: Json, parts: Services) -> Json:
     """The world in its normal form. A world saved before is accepted unchanged, even if later rules would refuse it."""
-    newest = parts.store.versions.newest(program_id)
+    newest = parts.store.versions.newest_sound(program_id)
     return world if newest is not None and world == newest.world else sound_world(world)
 
 

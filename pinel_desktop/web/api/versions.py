@@ -16,7 +16,9 @@ from pinel_desktop.web.services import services
 api = resource("versions", "Single versions, and differences of two.", __name__)
 
 
-@api.get("/versions/<id>", responses=answers(VersionOfProgram, "version_not_found"))
+@api.get(
+    "/versions/<id>", responses=answers(VersionOfProgram, "version_not_found", "version_damaged")
+)
 def get_version(path: IdPath) -> Response:
     """A version with its number, label and parent."""
     row = services().store.versions.get(path.id)
@@ -32,7 +34,10 @@ def get_version(path: IdPath) -> Response:
     )
 
 
-@api.get("/versions/<id>/difference", responses=answers(VersionDifference, "version_not_found"))
+@api.get(
+    "/versions/<id>/difference",
+    responses=answers(VersionDifference, "version_not_found", "version_damaged"),
+)
 def get_difference(path: IdPath, query: DifferenceTo) -> Response:
     """Differences to a later version, block by block.
 

@@ -156,6 +156,14 @@ class VersionPage(Body):
     limit: Annotated[int, Field(ge=1, le=500)] = 200
 
 
+class WhichVersion(Body):
+    """With which version a program is opened."""
+
+    sound: Annotated[
+        bool, Field(description="the newest that is as it was saved, where a newer one is damaged")
+    ] = False
+
+
 class VersionLabel(Body):
     """A label for a version; "" removes it."""
 

@@ -72,7 +72,9 @@ export const api = {
   programs: async (group: string) => (await get("/api/groups/{id}/programs", of(group))).programs,
   createProgram: (group: string, name: string) =>
     post("/api/groups/{id}/programs", { ...of(group), body: { name } }),
-  program: (id: string) => get("/api/programs/{id}", of(id)),
+  /** `sound`: with the newest version that can be opened, where a newer one is damaged. */
+  program: (id: string, sound = false) =>
+    get("/api/programs/{id}", { params: { path: { id }, query: sound ? { sound } : {} } }),
   renameProgram: (id: string, name: string) =>
     patch("/api/programs/{id}", { ...of(id), body: { name } }),
   /** `last`: the page is closing, the request must outlive it. */

@@ -13,8 +13,8 @@ let firstProgram: { id: string; answer: ProgramAnswer } | null = null;
 let firstStart: StartAnswer | null = null;
 let earlySession: Promise<TeacherSession> | null = null;
 
-function askProgram(id: string): ProgramAnswer {
-  return Promise.all([api.program(id), api.groups()]);
+function askProgram(id: string, sound = false): ProgramAnswer {
+  return Promise.all([api.program(id, sound), api.groups()]);
 }
 
 function askStart(): StartAnswer {
@@ -56,10 +56,10 @@ export function serverStatus(): Promise<Status> {
 }
 
 /** A program and all groups; the first call returns the early request. */
-export function programAndGroups(id: string): ProgramAnswer {
-  const early = firstProgram?.id === id ? firstProgram.answer : null;
+export function programAndGroups(id: string, sound: boolean): ProgramAnswer {
+  const early = firstProgram?.id === id && !sound ? firstProgram.answer : null;
   firstProgram = null;
-  return early ?? askProgram(id);
+  return early ?? askProgram(id, sound);
 }
 
 /** All groups and classes; the first call returns the early request. */

@@ -1,15 +1,19 @@
+import { useSignal } from "@preact/signals";
+import { ApiError } from "../api/errors";
 import type { Activity } from "../api/model";
 import { levelNeeded } from "../blocks/toolbox/level_needed";
 import { chooseSigns } from "../camera/signs";
 import { texts } from "../i18n";
 import { Loaded } from "../kit/requests/Loaded";
 import { useLoaded } from "../kit/requests/useLoaded";
+import { ToStart } from "../kit/ToStart";
 import { clear, live, liveRun } from "../run/live";
 import { loadRealRobots } from "../run/real/real_robot";
 import { isLive } from "../run/reducer";
 import { programAndGroups } from "../shell/first_answers";
 import { LEVELS, levelInUse, type MissionLevel, missionLevel } from "../shell/level";
 import { group, program, report } from "../shell/session";
+import { OpenSound } from "./OpenSound";
 import { couldNotOpen, OpenProgram, opened, reloads } from "./program/open_program";
 import { Studio } from "./Studio";
 
@@ -19,19 +23,39 @@ export function StudioScreen({ program: programId }: { program: string }) {
 }
 
 function Opening({ programId }: { programId: string }) {
-  const opening = useLoaded(programId, (signal) => open(programId, signal), {
-    onFailed: couldNotOpen,
-    release: (left) => left.close(),
-  });
+  const sound = useSignal(false);
+  const opening = useLoaded(
+    [programId, sound.value],
+    (signal) => open(programId, sound.peek(), signal),
+    { onFailed: couldNotOpen, release: (left) => left.close() },
+  );
+  const soundAt = opening.status === "failed" ? timeOfSound(opening.error) : null;
+  const ways = soundAt && (
+    <>
+      <OpenSound at={soundAt} onPress={() => (sound.value = true)} />
+      <ToStart />
+    </>
+  );
   return (
-    <Loaded of={opening} as="screen" loading={texts.value.studio.opening}>
+    <Loaded
+      of={opening}
+      as="screen"
+      loading={texts.value.studio.opening}
+      {...(ways ? { ways } : {})}
+    >
       {(made) => <Studio open={made} />}
     </Loaded>
   );
 }
 
-async function open(programId: string, signal: AbortSignal): Promise<OpenProgram> {
-  const [loaded, groups] = await programAndGroups(programId);
+/** The time of the last version that can be opened, where the newest is damaged. */
+function timeOfSound(error: unknown): string | null {
+  const isDamaged = error instanceof ApiError && error.code === "version_damaged";
+  return isDamaged && error.params.sound ? String(error.params.sound_time) : null;
+}
+
+async function open(programId: string, sound: boolean, signal: AbortSignal): Promise<OpenProgram> {
+  const [loaded, groups] = await programAndGroups(programId, sound);
   signal.throwIfAborted();
   group.value = groups.find((one) => one.id === loaded.group_id) ?? null;
   program.value = loaded;

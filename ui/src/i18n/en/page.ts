@@ -66,6 +66,7 @@ export const page: typeof first = {
     redo: "Redo",
     tidy: "Tidy up",
     opening: "Opening the program…",
+    openSound: (time: string) => `Open the last version without damage (${time})`,
     faultsTitle: (n: number) => (n === 1 ? "1 thing to mend" : `${n} things to mend`),
     goToBlock: "Show the block",
     unreadable:

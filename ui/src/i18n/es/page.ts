@@ -66,6 +66,7 @@ export const page: typeof first = {
     redo: "Rehacer",
     tidy: "Ordenar",
     opening: "Abriendo el programa…",
+    openSound: (time: string) => `Abrir la última versión sin daños (${time})`,
     faultsTitle: (n: number) => (n === 1 ? "1 cosa por arreglar" : `${n} cosas por arreglar`),
     goToBlock: "Mostrar el bloque",
     unreadable:

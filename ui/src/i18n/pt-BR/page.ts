@@ -68,6 +68,7 @@ export const page = {
     redo: "Refazer",
     tidy: "Arrumar",
     opening: "Abrindo o programa…",
+    openSound: (time: string) => `Abrir a última versão sem defeito (${time})`,
     faultsTitle: (n: number) => (n === 1 ? "1 coisa para consertar" : `${n} coisas para consertar`),
     goToBlock: "Mostrar o bloco",
     unreadable:
