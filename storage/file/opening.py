@@ -3,6 +3,8 @@
 import contextlib
 import json
 import logging
+import math
+import os
 from collections.abc import Iterator
 from contextlib import closing
 from dataclasses import dataclass
@@ -86,9 +88,7 @@ def prepare(path: Path, now: datetime) -> Opened:
         trouble = _migrate(path, now)
         return Opened(address(path, "rwc"), writable=True, notice=replaced or trouble)
     except _ReadOnlyError as stop:
-        return Opened(
-            stop.address, writable=False, notice=Notice("database_read_only", {"path": str(path)})
-        )
+        return Opened(stop.address, writable=False, notice=_of_read_only(path, stop.address))
     except sqlite3.Error as error:
         raise translated(error, path) from error
     except OSError as error:
@@ -349,9 +349,14 @@ def _connect_writing(path: Path) -> sqlite3.Connection:
     except sqlite3.OperationalError as error:
         if translated(error, path).code != "database_read_only" or not path.exists():
             raise
-        if not _left_wal(path):
+        if not _may_write(path) or not _left_wal(path):
             raise
         return _tried(writable)
+
+
+def _may_write(path: Path) -> bool:
+    """Whether this user may write the file and make others beside it."""
+    return os.access(path, os.W_OK) and os.access(path.parent, os.W_OK)
 
 
 def _left_wal(path: Path) -> bool:
@@ -376,6 +381,24 @@ def _readable_address(path: Path) -> str:
         except sqlite3.OperationalError:
             continue
     raise StoreError("database_read_only", path=str(path))
+
+
+def _of_read_only(path: Path, readable: str) -> Notice:
+    """A file that is read as `immutable` is read without its WAL, in which the last edits may be."""
+    wal = path.with_name(path.name + "-wal")
+    if readable != address(path, "immutable") or not wal.exists() or not wal.stat().st_size:
+        return Notice("database_read_only", {"path": str(path)})
+    found = wal.stat()
+    written_at = datetime.fromtimestamp(found.st_mtime).astimezone()
+    return Notice(
+        "database_without_last_edits",
+        {
+            "path": str(path),
+            "name": wal.name,
+            "kb": math.ceil(found.st_size / 1000),
+            "time": f"{written_at:%Y-%m-%d %H:%M}",
+        },
+    )
 
 
 def _untouching_address(path: Path) -> str:

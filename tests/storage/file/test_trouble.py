@@ -1,6 +1,7 @@
 """Files that are damaged, foreign, newer, locked or read-only."""
 
 import os
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -153,19 +154,15 @@ store.close()
 """
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="permissions of POSIX")
-@pytest.mark.parametrize("mode_of_folder", [0o755, 0o555])
-def test_a_read_only_file_can_be_read_and_says_that_it_cannot_be_written(
-    path: Path, mode_of_folder: int
-) -> None:
-    filled(path, 1)
+def opened_read_only(path: Path, mode_of_folder: int) -> subprocess.CompletedProcess[str]:
+    """What an ordinary user sees who may not write the file."""
     for folder in (path.parent, *path.parent.parents):
         if folder.owner() and folder != Path("/tmp") and str(folder).startswith("/tmp/"):
             folder.chmod(0o755)
     path.chmod(0o444)
     path.parent.chmod(mode_of_folder)
     try:
-        result = subprocess.run(
+        return subprocess.run(
             [sys.executable, "-c", READ_ONLY_SCRIPT.format(import_path=sys.path), str(path)],
             capture_output=True,
             text=True,
@@ -173,9 +170,36 @@ def test_a_read_only_file_can_be_read_and_says_that_it_cannot_be_written(
         )
     finally:
         path.parent.chmod(0o755)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="permissions of POSIX")
+@pytest.mark.parametrize("mode_of_folder", [0o755, 0o555])
+def test_a_read_only_file_can_be_read_and_says_that_it_cannot_be_written(
+    path: Path, mode_of_folder: int
+) -> None:
+    filled(path, 1)
+    result = opened_read_only(path, mode_of_folder)
     assert result.stderr == ""
     assert result.stdout.splitlines() == [
         "False database_read_only",
         "['Grupo 0']",
         "database_read_only",
     ]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="permissions of POSIX")
+def test_of_a_read_only_folder_with_a_left_wal_it_is_said_that_the_last_edits_are_not_shown(
+    path: Path, tmp_path: Path
+) -> None:
+    filled(path, 1)
+    copy = tmp_path / "copy" / path.name
+    copy.parent.mkdir()
+    with open_store(path) as store:
+        store.groups.create("B")  # is in the WAL only
+        for name in (path.name, f"{path.name}-wal"):
+            shutil.copy(path.with_name(name), copy.with_name(name))
+    result = opened_read_only(copy, 0o555)
+    assert result.stderr == ""
+    assert result.stdout.splitlines()[:2] == ["False database_without_last_edits", "['Grupo 0']"]
+    with open_store(copy) as store:
+        assert len(store.groups.all()) == 2  # nothing was deleted
