@@ -163,7 +163,7 @@ def _database(path: Path) -> Finding:
         params |= {"n_rows": n_rows}
         return Finding("database", "warn", "doctor_database_inconsistent", params)
     if n_values := _damaged_values(path):
-        return Finding("database", "warn", "doctor_values_damaged", params | {"n": n_values})
+        return Finding("database", "warn", "doctor_values_damaged", params | {"n_rows": n_values})
     return Finding("database", "ok", "doctor_database_ok", params)
 
 

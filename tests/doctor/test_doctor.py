@@ -62,6 +62,15 @@ def test_without_a_screen_the_page_can_still_be_served() -> None:
     assert window(pc(screen=False)) == [("warn", "doctor_window_none")]
 
 
+def test_values_that_the_app_found_damaged_are_a_warning(tmp_path: Path) -> None:
+    path = tmp_path / "pinel.db"
+    open_store(path).close()
+    with closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute("INSERT INTO content_sums VALUES ('runs', 'r', 'x', 'today')")
+    finding = examination._database(path)
+    assert (finding.code, finding.params["n_rows"]) == ("doctor_values_damaged", 1)
+
+
 @pytest.mark.parametrize("version", ["3.40.1", "3.51.2"])
 def test_a_sqlite_that_can_lose_a_write_is_told(version: str) -> None:
     finding = examination._sqlite(version)
