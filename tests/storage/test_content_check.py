@@ -1,0 +1,81 @@
+"""The daily check of versions and runs."""
+
+import itertools
+from collections.abc import Callable
+
+import pytest
+
+from storage import Store, VersionRow
+from storage.content_check import ContentCheck
+from storage.file.sums import stored_sum
+from tests.storage.bundle_makers import a_run
+
+
+def sums_of(store: Store) -> set[tuple[str, str]]:
+    with store._database.reading() as db:
+        rows = db.execute("SELECT table_name, row_id FROM content_sums")
+        return {(str(row[0]), str(row[1])) for row in rows}
+
+
+def forget_sums(store: Store) -> None:
+    store._database.write(lambda db: db.execute("DELETE FROM content_sums").rowcount)
+
+
+def test_a_run_has_its_sums_when_it_ends_and_loses_them_when_it_is_deleted(
+    store: Store, version: VersionRow
+) -> None:
+    before = sums_of(store)
+    run_id = a_run(store, version.id)
+    store.runs.get(run_id)
+    assert sums_of(store) - before == {(part, run_id) for part in ("runs", "events", "telemetry")}
+    store.exchange.remove("run", run_id)
+    assert sums_of(store) == before
+
+
+def test_a_result_renews_the_sum_of_the_run_alone(store: Store, version: VersionRow) -> None:
+    run_id = a_run(store, version.id)
+
+    def sums() -> list[str | None]:
+        with store._database.reading() as db:
+            return [stored_sum(db, part, run_id) for part in ("runs", "events", "telemetry")]
+
+    store.settings.set("x", 1)  # the run's end is on disk
+    before = sums()
+    store.checks.record(run_id, True, {})
+    after = sums()
+    assert (after[0] != before[0], after[1:]) == (True, before[1:])
+    assert store.runs.get(run_id).passed
+
+
+def test_rows_of_an_earlier_release_get_their_sums_when_they_are_first_seen(
+    store: Store, version: VersionRow
+) -> None:
+    a_run(store, version.id)
+    store.settings.set("x", 1)
+    before = sums_of(store)
+    forget_sums(store)
+    assert ContentCheck(store._database).check_all() == (0, 0)
+    assert sums_of(store) == before
+
+
+def test_the_check_rests_nineteen_times_as_long_as_it_works_and_ends_when_the_app_closes(
+    store: Store, version: VersionRow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("storage.content_check._PIECE_S", 0.0)
+    monkeypatch.setattr("storage.content_check.time.monotonic", itertools.count().__next__)
+    store.versions.save(version.program_id, {"blocks": {"n": 2}}, None)
+    rests: list[float] = []
+
+    def pause(seconds: float) -> bool:
+        rests.append(seconds)
+        return True  # the app is closed
+
+    ContentCheck(store._database, pause=pause).check_all()
+    assert rests == [19.0]
+
+
+def test_an_app_that_closes_does_not_wait_for_the_check(opened: Callable[..., Store]) -> None:
+    check = ContentCheck(opened()._database)
+    check.start()
+    check.close()
+    assert check.notice is None
