@@ -7,6 +7,8 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import psutil
+
 _START_S = 30.0
 
 
@@ -46,6 +48,13 @@ class AppProcess:
         finally:
             _end(second, signal.SIGKILL)
         return link
+
+    def freeze_engine(self) -> None:
+        """Stops the engine's process where it is, as a system that is out of order might."""
+        assert self._process is not None
+        for child in psutil.Process(self._process.pid).children():
+            if child.cmdline()[-1] == "engine":
+                child.suspend()
 
     def kill(self) -> None:
         """Kills the process, as a power cut does."""

@@ -42,6 +42,23 @@ def test_a_damaged_file_gives_way_to_its_backup_and_the_page_says_so(
     expect(later["group-card"].filter(has_text="Os Tatus")).to_be_visible()
 
 
+def test_a_frozen_engine_is_said_and_the_next_run_works(studio: Studio, app: AppProcess) -> None:
+    studio.enter_group("Os Tatus")
+    blocks = studio.blocks
+    blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
+    blocks.type_into(blocks.by_words("andar para frente"), "9")
+    studio.eventually(lambda: studio.values("distance"), [9.0])
+    studio.run()
+    studio.wait_for_phase("running")
+    app.freeze_engine()
+    studio.wait_for_phase("failed")
+    expect(studio["status-line"]).to_contain_text("foi ligado de novo")
+    studio.run()
+    studio.wait_for_phase("running")
+    studio["stop"].click()
+    studio.wait_for_phase("stopped")
+
+
 def test_a_disk_that_fills_up_is_said_and_the_line_goes_by_itself_when_there_is_room(
     open_studio: OpenStudio, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
