@@ -17,6 +17,7 @@ from pathlib import Path
 
 from storage.errors import StoreError, is_full, translated
 from storage.file.filesystems import Free, free_bytes
+from storage.file.sums import Changes
 from storage.file.whole_files import whole_file
 from storage.sql import Stop, damage, opened
 from storage.sqlite import sqlite3
@@ -273,8 +274,10 @@ def _remove(file: Path, ids: Collection[str], remove: Remove) -> None:
         db.execute("PRAGMA journal_mode = DELETE")
         db.execute("PRAGMA foreign_keys = ON")
         migrate(db)
+        changes = Changes(db)
         db.execute("BEGIN IMMEDIATE")
         remove(db, ids)
+        changes.renew(db)  # the sums go with the rows
         db.execute("COMMIT")
         db.execute("VACUUM")  # the text of deleted rows is still in free pages before
 

@@ -1,6 +1,7 @@
 """Nothing that a group did is ever lost: undo after a restart, the line of versions, the bin, notes of the teacher."""
 
 import re
+import shutil
 from contextlib import closing
 from typing import Any
 
@@ -371,3 +372,25 @@ def test_history_bin_and_letters_have_names_and_contrast(studio: Studio) -> None
     expect(studio["note-card"]).to_be_visible()
     found["replay"] = violations(studio)
     assert {screen: one for screen, one in found.items() if one} == {}
+
+
+def test_where_the_disk_damaged_the_newest_version_the_last_sound_one_is_opened_by_one_button(
+    studio: Studio, open_studio: OpenStudio, app: AppProcess, watch: Watch
+) -> None:
+    watch.expect("Failed to load resource")
+    studio.enter_group("Os Tatus")
+    build(studio, "2")
+    app.stop()
+    shutil.rmtree(app.database.parent / "backups", ignore_errors=True)  # one would mend it
+    with closing(sqlite3.connect(app.database)) as db, db:
+        db.execute(
+            "UPDATE versions SET workspace = '{' WHERE number = (SELECT max(number) FROM versions)"
+        )
+    app.start()
+    later = open_studio()
+    later["group-card"].click()
+    expect(later["open-sound-version"]).to_contain_text("Abrir a última versão sem defeito")
+    later["open-sound-version"].click()
+    later.wait_until_open()
+    later.eventually(lambda: later.values("distance"), [1])
+    set_distance(later, "3")

@@ -2,12 +2,16 @@
 
 import itertools
 from collections.abc import Callable
+from contextlib import closing
 
 import pytest
 
 from storage import Store, VersionRow
 from storage.content_check import ContentCheck
+from storage.file.backups import make_backup
 from storage.file.sums import stored_sum
+from storage.sql import opened as opened_file
+from storage.text import utc_now
 from tests.storage.bundle_makers import a_run
 
 
@@ -28,8 +32,12 @@ def test_a_run_has_its_sums_when_it_ends_and_loses_them_when_it_is_deleted(
     run_id = a_run(store, version.id)
     store.runs.get(run_id)
     assert sums_of(store) - before == {(part, run_id) for part in ("runs", "events", "telemetry")}
+    backup = make_backup(store.path, utc_now())
     store.exchange.remove("run", run_id)
     assert sums_of(store) == before
+    assert backup is not None
+    with closing(opened_file(backup.path, "immutable")) as db:
+        assert {row[1] for row in db.execute("SELECT * FROM content_sums")} == {version.id}
 
 
 def test_a_result_renews_the_sum_of_the_run_alone(store: Store, version: VersionRow) -> None:

@@ -199,10 +199,10 @@ def test_a_run_that_was_cut_off_is_closed_later_when_the_disk_was_full_at_the_st
 
 @pytest.fixture
 def tiny_disk(tmp_path: Path) -> Iterator[Path]:
-    """A file system of 800 KB, which a new file and its log half fill, where this user may make one."""
+    """A file system of 1 MB, which a new file and its log half fill, where this user may make one."""
     folder = tmp_path / "disk"
     folder.mkdir()
-    mount = ["mount", "-t", "tmpfs", "-o", "size=800k", "tmpfs", str(folder)]
+    mount = ["mount", "-t", "tmpfs", "-o", "size=1000k", "tmpfs", str(folder)]
     if not IS_ROOT or subprocess.run(mount, capture_output=True, check=False).returncode != 0:
         pytest.skip("only root can make a small disk")
     yield folder
