@@ -13,8 +13,6 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING, Literal
 
-import psutil
-
 from pinel_desktop.errors import PinelError
 from pinel_desktop.processes import own_command
 from storage import SIMULATOR, RunRow, Store, StoreError
@@ -27,7 +25,6 @@ _log = logging.getLogger(__name__)
 _LOOK_S = 15.0  # between two looks for something to do
 _POLL_S = 0.2  # between two looks whether a run begins here
 _LONGEST_S = 600.0  # a run that takes longer is not repeated
-_LOWEST = getattr(psutil, "IDLE_PRIORITY_CLASS", 19)  # of Windows, else as for `nice`
 _SAME = ("identical", "equal")
 Repeated = Literal["same", "different", "impossible", "interrupted"]
 
@@ -75,11 +72,14 @@ class Confirmer:
         while not self._closing.is_set():
             self._woken.clear()
             try:
-                for run_id in self._store.unconfirmed.waiting():
+                for run_id in self._store.unconfirmed.waiting() if self._store.can_write else ():
                     if self._is_busy():
                         break
                     self.confirm(run_id)
-            except StoreError as error:  # a full disk: tried again
+            except (
+                StoreError,
+                OSError,
+            ) as error:  # a full disk, no memory for a process: tried again
                 _log.warning("runs were not confirmed: %s", error)
             self._woken.wait(self._look_s)
 
@@ -154,5 +154,8 @@ def _outcome(output: bytes) -> Repeated:
 
 def _step_back(pid: int) -> None:
     """The process gets what the others leave of the processor."""
+    import psutil  # noqa: PLC0415 - not needed to start
+
     with suppress(psutil.Error, OSError):
-        psutil.Process(pid).nice(_LOWEST)
+        lowest = getattr(psutil, "IDLE_PRIORITY_CLASS", 19)  # of Windows, else as for `nice`
+        psutil.Process(pid).nice(lowest)
