@@ -16,10 +16,12 @@ _COMMANDS = {
     "export": "Write all work, or a part of it, into one file.",
     "merge": "Bring in the work of other PCs.",
     "computers": "List the PCs whose work is here, and approve one.",
+    "salvage": "Bring in what is still readable of a damaged file.",
     "gestures": "Recognise letters of LIBRAS in pictures.",
     "pin": "Choose another PIN for the teacher.",
     "doctor": "Say what this PC has and lacks.",
 }
+_PLACES = {"salvage": "recovery.salvage"}
 _HIDDEN = {name: f"owned.{name}" for name in ("camera", "engine", "judge")} | {"app": "app"}
 
 
@@ -33,7 +35,7 @@ class _LazyGroup(click.Group):
         if cmd_name not in _COMMANDS and cmd_name not in _HIDDEN:
             return None
         module = importlib.import_module(
-            f"pinel_desktop.commands.{_HIDDEN.get(cmd_name, cmd_name)}"
+            f"pinel_desktop.commands.{(_HIDDEN | _PLACES).get(cmd_name, cmd_name)}"
         )
         command: click.Command = module.command
         return command

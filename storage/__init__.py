@@ -5,7 +5,7 @@ A leaf: imports nothing of the application. `open_store` opens the file,
 """
 
 from storage.errors import StoreError
-from storage.file.opening import Notice
+from storage.file.notices import Notice
 from storage.recording import Recorder, warm_up
 from storage.records import (
     SIMULATOR,

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator
 from storage.errors import StoreError
 from storage.file.connection import Database
 from storage.file.mending import is_mended
-from storage.file.opening import Notice
+from storage.file.notices import Notice
 from storage.file.sums import KEYS, is_sound, seal, stored_sum
 from storage.sql import rows_of
 

@@ -7,7 +7,7 @@ from datetime import datetime
 
 from storage.errors import StoreError
 from storage.file.filesystems import Free, free_bytes
-from storage.file.opening import Notice
+from storage.file.notices import Notice
 from storage.store import Store
 from storage.text import utc_now
 

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 from storage.errors import StoreError
 from storage.file.connection import Database, uptime_s
-from storage.file.opening import Notice, connect, prepare, prepare_reading
+from storage.file.notices import Notice, Salvaged
+from storage.file.opening import connect, prepare, prepare_reading
 from storage.runs.confirmation import Unconfirmed
 from storage.runs.grading import Checks
 from storage.runs.history import History
@@ -104,6 +105,16 @@ class Store:
 
         return ContentCheck(self._database, on_found)
 
+    def salvage(self, file: Path) -> Salvaged:
+        """Brings in what is still readable of a damaged file, which is only read; takes as long as it takes.
+
+        Raises:
+            StoreError, OSError, sqlite3.Error: nothing was brought in.
+        """
+        from storage.salvage.salvage import salvage  # noqa: PLC0415 - hardly ever needed
+
+        return salvage(self._database, file)
+
     def listen(self, on_written: Callable[[], None]) -> None:
         """Calls it after each write that is on disk, on the writer's thread; it must not raise or wait."""
         self._database.listen(on_written)
@@ -188,7 +199,7 @@ def open_store(
     Raises:
         StoreError: the file cannot be used at all; it is untouched.
     """
-    opened = prepare(path, clock())
+    opened = prepare(path, clock(), _mend)
     refusal = None if opened.writable else StoreError("database_read_only", path=str(path))
     store = Store(
         Database(path, opened.address, refusal, clock, uptime),
@@ -198,6 +209,12 @@ def open_store(
     if close_interrupted and opened.writable:
         store.close_interrupted()
     return store
+
+
+def _mend(file: Path, target: Path, now: str) -> Salvaged:
+    from storage.salvage.salvage import mend  # noqa: PLC0415 - few starts need it
+
+    return mend(file, target, now)
 
 
 def open_for_reading(path: Path) -> Store:

@@ -23,7 +23,10 @@ from pinel_desktop.camera.client import Camera, CameraState
 from pinel_desktop.desktop.backends import Pc, backends, find_browser
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.errors import PinelError
+from storage.file import log
 from storage.file.backups import damage_of, folder_of, list_backups
+from storage.file.mark import Remembered, local_time, remembered
+from storage.file.replacing import was_there
 from storage.sqlite import has_wal_fault, sqlite3
 
 Level = Literal["ok", "warn", "fail"]
@@ -55,6 +58,7 @@ def examine(database: Path, pc: Pc | None = None) -> Iterator[Finding]:
     yield from _disk(database.parent)
     yield _sqlite()
     yield _database(database)
+    yield from _set_aside(database)
     yield _backups(database)
     yield from _signs(Path("/dev"))
     yield _ros(os.environ, _ROS_FOLDER)
@@ -151,6 +155,9 @@ def _sqlite(version: str = sqlite3.sqlite_version) -> Finding:
 
 def _database(path: Path) -> Finding:
     params: dict[str, object] = {"path": str(path)}
+    known = remembered(path)
+    if (not path.exists() or not path.stat().st_size) and was_there(path, by_log=True):
+        return Finding("database", "fail", "doctor_database_gone", params)
     if not path.exists():
         return Finding("database", "ok", "doctor_database_new", params)
     size = path.stat().st_size
@@ -159,6 +166,8 @@ def _database(path: Path) -> Finding:
         return Finding("database", "fail", "doctor_database_damaged", params | {"problem": problem})
     if not os.access(path, os.W_OK):
         return Finding("database", "fail", "doctor_database_read_only", params)
+    if incomplete := _incomplete(path, known):
+        return incomplete
     if n_rows := _query(path, "SELECT count(*) FROM pragma_foreign_key_check"):
         params |= {"n_rows": n_rows}
         return Finding("database", "warn", "doctor_database_inconsistent", params)
@@ -172,6 +181,28 @@ def _damaged_values(path: Path) -> object:
     with contextlib.suppress(sqlite3.OperationalError):
         return _query(path, "SELECT count(*) FROM content_sums WHERE damaged_at IS NOT NULL")
     return 0
+
+
+def _incomplete(path: Path, known: Remembered | None) -> Finding | None:
+    """Work that was saved and is not in the file; None where all of it is there, as far as can be told."""
+    n_missing = known.n_saves - int(str(_query(path, "PRAGMA user_version"))) if known else 0
+    if known is not None and n_missing <= 0:
+        return None
+    params: dict[str, object] = {"path": str(path), "name": log.path_of(path).name}
+    if log.cut_off(path):
+        return Finding("database", "fail", "doctor_database_end", params)
+    if known is None:
+        return None
+    params |= {"time": local_time(known.at), "n_saves": n_missing}
+    return Finding("database", "warn", "doctor_database_earlier", params)
+
+
+def _set_aside(path: Path) -> Iterator[Finding]:
+    """Damaged files that lie beside the database since an earlier start."""
+    found = sorted(path.parent.glob(f"{path.stem}.damaged-*{path.suffix}"))
+    if found:
+        params = {"folder": str(path.parent), "files": ", ".join(one.name for one in found)}
+        yield Finding("database", "warn", "doctor_database_aside", params)
 
 
 def _damage(path: Path) -> str | None:

@@ -2,13 +2,11 @@
 merges from bringing them back."""
 
 from collections.abc import Iterable
-from contextlib import closing
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from storage.errors import StoreError
 from storage.file.connection import Database
-from storage.file.opening import connect
 from storage.sql import require, row_count, tuples
 from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
@@ -116,8 +114,7 @@ def remove(database: Database, kind: str, *keys: str) -> Deletion:
         return remove_keys(db, keys, spare_running=True)
 
     deletion = database.write(job)
-    with closing(connect(database.address)) as db:
-        return replace(deletion, overwritten=checkpoint(db))
+    return replace(deletion, overwritten=database.checkpoint(is_patient=True))
 
 
 def remove_keys(
@@ -127,7 +124,7 @@ def remove_keys(
 
     The keys get tombstones, as do the groups, lessons and programs that are deleted with them; so do keys without a
     row. The same again changes nothing. What is deleted is overwritten in the file; a write-ahead log still holds it
-    until `checkpoint`. Names of files, which people make of those of groups, are deleted too.
+    until `Database.checkpoint`. Names of files, which people make of those of groups, are deleted too.
 
     Args:
         spare_running: raises StoreError `run_in_progress` where a run that has not ended would be deleted.
@@ -171,12 +168,6 @@ def add_tombstones_below(db: sqlite3.Connection) -> None:
                 db.execute(
                     f"INSERT OR IGNORE INTO tombstones SELECT id FROM {table.name} WHERE {column} IN {_DEAD}"
                 )
-
-
-def checkpoint(db: sqlite3.Connection) -> bool:
-    """Empties the write-ahead log, outside of a transaction; False where another program still reads from it."""
-    busy, _, _ = db.execute("PRAGMA wal_checkpoint(TRUNCATE)").fetchone()
-    return not busy
 
 
 def tombstones(db: sqlite3.Connection) -> set[str]:

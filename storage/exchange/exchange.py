@@ -14,7 +14,7 @@ from storage.exchange.bundle_writing import (
     note_export,
 )
 from storage.exchange.content_hash import content_hash
-from storage.exchange.deletion import Deletion, checkpoint, remove, remove_keys, tombstones
+from storage.exchange.deletion import Deletion, remove, remove_keys, tombstones
 from storage.exchange.lesson_merging import merge_lesson
 from storage.exchange.merging import KnownComputer, MergeReport, known_computers, merge
 from storage.exchange.parquet import write_parquet
@@ -23,7 +23,6 @@ from storage.exchange.scope import ALL, Scope
 from storage.exchange.signing import fingerprint, own_public_key
 from storage.file.backups import remove_from_backups
 from storage.file.connection import Database
-from storage.file.opening import connect
 from storage.sql import Stop, opened
 from storage.text import new_id
 from storage.work.computers import Computers
@@ -97,8 +96,7 @@ class Exchange:
         """
         report = merge(self._database, path, delete=delete)
         if report.removed:
-            with closing(connect(self._database.address)) as db:
-                checkpoint(db)
+            self._database.checkpoint(is_patient=True)
             report = replace(report, still_in=self._clean_backups(report.tombstones))
         return report
 
@@ -131,9 +129,7 @@ class Exchange:
             ids = tombstones(db)
         if not ids:
             return ()
-        with closing(connect(self._database.address)) as db:
-            db.execute("PRAGMA busy_timeout = 0")  # writers must not wait; this is tried again
-            checkpoint(db)
+        self._database.checkpoint()
         return self._clean_backups(ids, stop)
 
     def _clean_backups(self, ids: Collection[str], stop: Stop = lambda: False) -> tuple[Path, ...]:

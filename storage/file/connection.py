@@ -66,7 +66,7 @@ class Database:
         self._uptime = uptime
         self._app = uuid.uuid4().hex
         self._idle: queue.LifoQueue[sqlite3.Connection] = queue.LifoQueue(_KEPT)
-        self._writer = None if refusal else Writer(connect(address), path)
+        self._writer = None if refusal else Writer(connect(address), path, self.now)
 
     def now(self) -> str:
         """The time as text."""
@@ -106,6 +106,16 @@ class Database:
         future: Future[T] = Future()
         future.set_exception(self._refusal or StoreError("database_read_only", path=str(self.path)))
         return future
+
+    def checkpoint(self, *, is_patient: bool = False) -> bool:
+        """Empties the write-ahead log, by the writer; False while another connection still reads from it.
+
+        Args:
+            is_patient: waits some seconds for those who read, and lets those who write wait too.
+        """
+        if self._writer is None:
+            return False
+        return self._writer.checkpoint(is_patient=is_patient).result()
 
     def listen(self, on_written: Callable[[], None]) -> None:
         """Calls it after each write that is on disk, on the writer's thread; it must not raise or wait."""

@@ -12,8 +12,18 @@ from datetime import datetime
 from pathlib import Path
 
 from storage.errors import StoreError, translated
+from storage.file import log
 from storage.file.filesystems import is_on_share
-from storage.file.whole_files import free_path
+from storage.file.mark import Remembered, n_saves_of, remember, remember_first, remembered
+from storage.file.notices import Notice
+from storage.file.replacing import (
+    Mend,
+    earlier,
+    end_mended,
+    finish_replacing,
+    replaced,
+    was_there,
+)
 from storage.limits import MAX_NUMBERS_AHEAD, MAX_REVISION
 from storage.sql import address, damage
 from storage.sqlite import sqlite3
@@ -31,6 +41,7 @@ _MADE_HERE = (
         for table in ("runs", "versions")
     ),
 )
+_EMPTY = ("missing", "empty")
 _REVISED = (
     "computers",
     "classrooms",
@@ -44,16 +55,6 @@ _REVISED = (
 )
 _WITH_ID = (*_REVISED, "taught_signs", "versions", "runs", "tombstones")
 _log = logging.getLogger(__name__)
-# in the order in which they are set aside: a WAL left behind would be read as part of the file's successor
-_SIBLINGS = ("-shm", "-wal", "")
-
-
-@dataclass(frozen=True, slots=True)
-class Notice:
-    """Something a person should know about the file that was opened."""
-
-    code: str
-    params: dict[str, object]
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,20 +74,24 @@ def connect(address: str) -> sqlite3.Connection:
     connection.row_factory = sqlite3.Row
     connection.execute("PRAGMA foreign_keys = ON")
     connection.execute("PRAGMA synchronous = FULL")  # schools cut the power
+    connection.execute("PRAGMA wal_autocheckpoint = 0")  # the writer alone empties the log
     return connection
 
 
-def prepare(path: Path, now: datetime) -> Opened:
+def prepare(path: Path, now: datetime, mend: Mend | None = None) -> Opened:
     """Makes the file ready: replaces a damaged file by its last sound backup and runs the migrations it lacks.
+
+    Args:
+        mend: brings what is still readable of a damaged file into the one that takes its place.
 
     Raises:
         StoreError: `database_newer`, `database_foreign` or `database_is_bundle` with the file untouched;
             `database_read_only` where not even reading is possible; `disk_full`, `database_locked`, `database_failed`.
     """
     try:
-        replaced = _examined(path, now)
+        found = _examined(path, now, mend)
         trouble = _migrate(path, now)
-        return Opened(address(path, "rwc"), writable=True, notice=replaced or trouble)
+        return Opened(address(path, "rwc"), writable=True, notice=found or trouble)
     except _ReadOnlyError as stop:
         return Opened(stop.address, writable=False, notice=_of_read_only(path, stop.address))
     except sqlite3.Error as error:
@@ -124,23 +129,46 @@ class _ReadOnlyError(Exception):
         self.address = address
 
 
-def _examined(path: Path, now: datetime) -> Notice | None:
-    """Looks at the file without writing to it; sets it aside when it is damaged."""
+def _examined(path: Path, now: datetime, mend: Mend | None) -> Notice | None:
+    """Looks at the file without writing to it; replaces it when it is damaged, empty or missing."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    _finish_restoring(path)
-    if not path.exists() or path.stat().st_size == 0:
-        return None
+    finish_replacing(path)
+    known, n_saves = (
+        remembered(path),
+        0,
+    )  # before the file is read: another program may be saving to it
     try:
-        with closing(_connect_reading(path)) as connection:
-            problem = damage(connection, "quick_check")
-            if problem is None:
-                _check_ownership(connection, path)
-                return None
+        problem = "missing"
+        if path.exists() and path.stat().st_size:
+            with closing(_connect_reading(path)) as connection:
+                problem = damage(connection, "quick_check") or (
+                    "" if _tables(connection) else "empty"
+                )
+                if not problem:
+                    _check_ownership(connection, path)
+                    n_saves = n_saves_of(connection)
     except sqlite3.DatabaseError as error:
         if translated(error, path).code != "database_damaged":
             raise
         problem = str(error)
-    return _replaced(path, problem, now)
+    if problem in _EMPTY and not was_there(path, by_log=problem == "missing"):
+        return None  # the first start
+    if problem:
+        return replaced(path, problem, now, lambda db: _require_ours(db, path), mend)
+    return _examined_end(path, known, n_saves, now, mend)
+
+
+def _examined_end(
+    path: Path, known: Remembered | None, n_saves: int, now: datetime, mend: Mend | None
+) -> Notice | None:
+    """Whether all that was saved is there, as far as log and mark tell."""
+    is_behind = known is not None and n_saves < known.n_saves
+    n_cut_off = log.cut_off(path) if is_behind or known is None else 0
+    notice = end_mended(path, now, mend) if n_cut_off else None
+    if notice or not is_behind or known is None:
+        return notice
+    remember(path, n_saves, known.at)  # once: a person may have put an earlier copy back on purpose
+    return earlier(path, known, n_saves)
 
 
 def _connect_reading(path: Path) -> sqlite3.Connection:
@@ -199,48 +227,10 @@ def _applied(connection: sqlite3.Connection) -> set[str]:
     return {str(row[0]) for row in rows}
 
 
-def _replaced(path: Path, problem: str, now: datetime) -> Notice:
-    """Sets the file aside and puts the last good backup in its place, where there is one."""
-    from storage.file.backups import restored_copy  # noqa: PLC0415 - few starts need it
-
-    copy = _restoring(path)
-    backup = restored_copy(path, copy, lambda connection: _require_ours(connection, path))
-    aside = _set_aside(path, now)
-    params = {"path": str(path), "folder": str(aside.parent), "name": aside.name}
-    if backup is None:
-        return Notice("database_set_aside", {**params, "problem": problem})
-    copy.replace(path)
-    made_at = f"{backup.made_at.astimezone():%Y-%m-%d %H:%M}"
-    return Notice("database_restored", {**params, "time": made_at})
-
-
 def _require_ours(connection: sqlite3.Connection, path: Path) -> None:
     if not _tables(connection):
         raise StoreError("database_foreign", path=str(path))
     _check_ownership(connection, path)
-
-
-def _finish_restoring(path: Path) -> None:
-    """The power was cut while a backup took the damaged file's place."""
-    copy = _restoring(path)
-    if copy.exists():
-        if path.exists():
-            copy.unlink()
-        else:
-            copy.replace(path)
-
-
-def _restoring(path: Path) -> Path:
-    return path.with_name(f"{path.name}.restoring")
-
-
-def _set_aside(path: Path, now: datetime) -> Path:
-    aside = free_path(path.with_name(f"{path.stem}.damaged-{now:%Y%m%d-%H%M%S}{path.suffix}"))
-    for sibling in _SIBLINGS:
-        part = path.with_name(path.name + sibling)
-        if part.exists():
-            part.rename(aside.with_name(aside.name + sibling))
-    return aside
 
 
 def _migrate(path: Path, now: datetime) -> Notice | None:
@@ -257,6 +247,7 @@ def _migrate(path: Path, now: datetime) -> Notice | None:
             if applied != MIGRATIONS.keys():
                 migrate(connection)
             mended = _continue_ids(connection, path, now)
+            remember_first(path, n_saves_of(connection), time_text(now))
             return notice or mended
     except sqlite3.OperationalError as error:
         if translated(error, path).code != "database_read_only" or not path.exists():

@@ -3,33 +3,46 @@
 import contextlib
 import queue
 import threading
+import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future
 from pathlib import Path
 from typing import TypeVar
 
 from storage.errors import StoreError, translated
+from storage.file.mark import Mark, count_save
 from storage.file.sums import Changes, mend_from
+from storage.sql import checkpoint
 from storage.sqlite import sqlite3
 
 T = TypeVar("T")
 _Task = Callable[[], None]
 ATTACHED = "bundle"
+_PAGES_IN_LOG = 1000  # then a commit moves them to the file, as SQLite does by itself
+_IDLE_S = 2.0  # then the log is emptied: a wrong bit in it would cut off all that follows
+_LONGEST_S = 30.0  # of work without a pause
 
 
 class Writer:
-    """Owns the writing connection.
+    """Owns the writing connection, and alone moves the write-ahead log into the file.
+
+    Args:
+        now: the time as text, for the mark beside the file.
 
     Attributes:
         on_written: called after each job that is on disk, on the writer's thread; must not raise or wait.
     """
 
-    def __init__(self, connection: sqlite3.Connection, path: Path) -> None:
+    def __init__(self, connection: sqlite3.Connection, path: Path, now: Callable[[], str]) -> None:
+        connection.execute(f"PRAGMA wal_autocheckpoint = {_PAGES_IN_LOG}")
         # deleted content is overwritten: a renamed group's old name must not stay in the file
         connection.execute("PRAGMA secure_delete = ON")
         self._changes = Changes(connection)
         self._connection = connection
         self._path = path
+        self._now = now
+        self._mark = Mark(path)
+        self._in_log_since: float | None = None
         self._tasks: queue.SimpleQueue[_Task | None] = queue.SimpleQueue()
         self.on_written: Callable[[], None] = lambda: None
         self._closed = False
@@ -68,10 +81,55 @@ class Writer:
                 self._tasks.put(None)
         self._thread.join()
 
+    def checkpoint(self, *, is_patient: bool = False) -> "Future[bool]":
+        """Empties the write-ahead log; False while another connection still reads from it, for some seconds if it is
+        to be patient."""
+        future: Future[bool] = Future()
+        with self._lock:
+            if self._closed:
+                future.set_result(False)
+            else:
+                self._tasks.put(lambda: future.set_result(self._empty_log(is_patient=is_patient)))
+        return future
+
     def _work(self) -> None:
-        while (task := self._tasks.get()) is not None:
+        while (task := self._next()) is not None:
             task()
+            if self._is_log_old():
+                self._empty_log()
+        self._empty_log()
+        self._mark.close()
         self._connection.close()
+
+    def _next(self) -> _Task | None:
+        """The next task; when there is none for a while, the log is emptied meanwhile."""
+        while True:
+            try:
+                return self._tasks.get(timeout=_IDLE_S if self._in_log_since else None)
+            except queue.Empty:
+                self._empty_log()
+
+    def _is_log_old(self) -> bool:
+        since = self._in_log_since
+        return since is not None and time.monotonic() - since > _LONGEST_S
+
+    def _empty_log(self, *, is_patient: bool = False) -> bool:
+        """What readers still need stays in the log until the next time."""
+        self._in_log_since = None
+        try:
+            with contextlib.nullcontext() if is_patient else self._without_waiting():
+                return checkpoint(self._connection)
+        except sqlite3.Error:  # the next write tells what is wrong
+            return False
+
+    @contextlib.contextmanager
+    def _without_waiting(self) -> Iterator[None]:
+        wait_ms = self._connection.execute("PRAGMA busy_timeout").fetchone()[0]
+        self._connection.execute("PRAGMA busy_timeout = 0")
+        try:
+            yield
+        finally:
+            self._connection.execute(f"PRAGMA busy_timeout = {wait_ms}")
 
     def _fulfil(
         self, future: "Future[T]", job: Callable[[sqlite3.Connection], T], attached: str | None
@@ -103,13 +161,19 @@ class Writer:
         # IMMEDIATE: a job that reads first must not lose to another process that wrote in between
         self._connection.execute("BEGIN IMMEDIATE")
         try:
+            n_changes = self._connection.total_changes
             result = job(self._connection)
             if has_attached:
                 mend_from(self._connection, ATTACHED)
             self._changes.renew(self._connection)
+            has_changed = self._connection.total_changes != n_changes
+            n_saves = count_save(self._connection) if has_changed else None
             self._connection.execute("COMMIT")
         except BaseException:
             if self._connection.in_transaction:
                 self._connection.execute("ROLLBACK")
             raise
+        if n_saves is not None:
+            self._in_log_since = self._in_log_since or time.monotonic()
+            self._mark.write(n_saves, self._now())
         return result

@@ -4,9 +4,13 @@ Each test is one attack, in a few lines that read as a sentence; how it is done 
 docs/trust.md tells a school the same in plain words.
 """
 
+import os
 import random
+import shutil
+from collections import Counter
 from collections.abc import Callable
 from contextlib import closing
+from datetime import UTC, datetime
 from itertools import permutations
 from pathlib import Path
 
@@ -15,8 +19,22 @@ import pytest
 from storage import RunFilter, Store, StoreError, open_store
 from storage.exchange.signing import key_path
 from storage.exchange.trust import Sender
+from storage.file.backups import make_backup
 from storage.limits import MAX_REVISION
 from storage.sql import opened, row_count
+from tests.attacks.damage import (
+    PAGE,
+    Day,
+    a_day,
+    code_of,
+    doctor_says,
+    log_of,
+    outcome_of,
+    pinel,
+    reopened,
+    spoil,
+    wait_until,
+)
 from tests.attacks.damaged_values import N_PROGRAMS, school
 from tests.attacks.engine import NOTICED_S, SOON_S, desk
 from tests.attacks.made_up_files import (
@@ -232,6 +250,130 @@ def test_a_forged_name_gives_way_to_the_teacher_s_correction_on_all_pcs(
 # ---- a deletion that arrives with a file ----
 
 # ---- a file that was damaged ----
+
+
+@pytest.fixture
+def day(tmp_path: Path) -> Day:
+    """270 edits, 150 of them in the backup and the last 40 in the write-ahead log."""
+    return a_day(tmp_path)
+
+
+def test_a_missing_database_beside_its_backup_is_no_first_start(day: Day) -> None:
+    day.path.unlink()
+    assert doctor_says(day) == "doctor_database_gone"
+    notice, n_kept = reopened(day)
+    assert notice
+    assert notice.code == "database_gone_salvaged"
+    assert n_kept == 150 + int(str(notice.params["n_edits"])) >= 190
+
+
+def test_an_empty_database_without_any_backup_gives_back_what_its_log_holds(day: Day) -> None:
+    shutil.rmtree(day.path.parent / "backups")
+    day.path.write_bytes(b"")
+    notice, n_kept = reopened(day)
+    assert notice
+    assert notice.code == "database_gone_kept"
+    assert n_kept >= 40
+
+
+def test_a_missing_database_with_nothing_left_beside_it_is_said_once(day: Day) -> None:
+    shutil.rmtree(day.path.parent / "backups")
+    for file in (day.path, log_of(day.path)):
+        file.unlink()
+    assert [code_of(reopened(day)) for _ in range(2)] == ["database_gone", None]
+
+
+def test_a_first_start_is_silent(tmp_path: Path) -> None:
+    assert reopened(Day(tmp_path / "data" / "pinel.db", {}, 0)) == (None, 0)
+
+
+def test_a_damaged_file_gives_back_what_the_backup_does_not_have(day: Day) -> None:
+    spoil(day.path, 20 * PAGE, 5 * PAGE)
+    notice, n_kept = reopened(day)
+    assert notice
+    assert notice.code == "database_salvaged"
+    assert n_kept + int(str(notice.params["n_unread"])) == 270
+    assert n_kept >= 255
+
+
+def test_a_damaged_file_without_any_backup_is_not_given_up(day: Day) -> None:
+    shutil.rmtree(day.path.parent / "backups")
+    spoil(day.path, PAGE, 20 * PAGE)
+    notice, n_kept = reopened(day)
+    assert notice
+    assert notice.code == "database_salvaged_alone"
+    assert n_kept + int(str(notice.params["n_unread"])) == 270
+
+
+def test_what_was_deleted_for_good_stays_deleted_when_a_damaged_file_is_salvaged(
+    tmp_path: Path,
+) -> None:
+    path = tmp_path / "pinel.db"
+    with open_store(path) as store:
+        store.exchange.remove("group", store.groups.create("A").id)
+        store.groups.create("B")
+    spoil(path, 0, 16)
+    with open_store(path) as store:
+        assert [group.name for group in store.groups.all()] == ["B"]
+        assert len(store.exchange.finish_removals()) == 1  # the damaged file, which may hold it
+
+
+def test_a_wrong_bit_in_the_log_does_not_cut_off_what_follows_it(day: Day) -> None:
+    spoil(log_of(day.path), 32 + 30 * (24 + PAGE) + 100, 1)
+    assert doctor_says(day) == "doctor_database_end"
+    notice, n_kept = reopened(day)
+    assert notice
+    assert notice.code == "database_end_salvaged"
+    assert n_kept >= 268
+
+
+@pytest.mark.parametrize("n_frames", [0, 60])
+def test_a_log_that_is_shorter_than_it_was_is_noticed(day: Day, n_frames: int) -> None:
+    os.truncate(log_of(day.path), 32 + n_frames * (24 + PAGE) if n_frames else 0)
+    assert doctor_says(day) == "doctor_database_earlier"
+    notice, n_kept = reopened(day)
+    assert notice
+    assert notice.code == "database_earlier"
+    assert n_kept == 270 - int(str(notice.params["n_saves"]))
+    assert reopened(day) == (None, n_kept)  # said once
+
+
+def test_an_earlier_copy_put_back_names_the_backup_that_knows_more(day: Day) -> None:
+    reopened(day)
+    earlier = day.path.read_bytes()
+    with open_store(day.path) as store:
+        store.groups.create("B")
+        make_backup(day.path, datetime.now(UTC))
+    day.path.write_bytes(earlier)
+    notice, _ = reopened(day)
+    assert notice
+    assert notice.code == "database_earlier_backup"
+    assert pinel("--db", day.path, "salvage", str(notice.params["backup"])) == 0
+    with open_store(day.path) as store:
+        assert {group.name for group in store.groups.all()} == {"A", "B"}
+
+
+def test_an_idle_app_leaves_nothing_in_the_log(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("storage.file.writer._IDLE_S", 0.05)
+    with open_store(tmp_path / "pinel.db") as store:
+        store.groups.create("A")
+        wait_until(lambda: log_of(store.path).stat().st_size == 0)
+
+
+@pytest.mark.parametrize("turn", range(24))
+def test_no_damage_to_a_file_loses_anything_silently(turn: int, tmp_path: Path) -> None:
+    assert outcome_of(turn, tmp_path).is_honest
+
+
+@pytest.mark.nightly
+@pytest.mark.timeout(1800)
+def test_no_damage_of_three_hundred_loses_anything_silently(tmp_path: Path) -> None:
+    outcomes = [outcome_of(turn, tmp_path / str(turn)) for turn in range(300)]
+    print("\n", Counter(outcome.said or "nothing lost" for outcome in outcomes))
+    assert [outcome for outcome in outcomes if not outcome.is_honest] == []
+
 
 # ---- a value that was damaged ----
 

@@ -7,9 +7,10 @@ import pytest
 
 from storage import Recorder, RunStart, Store, StoreError
 from storage.exchange.content_hash import content_hash
-from storage.exchange.deletion import checkpoint, remove_keys
+from storage.exchange.deletion import remove_keys
 from storage.exchange.scope import Scope
 from storage.file.opening import connect
+from storage.sql import checkpoint
 from storage.sqlite import sqlite3
 from tests.storage.bundle_makers import exported, work
 from tests.storage.sample_documents import SQUARE, WORLD

@@ -37,3 +37,9 @@ def spoil(path: Path) -> bytes:
         path.with_name(path.name + suffix).unlink(missing_ok=True)
     path.write_bytes(b"this is no database" + path.read_bytes()[19:])
     return path.read_bytes()
+
+
+def ruin(path: Path) -> bytes:
+    """Damages a file so that nothing of it can be read."""
+    path.write_bytes(b"rubbish" * (path.stat().st_size // 7))
+    return path.read_bytes()

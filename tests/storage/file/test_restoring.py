@@ -12,7 +12,7 @@ from storage.file.backups import (
     list_backups,
 )
 from storage.sqlite import sqlite3
-from tests.storage.file.backup_files import DAY, NOON, backed_up, names_in, spoil
+from tests.storage.file.backup_files import DAY, NOON, backed_up, names_in, ruin
 from tests.storage.file.refusals import code_of
 
 
@@ -21,7 +21,7 @@ def test_a_damaged_file_gives_way_to_its_last_backup_and_lies_beside(path: Path)
         store.groups.create("A")
         backup = backed_up(path)
         store.groups.create("B")
-    damaged = spoil(path)
+    damaged = ruin(path)
     with open_store(path, clock=lambda: NOON) as store:
         assert store.notice is not None
         assert store.notice.code == "database_restored"
@@ -48,7 +48,7 @@ def test_where_the_newest_backup_is_bad_an_older_one_comes_back(path: Path) -> N
             "INSERT INTO _sqlite_migrations (migration_set, name, applied_at) VALUES ('pinel', 'next', '2031')"
         )
     db.close()
-    spoil(path)
+    ruin(path)
     with open_store(path) as store:
         assert store.notice is not None
         assert store.notice.code == "database_restored"
@@ -59,7 +59,7 @@ def test_where_no_backup_is_good_a_new_file_is_begun_as_without_any(path: Path) 
     with open_store(path) as store:
         store.groups.create("A")
     backed_up(path).path.write_bytes(b"rubbish" * 1000)
-    spoil(path)
+    ruin(path)
     with open_store(path) as store:
         assert store.notice is not None
         assert store.notice.code == "database_set_aside"
@@ -76,7 +76,7 @@ def test_a_damaged_file_stays_in_its_place_while_the_backup_cannot_be_copied(
     with open_store(path) as store:
         store.groups.create("A")
         backed_up(path)
-    damaged = spoil(path)
+    damaged = ruin(path)
 
     def fail(*_: object) -> None:
         raise OSError(number, os.strerror(number))
@@ -89,7 +89,7 @@ def test_a_damaged_file_stays_in_its_place_while_the_backup_cannot_be_copied(
         assert [group.name for group in store.groups.all()] == ["A"]
 
 
-@pytest.mark.parametrize("step", ["copy", "-shm", "-wal", "", "in place"])
+@pytest.mark.parametrize("step", ["copy", "whole", "", "-wal", "-shm", "in place"])
 def test_a_power_cut_while_a_backup_comes_back_loses_nothing(
     path: Path, monkeypatch: pytest.MonkeyPatch, step: str
 ) -> None:
@@ -100,10 +100,10 @@ def test_a_power_cut_while_a_backup_comes_back_loses_nothing(
         copies = {
             suffix: path.with_name(path.name + suffix).read_bytes() for suffix in ("-wal", "-shm")
         }
-    spoil(path)
+    ruin(path)
     for suffix, content in copies.items():  # of the damaged file, not of what takes its place
         path.with_name(path.name + suffix).write_bytes(content)
-    steps = iter(["copy", "-shm", "-wal", "", "in place"])
+    steps = iter(["copy", "whole", "", "-wal", "-shm", "in place"])
 
     def cut_off(old: Path, new: Path) -> Path:
         if next(steps) == step:
@@ -117,7 +117,7 @@ def test_a_power_cut_while_a_backup_comes_back_loses_nothing(
         with pytest.raises(KeyboardInterrupt):
             open_store(path)
     with open_store(path) as store:
-        assert [group.name for group in store.groups.all()] == ["A"]
+        assert {group.name for group in store.groups.all()} == {"A", "B"}  # B was in the WAL
     assert not path.with_name("pinel.db.restoring").exists()
     assert damage_of(path) is None
 

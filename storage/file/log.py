@@ -1,0 +1,76 @@
+"""The write-ahead log as it lies on disk: whether SQLite would leave out frames that belong to it.
+
+SQLite reads a log up to the first frame whose checksum does not fit, and takes what follows for remains of earlier
+rounds. Frames of the same round that follow are work that a wrong bit cuts off (sqlite.org/fileformat2.html#walformat).
+"""
+
+import struct
+from pathlib import Path
+
+HEADER, FRAME_HEADER = 32, 24
+WAL_MAGIC = 0x377F0682
+
+
+def path_of(database: Path) -> Path:
+    """Where the log of a database lies."""
+    return database.with_name(f"{database.name}-wal")
+
+
+def has_frames(database: Path) -> bool:
+    """True where there is a log with content."""
+    try:
+        return path_of(database).stat().st_size > HEADER
+    except OSError:
+        return False
+
+
+def cut_off(database: Path) -> int:
+    """Commits in the log that SQLite leaves out as something before them is damaged; 0 where all is well."""
+    try:
+        octets = path_of(database).read_bytes()
+    except OSError:
+        return 0
+    if len(octets) <= HEADER + FRAME_HEADER:
+        return 0
+    header = struct.unpack(">8I", octets[:HEADER])
+    order = ">" if header[0] & 1 else "<"
+    sums = summed((0, 0), octets[:24], order)
+    step = FRAME_HEADER + header[2]
+    if header[0] & ~1 != WAL_MAGIC or sums != header[6:] or not 512 <= header[2] <= 65536:
+        return 1  # nothing of it is read
+    return _commits_after_damage(octets, order, step, sums, header[4:6])
+
+
+def _commits_after_damage(
+    octets: bytes, order: str, step: int, sums: tuple[int, int], salts: tuple[int, ...]
+) -> int:
+    is_sound, n_commits = True, 0
+    for start in range(HEADER, len(octets) - step + 1, step):
+        _, n_pages, *rest = struct.unpack(">6I", octets[start : start + FRAME_HEADER])
+        if tuple(rest[:2]) != salts and is_sound:
+            return 0 if not _recurs(octets, start + step, step, salts) else 1
+        if is_sound:
+            sums = summed(sums, octets[start : start + 8], order)
+            sums = summed(sums, octets[start + FRAME_HEADER : start + step], order)
+            is_sound = sums == tuple(rest[2:])
+        if not is_sound:
+            n_commits += bool(n_pages) and tuple(rest[:2]) == salts
+    return n_commits
+
+
+def _recurs(octets: bytes, begin: int, step: int, salts: tuple[int, ...]) -> bool:
+    """Frames of this round come after one that seems to be of another: that one's salts are damaged."""
+    return any(
+        struct.unpack(">2I", octets[start + 8 : start + 16]) == salts
+        for start in range(begin, len(octets) - step + 1, step)
+    )
+
+
+def summed(sums: tuple[int, int], octets: bytes, order: str) -> tuple[int, int]:
+    """The log's checksum of what came before, continued over more octets; `order`: of the words, as in struct."""
+    one, other = sums
+    words = struct.unpack(f"{order}{len(octets) // 4}I", octets)
+    for first, second in zip(words[::2], words[1::2], strict=True):
+        one = (one + first + other) & 0xFFFFFFFF
+        other = (other + second + one) & 0xFFFFFFFF
+    return one, other

@@ -1,0 +1,1 @@
+"""Reading what is still readable of a damaged file, and bringing it into a sound one."""

@@ -1,0 +1,178 @@
+"""Brings what is still readable of a damaged file into a sound one, by the merging of `storage/exchange`.
+
+Of two states of a row the later is kept, nothing of the sound file is lost, what was deleted for good stays deleted.
+"""
+
+import math
+import shutil
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import closing, contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from storage.errors import StoreError
+from storage.exchange.bundle_writing import BundleInfo
+from storage.exchange.merging import merge_attached
+from storage.file.connection import Database
+from storage.file.notices import Salvaged
+from storage.file.sums import Changes
+from storage.runs.runs import close_runs
+from storage.salvage.pages import Pages
+from storage.salvage.reading import Found, read_into
+from storage.salvage.stand_ins import complete
+from storage.sql import column_names, opened
+from storage.sqlite import sqlite3
+from storage.tables.local import LOCAL
+from storage.tables.migrations import migrate
+from storage.text import new_id
+
+_LONGEST_S = 20.0  # of a start; the command has no limit
+_LEFT_FREE = 50 * 10**6
+_LOCAL = tuple(table for table in LOCAL if table.name not in ("merges", "signatures"))
+
+
+@dataclass(frozen=True, slots=True)
+class Remains:
+    """Readable rows of a damaged file, in a database of its own for as long as they are needed."""
+
+    address: str
+    found: Found
+
+
+def mend(file: Path, target: Path, now: str, *, longest_s: float = _LONGEST_S) -> Salvaged:
+    """Brings what is readable of a file, with the log beside it, into a database that nobody has open.
+
+    Args:
+        target: a restored backup, or a path where nothing is: then a new database is made.
+        longest_s: reading ends after this time, with what was found until then.
+
+    Raises:
+        sqlite3.Error, OSError, StoreError: nothing was brought; the target is as it was, or empty.
+    """
+    with (
+        remains(file, now, beside=target, longest_s=longest_s) as found,
+        closing(opened(target, "rwc")) as db,
+    ):
+        db.row_factory = sqlite3.Row
+        db.execute("PRAGMA journal_mode = DELETE")
+        db.execute("PRAGMA foreign_keys = ON")
+        migrate(db)
+        db.execute("ATTACH DATABASE ? AS bundle", [found.address])
+        changes = Changes(db)  # rows that come in a later state get new sums
+        try:
+            return bring(db, found.found, now, changes, delete=True)
+        except (
+            StoreError
+        ):  # a deletion that does not fit what is here, as of a run that has not ended
+            return bring(db, found.found, now, changes, delete=False)
+
+
+def salvage(database: Database, file: Path) -> Salvaged:
+    """Brings what is readable of a file into a store; deletes nothing from it. Raises StoreError, OSError."""
+    now = database.now()
+    with remains(file, now, beside=database.path, longest_s=math.inf) as found:
+        return database.write(
+            lambda db: merge_remains(db, found.found, now, delete=False), attached=found.address
+        )
+
+
+@contextmanager
+def remains(file: Path, now: str, *, beside: Path, longest_s: float) -> Iterator[Remains]:
+    """What is readable of a file, which is only read. Raises OSError, sqlite3.Error.
+
+    Args:
+        beside: the file that it is for; the work is done in its folder.
+        longest_s: reading ends after this time.
+    """
+    deadline = time.monotonic() + longest_s
+    with tempfile.TemporaryDirectory(prefix=".salvage-", dir=beside.parent) as folder:
+        _require_room(file, beside)
+        path = Path(folder) / "remains"
+        with closing(opened(path, "rwc")) as db:
+            db.row_factory = sqlite3.Row
+            db.execute("PRAGMA journal_mode = OFF")
+            db.execute("PRAGMA synchronous = OFF")
+            migrate(db)
+            with Pages(file, file.with_name(file.name + "-wal")) as pages:
+                found = read_into(db, pages, lambda: time.monotonic() > deadline)
+            running = [
+                row["id"] for row in db.execute("SELECT id FROM runs WHERE state = 'running'")
+            ]
+            close_runs(db, running, now)
+        yield Remains(f"{path.absolute().as_uri()}?mode=rw", found)
+
+
+def bring(
+    db: sqlite3.Connection, found: Found, now: str, changes: Changes, *, delete: bool
+) -> Salvaged:
+    """Merges the remains, which are the schema `bundle`, in one transaction.
+
+    Args:
+        delete: what the remains have as deleted for good is deleted here too.
+    """
+    with _transaction(db):
+        salvaged = merge_remains(db, found, now, delete=delete)
+        changes.renew(db)
+        return salvaged
+
+
+def merge_remains(db: sqlite3.Connection, found: Found, now: str, *, delete: bool) -> Salvaged:
+    """The same within the caller's transaction."""
+    numbers = dict(_highest(db))
+    complete(db, now)
+    info = _info(now)
+    report = merge_attached(db, info, now, delete=delete)
+    db.execute("DELETE FROM main.merges WHERE checksum = ?", [info.content_hash])
+    for table in _LOCAL:
+        names = ", ".join(column_names(db, table.name))
+        db.execute(
+            f"INSERT OR IGNORE INTO main.{table.name} ({names}) SELECT {names} FROM bundle.{table.name}"
+        )
+    n_rows = sum(report.added.values()) + sum(report.changed.values())
+    n_edits = report.added.get("versions", 0)
+    return Salvaged(n_edits, n_rows, _n_unread(db, found, numbers), found.is_cut_short)
+
+
+def _info(now: str) -> BundleInfo:
+    """Of no bundle: the remains are of this PC and were never merged."""
+    return BundleInfo(Path("remains"), "", now, new_id(), "", f"{new_id()}", {}, False)
+
+
+def _highest(db: sqlite3.Connection) -> Iterator[tuple[str, int]]:
+    for row in db.execute("SELECT program_id, max(number) FROM main.versions GROUP BY program_id"):
+        yield str(row[0]), int(row[1])
+
+
+def _n_unread(db: sqlite3.Connection, found: Found, before: dict[str, int]) -> int:
+    """Edits that must have been and are not here: an index names them, or others that came have later numbers."""
+    here: dict[str, set[int]] = {}
+    for row in db.execute("SELECT program_id, number FROM main.versions"):
+        here.setdefault(str(row[0]), set()).add(int(row[1]))
+    dead = {str(row[0]) for row in db.execute("SELECT id FROM main.tombstones")}
+    missing = {(p, n) for p, n in found.edits if p not in dead and n not in here.get(p, ())}
+    for program, numbers in here.items():
+        first = before.get(program, 0) + 1
+        if (last := max(numbers)) - first < 10**6:
+            missing |= {(program, n) for n in range(first, last) if n not in numbers}
+    return len(missing)
+
+
+def _require_room(file: Path, beside: Path) -> None:
+    parts = (file, file.with_name(file.name + "-wal"))
+    needed = sum(part.stat().st_size for part in parts if part.exists())
+    if shutil.disk_usage(beside.parent).free < 2 * needed + _LEFT_FREE:
+        raise OSError("no room to read the damaged file")
+
+
+@contextmanager
+def _transaction(db: sqlite3.Connection) -> Iterator[None]:
+    db.execute("BEGIN IMMEDIATE")
+    try:
+        yield
+        db.execute("COMMIT")
+    except BaseException:
+        if db.in_transaction:
+            db.execute("ROLLBACK")
+        raise
