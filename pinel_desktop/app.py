@@ -175,9 +175,11 @@ class App:
         self.close()
 
     def _assemble(self, undo: contextlib.ExitStack) -> None:
-        """Makes the parts so that they end in this order: engine, hub, server, recorder, store."""
+        """Makes the parts so that they end in this order: engine, hub, server, recorder, last backup, store."""
         self._store = _opened(self._database)
         undo.callback(self._store.close)
+        self._maintenance = Maintenance(self._store, self._publish_keeping)
+        undo.callback(self._maintenance.back_up_at_the_end)  # after all is written
         page = PageSettings.beside(self._database)
         self._preferences = Preferences(
             self._store, self._early_server.page_settings if self._early_server else page
@@ -201,7 +203,6 @@ class App:
             lambda: self._preferences.language,
         )
         undo.callback(self._live_checks.close)
-        self._maintenance = Maintenance(self._store, self._publish_keeping)
         undo.callback(self._maintenance.close)
         self._content_check = self._store.content_check(self._publish_keeping)
         undo.callback(self._content_check.close)

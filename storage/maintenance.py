@@ -2,12 +2,14 @@
 
 import contextlib
 import threading
+import time
 from collections.abc import Callable
 from datetime import datetime
 
 from storage.errors import StoreError
 from storage.file.filesystems import Free, free_bytes
 from storage.file.notices import Notice
+from storage.sqlite import sqlite3
 from storage.store import Store
 from storage.text import utc_now
 
@@ -15,6 +17,7 @@ NEARLY_FULL = 500 * 10**6
 _ROOM_AGAIN = 550 * 10**6
 _FIRST_S = 15.0  # after the start, and after a group's first edits
 _EVERY_S = 300.0
+_CLOSING_S = 3.0
 _CHECKS_PER_BACKUP = 12  # an hour
 
 
@@ -80,7 +83,7 @@ class Maintenance:
         from storage.file.backups import folder_of, is_due, make_backup  # noqa: PLC0415 - after the start
 
         path, now = self._store.path, self._clock()
-        if not is_due(path, now):
+        if not is_due(path, now, self._store.n_saves()):
             return
         try:
             make_backup(path, now, free=self._free, stop=self._ended.is_set)
@@ -93,6 +96,24 @@ class Maintenance:
         else:
             self._backup = None
         self._tell()
+
+    def back_up_at_the_end(self) -> None:
+        """Makes a backup of what was saved since the last one; gives up after some seconds, and leaves nothing then.
+
+        For the end of the app, when nobody writes any more. A failure is met again, and told, at the next start.
+        """
+        from storage.file.backups import lacks_work, list_backups, make_backup  # noqa: PLC0415 - see above
+
+        if not self._store.can_write:
+            return
+        path, deadline = self._store.path, time.monotonic() + _CLOSING_S
+        newest = next(iter(list_backups(path)), None)
+        with contextlib.suppress(StoreError, OSError, sqlite3.Error):
+            n_saves = self._store.n_saves()
+            if n_saves and (newest is None or lacks_work(newest, n_saves)):
+                make_backup(
+                    path, self._clock(), free=self._free, stop=lambda: time.monotonic() > deadline
+                )
 
     def check_integrity(self) -> None:
         """Finds damage that the start does not look for; indexes that do not fit are made anew."""

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from storage.errors import StoreError
 from storage.file.connection import Database, uptime_s
+from storage.file.mark import n_saves_of
 from storage.file.notices import Notice, Salvaged
 from storage.file.opening import connect, prepare, prepare_reading
 from storage.runs.confirmation import Unconfirmed
@@ -104,6 +105,11 @@ class Store:
         from storage.content_check import ContentCheck  # noqa: PLC0415 - after the start
 
         return ContentCheck(self._database, on_found)
+
+    def n_saves(self) -> int:
+        """Commits that the file has counted."""
+        with self._database.reading() as db:
+            return n_saves_of(db)
 
     def salvage(self, file: Path) -> Salvaged:
         """Brings in what is still readable of a damaged file, which is only read; takes as long as it takes.

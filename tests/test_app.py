@@ -198,8 +198,8 @@ def test_after_closing_nothing_of_the_app_is_left(
     with pytest.raises(ConnectionError):
         Browser.at(address).get("/")
     assert sorted(path.name for path in database.parent.iterdir()) in (
-        ["pinel.db", "pinel.db.mark.json"],
-        ["pinel.db", "pinel.db.mark.json", "pinel.lock"],
+        ["backups", "pinel.db", "pinel.db.mark.json"],
+        ["backups", "pinel.db", "pinel.db.mark.json", "pinel.lock"],
     )
 
 

@@ -17,6 +17,7 @@ from pathlib import Path
 
 from storage.errors import StoreError, is_full, translated
 from storage.file.filesystems import Free, free_bytes
+from storage.file.mark import n_saves_of
 from storage.file.sums import Changes
 from storage.file.whole_files import whole_file
 from storage.sql import Stop, damage, opened
@@ -26,6 +27,7 @@ from storage.tables.migrations import migrate
 Remove = Callable[[sqlite3.Connection, Collection[str]], object]
 
 EVERY = timedelta(hours=24)
+EVERY_HOUR = timedelta(hours=1)
 _LATEST = 3  # a PC whose battery is empty has the same day every day
 _DAYS = 14
 _WEEKS = 8
@@ -71,10 +73,25 @@ def list_backups(path: Path) -> list[Backup]:
     return sorted(found, key=lambda backup: backup.number, reverse=True)
 
 
-def is_due(path: Path, now: datetime) -> bool:
-    """True when the newest is a day old, or seems to come from the future because the clock was set back."""
+def is_due(path: Path, now: datetime, n_saves: int) -> bool:
+    """True when the newest is a day old, or an hour old while there is work that it does not have, or seems to come
+    from the future because the clock was set back.
+
+    Args:
+        n_saves: commits that the database has counted (see `mark`).
+    """
     newest = next(iter(list_backups(path)), None)
-    return newest is None or not timedelta(0) <= now - newest.made_at < EVERY
+    if newest is None:
+        return True
+    age = now - newest.made_at
+    return not timedelta(0) <= age < (EVERY_HOUR if lacks_work(newest, n_saves) else EVERY)
+
+
+def lacks_work(backup: Backup, n_saves: int) -> bool:
+    """True where something was saved since the backup was made."""
+    with contextlib.suppress(sqlite3.Error), closing(opened(backup.path, "immutable")) as db:
+        return n_saves_of(db) != n_saves
+    return True
 
 
 def make_backup(

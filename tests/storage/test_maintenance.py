@@ -221,3 +221,34 @@ def test_a_file_that_cannot_be_written_is_not_looked_after(path: Path) -> None:
         keeping.maintenance.start()
         assert (keeping.told, keeping.code) == ([], None)
         keeping.maintenance.close()
+
+
+def test_an_hour_with_work_makes_one_backup_and_one_without_makes_none(
+    keeping: Keeping, store: Store, path: Path
+) -> None:
+    for n_backups in (1, 2, 2, 3):
+        if n_backups > len(list_backups(path)):
+            store.groups.create(f"G{keeping.now}")
+        keeping.maintenance.back_up()
+        assert len(list_backups(path)) == n_backups
+        keeping.now += HOUR
+
+
+def test_at_the_end_what_is_new_is_backed_up_and_only_that(
+    keeping: Keeping, store: Store, path: Path
+) -> None:
+    keeping.maintenance.back_up_at_the_end()
+    assert list_backups(path) == []  # nothing was ever saved
+    store.groups.create("A")
+    for _ in range(2):
+        keeping.maintenance.back_up_at_the_end()
+        assert len(list_backups(path)) == 1
+
+
+def test_a_backup_at_the_end_that_takes_too_long_is_given_up_and_leaves_nothing(
+    keeping: Keeping, store: Store, path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(maintenance, "_CLOSING_S", -1.0)
+    store.groups.create("A")
+    keeping.maintenance.back_up_at_the_end()
+    assert not list((path.parent / "backups").iterdir())

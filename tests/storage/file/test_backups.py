@@ -132,9 +132,9 @@ def test_files_of_others_in_the_folder_are_neither_listed_nor_deleted(
 def test_the_next_is_due_after_a_day_or_when_the_clock_was_set_back(
     store: Store, path: Path, age: timedelta, due: bool
 ) -> None:
-    assert is_due(path, NOON)
+    assert is_due(path, NOON, 0)
     backed_up(path, NOON - age)
-    assert is_due(path, NOON) is due
+    assert is_due(path, NOON, 0) is due
 
 
 def test_the_newest_is_the_last_that_was_made_whatever_the_clock_said(
