@@ -392,5 +392,8 @@ def test_where_the_disk_damaged_the_newest_version_the_last_sound_one_is_opened_
     expect(later["open-sound-version"]).to_contain_text("Abrir a última versão sem defeito")
     later["open-sound-version"].click()
     later.wait_until_open()
-    later.eventually(lambda: later.values("distance"), [1])
-    set_distance(later, "3")
+    expect(later.blocks.by_words(MOVE)).to_contain_text("1")
+    later.blocks.type_into(later.blocks.by_words(MOVE), "3")
+    address = f"{later.origin}/api/programs/{later.program_id}"
+    later.eventually(lambda: later.page.context.request.get(address).ok, True)
+    assert later.values("distance") == [3]
