@@ -4,6 +4,7 @@ import os
 import shutil
 import subprocess
 import sys
+import tempfile
 from collections.abc import Callable, Iterator
 from datetime import UTC, datetime
 from pathlib import Path
@@ -171,21 +172,24 @@ store.close()
 
 
 def opened_read_only(path: Path, mode_of_folder: int) -> subprocess.CompletedProcess[str]:
-    """What an ordinary user sees who may not write the file."""
-    for folder in (path.parent, *path.parent.parents):
-        if folder.owner() and folder != Path("/tmp") and str(folder).startswith("/tmp/"):
-            folder.chmod(0o755)
-    path.chmod(0o444)
-    path.parent.chmod(mode_of_folder)
-    try:
-        return subprocess.run(
-            [sys.executable, "-c", READ_ONLY_SCRIPT.format(import_path=sys.path), str(path)],
+    """What an ordinary user sees who may not write the file: of a copy, as pytest closes its folders to others."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for file in path.parent.glob(f"{path.name}*"):
+            shutil.copy(file, folder / file.name)
+        (folder / path.name).chmod(0o444)
+        folder.chmod(mode_of_folder)
+        script = READ_ONLY_SCRIPT.format(import_path=sys.path)
+        result = subprocess.run(
+            [sys.executable, "-c", script, str(folder / path.name)],
             capture_output=True,
             text=True,
             check=False,
         )
-    finally:
-        path.parent.chmod(0o755)
+        folder.chmod(0o755)
+        left = {file.name for file in path.parent.glob(f"{path.name}*")}
+        assert {file.name for file in folder.iterdir()} >= left  # nothing was deleted
+    return result
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="permissions of POSIX")
@@ -217,5 +221,3 @@ def test_of_a_read_only_folder_with_a_left_wal_it_is_said_that_the_last_edits_ar
     result = opened_read_only(copy, 0o555)
     assert result.stderr == ""
     assert result.stdout.splitlines()[:2] == ["False database_without_last_edits", "['Grupo 0']"]
-    with open_store(copy) as store:
-        assert len(store.groups.all()) == 2  # nothing was deleted
