@@ -33,7 +33,7 @@ class LinkContract:
     """A subclass names its backend, and overrides `open` if needed."""
 
     link: ClassVar[str]
-    farthest_m = 0.31  # after a second at 0.3 m/s
+    farthest_m, farthest_rad = 0.31, 1.05  # after a second at 0.3 m/s, 1 rad/s
     twist_error = 0.0  # of a measured velocity, as a part of it
 
     def open(self) -> RobotLink:
@@ -66,14 +66,18 @@ class LinkContract:
         assert 0.2 < ahead.x_m < self.farthest_m
         assert abs(ahead.y_m) < 0.01
         self.drive(link, Twist2D(0.0, 1.0), 1.0)
-        assert 0.7 < self.moved(link, start).yaw_rad < 1.05
+        assert 0.7 < self.moved(link, start).yaw_rad < self.farthest_rad
         link.close()
+
+    def measured_twist(self, link: RobotLink, twist: Twist2D) -> Twist2D:
+        """What the link measures while it drives with `twist`."""
+        return link.read().twist
 
     def test_twist_is_measured_in_the_robots_frame(self) -> None:
         link = self.open()
         self.drive(link, Twist2D(0.0, 1.0), 1.5)
         self.drive(link, Twist2D(-0.3, 0.0), 1.0)
-        measured = link.read().twist
+        measured = self.measured_twist(link, Twist2D(-0.3, 0.0))
         assert math.isclose(measured.v_mps, -0.3, abs_tol=0.02 + 0.3 * self.twist_error)
         assert math.isclose(measured.omega_radps, 0.0, abs_tol=0.02)
         link.close()

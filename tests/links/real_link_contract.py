@@ -2,7 +2,8 @@
 
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from statistics import median
 from typing import Any, Protocol
 
 import pytest
@@ -39,7 +40,7 @@ class Peer(Protocol):
 class RealLinkContract(LinkContract):
     """A subclass names its backend and starts the robot (`start_peer`)."""
 
-    farthest_m = 0.45  # wall-clock time, on a busy PC
+    farthest_m, farthest_rad = 0.45, 1.5  # wall-clock time, on a busy PC
 
     @pytest.fixture(autouse=True)
     def _robot(self) -> Iterator[None]:
@@ -79,6 +80,22 @@ class RealLinkContract(LinkContract):
             link.command(AHEAD)
             link.read()
             time.sleep(0.02)
+
+    def measured_twist(self, link: RobotLink, twist: Twist2D) -> Twist2D:
+        """The median of half a second: single messages come early or late."""
+        measured = []
+        for _ in range(25):
+            self.drive(link, twist, 0.02)
+            measured.append(link.read().twist)
+        return Twist2D(
+            median(one.v_mps for one in measured), median(one.omega_radps for one in measured)
+        )
+
+    def drive_until(self, link: RobotLink, twist: Twist2D, is_so: Callable[[], bool]) -> None:
+        due_s = time.monotonic() + 15.0
+        while not is_so():
+            assert time.monotonic() < due_s, "the robot hears nothing"
+            self.drive(link, twist, 0.1)
 
     def start_run(self, document: list[Any] | None = None, **options: Any) -> "LiveRun":
         run = LiveRun(
@@ -133,6 +150,7 @@ class RealLinkContract(LinkContract):
     def test_impossible_commands_are_zeros(self) -> None:
         link = self.open()
         self.drive(link, Twist2D(float("nan"), float("inf")), 0.3)
+        self.drive_until(link, Twist2D(float("nan"), float("inf")), lambda: bool(self.peer.heard))
         assert {twist for _, twist in self.peer.heard} == {STANDSTILL}
 
     def test_connecting_can_be_cancelled(self) -> None:
@@ -191,8 +209,10 @@ class RealLinkContract(LinkContract):
         assert link.pose is not None
         assert not any(twist != STANDSTILL for _, twist in self.peer.heard)
         link.close()
-        self.drive(self.open(), AHEAD, 0.3)
-        assert any(twist != STANDSTILL for _, twist in self.peer.heard)
+        self.drive_until(self.open(), AHEAD, self.has_heard_a_velocity)
+
+    def has_heard_a_velocity(self) -> bool:
+        return any(twist != STANDSTILL for _, twist in self.peer.heard)
 
     def listen(self) -> RealLink:
         """A link that has heard the robot."""
