@@ -14,8 +14,8 @@ from pinel_desktop.commands.options import chosen_database, database_option
 from pinel_desktop.messages import describe, explain, language_of_system
 from storage import Store, StoreError
 from storage.exchange.bundle_writing import SUFFIX
-from storage.exchange.deletion import PendingDeletion
 from storage.exchange.merging import MergeReport
+from storage.exchange.pending import PendingDeletion, PendingWork
 
 _REFUSED = 2
 
@@ -33,7 +33,19 @@ class _Outcome:
 @click.option(
     "--delete",
     is_flag=True,
-    help="Also delete here, permanently, what was deleted on the PCs of the files.",
+    help="Also delete here, permanently, what was deleted on the PCs of the files. What was moved or is newer stays.",
+)
+@click.option(
+    "--keep",
+    "kept",
+    multiple=True,
+    metavar="KEY",
+    help="With --delete: a group or program that stays nevertheless, here and everywhere. Can be repeated.",
+)
+@click.option(
+    "--delete-newer",
+    is_flag=True,
+    help="With --delete: also delete what was moved or is newer here.",
 )
 @click.option(
     "--open-lesson", is_flag=True, help="Also open here the lesson of a lesson file, on this PC."
@@ -41,7 +53,13 @@ class _Outcome:
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @click.pass_context
 def command(
-    ctx: click.Context, files: tuple[Path, ...], delete: bool, open_lesson: bool, as_json: bool
+    ctx: click.Context,
+    files: tuple[Path, ...],
+    delete: bool,
+    kept: tuple[str, ...],
+    delete_newer: bool,
+    open_lesson: bool,
+    as_json: bool,
 ) -> None:
     """Merge the work of other PCs. FILES are files written by `pinel export`, or folders of such files.
 
@@ -51,7 +69,7 @@ def command(
     with opened_store(chosen_database(ctx), may_be_new=True) as store:
         outcomes = []
         for file in _all(files):
-            outcomes.append(_merged(store, file, delete=delete))
+            outcomes.append(_merged(store, file, delete=delete, newer=not delete_newer, kept=kept))
             lesson = _opened(store, outcomes[-1]) if open_lesson else None
             if not as_json:
                 click.echo("\n".join(filter(None, (_as_text(outcomes[-1]), lesson))))
@@ -71,11 +89,14 @@ def _all(files: Iterable[Path]) -> Iterator[Path]:
         yield from found or [file]
 
 
-def _merged(store: Store, file: Path, *, delete: bool) -> _Outcome:
+def _merged(
+    store: Store, file: Path, *, delete: bool, newer: bool, kept: tuple[str, ...]
+) -> _Outcome:
     try:
         if file.is_dir():
             raise StoreError("bundles_none", path=str(file))
-        return _Outcome(file, store.exchange.merge(file, delete=delete), None)
+        merge = store.exchange.merge
+        return _Outcome(file, merge(file, delete=delete, kept=kept, keep_newer=newer), None)
     except StoreError as error:
         return _Outcome(file, None, error)
 
@@ -106,6 +127,7 @@ def _as_text(outcome: _Outcome) -> str:
     lines += _trust(report)
     if report.would_delete is not None:
         lines += _would_delete(report.would_delete)
+    lines += [_about("merge_kept", one) for one in report.kept]
     if report.left_in:
         kept = {"files": report.left_in}
         lines.append(describe("merge_deleted_kept", kept, language_of_system()).message)
@@ -127,9 +149,18 @@ def _trust(report: MergeReport) -> Sequence[str]:
     return words.message, words.remedy
 
 
-def _would_delete(pending_deletion: PendingDeletion) -> tuple[str, str]:
-    words = describe("merge_would_delete", asdict(pending_deletion), language_of_system())
-    return words.message, words.remedy
+def _would_delete(pending: PendingDeletion) -> list[str]:
+    words = describe("merge_would_delete", asdict(pending), language_of_system())
+    newer = [
+        _about("merge_moved_group" if one.is_moved else f"merge_newer_{one.kind}", one)
+        for one in pending.work
+        if one.is_newer
+    ]
+    return [words.message, *newer, words.remedy]
+
+
+def _about(code: str, one: PendingWork) -> str:
+    return describe(code, asdict(one), language_of_system()).message
 
 
 def _as_object(outcomes: list[_Outcome], found: str) -> dict[str, Any]:
@@ -163,6 +194,7 @@ def _of_file(outcome: _Outcome) -> dict[str, Any]:
         "n_unconfirmed": report.n_unconfirmed,
         "nothing_new": report.nothing_new,
         "would_delete": report.would_delete and asdict(report.would_delete),
+        "kept": [asdict(one) for one in report.kept],
         "still_in": report.left_in,
         **counts,
     }

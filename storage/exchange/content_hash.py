@@ -30,7 +30,8 @@ def content_hash(db: sqlite3.Connection, schema: str = "main") -> str:
             names = column_names(db, table.name, schema)
             if not names:  # a table that the release which wrote the file did not have
                 continue
-            if not table.counts_empty and not row_count(db, f"{schema}.{table.name}"):
+            going = table.condition.format(schema=schema)
+            if not table.counts_empty and not row_count(db, f"{schema}.{table.name}", going):
                 continue
             digest.update(f"{_encode([table.name, *names])}\n".encode())
             for octets in _encoded_rows(db, table, names, schema):

@@ -1,11 +1,20 @@
 """Deleting for good: rows are deleted from every table and overwritten in the file. A tombstone for each key keeps
-merges from bringing them back."""
+merges from bringing them back.
 
-from collections.abc import Iterable
+`deletions` counts the decisions about a key: with an odd `turn` a person has kept the row in spite of its tombstone,
+with an even one it was deleted anew. Of two turns the greater holds, so that decisions join in any order. Only what a
+person deletes gets tombstones: a row below a deleted one goes with it, but a merge makes no tombstone of its own.
+A group goes with each class in which any PC has seen it (`former_classes`), if that was deleted by a PC that did not
+know that the group had left. So what is deleted does not depend on which state of a group comes first.
+"""
+
+from collections.abc import Collection, Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from storage.errors import StoreError
+from storage.exchange.knowledge import known_work
 from storage.file.connection import Database
 from storage.sql import require, row_count, tuples
 from storage.sqlite import sqlite3
@@ -15,7 +24,13 @@ from storage.tables.runs import RUNS
 from storage.text import loaded
 
 _BY_NAME = {table.name: table for table in REPLICATED}
-_DEAD = "(SELECT id FROM main.tombstones)"
+KEPT_KEYS = "(SELECT id FROM main.deletions WHERE turn % 2)"
+_DEAD_CLASSES = f"(SELECT id FROM main.tombstones WHERE id NOT IN {KEPT_KEYS})"
+# with groups that were seen in a class which was deleted without knowing where they are now
+DEAD_KEYS = f"""(SELECT id FROM (
+    SELECT id FROM main.tombstones UNION SELECT group_id FROM main.former_classes
+    WHERE NOT has_left AND classroom_id IN {_DEAD_CLASSES}) WHERE id NOT IN {KEPT_KEYS})"""
+_DEAD = "(SELECT id FROM temp.dead)"  # with the rows below them, see `dead_rows`
 
 
 def _deleted(table: ReplicatedTable) -> str:
@@ -56,7 +71,7 @@ _CONCERNED = f"""
                                OR id IN (SELECT program_id FROM dead_runs)),
          dead_groups AS (SELECT id, classroom_id FROM groups WHERE id IN {_DEAD}
                              OR id IN (SELECT group_id FROM dead_programs UNION SELECT group_id FROM dead_runs))
-    SELECT id FROM tombstones UNION SELECT id FROM dead_programs UNION SELECT id FROM dead_groups
+    SELECT id FROM temp.dead UNION SELECT id FROM dead_programs UNION SELECT id FROM dead_groups
     UNION SELECT classroom_id FROM dead_groups UNION SELECT classroom_id FROM lessons WHERE id IN {_DEAD}
     UNION SELECT classroom_id FROM taught_signs WHERE id IN {_DEAD}"""
 
@@ -74,7 +89,7 @@ class Deletion:
     """What was deleted for good.
 
     Attributes:
-        ids: tombstones that were added; backups are to lose the same.
+        ids: keys that were deleted; backups are to lose the same.
         counts: rows by table, without those that lost none.
         exports: files that were written from this store and may still hold it.
         overwritten: False while another program still reads the write-ahead log, which holds the text until then.
@@ -86,17 +101,6 @@ class Deletion:
     exports: tuple[Exported, ...] = ()
     overwritten: bool = False
     still_in: tuple[Path, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class PendingDeletion:
-    """What a merge would delete, by number; `names` are those of classes, groups, lessons and programs, not all where
-    there are many."""
-
-    groups: int
-    programs: int
-    runs: int
-    names: tuple[str, ...]
 
 
 def remove(database: Database, kind: str, *keys: str) -> Deletion:
@@ -118,23 +122,51 @@ def remove(database: Database, kind: str, *keys: str) -> Deletion:
 
 
 def remove_keys(
-    db: sqlite3.Connection, ids: Iterable[str], *, spare_running: bool = False
+    db: sqlite3.Connection, ids: Collection[str], *, spare_running: bool = False
 ) -> Deletion:
     """Deletes rows by their keys with all that belongs to them, within the caller's transaction.
 
-    The keys get tombstones, as do the groups, lessons and programs that are deleted with them; so do keys without a
-    row. The same again changes nothing. What is deleted is overwritten in the file; a write-ahead log still holds it
-    until `Database.checkpoint`. Names of files, which people make of those of groups, are deleted too.
+    A person has decided it: the keys get tombstones, as do the groups, lessons and programs that are deleted with
+    them; so do keys without a row. The same again changes nothing. What is deleted is overwritten in the file; a
+    write-ahead log still holds it until `Database.checkpoint`. Names of files, which people make of those of groups,
+    are deleted too.
 
     Args:
         spare_running: raises StoreError `run_in_progress` where a run that has not ended would be deleted.
     """
-    db.execute("PRAGMA secure_delete = ON")
-    before = tombstones(db)
+    before = dead_keys(db)
+    _note_who_left(db, ids)
     db.executemany("INSERT OR IGNORE INTO tombstones (id) VALUES (?)", [(key,) for key in ids])
-    add_tombstones_below(db)
+    _delete_anew(db, ids)
+    with dead_rows(db):
+        _note_below(db, before)
+        deletion = erase(db, spare_running=spare_running)
+    return replace(deletion, ids=tuple(sorted(dead_keys(db) - before)))
+
+
+@contextmanager
+def dead_rows(db: sqlite3.Connection) -> Iterator[None]:
+    """Within, `temp.dead` has the keys that are deleted, with the groups, lessons and programs below them."""
+    db.execute("CREATE TEMP TABLE dead (id TEXT PRIMARY KEY) WITHOUT ROWID")
+    try:
+        db.execute(f"INSERT INTO temp.dead SELECT id FROM {DEAD_KEYS}")
+        for table in REPLICATED:
+            if table.own_tombstone:
+                for column, _ in table.parents:
+                    db.execute(
+                        f"INSERT OR IGNORE INTO temp.dead SELECT id FROM main.{table.name} WHERE {column} IN {_DEAD}"
+                    )
+        yield
+    finally:
+        db.execute("DROP TABLE temp.dead")
+
+
+def erase(db: sqlite3.Connection, *, spare_running: bool) -> Deletion:
+    """Deletes the rows of `temp.dead` and all that belongs to them; `ids` are those of rows that were there."""
+    db.execute("PRAGMA secure_delete = ON")
     exports = _exports_of_dead(db)
     running = _running(db)
+    ids = tuple(sorted(doomed_keys(db)))
     counts = {
         table: db.execute(f"DELETE FROM {table} WHERE {condition}").rowcount
         for table, condition in _DELETIONS.items()
@@ -143,41 +175,65 @@ def remove_keys(
         raise StoreError("run_in_progress")
     if any(counts.values()):
         _delete_file_names(db)
-    added = tuple(sorted(tombstones(db) - before))
-    return Deletion(added, {table: n for table, n in counts.items() if n}, exports)
+    return Deletion(ids, {table: n for table, n in counts.items() if n}, exports)
 
 
-def pending_deletion(db: sqlite3.Connection) -> PendingDeletion | None:
-    """What `remove_keys` would delete now, where the tombstones are in the table already; None for nothing."""
+def doomed_keys(db: sqlite3.Connection) -> set[str]:
+    """Keys in `temp.dead` of rows that are here."""
+    keys = " UNION ALL ".join(
+        f"SELECT id FROM main.{table.name} WHERE id IN {_DEAD}"
+        for table in REPLICATED
+        if table.deletable and "id" in table.key
+    )
+    return {str(key) for (key,) in tuples(db, keys)}
+
+
+def doomed_counts(db: sqlite3.Connection) -> dict[str, int]:
+    """Rows by table that `erase` would delete now."""
     rows = {
         table: row_count(db, f"main.{table}", condition) for table, condition in _DELETIONS.items()
     }
-    if not any(rows.values()):
-        return None
-    names = db.execute(_PENDING_NAMES).fetchall()
-    return PendingDeletion(
-        rows["groups"], rows["programs"], rows["runs"], tuple(str(row["name"]) for row in names)
-    )
+    return {table: n for table, n in rows.items() if n}
 
 
-def add_tombstones_below(db: sqlite3.Connection) -> None:
-    """Rows that are deleted with their parent get tombstones of their own, the parents first."""
-    for table in REPLICATED:
-        if table.own_tombstone:
-            for column, _ in table.parents:
-                db.execute(
-                    f"INSERT OR IGNORE INTO tombstones SELECT id FROM {table.name} WHERE {column} IN {_DEAD}"
-                )
+def doomed_names(db: sqlite3.Connection) -> tuple[str, ...]:
+    """Names of what `erase` would delete now, classes first; not all where there are many."""
+    return tuple(str(row["name"]) for row in db.execute(_PENDING_NAMES))
 
 
-def tombstones(db: sqlite3.Connection) -> set[str]:
-    """Keys of all that was deleted for good."""
-    return {str(row["id"]) for row in db.execute("SELECT id FROM tombstones")}
+def dead_keys(db: sqlite3.Connection) -> set[str]:
+    """Keys of all that was deleted for good, and not kept since."""
+    return {str(key) for (key,) in tuples(db, DEAD_KEYS[1:-1])}
+
+
+def _note_who_left(db: sqlite3.Connection, ids: Collection[str]) -> None:
+    """Groups that were in these classes and are elsewhere now do not go with them."""
+    left = """UPDATE former_classes SET has_left = 1 WHERE classroom_id = :key AND group_id IN (
+        SELECT id FROM groups WHERE classroom_id IS NOT :key)"""
+    db.executemany(left, [{"key": key} for key in ids])
+
+
+def _delete_anew(db: sqlite3.Connection, ids: Iterable[str]) -> None:
+    """Rows that were kept once are deleted in the next turn."""
+    anew = "UPDATE deletions SET turn = turn + 1 WHERE turn % 2 AND id = ?"
+    db.executemany(anew, [(key,) for key in ids])
+
+
+def _note_below(db: sqlite3.Connection, before: set[str]) -> None:
+    """What a person deletes gets tombstones, each row that goes with it too, and how far its work was known here."""
+    rows = {str(key) for (key,) in tuples(db, _DEAD[1:-1])} - before
+    db.executemany("INSERT OR IGNORE INTO tombstones VALUES (?)", [(key,) for key in rows])
+    _delete_anew(db, rows)
+    for key, knew in known_work(db, rows):
+        db.execute(
+            "INSERT INTO deletions VALUES (?, 0, ?) ON CONFLICT (id) DO UPDATE SET knew = excluded.knew",
+            [key, knew],
+        )
 
 
 def _exports_of_dead(db: sqlite3.Connection) -> tuple[Exported, ...]:
     """Those of all of the store, and those of a part that has to do with it; none where nothing is deleted."""
-    if pending_deletion(db) is None:
+    if not doomed_counts(db):
         return ()
     concerned = {str(key) for (key,) in tuples(db, _CONCERNED) if key}
     rows = db.execute("SELECT path, made_at, content FROM exports ORDER BY id").fetchall()
@@ -190,7 +246,7 @@ def _exports_of_dead(db: sqlite3.Connection) -> tuple[Exported, ...]:
 
 def _delete_file_names(db: sqlite3.Connection) -> None:
     """Exports of deleted rows alone are named once, when the rows go. Of merged files the name alone is deleted."""
-    dead = tombstones(db)
+    dead = {str(key) for (key,) in tuples(db, _DEAD[1:-1])}
     for row in db.execute("SELECT id, content FROM exports").fetchall():
         if (scope := _scope_of(row["content"])) and scope <= dead:
             db.execute("DELETE FROM exports WHERE id = ?", [row["id"]])

@@ -14,7 +14,7 @@ from storage.exchange.bundle_writing import (
     note_export,
 )
 from storage.exchange.content_hash import content_hash
-from storage.exchange.deletion import Deletion, remove, remove_keys, tombstones
+from storage.exchange.deletion import Deletion, dead_keys, remove, remove_keys
 from storage.exchange.lesson_merging import merge_lesson
 from storage.exchange.merging import KnownComputer, MergeReport, known_computers, merge
 from storage.exchange.parquet import write_parquet
@@ -84,17 +84,26 @@ class Exchange:
         note_export(self._database, info, scope)
         return info
 
-    def merge(self, path: Path, *, delete: bool = False) -> MergeReport:
+    def merge(
+        self,
+        path: Path,
+        *,
+        delete: bool = False,
+        kept: Collection[str] = (),
+        keep_newer: bool = True,
+    ) -> MergeReport:
         """Merges a bundle into the store; on disk when this returns.
 
         Args:
             delete: also deletes what was deleted for good where the bundle is from, from the store, the write-ahead
                 log and the backups; without it the report only tells what that would be.
+            kept: with `delete`, groups and programs that stay nevertheless.
+            keep_newer: with `delete`, also what was moved, or is newer here than where it was deleted.
 
         Raises:
             StoreError: see `merging.merge`.
         """
-        report = merge(self._database, path, delete=delete)
+        report = merge(self._database, path, delete=delete, kept=kept, keep_newer=keep_newer)
         if report.removed:
             self._database.checkpoint(is_patient=True)
             report = replace(report, still_in=self._clean_backups(report.tombstones))
@@ -126,7 +135,7 @@ class Exchange:
         """Deletes what was deleted for good from backups and write-ahead log that still hold it: after a deletion that
         was cut off, or while a backup was locked or being made. Returns the backups that still hold it."""
         with self._database.reading() as db:
-            ids = tombstones(db)
+            ids = dead_keys(db)
         if not ids:
             return ()
         self._database.checkpoint()

@@ -7,7 +7,7 @@ from storage.exchange.bundle_reading import open_bundle
 from storage.exchange.merging import MergeReport, merge_attached
 from storage.file.connection import Database
 
-_WORK = ("programs", "versions", "runs", "notes", "tombstones")
+_WORK = ("programs", "versions", "runs", "notes", "tombstones", "deletions", "former_classes")
 
 
 def merge_lesson(database: Database, path: Path) -> tuple[MergeReport, str]:

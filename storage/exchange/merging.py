@@ -1,27 +1,34 @@
 """Merging a bundle into a store: the union of both by key, of two states of one row the later.
 
 The union does not depend on the order: the same bundles give the same store, and a bundle that was merged before
-changes nothing. A row with a tombstone stays deleted, with all that belongs to it. No row of the store is
+changes nothing. A row with a tombstone stays deleted, with all that belongs to it, until a person on any PC keeps it
+(`deletion.py`); of what was skipped meanwhile the rest comes when its bundle is merged again. No row of the store is
 deleted because a file says so, unless a person says so too. Each bundle is one transaction: of one that is cut off
 nothing is in the store, and it can be merged again.
 
 In the SQL `main` is the store and `bundle` the bundle; a row of the store is called `ours`, one of the bundle `theirs`.
 """
 
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from storage.exchange.bundle_reading import open_bundle
 from storage.exchange.bundle_writing import BundleInfo
 from storage.exchange.deletion import (
+    DEAD_KEYS,
+    KEPT_KEYS,
     Deletion,
     Exported,
-    PendingDeletion,
-    add_tombstones_below,
-    pending_deletion,
+    dead_keys,
+    dead_rows,
+    doomed_counts,
+    doomed_keys,
+    doomed_names,
+    erase,
     remove_keys,
-    tombstones,
 )
+from storage.exchange.pending import PendingDeletion, PendingWork, keep, pending_work
 from storage.exchange.signing import fingerprint
 from storage.exchange.trust import (
     Sender,
@@ -37,17 +44,30 @@ from storage.file.connection import Database
 from storage.sql import column_names, insert, row_count
 from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
-from storage.tables.replicated import REPLICATED, TOMBSTONES
+from storage.tables.replicated import DELETIONS, FORMER_CLASSES, REPLICATED, TOMBSTONES
 from storage.tables.runs import EVENTS, RUNS, TELEMETRY
 from storage.tables.work import LABELS, NOTES, VERSIONS
 from storage.text import dumped, new_id
 
 _FIRST = ("revision", "changed_at")
-_DEAD = "(SELECT id FROM main.tombstones)"
-_WITH_ID = tuple(table for table in REPLICATED if "id" in table.key and table is not TOMBSTONES)
+_DECISIONS = (TOMBSTONES, DELETIONS, FORMER_CLASSES)
+_WITH_ID = tuple(table for table in REPLICATED if "id" in table.key and table not in _DECISIONS)
 _BEFORE_VERSIONS = _WITH_ID[: _WITH_ID.index(VERSIONS)]
+_GROUP_HERE = "group_id IN (SELECT id FROM main.groups)"
+# what a tombstone would delete: rows that are here, and groups that were in that class
 _OURS = " UNION ALL ".join(
-    f"SELECT id FROM main.{table.name}" for table in _WITH_ID if table.deletable
+    (
+        *(f"SELECT id FROM main.{table.name}" for table in _WITH_ID if table.deletable),
+        f"SELECT classroom_id FROM main.former_classes WHERE NOT has_left AND {_GROUP_HERE}",
+    )
+)
+_DECIDED = (
+    (DELETIONS, f"theirs.turn % 2 OR theirs.id NOT IN ({_OURS})"),
+    (TOMBSTONES, f"theirs.id IN {KEPT_KEYS} OR theirs.id NOT IN ({_OURS})"),
+    (
+        FORMER_CLASSES,
+        f"theirs.has_left OR NOT (theirs.{_GROUP_HERE} AND theirs.classroom_id IN {DEAD_KEYS})",
+    ),
 )
 
 
@@ -61,6 +81,7 @@ class MergeReport:
         skipped: rows that were left out, as they or what they belong to was deleted from the store.
         removed: rows of the store that were deleted, as the bundle has tombstones for them.
         would_delete: rows of the store that a merge with `delete` would delete, None where it was done or for nothing.
+        kept: what was kept here, and is kept from now on wherever the store's bundles go.
         tombstones: keys of what was deleted; backups are to lose the same.
         exports: files that were written from this store and may still hold it.
         still_in: backups that could not be written anew, and may hold it.
@@ -74,6 +95,7 @@ class MergeReport:
     skipped: dict[str, int]
     removed: dict[str, int]
     would_delete: PendingDeletion | None = None
+    kept: tuple[PendingWork, ...] = ()
     tombstones: tuple[str, ...] = ()
     exports: tuple[Exported, ...] = ()
     still_in: tuple[Path, ...] = ()
@@ -93,7 +115,7 @@ class MergeReport:
     @property
     def nothing_new(self) -> bool:
         """All of it was in the store already, or was deleted from it."""
-        return not (self.added or self.changed or self.removed or self.would_delete)
+        return not (self.added or self.changed or self.removed or self.would_delete or self.kept)
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,12 +142,21 @@ class KnownComputer:
         return self.public_key and fingerprint(self.public_key)
 
 
-def merge(database: Database, path: Path, *, delete: bool = False) -> MergeReport:
+def merge(
+    database: Database,
+    path: Path,
+    *,
+    delete: bool = False,
+    kept: Collection[str] = (),
+    keep_newer: bool = False,
+) -> MergeReport:
     """Merges a bundle into the store; on disk when this returns.
 
     Args:
         delete: also deletes from the store what was deleted for good where the bundle is from; not from the
             write-ahead log nor from backups, which `Exchange.merge` does.
+        kept: with `delete`, keys of groups and programs that stay nevertheless.
+        keep_newer: with `delete`, so does what was moved, or is newer here than where it was deleted.
 
     Raises:
         StoreError: the bundle is refused (see `open_bundle`), it deletes a run that has not ended
@@ -138,7 +169,13 @@ def merge(database: Database, path: Path, *, delete: bool = False) -> MergeRepor
             note_key(db, bundle.info, now)
             with marking(db, sender, now):
                 report = merge_attached(
-                    db, bundle.info, now, delete=delete, kept_runs=kept_runs(sender)
+                    db,
+                    bundle.info,
+                    now,
+                    delete=delete,
+                    kept=kept,
+                    keep_newer=keep_newer,
+                    kept_runs=kept_runs(sender),
                 )
             return replace(report, sender=sender, n_unconfirmed=n_unconfirmed(db))
 
@@ -180,7 +217,7 @@ def may_merge(table: ReplicatedTable) -> str:
         f"(theirs.{column} IS NULL OR EXISTS (SELECT 1 FROM main.{parent} WHERE id = theirs.{column}))"
         for column, parent in table.parents
     ]
-    return " AND ".join([f"theirs.id NOT IN {_DEAD}", *parents])
+    return " AND ".join([f"theirs.id NOT IN {DEAD_KEYS}", *parents])
 
 
 def some(counts: dict[str, int]) -> dict[str, int]:
@@ -189,32 +226,40 @@ def some(counts: dict[str, int]) -> dict[str, int]:
 
 
 def merge_attached(
-    db: sqlite3.Connection, info: BundleInfo, now: str, *, delete: bool, kept_runs: str = "0"
+    db: sqlite3.Connection,
+    info: BundleInfo,
+    now: str,
+    *,
+    delete: bool,
+    kept: Collection[str] = (),
+    keep_newer: bool = False,
+    kept_runs: str = "0",
 ) -> MergeReport:
     """The same with the bundle attached as the schema `bundle`, within the caller's transaction.
 
     Args:
         kept_runs: condition of runs `ours` that must not change.
     """
-    merging = _Merging(db, delete=delete, kept_runs=kept_runs)
-    if _was_merged(db, info):
-        would_delete = merging.would_delete()
-        if not (would_delete and delete):
-            _note(db, info, now, {})
-            merging.count_skipped()
-            return MergeReport(info, {}, {}, some(merging.skipped), {}, would_delete)
     db.execute("PRAGMA defer_foreign_keys = ON")
-    before = tombstones(db) if delete else set()
-    merging.tombstones()
+    merging = _Merging(db, delete=delete, kept_runs=kept_runs)
+    if _was_merged(db, info) and merging.is_known():
+        _note(db, info, now, {})
+        return MergeReport(info, {}, {}, {}, {})
+    before = dead_keys(db) if delete else set()
+    staying = merging.keep(kept, keep_newer=keep_newer) if delete else ()
+    merging.notice_classes()
+    merging.decisions()
+    deletion = merging.delete() if delete else Deletion()
     for table in _BEFORE_VERSIONS:
-        merging.add_tombstones_below(table)
         merging.rows(table)
-    deletion = remove_keys(db, (), spare_running=True) if delete else Deletion()
+    merging.note_classes()
+    db.execute("DROP TABLE temp.seen")
     for table in (VERSIONS, LABELS):
         merging.rows(table)
     merging.runs()
     merging.rows(NOTES)
     _note(db, info, now, merging.added)
+    gone = set(deletion.ids) | (dead_keys(db) - before)
     return MergeReport(
         info,
         some(merging.added),
@@ -222,7 +267,8 @@ def merge_attached(
         some(merging.skipped),
         deletion.counts,
         None if delete else merging.would_delete(),
-        tuple(sorted(tombstones(db) - before)) if deletion.counts else (),
+        staying,
+        tuple(sorted(gone)) if deletion.counts else (),
         deletion.exports,
     )
 
@@ -237,45 +283,112 @@ class _Merging:
         self._db = db
         self._delete = delete
         self._kept_runs = kept_runs
+        self._given_up: set[str] = set()
 
-    def tombstones(self) -> None:
-        """Adds the tombstones; those of rows in the store only when they are to be deleted."""
-        kept = "" if self._delete else f" WHERE id NOT IN ({_OURS})"
-        self.added["tombstones"] = self._do(
-            f"INSERT OR IGNORE INTO main.tombstones SELECT id FROM bundle.tombstones{kept}"
+    def is_known(self) -> bool:
+        """Of a bundle that was merged before: nothing was left out that may be wanted now, as something is kept."""
+        if self._misses_decisions():
+            return False
+        others = (table for table in _WITH_ID if table is not VERSIONS)  # versions never change
+        missing = (
+            *(f"FROM bundle.{table.name} AS theirs WHERE {is_new(table)}" for table in _WITH_ID),
+            *(f"{_both(table)} WHERE {self._is_later(table)}" for table in others),
+        )
+        if any(self._db.execute(f"SELECT 1 {rows} LIMIT 1").fetchone() for rows in missing):
+            return False
+        return self.would_delete() is None
+
+    def decisions(self) -> None:
+        """Joins turns and tombstones; those that would delete rows of the store only when they are to be deleted."""
+        for table, deletes_nothing in _DECIDED:
+            wanted = "1" if self._delete else f"({deletes_nothing})"
+            self.added[table.name] = insert_new(self._db, table, wanted)
+            if table is not TOMBSTONES:
+                self.changed[table.name] = self._bring_forward(table, wanted)
+
+    def notice_classes(self) -> None:
+        """Keeps in mind in which classes groups are and were, here and in the bundle, until they are noted."""
+        self._do(
+            """CREATE TEMP TABLE seen AS
+               SELECT id AS group_id, classroom_id, 1 AS was_here FROM main.groups WHERE classroom_id IS NOT NULL
+               UNION SELECT id, classroom_id, id IN (SELECT id FROM main.groups) FROM bundle.groups
+               WHERE classroom_id IS NOT NULL"""
         )
 
-    def add_tombstones_below(self, table: ReplicatedTable) -> None:
-        """A row whose parent, in its later state, is deleted gets a tombstone of its own."""
-        of_ours = f" OR {self._is_later(table)}" if self._delete else ""
-        for column, _ in table.parents:
-            self._do(
-                f"INSERT OR IGNORE INTO main.tombstones SELECT theirs.id {_both(table, 'LEFT')}"
-                f" WHERE theirs.{column} IN {_DEAD} AND (ours.id IS NULL{of_ours})"
-            )
+    def note_classes(self, which: str = "1") -> None:
+        """Notes classes in which a group is no more; those that would delete it only when it is to be deleted."""
+        spared = "" if self._delete else f" AND NOT ({_GROUP_HERE} AND classroom_id IN {DEAD_KEYS})"
+        self._do(
+            f"""INSERT OR IGNORE INTO main.former_classes SELECT group_id, classroom_id, 0 FROM temp.seen
+                WHERE (group_id, classroom_id) NOT IN (SELECT id, coalesce(classroom_id, '') FROM main.groups)
+                AND {which}{spared}"""
+        )
+
+    def delete(self) -> Deletion:
+        """Deletes what is deleted in its later state, and what a person did not keep of a class that stays."""
+        self._bring_parents_forward()
+        with dead_rows(self._db):
+            deletion = erase(self._db, spare_running=True)
+        self.note_classes("was_here")
+        if not self._given_up:
+            return deletion
+        rest = remove_keys(self._db, self._given_up, spare_running=True)
+        counts = {
+            table: deletion.counts.get(table, 0) + rest.counts.get(table, 0)
+            for table in (*deletion.counts, *rest.counts)
+        }
+        exports = dict.fromkeys((*deletion.exports, *rest.exports))
+        return Deletion((*deletion.ids, *rest.ids), counts, tuple(exports))
+
+    def keep(self, wanted: Collection[str], *, keep_newer: bool) -> tuple[PendingWork, ...]:
+        """Keeps these of what is to be deleted, and what is newer; tells which."""
+        if not wanted and not keep_newer:
+            return ()
+        pending, doomed = self._trial()
+        if pending is None:
+            return ()
+        chosen = {*wanted, *(pending.newer if keep_newer else ())}
+        staying = tuple(one for one in pending.work if one.id in chosen)
+        if staying:
+            self._given_up = doomed - keep(self._db, [one.id for one in staying], doomed)
+        return staying
 
     def would_delete(self) -> PendingDeletion | None:
-        """What a merge with `delete` would delete, found out by a trial that is rolled back."""
+        """What a merge with `delete` would delete."""
+        return self._trial()[0]
+
+    def _trial(self) -> tuple[PendingDeletion | None, set[str]]:
+        """What would be deleted and the keys of it, found out by a trial that is rolled back."""
         self._do("SAVEPOINT trial")
         try:
-            self._do(
-                "INSERT OR IGNORE INTO main.tombstones"
-                f" SELECT id FROM bundle.tombstones WHERE id IN ({_OURS})"
-            )
-            trial = _Merging(self._db, delete=True)
-            for table in _BEFORE_VERSIONS:
-                trial.add_tombstones_below(table)
-            add_tombstones_below(self._db)
-            return pending_deletion(self._db)
+            trial = _Merging(self._db, delete=True, kept_runs=self._kept_runs)
+            trial.notice_classes()
+            trial.decisions()
+            trial._bring_parents_forward()
+            with dead_rows(self._db):
+                doomed, counts = doomed_keys(self._db), doomed_counts(self._db)
+                names = doomed_names(self._db)
         finally:
             self._do("ROLLBACK TO trial")
             self._do("RELEASE trial")
+        if not counts:
+            return None, set()
+        groups, programs, runs = (counts.get(name, 0) for name in ("groups", "programs", "runs"))
+        work = tuple(pending_work(self._db, doomed))
+        return PendingDeletion(groups, programs, runs, names, work), doomed
+
+    def _bring_parents_forward(self) -> None:
+        """Also what belongs to a deleted row in its later state: it is deleted with it."""
+        for table in _BEFORE_VERSIONS:
+            self.changed[table.name] = self._bring_forward(table, "1")
+        self.note_classes("was_here")
 
     def rows(self, table: ReplicatedTable) -> None:
         """Adds rows that may come and are new, and brings the others to their later state."""
         self._count_skipped(table)
         self.added[table.name] = insert_new(self._db, table, may_merge(table))
-        self.changed[table.name] = self._bring_forward(table, may_merge(table))
+        n_changed = self._bring_forward(table, may_merge(table))
+        self.changed[table.name] = self.changed.get(table.name, 0) + n_changed
 
     def runs(self) -> None:
         """Runs with their events and samples: those of the later state, of equal states all."""
@@ -299,11 +412,6 @@ class _Merging:
         for name in ("replaced", "shared", "coming"):
             self._do(f"DROP TABLE temp.{name}")
 
-    def count_skipped(self) -> None:
-        """Counts the rows that are left out, for a bundle of which nothing is merged."""
-        for table in _WITH_ID:
-            self._count_skipped(table)
-
     def _bring_forward(self, table: ReplicatedTable, condition: str) -> int:
         names = column_names(self._db, table.name)
         later = f"SELECT {_of('theirs', table.key)} {_both(table)} WHERE {self._is_later(table)} AND {condition}"
@@ -317,6 +425,15 @@ class _Merging:
     def _count_skipped(self, table: ReplicatedTable) -> None:
         skipped = f"NOT ({may_merge(table)})"
         self.skipped[table.name] = row_count(self._db, f"bundle.{table.name} AS theirs", skipped)
+
+    def _misses_decisions(self) -> bool:
+        """The store does not have a tombstone or turn of the bundle, as what it would delete is still here."""
+        later = f"SELECT 1 {_both(DELETIONS)} WHERE {self._is_later(DELETIONS)}"
+        new = (
+            f"SELECT 1 FROM bundle.{table.name} AS theirs WHERE {is_new(table)}"
+            for table in _DECISIONS
+        )
+        return any(self._db.execute(f"{query} LIMIT 1").fetchone() for query in (later, *new))
 
     def _is_later(self, table: ReplicatedTable) -> str:
         is_later = self._compared(table, ">")

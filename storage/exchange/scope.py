@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from storage.sql import require
 from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
-from storage.tables.replicated import COMPUTERS, REPLICATED, TOMBSTONES
+from storage.tables.replicated import COMPUTERS, DELETIONS, FORMER_CLASSES, REPLICATED, TOMBSTONES
 from storage.tables.runs import RUNS
 from storage.tables.work import (
     CLASS_PRESETS,
@@ -25,6 +25,9 @@ _JOINED = "id IN (SELECT part_of FROM store.lessons WHERE id IN (SELECT id FROM 
 
 _ACTIVITIES_OF = """id IN (SELECT json_extract(versions.setup, '$.activity') FROM store.versions
     JOIN store.programs ON programs.id = versions.program_id WHERE {condition})"""
+
+_KEPT_OF_GROUP = """turn % 2 AND id IN (SELECT :group UNION SELECT id FROM store.programs WHERE group_id = :group
+    UNION SELECT classroom_id FROM store.groups WHERE id = :group)"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,6 +81,8 @@ class Scope:
         """Conditions by table, where they are others than `_belonging` makes."""
         rows = {
             TOMBSTONES.name: "0",
+            DELETIONS.name: "0",
+            FORMER_CLASSES.name: "0",
             TAUGHT_SIGNS.name: "0",  # they are of the whole class
             CLASS_PRESETS.name: "0",
             RUNS.name: """(program_id IN (SELECT id FROM main.programs)
@@ -90,7 +95,9 @@ class Scope:
             return rows | chosen | {OWN_ACTIVITIES.name: activities}
         if self.group_id:
             activities = _ACTIVITIES_OF.format(condition="programs.group_id = :group")
-            return rows | {GROUPS.name: "id = :group", OWN_ACTIVITIES.name: activities}
+            chosen = {GROUPS.name: "id = :group", DELETIONS.name: _KEPT_OF_GROUP}
+            chosen[FORMER_CLASSES.name] = "group_id = :group"
+            return rows | chosen | {OWN_ACTIVITIES.name: activities}
         return rows | self._of_class()
 
     def _of_class(self) -> dict[str, str]:
@@ -104,7 +111,7 @@ class Scope:
         }
         if self.lesson_id:
             return rows | {PROGRAMS.name: "0", RUNS.name: "0", LESSONS.name: "id = :lesson"}
-        return rows | {TOMBSTONES.name: "1"}
+        return rows | dict.fromkeys((TOMBSTONES.name, DELETIONS.name, FORMER_CLASSES.name), "1")
 
 
 ALL = Scope()

@@ -20,7 +20,7 @@ from storage.file.filesystems import Free, free_bytes
 from storage.file.mark import n_saves_of
 from storage.file.sums import Changes
 from storage.file.whole_files import whole_file
-from storage.sql import Stop, damage, opened
+from storage.sql import Stop, column_names, damage, opened
 from storage.sqlite import sqlite3
 from storage.tables.migrations import migrate
 
@@ -269,7 +269,11 @@ def _has_tombstones(backup: Path, ids: Collection[str]) -> bool:
     """A backup is replaced as a whole, so one with tombstones of the keys holds nothing of their rows."""
     try:
         with closing(opened(backup, "immutable")) as db:
-            return {key for (key,) in db.execute("SELECT id FROM tombstones")}.issuperset(ids)
+            dead = {key for (key,) in db.execute("SELECT id FROM tombstones")}
+            if column_names(db, "deletions"):
+                kept = db.execute("SELECT id FROM deletions WHERE turn % 2")
+                dead -= {key for (key,) in kept}
+            return dead.issuperset(ids)
     except sqlite3.Error:
         return False
 

@@ -7,8 +7,8 @@ even in its quotes. What a table means, and what other modules derive from it, i
 Rows that are changed in place carry `revision`, which counts their changes, and `changed_at`: of two states of a row
 the greater one (revision, then time, then values) is kept in every merge, whichever comes first. Of groups, lessons
 and notes the revision counts the teacher's changes only: what pupils change, and what happens by itself, does not beat
-what the teacher changed elsewhere meanwhile. Rows of other tables are only ever added. A key in `tombstones` is never
-brought back.
+what the teacher changed elsewhere meanwhile. Rows of other tables are only ever added. A key in `tombstones` is only
+brought back where `deletions` says that it was kept.
 """
 
 from storage.tables.views import VIEWS
@@ -221,5 +221,13 @@ MIGRATIONS: dict[str, tuple[str, ...]] = {
             PRIMARY KEY (table_name, row_id)
         ) STRICT, WITHOUT ROWID""",
         "CREATE INDEX content_sums_damaged ON content_sums (row_id) WHERE damaged_at IS NOT NULL",
+    ),
+    # what is kept in spite of a tombstone, and what a class takes with it (storage/exchange/deletion.py)
+    "deletions": (
+        "CREATE TABLE deletions (id TEXT PRIMARY KEY, turn INTEGER NOT NULL, knew TEXT NOT NULL) STRICT, WITHOUT ROWID",
+        """CREATE TABLE former_classes (
+            group_id TEXT NOT NULL, classroom_id TEXT NOT NULL, has_left INTEGER NOT NULL,
+            PRIMARY KEY (group_id, classroom_id)
+        ) STRICT, WITHOUT ROWID""",
     ),
 }

@@ -7,6 +7,9 @@ The columns stand in the order of docs/parquet.md. The file has them in the orde
 
 from storage.tables import rules
 from storage.tables.columns import (
+    COUNT,
+    FLAG,
+    JSON,
     KEY,
     REVISED,
     TEXT,
@@ -35,11 +38,50 @@ _USED = """id IN (
 
 TOMBSTONES = ReplicatedTable(
     "tombstones",
-    "Keys of what was deleted for good; nothing else is kept of it, and no merge brings it back.",
+    "Keys of what was deleted for good; no merge brings it back unless deletions says that it was kept elsewhere.",
     (Column("id", KEY, "key of a row that was deleted"),),
     deletable=False,
     anonymous=False,
     parquet=False,
+)
+DELETIONS = ReplicatedTable(
+    "deletions",
+    "What was decided about rows with a tombstone: turn counts the decisions, even for deleted, odd for kept, and the"
+    " greatest is the one that holds. knew says how far the PC that deleted a row knew the work in it.",
+    (
+        Column("id", KEY, "key of a row that was deleted"),
+        Column("turn", COUNT, "even: deleted; odd: kept nevertheless"),
+        Column(
+            "knew",
+            JSON,
+            "keys: classroom of the row, and by PC newest, the last version or run that was known",
+            rules.knew,
+        ),
+    ),
+    deletable=False,
+    anonymous=False,
+    parquet=False,
+    counts_empty=False,
+)
+FORMER_CLASSES = ReplicatedTable(
+    "former_classes",
+    "Classes that a group was in before, and those in which another PC saw it: where one was deleted meanwhile, the"
+    " group is deleted with it, unless it had left before.",
+    (
+        Column("group_id", KEY, "key of a group"),
+        Column("classroom_id", KEY, "a class that it was in"),
+        Column(
+            "has_left", FLAG, "whether the group was known elsewhere when the class was deleted"
+        ),
+    ),
+    key=("group_id", "classroom_id"),
+    # neither the class that it is in now, nor those of a group that has a tombstone of its own
+    condition="group_id NOT IN (SELECT id FROM {schema}.tombstones)"
+    " AND (group_id, classroom_id) NOT IN (SELECT id, coalesce(classroom_id, '') FROM {schema}.groups)",
+    deletable=False,
+    anonymous=False,
+    parquet=False,
+    counts_empty=False,
 )
 COMPUTERS = ReplicatedTable(
     "computers",
@@ -56,6 +98,8 @@ COMPUTERS = ReplicatedTable(
 # a row's parents stand before it; the content hash goes by this order
 REPLICATED = (
     TOMBSTONES,
+    DELETIONS,
+    FORMER_CLASSES,
     COMPUTERS,
     CLASSROOMS,
     GROUPS,

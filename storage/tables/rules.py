@@ -175,6 +175,18 @@ def _is_goal(value: dict[str, Any]) -> bool:
     return all(isinstance(value.get(part), kind) for part, kind in _GOAL_PARTS.items())
 
 
+def _is_knew(value: dict[str, Any]) -> bool:
+    """As `storage/exchange/knowledge.py` writes it: a class or none, and the newest key of work by PC."""
+    newest = value.get("newest", {})
+    classroom = value.get("classroom")
+    return (
+        value.keys() <= {"classroom", "newest"}
+        and (classroom is None or key(classroom))
+        and isinstance(newest, dict)
+        and all((not pc or key(pc)) and key(last) for pc, last in newest.items())
+    )
+
+
 _is_uuid = matching(_UUID)
 count = whole(0, MAX_COUNT)
 flag = whole(0, 1)
@@ -192,3 +204,4 @@ points = json_of(list, _are_points)
 world = json_of(dict, _is_world)
 activity = json_of(dict, _is_activity)
 goal = json_of(dict, _is_goal)
+knew = json_of(dict, _is_knew)

@@ -107,8 +107,16 @@ def _change(
         require(db, "classrooms", classroom_id)
     if changes.keys() & {"name", "classroom_id"}:
         _require_free(db, changes.get("name") or group["name"], classroom_id, group_id)
+    if "classroom_id" in changes and group["classroom_id"]:
+        _note_former_class(db, group_id, group["classroom_id"])
     at = max(now, just_after(group["changed_at"]))
     change(db, "groups", group_id, changes, at, n_revisions=int(by_teacher))
+
+
+def _note_former_class(db: sqlite3.Connection, group_id: str, classroom_id: str) -> None:
+    """Another PC may delete that class meanwhile, with the group in it."""
+    values = [group_id, classroom_id]
+    db.execute("INSERT OR IGNORE INTO former_classes VALUES (?, ?, 0)", values)
 
 
 def _require_free(db: sqlite3.Connection, name: str, classroom_id: str | None, own_id: str) -> None:

@@ -1,11 +1,13 @@
 """Two PCs of a school."""
 
 from collections.abc import Iterator
+from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
 
 from storage import Store, open_store, text
+from tests.attacks.deletions import Lab
 
 
 @pytest.fixture
@@ -24,3 +26,10 @@ def there(tmp_path: Path) -> Iterator[Store]:
 def fresh_ids(monkeypatch: pytest.MonkeyPatch) -> None:
     """What a test makes the ids of this process follow is forgotten after it."""
     monkeypatch.setattr(text, "_ids", text._Ids())
+
+
+@pytest.fixture
+def lab(tmp_path: Path) -> Iterator[Lab]:
+    """PCs that exchange their work."""
+    with ExitStack() as stack:
+        yield Lab(tmp_path, stack)

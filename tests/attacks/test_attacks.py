@@ -4,6 +4,7 @@ Each test is one attack, in a few lines that read as a sentence; how it is done 
 docs/trust.md tells a school the same in plain words.
 """
 
+import itertools
 import os
 import random
 import shutil
@@ -36,6 +37,7 @@ from tests.attacks.damage import (
     wait_until,
 )
 from tests.attacks.damaged_values import N_PROGRAMS, school
+from tests.attacks.deletions import Lab
 from tests.attacks.engine import NOTICED_S, SOON_S, desk
 from tests.attacks.made_up_files import (
     AHEAD,
@@ -248,6 +250,41 @@ def test_a_forged_name_gives_way_to_the_teacher_s_correction_on_all_pcs(
 # ---- a person at the page ----
 
 # ---- a deletion that arrives with a file ----
+
+
+def test_a_class_is_deleted_while_its_group_is_moved_elsewhere(lab: Lab) -> None:
+    files = lab.class_deleted_while_its_group_moved()
+    hashes = {lab.hash_of_a_new_pc(order) for order in itertools.permutations(files)}
+    assert len(hashes) == 1
+
+
+def test_what_was_made_in_the_moved_group_is_on_all_pcs_or_none(lab: Lab) -> None:
+    for order in itertools.permutations(range(3)):
+        hashes, programs = lab.everybody_merges_after_class_deleted_and_group_moved(order)
+        assert len(hashes) == 1
+        assert programs == [{"before", "on the third PC", "where it was moved"}] * 3
+
+
+def test_a_deletion_that_was_not_confirmed_keeps_hashes_apart_for_ever(lab: Lab) -> None:
+    here, there = lab.run_deleted_there_and_later_its_group_here()
+    assert here == there
+
+
+def test_a_file_deletes_work_that_its_sender_never_saw(lab: Lab) -> None:
+    asked, left = lab.group_deleted_there_and_worked_on_here()
+    assert [(one.name, one.is_moved, one.n_new_runs) for one in asked] == [("Onças", True, 1)]
+    assert left == {"Onças"}
+
+
+def test_what_was_kept_on_one_pc_is_deleted_by_the_next_file(lab: Lab) -> None:
+    assert lab.groups_after_it_was_kept_and_old_files_came() == [{"Onças"}, {"Onças"}]
+
+
+def test_what_was_kept_can_never_be_deleted_again(lab: Lab) -> None:
+    asked, left = lab.deleted_anew_after_it_was_kept()
+    assert asked == {"Onças"}
+    assert left == [set(), set()]
+
 
 # ---- a file that was damaged ----
 

@@ -76,9 +76,11 @@ def exported(store: Store, dest: Path, scope: Scope = ALL) -> BundleInfo:
     )
 
 
-def merged(store: Store, path: Path, *, delete: bool = True) -> MergeReport:
+def merged(
+    store: Store, path: Path, *, delete: bool = True, keep_newer: bool = False
+) -> MergeReport:
     """Merges a bundle; with `delete` also its deletions, without which stores do not converge."""
-    return merge(store._database, path, delete=delete)
+    return merge(store._database, path, delete=delete, keep_newer=keep_newer)
 
 
 def removed(store: Store, *ids: str) -> None:

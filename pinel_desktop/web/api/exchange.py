@@ -106,7 +106,7 @@ def write_bundle(body: NewBundle) -> Response:
 def merge_bundles(body: BundlesToMerge) -> Response:
     """Merges bundles; a refused one does not stop the others. For the teacher."""
     require_teacher()
-    merged = [_merged(Path(path), delete=body.delete) for path in body.paths]
+    merged = [_merged(Path(path), body) for path in body.paths]
     services().signs.refresh()
     services().confirm_runs()
     return answer(MergeList(merged=merged, content_hash=services().store.exchange.content_hash()))
@@ -282,11 +282,14 @@ def _left_out(info: "BundleInfo") -> Notice | None:
     return notice("export_left_out", info.left_out_params, services().preferences.language)
 
 
-def _merged(path: Path, *, delete: bool) -> Merged:
+def _merged(path: Path, body: BundlesToMerge) -> Merged:
     parts = services()
     try:
         with naming_file(path, path.name):
-            return _report(path, parts.store.exchange.merge(path, delete=delete))
+            report = parts.store.exchange.merge(
+                path, delete=body.delete, kept=body.kept, keep_newer=body.keep_newer
+            )
+            return _report(path, report)
     except StoreError as error:
         problem = notice(error.code, error.params, parts.preferences.language)
         return Merged(path=str(path), name=path.name, added=_counts({}), problem=problem)
@@ -300,9 +303,10 @@ def _report(path: Path, report: "MergeReport") -> Merged:
         exported_at=report.info.exported_at,
         added=_counts(report.added),
         anonymous=report.info.anonymous,
-        nothing_new=not (report.added or report.changed or report.removed),
+        nothing_new=not (report.added or report.changed or report.removed or report.kept),
         held_back=_counts(report.skipped) if report.skipped else None,
         removed=_counts(report.removed) if report.removed else None,
+        kept=[one.name for one in report.kept],
         would_delete=_pending_deletion(report),
         left_in=[json_safe(path) for path in report.left_in],
         trust=report.sender.trust if report.sender else None,

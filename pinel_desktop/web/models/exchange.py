@@ -78,6 +78,10 @@ class BundlesToMerge(Body):
 
     paths: Annotated[list[_Path], Field(min_length=1, max_length=500)]
     delete: Annotated[bool, Field(description="also apply deletions of the other PC")] = False
+    kept: list[Id] = Field(
+        default=[], max_length=5000, description="groups and programs that stay nevertheless"
+    )
+    keep_newer: Annotated[bool, Field(description="keep what was moved or is newer too")] = True
 
 
 class MergedCounts(Shape):
@@ -93,6 +97,22 @@ class MergedCounts(Shape):
 Trust = Literal["own", "approved", "unapproved", "changed_key", "unsigned"]
 
 
+class PendingWork(Shape):
+    """A group that would be deleted, or a program whose group stays, with what was unknown where it was deleted."""
+
+    kind: Literal["group", "program"]
+    id: Id
+    name: str
+    place: Annotated[str, Field(description='class of the group now, group of the program, or ""')]
+    is_moved: Annotated[bool, Field(description="in another class than where it was deleted")]
+    is_newer: Annotated[bool, Field(description="moved, or with work that was unknown there")]
+    n_programs: int
+    n_runs: int
+    n_new_programs: int
+    n_new_edits: int
+    n_new_runs: int
+
+
 class PendingDeletion(Shape):
     """Work deleted for good on another PC that this PC still has, until the teacher confirms the deletion."""
 
@@ -100,6 +120,7 @@ class PendingDeletion(Shape):
     programs: int
     runs: int
     names: Annotated[list[str], Field(description="of classes and groups, not more than a few")]
+    work: Annotated[list[PendingWork], Field(description="what can be kept")]
 
 
 class Merged(Shape):
@@ -124,6 +145,7 @@ class Merged(Shape):
     nothing_new: bool = True
     held_back: MergedCounts | None = None
     removed: MergedCounts | None = None
+    kept: list[str] = Field(default=[], description="names of what was kept")
     would_delete: PendingDeletion | None = None
     left_in: list[str] = Field(default=[])
     trust: Trust | None = None

@@ -1,0 +1,36 @@
+"""How far the PC that deletes a row knows the work in it: so that other PCs can tell what is newer there.
+
+Of each group and program it is the newest key of its versions and runs by PC, as the keys of one PC grow, and the class
+that the group was in.
+"""
+
+from collections.abc import Collection, Iterator
+from typing import Any
+
+from storage.sql import tuples
+from storage.sqlite import sqlite3
+from storage.text import dumped
+
+# group, program, PC and newest key
+_NEWEST = """
+    SELECT programs.group_id, programs.id, coalesce(computer_id, ''), max(versions.id)
+    FROM main.versions JOIN main.programs ON programs.id = program_id GROUP BY 2, 3
+    UNION ALL
+    SELECT group_id, program_id, coalesce(computer_id, ''), max(id) FROM main.runs GROUP BY 1, 2, 3"""
+
+
+def known_work(db: sqlite3.Connection, ids: Collection[str]) -> Iterator[tuple[str, str]]:
+    """Of the groups and programs among these keys: the key, and what `deletions.knew` is to hold."""
+    rows = "SELECT id, classroom_id FROM main.groups UNION ALL SELECT id, NULL FROM main.programs"
+    found = {str(key): classroom for key, classroom in tuples(db, rows) if key in ids}
+    if not found:
+        return
+    newest: dict[str, dict[str, str]] = {key: {} for key in found}
+    for group_id, program_id, computer_id, last in tuples(db, _NEWEST):
+        for key in (group_id, program_id):
+            if key in newest:
+                newest[key][computer_id] = max(last, newest[key].get(computer_id, ""))
+    for key, classroom in sorted(found.items()):
+        of_pcs = {"newest": dict(sorted(newest[key].items()))}
+        knew: dict[str, Any] = {"classroom": classroom} if classroom else {}
+        yield key, dumped(knew | of_pcs)
