@@ -193,8 +193,20 @@ def _of_file(outcome: _Outcome) -> dict[str, Any]:
         "fingerprint": report.fingerprint,
         "n_unconfirmed": report.n_unconfirmed,
         "nothing_new": report.nothing_new,
-        "would_delete": report.would_delete and asdict(report.would_delete),
+        **_pending(report.would_delete),
         "kept": [asdict(one) for one in report.kept],
         "still_in": report.left_in,
         **counts,
+    }
+
+
+def _pending(pending: PendingDeletion | None) -> dict[str, Any]:
+    """`would_delete` with numbers and names, `can_keep` with the groups and programs of it."""
+    if pending is None:
+        return {"would_delete": None, "can_keep": []}
+    counts = asdict(pending)
+    work = counts.pop("work")
+    return {
+        "would_delete": counts,
+        "can_keep": [{**one, "is_newer": one["id"] in pending.newer} for one in work],
     }

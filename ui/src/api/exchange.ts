@@ -7,9 +7,12 @@ export const exchange = {
   share: (path: string) => put("/api/folders/shared", { body: { path } }),
   write: (folder: string, classroom_id: string | null, anonymous: boolean) =>
     post("/api/bundles", { body: { folder, classroom_id, anonymous } }),
-  /** `drop`: what was deleted for good on the other PC goes here too. */
-  merge: async (path: string, drop = false) =>
-    (await post("/api/bundles/merge", { body: { paths: [path], delete: drop } })).merged[0],
+  /** Without `kept` nothing is deleted; with it what was deleted for good on the other PC goes here too, but for these. */
+  merge: async (path: string, kept?: readonly string[]) => {
+    const drop = kept !== undefined;
+    const body = { paths: [path], delete: drop, kept: [...(kept ?? [])], keep_newer: false };
+    return (await post("/api/bundles/merge", { body })).merged[0];
+  },
   heard: () => get("/api/bundles/heard"),
   approve: (public_key: string, approved: boolean) =>
     put("/api/bundles/approval", { body: { public_key, approved } }),

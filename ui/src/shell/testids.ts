@@ -350,6 +350,7 @@ export const TEST = {
   mergeResults: "merge-results",
   wouldDelete: "would-delete", // deletions that a file contains
   deleteToo: "delete-too",
+  canKeep: "can-keep", // a group or program of such a deletion
   saveBundle: "save-bundle",
   exportLeftOut: "export-left-out",
   sharedFolder: "shared-folder",

@@ -64,6 +64,14 @@ export const exchange: typeof first = {
   doomed: (computer: string, names: string, work: string) =>
     `On ${computer} this was deleted for good: ${names} (still here: ${work}). Delete it here too? This cannot be undone.`,
   deleteToo: "Delete it here too",
+  deleteRest: "Delete the rest here too",
+  whatToKeep: "Keep, here and on all PCs:",
+  programOf: (name: string, group: string) => `${name} (${group})`,
+  isNow: (classroom: string) => `It is in class ${classroom} now.`,
+  isNowWithout: "It is in no class now.",
+  isNew: (parts: string) => `Newer here: ${parts}.`,
+  edits: (n: number) => (n === 1 ? "1 edit" : `${n} edits`),
+  kept: (names: string) => `Kept on all PCs: ${names}.`,
   keepHere: "Keep it here",
   trust: {
     title: "Approval",

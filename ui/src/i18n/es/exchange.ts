@@ -66,6 +66,14 @@ export const exchange: typeof first = {
   doomed: (computer: string, names: string, work: string) =>
     `En ${computer} se borró para siempre: ${names} (aquí todavía hay ${work}). ¿Borrarlo aquí también? No se puede deshacer.`,
   deleteToo: "Borrarlo aquí también",
+  deleteRest: "Borrar el resto aquí también",
+  whatToKeep: "Dejar, aquí y en todas las computadoras:",
+  programOf: (name: string, group: string) => `${name} (${group})`,
+  isNow: (classroom: string) => `Está ahora en el curso ${classroom}.`,
+  isNowWithout: "Está ahora sin curso.",
+  isNew: (parts: string) => `Más nuevo aquí: ${parts}.`,
+  edits: (n: number) => (n === 1 ? "1 edición" : `${n} ediciones`),
+  kept: (names: string) => `Se mantiene en todas las computadoras: ${names}.`,
   keepHere: "Dejarlo aquí",
   trust: {
     title: "Aprobación",

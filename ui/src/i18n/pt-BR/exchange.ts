@@ -65,6 +65,14 @@ export const exchange = {
   doomed: (computer: string, names: string, work: string) =>
     `Em ${computer} foi apagado para sempre: ${names} (aqui ainda há ${work}). Apagar aqui também? Não dá para desfazer.`,
   deleteToo: "Apagar aqui também",
+  deleteRest: "Apagar o resto aqui também",
+  whatToKeep: "Manter, aqui e em todos os computadores:",
+  programOf: (name: string, group: string) => `${name} (${group})`,
+  isNow: (classroom: string) => `Está agora na turma ${classroom}.`,
+  isNowWithout: "Está agora sem turma.",
+  isNew: (parts: string) => `Mais novo aqui: ${parts}.`,
+  edits: (n: number) => (n === 1 ? "1 edição" : `${n} edições`),
+  kept: (names: string) => `Mantido em todos os computadores: ${names}.`,
   keepHere: "Manter aqui",
   trust: {
     title: "Aprovação",

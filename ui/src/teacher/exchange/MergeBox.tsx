@@ -61,7 +61,7 @@ export function MergeBox({ folders, merging, onLook }: MergeBoxProps) {
               <MergeResult
                 key={one.path}
                 merged={one}
-                onDelete={() => deleteToo(one.path)}
+                onDelete={(kept) => deleteToo(one.path, kept)}
                 onKeep={() => keep(one)}
               />
             ))}

@@ -2,14 +2,14 @@ import { CircleCheck, TriangleAlert } from "lucide-preact";
 import { useEffect, useRef } from "preact/hooks";
 import type { Merged } from "../../api/model";
 import { texts } from "../../i18n";
-import { TEST } from "../../shell/testids";
-import { ConfirmDeletion } from "./ConfirmDeletion";
+import { DeletedElsewhere } from "./DeletedElsewhere";
 import { FilesLeft } from "./FilesLeft";
-import { counted, outcome, warning } from "./outcome";
+import { outcome, warning } from "./outcome";
 
 interface MergeResultProps {
   merged: Merged;
-  onDelete(): Promise<void>;
+  /** Deletes what the other PC deleted, but for these groups and programs. */
+  onDelete(kept: readonly string[]): Promise<void>;
   onKeep(): void;
 }
 
@@ -18,7 +18,7 @@ export function MergeResult({ merged, onDelete, onKeep }: MergeResultProps) {
   const { problem } = merged;
   const say = texts.value.exchange;
   const answer = useRef<HTMLParagraphElement>(null);
-  const isRemoved = merged.removed !== null;
+  const isRemoved = merged.removed !== null || merged.kept.length > 0;
   useEffect(() => {
     if (isRemoved) answer.current?.focus(); // the pressed button no longer exists
   }, [isRemoved]);
@@ -37,20 +37,12 @@ export function MergeResult({ merged, onDelete, onKeep }: MergeResultProps) {
       </p>
       <Warning merged={merged} />
       {merged.would_delete && (
-        <ConfirmDeletion
-          confirm={say.deleteToo}
-          cancel={say.keepHere}
-          testId={TEST.wouldDelete}
-          confirmId={TEST.deleteToo}
-          onConfirm={onDelete}
-          onCancel={onKeep}
-        >
-          {say.doomed(
-            merged.computer ?? merged.name,
-            merged.would_delete.names.join(", "),
-            counted(merged.would_delete, say) || say.programs(0),
-          )}
-        </ConfirmDeletion>
+        <DeletedElsewhere
+          computer={merged.computer ?? merged.name}
+          pending={merged.would_delete}
+          onDelete={onDelete}
+          onKeep={onKeep}
+        />
       )}
       {merged.left_in.length > 0 && (
         <div class="deletion__done notice-box">

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { textsOf } from "../../i18n";
-import { outcome } from "./outcome";
+import { newsOf, outcome } from "./outcome";
 
 const none = { groups: 0, programs: 0, versions: 0, runs: 0 };
 const file = {
@@ -9,6 +9,7 @@ const file = {
   added: none,
   anonymous: false,
   held_back: null,
+  kept: [],
   nothing_new: true,
   removed: null,
 };
@@ -44,4 +45,26 @@ test("groups without names are told as such when they come", () => {
   const came = { anonymous: true, added: work, nothing_new: false };
   expect(words(came)).toContain("“Grupo 1”");
   expect(words({ anonymous: true })).not.toContain("“Grupo 1”");
+});
+
+test("what was kept is told by name", () => {
+  expect(words({ kept: ["Onças"], nothing_new: false })).toBe(
+    "Mantido em todos os computadores: Onças.",
+  );
+});
+
+test("what was moved or is newer is told with numbers", () => {
+  const say = textsOf("pt-BR").exchange;
+  const work = {
+    ...{ kind: "group" as const, id: "1", name: "Onças", place: "9º B", is_moved: true },
+    ...{ is_newer: true, n_programs: 2, n_runs: 3 },
+    ...{ n_new_programs: 1, n_new_edits: 0, n_new_runs: 2 },
+  };
+  expect(newsOf(work, say)).toBe(
+    "Está agora na turma 9º B. Mais novo aqui: 1 programa, 2 rodadas.",
+  );
+  expect(newsOf({ ...work, place: "", n_new_programs: 0, n_new_runs: 0 }, say)).toBe(
+    "Está agora sem turma.",
+  );
+  expect(newsOf({ ...work, is_moved: false, n_new_programs: 0, n_new_runs: 0 }, say)).toBe("");
 });

@@ -33,15 +33,15 @@ export function useMerging(onMerged: () => Promise<void>) {
       void onMerged();
     }
   };
-  const mergeAgain = async (path: string, drop: boolean) => {
-    const merged = await asTeacher(() => exchange.merge(path, drop));
+  const mergeAgain = async (path: string, kept?: readonly string[]) => {
+    const merged = await asTeacher(() => exchange.merge(path, kept));
     if (merged) replace(merged);
   };
-  /** Applies the deletions of the other PC. Files without news before may have some now. */
-  const deleteToo = async (deletedBy: string) => {
-    await mergeAgain(deletedBy, true);
+  /** Applies the deletions of the other PC, but for what is kept. Files without news before may have some now. */
+  const deleteToo = async (deletedBy: string, kept: readonly string[]) => {
+    await mergeAgain(deletedBy, kept);
     for (const { path, nothing_new, problem } of results.value) {
-      if (path !== deletedBy && nothing_new && !problem) await mergeAgain(path, false);
+      if (path !== deletedBy && nothing_new && !problem) await mergeAgain(path);
     }
     void onMerged();
   };
