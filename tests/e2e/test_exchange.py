@@ -170,6 +170,46 @@ def test_what_was_deleted_elsewhere_goes_when_the_teacher_says_so(
     assert other_pc.api("/groups") == {"groups": []}
 
 
+def test_a_group_that_was_moved_is_named_and_stays_everywhere(
+    studio: Studio, other_pc: Studio, stick: Path
+) -> None:
+    at_the_files(studio, stick)
+    old = studio.tell("POST", "/classrooms", {"name": "8º B"})["id"]
+    moved, _ = (
+        studio.tell("POST", "/groups", {"name": name, "classroom_id": old})["id"]
+        for name in ("Os Tatus", "As Araras")
+    )
+    studio["save-bundle"].click()
+    expect(studio.page.get_by_text("Salvo em")).to_contain_text("2 grupos")
+    at_the_files(other_pc, stick)
+    other_pc["merge-files"].click()
+    expect(other_pc["merge-results"]).to_contain_text("2 grupos")
+
+    studio.tell("DELETE", f"/classrooms/{old}")
+    studio["save-bundle"].click()
+    expect(studio.page.get_by_text("Salvo em")).to_contain_text("0 grupos")
+    new = other_pc.tell("POST", "/classrooms", {"name": "9º B"})["id"]
+    other_pc.tell("PATCH", f"/groups/{moved}", {"classroom_id": new})
+    other_pc.tell("POST", f"/groups/{moved}/programs", {"name": "Volta"})
+
+    expect(other_pc["found-file"]).to_have_count(2)
+    other_pc["merge-files"].click()
+    tatus = other_pc["can-keep"].filter(has_text="Os Tatus")
+    expect(tatus).to_contain_text("Está agora na turma 9º B. Mais novo aqui: 1 programa")
+    expect(tatus.get_by_role("checkbox")).to_be_checked()
+    araras = other_pc["can-keep"].filter(has_text="As Araras").get_by_role("checkbox")
+    expect(araras).not_to_be_checked()
+    assert violations(other_pc) == []
+    other_pc["delete-too"].click()
+    expect(other_pc["merge-results"]).to_contain_text("Mantido em todos os computadores: Os Tatus")
+    assert [one["id"] for one in other_pc.api("/groups")["groups"]] == [moved]
+    other_pc["save-bundle"].click()
+    expect(studio["found-file"]).to_have_count(3)
+    studio["merge-files"].click()
+    expect(studio["merge-results"]).to_contain_text("1 grupo, 1 programa")
+    assert [one["id"] for one in studio.api("/groups")["groups"]] == [moved]
+
+
 def test_an_old_file_does_not_say_that_what_was_deleted_is_here(
     studio: Studio, stick: Path
 ) -> None:
