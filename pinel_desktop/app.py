@@ -20,6 +20,7 @@ from pinel_desktop.instance import Instance
 from pinel_desktop.links import LINK_NAMES
 from pinel_desktop.messages import Problem, describe, explain
 from pinel_desktop.page_settings import PageSettings
+from pinel_desktop.paths import is_own_place
 from pinel_desktop.preferences import Preferences
 from pinel_desktop.school.confirming import Confirmer
 from pinel_desktop.school.grading import Grader
@@ -33,6 +34,8 @@ from pinel_desktop.web.early_server import EarlyServer
 from pinel_desktop.web.services import DatabaseState, Engine, ReadDocument, Services
 from sim.world import list_worlds
 from storage import Recorder, Store, StoreError, open_store, warm_up
+from storage.file.private import make_private
+from storage.file.temporary import remove_leftovers
 from storage.maintenance import Maintenance
 
 if TYPE_CHECKING:
@@ -367,10 +370,13 @@ def _warm_up() -> None:
     from pinel_desktop.program import reading  # noqa: F401, PLC0415
 
     warm_up()
+    remove_leftovers()
 
 
 def _opened(database: Path) -> Store:
     try:
-        return open_store(database, close_interrupted=True)
+        store = open_store(database, close_interrupted=True)
+        make_private(database, is_own_folder=is_own_place(database))
+        return store
     except StoreError as error:
         return Store.without_file(database, error)

@@ -130,7 +130,7 @@ class Instance:
         # the thread that takes the lock need not be the one that announces the address
         self._lock = self._lock or FileLock(str(self._lock_file), thread_local=False)
         try:
-            self._file.parent.mkdir(parents=True, exist_ok=True)
+            self._file.parent.mkdir(0o700, parents=True, exist_ok=True)
             self._lock.acquire(timeout=0)
         except Timeout:
             return False

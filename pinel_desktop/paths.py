@@ -13,6 +13,15 @@ def data_folder() -> Path:
     home = os.environ.get("PINEL_HOME")
     if home:
         return Path(home).expanduser()
+    return _own_place()
+
+
+def is_own_place(database: Path) -> bool:
+    """Whether the file lies where PINEL keeps data by itself, not in a folder that somebody has chosen."""
+    return database.parent == Path(os.path.realpath(_own_place()))
+
+
+def _own_place() -> Path:
     return Path(platformdirs.user_data_dir("pinel", appauthor=False))
 
 

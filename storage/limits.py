@@ -21,4 +21,7 @@ MAX_TAUGHT_SIGNS = 60  # of a class that count; it does not record more
 # of a hand, as the application's gestures/features.py computes them; a movement (gestures/movements.py) has as many
 N_FEATURES = 1748
 MAX_OWN_ACTIVITIES = 200  # of a school that can be chosen
+SAMPLES_PER_HOUR = 108_000
+# of all runs of a file that is opened without PIN: unpacking them takes a second, and nobody runs one program so long
+MAX_SAMPLES_WITHOUT_PIN = 36 * SAMPLES_PER_HOUR
 MAX_SAMPLES = 200_000  # in a chunk of telemetry, and in all of a run: an hour has 108,000

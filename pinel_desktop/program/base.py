@@ -6,6 +6,7 @@ names for each command. pydantic builds the validators when the first document i
 
 from collections.abc import Iterator
 from dataclasses import MISSING, Field, FrozenInstanceError, dataclass, field
+from functools import cache
 from typing import Any, ClassVar, dataclass_transform
 
 from pydantic import ConfigDict, GetCoreSchemaHandler
@@ -84,6 +85,7 @@ def defaults(model: type[Model]) -> dict[str, Any]:
     return found
 
 
+@cache
 def annotations(model: type[Model]) -> dict[str, Any]:
     """Annotations of the fields, by key of the document."""
     return {_key(made): made.type for made in model.__dataclass_fields__.values()}

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from pinel_desktop.program.limits import MAX_NESTING
-from pinel_desktop.program.pointers import Finding
+from pinel_desktop.program.limits import MAX_NESTING, MAX_PARAMETERS
+from pinel_desktop.program.pointers import Finding, Path
 from pinel_desktop.program.signatures import COMMAND_SIGNATURES
 
 
@@ -18,31 +18,39 @@ class Signature:
 
 
 def signatures(functions: list[Any]) -> tuple[dict[str, Signature], list[Finding]]:
-    """The functions by name, the first of each name; and findings for duplicate names."""
+    """The functions by name, the first of each name; and findings for duplicate names and too many parameters."""
     known: dict[str, Signature] = {}
-    duplicates: list[Finding] = []
+    faults: list[Finding] = []
     for i, function in enumerate(functions):
         name = function.get("name") if isinstance(function, dict) else None
         if not isinstance(name, str):
             continue
         parameters = parameters_of(function)
-        given = function.get("parameters")
-        for j, parameter in enumerate(parameters):
-            if parameter in parameters[:j]:
-                path = (
-                    "functions",
-                    i,
-                    "parameters",
-                    given.index(parameter, given.index(parameter) + 1),
-                )
-                duplicates.append(
-                    ("duplicate_parameter", path, {"value": parameter, "function": name})
-                )
+        faults += _parameter_faults(("functions", i, "parameters"), function, name)
         if name in known:
-            duplicates.append(("duplicate_function", ("functions", i, "name"), {"value": name}))
+            faults.append(("duplicate_function", ("functions", i, "name"), {"value": name}))
             continue
         known[name] = Signature(parameters, _gives_value(function.get("commands")))
-    return known, duplicates
+    return known, faults
+
+
+def _parameter_faults(path: Path, function: dict[str, Any], name: str) -> Iterator[Finding]:
+    given = function.get("parameters")
+    if not isinstance(given, list):
+        return
+    if len(given) > MAX_PARAMETERS:
+        yield (
+            "too_many_parameters",
+            path,
+            {"function": name, "value": len(given), "max": MAX_PARAMETERS},
+        )
+        return
+    known = set()
+    for j, parameter in enumerate(given):
+        if isinstance(parameter, str) and parameter in known:
+            yield "duplicate_parameter", (*path, j), {"value": parameter, "function": name}
+        if isinstance(parameter, str):
+            known.add(parameter)
 
 
 def parameters_of(function: dict[str, Any]) -> tuple[str, ...]:

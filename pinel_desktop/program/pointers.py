@@ -46,13 +46,19 @@ def block_at(document: Any, path: Path) -> str | None:
 
 def in_document_order(document: Any, paths: Iterable[Path]) -> list[Path]:
     """Sorts paths by their position in the document."""
-    return sorted(paths, key=lambda path: _rank(document, path))
+    places: dict[int, dict[str, int]] = {}  # of the keys of each object, which are counted once
+    return sorted(paths, key=lambda path: _rank(document, path, places))
 
 
-def _rank(document: Any, path: Path) -> tuple[int, ...]:
+def _rank(document: Any, path: Path, places: dict[int, dict[str, int]]) -> tuple[int, ...]:
     rank = []
     value = document
     for part in path:
-        rank.append(part if isinstance(part, int) else list(value).index(part))
+        if isinstance(part, int):
+            rank.append(part)
+        else:
+            if id(value) not in places:
+                places[id(value)] = {key: place for place, key in enumerate(value)}
+            rank.append(places[id(value)][part])
         value = value[part]
     return tuple(rank)

@@ -6,7 +6,7 @@ from typing import Any
 from pinel_desktop.errors import PinelError
 from pinel_desktop.robot import PIONEER_3DX
 from pinel_desktop.robot.record import RECORDS, RobotRecord, record_from
-from pinel_desktop.school.teacher import Settings
+from pinel_desktop.school.pin_tries import Settings
 
 
 class Robots:

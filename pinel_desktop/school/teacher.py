@@ -1,8 +1,7 @@
 """The teacher's PIN and sessions: a PIN gives access to review and settings for a limited time.
 
-The PIN is stored as a salted scrypt hash. Because it is short, guessing is slowed down: after a few wrong PINs every
-further attempt must wait, longer each time, also after a restart of the app. `pinel pin` replaces a forgotten PIN; it
-needs write access to the database file, and anybody with that access needs no PIN.
+The PIN is stored as a salted scrypt hash. Because it is short, guessing is slowed down (`pin_tries.py`). `pinel pin`
+replaces a forgotten PIN; it needs write access to the database file, and anybody with that access needs no PIN.
 """
 
 import hashlib
@@ -12,24 +11,15 @@ import secrets
 import threading
 import time
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import Any
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.school.pin_tries import PinTries, Settings
 
 MIN_DIGITS, MAX_DIGITS = 4, 12
 IDLE_S = 30 * 60.0  # an unused session ends after this time
-_FREE_TRIES = 5
-_FIRST_WAIT_S, _LONGEST_WAIT_S = 30.0, 15 * 60.0
-_PIN, _TRIES = "teacher_pin", "teacher_pin_tries"
+_PIN = "teacher_pin"
 _COST = {"n": 2**14, "r": 8, "p": 1}  # 16 MiB and some 50 ms for each attempt
-
-
-class Settings(Protocol):
-    """Persistent values by key: the settings of the store."""
-
-    def get(self, key: str) -> Any: ...
-
-    def set(self, key: str, value: object) -> None: ...
 
 
 class TeacherSessions:
@@ -46,9 +36,8 @@ class TeacherSessions:
         clock: Callable[[], float] = time.time,
         steady: Callable[[], float] = time.monotonic,
     ) -> None:
-        self._settings, self._clock, self._steady = settings, clock, steady
-        self._tried = False  # whether there was an attempt since the start
-        self._since = steady()  # time of the last attempt, initially of the start
+        self._settings, self._steady = settings, steady
+        self._tries = PinTries(settings, clock, steady)
         self._sessions: dict[str, tuple[float, str]] = {}  # token -> (last use, salt of the PIN)
         self._lock = threading.Lock()
 
@@ -64,25 +53,28 @@ class TeacherSessions:
         self._settings.set(
             _PIN, {**_COST, "salt": salt.hex(), "hash": _hash(pin, salt, _COST).hex()}
         )
-        self._settings.set(_TRIES, None)
         with self._lock:
+            self._tries.forget()
             self._sessions.clear()
 
     def remove_pin(self) -> None:
         """Removes the PIN; the page then asks for a new one."""
         self._settings.set(_PIN, None)
-        self._settings.set(_TRIES, None)
+        with self._lock:
+            self._tries.forget()
 
-    def sign_in(self, pin: str) -> str:
+    def sign_in(self, pin: str, browser: str = "") -> str:
         """Begins a session and returns its token.
+
+        Args:
+            browser: tells apart the browser sessions in which PINs are tried.
 
         Raises:
             PinelError: `pin_missing`, `pin_wrong`, or `pin_wait` with the seconds until the next attempt.
-            StoreError: the attempt could not be counted and was therefore refused.
         """
         with self._lock:  # one attempt at a time
-            self._check_wait()
-            self._check(pin)
+            self._tries.check(browser)
+            self._check(pin, browser)
             token = secrets.token_urlsafe(32)
             self._sessions[token] = (self._steady(), self._salt())
         return token
@@ -106,42 +98,19 @@ class TeacherSessions:
         with self._lock:
             self._sessions.pop(token or "", None)
 
-    def _check(self, pin: str) -> None:
+    def _check(self, pin: str, browser: str) -> None:
         kept = self._settings.get(_PIN)
         if kept is None:
             raise PinelError("pin_missing")
-        # counted before the check: if the disk is full, the attempt fails instead of going uncounted
-        self._settings.set(_TRIES, {"failed": self._failed() + 1, "at": self._clock()})
-        self._tried, self._since = True, self._steady()
+        self._tries.count(browser)
         given = _hash(pin, bytes.fromhex(kept["salt"]), kept)
         if not hmac.compare_digest(given, bytes.fromhex(kept["hash"])):
             raise PinelError("pin_wrong")
-        self._settings.set(_TRIES, None)
-
-    def _check_wait(self) -> None:
-        tries = self._settings.get(_TRIES)
-        failed = self._failed()
-        if not tries or failed < _FREE_TRIES:
-            return
-        wait_s = min(_FIRST_WAIT_S * 2 ** (failed - _FREE_TRIES), _LONGEST_WAIT_S)
-        left_s = wait_s - self._passed_s(tries["at"])
-        if left_s > 0:
-            raise PinelError("pin_wait", failed=failed, seconds=int(left_s) + 1)
-
-    def _passed_s(self, tried_at: float) -> float:
-        """Seconds since the last attempt.
-
-        If the wall clock was set back, they count from the start of the app: the wait is neither skipped nor endless.
-        """
-        by_clock_s = self._clock() - tried_at
-        return self._steady() - self._since if self._tried or by_clock_s < 0 else by_clock_s
+        self._tries.forget()
 
     def _salt(self) -> str:
         """Identifies the current PIN; differs even if the same digits are set again."""
         return str((self._settings.get(_PIN) or {}).get("salt", ""))
-
-    def _failed(self) -> int:
-        return int((self._settings.get(_TRIES) or {}).get("failed", 0))
 
 
 def check_format(pin: str) -> None:

@@ -1,14 +1,15 @@
 """Access control of the server: only the page that the app opened may use it.
 
-The server is bound to 127.0.0.1. A one-time key in the first address sets an HttpOnly SameSite=Strict cookie; every
-request must carry it and come from our own origin. Requests that a foreign web page makes a browser send are refused
-by Host (DNS rebinding), Origin and Sec-Fetch-Site (forged requests), even with the cookie.
+The server is bound to 127.0.0.1. A one-time key in the first address, which expires, sets an HttpOnly SameSite=Strict
+cookie; every request must carry it and come from our own origin. Requests that a foreign web page makes a browser send
+are refused by Host (DNS rebinding), Origin and Sec-Fetch-Site (forged requests), even with the cookie.
 """
 
 import hmac
 import secrets
 import threading
-from collections.abc import Mapping
+import time
+from collections.abc import Callable, Mapping
 from typing import Protocol
 
 from pinel_desktop.errors import PinelError
@@ -16,6 +17,7 @@ from pinel_desktop.errors import PinelError
 SECRET_HEADER = "X-Pinel-Secret"
 _OWN_SITE = ("same-origin", "none")  # none: typed, from a bookmark, or opened by another program
 _MAX_KEYS = 16
+KEY_S = 300.0  # a slow PC needs a minute for its window, and a person has to copy the address of `pinel serve`
 
 
 class Headers(Protocol):
@@ -31,11 +33,14 @@ class Guard:
         PinelError: `host_wrong`, `origin_wrong`, `cross_site`, `key_missing` or `secret_wrong`.
     """
 
-    def __init__(self, secret: str | None = None) -> None:
+    def __init__(
+        self, secret: str | None = None, clock: Callable[[], float] = time.monotonic
+    ) -> None:
         self.secret = secret or secrets.token_urlsafe(32)
         self.cookie_value = secrets.token_urlsafe(32)
         self._authority = ""
-        self._keys: list[str] = []
+        self._clock = clock
+        self._keys: list[tuple[str, float]] = []  # each with the time of its making
         self._lock = threading.Lock()
 
     def bind(self, host: str, port: int) -> None:
@@ -53,20 +58,22 @@ class Guard:
         return f"pinel_{self._authority.rpartition(':')[2]}"
 
     def fresh_link(self) -> str:
-        """A new address that opens the page once."""
+        """A new address that opens the page once, within `KEY_S`."""
         key = secrets.token_urlsafe(24)
         with self._lock:
-            self._keys = [*self._keys[1 - _MAX_KEYS :], key]
+            self._keys = [*self._keys[1 - _MAX_KEYS :], (key, self._clock())]
         return f"{self.origin}/?key={key}"
 
     def redeem(self, key: str) -> bool:
-        """Consumes a one-time key; True if it was valid."""
+        """Consumes a one-time key; True if it was valid and not too old."""
         with self._lock:
             found = [
-                kept for kept in self._keys if hmac.compare_digest(kept.encode(), key.encode())
+                (kept, made)
+                for kept, made in self._keys
+                if hmac.compare_digest(kept.encode(), key.encode())
             ]
-            self._keys = [kept for kept in self._keys if kept not in found]
-        return bool(found)
+            self._keys = [one for one in self._keys if one not in found]
+        return any(self._clock() - made <= KEY_S for _, made in found)
 
     def check_origin(self, headers: Headers) -> None:
         """Refuses requests from other origins. Raises PinelError `host_wrong`, `origin_wrong` or `cross_site`."""

@@ -3,6 +3,7 @@
 from flask import Response, request
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.web.guard import Guard
 from pinel_desktop.web.services import services
 
 _SECURITY_POLICY = "; ".join(
@@ -28,6 +29,7 @@ _INSTANCE_ROUTES = "/api/instance/"
 def check_guard() -> None:
     """Refuses requests that come neither from our page nor from a second start of the app. Raises PinelError."""
     guard = services().guard
+    is_opened = _uses_key(guard)
     guard.check_origin(request.headers)
     if request.path.startswith(_INSTANCE_ROUTES):
         guard.check_secret(request.headers)
@@ -35,8 +37,13 @@ def check_guard() -> None:
     try:
         guard.check_cookie(request.cookies)
     except PinelError:
-        if request.path != "/" or not guard.redeem(request.args.get("key", "")):
+        if request.path != "/" or not is_opened:
             raise
+
+
+def _uses_key(guard: Guard) -> bool:
+    """Uses up the key of the address, whatever becomes of the request; not for HEAD, which only looks."""
+    return request.method != "HEAD" and guard.redeem(request.args.get("key", ""))
 
 
 def add_headers(answer: Response) -> Response:

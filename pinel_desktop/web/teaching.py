@@ -1,9 +1,13 @@
 """The teacher's session on a request: its cookie, and the check for requests that only the teacher may make."""
 
-from flask import Response, request
+import secrets
+
+from flask import Response, after_this_request, request
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.web.services import services
+
+_SESSION_LETTERS = 32
 
 
 def require_teacher() -> None:
@@ -37,6 +41,23 @@ def end_session(answer: Response) -> Response:
     services().teacher.sign_out(request.cookies.get(_cookie()))
     answer.delete_cookie(_cookie(), path="/api")
     return answer
+
+
+def browser_session() -> str:
+    """Tells this session of the browser from others, by a cookie that it deletes when its window closes; the answer
+    sets it where there is none. Who guesses PINs can begin sessions anew, and gains nothing (`school/pin_tries.py`)."""
+    name = f"{services().guard.cookie_name}_browser"
+    known = request.cookies.get(name, "")
+    if len(known) == _SESSION_LETTERS:
+        return known
+    made = secrets.token_hex(_SESSION_LETTERS // 2)
+
+    @after_this_request
+    def _remember(answer: Response) -> Response:
+        answer.set_cookie(name, made, httponly=True, samesite="Strict", path="/api")
+        return answer
+
+    return made
 
 
 def _cookie() -> str:

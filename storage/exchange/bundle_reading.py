@@ -8,9 +8,8 @@ import logging
 import re
 import shutil
 import tempfile
-import time
 from collections.abc import Iterator
-from contextlib import closing, contextmanager, suppress
+from contextlib import closing, contextmanager
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
@@ -27,7 +26,8 @@ from storage.exchange.bundle_writing import (
 )
 from storage.exchange.content_hash import content_hash
 from storage.exchange.signing import signer
-from storage.limits import MAX_VALUE
+from storage.file.temporary import remove_leftovers, temporary_folder
+from storage.limits import MAX_VALUE, SAMPLES_PER_HOUR
 from storage.sql import address, column_names, damage, opened
 from storage.sqlite import sqlite3
 from storage.tables import rules
@@ -38,8 +38,6 @@ from storage.text import loaded
 
 _log = logging.getLogger(__name__)
 _MAX_BYTES = 4 * 2**30
-_PREFIX = "pinel-bundle-"
-_LEFTOVER_S = 86_400.0
 _MAGIC = b"SQLite format 3\0"
 _HEADER = 100
 _FIRST_WITH_BUNDLES = 4  # steps of the tables; earlier releases wrote none
@@ -64,20 +62,23 @@ class Bundle:
 
 
 @contextmanager
-def open_bundle(path: Path) -> Iterator[Bundle]:
+def open_bundle(path: Path, *, most_samples: int | None = None) -> Iterator[Bundle]:
     """The bundle, where every part of it is as PINEL writes it; the file is only read.
+
+    Args:
+        most_samples: of all runs together, as unpacking takes time that anybody can ask for without PIN.
 
     Raises:
         StoreError: `bundle_missing`, `bundle_unreadable`; `bundle_foreign` of another program, `bundle_is_store`
             the file that an app works in; `bundle_damaged` truncated or changed; `bundle_newer`; `bundle_hostile`
-            holds what no PINEL writes; `bundle_too_large`; `disk_full` no room for the copy.
+            holds what no PINEL writes; `bundle_too_large`, `bundle_too_long`; `disk_full` no room for the copy.
     """
-    _remove_leftovers()
-    with tempfile.TemporaryDirectory(prefix=_PREFIX, ignore_cleanup_errors=True) as folder:
-        copy = Path(folder) / "bundle"
+    remove_leftovers()
+    with temporary_folder() as folder:
+        copy = folder / "bundle"
         try:
             _copied(path, copy)
-            info = _examined(copy, path)
+            info = _examined(copy, path, most_samples)
         except StoreError as error:  # the code says what to do; the problem is for the log
             _log.info("%s: %s %s", path, error.code, error.params.get("problem", ""))
             raise
@@ -118,15 +119,6 @@ def _said_anonymous(path: Path, size_bytes: int, modified_s: float) -> bool:
         return bool(found and found[0])
 
 
-def _remove_leftovers() -> None:
-    """Deletes private copies of merges that were cut off, when the program was killed or the power failed."""
-    oldest = time.time() - _LEFTOVER_S
-    for folder in Path(tempfile.gettempdir()).glob(f"{_PREFIX}*"):
-        with suppress(OSError):
-            if folder.lstat().st_mtime < oldest and folder.is_dir() and not folder.is_symlink():
-                shutil.rmtree(folder, ignore_errors=True)
-
-
 def _copied(path: Path, copy: Path) -> None:
     try:
         if not path.is_file():
@@ -157,9 +149,11 @@ def _size_by(head: bytes) -> int:
     return (65536 if page == 1 else page) * int.from_bytes(head[28:32], "big")
 
 
-def _examined(copy: Path, path: Path) -> BundleInfo:
+def _examined(copy: Path, path: Path, most_samples: int | None) -> BundleInfo:
     with closing(_connected(copy)) as db:
         n_steps = _release(db, path)
+        if most_samples is not None:
+            _require_few_samples(db, path, most_samples)
         for name in (*TABLES, "bundle"):
             _require_bounded(db, name)
         if problem := damage(db):
@@ -179,9 +173,22 @@ def _examined(copy: Path, path: Path) -> BundleInfo:
     return info
 
 
+def _require_few_samples(db: sqlite3.Connection, path: Path, most: int) -> None:
+    (n_samples,) = db.execute("SELECT total(max(n_rows, 0)) FROM telemetry").fetchone()
+    if n_samples > most:
+        hours = {
+            "value": round(n_samples / SAMPLES_PER_HOUR),
+            "max": round(most / SAMPLES_PER_HOUR),
+        }
+        raise StoreError("bundle_too_long", path=str(path), **hours)
+
+
 def _release(db: sqlite3.Connection, path: Path) -> int:
     """How many migrations the file has. Every object must be one that those migrations make. Definitions are compared
     before any table is queried, since a query would run a view or a trigger of the file."""
+    # lengths and comparisons are of UTF-8
+    if db.execute("PRAGMA encoding").fetchone()[0] != "UTF-8":
+        raise StoreError("bundle_hostile", path=str(path), problem="encoding")
     objects = _objects(db)
     tables = {name for kind, name, _, _ in objects if kind == "table"}
     if MIGRATIONS_TABLE not in tables or not _steps_table() <= objects:

@@ -1,6 +1,5 @@
 """Exporting and merging bundles, and deleting for good: the store's side of the exchange between PCs."""
 
-import tempfile
 from collections.abc import Collection
 from contextlib import closing
 from dataclasses import replace
@@ -23,6 +22,7 @@ from storage.exchange.scope import ALL, Scope
 from storage.exchange.signing import fingerprint, own_public_key
 from storage.file.backups import remove_from_backups
 from storage.file.connection import Database
+from storage.file.temporary import temporary_folder
 from storage.sql import Stop, opened
 from storage.text import new_id
 from storage.work.computers import Computers
@@ -69,9 +69,9 @@ class Exchange:
         anonymous: Collection[str] | None = None,
     ) -> BundleInfo:
         """Writes a folder of Parquet files; see `write_parquet`, and `export` for the rest."""
-        with tempfile.TemporaryDirectory(prefix="pinel-") as folder:
+        with temporary_folder() as folder:
             info = self.export(
-                Path(folder) / "bundle",
+                folder / "bundle",
                 app_version=app_version,
                 computer=computer,
                 scope=scope,

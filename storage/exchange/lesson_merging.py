@@ -6,6 +6,7 @@ from storage.errors import StoreError
 from storage.exchange.bundle_reading import open_bundle
 from storage.exchange.merging import MergeReport, merge_attached
 from storage.file.connection import Database
+from storage.limits import MAX_SAMPLES_WITHOUT_PIN
 
 _WORK = ("programs", "versions", "runs", "notes", "tombstones", "deletions", "former_classes")
 
@@ -16,7 +17,7 @@ def merge_lesson(database: Database, path: Path) -> tuple[MergeReport, str]:
     Raises:
         StoreError: `bundle_not_lesson` where the file is of another kind; else as `merging.merge`.
     """
-    with open_bundle(path) as bundle:
+    with open_bundle(path, most_samples=MAX_SAMPLES_WITHOUT_PIN) as bundle:
         lesson_id = bundle.info.lesson_id
         if lesson_id is None or any(bundle.info.counts.get(table) for table in _WORK):
             raise StoreError("bundle_not_lesson", path=str(path))

@@ -16,6 +16,7 @@ from storage.exchange.merging import MergeReport, insert_new, is_new, may_merge,
 from storage.exchange.trust import marking, n_unconfirmed, sender_of
 from storage.file.connection import Database
 from storage.file.opening import connect
+from storage.limits import MAX_SAMPLES_WITHOUT_PIN
 from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import COMPUTERS
@@ -59,7 +60,7 @@ def merge_program(database: Database, path: Path) -> tuple[MergeReport, str]:
     Raises:
         StoreError: `bundle_not_program` where it holds more or less, or deletions; else as `merging.merge`.
     """
-    with open_bundle(path) as bundle:
+    with open_bundle(path, most_samples=MAX_SAMPLES_WITHOUT_PIN) as bundle:
         with closing(connect(bundle.address)) as db:
             programs = [str(row["id"]) for row in db.execute("SELECT id FROM programs LIMIT 2")]
             deletes = db.execute("SELECT 1 FROM tombstones LIMIT 1").fetchone()

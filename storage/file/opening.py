@@ -16,6 +16,7 @@ from storage.file import log
 from storage.file.filesystems import is_on_share
 from storage.file.mark import Remembered, n_saves_of, remember, remember_first, remembered
 from storage.file.notices import Notice
+from storage.file.private import PRIVATE_FOLDER
 from storage.file.replacing import (
     Mend,
     earlier,
@@ -131,7 +132,7 @@ class _ReadOnlyError(Exception):
 
 def _examined(path: Path, now: datetime, mend: Mend | None) -> Notice | None:
     """Looks at the file without writing to it; replaces it when it is damaged, empty or missing."""
-    path.parent.mkdir(parents=True, exist_ok=True)
+    path.parent.mkdir(PRIVATE_FOLDER, parents=True, exist_ok=True)
     finish_replacing(path)
     known, n_saves = (
         remembered(path),

@@ -7,7 +7,9 @@ from pathlib import Path
 import pytest
 
 from storage import Store, open_store, text
+from storage.exchange import bundle_rules
 from tests.attacks.deletions import Lab
+from tests.attacks.pins import PIN, Pins
 
 
 @pytest.fixture
@@ -33,3 +35,22 @@ def lab(tmp_path: Path) -> Iterator[Lab]:
     """PCs that exchange their work."""
     with ExitStack() as stack:
         yield Lab(tmp_path, stack)
+
+
+def n_unpacked(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """Rows of each chunk of samples that is unpacked."""
+    seen: list[int] = []
+
+    def note(_blob: bytes, n_rows: int) -> bool:
+        seen.append(n_rows)
+        return True
+
+    monkeypatch.setattr(bundle_rules, "_unpacks", note)
+    return seen
+
+
+@pytest.fixture
+def pins(here: Store) -> Pins:
+    pins = Pins(here.settings)
+    pins.sessions.set_pin(PIN)
+    return pins

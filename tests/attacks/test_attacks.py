@@ -17,6 +17,10 @@ from pathlib import Path
 
 import pytest
 
+from pinel_desktop.program.pointers import in_document_order
+from pinel_desktop.program.reading import read_document
+from pinel_desktop.school.teacher import TeacherSessions
+from pinel_desktop.web.guard import Guard
 from storage import RunFilter, Store, StoreError, open_store
 from storage.exchange.signing import key_path
 from storage.exchange.trust import Sender
@@ -43,11 +47,16 @@ from tests.attacks.made_up_files import (
     AHEAD,
     FAR_ID,
     TOMORROW,
+    CountedKeys,
+    CountedText,
     forged,
+    in_encoding,
     program_file,
     refusal,
+    samples_of_hours,
     suffering,
 )
+from tests.attacks.pins import PIN, FullDisk, Pins, open_pins_again
 from tests.attacks.signing import LATEST_ALLOWED, Pc, edited, falsified, pcs
 from tests.storage.bundle_makers import exported, hash_of, merged, work
 
@@ -109,6 +118,37 @@ def test_a_file_that_lacks_work_says_whose(here: Store, tmp_path: Path) -> None:
     here._database.write(lambda db: db.execute("UPDATE versions SET parent_id = 'x'"))
     info = exported(here, tmp_path / "x.pinel")
     assert info.lacking == ("Onças", f"Onças / {program.name}")
+
+
+@pytest.mark.parametrize("encoding", ["UTF-16le", "UTF-16be"])
+def test_a_file_in_another_encoding_does_not_get_in(
+    here: Store, there: Store, tmp_path: Path, encoding: str
+) -> None:
+    file = program_file(there, tmp_path / "p.pinel")
+    in_encoding(file, encoding)
+    assert refusal(lambda: here.exchange.merge_program(file)) == "bundle_hostile"
+
+
+def test_samples_of_months_are_refused_before_they_are_unpacked(
+    here: Store, there: Store, tmp_path: Path, n_unpacked: list[int]
+) -> None:
+    file = forged(program_file(there, tmp_path / "p.pinel"), samples_of_hours(400))
+    assert refusal(lambda: here.exchange.merge_program(file)) == "bundle_too_long"
+    assert n_unpacked == []
+
+
+def test_a_function_with_50_000_parameters_is_one_fault_and_looked_through_once() -> None:
+    parameters = CountedText.many(50_000)
+    function = {"name": "f", "parameters": parameters, "commands": []}
+    reading = read_document({"pinel_ir": 1, "commands": [], "functions": [function]})
+    assert [fault.code for fault in reading.faults] == ["too_many_parameters"]
+    assert CountedText.n_compared < 200_000
+
+
+def test_50_000_unknown_keys_are_faults_and_ordered_at_once() -> None:
+    document = CountedKeys({"pinel_ir": 1, "commands": []} | {f"k{n}": 1 for n in range(50_000)})
+    assert len(in_document_order(document, [(key,) for key in document])) == 50_002
+    assert document.n_listed < 5
 
 
 # ---- a file that somebody signed ----
@@ -248,6 +288,32 @@ def test_a_forged_name_gives_way_to_the_teacher_s_correction_on_all_pcs(
 
 
 # ---- a person at the page ----
+
+
+def test_pupils_who_try_pins_do_not_keep_the_teacher_out(pins: Pins) -> None:
+    for _ in range(8):
+        pins.guess("the pupils' window")
+    assert pins.sessions.sign_in(PIN, "the window opened anew")
+
+
+def test_who_begins_ever_new_sessions_guesses_once_in_two_minutes(pins: Pins) -> None:
+    n_tried = sum(pins.guess(f"session {n}", after_s=10) for n in range(360))
+    assert n_tried <= 10 + 30
+    with open_pins_again(pins) as again:
+        assert not again.guess("after another start")
+
+
+def test_the_teacher_enters_on_a_full_disk(pins: Pins) -> None:
+    full = TeacherSessions(FullDisk(pins.settings), pins.clock, pins.clock)
+    assert full.is_signed_in(full.sign_in(PIN))
+
+
+def test_an_address_that_was_looked_over_opens_nothing_after_its_use(tmp_path: Path) -> None:
+    guard = Guard()
+    key = guard.fresh_link().partition("key=")[2]
+    assert guard.redeem(key)
+    assert not guard.redeem(key)
+
 
 # ---- a deletion that arrives with a file ----
 

@@ -8,7 +8,8 @@ from typing import Any
 import pytest
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.school.teacher import IDLE_S, Settings, TeacherSessions
+from pinel_desktop.school.pin_tries import Settings
+from pinel_desktop.school.teacher import IDLE_S, TeacherSessions
 from storage import Store, StoreError, open_store
 
 PIN, WRONG = "314159", "0000"
@@ -188,11 +189,63 @@ class FullDisk:
 
 
 @pytest.mark.usefixtures("sessions")
-def test_a_guess_that_cannot_be_counted_is_none(store: Store, clock: Clock) -> None:
+def test_the_teacher_enters_on_a_full_disk_where_guesses_are_counted_in_memory(
+    store: Store, clock: Clock
+) -> None:
     sessions = TeacherSessions(FullDisk(store.settings), clock, clock.steady)
-    for pin in (PIN, WRONG):
-        with pytest.raises(StoreError):
-            sessions.sign_in(pin)
+    assert sessions.is_signed_in(sessions.sign_in(PIN))
+    assert refusal(sessions).code == "pin_wrong"
+    assert refusal(sessions, PIN).params["seconds"] in (120, 121)
+    clock.passes(120)
+    assert sessions.is_signed_in(sessions.sign_in(PIN))
+
+
+def test_wrong_pins_of_one_browser_session_do_not_keep_the_teacher_out_of_another(
+    sessions: TeacherSessions,
+) -> None:
+    for _ in range(5):
+        with pytest.raises(PinelError, match="pin_wrong"):
+            sessions.sign_in(WRONG, "pupils")
+    with pytest.raises(PinelError, match="pin_wait"):
+        sessions.sign_in(PIN, "pupils")
+    assert sessions.is_signed_in(sessions.sign_in(PIN, "teacher"))
+
+
+def test_ever_new_browser_sessions_guess_30_times_an_hour_also_across_starts(
+    sessions: TeacherSessions, store: Store, clock: Clock
+) -> None:
+    tried, n = 0, 0
+    while clock.steady_s < 3600:
+        n += 1
+        try:
+            sessions.sign_in(WRONG, f"session {n}")
+        except PinelError as refused:
+            tried += refused.code == "pin_wrong"
+        if n % 50 == 0:
+            sessions = TeacherSessions(store.settings, clock, clock.steady)
+        clock.passes(10)
+    assert 10 + 20 <= tried <= 10 + 30
+    with pytest.raises(PinelError) as waiting:
+        sessions.sign_in(PIN, "teacher")
+    assert waiting.value.params["seconds"] in range(1, 122)
+
+
+def test_a_clock_set_forward_gives_no_more_guesses_after_a_start(
+    sessions: TeacherSessions, store: Store, clock: Clock
+) -> None:
+    for n in range(10):
+        with pytest.raises(PinelError, match="pin_wrong"):
+            sessions.sign_in(WRONG, f"session {n}")
+    clock.now_s += 86_400
+    again = TeacherSessions(store.settings, clock, clock.steady)
+    with pytest.raises(PinelError, match="pin_wait"):
+        again.sign_in(WRONG, "another")
+
+
+def test_the_wait_of_an_earlier_release_goes_on(store: Store, clock: Clock) -> None:
+    TeacherSessions(store.settings, clock, clock.steady).set_pin(PIN)
+    store.settings.set("teacher_pin_tries", {"failed": 5, "at": clock.now_s})
+    assert refusal(TeacherSessions(store.settings, clock, clock.steady), PIN).code == "pin_wait"
 
 
 def test_another_pin_ends_all_sessions(sessions: TeacherSessions) -> None:

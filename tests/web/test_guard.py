@@ -6,6 +6,7 @@ from urllib.parse import urlsplit
 import pytest
 
 from pinel_desktop.app import App
+from pinel_desktop.web.guard import KEY_S, Guard
 from tests.web.browser import Browser
 
 GROUPS = "/api/groups"
@@ -79,6 +80,35 @@ def test_a_used_key_is_harmless_where_the_page_is_open_already(app: App) -> None
     address = app.address
     browser = Browser.signed_in(address)
     assert browser.get(address.partition(str(browser.port))[2]).status == 302
+
+
+def test_any_use_but_head_uses_a_key_up(app: App) -> None:
+    open_page = Browser.signed_in(app.address)
+    uses: dict[str, Callable[[str], object]] = {
+        "at the API": lambda path: Browser.at(app.address).get(f"/api/status{path[1:]}"),
+        "from another site": lambda path: Browser.at(app.address).get(path, {"Origin": "http://x"}),
+        "where the page is open": open_page.get,
+        "by another method": lambda path: Browser.at(app.address).send("POST", path),
+    }
+    for use in uses.values():
+        address = app.address
+        path = address.partition(str(open_page.port))[2]
+        use(path)
+        assert Browser.at(address).get(path).status == 401
+    address = app.address
+    path = address.partition(str(open_page.port))[2]
+    assert Browser.at(address).send("HEAD", path).status == 401
+    assert Browser.at(address).get(path).status == 302
+
+
+def test_a_key_expires() -> None:
+    now = [0.0]
+    guard = Guard(clock=lambda: now[0])
+    early, late = (guard.fresh_link().partition("key=")[2] for _ in range(2))
+    now[0] = KEY_S
+    assert guard.redeem(early)
+    now[0] = KEY_S + 0.1
+    assert not guard.redeem(late)
 
 
 def test_a_key_does_not_open_the_api(app: App) -> None:

@@ -1,7 +1,6 @@
 """Transfer of work between PCs: removable drives, shared folders, and one program as a file."""
 
 import re
-import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from datetime import UTC, datetime
@@ -39,6 +38,7 @@ from pinel_desktop.web.responses import answer, json_safe, notice
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
 from storage import StoreError
+from storage.file.temporary import temporary_folder
 
 if TYPE_CHECKING:  # imported when a file is read or written, not at the app's start
     from pinel_desktop.school.removable_drives import FileFound as FileOnDisk
@@ -146,9 +146,9 @@ def get_program_file(path: IdPath) -> Response:
 
     parts = services()
     name = file_name(parts.store.programs.get(path.id).name)
-    with tempfile.TemporaryDirectory() as folder:
+    with temporary_folder() as folder:
         info = parts.store.exchange.export(
-            Path(folder) / f"{name}{SUFFIX}",
+            folder / f"{name}{SUFFIX}",
             app_version=parts.app_version,
             computer=parts.store.computers.this(),
             scope=Scope(program_id=path.id),
@@ -191,8 +191,8 @@ def read_program_file(query: NameOfFile, raw: UploadedFile) -> Response:
 @contextmanager
 def uploaded(raw: UploadedFile, name: str) -> Iterator[Path]:
     """The file of a request's body, which errors name as the person knows it; deleted afterwards."""
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "upload"
+    with temporary_folder() as folder:
+        path = folder / "upload"
         with path.open("wb") as file:
             while chunk := raw.stream.read(2**20):
                 file.write(chunk)

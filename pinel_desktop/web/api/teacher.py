@@ -6,7 +6,13 @@ from pinel_desktop.web.api import TEACHER, WRITES, answers, resource
 from pinel_desktop.web.models.classes import Computer, ComputerName, Pin, TeacherSession
 from pinel_desktop.web.responses import answer
 from pinel_desktop.web.services import services
-from pinel_desktop.web.teaching import end_session, is_teacher, require_teacher, set_session_cookie
+from pinel_desktop.web.teaching import (
+    browser_session,
+    end_session,
+    is_teacher,
+    require_teacher,
+    set_session_cookie,
+)
 
 api = resource("teacher", "The teacher's session.", __name__)
 
@@ -25,7 +31,8 @@ def choose_pin(body: Pin) -> Response:
         require_teacher()
     sessions.set_pin(body.pin)
     return set_session_cookie(
-        answer(TeacherSession(has_pin=True, is_open=True)), sessions.sign_in(body.pin)
+        answer(TeacherSession(has_pin=True, is_open=True)),
+        sessions.sign_in(body.pin, browser_session()),
     )
 
 
@@ -35,7 +42,7 @@ def choose_pin(body: Pin) -> Response:
 )
 def enter(body: Pin) -> Response:
     """Signs the teacher in. After several wrong PINs the next attempt must wait."""
-    token = services().teacher.sign_in(body.pin)
+    token = services().teacher.sign_in(body.pin, browser_session())
     return set_session_cookie(answer(TeacherSession(has_pin=True, is_open=True)), token)
 
 

@@ -1,6 +1,5 @@
 """The file that takes a lesson to all PCs: class, groups, lesson, preset, own activities and taught signs."""
 
-import tempfile
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -28,6 +27,7 @@ from pinel_desktop.web.responses import answer
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher, require_teacher_if_there_is_one
 from storage import StoreError
+from storage.file.temporary import temporary_folder
 
 if TYPE_CHECKING:
     from storage.exchange.bundle_writing import BundleInfo
@@ -44,8 +44,8 @@ _READS = ("bundle_not_lesson", "lesson_not_found")
 def get_lesson_file(path: IdPath) -> Response:
     """What a PC needs for a lesson, as a file; nothing that pupils made. For the teacher."""
     require_teacher()
-    with tempfile.TemporaryDirectory() as folder:
-        info = _written(path.id, Path(folder) / "lesson.pinel", is_noted=False)
+    with temporary_folder() as folder:
+        info = _written(path.id, folder / "lesson.pinel", is_noted=False)
         octets = info.path.read_bytes()
     return Response(octets, mimetype="application/octet-stream")
 

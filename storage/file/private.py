@@ -1,0 +1,47 @@
+"""Who may read the file: on systems with accounts, only the account that PINEL runs in."""
+
+import contextlib
+import os
+import stat
+from collections.abc import Iterator
+from pathlib import Path
+
+PRIVATE_FOLDER, _PRIVATE_FILE = 0o700, 0o600
+
+
+def make_private(path: Path, *, is_own_folder: bool) -> None:
+    """Takes the database and what lies beside it from other accounts of the PC. What cannot be changed stays.
+
+    A folder that somebody has chosen keeps its permissions: a technician may share it among accounts. So does one with
+    the set-group-ID bit, which is set for sharing.
+
+    Args:
+        path: the database.
+        is_own_folder: whether it lies where PINEL keeps data by itself.
+    """
+    if os.name != "posix":
+        return
+    with contextlib.suppress(OSError):
+        folder = path.parent
+        if is_own_folder and not folder.stat().st_mode & stat.S_ISGID:
+            _restrict(folder, PRIVATE_FOLDER)
+        if not folder.stat().st_mode & 0o077:
+            for file in _files(path):
+                _restrict(file, _PRIVATE_FILE)
+            _restrict(folder / "backups", PRIVATE_FOLDER)
+
+
+def _files(path: Path) -> Iterator[Path]:
+    yield from path.parent.glob(f"{path.stem}.*")
+    yield from (path.parent / "backups").glob(f"{path.stem}-*")
+
+
+def _restrict(path: Path, mode: int) -> None:
+    with contextlib.suppress(OSError):
+        found = path.lstat()
+        if (
+            found.st_uid == os.getuid()
+            and found.st_mode & 0o077
+            and not stat.S_ISLNK(found.st_mode)
+        ):
+            path.chmod(mode)

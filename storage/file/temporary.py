@@ -1,0 +1,58 @@
+"""Folders for copies of files that come and go. One whose process was killed is deleted at a later start."""
+
+import contextlib
+import shutil
+import tempfile
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+try:
+    import fcntl
+except ImportError:  # Windows, where an open file cannot be deleted
+    fcntl = None  # type: ignore[assignment]
+
+_PREFIX = "pinel-bundle-"
+_LOCK = "lock"
+_WITHOUT_LOCK_S = 86_400.0  # of an earlier release, or one that is just being made
+
+
+@contextlib.contextmanager
+def temporary_folder() -> Iterator[Path]:
+    """A new folder of this process alone; deleted at the end, or at a later start where this process was killed."""
+    with tempfile.TemporaryDirectory(prefix=_PREFIX, ignore_cleanup_errors=True) as name:
+        folder = Path(name)
+        with (folder / f".{_LOCK}").open("wb") as lock:
+            if fcntl is not None:
+                fcntl.flock(lock, fcntl.LOCK_EX)
+                # locked before it has its name: no other process takes it for one left behind
+                (folder / f".{_LOCK}").rename(folder / _LOCK)
+            yield folder
+
+
+def remove_leftovers() -> None:
+    """Deletes folders of processes that are no more: killed, or ended by a power cut."""
+    for folder in Path(tempfile.gettempdir()).glob(f"{_PREFIX}*"):
+        with contextlib.suppress(OSError):
+            if folder.is_dir() and not folder.is_symlink() and _is_left(folder):
+                shutil.rmtree(folder, ignore_errors=True)
+
+
+def _is_left(folder: Path) -> bool:
+    for name in (_LOCK, f".{_LOCK}") if fcntl is None else (_LOCK,):
+        lock = folder / name
+        if lock.exists():
+            return _is_free(lock)
+    return folder.lstat().st_mtime < time.time() - _WITHOUT_LOCK_S
+
+
+def _is_free(lock: Path) -> bool:
+    try:
+        if fcntl is None:
+            lock.unlink()
+            return True
+        with lock.open("rb") as file:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        return False
+    return True
