@@ -51,7 +51,10 @@ def mend(db: sqlite3.Connection, now: str) -> int:
     for table, column in _TEXTS:
         new = f"mended_text({column})"
         db.execute(f"UPDATE {table} SET {column} = {new} WHERE {column} <> {new}")
-    return n_mended + _mend_numbers(db) + _mend_revisions(db, now)
+    n_mended += _mend_numbers(db) + _mend_revisions(db, now)
+    if n_mended:  # sums of what the rows were before would call them damaged; they are noted anew
+        db.execute("DELETE FROM content_sums")
+    return n_mended
 
 
 def _keys(db: sqlite3.Connection) -> Iterator[tuple[str, str, bool]]:
