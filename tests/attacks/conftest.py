@@ -37,6 +37,7 @@ def lab(tmp_path: Path) -> Iterator[Lab]:
         yield Lab(tmp_path, stack)
 
 
+@pytest.fixture
 def n_unpacked(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """Rows of each chunk of samples that is unpacked."""
     seen: list[int] = []
