@@ -318,35 +318,35 @@ def test_an_address_that_was_looked_over_opens_nothing_after_its_use(tmp_path: P
 # ---- a deletion that arrives with a file ----
 
 
-def test_a_class_is_deleted_while_its_group_is_moved_elsewhere(lab: Lab) -> None:
+def test_a_class_deleted_while_its_group_was_moved_ends_the_same_in_any_order(lab: Lab) -> None:
     files = lab.class_deleted_while_its_group_moved()
     hashes = {lab.hash_of_a_new_pc(order) for order in itertools.permutations(files)}
     assert len(hashes) == 1
 
 
-def test_what_was_made_in_the_moved_group_is_on_all_pcs_or_none(lab: Lab) -> None:
+def test_what_was_made_in_a_moved_group_is_on_all_pcs_in_the_end(lab: Lab) -> None:
     for order in itertools.permutations(range(3)):
         hashes, programs = lab.everybody_merges_after_class_deleted_and_group_moved(order)
         assert len(hashes) == 1
         assert programs == [{"before", "on the third PC", "where it was moved"}] * 3
 
 
-def test_a_deletion_that_was_not_confirmed_keeps_hashes_apart_for_ever(lab: Lab) -> None:
+def test_a_deletion_that_was_not_confirmed_does_not_keep_pcs_apart(lab: Lab) -> None:
     here, there = lab.run_deleted_there_and_later_its_group_here()
     assert here == there
 
 
-def test_a_file_deletes_work_that_its_sender_never_saw(lab: Lab) -> None:
+def test_work_that_the_sender_of_a_deletion_never_saw_is_named_and_kept(lab: Lab) -> None:
     asked, left = lab.group_deleted_there_and_worked_on_here()
     assert [(one.name, one.is_moved, one.n_new_runs) for one in asked] == [("Onças", True, 1)]
     assert left == {"Onças"}
 
 
-def test_what_was_kept_on_one_pc_is_deleted_by_the_next_file(lab: Lab) -> None:
+def test_what_was_kept_on_one_pc_is_not_deleted_by_the_next_file(lab: Lab) -> None:
     assert lab.groups_after_it_was_kept_and_old_files_came() == [{"Onças"}, {"Onças"}]
 
 
-def test_what_was_kept_can_never_be_deleted_again(lab: Lab) -> None:
+def test_what_was_kept_can_be_deleted_anew(lab: Lab) -> None:
     asked, left = lab.deleted_anew_after_it_was_kept()
     assert asked == {"Onças"}
     assert left == [set(), set()]
