@@ -5,6 +5,7 @@ docs/parquet.md derive from these declarations; a test holds the tables that the
 The columns stand in the order of docs/parquet.md. The file has them in the order in which migrations added them.
 """
 
+from storage.limits import MAX_TURN
 from storage.tables import rules
 from storage.tables.columns import (
     COUNT,
@@ -50,7 +51,12 @@ DELETIONS = ReplicatedTable(
     " greatest is the one that holds. knew says how far the PC that deleted a row knew the work in it.",
     (
         Column("id", KEY, "key of a row that was deleted"),
-        Column("turn", COUNT, "even: deleted; odd: kept nevertheless"),
+        Column(
+            "turn",
+            COUNT,
+            "even: deleted; odd: kept nevertheless",
+            rules.whole(0, MAX_TURN),
+        ),
         Column(
             "knew",
             JSON,

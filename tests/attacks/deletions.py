@@ -6,6 +6,7 @@ from pathlib import Path
 
 from storage import Store
 from storage.exchange.pending import PendingWork
+from tests.attacks.made_up_files import forged
 from tests.storage.bundle_makers import a_run, a_store, exported, hash_of, merged, removed, work
 
 
@@ -110,6 +111,19 @@ class Lab:
         merged(here, file)
         merged(there, self.file(here))
         return {one.name for one in pending.work} if pending else set(), [names(here), names(there)]
+
+    def deleted_after_a_forged_keep(self, turn: int) -> list[set[str]]:
+        """The groups left on both PCs; a made-up file had decided that the group stays."""
+        here, there = self.pc(), self.pc()
+        group = here.groups.create("Onças")
+        work(here, group, "P")
+        kept = f"INSERT INTO deletions VALUES ('{group.id}', {turn}, '{{}}')"
+        file = forged(self.file(here), f"INSERT INTO tombstones VALUES ('{group.id}'); {kept}")
+        for store in (here, there):
+            merged(store, file)
+        removed(here, group.id)
+        merged(there, self.file(here))
+        return [names(here), names(there)]
 
     def _deleted_there(self) -> tuple[Store, Store, str]:
         """A group that was deleted with its class there, and moved and worked on here."""

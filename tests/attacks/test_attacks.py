@@ -25,7 +25,7 @@ from storage import RunFilter, Store, StoreError, open_store
 from storage.exchange.signing import key_path
 from storage.exchange.trust import Sender
 from storage.file.backups import make_backup
-from storage.limits import MAX_REVISION
+from storage.limits import MAX_REVISION, MAX_TURN
 from storage.sql import opened, row_count
 from tests.attacks.damage import (
     PAGE,
@@ -344,6 +344,12 @@ def test_work_that_the_sender_of_a_deletion_never_saw_is_named_and_kept(lab: Lab
 
 def test_what_was_kept_on_one_pc_is_not_deleted_by_the_next_file(lab: Lab) -> None:
     assert lab.groups_after_it_was_kept_and_old_files_came() == [{"Onças"}, {"Onças"}]
+
+
+def test_a_made_up_file_cannot_keep_for_ever_what_a_school_must_delete(lab: Lab) -> None:
+    assert lab.deleted_after_a_forged_keep(MAX_TURN - 1) == [set(), set()]
+    with pytest.raises(StoreError, match="bundle_hostile"):
+        lab.deleted_after_a_forged_keep(MAX_TURN + 1)
 
 
 def test_what_was_kept_can_be_deleted_anew(lab: Lab) -> None:
