@@ -8,8 +8,8 @@ MAX_NUMBER = 10**9  # of a version within its program; MAX_NUMBERS_AHEAD is far 
 # versions of a program are counted from 1 on, none is ever taken out: a number so far beyond their count was made up
 MAX_NUMBERS_AHEAD = 10_000
 MAX_REVISION = 10**6  # a person changes a row; at the limit the later time decides
-# decisions about one row, of which even ones delete: the last is a deletion, so that no made-up file keeps for ever what
-# a school must delete
+# decisions about one row, of which even ones delete: the last is a deletion, so that no made-up file keeps for ever
+# what a school must delete
 MAX_TURN = 10_000
 LAST_YEAR = 9998  # of a time: a day to spare at the end of the calendar for zones of time
 # a run of an hour at the most commands a tick has 1.08e8
