@@ -22,6 +22,8 @@ from pinel_desktop.robot.record import RobotRecord, Room
 SILENT_S = 1.0
 _FIRST_ODOMETRY_S = 5.0
 _POLL_S = 0.05
+# Looks for a message before a robot counts as silent: what came while this PC paused still waits to be taken.
+_LAST_LOOKS = 4
 # How long the period of the odometry is listened for.
 _LISTEN_S = 1.0
 _PAUSE_S = 0.4  # a robot that is silent for longer tells nothing about its period
@@ -108,6 +110,8 @@ class RealLink:
             raise PinelError("robot_busy_here", address=self._address) from error
 
     def read(self) -> RobotState:
+        if self._odometry.state is not None and self.age_s > SILENT_S:
+            self._look_again()
         with self._lock:
             state, age_s = self._odometry.state, self.age_s
         if self._problem is not None:
@@ -115,6 +119,14 @@ class RealLink:
         if state is None or age_s > SILENT_S:
             raise self._silent()
         return state
+
+    def _look_again(self) -> None:
+        """Lets the thread that hears the robot catch up with the clock; the robot stands meanwhile."""
+        self._sender.command(STANDSTILL)
+        for _ in range(_LAST_LOOKS):
+            if self._problem is not None or self.age_s <= SILENT_S:
+                return
+            time.sleep(_POLL_S)
 
     @property
     def start(self) -> Pose2D | None:

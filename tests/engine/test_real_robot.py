@@ -44,6 +44,17 @@ def wait_until_driving(log: Path, since: int = 0) -> None:
         time.sleep(0.02)
 
 
+def wait_until_left_alone(log: Path) -> None:
+    """Waits until a robot has been sent nothing, not even zeros, for half a second: its run has ended."""
+    n_heard, changed_s = -1, time.monotonic()
+    due_s = changed_s + 30.0
+    while time.monotonic() - changed_s < 0.5:
+        assert time.monotonic() < due_s, "the run goes on"
+        if len(heard(log)) != n_heard:
+            n_heard, changed_s = len(heard(log)), time.monotonic()
+        time.sleep(0.02)
+
+
 def stood_after_s(log: Path, moment_s: float) -> float:
     """How long after a moment the robot heard its first zero that no other velocity followed for a second."""
     time.sleep(1.5)
@@ -101,7 +112,7 @@ class TestFrozenApp:
 
     def test_the_run_ends_when_the_app_stays_away(self, driving: Driving) -> None:
         driving.app.send_signal(signal.SIGSTOP)
-        time.sleep(3.0)
+        wait_until_left_alone(driving.log)
         driving.app.send_signal(signal.SIGCONT)
         ended = driving.ended()
         assert (ended["state"], ended["reason"]) == ("failed", "app_silent")

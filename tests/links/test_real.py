@@ -174,6 +174,21 @@ def test_a_silent_robot_is_not_driven_on_even_if_nobody_reads_it() -> None:
     assert Twist2D(0.2, 0.0) in {twist for _, twist in robot.heard}
 
 
+def test_messages_that_waited_while_the_pc_paused_are_taken_before_the_robot_counts_as_lost(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """As after a second without the processor: the reading thread comes first, or the thread that hears."""
+    link = memory_link(world=None, setting=Setting(), seed=0, robot=FAST)
+    link.on_odometry(message(1.0))
+    link._odometry.arrived_s -= 5.0
+    with monkeypatch.context() as hearing:
+        hearing.setattr(time, "sleep", lambda seconds: link.on_odometry(message(2.0)))
+        assert link.read().pose.x_m == 2.0
+    link._odometry.arrived_s -= 5.0
+    with pytest.raises(PinelError, match="link_lost"):
+        link.read()
+
+
 def test_a_second_problem_does_not_hide_the_first() -> None:
     link = real_link(lambda record: MemoryTransport(Unicycle()), Setting(), FAST)
     link.on_problem(PinelError("reference_lost", distance=1.0))

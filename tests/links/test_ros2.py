@@ -148,20 +148,29 @@ def test_another_node_that_begins_to_command_stops_the_run(
         wait_for(lambda: robot.unicycle.stood_from_s() is not None)
 
 
-def test_a_pinel_that_withdraws_disturbs_nobody_who_drives(
+def test_while_another_pinel_is_there_the_robot_stands_and_drives_on_when_that_withdraws(
     robot: SocketRobot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """Both may have heard of each other late, and each believe that it was here first."""
     use_fake_ros(monkeypatch, robot)
     with connected() as link:
         time.sleep(2.5)  # what came earlier began together with this one
+        drive_until(link, lambda: robot.unicycle.twist.v_mps > 0.0)
         robot.let_drive(["pinel_blue_1"])
-        time.sleep(1.0)
+        drive_until(link, lambda: robot.unicycle.twist.v_mps == 0.0)
         robot.let_drive([])
-        for _ in range(20):
-            link.read()
-            time.sleep(0.05)
+        drive_until(link, lambda: robot.unicycle.twist.v_mps > 0.0)
         robot.let_drive(["pinel_blue_1"])
         wait_for(lambda: problem_of(link) == "robot_held")
+
+
+def drive_until(link: RobotLink, is_so: Callable[[], bool]) -> None:
+    def drives() -> bool:
+        link.read()
+        link.command(Twist2D(0.3, 0.0))
+        return is_so()
+
+    wait_for(drives)
 
 
 def test_a_node_that_also_listens_to_commands_is_the_robot(

@@ -1,5 +1,6 @@
 """Carries velocities to a robot of ROS 2 and its messages back, over DDS."""
 
+import math
 import socket
 import threading
 import time
@@ -42,6 +43,7 @@ class DdsTransport:
         self._writer: DataWriter[Any] | None = None
         self._message: Callable[[Twist2D], IdlStruct] = _plain
         self._receiving: Receiving | None = None
+        self._holding: Holding | None = None
         self._is_open = False
         self._deaf_since_s: float | None = None
 
@@ -50,7 +52,7 @@ class DdsTransport:
         if found is None:
             return
         session, graph, search = found
-        holding = Holding(graph, self._command_topic)
+        self._holding = holding = Holding(graph, self._command_topic)
         if not _wait(holding.is_free, cancelled, _FOUND_WITHIN_S):
             if cancelled():
                 return
@@ -65,6 +67,7 @@ class DdsTransport:
         self._message = receiving.stamped if search.command_type is TwistStamped else _plain
         self._writer = session.writer(self._command_topic, search.command_type)
         holding.began()
+        _wait(holding.is_claimed, cancelled, math.inf)
         receiving.start()
         if not _wait(self._is_matched, cancelled, _MATCHED_WITHIN_S) and not cancelled():
             raise self._deaf()
@@ -99,8 +102,10 @@ class DdsTransport:
         raise search.problem()
 
     def send(self, twist: Twist2D) -> None:
-        if self._writer is not None:
-            self._writer.write(self._message(twist))
+        if self._writer is None:
+            return
+        is_disputed = self._holding is not None and self._holding.is_disputed
+        self._writer.write(self._message(STANDSTILL if is_disputed else twist))
 
     def bumper(self) -> bool:
         return self._sensors.touches()

@@ -34,6 +34,8 @@ STALE_S = 0.3
 WATCH_S = 0.2
 # Others in the domain are known by then, before the first command.
 LISTENING_S = 1.0
+# Of it, looks of POLL_S each after this node shows that it drives: of two that begin together one sees the other.
+CLAIM_LOOKS = 6
 # Another PINEL that comes later withdraws by itself before this.
 WITHDRAWS_S = 3.0
 # A robot whose program begins anew hears again within this time.
@@ -75,6 +77,7 @@ class Drive:
         self._sensors = Sensors(node, configuration, self._messages, outbox)
         self._heard_s = self._began_s = time.monotonic()
         self._held_since_s = self._deaf_since_s = None
+        self._is_disputed = False
 
     def open(self):
         """Finds the robot's topics and connects with them. Raises RefusalError."""
@@ -98,6 +101,9 @@ class Drive:
         self._publisher = self._node.create_publisher(self._type, self._command_topic, NEWEST)
         self._began_s = time.monotonic()
         self._wait(self._is_heard, self._command_topic)
+        for _ in range(CLAIM_LOOKS):
+            self._require_nobody_else()
+            time.sleep(POLL_S)
         self._require_nobody_else()
 
     def _is_heard(self):
@@ -106,7 +112,7 @@ class Drive:
     def _wait_until_free(self):
         """Until nobody has commanded the robot for long enough to be sure. Raises RefusalError."""
         free_s = began_s = time.monotonic()
-        while time.monotonic() - free_s < LISTENING_S:
+        while time.monotonic() - free_s < LISTENING_S - CLAIM_LOOKS * POLL_S:
             if self._holder() is not None:
                 free_s = time.monotonic()
                 if free_s - began_s > SEARCH_S:
@@ -146,8 +152,12 @@ class Drive:
         return RefusalError("robot_held", topic=self._command_topic, holder=self._holder() or "?")
 
     def _require_nobody_else(self):
-        """Raises RefusalError when somebody else begins to command the robot, and does not withdraw."""
+        """Raises RefusalError when somebody else begins to command the robot, and does not withdraw.
+
+        Until then only zeros are sent: the other one may believe as well that it was here first.
+        """
         holder = self._holder()
+        self._is_disputed = holder is not None
         if holder is None:
             self._held_since_s = None
             return
@@ -169,9 +179,11 @@ class Drive:
             raise RefusalError("robot_deaf", topic=self._command_topic)
 
     def send(self, v, omega):
-        """Publishes a velocity, unless the node only listens."""
+        """Publishes a velocity, zeros where somebody else is there, nothing where the node only listens."""
         if self._publisher is None:
             return
+        if self._is_disputed:
+            v = omega = 0.0
         message = self._type()
         twist = message
         if self._type is TwistStamped:
