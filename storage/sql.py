@@ -121,22 +121,28 @@ def change(
     *,
     n_revisions: int = 1,
 ) -> None:
-    """Gives a row other values. The state is a later one by so many revisions, which decides where files are merged."""
+    """Gives a row other values; the one way to make a state that wins over the row's state before wherever files
+    are merged.
+
+    Args:
+        n_revisions: by so many the state is a later one. With 0 only its time is later: it gives way to what another
+            PC changes meanwhile.
+    """
+    row = db.execute(f"SELECT revision, changed_at FROM {table} WHERE id = ?", [key]).fetchone()
+    if row is None:
+        return
+    revision, changed_at = _later(int(row[0]), str(row[1]), now, n_revisions)
     assignments = "".join(f"{name} = :{name}, " for name in values)
-    parameters = {**values, "n_revisions": n_revisions, "at": _later(db, table, key, now)}
     db.execute(
-        f"UPDATE {table} SET {assignments}revision = min(revision + :n_revisions, {MAX_REVISION}),"
-        " changed_at = :at WHERE id = :key",
-        {**parameters, "key": key},
+        f"UPDATE {table} SET {assignments}revision = :revision, changed_at = :at WHERE id = :key",
+        {**values, "revision": revision, "at": changed_at, "key": key},
     )
 
 
-def _later(db: sqlite3.Connection, table: str, key: str, now: str) -> str:
-    """The time of a change: at the greatest revision, which somebody made up, after that of the state before."""
-    row = db.execute(
-        f"SELECT changed_at FROM {table} WHERE id = ? AND revision >= {MAX_REVISION}", [key]
-    ).fetchone()
-    return now if row is None else max(now, just_after(str(row[0])))
+def _later(revision: int, changed_at: str, now: str, n_revisions: int) -> tuple[int, str]:
+    """Revision and time of the state after this one. The time decides where the revision stays, as at its bound."""
+    later = min(revision + n_revisions, MAX_REVISION)
+    return later, now if later > revision else max(now, just_after(changed_at))
 
 
 def selected(record: Any, table: str, **computed: str) -> str:

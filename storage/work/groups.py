@@ -8,7 +8,7 @@ from storage.file.repository import Repository
 from storage.records import GroupRow
 from storage.sql import change, insert, not_found, require, selected
 from storage.sqlite import sqlite3
-from storage.text import clean_name, just_after, name_key, new_id
+from storage.text import clean_name, name_key, new_id
 
 _SELECT = selected(
     GroupRow,
@@ -109,8 +109,7 @@ def _change(
         _require_free(db, changes.get("name") or group["name"], classroom_id, group_id)
     if "classroom_id" in changes and group["classroom_id"]:
         _note_former_class(db, group_id, group["classroom_id"])
-    at = max(now, just_after(group["changed_at"]))
-    change(db, "groups", group_id, changes, at, n_revisions=int(by_teacher))
+    change(db, "groups", group_id, changes, now, n_revisions=int(by_teacher))
 
 
 def _note_former_class(db: sqlite3.Connection, group_id: str, classroom_id: str) -> None:

@@ -70,15 +70,11 @@ class Lessons(Repository):
             before = open_lesson(db, classroom_id, computer_id)
             if before and before.id != lesson_id:
                 _close(db, before.id, now)
-            db.execute(
-                """INSERT INTO lessons (id, classroom_id, title, activity, by_itself, computer_id, opened_at, used_at,
-                                        changed_at) VALUES (?, ?, ?, ?, 0, ?, ?, ?, ?)
-                   ON CONFLICT (id) DO UPDATE SET closed_at = NULL, activity = excluded.activity, by_itself = 0,
-                       used_at = excluded.used_at, computer_id = excluded.computer_id,
-                       changed_at = excluded.changed_at,
-                       revision = revision + (activity IS NOT excluded.activity OR by_itself)""",
-                [lesson_id, classroom_id, clean, activity, computer_id, now, now, now],
-            )
+            opened: dict[str, object] = {"activity": activity, "by_itself": 0}
+            opened |= {"computer_id": computer_id, "used_at": now, "closed_at": None}
+            if not _open_again(db, lesson_id, opened, now):
+                made = {"id": lesson_id, "classroom_id": classroom_id, "title": clean}
+                insert(db, "lessons", {**made, **opened, "opened_at": now, "changed_at": now})
             set_open_lesson(db, classroom_id, computer_id, lesson_id, moment)
             return lesson_id
 
@@ -175,6 +171,17 @@ def _begun(db: sqlite3.Connection, classroom_id: str | None, computer_id: str, n
     row |= {"computer_id": computer_id, "opened_at": now, "used_at": now, "changed_at": now}
     insert(db, "lessons", row)
     return str(row["id"])
+
+
+def _open_again(
+    db: sqlite3.Connection, lesson_id: str, opened: Mapping[str, object], now: str
+) -> bool:
+    """Opens a lesson that is there; False where it is not."""
+    query = "SELECT activity IS NOT :activity OR by_itself FROM lessons WHERE id = :id"
+    row = db.execute(query, {"activity": opened["activity"], "id": lesson_id}).fetchone()
+    if row is not None:
+        change(db, "lessons", lesson_id, opened, now, n_revisions=int(row[0]))
+    return row is not None
 
 
 def _titled(db: sqlite3.Connection, classroom_id: str, title: str) -> str | None:

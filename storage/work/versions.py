@@ -11,7 +11,7 @@ from storage.json_check import is_object, parsed
 from storage.limits import MAX_NUMBER
 from storage.marks import counted
 from storage.records import FaultRow, Json, VersionMark, VersionRow
-from storage.sql import insert, not_found, require, selected
+from storage.sql import change, exists, insert, not_found, require, selected
 from storage.sqlite import sqlite3
 from storage.text import clean_name, dumped, loaded, new_id, readable_object
 from storage.work.groups import mark_used
@@ -160,12 +160,10 @@ class Versions(Repository):
 
         def write(db: sqlite3.Connection) -> None:
             require(db, "versions", version_id)
-            db.execute(
-                """INSERT INTO version_labels (id, text, changed_at) VALUES (?, ?, ?)
-                   ON CONFLICT (id) DO UPDATE SET text = excluded.text, revision = revision + 1,
-                       changed_at = excluded.changed_at""",
-                [version_id, clean, now],
-            )
+            if exists(db, "version_labels", version_id):
+                change(db, "version_labels", version_id, {"text": clean}, now)
+            else:
+                insert(db, "version_labels", {"id": version_id, "text": clean, "changed_at": now})
 
         self._database.write(write)
         return self.get(version_id)
