@@ -72,7 +72,7 @@ def mend_from(db: sqlite3.Connection, schema: str) -> None:
     noted = "SELECT table_name, row_id, sha256 FROM content_sums WHERE damaged_at IS NOT NULL"
     for table, key, right in tuples(db, noted).fetchall():
         if content_sum(db, table, key, schema) == right and not is_sound(db, table, key):
-            _take_over(db, table, key, schema)
+            take_over(db, table, key, schema)
 
 
 def content_sum(db: sqlite3.Connection, table: str, key: str, schema: str = "main") -> str | None:
@@ -116,15 +116,18 @@ def is_sound(db: sqlite3.Connection, table: str, key: str, schema: str = "main")
             raise
 
 
-def _take_over(db: sqlite3.Connection, table: str, key: str, schema: str) -> None:
+def take_over(
+    db: sqlite3.Connection, table: str, key: str, schema: str, target: str = "main"
+) -> None:
+    """Puts the rows of a file into those of another, which has a row or run of that key."""
     names = ", ".join(column_names(db, table, schema))
     which = f"FROM {schema}.{table} WHERE {KEYS[table]} = ?"
     if table in ("versions", "runs"):
-        query = f"UPDATE main.{table} SET ({names}) = (SELECT {names} {which}) WHERE id = ?"
+        query = f"UPDATE {target}.{table} SET ({names}) = (SELECT {names} {which}) WHERE id = ?"
         db.execute(query, [key, key])
         return
-    db.execute(f"DELETE FROM main.{table} WHERE run_id = ?", [key])
-    db.execute(f"INSERT INTO main.{table} ({names}) SELECT {names} {which}", [key])
+    db.execute(f"DELETE FROM {target}.{table} WHERE run_id = ?", [key])
+    db.execute(f"INSERT INTO {target}.{table} ({names}) SELECT {names} {which}", [key])
 
 
 def _to_renew(db: sqlite3.Connection, changed: set[tuple[str, str]]) -> Iterator[tuple[str, str]]:

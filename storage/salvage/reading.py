@@ -5,7 +5,7 @@ value must be one that a store writes, as for a bundle of anybody. So no tree, n
 """
 
 import zlib
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import NamedTuple
@@ -21,9 +21,11 @@ from storage.salvage.records import (
     children,
     kind_of,
 )
+from storage.salvage.soundness import take_out_versions
 from storage.sql import column_names
 from storage.sqlite import sqlite3
 from storage.tables import rules
+from storage.tables.columns import Table
 from storage.tables.local import LOCAL
 from storage.tables.replicated import REPLICATED, TOMBSTONES
 from storage.tables.rules import Rule
@@ -31,6 +33,9 @@ from storage.tables.rules import Rule
 Stop = Callable[[], bool]
 _SAMPLE_OCTETS = 4 * 64  # of a sample, more than any release has
 _EDITS_INDEX = "idx_versions_program_id_number"
+_TABLES: tuple[Table, ...] = (*REPLICATED, *LOCAL)
+# without row numbers, and told by a row alone from the entries of any index
+_TOLD_BY_SHAPE = ("tombstones", "content_sums", "unconfirmed_runs", "deletions")
 
 
 @dataclass(slots=True)
@@ -38,7 +43,8 @@ class Found:
     """What the reading came to.
 
     Attributes:
-        edits: program and number of each edit that an index still names, readable or not.
+        edits: program and number of each edit that an index still names, readable or not, and of those that are not
+            as they were written.
         n_unread: cells of tables that could not be read.
         is_cut_short: the time was over before the end of the file.
     """
@@ -69,18 +75,23 @@ def read_into(db: sqlite3.Connection, pages: Pages, stop: Stop) -> Found:
 class _Reading:
     def __init__(self, db: sqlite3.Connection, pages: Pages, stop: Stop) -> None:
         self._db, self._pages, self._stop = db, pages, stop
-        self._shapes = dict(_shapes(db))
+        self._shapes = _shapes(db, [table for table in _TABLES if table is not TOMBSTONES])
+        self._keyed = _shapes(db, [table for table in _TABLES if _is_keyed(db, table)])
         self._found = Found()
+        self._are_earlier = False  # whether earlier states of pages are being read
         self._owners = _owners(pages)
 
     def read(self) -> Found:
         self._db.execute("BEGIN")
         self._read_pages(lambda number: [self._pages.newest(number)])
+        take_out_versions(self._db)  # an earlier state may have them as they were written
         n_unread = self._found.n_unread
         # rows of a damaged page may be in an earlier state of it
+        self._are_earlier = True
         self._read_pages(lambda number: list(self._pages.states(number))[1:])
         self._found.n_unread = n_unread
         self._tell_apart()
+        self._found.edits |= take_out_versions(self._db)
         self._db.execute("COMMIT")
         return self._found
 
@@ -134,18 +145,28 @@ class _Reading:
             self._db.execute(f"DELETE FROM computers WHERE {theirs}")
 
     def _read_index(self, page: bytes, number: int, owner: str | None) -> None:
-        if owner not in (None, "tombstones", _EDITS_INDEX):
+        """Tables without row numbers lie in pages of this kind too."""
+        if owner not in (None, _EDITS_INDEX, *self._keyed):
             return
         for cell in cells(self._pages, page, number):
-            match cell.values:
-                case (str(key),) if owner != _EDITS_INDEX and rules.key(key):
-                    self._db.execute("INSERT OR IGNORE INTO tombstones VALUES (?)", [key])
-                case (str(program), int(n), int(_)) if owner == _EDITS_INDEX:
-                    self._found.edits.add((program, n))
-                case _ if owner is not None:
-                    self._found.n_unread += 1
+            if cell.values is None or not self._read_entry(cell.values, owner):
+                self._found.n_unread += owner is not None
+
+    def _read_entry(self, values: Values, owner: str | None) -> bool:
+        match values:
+            case (str(program), int(n), int(_)) if owner == _EDITS_INDEX:
+                self._found.edits.add((program, n))
+                return True
+        for name in _TOLD_BY_SHAPE if owner is None else (owner,):
+            shape = self._keyed.get(name)
+            if shape is not None and _fits(shape, values):
+                self._add(shape, values)
+                return True
+        return False
 
     def _add(self, shape: _Shape, values: Values) -> None:
+        if self._are_earlier and shape.name == "content_sums" and values[0] == "runs":
+            return  # the row has another sum since it was judged
         names = shape.columns[: len(values)]
         marks = ", ".join("?" * len(names))
         with suppress(sqlite3.IntegrityError):
@@ -161,18 +182,23 @@ def _fits(shape: _Shape, values: Values) -> bool:
     return all(rule(value) for rule, value in zip(shape.rules, values, strict=False))
 
 
-def _shapes(db: sqlite3.Connection) -> Iterator[tuple[str, _Shape]]:
+def _shapes(db: sqlite3.Connection, tables: Sequence[Table]) -> dict[str, _Shape]:
     """Shapes by table; of those that have one shape the likelier table first."""
-    for table in (*REPLICATED, *LOCAL):
-        if table is not TOMBSTONES:
-            accepted = {column.name: column.accepts for column in table.columns}
-            accepted |= _OTHER_RULES.get(table.name, {})
-            names = column_names(db, table.name)
-            needed = _needed(db, table.name)
-            yield (
-                table.name,
-                _Shape(table.name, names, tuple(map(accepted.__getitem__, names)), needed),
-            )
+    return {table.name: _shape(db, table) for table in tables}
+
+
+def _shape(db: sqlite3.Connection, table: Table) -> _Shape:
+    accepted = {column.name: column.accepts for column in table.columns}
+    accepted |= _OTHER_RULES.get(table.name, {})
+    names = column_names(db, table.name)
+    needed = _needed(db, table.name)
+    return _Shape(table.name, names, tuple(map(accepted.__getitem__, names)), needed)
+
+
+def _is_keyed(db: sqlite3.Connection, table: Table) -> bool:
+    """Whether the table has no row numbers: it is kept as an index is, by its key."""
+    query = "SELECT wr FROM pragma_table_list WHERE schema = 'main' AND name = ?"
+    return bool(db.execute(query, [table.name]).fetchone()[0])
 
 
 def _needed(db: sqlite3.Connection, table: str) -> int:

@@ -21,6 +21,7 @@ from storage.file.sums import Changes
 from storage.runs.runs import close_runs
 from storage.salvage.pages import Pages
 from storage.salvage.reading import Found, read_into
+from storage.salvage.soundness import bring_marks, mark_runs, prefer_sound_rows
 from storage.salvage.stand_ins import complete
 from storage.sql import column_names, opened
 from storage.sqlite import sqlite3
@@ -30,7 +31,9 @@ from storage.text import new_id
 
 _LONGEST_S = 20.0  # of a start; the command has no limit
 _LEFT_FREE = 50 * 10**6
-_LOCAL = tuple(table for table in LOCAL if table.name not in ("merges", "signatures"))
+# of the sums only those of damaged runs: all other rows that come get theirs anew
+_NOT_BROUGHT = ("merges", "signatures", "content_sums")
+_LOCAL = tuple(table for table in LOCAL if table.name not in _NOT_BROUGHT)
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,6 +100,7 @@ def remains(file: Path, now: str, *, beside: Path, longest_s: float) -> Iterator
             migrate(db)
             with Pages(file, file.with_name(file.name + "-wal")) as pages:
                 found = read_into(db, pages, lambda: time.monotonic() > deadline)
+            mark_runs(db, now)
             running = [
                 row["id"] for row in db.execute("SELECT id FROM runs WHERE state = 'running'")
             ]
@@ -122,6 +126,7 @@ def merge_remains(db: sqlite3.Connection, found: Found, now: str, *, delete: boo
     """The same within the caller's transaction."""
     numbers = dict(_highest(db))
     complete(db, now)
+    prefer_sound_rows(db)
     info = _info(now)
     report = merge_attached(db, info, now, delete=delete)
     db.execute("DELETE FROM main.merges WHERE checksum = ?", [info.content_hash])
@@ -130,6 +135,7 @@ def merge_remains(db: sqlite3.Connection, found: Found, now: str, *, delete: boo
         db.execute(
             f"INSERT OR IGNORE INTO main.{table.name} ({names}) SELECT {names} FROM bundle.{table.name}"
         )
+    bring_marks(db)
     n_rows = sum(report.added.values()) + sum(report.changed.values())
     n_edits = report.added.get("versions", 0)
     return Salvaged(n_edits, n_rows, _n_unread(db, found, numbers), found.is_cut_short)
