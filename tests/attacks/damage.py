@@ -13,7 +13,7 @@ from click.testing import CliRunner
 
 from pinel_desktop.cli import main
 from pinel_desktop.doctor import examination
-from storage import Notice, Store, open_store
+from storage import Notice, Store, StoreError, open_store
 from storage.file.backups import make_backup
 
 PAGE = 4096
@@ -97,6 +97,17 @@ def wait_until(is_so: Callable[[], bool], longest_s: float = 20.0) -> None:
         time.sleep(0.01)
 
 
+def said_when_read(day: Day) -> str | None:
+    """What is said of the first edit that cannot be shown, when somebody opens it."""
+    with open_store(day.path) as store:
+        for key in day.edits:
+            try:
+                store.versions.get(key)
+            except StoreError as error:
+                return error.code
+    return None
+
+
 class Outcome(NamedTuple):
     """One damaged file of many: what was done, what was said, and how many of its edits are there as they were."""
 
@@ -124,7 +135,7 @@ def outcome_of(turn: int, folder: Path) -> Outcome:
     if chance.random() < 0.2:
         log_of(day.path).unlink(missing_ok=True)
     notice, n_kept = reopened(day)
-    said = notice.code if notice else None
+    said = notice.code if notice else said_when_read(day)
     told = (
         sum(int(str(notice.params.get(k) or 0)) for k in ("n_edits", "n_unread")) if notice else 0
     )
