@@ -1,7 +1,9 @@
 """Transfer of work between PCs: removable drives, the shared folder, a program as a file."""
 
+import json
 import tempfile
 from collections.abc import Callable
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -10,6 +12,7 @@ import pytest
 
 from pinel_desktop.app import App
 from storage.exchange.scope import Scope
+from storage.sql import opened
 from tests.web.browser import Answer, Browser
 from tests.web.conftest import SQUARE
 
@@ -68,6 +71,21 @@ def test_what_other_pcs_would_refuse_is_said(
     assert written["left_out"]["code"] == "export_left_out"
     assert "left out of the file" in written["left_out"]["message"]
     assert "Os Robôs / " in written["left_out"]["message"]
+
+
+def test_a_group_hears_what_its_file_lacks(
+    app: App, browser: Browser, program: dict[str, Any], version: dict[str, Any]
+) -> None:
+    place = f"/api/programs/{program['id']}"
+    whole = browser.get(f"{place}/file")
+    assert "Pinel-Left-Out" not in whole.headers
+    browser.post(f"{place}/versions", {"workspace": {"more": 1}, "document": SQUARE})
+    with closing(opened(app._store.path, "rw")) as disk:  # as a disk does it: no sum is renewed
+        disk.execute("UPDATE versions SET workspace = '{}' WHERE number = 2")
+    lacks = json.loads(browser.get(f"{place}/file").headers["Pinel-Left-Out"])
+    assert lacks["code"] == "program_file_left_out"
+    assert lacks["message"].endswith(": 1.")
+    assert "Tell the teacher" in lacks["remedy"]
 
 
 def test_work_can_be_shown_to_others_without_names(

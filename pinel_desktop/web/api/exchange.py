@@ -39,6 +39,7 @@ from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
 from storage import StoreError
 from storage.file.temporary import temporary_folder
+from storage.text import dumped
 
 if TYPE_CHECKING:  # imported when a file is read or written, not at the app's start
     from pinel_desktop.school.removable_drives import FileFound as FileOnDisk
@@ -140,7 +141,8 @@ def _known_computers() -> Response:
 
 @api.get("/programs/<id>/file", responses=answers(OCTETS, "program_not_found", *WRITES))
 def get_program_file(path: IdPath) -> Response:
-    """A program with its group, versions and runs as a file, to continue on another PC."""
+    """A program with its group, versions and runs as a file, to continue on another PC. Where work had to be left
+    out, the header `Pinel-Left-Out` is a `Notice` about it, in ASCII."""
     from storage.exchange.bundle_writing import SUFFIX  # noqa: PLC0415 - see above
     from storage.exchange.scope import Scope  # noqa: PLC0415
 
@@ -155,7 +157,10 @@ def get_program_file(path: IdPath) -> Response:
             is_noted=False,
         )
         octets = info.path.read_bytes()
-    return Response(octets, mimetype="application/octet-stream")
+    response = Response(octets, mimetype="application/octet-stream")
+    if lacks := _left_out(info, "program_file_left_out"):
+        response.headers["Pinel-Left-Out"] = dumped(lacks.model_dump())
+    return response
 
 
 class UploadedFile(RawModel):
@@ -272,14 +277,15 @@ def _bundle(info: "BundleInfo") -> Bundle:
         n_groups=info.counts.get("groups", 0),
         n_programs=info.counts.get("programs", 0),
         n_runs=info.counts.get("runs", 0),
-        left_out=_left_out(info),
+        left_out=_left_out(info, "export_left_out"),
     )
 
 
-def _left_out(info: "BundleInfo") -> Notice | None:
+def _left_out(info: "BundleInfo", code: str) -> Notice | None:
+    """What a person should know of a file that lacks work."""
     if not info.left_out:
         return None
-    return notice("export_left_out", info.left_out_params, services().preferences.language)
+    return notice(code, info.left_out_params, services().preferences.language)
 
 
 def _merged(path: Path, body: BundlesToMerge) -> Merged:

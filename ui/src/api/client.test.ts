@@ -86,7 +86,17 @@ test("files come as they are", async () => {
   const octets = new Uint8Array([0, 255, 10]);
   serverThat(() => new Response(octets));
   expect(new Uint8Array(await api.runTelemetry("r"))).toEqual(octets);
-  expect((await exchange.programFile("p")).size).toBe(3);
+  expect(await exchange.programFile("p")).toMatchObject({ octets: { size: 3 }, leftOut: null });
+});
+
+test("a program's file says what it lacks", async () => {
+  const lacks = { code: "c", message: "Nem tudo está lá.", remedy: "" };
+  const headers = { "Pinel-Left-Out": JSON.stringify(lacks).replace("á", "\\u00e1") };
+  serverThat(() => new Response("abc", { headers }));
+  expect((await exchange.programFile("p")).leftOut).toEqual({
+    ...lacks,
+    message: "Nem tudo está lá.",
+  });
 });
 
 test("a program's file is sent under its name", async () => {

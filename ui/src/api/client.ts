@@ -59,6 +59,15 @@ export const of = (id: string) => ({ params: { path: { id } } });
 export const asFile = (id: string) => ({ ...of(id), parseAs: "blob" }) as const;
 export const file = (answer: Promise<string>) => answer as Promise<unknown> as Promise<Blob>;
 
+/** A file together with the headers of its answer. */
+export const fileAnswer = async (
+  path: "/api/programs/{id}/file",
+  init: ReturnType<typeof asFile>,
+) => {
+  const { data, response } = await http.GET(path, init);
+  return { data: data as Blob, response };
+};
+
 /** A keepalive request may carry no more than this, by the fetch standard. */
 const KEEPALIVE_LIMIT = 60_000;
 

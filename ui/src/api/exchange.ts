@@ -1,4 +1,5 @@
-import { asFile, del, file, get, of, post, put } from "./client";
+import { asFile, del, fileAnswer, get, of, post, put } from "./client";
+import type { Notice } from "./model";
 
 /** Work from PC to PC. */
 export const exchange = {
@@ -20,7 +21,12 @@ export const exchange = {
   deleteGroup: (id: string) => del("/api/groups/{id}", of(id)),
   deleteClassroom: (id: string) => del("/api/classrooms/{id}", of(id)),
 
-  programFile: (program: string) => file(get("/api/programs/{id}/file", asFile(program))),
+  /** With what the file lacks, as the server says it; null where it has all of the program. */
+  programFile: async (program: string) => {
+    const { data, response } = await fileAnswer("/api/programs/{id}/file", asFile(program));
+    const said = response.headers.get("Pinel-Left-Out");
+    return { octets: data, leftOut: said ? (JSON.parse(said) as Notice) : null };
+  },
   /** An error names the file by the name it has where it was chosen. */
   bringProgram: (bundle: File) =>
     post("/api/programs/file", {

@@ -7,7 +7,7 @@ import { Button } from "../kit/Button";
 import { setClassroom } from "../shell/classroom";
 import { go } from "../shell/route";
 import { fileName, saveFile } from "../shell/save_file";
-import { report } from "../shell/session";
+import { problem, report } from "../shell/session";
 import { TEST } from "../shell/testids";
 
 const SUFFIX = ".pinel";
@@ -16,8 +16,9 @@ const SUFFIX = ".pinel";
 export function TakeAlong({ program }: { program: Program }) {
   const { programFile } = texts.value;
   const take = async () => {
-    const file = await exchange.programFile(program.id);
-    saveFile(`${fileName(program.name, "programa")}${SUFFIX}`, file);
+    const { octets, leftOut } = await exchange.programFile(program.id);
+    saveFile(`${fileName(program.name, "programa")}${SUFFIX}`, octets);
+    problem.value = leftOut;
   };
   return (
     <Button
