@@ -414,6 +414,15 @@ def test_a_damaged_file_without_any_backup_is_not_given_up(day: Day) -> None:
     assert n_kept + int(str(notice.params["n_unread"])) == 270
 
 
+def test_an_edit_with_wrong_bits_in_a_damaged_file_is_told_as_lost_not_brought_in(day: Day) -> None:
+    shutil.rmtree(day.path.parent / "backups")
+    day.path.write_bytes(day.path.read_bytes().replace(b'"100 xxx', b'"101 xxx', 1))
+    spoil(day.path, PAGE, PAGE)
+    notice, n_kept = reopened(day)
+    assert notice
+    assert (notice.params["n_unread"], n_kept) == (1, 269)
+
+
 def test_what_was_deleted_for_good_stays_deleted_when_a_damaged_file_is_salvaged(
     tmp_path: Path,
 ) -> None:
