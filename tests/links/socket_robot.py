@@ -62,7 +62,7 @@ class SocketRobot:
         self._others: list[str] = []
         self._publishers: dict[socket.socket, str] = {}
         self._nodes: list[socket.socket] = []
-        self._lock = threading.Lock()
+        self._lock, self._telling = threading.Lock(), threading.Lock()
         self._server = socket.create_server(("127.0.0.1", 0))
         self.port = self._server.getsockname()[1]
         self._ending = threading.Event()
@@ -107,10 +107,11 @@ class SocketRobot:
         self._tell_graph()
 
     def _tell_graph(self) -> None:
-        names = [*self._publishers.values(), *self._others]
-        graph = {"kind": "graph", "publishers": names, "gone": self._gone}
-        for node in list(self._nodes):
-            self._tell(node, graph)
+        with self._telling:  # what is told last is the newest
+            names = [*self._publishers.values(), *self._others]
+            graph = {"kind": "graph", "publishers": names, "gone": self._gone}
+            for node in list(self._nodes):
+                self._tell(node, graph)
 
     def _tell(self, node: socket.socket, report: dict[str, Any]) -> None:
         with contextlib.suppress(OSError), self._lock:
