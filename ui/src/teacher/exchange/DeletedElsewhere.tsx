@@ -55,12 +55,14 @@ interface WorkLineProps {
 function WorkLine({ work, isKept, onToggle }: WorkLineProps) {
   const say = texts.value.exchange;
   const news = newsOf(work, say);
+  const isGroup = work.kind === "group";
+  const content = counted({ programs: isGroup ? work.n_programs : 0, runs: work.n_runs }, say);
   return (
     <label class="deletion__work" data-testid={TEST.canKeep}>
       <input type="checkbox" checked={isKept} onChange={onToggle} />
       <span>
-        <strong>{work.kind === "group" ? work.name : say.programOf(work.name, work.place)}</strong>
-        {`: ${counted({ programs: work.kind === "group" ? work.n_programs : 0, runs: work.n_runs }, say) || say.runs(0)}`}
+        <strong>{isGroup ? work.name : say.programOf(work.name, work.place)}</strong>
+        {`: ${content || (isGroup ? say.programs(0) : say.runs(0))}`}
         {news && <span class="deletion__news">{news}</span>}
       </span>
     </label>
