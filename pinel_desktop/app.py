@@ -62,6 +62,7 @@ _WRITABLE_NOTICES = (
     "database_on_share",
     "backup_no_room",
     "backup_failed",
+    "backup_share_failed",
     "backup_found_damage",
 )
 

@@ -1,4 +1,4 @@
-"""Maintenance while the app runs: a daily backup, deletion from backups, integrity check, free space on the disk."""
+"""Maintenance while the app runs: backups and their copies, deletion from them, integrity check, free space."""
 
 import contextlib
 import threading
@@ -25,7 +25,7 @@ class Maintenance:
     """Makes backups and watches the disk, on a thread of its own between `start` and `close`.
 
     Args:
-        on_change: called on the thread with another notice, or with None when all is well again.
+        on_change: called, never twice at a time, with another notice, or with None when all is well again.
         free: bytes that are free where a folder lies.
 
     Attributes:
@@ -47,6 +47,9 @@ class Maintenance:
         self._free = free
         self._space: Notice | None = None
         self._backup: Notice | None = None
+        self._share = store.backup_share
+        self._share.on_change = self._tell
+        self._telling = threading.Lock()
         self._ended = threading.Event()
         self._thread: threading.Thread | None = None
 
@@ -114,6 +117,12 @@ class Maintenance:
                 make_backup(
                     path, self._clock(), free=self._free, stop=lambda: time.monotonic() > deadline
                 )
+                self._share.update(wait_s=deadline - time.monotonic())
+
+    def copy_to_share(self) -> None:
+        """Has the newest backup copied to the school's shared folder, if that is wanted; does not wait for it."""
+        with contextlib.suppress(StoreError):
+            self._share.update()
 
     def check_integrity(self) -> None:
         """Finds damage that the start does not look for; indexes that do not fit are made anew."""
@@ -135,11 +144,14 @@ class Maintenance:
                 self.check_integrity()
             if n_checks % _CHECKS_PER_BACKUP == 0:
                 self.back_up()
+                self.copy_to_share()
             self.finish_removals()
             pause_s, n_checks = _EVERY_S, n_checks + 1
 
     def _tell(self) -> None:
         """Reports another notice; not another figure within the same notice, which is read when it is shown."""
-        before, self.notice = self.notice, self._space or self._backup
-        if (before and before.code) != (self.notice and self.notice.code):
-            self._on_change(self.notice)
+        with self._telling:  # the copies are made on another thread
+            before, self.notice = self.notice, self._space or self._backup or self._share.problem
+            is_another = (before and before.code) != (self.notice and self.notice.code)
+            if is_another and not self._ended.is_set():
+                self._on_change(self.notice)

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from storage.errors import StoreError
+from storage.exchange.backup_share import BackupShare
 from storage.file.connection import Database, uptime_s
 from storage.file.mark import n_saves_of
 from storage.file.notices import Notice, Salvaged
@@ -70,6 +71,7 @@ class Store:
         self.history = History(database)
         self.lesson_records = LessonRecords(database)
         self.settings = Settings(database)
+        self.backup_share = BackupShare(database)
         self._interrupted: list[str] = []
         self._keep_alive: sqlite3.Connection | None = None
 
@@ -92,7 +94,7 @@ class Store:
         """Exporting, merging and deleting for good."""
         from storage.exchange.exchange import Exchange  # noqa: PLC0415 - most starts need none of it
 
-        return Exchange(self._database)
+        return Exchange(self._database, self.backup_share)
 
     def check_and_reindex(self, stop: Stop = lambda: False) -> str | None:
         """Checks the whole file, which takes long, and makes indexes anew that do not fit; see `integrity`."""

@@ -23,11 +23,14 @@ from pinel_desktop.camera.client import Camera, CameraState
 from pinel_desktop.desktop.backends import Pc, backends, find_browser
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.errors import PinelError
+from storage.exchange.backup_share import SHARED_FOLDER, TAKES_BACKUPS
 from storage.file import log
-from storage.file.backups import damage_of, folder_of, list_backups
+from storage.file.backups import damage_of, folder_of, list_backups, time_of
 from storage.file.mark import Remembered, local_time, remembered
 from storage.file.replacing import was_there
+from storage.file.share_copies import noted
 from storage.sqlite import has_wal_fault, sqlite3
+from storage.text import loaded
 
 Level = Literal["ok", "warn", "fail"]
 
@@ -60,6 +63,7 @@ def examine(database: Path, pc: Pc | None = None) -> Iterator[Finding]:
     yield _database(database)
     yield from _set_aside(database)
     yield _backups(database)
+    yield from _copies(database)
     yield from _signs(Path("/dev"))
     yield _ros(os.environ, _ROS_FOLDER)
 
@@ -238,6 +242,30 @@ def _backups(path: Path) -> Finding:
     if behind_s > _BACKUPS_BEHIND_S:
         return Finding("backups", "warn", "doctor_backups_old", params)
     return Finding("backups", "ok", "doctor_backups_ok", params)
+
+
+def _copies(path: Path) -> Iterator[Finding]:
+    """Whether copies of the backups go to the school's folder, and of when the newest is; without a look at it."""
+    if not path.exists():
+        return
+    shared = _setting(path, TAKES_BACKUPS) and _setting(path, SHARED_FOLDER)
+    if not shared:
+        yield Finding("backups", "ok", "doctor_copies_off")
+        return
+    found = noted(path)
+    if found is None or found.finished is None:
+        yield Finding("backups", "warn", "doctor_copies_none", {"folder": shared})
+        return
+    made_at = f"{time_of(found.finished).astimezone():%Y-%m-%d %H:%M}"
+    params = {"time": made_at, "folder": str(found.finished.parent)}
+    yield Finding("backups", "ok", "doctor_copies_ok", params)
+
+
+def _setting(path: Path, key: str) -> object:
+    """None where nothing was chosen, or where the file cannot be read."""
+    with contextlib.suppress(sqlite3.Error, TypeError, ValueError):
+        return loaded(str(_query(path, f"SELECT value FROM settings WHERE key = '{key}'")))
+    return None
 
 
 def _signs(folder: Path, source: str = "0") -> Iterator[Finding]:

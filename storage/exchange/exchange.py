@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from storage.exchange.anonymising import anonymising
+from storage.exchange.backup_share import BackupShare
 from storage.exchange.bundle_writing import (
     BundleInfo,
     export_bundle,
@@ -31,8 +32,9 @@ from storage.work.computers import Computers
 class Exchange:
     """What goes from this file to others, and comes from them."""
 
-    def __init__(self, database: Database) -> None:
+    def __init__(self, database: Database, share: BackupShare) -> None:
         self._database = database
+        self._share = share
 
     def export(
         self,
@@ -106,7 +108,7 @@ class Exchange:
         report = merge(self._database, path, delete=delete, kept=kept, keep_newer=keep_newer)
         if report.removed:
             self._database.checkpoint(is_patient=True)
-            report = replace(report, still_in=self._clean_backups(report.tombstones))
+            report = replace(report, still_in=self._clean_copies(report.tombstones))
         return report
 
     def merge_program(self, path: Path) -> tuple[MergeReport, str]:
@@ -129,7 +131,7 @@ class Exchange:
     def remove(self, kind: str, *keys: str) -> Deletion:
         """Deletes rows of a kind for good, such as a `group`, also from the backups; see `deletion.remove`."""
         deletion = remove(self._database, kind, *keys)
-        return replace(deletion, still_in=self._clean_backups(deletion.ids))
+        return replace(deletion, still_in=self._clean_copies(deletion.ids))
 
     def finish_removals(self, stop: Stop = lambda: False) -> tuple[Path, ...]:
         """Deletes what was deleted for good from backups and write-ahead log that still hold it: after a deletion that
@@ -139,7 +141,13 @@ class Exchange:
         if not ids:
             return ()
         self._database.checkpoint()
-        return self._clean_backups(ids, stop)
+        left = self._clean_backups(ids, stop)
+        self._share.resume()
+        return left
+
+    def _clean_copies(self, ids: Collection[str]) -> tuple[Path, ...]:
+        """Here and in the shared folder; returns the files that may hold the rows still."""
+        return self._clean_backups(ids) + self._share.clean()
 
     def _clean_backups(self, ids: Collection[str], stop: Stop = lambda: False) -> tuple[Path, ...]:
         return tuple(remove_from_backups(self._database.path, ids, remove_keys, stop))

@@ -60,17 +60,22 @@ def folder_of(path: Path) -> Path:
     return path.parent / "backups"
 
 
-def list_backups(path: Path) -> list[Backup]:
-    """Backups of a database, the newest first; other files of the folder are ignored."""
+def list_backups(path: Path, folder: Path | None = None) -> list[Backup]:
+    """Backups of a database, the newest first; other files of the folder, by default its own, are ignored."""
     name = re.compile(rf"{re.escape(path.stem)}-(\d+)-(\d{{8}}T\d{{6}}Z){re.escape(path.suffix)}")
     found = []
     with contextlib.suppress(OSError):
-        for file in folder_of(path).iterdir():
+        for file in (folder or folder_of(path)).iterdir():
             if match := name.fullmatch(file.name):
                 with contextlib.suppress(ValueError, OSError):
-                    made_at = datetime.strptime(match[2], _TIME).replace(tzinfo=UTC)
-                    found.append(Backup(file, int(match[1]), made_at, file.stat().st_size))
+                    number, made_at = int(match[1]), time_of(file)
+                    found.append(Backup(file, number, made_at, file.stat().st_size))
     return sorted(found, key=lambda backup: backup.number, reverse=True)
+
+
+def time_of(backup: Path) -> datetime:
+    """The time in the name of a backup. Raises ValueError."""
+    return datetime.strptime(backup.stem.rpartition("-")[2], _TIME).replace(tzinfo=UTC)
 
 
 def is_due(path: Path, now: datetime, n_saves: int) -> bool:
@@ -220,7 +225,7 @@ def remove_from_backups(
             backup.path
             for backup in list_backups(path)
             if not stop()
-            and not _has_tombstones(backup.path, ids)
+            and not has_tombstones(backup.path, ids)
             and not _is_removed(backup.path, path, ids, remove)
         ]
     return left + sorted(path.parent.glob(f"{path.stem}.damaged-*{path.suffix}"))
@@ -265,8 +270,8 @@ def _pauses(stop: Stop) -> Callable[[int, int, int], None]:
     return pause
 
 
-def _has_tombstones(backup: Path, ids: Collection[str]) -> bool:
-    """A backup is replaced as a whole, so one with tombstones of the keys holds nothing of their rows."""
+def has_tombstones(backup: Path, ids: Collection[str]) -> bool:
+    """True where a backup has tombstones of all keys: as a whole is replaced, it then holds nothing of their rows."""
     try:
         with closing(opened(backup, "immutable")) as db:
             dead = {key for (key,) in db.execute("SELECT id FROM tombstones")}

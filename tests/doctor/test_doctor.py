@@ -17,6 +17,7 @@ from pinel_desktop.doctor import examination
 from pinel_desktop.doctor.examination import Finding
 from pinel_desktop.messages import LANGUAGES, describe
 from storage import open_store
+from storage.exchange.backup_share import SHARED_FOLDER, TAKES_BACKUPS
 from storage.file.backups import list_backups, make_backup
 from storage.sqlite import sqlite3
 
@@ -170,6 +171,23 @@ def test_no_backups_are_a_warning_once_there_is_something_to_lose(tmp_path: Path
     assert backups(tmp_path / "pinel.db") == ("ok", "doctor_backups_none")
     (tmp_path / "pinel.db").touch()
     assert backups(tmp_path / "pinel.db") == ("warn", "doctor_backups_none")
+
+
+def test_copies_in_the_shared_folder_are_told_with_the_time_of_the_newest(
+    backed_up: Path, tmp_path: Path
+) -> None:
+    def found() -> tuple[str, str]:
+        (finding,) = examination._copies(backed_up)
+        return finding.level, finding.code
+
+    assert found() == ("ok", "doctor_copies_off")
+    with open_store(backed_up) as store:
+        store.settings.set(SHARED_FOLDER, str(tmp_path / "rede"))
+        store.settings.set(TAKES_BACKUPS, value=True)
+        assert found() == ("warn", "doctor_copies_none")
+        (tmp_path / "rede").mkdir()
+        assert store.backup_share.update(20)
+    assert found() == ("ok", "doctor_copies_ok")
 
 
 def test_a_damaged_backup_is_named(backed_up: Path) -> None:

@@ -304,6 +304,10 @@ def test_answers_about_one_folder_do_not_stand_under_another(
     studio.page.get_by_role("button", name="Usar esta pasta").click()
     expect(studio.page.get_by_text("Ainda sem arquivos")).to_be_visible()
     expect(studio["merge-results"]).to_have_count(0)
+    with studio.page.expect_response("**/api/folders/shared"):
+        studio["shared-backups"].check()
+    studio.page.reload()
+    expect(studio["shared-backups"]).to_be_checked()
 
 
 def test_a_merging_that_goes_on_while_somebody_looks_again_shows_nothing_later(

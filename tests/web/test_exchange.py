@@ -12,6 +12,7 @@ import pytest
 
 from pinel_desktop.app import App
 from storage.exchange.scope import Scope
+from storage.file.backups import make_backup
 from storage.sql import opened
 from tests.web.browser import Answer, Browser
 from tests.web.conftest import SQUARE
@@ -235,7 +236,23 @@ def test_a_shared_folder_that_does_not_answer_stays_chosen(teacher: Browser, sti
     assert places["shared"] == str(folder)
     (told,) = places["folders"]
     assert (told["name"], told["is_reachable"], told["is_writable"]) == ("rede", False, False)
-    assert teacher.put("/api/folders/shared", {"path": ""}).data == {"folders": [], "shared": ""}
+    none = {"folders": [], "shared": "", "takes_backups": False}
+    assert teacher.put("/api/folders/shared", {"path": ""}).data == none
+
+
+def test_the_shared_folder_takes_copies_of_the_backups_when_that_is_ticked(
+    app: App, teacher: Browser, stick: Path
+) -> None:
+    store = app._store
+    make_backup(store.path, store._database._clock())
+    for body, is_ticked in (({}, False), ({"takes_backups": True}, True), ({}, True)):
+        put = teacher.put("/api/folders/shared", {"path": str(stick)} | body)
+        assert put.data["takes_backups"] is is_ticked
+    assert store.backup_share.update(20)
+    assert len(list(stick.glob("PINEL-backups/*/*.db"))) == 1
+    stick.rename(stick.with_name("away"))
+    end = {"path": str(stick), "takes_backups": False}
+    assert teacher.put("/api/folders/shared", end).data["takes_backups"] is False
 
 
 FILE = {"Content-Type": "application/octet-stream"}

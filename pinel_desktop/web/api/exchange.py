@@ -38,6 +38,7 @@ from pinel_desktop.web.responses import answer, json_safe, notice
 from pinel_desktop.web.services import services
 from pinel_desktop.web.teaching import require_teacher
 from storage import StoreError
+from storage.exchange.backup_share import SHARED_FOLDER, TAKES_BACKUPS
 from storage.file.temporary import temporary_folder
 from storage.text import dumped
 
@@ -49,7 +50,6 @@ if TYPE_CHECKING:  # imported when a file is read or written, not at the app's s
 
 api = resource("exchange", "Transfer of work between PCs.", __name__)
 
-_FOLDER = "shared_folder"
 TAKES_FILES = ("/api/programs/file", "/api/lessons/file")
 LARGEST_FILE = 64 * 2**20
 
@@ -63,11 +63,16 @@ def list_folders() -> Response:
 
 @api.put("/folders/shared", responses=answers(FolderList, *TEACHER, "folder_missing", *WRITES))
 def choose_shared_folder(body: SharedFolder) -> Response:
-    """Sets the school's shared folder. For the teacher."""
+    """Sets the school's shared folder, and whether copies of the backups go there. For the teacher."""
     require_teacher()
-    if body.path:
+    store = services().store
+    is_known = body.takes_backups is not None and body.path == store.settings.get(SHARED_FOLDER)
+    if body.path and not is_known:  # copies are ended also while the folder is away
         require_folder(body.path)
-    services().store.settings.set(_FOLDER, body.path)
+    store.settings.set(SHARED_FOLDER, body.path)
+    if body.takes_backups is not None:
+        store.settings.set(TAKES_BACKUPS, body.takes_backups)
+    store.backup_share.update()
     return _folders()
 
 
@@ -234,9 +239,16 @@ def _folders() -> Response:
     from pinel_desktop.school.removable_drives import folders  # noqa: PLC0415 - see above
     from storage.exchange.bundle_writing import SUFFIX  # noqa: PLC0415
 
-    kept = services().store.settings.get(_FOLDER)
+    settings = services().store.settings
+    kept = settings.get(SHARED_FOLDER)
     found = folders(SUFFIX, [Path(kept)] if kept else [])
-    return answer(FolderList(folders=[_folder(one) for one in found], shared=json_safe(kept or "")))
+    return answer(
+        FolderList(
+            folders=[_folder(one) for one in found],
+            shared=json_safe(kept or ""),
+            takes_backups=bool(settings.get(TAKES_BACKUPS)),
+        )
+    )
 
 
 def _folder(folder: "FolderOnDisk") -> Folder:

@@ -40,16 +40,23 @@ class Folder(Shape):
 
 
 class FolderList(Shape):
-    """Removable drives first; `shared` is the path of the shared folder, "" for none."""
+    """Removable drives first; `shared` is the path of the shared folder, "" for none.
+
+    With `takes_backups` it also gets copies of this PC's backups.
+    """
 
     folders: list[Folder]
     shared: str
+    takes_backups: bool
 
 
 class SharedFolder(Body):
-    """A folder of this PC or of the network; "" for none."""
+    """A folder of this PC or of the network; "" for none. Without `takes_backups` that stays as it was."""
 
     path: _Path
+    takes_backups: Annotated[
+        bool | None, Field(description="copies of this PC's backups go there too")
+    ] = None
 
 
 class NewBundle(Body):

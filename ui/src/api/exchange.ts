@@ -6,6 +6,9 @@ export const exchange = {
   folders: () => get("/api/folders"),
   /** Remembers the school's shared folder; "" for none. */
   share: (path: string) => put("/api/folders/shared", { body: { path } }),
+  /** Whether copies of this PC's backups go there. */
+  shareBackups: (path: string, takes_backups: boolean) =>
+    put("/api/folders/shared", { body: { path, takes_backups } }),
   write: (folder: string, classroom_id: string | null, anonymous: boolean) =>
     post("/api/bundles", { body: { folder, classroom_id, anonymous } }),
   /** Without `kept` nothing is deleted; with it what was deleted for good on the other PC goes here too, but for these. */

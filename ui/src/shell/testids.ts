@@ -354,6 +354,7 @@ export const TEST = {
   saveBundle: "save-bundle",
   exportLeftOut: "export-left-out",
   sharedFolder: "shared-folder",
+  sharedBackups: "shared-backups", // copies of the backups go there too
   deleted: "deleted", // the open program was deleted for good
   takeText: "take-text", // saves its text as a file
   deletionOpen: "deletion-open",

@@ -60,6 +60,8 @@ export const exchange: typeof first = {
     message: "The school folder does not answer now.",
     remedy: "It stays chosen. See that the network is up, or that the folder opens on this PC.",
   },
+  sharedBackups: "Keep copies of this PC's backups there too",
+  sharedBackupsHint: "Whoever can read that folder can read the work of the groups.",
   keepShared: "Use this folder",
   doomed: (computer: string, names: string, work: string) =>
     `On ${computer} this was deleted for good: ${names} (still here: ${work}). Delete it here too? This cannot be undone.`,

@@ -62,6 +62,8 @@ export const exchange: typeof first = {
     remedy:
       "Sigue elegida. Revise si la red está conectada o si la carpeta se abre en esta computadora.",
   },
+  sharedBackups: "Guardar allí también las copias de seguridad de esta computadora",
+  sharedBackupsHint: "Quien puede leer esa carpeta puede leer los trabajos de los grupos.",
   keepShared: "Usar esta carpeta",
   doomed: (computer: string, names: string, work: string) =>
     `En ${computer} se borró para siempre: ${names} (aquí todavía hay ${work}). ¿Borrarlo aquí también? No se puede deshacer.`,

@@ -61,6 +61,8 @@ export const exchange = {
     remedy:
       "Ela continua escolhida. Confira se a rede está ligada ou se a pasta abre neste computador.",
   },
+  sharedBackups: "Guardar ali também as cópias de segurança deste computador",
+  sharedBackupsHint: "Quem pode ler essa pasta pode ler os trabalhos dos grupos.",
   keepShared: "Usar esta pasta",
   doomed: (computer: string, names: string, work: string) =>
     `Em ${computer} foi apagado para sempre: ${names} (aqui ainda há ${work}). Apagar aqui também? Não dá para desfazer.`,

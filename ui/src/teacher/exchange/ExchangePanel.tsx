@@ -45,7 +45,7 @@ interface BoxesProps {
   known: Loadable<Known>;
 }
 
-function Boxes({ found: { folders, shared }, places, known }: BoxesProps) {
+function Boxes({ found: { folders, shared, takes_backups }, places, known }: BoxesProps) {
   const saved = useSignal<Saved | null>(null);
   usePolling(places);
   const loadAll = async () => {
@@ -78,6 +78,7 @@ function Boxes({ found: { folders, shared }, places, known }: BoxesProps) {
       </Loaded>
       <SharedFolder
         path={shared}
+        takesBackups={takes_backups}
         isReachable={!folders.some((one) => one.path === shared && !one.is_reachable)}
         onChoose={forgetAnswers}
         onChosen={places.set}

@@ -11,6 +11,8 @@ import { TEST } from "../../shell/testids";
 
 interface SharedFolderProps {
   path: string;
+  /** Whether copies of this PC's backups go there. */
+  takesBackups: boolean;
   /** Whether it is reachable now. */
   isReachable: boolean;
   onChoose(): void;
@@ -18,8 +20,10 @@ interface SharedFolderProps {
 }
 
 /** A network folder that is used like a stick. */
-export function SharedFolder({ path, isReachable, onChoose, onChosen }: SharedFolderProps) {
+export function SharedFolder(props: SharedFolderProps) {
+  const { path, takesBackups, isReachable, onChoose, onChosen } = props;
   const typed = useSignal(path);
+  const ticked = useSignal(takesBackups);
   const { busy, fault, act, clear } = useAct(asTeacher);
   const say = texts.value.exchange;
   const isSilent = path !== "" && !isReachable && typed.value === path;
@@ -27,6 +31,11 @@ export function SharedFolder({ path, isReachable, onChoose, onChosen }: SharedFo
   const keep = () => {
     onChoose();
     return act(async () => onChosen(await exchange.share(typed.value.trim())));
+  };
+  const tick = async (isTicked: boolean) => {
+    ticked.value = isTicked;
+    const isKept = await act(async () => onChosen(await exchange.shareBackups(path, isTicked)));
+    if (!isKept) ticked.value = !isTicked;
   };
   return (
     <Form class="panel card" onSubmit={keep}>
@@ -56,7 +65,30 @@ export function SharedFolder({ path, isReachable, onChoose, onChosen }: SharedFo
           {say.keepShared}
         </Button>
       </div>
+      {path !== "" && <BackupsTick isTicked={ticked.value} onTick={tick} />}
       <FaultLine fault={shown} />
     </Form>
+  );
+}
+
+interface BackupsTickProps {
+  isTicked: boolean;
+  onTick(isTicked: boolean): void;
+}
+
+/** Whether the folder also takes copies of this PC's backups. */
+function BackupsTick({ isTicked, onTick }: BackupsTickProps) {
+  const say = texts.value.exchange;
+  return (
+    <label class="exchange__file">
+      <input
+        type="checkbox"
+        data-testid={TEST.sharedBackups}
+        checked={isTicked}
+        onChange={(event) => onTick(event.currentTarget.checked)}
+      />
+      <span class="exchange__name">{say.sharedBackups}</span>
+      <span class="exchange__about">{say.sharedBackupsHint}</span>
+    </label>
   );
 }

@@ -1,0 +1,147 @@
+"""Brings copies of the backups to the school's shared folder, on a thread of its own.
+
+A network folder may be slow, full, read-only or gone, and may keep a thread waiting for ever. So nothing else waits for
+it: one thread at a time works there, and another begins only when it has come back.
+"""
+
+import errno
+import os
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from storage.file.connection import Database
+from storage.file.notices import Notice
+from storage.work.computers import Computers
+from storage.work.settings import Settings
+
+if TYPE_CHECKING:  # few PCs make copies
+    from storage.file.share_copies import ShareCopies
+
+SHARED_FOLDER = "shared_folder"
+TAKES_BACKUPS = "shared_folder_takes_backups"
+_PATIENCE_S = 5.0  # of a deletion for good
+_SLOW_S = 600.0
+
+
+@dataclass(frozen=True, slots=True)
+class _Task:
+    """The shared folder, None for none, and the keys of rows that must be in none of the copies."""
+
+    copies: "ShareCopies"
+    shared: Path | None
+    dead: frozenset[str]
+
+
+class BackupShare:
+    """The copies of one database's backups. Thread-safe.
+
+    Attributes:
+        problem: why the folder lacks the newest backup, None when all is well.
+        on_change: called, on any thread, after `problem` may have changed.
+    """
+
+    def __init__(self, database: Database) -> None:
+        self.problem: Notice | None = None
+        self.on_change: Callable[[], None] = lambda: None
+        self._database = database
+        self._changed = threading.Condition()
+        self._task: _Task | None = None
+        self._n_wanted = self._n_cleaned = self._n_done = 0
+        self._left: tuple[Path, ...] = ()
+        self._began_s: float | None = None  # of the thread at work, None for none
+
+    def update(self, wait_s: float = 0.0) -> bool:
+        """Brings the folder up to date; True when that was done within the time."""
+        return self._ask(wait_s, lambda wanted: self._n_done >= wanted)
+
+    def resume(self) -> None:
+        """Tries again to delete what the last attempt left."""
+        if self._left:
+            self.update()
+
+    def clean(self) -> tuple[Path, ...]:
+        """Deletes copies with what was deleted for good, and makes the newest anew. Waits some seconds at most.
+
+        Returns:
+            Copies that may hold it still.
+        """
+        is_in_time = self._ask(_PATIENCE_S, lambda wanted: self._n_cleaned >= wanted)
+        if not is_in_time and self._task is not None:
+            self._left = self._task.copies.known.copies
+        return self._left
+
+    def _ask(self, wait_s: float, is_over: Callable[[int], bool]) -> bool:
+        task = self._next_task()
+        with self._changed:
+            if task is None:
+                self.problem, self._left = None, ()
+                is_in_time = True
+            else:
+                self._task = task
+                self._n_wanted += 1
+                wanted, waited_s = self._n_wanted, self._start(task)
+                is_in_time = self._changed.wait_for(
+                    lambda: is_over(wanted), max(0.0, wait_s - waited_s)
+                )
+        self.on_change()
+        return is_in_time
+
+    def _next_task(self) -> _Task | None:
+        """None where there is nothing to be done. Raises StoreError."""
+        from storage.exchange.deletion import dead_keys  # noqa: PLC0415 - few PCs need it
+        from storage.file.share_copies import ShareCopies, noted  # noqa: PLC0415 - see above
+
+        settings, path = Settings(self._database), self._database.path
+        shared = settings.get(TAKES_BACKUPS) and settings.get(SHARED_FOLDER)
+        if not shared and not noted(path):
+            return None
+        with self._database.reading() as db:
+            dead = frozenset(dead_keys(db))
+        copies = ShareCopies(path, Computers(self._database).this())
+        if shared:
+            return _Task(copies, Path(shared), dead)
+        return _Task(copies, None, dead) if dead and copies.known.copies else None
+
+    def _start(self, task: _Task) -> float:
+        """Starts a thread, unless one is at work; returns how long it has been, in s."""
+        now_s = time.monotonic()
+        if self._began_s is None:
+            self._began_s = now_s
+            threading.Thread(target=self._work, name="backup-share", daemon=True).start()
+        elif task.shared and now_s - self._began_s > _SLOW_S:
+            self.problem = _notice(task.shared, os.strerror(errno.ETIMEDOUT))
+        return now_s - self._began_s
+
+    def _work(self) -> None:
+        is_wanted = True
+        while is_wanted:
+            with self._changed:
+                wanted, task = self._n_wanted, self._task
+            problem = self._do(task, wanted) if task else None
+            with self._changed:
+                self.problem, self._n_cleaned, self._n_done = problem, wanted, wanted
+                is_wanted = wanted < self._n_wanted
+                self._began_s = time.monotonic() if is_wanted else None
+                self._changed.notify_all()
+            self.on_change()
+
+    def _do(self, task: _Task, wanted: int) -> Notice | None:
+        try:
+            left = task.copies.clean(task.shared, task.dead)
+            with self._changed:
+                self._left, self._n_cleaned = left, wanted
+                self._changed.notify_all()
+            if task.shared:
+                task.copies.copy_newest(task.shared, task.dead)
+        except Exception as error:  # any failure is shown, and the next attempt is in an hour
+            problem = getattr(error, "strerror", None) or str(error)
+            return _notice(task.shared, problem) if task.shared else None
+        return None
+
+
+def _notice(shared: Path, problem: str) -> Notice:
+    return Notice("backup_share_failed", {"folder": str(shared), "problem": problem})
