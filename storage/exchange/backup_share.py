@@ -130,6 +130,7 @@ class BackupShare:
             self.on_change()
 
     def _do(self, task: _Task, wanted: int) -> Notice | None:
+        self._left = task.copies.known.copies  # until they were looked at
         try:
             left = task.copies.clean(task.shared, task.dead)
             with self._changed:
