@@ -2,7 +2,6 @@
 
 import shutil
 import threading
-import time
 from collections.abc import Callable, Iterator
 from datetime import timedelta
 from pathlib import Path
@@ -21,8 +20,9 @@ WAIT_S = 30.0
 
 
 @pytest.fixture
-def shared(store: Store, tmp_path: Path) -> Path:
+def shared(store: Store, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The shared folder, with what another PC and a person put there."""
+    monkeypatch.setattr(backup_share, "_PATIENCE_S", WAIT_S)
     folder = tmp_path / "rede"
     (folder / "PINEL-backups" / "PC 9-00000000").mkdir(parents=True)
     for name in ("PC 9-00000000/pinel-00001-20261121T120000Z.db", "leia-me.txt"):
@@ -44,10 +44,11 @@ class Hanging:
     """A folder that does not answer until it is freed."""
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        self.reached, self.freed = threading.Event(), threading.Event()
+        self.reached, self.freed, self.n_asked = threading.Event(), threading.Event(), 0
         monkeypatch.setattr(ShareCopies, "copy_newest", self._hang)
 
     def _hang(self, *_: object) -> None:
+        self.n_asked += 1
         self.reached.set()
         self.freed.wait(WAIT_S)
 
@@ -212,18 +213,22 @@ def test_a_folder_that_never_answers_holds_up_neither_backups_nor_the_end(
     keeping.maintenance.copy_to_share()
     assert keeping.code == "backup_share_failed"
     store.exchange.remove("group", group.id)
-    assert _n_threads() == 1
-    monkeypatch.setattr("storage.maintenance._CLOSING_S", 0.5)
-    store.groups.create("B")
-    began_s = time.monotonic()
+    assert not store.backup_share.update(wait_s=0.1)
+    assert hanging.n_asked == 1
     keeping.maintenance.close()
+
+
+def test_the_end_waits_for_the_copy_only_within_its_own_time(
+    keeping: Keeping, store: Store, shared: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    waits: list[float] = []
+    monkeypatch.setattr(store.backup_share, "update", lambda wait_s: waits.append(wait_s))
+    monkeypatch.setattr("storage.maintenance._CLOSING_S", WAIT_S)
+    store.groups.create("A")
     keeping.maintenance.back_up_at_the_end()
-    assert time.monotonic() - began_s < WAIT_S / 2
-    assert len(list_backups(store.path)) == 3
-
-
-def _n_threads() -> int:
-    return [thread.name for thread in threading.enumerate()].count("backup-share")
+    assert len(list_backups(store.path)) == 1
+    assert len(waits) == 1
+    assert waits[0] < WAIT_S
 
 
 def test_a_copy_that_fails_in_the_middle_leaves_the_ones_before(
