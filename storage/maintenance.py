@@ -117,7 +117,7 @@ class Maintenance:
                 make_backup(
                     path, self._clock(), free=self._free, stop=lambda: time.monotonic() > deadline
                 )
-                self._share.update(wait_s=deadline - time.monotonic())
+                self._share.update(deadline - time.monotonic())
 
     def copy_to_share(self) -> None:
         """Has the newest backup copied to the school's shared folder, if that is wanted; does not wait for it."""

@@ -222,7 +222,7 @@ def test_the_end_waits_for_the_copy_only_within_its_own_time(
     keeping: Keeping, store: Store, shared: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     waits: list[float] = []
-    monkeypatch.setattr(store.backup_share, "update", lambda wait_s: waits.append(wait_s))
+    monkeypatch.setattr(store.backup_share, "update", waits.append)
     monkeypatch.setattr("storage.maintenance._CLOSING_S", WAIT_S)
     store.groups.create("A")
     keeping.maintenance.back_up_at_the_end()
