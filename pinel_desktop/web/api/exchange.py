@@ -146,8 +146,10 @@ def _known_computers() -> Response:
 
 @api.get("/programs/<id>/file", responses=answers(OCTETS, "program_not_found", *WRITES))
 def get_program_file(path: IdPath) -> Response:
-    """A program with its group, versions and runs as a file, to continue on another PC. Where work had to be left
-    out, the header `Pinel-Left-Out` is a `Notice` about it, in ASCII."""
+    """A program with its group, versions and runs as a file, to continue on another PC.
+
+    Where work had to be left out, the header `Pinel-Left-Out` is a `Notice` about it, in ASCII.
+    """
     from storage.exchange.bundle_writing import SUFFIX  # noqa: PLC0415 - see above
     from storage.exchange.scope import Scope  # noqa: PLC0415
 
