@@ -48,15 +48,17 @@ def expect_state(studio: Studio, words: str, state: str) -> None:
 
 def test_the_list_fills_while_the_robot_drives(studio: Studio) -> None:
     open_mission(studio, "left_right")
+    studio["level"].select_option("2")
     for words in ("Chegar ao fim", "Não encostar", "Passar por padaria", "Terminar em “praça”"):
         expect_state(studio, words, "open")
-    write_program(studio, TWO_LEFT_TURNS)
+    write_program(studio, f"{TWO_LEFT_TURNS}robot.wait(120)\n")
     studio.run()
     studio.wait_for_phase("running")
+    expect(studio["status-line"]).to_have_attribute("data-tone", "moving")
     expect_state(studio, "Não encostar", "met")
     expect(line(studio, "Passar por padaria")).to_contain_text("já: padaria", timeout=RUN_MS)
     expect_state(studio, "Chegar ao fim", "open")
-    expect(studio["status-line"]).to_have_attribute("data-tone", "moving")
+    studio["speed"].select_option("10")
     studio.wait_for_phase("finished")
     expect_state(studio, "Chegar ao fim", "met")
     expect_state(studio, "Passar por padaria", "broken")

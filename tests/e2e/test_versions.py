@@ -221,7 +221,7 @@ def test_two_pcs_that_went_on_from_one_version_are_shown_side_by_side(
         rest = [name for name in columns if name not in ("id", "computer_id")]
         db.execute(
             f"INSERT INTO versions (id, computer_id, {', '.join(rest)})"
-            f" SELECT 'f' || substr(id, 2), 'other', {', '.join(rest)} FROM versions"
+            f" SELECT substr(id, 1, 24) || 'ffffffffffff', 'other', {', '.join(rest)} FROM versions"
             " WHERE number = 2"
         )
     app.start()
