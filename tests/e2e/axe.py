@@ -40,6 +40,7 @@ def violations(studio: Studio) -> list[str]:
 
 
 def _found(page: Page, options: str) -> list[str]:
+    page.locator("h1").first.wait_for(state="attached")  # between two screens there is nothing
     at_rest(page)  # what fades or is busy has another contrast until then
     answer: dict[str, Any] = page.evaluate(
         f"() => axe.run(document, {{ resultTypes: ['violations'], ...{options} }})"

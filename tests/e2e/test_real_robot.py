@@ -317,7 +317,7 @@ def test_emergency_stop_stays_in_reach_on_every_screen_and_in_a_narrow_window(
         assert violations(studio) == []
         if screen == "studio":
             studio["open-work"].click()
-            expect(studio.page.get_by_role("heading", level=1)).to_be_visible()
+            expect(studio.page.get_by_role("heading", name="Programas")).to_be_visible()
     studio["home"].click()
     studio.enter_group("Os Tatus")
     expect(studio["robot-choice"]).to_have_value("sim")  # each group chooses its robot itself
