@@ -3,14 +3,13 @@
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from pinel_desktop.errors import PinelError
-from pinel_desktop.school.pin_tries import Settings
 from pinel_desktop.school.teacher import IDLE_S, TeacherSessions
-from storage import Store, StoreError, open_store
+from storage import Store, open_store
+from tests.attacks.pins import FullDisk
 
 PIN, WRONG = "314159", "0000"
 START_S = 1_800_000_000.0
@@ -173,19 +172,6 @@ def test_a_clock_set_back_far_before_a_start_does_not_keep_a_teacher_out(
     assert refusal(again, PIN).params["seconds"] in (30, 31)
     clock.passes(30)
     assert again.is_signed_in(again.sign_in(PIN))
-
-
-class FullDisk:
-    """Settings on a full disk: readable, not writable."""
-
-    def __init__(self, settings: Settings) -> None:
-        self._settings = settings
-
-    def get(self, key: str) -> Any:
-        return self._settings.get(key)
-
-    def set(self, key: str, value: object) -> None:
-        raise StoreError("disk_full")
 
 
 @pytest.mark.usefixtures("sessions")
