@@ -15,8 +15,10 @@ from storage.exchange.bundle_writing import (
 )
 from storage.exchange.content_hash import content_hash
 from storage.exchange.deletion import Deletion, dead_keys, remove, remove_keys
+from storage.exchange.known_computers import KnownComputer, known_computers
 from storage.exchange.lesson_merging import merge_lesson
-from storage.exchange.merging import KnownComputer, MergeReport, known_computers, merge
+from storage.exchange.merge_report import MergeReport
+from storage.exchange.merging import merge
 from storage.exchange.parquet import write_parquet
 from storage.exchange.program_merging import merge_program
 from storage.exchange.scope import ALL, Scope

@@ -4,7 +4,8 @@ from pathlib import Path
 
 from storage.errors import StoreError
 from storage.exchange.bundle_reading import open_bundle
-from storage.exchange.merging import MergeReport, merge_attached
+from storage.exchange.merge_report import MergeReport
+from storage.exchange.merging import merge_attached
 from storage.file.connection import Database
 from storage.limits import MAX_SAMPLES_WITHOUT_PIN
 

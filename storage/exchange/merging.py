@@ -10,7 +10,7 @@ In the SQL `main` is the store and `bundle` the bundle; a row of the store is ca
 """
 
 from collections.abc import Collection
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from storage.exchange.bundle_reading import open_bundle
@@ -19,7 +19,6 @@ from storage.exchange.deletion import (
     DEAD_KEYS,
     KEPT_KEYS,
     Deletion,
-    Exported,
     dead_keys,
     dead_rows,
     doomed_counts,
@@ -28,13 +27,10 @@ from storage.exchange.deletion import (
     erase,
     remove_keys,
 )
+from storage.exchange.merge_report import MergeReport
 from storage.exchange.pending import PendingDeletion, PendingWork, keep, pending_work
-from storage.exchange.signing import fingerprint
 from storage.exchange.trust import (
-    Sender,
-    Trust,
     kept_runs,
-    latest_key,
     marking,
     n_unconfirmed,
     note_key,
@@ -69,77 +65,6 @@ _DECIDED = (
         f"theirs.has_left OR NOT (theirs.{_GROUP_HERE} AND theirs.classroom_id IN {DEAD_KEYS})",
     ),
 )
-
-
-@dataclass(frozen=True, slots=True)
-class MergeReport:
-    """What a merge did: numbers of rows by table, without zeros.
-
-    Attributes:
-        added: rows that were not in the store.
-        changed: rows of which the bundle had a later state.
-        skipped: rows that were left out, as they or what they belong to was deleted from the store.
-        removed: rows of the store that were deleted, as the bundle has tombstones for them.
-        would_delete: rows of the store that a merge with `delete` would delete, None where it was done or for nothing.
-        kept: what was kept here, and is kept from now on wherever the store's bundles go.
-        tombstones: keys of what was deleted; backups are to lose the same.
-        exports: files that were written from this store and may still hold it.
-        still_in: backups that could not be written anew, and may hold it.
-        sender: who wrote it, as far as the store knows.
-        n_unconfirmed: runs of it whose pass does not count here yet.
-    """
-
-    info: BundleInfo
-    added: dict[str, int]
-    changed: dict[str, int]
-    skipped: dict[str, int]
-    removed: dict[str, int]
-    would_delete: PendingDeletion | None = None
-    kept: tuple[PendingWork, ...] = ()
-    tombstones: tuple[str, ...] = ()
-    exports: tuple[Exported, ...] = ()
-    still_in: tuple[Path, ...] = ()
-    sender: Sender | None = None
-    n_unconfirmed: int = 0
-
-    @property
-    def left_in(self) -> list[str]:
-        """Files that people have to delete by hand, as they may hold what was deleted."""
-        return [one.path for one in self.exports] + [str(path) for path in self.still_in]
-
-    @property
-    def fingerprint(self) -> str | None:
-        """What people compare of the key of the PC that signed it."""
-        return self.info.signed_by and fingerprint(self.info.signed_by)
-
-    @property
-    def nothing_new(self) -> bool:
-        """All of it was in the store already, or was deleted from it."""
-        return not (self.added or self.changed or self.removed or self.would_delete or self.kept)
-
-
-@dataclass(frozen=True, slots=True)
-class KnownComputer:
-    """A PC whose bundles were merged into the store.
-
-    Attributes:
-        n_runs: its runs in the store.
-        public_key: with which it signed the bundle that came last; None if none was signed.
-        trust: `changed_key` if the teacher approved it with another key.
-    """
-
-    computer_id: str
-    name: str
-    exported_at: str
-    merged_at: str
-    n_runs: int
-    public_key: str | None
-    trust: Trust
-
-    @property
-    def fingerprint(self) -> str | None:
-        """What people compare of its key."""
-        return self.public_key and fingerprint(self.public_key)
 
 
 def merge(
@@ -180,20 +105,6 @@ def merge(
             return replace(report, sender=sender, n_unconfirmed=n_unconfirmed(db))
 
         return database.write(write, attached=bundle.address)
-
-
-def known_computers(database: Database) -> list[KnownComputer]:
-    """Every PC that bundles were from, the one whose bundle was merged last first."""
-    with database.reading() as db:
-        rows = db.execute(
-            """SELECT merges.computer_id, coalesce(computers.name, merges.computer_name) AS name,
-                      max(merges.exported_at) AS exported_at, max(merges.merged_at) AS merged_at,
-                      (SELECT count(*) FROM runs WHERE runs.computer_id = merges.computer_id) AS n_runs
-               FROM merges LEFT JOIN computers ON computers.id = merges.computer_id
-               GROUP BY merges.computer_id ORDER BY max(merges.merged_at) DESC, merges.computer_id"""
-        ).fetchall()
-        keys = {str(row["computer_id"]): latest_key(db, str(row["computer_id"])) for row in rows}
-    return [KnownComputer(**dict(row), **keys[row["computer_id"]]._asdict()) for row in rows]
 
 
 def insert_new(db: sqlite3.Connection, table: ReplicatedTable, condition: str) -> int:

@@ -22,7 +22,7 @@ from sim.world import world_document
 from storage import Recorder, Store, open_store
 from storage.exchange.bundle_writing import counts_of
 from storage.exchange.content_hash import content_hash
-from storage.exchange.merging import MergeReport
+from storage.exchange.merge_report import MergeReport
 from storage.exchange.scope import ALL, Scope
 from storage.sqlite import sqlite3
 

@@ -12,7 +12,7 @@ import pytest
 
 from storage import Recorder, RunStart, Store, open_store
 from storage.exchange.bundle_writing import export_bundle
-from storage.exchange.merging import MergeReport
+from storage.exchange.merge_report import MergeReport
 from storage.sql import column_names
 from storage.sqlite import sqlite3
 from storage.tables.migrations import migrate

@@ -9,7 +9,8 @@ from storage import GroupRow, ProgramRow, Recorder, RunStart, Store, open_store
 from storage.exchange.bundle_writing import BundleInfo, export_bundle
 from storage.exchange.content_hash import content_hash
 from storage.exchange.deletion import remove_keys
-from storage.exchange.merging import MergeReport, merge
+from storage.exchange.merge_report import MergeReport
+from storage.exchange.merging import merge
 from storage.exchange.scope import ALL, Scope
 from storage.sqlite import sqlite3
 from tests.storage.sample_documents import SQUARE, WORLD

@@ -46,7 +46,7 @@ if TYPE_CHECKING:  # imported when a file is read or written, not at the app's s
     from pinel_desktop.school.removable_drives import FileFound as FileOnDisk
     from pinel_desktop.school.removable_drives import Folder as FolderOnDisk
     from storage.exchange.bundle_writing import BundleInfo
-    from storage.exchange.merging import MergeReport
+    from storage.exchange.merge_report import MergeReport
 
 api = resource("exchange", "Transfer of work between PCs.", __name__)
 

@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 
 from storage import Recorder, RunStart, StoreError, open_for_reading, open_store
-from storage.exchange.merging import known_computers, merge
+from storage.exchange.known_computers import known_computers
+from storage.exchange.merging import merge
 from storage.exchange.scope import Scope
 from storage.file.backups import list_backups, make_backup
 from tests.storage.bundle_makers import (
