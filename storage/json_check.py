@@ -28,15 +28,20 @@ def parsed(text: str) -> Any:
     return _remembered(text) if len(text) <= _SHORT else _read(text)
 
 
+def is_deep(text: str) -> bool:
+    """Whether Python's own parser may have no room for it."""
+    return _is_deeper_than(text, _PLAIN_DEPTH)
+
+
 def is_object(text: str) -> bool:
     """True for a JSON object, which may be as deep as a workspace."""
-    if not _is_deeper_than(text, _PLAIN_DEPTH):
+    if not is_deep(text):
         return isinstance(parsed(text), dict)
     return not _is_deeper_than(text, _MAX_DEPTH) and _is_deep_object(text)
 
 
 def _read(text: str) -> Any:
-    if _is_deeper_than(text, _PLAIN_DEPTH):
+    if is_deep(text):
         return None
     try:
         return json.loads(

@@ -2,7 +2,7 @@
 
 from storage.file.connection import Database
 from storage.file.sums import is_sound
-from storage.sql import not_found, rows_of
+from storage.sql import not_found, rows_of, snapshot
 from storage.sqlite import sqlite3
 
 
@@ -21,13 +21,30 @@ class Repository:
         with self._database.reading() as db:
             if is_sound(db, table, key):
                 return True
+        return self._is_mended(table, key)
+
+    def _sound_row(self, table: str, query: str, key: str) -> sqlite3.Row | None:
+        """The first row, read in the same moment as it is found to be as it was written; None where it is damaged.
+
+        Raises:
+            StoreError: `KIND_not_found`.
+        """
+        with self._database.reading() as db, snapshot(db):
+            if is_sound(db, table, key):
+                return _first(rows_of(db, query, [key]), table, key)
+        return self._row(table, query, key) if self._is_mended(table, key) else None
+
+    def _is_mended(self, table: str, key: str) -> bool:
         from storage.file.mending import is_mended  # noqa: PLC0415 - hardly ever needed
 
         return is_mended(self._database, table, key)
 
     def _row(self, table: str, query: str, key: str) -> sqlite3.Row:
         """The first row. Raises StoreError `KIND_not_found`, the kind being the table's name in the singular."""
-        rows = self._rows(query, key)
-        if not rows:
-            raise not_found(table, key)
-        return rows[0]
+        return _first(self._rows(query, key), table, key)
+
+
+def _first(rows: list[sqlite3.Row], table: str, key: str) -> sqlite3.Row:
+    if not rows:
+        raise not_found(table, key)
+    return rows[0]

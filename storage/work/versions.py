@@ -3,11 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import astuple
 from datetime import datetime
+from typing import Any
 
 from storage.errors import StoreError
 from storage.file.connection import Moment
 from storage.file.repository import Repository
-from storage.json_check import is_object, parsed
+from storage.json_check import is_deep, is_object
 from storage.limits import MAX_NUMBER
 from storage.marks import counted
 from storage.records import FaultRow, Json, VersionMark, VersionRow
@@ -75,8 +76,8 @@ class Versions(Repository):
                 that is sound.
         """
         try:
-            if self._is_sound("versions", version_id):
-                return _record(self._row("versions", f"{_SELECT} WHERE id = ?", version_id))
+            if row := self._sound_row("versions", f"{_SELECT} WHERE id = ?", version_id):
+                return _record(row)
         except (
             ValueError,
             TypeError,
@@ -113,10 +114,10 @@ class Versions(Repository):
             None if world is None else dumped(world),
             None if setup is None else dumped(setup),
         )
-        _require_readable(content)
+        values = _read_back(content)
         now = self._database.moment()
         kept = self._database.write(lambda db: _insert(db, program_id, content, parent_id, now))
-        return _record(self._row("versions", f"{_SELECT} WHERE id = ?", kept))
+        return _record(self._row("versions", f"{_SELECT} WHERE id = ?", kept), values)
 
     def _damaged(self, version_id: str) -> StoreError:
         times = "SELECT id, program_id, created_at FROM versions WHERE id = ?"
@@ -203,12 +204,20 @@ def _insert(
     return str(version["id"])
 
 
-def _require_readable(content: _Content) -> None:
-    """Refuses what no bundle could carry: it would be left out of every export, with what belongs to it."""
+def _read_back(content: _Content) -> list[Any]:
+    """The values of texts that `dumped` wrote: of all that JSON can have wrong, only depth and long numbers are left.
+
+    What no bundle could carry is refused: it would be left out of every export, with what belongs to it.
+    """
     workspace, *texts = content
-    others = [text for text in texts if text is not None]
-    if not is_object(workspace) or any(parsed(text) is None for text in others):
+    if (is_deep(workspace) and not is_object(workspace)) or any(
+        is_deep(text or "") for text in texts
+    ):
         raise StoreError("work_unreadable")
+    try:
+        return [loaded(text) for text in content]
+    except ValueError as error:
+        raise StoreError("work_unreadable") from error
 
 
 def _require_own(db: sqlite3.Connection, program_id: str, version_id: str) -> None:
@@ -222,7 +231,8 @@ def _mark(row: sqlite3.Row) -> VersionMark:
     return VersionMark(**{**dict(row), **flags, "setup": readable_object(row["setup"])})
 
 
-def _record(row: sqlite3.Row) -> VersionRow:
-    parsed = {name: loaded(row[name]) for name in _CONTENT}
-    parsed["faults"] = tuple(FaultRow(*fault) for fault in parsed["faults"])
-    return VersionRow(**{**dict(row), **parsed})
+def _record(row: sqlite3.Row, values: Sequence[Any] | None = None) -> VersionRow:
+    """The record of a row; `values` are those of its content where they are known."""
+    content = dict(zip(_CONTENT, values or [loaded(row[name]) for name in _CONTENT], strict=True))
+    content["faults"] = tuple(FaultRow(*fault) for fault in content["faults"])
+    return VersionRow(**{**dict(row), **content})

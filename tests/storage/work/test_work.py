@@ -185,6 +185,20 @@ def test_texts_that_no_encoding_holds_are_kept(store: Store, program: ProgramRow
     assert store.versions.save(program.id, workspace, None).workspace == workspace
 
 
+def test_what_no_bundle_could_carry_is_refused_and_not_kept(
+    store: Store, program: ProgramRow
+) -> None:
+    """Blocks may lie deep in each other; nothing else that is saved with them does."""
+    deep: dict[str, Any] = {}
+    for _ in range(500):
+        deep = {"do": deep}
+    kept = store.versions.save(program.id, deep, None)
+    assert store.versions.get(kept.id) == kept
+    with pytest.raises(StoreError, match="work_unreadable"):
+        store.versions.save(program.id, {}, deep)
+    assert [mark.id for mark in store.versions.line_of(program.id)] == [kept.id]
+
+
 def test_settings_are_kept(store: Store, opened: Callable[..., Store]) -> None:
     assert store.settings.get("language") is None
     store.settings.set("language", "es")
