@@ -5,6 +5,7 @@ import json
 import math
 import os
 import signal
+import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
@@ -271,6 +272,19 @@ def test_a_node_that_breaks_at_its_start_is_named(
     assert why_not().code == "ros_node_ended"
 
 
+def test_a_ros_that_is_still_starting_does_not_hold_up_the_end(
+    robot: SocketRobot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    slow = [sys.executable, "-c", "import time; time.sleep(60)"]
+    monkeypatch.setattr(transport, "node_command", lambda configuration: slow)
+    monkeypatch.setattr(transport, "_END_S", 60.0)
+    began_s = time.monotonic()
+    link = open_link("ros2", world="empty_room", robot=a_record())
+    link.connect(lambda: True)
+    link.close()
+    assert time.monotonic() - began_s < 30.0
+
+
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no SIGSTOP")
 class TestNode:
     """What the node does by itself."""
@@ -295,12 +309,23 @@ class TestNode:
             began_s = time.monotonic()
         assert time.monotonic() - began_s < 20.0
 
+    @pytest.mark.parametrize("graph", [{"command_type": ""}, {"others": ["joystick"]}])
+    def test_a_node_whose_app_has_gone_ends_in_the_middle_of_its_search(
+        self, robot: SocketRobot, monkeypatch: pytest.MonkeyPatch, graph: dict[str, Any]
+    ) -> None:
+        """One that went on would end by itself, and say what it did not find."""
+        use_fake_ros(monkeypatch, robot, **graph)
+        said, _ = self.begun().communicate()
+        assert "problem" not in said
+
+    def begun(self) -> subprocess.Popen[str]:
+        it = transport.Ros2Transport(a_record(), PIONEER_3DX)
+        configuration = json.dumps(it._configuration())
+        return it._started([sys.executable, str(installed.NODE), configuration])
+
     def test_a_silent_app_leaves_the_robot_standing(self, robot: SocketRobot) -> None:
         """The whole process is frozen, so that the link's own sender is, too."""
-        configuration = transport.Ros2Transport(a_record(), PIONEER_3DX)._configuration()
-        node = transport.Ros2Transport(a_record(), PIONEER_3DX)._started(
-            [sys.executable, str(installed.NODE), json.dumps(configuration)]
-        )
+        node = self.begun()
         assert node.stdin is not None
         with node:
             wait_for(lambda: len(robot.unicycle.heard) > 3)  # its own zeros

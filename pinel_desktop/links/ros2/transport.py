@@ -51,6 +51,7 @@ class Ros2Transport:
         self._record = record
         self._process: subprocess.Popen[str] | None = None
         self._outbox: queue.Queue[Twist2D | None] = queue.Queue(maxsize=1)
+        self._has_begun = False
         self._is_ready = threading.Event()
         self._problem: PinelError | None = None
         self._closing = False
@@ -135,6 +136,7 @@ class Ros2Transport:
 
     def _take(self, message: Message, receiver: Receiver) -> None:
         kind = message["type"]
+        self._has_begun = True
         if kind == "odometry":
             receiver.on_odometry(_odometry(message))
         elif kind == "battery":
@@ -183,6 +185,8 @@ class Ros2Transport:
         with contextlib.suppress(queue.Empty):
             self._outbox.get_nowait()
         self._outbox.put(None)
+        if not self._has_begun:  # nobody sees it yet, and the start of ROS would keep us waiting
+            process.kill()
         try:
             process.wait(_END_S)
         except subprocess.TimeoutExpired:

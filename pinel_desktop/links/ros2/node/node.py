@@ -6,10 +6,11 @@ CONFIGURATION is a JSON object: `command_topic`, `odometry_topic`, `scan_topic`,
 `battery_topic` (full names; "" for none), `domain`, `holder`, which is part of the name of the node, and `drives`:
 without it the node only listens.
 Standard input brings JSON lines `{"twist": [m/s, rad/s]}`; when it ends, or brings nothing for 0.3 s, the robot stands.
-Standard output gives JSON lines, each with a `type`: `ready`, `odometry`, `scan`, `range`, `points`, `bumper`,
-`battery`, `offered` and `gone` (a sensor), `problem` (code and params), or from a node that only listens `holder` (the
-name of the node that drives the robot, or null). An app that does not read them holds up nobody: of each kind the
-newest waits.
+It is read from the start: a node whose input ends while it searches ends at once.
+Standard output gives JSON lines, each with a `type`: `begun` (ROS is there), `ready`, `odometry`, `scan`, `range`,
+`points`, `bumper`, `battery`, `offered` and `gone` (a sensor), `problem` (code and params), or from a node that only
+listens `holder` (the name of the node that drives the robot, or null). An app that does not read them holds up nobody:
+of each kind the newest waits.
 It uses the standard library and rclpy only, and works with Python 3.8, that of Foxy.
 """
 
@@ -21,6 +22,7 @@ import time
 import rclpy
 import sensor_msgs.msg
 from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
+from inbox import Inbox
 from nav_msgs.msg import Odometry
 from outbox import Outbox
 from rclpy.context import Context
@@ -64,11 +66,16 @@ class RefusalError(Exception):
         self.code, self.params = code, params
 
 
-class Drive:
-    """Publishers and subscriptions of one robot."""
+class EndedError(Exception):
+    """The input has ended before the robot was found."""
 
-    def __init__(self, node, configuration, outbox):
+
+class Drive:
+    """Publishers and subscriptions of one robot. What waits in it ends with the event `ended`."""
+
+    def __init__(self, node, configuration, outbox, ended):
         self._node, self._configuration, self._outbox = node, configuration, outbox
+        self._ended = ended
         self._command_topic = "/" + configuration["command_topic"]
         self._odometry_topic = "/" + configuration["odometry_topic"]
         self._publisher, self._type = None, None
@@ -80,7 +87,7 @@ class Drive:
         self._is_disputed = False
 
     def open(self):
-        """Finds the robot's topics and connects with them. Raises RefusalError."""
+        """Finds the robot's topics and connects with them. Raises RefusalError and EndedError."""
         if self._drives:
             self._wait_until_free()
         self._type = self._found(
@@ -103,7 +110,7 @@ class Drive:
         self._wait(self._is_heard, self._command_topic)
         for _ in range(CLAIM_LOOKS):
             self._require_nobody_else()
-            time.sleep(POLL_S)
+            self._pause()
         self._require_nobody_else()
 
     def _is_heard(self):
@@ -117,7 +124,7 @@ class Drive:
                 free_s = time.monotonic()
                 if free_s - began_s > SEARCH_S:
                     raise self._held()
-            time.sleep(POLL_S)
+            self._pause()
 
     def _found(self, topic, known, endpoints):
         """The message type that the robot uses on a topic."""
@@ -137,7 +144,11 @@ class Drive:
                 raise RefusalError(
                     "robot_not_found", topic=topic, domain=self._configuration["domain"]
                 )
-            time.sleep(POLL_S)
+            self._pause()
+
+    def _pause(self):
+        if self._ended.wait(POLL_S):
+            raise EndedError()
 
     def _holder(self):
         """Name of another node that commands the robot, of one that cannot withdraw first; None without any."""
@@ -198,10 +209,10 @@ class Drive:
         self._heard_s = time.monotonic()
         self.send(v, omega)
 
-    def watch(self, ending):
+    def watch(self):
         """Until the end: stops a robot whose app is silent, tells of others that command it and of what vanishes."""
         checked_s = time.monotonic()
-        while not ending.wait(POLL_S):
+        while not self._ended.wait(POLL_S):
             now_s = time.monotonic()
             if now_s - self._heard_s > STALE_S:
                 self.send(0.0, 0.0)
@@ -325,45 +336,41 @@ def tell(outbox, refusal):
     outbox.say("problem", refusal.code, code=refusal.code, params=refusal.params)
 
 
-def run(configuration, context, outbox):
+def run(configuration, context, outbox, inbox):
     """Drives until the input ends."""
     node = rclpy.create_node(PINEL + configuration["holder"], context=context)
     executor = SingleThreadedExecutor(context=context)
     executor.add_node(node)
     spinning = threading.Thread(target=executor.spin)
     spinning.start()
-    ending = threading.Event()
-    watching = None
     try:
-        drive = Drive(node, configuration, outbox)
+        drive = Drive(node, configuration, outbox, inbox.ended)
         drive.open()
         outbox.say("ready")
-        watching = threading.Thread(target=drive.watch, args=(ending,))
-        watching.start()
-        for line in sys.stdin:
-            drive.hear(line)
+        inbox.follow(drive.hear)
+        drive.watch()
         for _ in range(5):
             drive.send(0.0, 0.0)
             time.sleep(0.02)
     except RefusalError as refusal:
         tell(outbox, refusal)
+    except EndedError:
+        pass  # nothing was sent to the robot
     finally:
         # this order: without the join, the end of the context aborts the process
-        ending.set()
-        if watching is not None:
-            watching.join()
         executor.shutdown()
         spinning.join()
         node.destroy_node()
 
 
 def main():
+    outbox, inbox = Outbox(), Inbox()
+    outbox.say("begun")
     configuration = json.loads(sys.argv[1])
     context = Context()
     rclpy.init(context=context, domain_id=configuration["domain"])
-    outbox = Outbox()
     try:
-        run(configuration, context, outbox)
+        run(configuration, context, outbox, inbox)
     finally:
         rclpy.shutdown(context=context)
         outbox.close()
