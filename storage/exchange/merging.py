@@ -42,13 +42,15 @@ from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import DELETIONS, FORMER_CLASSES, REPLICATED, TOMBSTONES
 from storage.tables.runs import EVENTS, RUNS, TELEMETRY
-from storage.tables.work import LABELS, NOTES, VERSIONS
+from storage.tables.work import LABELS, NOTES, TAUGHT_SIGNS, VERSIONS
 from storage.text import dumped, new_id
 
 _FIRST = ("revision", "changed_at")
 _DECISIONS = (TOMBSTONES, DELETIONS, FORMER_CLASSES)
 _WITH_ID = tuple(table for table in REPLICATED if "id" in table.key and table not in _DECISIONS)
 _BEFORE_VERSIONS = _WITH_ID[: _WITH_ID.index(VERSIONS)]
+# rows that PINEL never changes, with what may follow: a version's number, where made-up ones were mended
+_WRITTEN_ONCE = {VERSIONS.name: ("number",), TAUGHT_SIGNS.name: ()}
 _GROUP_HERE = "group_id IN (SELECT id FROM main.groups)"
 # what a tombstone would delete: rows that are here, and groups that were in that class
 _OURS = " UNION ALL ".join(
@@ -348,9 +350,17 @@ class _Merging:
 
     def _is_later(self, table: ReplicatedTable) -> str:
         is_later = self._compared(table, ">")
+        if table.name in _WRITTEN_ONCE:
+            return f"({is_later} AND {self._is_same(table)})"
         if table is not RUNS:
             return is_later
         return f"((ours.state = 'running' OR {is_later}) AND NOT {self._kept_runs})"
+
+    def _is_same(self, table: ReplicatedTable) -> str:
+        """What was written once: a file that has it otherwise was made up, or is damaged."""
+        names = column_names(self._db, table.name)
+        fixed = [name for name in names if name not in _WRITTEN_ONCE[table.name]]
+        return " AND ".join(f"ours.{name} IS theirs.{name}" for name in fixed)
 
     def _compared(self, table: ReplicatedTable, sign: str) -> str:
         """Of two states the one with the greater `later_by`, revision, time and values, in this order, is later."""

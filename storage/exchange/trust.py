@@ -18,6 +18,7 @@ from storage.marks import FINDINGS
 from storage.sql import column_names, row_count
 from storage.sqlite import sqlite3
 from storage.tables.runs import EVENTS, RUNS, TELEMETRY
+from storage.tables.work import VERSIONS
 from storage.work.computers import find_computer
 
 Trust = Literal["own", "approved", "unapproved", "changed_key", "unsigned"]
@@ -97,9 +98,12 @@ def note_key(db: sqlite3.Connection, info: BundleInfo, now: str) -> None:
 
 
 def kept_runs(sender: Sender) -> str:
-    """Condition: the run `ours` counts here as passed, and the bundle, for which nobody vouches, must not change it."""
-    counts = f"ours.activity IS NOT NULL AND ours.passed IS 1 AND ours.id NOT IN {_UNCONFIRMED}"
-    return "0" if sender.is_vouched_for else f"({counts})"
+    """Condition: the run `ours` counts here as passed, or is to be judged by its record, and the bundle, for which
+    nobody vouches, must not change it."""
+    is_cut_off = "ours.state = 'running' OR ours.reason IS 'interrupted'"
+    is_to_be_judged = f"ours.passed IS NULL AND ours.check_report IS NULL AND NOT ({is_cut_off})"
+    counts = f"ours.activity IS NOT NULL AND (ours.passed IS 1 OR {is_to_be_judged})"
+    return "0" if sender.is_vouched_for else f"({counts} AND ours.id NOT IN {_UNCONFIRMED})"
 
 
 @contextmanager
@@ -113,6 +117,7 @@ def marking(
     """
     is_vouched_for = sender.is_vouched_for and by_teacher
     if is_vouched_for:
+        _put_versions_right(db)
         _put_right(db)
     shared = f"SELECT * FROM main.runs WHERE id IN (SELECT id FROM bundle.runs) AND {_COUNTS}"
     db.execute(f"CREATE TEMP TABLE before AS {shared}")
@@ -152,6 +157,21 @@ def _mark_named(db: sqlite3.Connection, now: str) -> None:
             WHERE run_id IN temp.came AND NOT EXISTS (SELECT 1 FROM main.computer_keys AS known
                 WHERE known.public_key = named.public_key AND known.approved_at IS NOT NULL)""",
         [now],
+    )
+
+
+def _put_versions_right(db: sqlite3.Connection) -> None:
+    """Versions of the PC that vouches become as they are in its bundle: a forged copy may have come first."""
+    names = column_names(db, VERSIONS.name)
+    listed, ours = ", ".join(names), ", ".join(f"ours.{name}" for name in names)
+    db.execute(
+        f"""UPDATE main.versions AS ours SET ({listed}) =
+            (SELECT {listed} FROM bundle.versions AS theirs WHERE theirs.id = ours.id)
+            WHERE id IN (SELECT theirs.id FROM bundle.versions AS theirs
+                JOIN bundle.bundle AS sender ON sender.computer_id = theirs.computer_id
+                WHERE theirs.program_id = ours.program_id)
+            AND EXISTS (SELECT {ours} EXCEPT SELECT {listed} FROM bundle.versions AS theirs
+                WHERE theirs.id = ours.id)"""
     )
 
 

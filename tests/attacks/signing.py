@@ -19,7 +19,7 @@ from pinel_desktop.runs.start import start
 from pinel_desktop.school.confirming import Confirmer
 from pinel_desktop.school.grading import Grader
 from sim.world import world_document
-from storage import Recorder, Store, open_store
+from storage import Recorder, Store, VersionRow, open_store
 from storage.exchange.bundle_writing import counts_of
 from storage.exchange.content_hash import content_hash
 from storage.exchange.merge_report import MergeReport
@@ -102,6 +102,15 @@ class Pc:
         """Whether the group of the run has passed the mission here."""
         run = self.store.runs.get(run_id)
         return self.store.checks.of_group(run.group_id or "").get(MISSION, False)
+
+    def version(self, run_id: str) -> VersionRow:
+        """What the run executed, as it is here."""
+        return self.store.versions.get(self.store.runs.get(run_id).version_id or "")
+
+    def forgets_verdict_on(self, run_id: str) -> None:
+        """As where the app was closed before the judge answered."""
+        query = "UPDATE runs SET passed = NULL, check_report = NULL WHERE id = ?"
+        self.store._database.write(lambda db: db.execute(query, [run_id]).rowcount)
 
     def mark(self, run_id: str) -> str | None:
         """Why the run does not count."""
