@@ -64,6 +64,7 @@ _WRITABLE_NOTICES = (
     "backup_failed",
     "backup_share_failed",
     "backup_found_damage",
+    "settings_mended",
 )
 
 

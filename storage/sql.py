@@ -47,14 +47,24 @@ def rows_of(
     try:
         return db.execute(query, parameters).fetchall()
     except sqlite3.OperationalError as error:
-        if "UTF-8" not in str(error):
+        if not is_text_damage(error):
             raise
     before = db.text_factory
-    db.text_factory = lambda octets: octets.decode("utf-8", "replace")
+    read_all_texts(db)
     try:
         return db.execute(query, parameters).fetchall()
     finally:
         db.text_factory = before
+
+
+def is_text_damage(error: sqlite3.Error) -> bool:
+    """Whether a text that was read is none: a wrong bit makes octets that are not UTF-8."""
+    return "UTF-8" in str(error)
+
+
+def read_all_texts(db: sqlite3.Connection) -> None:
+    """From now on a sign stands for what is damaged in a text. It takes longer, so only where something is damaged."""
+    db.text_factory = lambda octets: octets.decode("utf-8", "replace")
 
 
 def setup_value(column: str, name: str) -> str:

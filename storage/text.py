@@ -47,6 +47,10 @@ _ids = _Ids()
 # an id from here on was made up, or follows one that was. The clock is never believed beyond 2100: 30 years of
 # milliseconds are left for ids that follow the last ones of such a clock
 FIRST_MADE_UP_ID = "04979793-8400"  # 2130
+_HEX = "[0-9a-f]"
+_ID_PATTERN = "-".join((8 * _HEX, 4 * _HEX, "7" + 3 * _HEX, 4 * _HEX, 12 * _HEX))
+# SQL: what a PC makes or somebody makes up; with a letter that no id has it is damaged
+IS_ID = f"id GLOB '{_ID_PATTERN}'"
 _FIRST_NOT_FOLLOWED = "03bb2cc3-d800"  # 2100
 
 
@@ -105,6 +109,15 @@ def readable_points(text: Any) -> list[list[float]]:
     """The points of a column; none for NULL and for what is damaged."""
     value = _readable(text)
     return value if isinstance(value, list) and all(map(_is_point, value)) else []
+
+
+def is_json(octets: bytes) -> bool:
+    """Whether these are a value in JSON."""
+    try:
+        json.loads(octets.decode())
+    except (ValueError, RecursionError):
+        return False
+    return True
 
 
 def _readable(text: Any) -> Any:

@@ -6,7 +6,7 @@ from datetime import UTC, datetime, timedelta
 from typing import Any
 
 from storage.limits import MAX_NUMBERS_AHEAD, MAX_REVISION, MAX_SAMPLES
-from storage.sql import column_names, tuples
+from storage.sql import column_names, is_text_damage, tuples
 from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import REPLICATED
@@ -32,7 +32,32 @@ def problem_in_rows(db: sqlite3.Connection) -> str | None:
 def refused_rows(
     db: sqlite3.Connection, table: ReplicatedTable
 ) -> Iterator[tuple[tuple[Any, ...], str]]:
-    """Rows of a table that break a rule: the key, and the place as `table.column`; samples are not unpacked."""
+    """Rows of a table that break a rule: the key, and the place as `table.column`; samples are not unpacked.
+
+    A text that is no UTF-8 is told as octets, also in the key.
+    """
+    try:
+        yield from list(_refused_rows(db, table))
+    except sqlite3.OperationalError as error:
+        if not is_text_damage(error):
+            raise
+        db.text_factory = _text_or_octets
+        try:
+            yield from list(_refused_rows(db, table))
+        finally:
+            db.text_factory = str
+
+
+def _text_or_octets(octets: bytes) -> str | bytes:
+    try:
+        return octets.decode()
+    except UnicodeDecodeError:
+        return octets
+
+
+def _refused_rows(
+    db: sqlite3.Connection, table: ReplicatedTable
+) -> Iterator[tuple[tuple[Any, ...], str]]:
     names = column_names(db, table.name)
     table_rules = table.rules
     rules = [table_rules[name] for name in names]

@@ -17,7 +17,7 @@ from storage.exchange.scope import ALL, Scope
 from storage.exchange.signing import sign
 from storage.file.connection import Database
 from storage.file.made_up import mend
-from storage.file.opening import holds_made_up
+from storage.file.odd_values import holds_made_up
 from storage.file.sums import KEYS, OF_RUNS, is_sound
 from storage.file.whole_files import numbered, whole_file
 from storage.limits import MAX_REVISION
@@ -251,7 +251,7 @@ def _leave_out(
         return (), ()
     before = _amounts(db)
     for table, key, _ in refused:
-        condition = " AND ".join(f"{name} = ?" for name in table.key)
+        condition = " AND ".join(f"{name} = CAST(? AS TEXT)" for name in table.key)
         db.execute(f"DELETE FROM {table.name} WHERE {condition}", key)
     while orphans := db.execute("PRAGMA foreign_key_check").fetchall():
         for table_name, rowid, *_ in orphans:
@@ -266,12 +266,13 @@ def _leave_out(
 
 def _amounts(db: sqlite3.Connection) -> dict[tuple[str, str], int]:
     """Rows of work by key and name of each group, and of each program with its group."""
-    found = db.execute(
+    found = rows_of(
+        db,
         """SELECT id, name, (SELECT count(*) FROM runs WHERE group_id = groups.id) FROM groups
            UNION ALL
            SELECT programs.id, groups.name || ' / ' || programs.name,
                   (SELECT count(*) FROM versions WHERE program_id = programs.id)
-           FROM programs JOIN groups ON groups.id = group_id"""
+           FROM programs JOIN groups ON groups.id = group_id""",
     )
     return {(str(key), str(name)): n for key, name, n in found}
 

@@ -66,7 +66,7 @@ def list_backups(path: Path, folder: Path | None = None) -> list[Backup]:
     found = []
     with contextlib.suppress(OSError):
         for file in (folder or folder_of(path)).iterdir():
-            if match := name.fullmatch(file.name):
+            if (match := name.fullmatch(file.name)) and file.is_file():
                 with contextlib.suppress(ValueError, OSError):
                     number, made_at = int(match[1]), time_of(file)
                     found.append(Backup(file, number, made_at, file.stat().st_size))

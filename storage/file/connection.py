@@ -14,6 +14,7 @@ from typing import NamedTuple, TypeVar
 from storage.errors import StoreError, translated
 from storage.file.opening import connect
 from storage.file.writer import Writer
+from storage.sql import is_text_damage, read_all_texts
 from storage.sqlite import sqlite3
 from storage.text import time_text
 
@@ -65,6 +66,7 @@ class Database:
         self._clock = clock
         self._uptime = uptime
         self._app = uuid.uuid4().hex
+        self._has_damaged_texts = False
         self._idle: queue.LifoQueue[sqlite3.Connection] = queue.LifoQueue(_KEPT)
         self._writer = None if refusal else Writer(connect(address), path, self.now)
 
@@ -84,6 +86,8 @@ class Database:
             connection = self._taken()
             yield connection
         except sqlite3.Error as error:
+            if is_text_damage(error):  # of a name; the next attempt reads it
+                self._has_damaged_texts = True
             raise translated(error, self.path) from error
         finally:
             if connection is not None:
@@ -136,9 +140,12 @@ class Database:
 
     def _taken(self) -> sqlite3.Connection:
         try:
-            return self._idle.get_nowait()
+            connection = self._idle.get_nowait()
         except queue.Empty:
-            return connect(self.address)
+            connection = connect(self.address)
+        if self._has_damaged_texts:
+            read_all_texts(connection)
+        return connection
 
     def _give_back(self, connection: sqlite3.Connection) -> None:
         try:

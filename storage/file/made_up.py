@@ -9,12 +9,12 @@ import re
 from collections.abc import Iterator
 
 from storage.limits import MAX_NUMBERS_AHEAD, MAX_REVISION
-from storage.sql import column_names
+from storage.sql import column_names, tuples
 from storage.sqlite import sqlite3
 from storage.tables.columns import KEY, ReplicatedTable
 from storage.tables.local import LOCAL
 from storage.tables.replicated import REPLICATED
-from storage.text import FIRST_MADE_UP_ID
+from storage.text import FIRST_MADE_UP_ID, IS_ID
 
 _ID = re.compile(r"[0-9a-f]{8}-[0-9a-f]{4}-7[0-9a-f]{3}-[0-9a-f]{4}-[0-9a-f]{12}")
 # times of new ids: the seven weeks before the release that mends. A time keeps its place within seven weeks, of which
@@ -40,6 +40,15 @@ def mended_id(key: str) -> str:
     ms = _FIRST_MS + ((octets >> 80) + _N_MS // 2) % _N_MS
     text = f"{ms << 80 | octets & (2**80 - 1):032x}"
     return "-".join((text[:8], text[8:12], text[12:16], text[16:20], text[20:]))
+
+
+def is_damage(db: sqlite3.Connection) -> bool:
+    """Whether ids that look made up are damaged ones: what belongs to their rows, or their sum, has another id."""
+    lost = """SELECT 1 FROM content_sums WHERE table_name IN ('versions', 'runs')
+        AND row_id NOT IN (SELECT id FROM versions UNION ALL SELECT id FROM runs
+                           UNION ALL SELECT id FROM tombstones) LIMIT 1"""
+    violation = tuples(db, "PRAGMA foreign_key_check").fetchone()
+    return violation is not None or tuples(db, lost).fetchone() is not None
 
 
 def mend(db: sqlite3.Connection, now: str) -> int:
@@ -68,7 +77,7 @@ def _keys(db: sqlite3.Connection) -> Iterator[tuple[str, str, bool]]:
 
 def _mend_key(db: sqlite3.Connection, table: str, column: str, is_key: bool) -> int:
     """A row whose new key is there already came mended from another PC: it is the same row twice, and goes."""
-    made_up = f"{column} >= ? AND substr({column}, 15, 1) = '7'"
+    made_up = f"{column} >= ? AND {IS_ID.replace('id', column, 1)}"
     n_rows = db.execute(
         f"UPDATE OR IGNORE {table} SET {column} = mended_id({column}) WHERE {made_up}",
         [FIRST_MADE_UP_ID],

@@ -33,10 +33,10 @@ def path_of(database: Path) -> Path:
 
 def remembered(database: Path) -> Remembered | None:
     """What the mark says; None where there is none, or where it cannot be read."""
-    with suppress(OSError, ValueError, TypeError, KeyError):
+    with suppress(OSError, ValueError, TypeError, KeyError, RecursionError, OverflowError):
         found = json.loads(path_of(database).read_bytes())
         n_saves, at = found["saves"], found["at"]
-        if isinstance(n_saves, int) and datetime.fromisoformat(at).tzinfo:
+        if isinstance(n_saves, int) and datetime.fromisoformat(at).tzinfo and local_time(at):
             return Remembered(n_saves, at)
     return None
 

@@ -1,7 +1,6 @@
 """Opening the file in any state: damaged, read-only, of a newer release, or of another program."""
 
 import contextlib
-import json
 import logging
 import math
 import os
@@ -16,6 +15,7 @@ from storage.file import log
 from storage.file.filesystems import is_on_share
 from storage.file.mark import Remembered, n_saves_of, remember, remember_first, remembered
 from storage.file.notices import Notice
+from storage.file.odd_values import damaged_ids, holds_made_up, mend_settings
 from storage.file.private import PRIVATE_FOLDER
 from storage.file.replacing import (
     Mend,
@@ -25,36 +25,23 @@ from storage.file.replacing import (
     replaced,
     was_there,
 )
-from storage.limits import MAX_NUMBERS_AHEAD, MAX_REVISION
 from storage.sql import address, damage
 from storage.sqlite import sqlite3
 from storage.tables.ddl import MIGRATIONS
 from storage.tables.migrations import MIGRATION_SET, MIGRATIONS_TABLE, migrate
-from storage.text import FIRST_MADE_UP_ID, continue_after, time_text
+from storage.text import IS_ID, continue_after, loaded, time_text
 
 _BUSY_S = 5.0
 # the newest id that this PC made; of rows with thousands from PCs whose clocks are ahead the last merge is near enough
 _MADE_HERE = (
-    *(f"SELECT max(id) FROM {table}" for table in ("merges", "exports")),
+    *(f"SELECT max(id) FROM {table} WHERE {IS_ID}" for table in ("merges", "exports")),
     *(
         f"""SELECT max(id) FROM (SELECT id, computer_id FROM {table} ORDER BY id DESC LIMIT 2000)
-            WHERE computer_id IS NULL OR computer_id = :this"""
+            WHERE {IS_ID} AND (computer_id IS NULL OR computer_id = :this)"""
         for table in ("runs", "versions")
     ),
 )
 _EMPTY = ("missing", "empty")
-_REVISED = (
-    "computers",
-    "classrooms",
-    "groups",
-    "lessons",
-    "own_activities",
-    "class_presets",
-    "programs",
-    "notes",
-    "version_labels",
-)
-_WITH_ID = (*_REVISED, "taught_signs", "versions", "runs", "tombstones")
 _log = logging.getLogger(__name__)
 
 
@@ -132,6 +119,8 @@ class _ReadOnlyError(Exception):
 
 def _examined(path: Path, now: datetime, mend: Mend | None) -> Notice | None:
     """Looks at the file without writing to it; replaces it when it is damaged, empty or missing."""
+    if path.exists() and not path.is_file():  # a folder, a pipe: waiting for it would have no end
+        raise StoreError("database_failed", path=str(path), problem=f"{path}: no file")
     path.parent.mkdir(PRIVATE_FOLDER, parents=True, exist_ok=True)
     finish_replacing(path)
     known, n_saves = (
@@ -148,6 +137,8 @@ def _examined(path: Path, now: datetime, mend: Mend | None) -> Notice | None:
                 if not problem:
                     _check_ownership(connection, path)
                     n_saves = n_saves_of(connection)
+                    if _applied(connection) == MIGRATIONS.keys():
+                        problem = damaged_ids(connection)
     except sqlite3.DatabaseError as error:
         if translated(error, path).code != "database_damaged":
             raise
@@ -247,7 +238,7 @@ def _migrate(path: Path, now: datetime) -> Notice | None:
                 notice = _back_up(path, now) or notice
             if applied != MIGRATIONS.keys():
                 migrate(connection)
-            mended = _continue_ids(connection, path, now)
+            mended = mend_settings(connection, path) or _continue_ids(connection, path, now)
             remember_first(path, n_saves_of(connection), time_text(now))
             return notice or mended
     except sqlite3.OperationalError as error:
@@ -275,20 +266,10 @@ def _continue_ids(connection: sqlite3.Connection, path: Path, now: datetime) -> 
     """
     notice = _mend(connection, path, now) if holds_made_up(connection) else None
     key = connection.execute("SELECT value FROM settings WHERE key = 'computer_id'").fetchone()
-    computer = json.loads(key[0]) if key else None
+    computer = loaded(key[0]) if key else None
     for query in _MADE_HERE:
         continue_after(connection.execute(query, {"this": computer}).fetchone()[0] or "")
     return notice
-
-
-def holds_made_up(connection: sqlite3.Connection) -> bool:
-    """Whether a row has an id, a number or a revision that no PC makes, so that no other PC takes it."""
-    ids = (f"SELECT 1 FROM {name} WHERE id >= ?1 AND substr(id, 15, 1) = '7'" for name in _WITH_ID)
-    revisions = (f"SELECT 1 FROM {name} WHERE revision > ?2" for name in _REVISED)
-    numbers = "SELECT 1 FROM versions GROUP BY program_id HAVING max(number) > count(*) + ?3"
-    limits = [FIRST_MADE_UP_ID, MAX_REVISION, MAX_NUMBERS_AHEAD]
-    found = connection.execute(" UNION ALL ".join((*ids, *revisions, numbers)) + " LIMIT 1", limits)
-    return found.fetchone() is not None
 
 
 def _mend(connection: sqlite3.Connection, path: Path, now: datetime) -> Notice | None:

@@ -12,7 +12,7 @@ from typing import TypeVar
 from storage.errors import StoreError, translated
 from storage.file.mark import Mark, count_save
 from storage.file.sums import Changes, mend_from
-from storage.sql import checkpoint
+from storage.sql import checkpoint, is_text_damage, read_all_texts
 from storage.sqlite import sqlite3
 
 T = TypeVar("T")
@@ -136,7 +136,7 @@ class Writer:
     ) -> None:
         try:
             with self._attaching(attached):
-                result = self._in_transaction(job, has_attached=attached is not None)
+                result = self._of_readable_texts(job, has_attached=attached is not None)
         except sqlite3.Error as error:
             future.set_exception(translated(error, self._path))
         except Exception as error:
@@ -156,6 +156,18 @@ class Writer:
             yield
         finally:
             self._connection.execute(f"DETACH DATABASE {ATTACHED}")
+
+    def _of_readable_texts(
+        self, job: Callable[[sqlite3.Connection], T], *, has_attached: bool
+    ) -> T:
+        """A damaged name must not keep people from writing, such as another name."""
+        try:
+            return self._in_transaction(job, has_attached=has_attached)
+        except sqlite3.Error as error:
+            if not is_text_damage(error):
+                raise
+        read_all_texts(self._connection)
+        return self._in_transaction(job, has_attached=has_attached)
 
     def _in_transaction(self, job: Callable[[sqlite3.Connection], T], *, has_attached: bool) -> T:
         # IMMEDIATE: a job that reads first must not lose to another process that wrote in between

@@ -9,7 +9,7 @@ import platform
 from storage.errors import StoreError
 from storage.file.repository import Repository
 from storage.limits import MAX_NAME
-from storage.sql import change, insert
+from storage.sql import change, insert, rows_of
 from storage.sqlite import sqlite3
 from storage.text import clean_name, new_id
 from storage.work import machine
@@ -62,8 +62,8 @@ def find_computer(db: sqlite3.Connection) -> tuple[str, str] | None:
     key, mark, this = read_setting(db, _KEY), read_setting(db, _MARK), machine.machine_mark()
     if key is None or (mark and this and mark != this):
         return None
-    named = db.execute("SELECT name FROM computers WHERE id = ?", [key]).fetchone()
-    return None if named is None else (key, str(named["name"]))
+    named = rows_of(db, "SELECT name FROM computers WHERE id = ?", [key])
+    return (key, str(named[0]["name"])) if named else None
 
 
 def _name_of_system() -> str:

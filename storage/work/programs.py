@@ -2,7 +2,7 @@
 
 from storage.file.repository import Repository
 from storage.records import ProgramRow
-from storage.sql import change, insert, require, selected, setup_value
+from storage.sql import change, insert, require, rows_of, selected, setup_value
 from storage.sqlite import sqlite3
 from storage.text import clean_name, new_id
 from storage.work.groups import mark_used
@@ -29,7 +29,7 @@ class Programs(Repository):
         query = f"{_SELECT} WHERE group_id = ? AND {which} {_LAST_CHANGED_FIRST}"
         with self._database.reading() as db:
             require(db, "groups", group_id)
-            return [ProgramRow(**dict(row)) for row in db.execute(query, [group_id])]
+            return [ProgramRow(**dict(row)) for row in rows_of(db, query, [group_id])]
 
     def of_activity(self, group_id: str, activity: str) -> ProgramRow | None:
         """The group's program that was changed last of those for an activity; none in the bin.

@@ -1,10 +1,15 @@
 """The table of attacks, continued: what a stranger tries where parts meet. It reads as `test_attacks.py` does."""
 
+import os
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
+from storage import StoreError, open_store
+from storage.file.mark import path_of
 from tests.attacks.signing import Pc, falsified, pcs
+from tests.attacks.wrong_bits import Disk, seen
 
 Pcs = Callable[[str], Pc]
 __all__ = ["pcs"]
@@ -57,3 +62,69 @@ def test_a_run_that_is_still_to_be_judged_gets_no_samples_of_a_better_one(
     pcs("teacher").merges(file)
     assert len(pcs("teacher").store.runs.telemetry(bad).rows) == n_rows
     assert not pcs("teacher").counts(bad)
+
+
+# ---- something else in the place of a file ----
+
+
+@pytest.mark.parametrize("put", [Path.mkdir, os.mkfifo])
+def test_a_folder_or_a_pipe_in_the_place_of_the_file_is_told_at_once(
+    tmp_path: Path, put: Callable[[Path], None]
+) -> None:
+    put(tmp_path / "pinel.db")
+    with pytest.raises(StoreError, match="database_failed"):
+        open_store(tmp_path / "pinel.db")
+
+
+@pytest.mark.parametrize("at", ["0001-01-01T00:00:00+14:00", 100_000 * "["])
+def test_a_damaged_mark_does_not_keep_pinel_from_starting(tmp_path: Path, at: str) -> None:
+    path_of(tmp_path / "pinel.db").write_text(f'{{"saves": 9, "at": "{at}"}}'.replace('"[', "["))
+    with open_store(tmp_path / "pinel.db") as store:
+        assert store.groups.create("Onças")
+
+
+# ---- one wrong bit where no sum is ----
+
+
+@pytest.mark.parametrize("table", ["classrooms", "groups", "programs", "versions", "runs"])
+@pytest.mark.parametrize("bit", [1, 6, 7])
+def test_a_wrong_bit_in_a_key_deletes_nothing_and_lets_people_work_on(
+    tmp_path: Path, table: str, bit: int
+) -> None:
+    disk = Disk(tmp_path)
+    with disk.after_a_flip(table, "id", bit) as store:
+        assert seen(store).n_rows == disk.before.n_rows
+        store.groups.create("Tucanos")
+        disk.export(store)
+
+
+def test_a_key_that_looks_made_up_by_a_wrong_bit_is_damage_and_said_to_be(tmp_path: Path) -> None:
+    disk = Disk(tmp_path)
+    with disk.after_a_flip("groups", "id", 1) as store:
+        assert store.notice
+        assert store.notice.code == "database_restored"
+        assert seen(store) == disk.before
+
+
+@pytest.mark.parametrize("bit", [0, 7])  # no JSON, no text
+def test_a_wrong_bit_in_a_setting_does_not_keep_pinel_from_starting(
+    tmp_path: Path, bit: int
+) -> None:
+    disk = Disk(tmp_path)
+    with disk.after_a_flip("settings", "value", bit, "key = 'computer_id'") as store:
+        assert store.notice
+        assert store.notice.code == "settings_mended"
+        assert seen(store) == disk.before
+
+
+@pytest.mark.parametrize("table", ["classrooms", "groups", "programs", "computers"])
+def test_a_wrong_bit_in_a_name_blocks_no_list_no_other_name_and_no_export(
+    tmp_path: Path, table: str
+) -> None:
+    disk = Disk(tmp_path)
+    with disk.after_a_flip(table, "name", 7) as store:
+        (group,) = store.groups.all()
+        assert [one.n_versions for one in store.programs.of_group(group.id)] == [2]
+        disk.export(store)
+        store.groups.change(group.id, {"name": "Araras"})
+        assert seen(store).groups == {"Araras"}
