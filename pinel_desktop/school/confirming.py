@@ -72,16 +72,23 @@ class Confirmer:
         while not self._closing.is_set():
             self._woken.clear()
             try:
-                for run_id in self._store.unconfirmed.waiting() if self._store.can_write else ():
-                    if self._is_busy():
-                        break
-                    self.confirm(run_id)
+                if self._store.can_write:
+                    self._confirm_all()
             except (
                 StoreError,
                 OSError,
             ) as error:  # a full disk, no memory for a process: tried again
                 _log.warning("runs were not confirmed: %s", error)
             self._woken.wait(self._look_s)
+
+    def _confirm_all(self) -> None:
+        """Each once; what comes meanwhile takes its place among them."""
+        tried: set[str] = set()
+        while left := [key for key in self._store.unconfirmed.waiting() if key not in tried]:
+            if self._is_busy():
+                break
+            tried.add(left[0])
+            self.confirm(left[0])
 
     def _is_busy(self) -> bool:
         return self._closing.is_set() or bool(self._store.runs.running())

@@ -10,10 +10,12 @@ class Unconfirmed(Repository):
     """The marks."""
 
     def waiting(self) -> list[str]:
-        """Runs to be repeated, those that came first before the others; runs that were deleted are none."""
+        """Runs to be repeated, those with the shortest record before the others, so that a file of long ones does not
+        hold up all that come later; runs that were deleted are none."""
         rows = self._rows(
             """SELECT run_id FROM unconfirmed_runs WHERE finding IS NULL AND run_id IN (SELECT id FROM runs)
-               ORDER BY marked_at, run_id"""
+               ORDER BY (SELECT total(n_rows) FROM telemetry WHERE telemetry.run_id = unconfirmed_runs.run_id),
+                        marked_at, run_id"""
         )
         return [str(row["run_id"]) for row in rows]
 

@@ -64,6 +64,30 @@ def test_a_run_that_is_still_to_be_judged_gets_no_samples_of_a_better_one(
     assert not pcs("teacher").counts(bad)
 
 
+# ---- what is confirmed in the background ----
+
+
+@pytest.mark.timeout(60)
+def test_a_program_that_would_count_for_hours_is_repeated_no_further_than_its_record(
+    pcs: Pcs,
+) -> None:
+    run = pcs("pupil").drives(well=False)
+    endless = """{"pinel_ir": 1, "name": "", "functions": [], "commands": [{"action": "repeat",
+        "times": 100000, "commands": [{"action": "repeat", "times": 100000, "commands": []}]}]}"""
+    forged = f"UPDATE versions SET document = '{endless}'"
+    pcs("teacher").merges(falsified(pcs("pupil").file(), "UPDATE runs SET passed = 1", forged))
+    pcs("teacher").confirms()
+    assert pcs("teacher").mark(run) == "differs"
+
+
+def test_a_file_of_long_runs_does_not_hold_up_a_short_one_that_comes_later(pcs: Pcs) -> None:
+    long = pcs("pupil").drives()
+    pcs("teacher").merges(falsified(pcs("pupil").file(), "UPDATE runs SET passed = 1"))
+    short = pcs("other").drives(well=False, passed=True)
+    pcs("teacher").merges(pcs("other").file())
+    assert pcs("teacher").store.unconfirmed.waiting() == [short, long]
+
+
 # ---- something else in the place of a file ----
 
 
