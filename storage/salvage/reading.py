@@ -10,6 +10,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
+from storage.salvage.keys import mend_keys
 from storage.salvage.pages import Pages
 from storage.salvage.records import (
     INDEX_INTERIOR,
@@ -36,6 +37,7 @@ _EDITS_INDEX = "idx_versions_program_id_number"
 _TABLES: tuple[Table, ...] = (*REPLICATED, *LOCAL)
 # without row numbers, and told by a row alone from the entries of any index
 _TOLD_BY_SHAPE = ("tombstones", "content_sums", "unconfirmed_runs", "deletions")
+_A_KEY = "00000000-0000-4000-8000-000000000000"  # any that a rule accepts
 
 
 @dataclass(slots=True)
@@ -78,12 +80,14 @@ class _Reading:
         self._shapes = _shapes(db, [table for table in _TABLES if table is not TOMBSTONES])
         self._keyed = _shapes(db, [table for table in _TABLES if _is_keyed(db, table)])
         self._found = Found()
+        self._strange: set[tuple[str, str]] = set()  # table and key of rows whose key is none
         self._are_earlier = False  # whether earlier states of pages are being read
         self._owners = _owners(pages)
 
     def read(self) -> Found:
         self._db.execute("BEGIN")
         self._read_pages(lambda number: [self._pages.newest(number)])
+        self._found.edits |= mend_keys(self._db, self._strange)
         take_out_versions(self._db)  # an earlier state may have them as they were written
         n_unread = self._found.n_unread
         # rows of a damaged page may be in an earlier state of it
@@ -123,9 +127,22 @@ class _Reading:
             shape = self._fitting(cell.values, shape)
             if shape is not None:
                 self._add(shape, cell.values)
-            else:
-                self._found.n_unread += owner is not None
-                shape = self._shapes.get(owner or "")
+                continue
+            self._found.n_unread += owner is not None
+            shape = self._shapes.get(owner or "")
+            if shape is not None and not self._are_earlier:
+                self._add_strange(shape, cell.values)
+
+    def _add_strange(self, shape: _Shape, values: Values) -> None:
+        """A row of which only the key is not as a store writes it: what names the row may tell it."""
+        key = values[0]
+        if (
+            isinstance(key, str)
+            and shape.columns[0] == "id"
+            and _fits(shape, (_A_KEY, *values[1:]))
+        ):
+            self._strange.add((shape.name, key))
+            self._add(shape, values)
 
     def _fitting(self, values: Values, likely: _Shape | None) -> _Shape | None:
         """Rows of one page are of one table, mostly that to which the page belongs."""

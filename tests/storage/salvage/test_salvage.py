@@ -74,6 +74,33 @@ def test_a_version_that_is_not_as_it_was_written_counts_as_unread(
         assert newest.workspace == {"text": "Quadrado"}
 
 
+@pytest.mark.parametrize("table", ["versions", "runs", "programs", "groups"])
+@pytest.mark.parametrize("bit", [1, 64])  # the key is another one, or none
+def test_a_row_in_whose_key_a_bit_flipped_comes_back_with_its_key(
+    file: Path, salvaged: Callable[[], tuple[Salvaged, Path]], table: str, bit: int
+) -> None:
+    before = rows(file, table)
+    damage(file, f"{flip_key_of(table, bit)} WHERE id = (SELECT max(id) FROM {table})")
+    found, path = salvaged()
+    assert (found.n_edits, found.n_unread, unsound(path)) == (2, 0, [])
+    assert rows(path, table) == before
+
+
+def test_a_version_with_a_damaged_key_that_does_not_give_its_sum_either_counts_as_unread(
+    file: Path, salvaged: Callable[[], tuple[Salvaged, Path]]
+) -> None:
+    damage(file, f"{flip_key_of('versions', 64)}, created_at = '{NOW}' WHERE number = 1")
+    found, _ = salvaged()
+    assert (found.n_edits, found.n_unread) == (1, 1)
+
+
+def flip_key_of(table: str, bit: int) -> str:
+    """Flips a bit of the fifth sign."""
+    sign = "unicode(substr(id, 5, 1))"
+    flipped = f"char(({sign} | {bit}) - ({sign} & {bit}))"
+    return f"UPDATE {table} SET id = substr(id, 1, 4) || {flipped} || substr(id, 6)"
+
+
 @pytest.mark.parametrize("table", OF_RUNS)
 def test_what_is_left_of_a_run_is_kept_and_told_as_damaged(
     file: Path, salvaged: Callable[[], tuple[Salvaged, Path]], table: str

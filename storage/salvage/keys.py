@@ -1,0 +1,100 @@
+"""Rows of a damaged file in whose own key one bit flipped, as what names them shows: the sum that a version or run had
+when it was written, or the rows that belong to a class, group or program.
+
+Keys are random enough that two of them hardly ever differ by one bit alone.
+"""
+
+from collections.abc import Iterator
+
+from storage.file.sums import content_sum
+from storage.sql import tuples
+from storage.sqlite import sqlite3
+from storage.tables.replicated import REPLICATED
+
+_SUMMED = ("versions", "runs")
+_ABOVE = ("classrooms", "groups", "programs")
+
+
+def mend_keys(db: sqlite3.Connection, strange: set[tuple[str, str]]) -> set[tuple[str, int]]:
+    """Gives rows the key that they had.
+
+    Args:
+        strange: table and key of rows in the database whose key is none: what cannot be mended is deleted.
+
+    Returns:
+        Program and number of the edits that were deleted.
+    """
+    for table in _SUMMED:
+        for key in _sums_without_row(db, table):
+            _find_by_sum(db, table, key)
+    for table in _ABOVE:
+        for key in _named_without_row(db, table):
+            _find_unnamed(db, table, key)
+    return _take_out(db, strange)
+
+
+def _sums_without_row(db: sqlite3.Connection, table: str) -> list[str]:
+    query = f"SELECT row_id FROM content_sums WHERE table_name = ? AND row_id NOT IN (SELECT id FROM {table})"
+    return [str(key) for (key,) in tuples(db, query, (table,)).fetchall()]
+
+
+def _find_by_sum(db: sqlite3.Connection, table: str, key: str) -> None:
+    query = "SELECT sha256 FROM content_sums WHERE table_name = ? AND row_id = ?"
+    (right,) = tuples(db, query, (table, key)).fetchall()[0]
+    for other in _near(db, table, key):
+        _rename(db, table, other, key)
+        if content_sum(db, table, key) == right:
+            return
+        _rename(db, table, key, other)
+
+
+def _named_without_row(db: sqlite3.Connection, table: str) -> list[str]:
+    query = f"SELECT key FROM ({_named(table)}) WHERE key NOT IN (SELECT id FROM {table})"
+    return [str(key) for (key,) in tuples(db, query).fetchall()]
+
+
+def _find_unnamed(db: sqlite3.Connection, table: str, key: str) -> None:
+    named = {str(key) for (key,) in tuples(db, _named(table))}
+    for other in _near(db, table, key):
+        if other not in named:
+            _rename(db, table, other, key)
+            return
+
+
+def _named(table: str) -> str:
+    """Keys of a table that rows of others name; not by their own key, which may be the damaged one."""
+    return " UNION ".join(
+        f"SELECT {column} AS key FROM {child.name} WHERE {column} IS NOT NULL"
+        for child in REPLICATED
+        for column, parent in child.parents
+        if parent == table and column != "id"
+    )
+
+
+def _near(db: sqlite3.Connection, table: str, key: str) -> list[str]:
+    """Keys of rows that differ from a key by one bit."""
+    keys = tuple(_one_bit_away(key))
+    marks = ", ".join("?" * len(keys))
+    return [
+        str(row[0]) for row in tuples(db, f"SELECT id FROM {table} WHERE id IN ({marks})", keys)
+    ]
+
+
+def _one_bit_away(key: str) -> Iterator[str]:
+    for place, sign in enumerate(key):
+        for bit in range(7):
+            yield key[:place] + chr(ord(sign) ^ 1 << bit) + key[place + 1 :]
+
+
+def _rename(db: sqlite3.Connection, table: str, key: str, new: str) -> None:
+    db.execute(f"UPDATE {table} SET id = ? WHERE id = ?", [new, key])
+
+
+def _take_out(db: sqlite3.Connection, strange: set[tuple[str, str]]) -> set[tuple[str, int]]:
+    taken = set()
+    for table, key in strange:
+        if table == "versions":
+            query = "SELECT program_id, number FROM versions WHERE id = ?"
+            taken |= {(str(p), int(n)) for p, n in tuples(db, query, (key,)).fetchall()}
+        db.execute(f"DELETE FROM {table} WHERE id = ?", [key])
+    return taken
