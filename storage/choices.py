@@ -42,3 +42,5 @@ PICTURES = (
     "apple",
     "moon",
 )
+# of a group whose colour is not known
+GREY = "#808080"

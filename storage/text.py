@@ -101,13 +101,13 @@ def loaded(text: str | None) -> Any:
 
 def readable_object(text: Any) -> dict[str, Any] | None:
     """The JSON object of a column; None for NULL and for what is damaged."""
-    value = _readable(text)
+    value = readable(text)
     return value if isinstance(value, dict) else None
 
 
 def readable_points(text: Any) -> list[list[float]]:
     """The points of a column; none for NULL and for what is damaged."""
-    value = _readable(text)
+    value = readable(text)
     return value if isinstance(value, list) and all(map(_is_point, value)) else []
 
 
@@ -120,7 +120,8 @@ def is_json(octets: bytes) -> bool:
     return True
 
 
-def _readable(text: Any) -> Any:
+def readable(text: Any) -> Any:
+    """The value of a JSON column; None for NULL and for what is damaged."""
     try:
         return loaded(text)
     except (ValueError, TypeError, RecursionError):

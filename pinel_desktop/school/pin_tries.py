@@ -128,8 +128,10 @@ class _Tries:
 def _tries_of(kept: Any) -> _Tries:
     if not kept:
         return _Tries()
-    if "failed" in kept:  # of a release in which all sessions shared one wait
-        return _Tries(by={"": (kept["failed"], kept["at"])})
-    return _Tries(
-        kept["left"], {session: (int(n), float(at)) for session, (n, at) in kept["by"].items()}
-    )
+    try:
+        if "failed" in kept:  # of a release in which all sessions shared one wait
+            return _Tries(by={"": (int(kept["failed"]), float(kept["at"]))})
+        by = {session: (int(n), float(at)) for session, (n, at) in kept["by"].items()}
+        return _Tries(float(kept["left"]), by)
+    except (KeyError, TypeError, ValueError, AttributeError):  # damaged by the disk
+        return _Tries()

@@ -44,7 +44,7 @@ class TeacherSessions:
     @property
     def has_pin(self) -> bool:
         """False until a PIN is set."""
-        return self._settings.get(_PIN) is not None
+        return self._kept() is not None
 
     def set_pin(self, pin: str) -> None:
         """Sets the PIN and ends all sessions. Raises PinelError `pin_format`."""
@@ -99,7 +99,7 @@ class TeacherSessions:
             self._sessions.pop(token or "", None)
 
     def _check(self, pin: str, browser: str) -> None:
-        kept = self._settings.get(_PIN)
+        kept = self._kept()
         if kept is None:
             raise PinelError("pin_missing")
         self._tries.count(browser)
@@ -110,13 +110,27 @@ class TeacherSessions:
 
     def _salt(self) -> str:
         """Identifies the current PIN; differs even if the same digits are set again."""
-        return str((self._settings.get(_PIN) or {}).get("salt", ""))
+        return str((self._kept() or {}).get("salt", ""))
+
+    def _kept(self) -> dict[str, Any] | None:
+        """What is kept of the PIN; None where there is none, or the disk has damaged it."""
+        kept = self._settings.get(_PIN)
+        return kept if _is_whole(kept) else None
 
 
 def check_format(pin: str) -> None:
     """Raises PinelError `pin_format` unless the PIN has 4 to 12 ASCII digits."""
     if not (pin.isascii() and pin.isdecimal() and MIN_DIGITS <= len(pin) <= MAX_DIGITS):
         raise PinelError("pin_format", min=MIN_DIGITS, max=MAX_DIGITS)
+
+
+def _is_whole(kept: Any) -> bool:
+    try:
+        return all(bytes.fromhex(kept[part]) for part in ("salt", "hash")) and all(
+            isinstance(kept[part], int) for part in _COST
+        )
+    except (TypeError, KeyError, ValueError):
+        return False
 
 
 def _hash(pin: str, salt: bytes, cost: Any) -> bytes:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from storage.exchange.signing import fingerprint
 from storage.exchange.trust import Trust, latest_key
 from storage.file.connection import Database
+from storage.sql import rows_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,12 +35,13 @@ class KnownComputer:
 def known_computers(database: Database) -> list[KnownComputer]:
     """Every PC that bundles were from, the one whose bundle was merged last first."""
     with database.reading() as db:
-        rows = db.execute(
+        rows = rows_of(
+            db,
             """SELECT merges.computer_id, coalesce(computers.name, merges.computer_name) AS name,
                       max(merges.exported_at) AS exported_at, max(merges.merged_at) AS merged_at,
                       (SELECT count(*) FROM runs WHERE runs.computer_id = merges.computer_id) AS n_runs
                FROM merges LEFT JOIN computers ON computers.id = merges.computer_id
-               GROUP BY merges.computer_id ORDER BY max(merges.merged_at) DESC, merges.computer_id"""
-        ).fetchall()
+               GROUP BY merges.computer_id ORDER BY max(merges.merged_at) DESC, merges.computer_id""",
+        )
         keys = {str(row["computer_id"]): latest_key(db, str(row["computer_id"])) for row in rows}
     return [KnownComputer(**dict(row), **keys[row["computer_id"]]._asdict()) for row in rows]

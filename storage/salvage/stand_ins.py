@@ -1,12 +1,11 @@
 """Rows that are missing above others: work whose group or program could not be read is kept under a stand-in."""
 
+from storage.choices import GREY
 from storage.sql import tuples
 from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import REPLICATED
 from storage.text import name_key, new_id
-
-_GREY = "#808080"
 
 
 def complete(db: sqlite3.Connection, now: str) -> None:
@@ -48,7 +47,7 @@ def _add_group(db: sqlite3.Connection, key: str, now: str) -> None:
     name = f"Grupo {key[-4:]}"
     db.execute(
         "INSERT INTO bundle.groups (id, name, name_key, color, created_at, used_at) VALUES (?, ?, ?, ?, ?, ?)",
-        [key, name, name_key(name), _GREY, now, now],
+        [key, name, name_key(name), GREY, now, now],
     )
 
 

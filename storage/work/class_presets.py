@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from storage.file.repository import Repository
-from storage.sql import change, exists, insert, require
+from storage.sql import change, exists, insert, require, rows_of
 from storage.sqlite import sqlite3
 from storage.text import dumped, readable_object
 
@@ -16,9 +16,9 @@ class ClassPresets(Repository):
         """Empty where nothing was set. Raises StoreError `classroom_not_found`."""
         with self._database.reading() as db:
             require(db, "classrooms", classroom_id)
-            row = db.execute("SELECT preset FROM class_presets WHERE id = ?", [classroom_id])
-            found = row.fetchone()
-        return (readable_object(found["preset"]) or {}) if found else {}
+            query = "SELECT preset FROM class_presets WHERE id = ?"
+            found = rows_of(db, query, [classroom_id])
+        return (readable_object(found[0]["preset"]) or {}) if found else {}
 
     def set(self, classroom_id: str, preset: Mapping[str, Any]) -> None:
         """Does nothing where it is set so already. Raises StoreError `classroom_not_found`."""

@@ -1,8 +1,10 @@
 """Groups of pupils: a name, a colour and a picture, never the pupils' names."""
 
+import re
 from collections.abc import Mapping
+from dataclasses import replace
 
-from storage.choices import COLORS, PICTURES
+from storage.choices import COLORS, GREY, PICTURES
 from storage.errors import StoreError
 from storage.file.repository import Repository
 from storage.records import GroupRow
@@ -10,6 +12,7 @@ from storage.sql import change, insert, not_found, require, selected
 from storage.sqlite import sqlite3
 from storage.text import clean_name, name_key, new_id
 
+_COLOR = re.compile("#[0-9a-f]{6}")
 _SELECT = selected(
     GroupRow,
     "groups",
@@ -25,11 +28,11 @@ class Groups(Repository):
     def all(self) -> list[GroupRow]:
         """Newest use first."""
         rows = self._rows(f"{_SELECT} ORDER BY used_at DESC, id DESC")
-        return [GroupRow(**dict(row)) for row in rows]
+        return [_record(row) for row in rows]
 
     def get(self, group_id: str) -> GroupRow:
         """Raises StoreError `group_not_found`."""
-        return GroupRow(**dict(self._row("groups", f"{_SELECT} WHERE id = ?", group_id)))
+        return _record(self._row("groups", f"{_SELECT} WHERE id = ?", group_id))
 
     def create(self, name: str, *, classroom_id: str | None = None, picture: str = "") -> GroupRow:
         """A group with a colour that few have, and a picture that few have where none was chosen.
@@ -82,6 +85,13 @@ class Groups(Repository):
         now = self._database.now()
         self._database.write(lambda db: _change(db, group_id, wanted, now, by_teacher))
         return self.get(group_id)
+
+
+def _record(row: sqlite3.Row) -> GroupRow:
+    """What the disk has damaged of colour and picture is shown as none."""
+    found = GroupRow(**dict(row))
+    color = found.color if _COLOR.fullmatch(str(found.color)) else GREY
+    return replace(found, color=color, picture=found.picture if found.picture in PICTURES else "")
 
 
 def mark_used(db: sqlite3.Connection, group_id: str, now: str) -> None:

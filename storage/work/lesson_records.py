@@ -136,11 +136,9 @@ class LessonRecords(Repository):
                 work.setdefault(group_id, GroupLines()).edits.append(EditLine(*edit))
             for group_id, *run in rows_of(db, _RUNS, [lessons]):
                 work.setdefault(group_id, GroupLines()).runs.append(LessonRun(*run))
-            groups = db.execute(
-                f"SELECT id, name, color, picture FROM groups WHERE id {_IN}",
-                [json.dumps(list(work))],
-            ).fetchall()
-            computers = db.execute("SELECT id, name FROM computers").fetchall()
+            query = f"SELECT id, name, color, picture FROM groups WHERE id {_IN}"
+            groups = rows_of(db, query, [json.dumps(list(work))])
+            computers = rows_of(db, "SELECT id, name FROM computers")
         return LessonLines([GroupLine(*row) for row in groups], work, dict(map(tuple, computers)))
 
     def workspaces(self, version_ids: Iterable[str]) -> dict[str, Any]:

@@ -11,7 +11,7 @@ from storage.errors import StoreError
 from storage.file.connection import Moment
 from storage.file.repository import Repository
 from storage.records import LessonRow
-from storage.sql import change, insert, not_found, require, selected
+from storage.sql import change, insert, not_found, require, rows_of, selected
 from storage.sqlite import sqlite3
 from storage.text import clean_name, name_key, new_id
 from storage.work.computers import find_computer, this_computer
@@ -141,7 +141,7 @@ class Lessons(Repository):
 
     def _found(self, which: str, value: str | None) -> list[LessonRow]:
         with self._database.reading() as db:
-            rows = db.execute(f"{_SELECT} WHERE {which}", [value]).fetchall()
+            rows = rows_of(db, f"{_SELECT} WHERE {which}", [value])
             by_part = roots(db)
         return [_record(row, by_part) for row in rows]
 

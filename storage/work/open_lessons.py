@@ -4,10 +4,12 @@ A lesson's row is shared by all PCs that it was opened on, so it cannot tell: af
 last. What is open on this PC is kept among the settings, which no merge changes.
 """
 
+import math
 from datetime import datetime
 from typing import NamedTuple
 
 from storage.file.connection import Moment
+from storage.sql import rows_of
 from storage.sqlite import sqlite3
 from storage.work.settings import read_setting, write_setting
 
@@ -58,11 +60,18 @@ def _marked(
     db: sqlite3.Connection, classroom_id: str | None, computer_id: str
 ) -> tuple[str, Moment]:
     """Key of the lesson, "" for none, and when it was used."""
-    mark = read_setting(db, _name(classroom_id))
-    if mark is not None and mark["computer"] == computer_id:  # else the folder was copied
-        return mark["lesson"] or "", Moment(*mark["used"])
-    row = db.execute(_BY_ROW, [computer_id, classroom_id]).fetchone()
-    return (row["id"], Moment(row["used_at"], "", 0.0)) if row else ("", Moment("", "", 0.0))
+    match read_setting(db, _name(classroom_id)):
+        # else the folder was copied, or the disk has damaged it
+        case {
+            "computer": of,
+            "lesson": lesson,
+            "used": [str(at), str(app), int() | float() as s],
+        } if of == computer_id:
+            return lesson or "", Moment(at, app, s)
+    rows = rows_of(db, _BY_ROW, [computer_id, classroom_id])
+    return (
+        (rows[0]["id"], Moment(rows[0]["used_at"], "", 0.0)) if rows else ("", Moment("", "", 0.0))
+    )
 
 
 def _name(classroom_id: str | None) -> str:
@@ -73,5 +82,8 @@ def _pause_s(used: Moment, now: Moment) -> float:
     """Within one app the clock may be set as it likes; across a start there is nothing but the clock."""
     if used.app == now.app:
         return now.uptime_s - used.uptime_s
-    pause = datetime.fromisoformat(now.text) - datetime.fromisoformat(used.text)
+    try:
+        pause = datetime.fromisoformat(now.text) - datetime.fromisoformat(used.text)
+    except (ValueError, TypeError):  # damaged by the disk: a new lesson begins
+        return math.inf
     return abs(pause.total_seconds())  # the clock may have been set back in between

@@ -7,7 +7,7 @@ from storage.errors import StoreError
 from storage.file.repository import Repository
 from storage.limits import MAX_OWN_ACTIVITIES
 from storage.records import OwnActivityRow
-from storage.sql import change, insert, row_count, selected
+from storage.sql import change, insert, row_count, rows_of, selected
 from storage.sqlite import sqlite3
 from storage.text import clean_name, dumped, new_id, readable_object
 
@@ -20,22 +20,22 @@ class OwnActivities(Repository):
     def all(self) -> list[OwnActivityRow]:
         """Those that are not deleted, the oldest first."""
         with self._database.reading() as db:
-            rows = db.execute(f"{_SELECT} WHERE deleted_at IS NULL ORDER BY id").fetchall()
+            rows = rows_of(db, f"{_SELECT} WHERE deleted_at IS NULL ORDER BY id")
         return [_record(row) for row in rows]
 
     def titles(self) -> dict[str, str]:
         """Titles by key, also of those that are deleted."""
         with self._database.reading() as db:
-            rows = db.execute("SELECT id, title FROM own_activities").fetchall()
+            rows = rows_of(db, "SELECT id, title FROM own_activities")
         return {str(row["id"]): str(row["title"]) for row in rows}
 
     def get(self, activity_id: str) -> OwnActivityRow:
         """Also one that is deleted. Raises StoreError `own_activity_not_found`."""
         with self._database.reading() as db:
-            row = db.execute(f"{_SELECT} WHERE id = ?", [activity_id]).fetchone()
-        if row is None:
+            rows = rows_of(db, f"{_SELECT} WHERE id = ?", [activity_id])
+        if not rows:
             raise StoreError("own_activity_not_found", id=activity_id)
-        return _record(row)
+        return _record(rows[0])
 
     def new_key(self) -> str:
         """The key of an activity to be made: its document names it."""

@@ -41,8 +41,8 @@ class Programs(Repository):
             {_LAST_CHANGED_FIRST} LIMIT 1"""
         with self._database.reading() as db:
             require(db, "groups", group_id)
-            row = db.execute(query, [group_id, activity]).fetchone()
-        return ProgramRow(**dict(row)) if row else None
+            rows = rows_of(db, query, [group_id, activity])
+        return ProgramRow(**dict(rows[0])) if rows else None
 
     def get(self, program_id: str) -> ProgramRow:
         """Raises StoreError `program_not_found`."""

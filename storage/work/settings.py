@@ -3,8 +3,9 @@
 from typing import Any
 
 from storage.file.repository import Repository
+from storage.sql import rows_of
 from storage.sqlite import sqlite3
-from storage.text import dumped, loaded
+from storage.text import dumped, readable
 
 
 class Settings(Repository):
@@ -21,9 +22,9 @@ class Settings(Repository):
 
 
 def read_setting(db: sqlite3.Connection, key: str) -> Any:
-    """The value of that name, None where there is none."""
-    row = db.execute("SELECT value FROM settings WHERE key = ?", [key]).fetchone()
-    return loaded(row["value"]) if row else None
+    """The value of that name, None where there is none or it cannot be read."""
+    found = rows_of(db, "SELECT value FROM settings WHERE key = ?", [key])
+    return readable(found[0]["value"]) if found else None
 
 
 def write_setting(db: sqlite3.Connection, key: str, value: object) -> None:

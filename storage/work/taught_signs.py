@@ -12,7 +12,7 @@ from storage.errors import StoreError
 from storage.file.repository import Repository
 from storage.limits import MAX_SIGN, MAX_TAUGHT_SAMPLES, MAX_TAUGHT_SIGNS, N_FEATURES
 from storage.records import SignSamples
-from storage.sql import insert, not_found, require
+from storage.sql import insert, not_found, require, rows_of
 from storage.sqlite import sqlite3
 from storage.text import clean_name, name_key, natural_key, new_id
 
@@ -80,10 +80,17 @@ class TaughtSigns(Repository):
 
 
 def _recordings(db: sqlite3.Connection, classroom_id: str) -> list[sqlite3.Row]:
-    """The newest first."""
+    """The newest first, without what cannot be read."""
     query = """SELECT id, sign, samples, is_moving FROM taught_signs
         WHERE classroom_id = ? ORDER BY id DESC"""
-    return db.execute(query, [classroom_id]).fetchall()
+    found = rows_of(db, query, [classroom_id])
+    return [row for row in found if _is_readable(row)]
+
+
+def _is_readable(row: sqlite3.Row) -> bool:
+    from storage.tables.rules import hands, sign  # noqa: PLC0415 - the rules of bundles are no part of the start
+
+    return sign(row["sign"]) and hands(row["samples"])
 
 
 def _signs(recordings: Iterable[sqlite3.Row]) -> list[SignSamples]:
