@@ -6,8 +6,12 @@ from pathlib import Path
 
 import pytest
 
+from pinel_desktop.school.teacher import TeacherSessions
 from storage import StoreError, open_store
+from storage.file.backups import make_backup
 from storage.file.mark import path_of
+from storage.text import utc_now
+from tests.attacks.damage import spoil
 from tests.attacks.signing import Pc, falsified, pcs
 from tests.attacks.wrong_bits import Disk, seen
 
@@ -62,6 +66,27 @@ def test_a_run_that_is_still_to_be_judged_gets_no_samples_of_a_better_one(
     pcs("teacher").merges(file)
     assert len(pcs("teacher").store.runs.telemetry(bad).rows) == n_rows
     assert not pcs("teacher").counts(bad)
+
+
+# ---- a damaged file, and what the teacher decided after its backup ----
+
+
+def test_an_approval_that_was_withdrawn_stays_withdrawn_when_the_backup_is_restored(
+    tmp_path: Path, pcs: Pcs
+) -> None:
+    with open_store(tmp_path / "pinel.db") as store:
+        teacher = Pc(store, tmp_path)
+        teacher.merges(pcs("pupil").file())
+        teacher.approves(pcs("pupil"))
+        make_backup(store.path, utc_now())
+        store.computer_keys.withdraw(pcs("pupil").public_key or "")
+        TeacherSessions(store.settings).set_pin("2718")
+    spoil(tmp_path / "pinel.db", 0, 16)
+    with open_store(tmp_path / "pinel.db") as store:
+        assert store.notice
+        assert store.notice.code in ("database_restored", "database_salvaged")
+        assert [key.approved_at for key in store.computer_keys.all()] == [None]
+        assert TeacherSessions(store.settings).sign_in("2718")
 
 
 # ---- what is confirmed in the background ----
