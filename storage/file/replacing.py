@@ -12,6 +12,7 @@ from storage.file import log
 from storage.file.backups import Backup, list_backups, restored_copy
 from storage.file.mark import Remembered, local_time, n_saves_of, remembered, set_saves
 from storage.file.notices import Notice, Salvaged
+from storage.file.temporary import remove_leftovers
 from storage.file.whole_files import free_path
 from storage.sql import damage, opened
 from storage.sqlite import sqlite3
@@ -84,7 +85,8 @@ def end_mended(path: Path, now: datetime, mend: Mend | None) -> Notice | None:
 
 
 def finish_replacing(path: Path) -> None:
-    """The power was cut while another file took the damaged one's place."""
+    """The power was cut while another file took the damaged one's place, or while it was read."""
+    remove_leftovers(path.parent)
     _remove(_unfinished(path))
     copy = _restoring(path)
     if copy.exists():

@@ -18,9 +18,15 @@ _WITHOUT_LOCK_S = 86_400.0  # of an earlier release, or one that is just being m
 
 
 @contextlib.contextmanager
-def temporary_folder() -> Iterator[Path]:
-    """A new folder of this process alone; deleted at the end, or at a later start where this process was killed."""
-    with tempfile.TemporaryDirectory(prefix=_PREFIX, ignore_cleanup_errors=True) as name:
+def temporary_folder(parent: Path | None = None) -> Iterator[Path]:
+    """A new folder of this process alone; deleted at the end, or at a later start where this process was killed.
+
+    Args:
+        parent: where it is to lie; None for the system's folder.
+    """
+    with tempfile.TemporaryDirectory(
+        prefix=_PREFIX, dir=parent, ignore_cleanup_errors=True
+    ) as name:
         folder = Path(name)
         with (folder / f".{_LOCK}").open("wb") as lock:
             if fcntl is not None:
@@ -30,9 +36,9 @@ def temporary_folder() -> Iterator[Path]:
             yield folder
 
 
-def remove_leftovers() -> None:
-    """Deletes folders of processes that are no more: killed, or ended by a power cut."""
-    for folder in Path(tempfile.gettempdir()).glob(f"{_PREFIX}*"):
+def remove_leftovers(parent: Path | None = None) -> None:
+    """Deletes folders of processes that are no more: killed, or ended by a power cut. `parent` as above."""
+    for folder in (parent or Path(tempfile.gettempdir())).glob(f"{_PREFIX}*"):
         with contextlib.suppress(OSError):
             if folder.is_dir() and not folder.is_symlink() and _is_left(folder):
                 shutil.rmtree(folder, ignore_errors=True)

@@ -5,7 +5,6 @@ Of two states of a row the later is kept, nothing of the sound file is lost, wha
 
 import math
 import shutil
-import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
@@ -18,6 +17,7 @@ from storage.exchange.merging import merge_attached
 from storage.file.connection import Database
 from storage.file.notices import Salvaged
 from storage.file.sums import Changes
+from storage.file.temporary import temporary_folder
 from storage.runs.runs import close_runs
 from storage.salvage.pages import Pages
 from storage.salvage.reading import Found, read_into
@@ -93,9 +93,9 @@ def remains(file: Path, now: str, *, beside: Path, longest_s: float) -> Iterator
         longest_s: reading ends after this time.
     """
     deadline = time.monotonic() + longest_s
-    with tempfile.TemporaryDirectory(prefix=".salvage-", dir=beside.parent) as folder:
+    with temporary_folder(beside.parent) as folder:
         _require_room(file, beside)
-        path = Path(folder) / "remains"
+        path = folder / "remains"
         with closing(opened(path, "rwc")) as db:
             db.row_factory = sqlite3.Row
             db.execute("PRAGMA journal_mode = OFF")

@@ -12,6 +12,7 @@ from storage.file.backups import make_backup
 from storage.file.mark import path_of
 from storage.text import utc_now
 from tests.attacks.damage import spoil
+from tests.attacks.power_cuts import power_cut_while_read
 from tests.attacks.signing import Pc, falsified, pcs
 from tests.attacks.wrong_bits import Disk, seen
 
@@ -87,6 +88,18 @@ def test_an_approval_that_was_withdrawn_stays_withdrawn_when_the_backup_is_resto
         assert store.notice.code in ("database_restored", "database_salvaged")
         assert [key.approved_at for key in store.computer_keys.all()] == [None]
         assert TeacherSessions(store.settings).sign_in("2718")
+
+
+def test_a_power_cut_while_a_damaged_file_is_read_leaves_no_copy_of_the_work(
+    tmp_path: Path,
+) -> None:
+    with open_store(tmp_path / "pinel.db") as store:
+        store.groups.create("Onças")
+    spoil(tmp_path / "pinel.db", 0, 16)
+    power_cut_while_read(tmp_path / "pinel.db")
+    with open_store(tmp_path / "pinel.db") as store:
+        assert [group.name for group in store.groups.all()] == ["Onças"]
+    assert [one for one in tmp_path.iterdir() if one.is_dir()] == []
 
 
 # ---- what is confirmed in the background ----
