@@ -86,12 +86,19 @@ def damage(
     Args:
         stop: asked every few milliseconds; once it is true, the check ends with `sqlite3.OperationalError`.
     """
+    with stoppable(db, stop):
+        finding = str(db.execute(f"PRAGMA {check}(1)").fetchone()[0])
+    return None if finding == "ok" else finding
+
+
+@contextmanager
+def stoppable(db: sqlite3.Connection, stop: Stop | None) -> Iterator[None]:
+    """What is asked within ends with `sqlite3.OperationalError` once `stop` is true."""
     db.set_progress_handler(stop, _STEPS_BETWEEN_STOPS)
     try:
-        finding = str(db.execute(f"PRAGMA {check}(1)").fetchone()[0])
+        yield
     finally:
         db.set_progress_handler(None, 0)
-    return None if finding == "ok" else finding
 
 
 def checkpoint(db: sqlite3.Connection) -> bool:

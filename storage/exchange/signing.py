@@ -148,7 +148,7 @@ def _kept_seed(path: Path, computer_id: str) -> bytes | None:
             if kept["computer_id"] == computer_id and _is_hex(seed, 64)
             else None
         )
-    except (OSError, ValueError, TypeError, KeyError):
+    except (OSError, ValueError, TypeError, KeyError, RecursionError):
         return None
 
 

@@ -31,7 +31,7 @@ class Noted:
 
 def noted(database: Path) -> Noted | None:
     """What is known of the copies, without a look at their folder; None where there are no notes."""
-    with suppress(OSError, ValueError, TypeError, KeyError):
+    with suppress(OSError, ValueError, TypeError, KeyError, RecursionError):
         found = json.loads(_notes_of(database).read_text("utf-8"))
         finished = Path(found["finished"]) if found["finished"] else None
         return Noted(str(found["computer"]), tuple(map(Path, found["copies"])), finished)

@@ -6,10 +6,12 @@ from pathlib import Path
 
 import pytest
 
+from pinel_desktop.doctor import examination
 from pinel_desktop.school.teacher import TeacherSessions
 from storage import StoreError, open_store
 from storage.file.backups import make_backup
 from storage.file.mark import path_of
+from storage.maintenance import Maintenance
 from storage.text import utc_now
 from tests.attacks.damage import spoil
 from tests.attacks.power_cuts import power_cut_while_read
@@ -166,6 +168,18 @@ def test_a_key_that_looks_made_up_by_a_wrong_bit_is_damage_and_said_to_be(tmp_pa
         assert store.notice
         assert store.notice.code == "database_restored"
         assert seen(store) == disk.before
+
+
+@pytest.mark.parametrize(("table", "column"), [("groups", "id"), ("programs", "group_id")])
+def test_programs_that_a_wrong_bit_took_out_of_every_list_are_told(
+    tmp_path: Path, table: str, column: str
+) -> None:
+    with Disk(tmp_path).after_a_flip(table, column, 4) as store:
+        maintenance = Maintenance(store)
+        maintenance.check_integrity()
+        assert maintenance.notice
+        assert maintenance.notice.code == "backup_found_damage"
+        assert examination._database(store.path).code == "doctor_database_inconsistent"
 
 
 @pytest.mark.parametrize("bit", [0, 7])  # no JSON, no text
