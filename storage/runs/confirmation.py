@@ -11,9 +11,11 @@ class Unconfirmed(Repository):
 
     def waiting(self) -> list[str]:
         """Runs to be repeated, those with the shortest record before the others, so that a file of long ones does not
-        hold up all that come later; runs that were deleted are none."""
+        hold up all that come later. Not those that were deleted, nor those of an own activity that is not here yet.
+        """
         rows = self._rows(
-            """SELECT run_id FROM unconfirmed_runs WHERE finding IS NULL AND run_id IN (SELECT id FROM runs)
+            """SELECT run_id FROM unconfirmed_runs JOIN runs ON runs.id = run_id WHERE finding IS NULL
+               AND (activity IS NULL OR length(activity) < 36 OR activity IN (SELECT id FROM own_activities))
                ORDER BY (SELECT total(n_rows) FROM telemetry WHERE telemetry.run_id = unconfirmed_runs.run_id),
                         marked_at, run_id"""
         )

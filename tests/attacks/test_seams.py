@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from pinel_desktop.activities import shipped_activity
 from pinel_desktop.doctor import examination
 from pinel_desktop.school.teacher import TeacherSessions
 from storage import StoreError, open_store
@@ -15,7 +16,7 @@ from storage.maintenance import Maintenance
 from storage.text import utc_now
 from tests.attacks.damage import spoil
 from tests.attacks.power_cuts import power_cut_while_read
-from tests.attacks.signing import Pc, falsified, pcs
+from tests.attacks.signing import MISSION, Pc, falsified, pcs
 from tests.attacks.wrong_bits import Disk, seen
 
 Pcs = Callable[[str], Pc]
@@ -126,6 +127,17 @@ def test_a_file_of_long_runs_does_not_hold_up_a_short_one_that_comes_later(pcs: 
     short = pcs("other").drives(well=False, passed=True)
     pcs("teacher").merges(pcs("other").file())
     assert pcs("teacher").store.unconfirmed.waiting() == [short, long]
+
+
+def test_a_pass_of_an_activity_that_comes_later_is_confirmed_then(pcs: Pcs) -> None:
+    run, key = pcs("pupil").drives(), pcs("pupil").store.own_activities.new_key()
+    pcs("teacher").merges(falsified(pcs("pupil").file(), f"UPDATE runs SET activity = '{key}'"))
+    pcs("teacher").confirms()
+    assert pcs("teacher").mark(run) == "waiting"
+    document = shipped_activity(MISSION).model_dump(mode="json")
+    pcs("teacher").store.own_activities.save(key, "Quadrado", {**document, "name": key}, {})
+    pcs("teacher").confirms()
+    assert pcs("teacher").mark(run) is None
 
 
 # ---- something else in the place of a file ----
