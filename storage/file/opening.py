@@ -237,7 +237,7 @@ def _migrate(path: Path, now: datetime) -> Notice | None:
             if applied and applied != MIGRATIONS.keys():
                 notice = _back_up(path, now) or notice
             if applied != MIGRATIONS.keys():
-                migrate(connection)
+                migrate(connection, at_once=not begun)
             mended = mend_settings(connection, path) or _continue_ids(connection, path, now)
             remember_first(path, n_saves_of(connection), time_text(now))
             return notice or mended

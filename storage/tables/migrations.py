@@ -8,6 +8,7 @@ tables up to date: it and the declarations of the tables are imported only to ch
 """
 
 from collections.abc import Callable
+from contextlib import nullcontext
 from typing import TYPE_CHECKING
 
 from storage.sqlite import sqlite3
@@ -21,11 +22,14 @@ MIGRATION_SET = "pinel"
 MIGRATIONS_TABLE = "_sqlite_migrations"
 
 
-def migrate(connection: sqlite3.Connection, n_steps: int | None = None) -> None:
+def migrate(
+    connection: sqlite3.Connection, n_steps: int | None = None, *, at_once: bool = False
+) -> None:
     """Makes the tables, or brings them up to date, each migration in a transaction of its own.
 
     Args:
         n_steps: how many of the migrations a file is to have, all with None.
+        at_once: all of them in one transaction, for a new file: each waits for the disk.
     """
     from sqlite_utils import Database  # noqa: PLC0415 - see above
     from sqlite_utils.migrations import Migrations  # noqa: PLC0415
@@ -33,7 +37,9 @@ def migrate(connection: sqlite3.Connection, n_steps: int | None = None) -> None:
     migrations = Migrations(MIGRATION_SET)
     for name in list(MIGRATIONS)[:n_steps]:
         migrations(name=name)(_step(name))
-    migrations.apply(Database(connection, execute_plugins=False))
+    db = Database(connection, execute_plugins=False)
+    with db.atomic() if at_once else nullcontext():
+        migrations.apply(db)
 
 
 def _step(name: str) -> "Callable[[Database], None]":

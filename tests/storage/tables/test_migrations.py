@@ -7,6 +7,7 @@ import pytest
 
 from storage import Store, StoreError, open_for_reading
 from storage.sqlite import sqlite3
+from storage.tables.ddl import MIGRATIONS
 from storage.tables.migrations import migrate
 
 
@@ -50,3 +51,16 @@ def test_a_file_that_is_only_to_be_looked_at_is_not_brought_up_to_date(before_wo
         open_for_reading(before_worlds)
     assert caught.value.code == "database_older"
     assert before_worlds.read_bytes() == before
+
+
+def test_a_new_file_that_cannot_be_finished_has_no_table_yet(
+    path: Path, opened: Callable[..., Store], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with monkeypatch.context() as broken:
+        broken.setitem(MIGRATIONS, "last", ("no statement",))
+        with pytest.raises(StoreError):
+            opened()
+    with sqlite3.connect(path) as db:
+        assert db.execute("SELECT count(*) FROM sqlite_master").fetchone() == (0,)
+    db.close()
+    assert opened().can_write
