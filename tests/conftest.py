@@ -1,4 +1,12 @@
+import os
+
 import pytest
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Beside other tests NumPy has one thread: more of them wait for each other, and keep the cores busy with it."""
+    if hasattr(config, "workerinput"):
+        os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
