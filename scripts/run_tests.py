@@ -21,6 +21,8 @@ PYTEST = (sys.executable, "-m", "pytest", "-q")
 SIDE_BY_SIDE = ("-n", "logical", "--maxprocesses", "4", "--dist", "worksteal")
 # those that mostly wait leave most of the cores idle
 MANY = ("-n", str(min(3 * (os.cpu_count() or 1), 12)), "--dist", "worksteal")
+# hundreds of processes are started: none compiles again what another compiled
+ENVIRONMENT = {key: value for key, value in os.environ.items() if key != "PYTHONDONTWRITEBYTECODE"}
 _COLOURS = re.compile(r"\x1b\[[0-9;]*m")
 # pytest: "3 passed, 1 skipped in 0.5s", between = without -q; vitest: "Tests  3 passed (3)"
 _CLOSING = re.compile(
@@ -120,6 +122,7 @@ def run(step: Step) -> Outcome:
     with subprocess.Popen(
         step.command,
         cwd=ROOT,
+        env=ENVIRONMENT,
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,

@@ -1,6 +1,7 @@
 """Generates docs/http-api.md from the OpenAPI description."""
 
 from collections.abc import Iterable, Iterator, Mapping
+from functools import cache
 from typing import Any
 
 from pinel_desktop.messages import describe
@@ -136,6 +137,7 @@ def _link(name: str) -> str:
     return f"[`{name}`](#{name.lower()})"
 
 
+@cache
 def _events() -> Iterable[str]:
     return ("StreamEvent", *RunEvents.model_json_schema(mode="serialization")["$defs"])
 
