@@ -7,7 +7,7 @@ from contextlib import closing, suppress
 from datetime import UTC, datetime
 from pathlib import Path
 
-from storage.errors import StoreError, is_full
+from storage.errors import StoreError, error_name, is_full
 from storage.file import log
 from storage.file.backups import Backup, list_backups, restored_copy
 from storage.file.mark import Remembered, local_time, n_saves_of, remembered, set_saves
@@ -56,7 +56,11 @@ def replaced(path: Path, problem: str, now: datetime, is_ours: IsOurs, mend: Men
     is_gone = not path.exists() or path.stat().st_size == 0
     made = _unfinished(path)
     backup = restored_copy(path, made, is_ours)
-    salvaged = _mended(path, made, now, mend)
+    try:
+        salvaged = _mended(path, made, now, mend)
+    except StoreError:
+        _remove(made)
+        raise
     found = _Outcome(path, is_gone, problem, backup, salvaged)
     _take_place(path, made, now, found)
     return found.notice()
@@ -174,7 +178,8 @@ class _Outcome:
 
 
 def _mended(path: Path, made: Path, now: datetime, mend: Mend | None) -> Salvaged | None:
-    """None where nothing was brought back. No fault of a damaged file may keep the app from starting."""
+    """None where nothing was brought back. No fault of a damaged file may keep the app from starting; but without room
+    it must not be set aside unread: raises StoreError `disk_full`."""
     if mend is None:
         return None
     before = made.with_name(f"{made.name}.before")
@@ -183,7 +188,9 @@ def _mended(path: Path, made: Path, now: datetime, mend: Mend | None) -> Salvage
             shutil.copyfile(made, before)
         salvaged = mend(path, made, time_text(now))
         _check(made)
-    except Exception:
+    except Exception as error:
+        if _is_without_room(error):
+            raise StoreError("disk_full", path=str(path)) from error
         _log.exception("nothing could be salvaged from %s", path)
         _remove(made)
         if before.exists():
@@ -192,6 +199,13 @@ def _mended(path: Path, made: Path, now: datetime, mend: Mend | None) -> Salvage
     finally:
         before.unlink(missing_ok=True)
     return salvaged
+
+
+def _is_without_room(error: Exception) -> bool:
+    """SQLite writes here only what is new: the damaged file is not read by it."""
+    if isinstance(error, OSError):
+        return is_full(error)
+    return error_name(error).startswith(("SQLITE_FULL", "SQLITE_IOERR"))
 
 
 def _check(made: Path) -> None:

@@ -3,6 +3,7 @@
 Of two states of a row the later is kept, nothing of the sound file is lost, what was deleted for good stays deleted.
 """
 
+import errno
 import math
 import shutil
 import time
@@ -181,7 +182,7 @@ def _require_room(file: Path, beside: Path) -> None:
     parts = (file, file.with_name(file.name + "-wal"))
     needed = sum(part.stat().st_size for part in parts if part.exists())
     if shutil.disk_usage(beside.parent).free < 2 * needed + _LEFT_FREE:
-        raise OSError("no room to read the damaged file")
+        raise OSError(errno.ENOSPC, "no room to read the damaged file")
 
 
 @contextmanager

@@ -14,7 +14,7 @@ from storage.file.backups import make_backup
 from storage.file.mark import path_of
 from storage.maintenance import Maintenance
 from storage.text import utc_now
-from tests.attacks.damage import spoil
+from tests.attacks.damage import PAGE, a_day, reopened, spoil
 from tests.attacks.power_cuts import power_cut_while_read
 from tests.attacks.signing import MISSION, Pc, falsified, pcs
 from tests.attacks.wrong_bits import Disk, seen
@@ -91,6 +91,20 @@ def test_an_approval_that_was_withdrawn_stays_withdrawn_when_the_backup_is_resto
         assert store.notice.code in ("database_restored", "database_salvaged")
         assert [key.approved_at for key in store.computer_keys.all()] == [None]
         assert TeacherSessions(store.settings).sign_in("2718")
+
+
+def test_on_a_full_disk_a_damaged_file_stays_until_there_is_room_to_read_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    day = a_day(tmp_path, n_edits=30, n_backed_up=999, n_in_log=10)
+    spoil(day.path, PAGE, 3 * PAGE)
+    with monkeypatch.context() as full:
+        full.setattr("storage.salvage.salvage._LEFT_FREE", 10**18)
+        with pytest.raises(StoreError, match="disk_full"):
+            open_store(day.path)
+    notice, n_kept = reopened(day)
+    assert notice
+    assert (notice.code, n_kept) == ("database_salvaged_alone", 30)
 
 
 def test_a_power_cut_while_a_damaged_file_is_read_leaves_no_copy_of_the_work(
