@@ -23,6 +23,7 @@ from storage.exchange.parquet import write_parquet
 from storage.exchange.program_merging import merge_program
 from storage.exchange.scope import ALL, Scope
 from storage.exchange.signing import fingerprint, own_public_key
+from storage.exchange.undecided import Undecided, undecided
 from storage.file.backups import remove_from_backups
 from storage.file.connection import Database
 from storage.file.temporary import temporary_folder
@@ -124,6 +125,10 @@ class Exchange:
     def known_computers(self) -> list[KnownComputer]:
         """PCs whose bundles were merged, the latest first."""
         return known_computers(self._database)
+
+    def undecided(self) -> list[Undecided]:
+        """Deletions of other PCs that were neither confirmed nor kept here."""
+        return undecided(self._database)
 
     def own_fingerprint(self) -> str | None:
         """What people compare of this PC's key; None where it cannot sign."""

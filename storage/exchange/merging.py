@@ -36,6 +36,7 @@ from storage.exchange.trust import (
     note_key,
     sender_of,
 )
+from storage.exchange.undecided import note_undecided
 from storage.file.connection import Database
 from storage.sql import column_names, insert, row_count
 from storage.sqlite import sqlite3
@@ -104,6 +105,7 @@ def merge(
                     keep_newer=keep_newer,
                     kept_runs=kept_runs(sender),
                 )
+            note_undecided(db, report)
             return replace(report, sender=sender, n_unconfirmed=n_unconfirmed(db))
 
         return database.write(write, attached=bundle.address)

@@ -162,6 +162,13 @@ def test_what_was_deleted_elsewhere_goes_when_the_teacher_says_so(
     )
     assert violations(other_pc) == []
     assert len(other_pc.api("/groups")["groups"]) == 1
+    other_pc.page.reload()  # nobody has decided
+    expect(other_pc["undecided"]).to_contain_text("o que aqui ainda há: 1 grupo, 1 programa")
+    assert violations(other_pc) == []
+    other_pc["undecided"].get_by_role("button").click()
+    expect(other_pc["would-delete"]).to_contain_text("Os Tatus, Programa 1")
+    expect(other_pc["undecided"]).to_have_count(0)
+    other_pc["merge-files"].click()
     other_pc["delete-too"].click()
     expect(other_pc["would-delete"]).to_have_count(0)
     expect(other_pc["merge-results"]).to_contain_text("Apagado: 1 grupo, 1 programa.")

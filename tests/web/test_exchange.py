@@ -149,6 +149,32 @@ def test_what_goes_as_it_was_deleted_elsewhere_is_counted(
     assert merged["removed"] == {"groups": 1, "programs": 1, "versions": 1, "runs": 0}
 
 
+def test_a_deletion_that_nobody_decided_about_is_listed_until_it_is_confirmed_or_kept(
+    teacher: Browser, other: Browser, version: dict[str, Any], stick: Path
+) -> None:
+    def taken() -> dict[str, Any]:
+        return {"paths": [teacher.post("/api/bundles", {"folder": str(stick)}).data["path"]]}
+
+    def waiting() -> Any:
+        return other.get("/api/bundles/heard").data["undecided"]
+
+    earlier = taken()
+    other.post("/api/bundles/merge", earlier)
+    group = _group(teacher)
+    teacher.send("DELETE", f"/api/groups/{group}")
+    later = taken()
+    other.post("/api/bundles/merge", later)
+    other.post("/api/bundles/merge", earlier)
+    (one,) = waiting()
+    assert (one["path"], one["name"]) == (later["paths"][0], Path(later["paths"][0]).name)
+    assert (one["groups"], one["programs"], one["runs"]) == (1, 1, 0)
+    (again,) = other.post("/api/bundles/merge", {"paths": [one["path"]]}).data["merged"]
+    assert again["would_delete"]["groups"] == 1
+    assert waiting() == [one]
+    other.post("/api/bundles/merge", {**later, "delete": True, "kept": [group]})
+    assert waiting() == []
+
+
 def test_a_file_that_is_refused_does_not_keep_the_others_out(
     teacher: Browser, other: Browser, version: dict[str, Any], stick: Path
 ) -> None:

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import asdict
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -33,6 +34,7 @@ from pinel_desktop.web.models.exchange import (
     PendingDeletion,
     SharedFolder,
     UnconfirmedCounts,
+    UndecidedDeletion,
 )
 from pinel_desktop.web.responses import answer, json_safe, notice
 from pinel_desktop.web.services import services
@@ -47,6 +49,7 @@ if TYPE_CHECKING:  # imported when a file is read or written, not at the app's s
     from pinel_desktop.school.removable_drives import Folder as FolderOnDisk
     from storage.exchange.bundle_writing import BundleInfo
     from storage.exchange.merge_report import MergeReport
+    from storage.exchange.undecided import Undecided
 
 api = resource("exchange", "Transfer of work between PCs.", __name__)
 
@@ -141,7 +144,14 @@ def _known_computers() -> Response:
     store = services().store
     known = [KnownComputer.of(one) for one in store.exchange.known_computers()]
     counts = UnconfirmedCounts(**store.unconfirmed.counts())
-    return answer(KnownComputerList(computers=known, unconfirmed=counts))
+    undecided = [_undecided(one) for one in store.exchange.undecided()]
+    return answer(KnownComputerList(computers=known, unconfirmed=counts, undecided=undecided))
+
+
+def _undecided(one: "Undecided") -> UndecidedDeletion:
+    fields = asdict(one) | {"name": Path(one.path).name}
+    del fields["computer_id"]
+    return UndecidedDeletion(**{name: json_safe(value) for name, value in fields.items()})
 
 
 @api.get("/programs/<id>/file", responses=answers(OCTETS, "program_not_found", *WRITES))

@@ -209,11 +209,24 @@ class UnconfirmedCounts(Shape):
     not_repeatable: int = 0
 
 
+class UndecidedDeletion(Shape):
+    """Work deleted for good on another PC and still here, which nobody confirmed or kept; merging `path` asks again."""
+
+    computer: str
+    path: str
+    name: Annotated[str, Field(description="of the file")]
+    exported_at: Time
+    groups: int
+    programs: int
+    runs: int
+
+
 class KnownComputerList(Shape):
     """The most recently merged first."""
 
     computers: list[KnownComputer]
     unconfirmed: UnconfirmedCounts
+    undecided: list[UndecidedDeletion]
 
 
 class Approval(Body):

@@ -348,6 +348,7 @@ export const TEST = {
   unconfirmed: "unconfirmed",
   computerCode: "computer-code",
   mergeResults: "merge-results",
+  undecided: "undecided", // deletions of other PCs that nobody decided about
   wouldDelete: "would-delete", // deletions that a file contains
   deleteToo: "delete-too",
   canKeep: "can-keep", // a group or program of such a deletion

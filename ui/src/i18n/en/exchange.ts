@@ -67,6 +67,13 @@ export const exchange: typeof first = {
     `On ${computer} this was deleted for good: ${names} (still here: ${work}). Delete it here too? This cannot be undone.`,
   deleteToo: "Delete it here too",
   deleteRest: "Delete the rest here too",
+  undecided: {
+    title: "Waiting for your decision",
+    line: (computer: string, work: string) =>
+      `On ${computer} this was deleted for good, and it is still here: ${work}.`,
+    file: (name: string, when: string) => `File ${name}, ${when}`,
+    ask: "Decide now",
+  },
   whatToKeep: "Tick what is to stay, here and on all PCs:",
   programOf: (name: string, group: string) => `${name} (${group})`,
   isNow: (classroom: string) => `It is in class ${classroom} now.`,

@@ -69,6 +69,13 @@ export const exchange: typeof first = {
     `En ${computer} se borró para siempre: ${names} (aquí todavía hay ${work}). ¿Borrarlo aquí también? No se puede deshacer.`,
   deleteToo: "Borrarlo aquí también",
   deleteRest: "Borrar el resto aquí también",
+  undecided: {
+    title: "Esperan su decisión",
+    line: (computer: string, work: string) =>
+      `En ${computer} se borró para siempre lo que aquí todavía hay: ${work}.`,
+    file: (name: string, when: string) => `Archivo ${name}, ${when}`,
+    ask: "Decidir ahora",
+  },
   whatToKeep: "Marque lo que debe quedar, aquí y en todas las computadoras:",
   programOf: (name: string, group: string) => `${name} (${group})`,
   isNow: (classroom: string) => `Está ahora en el curso ${classroom}.`,

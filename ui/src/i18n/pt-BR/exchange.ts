@@ -68,6 +68,13 @@ export const exchange = {
     `Em ${computer} foi apagado para sempre: ${names} (aqui ainda há ${work}). Apagar aqui também? Não dá para desfazer.`,
   deleteToo: "Apagar aqui também",
   deleteRest: "Apagar o resto aqui também",
+  undecided: {
+    title: "Esperam a sua decisão",
+    line: (computer: string, work: string) =>
+      `Em ${computer} foi apagado para sempre o que aqui ainda há: ${work}.`,
+    file: (name: string, when: string) => `Arquivo ${name}, ${when}`,
+    ask: "Decidir agora",
+  },
   whatToKeep: "Marque o que deve ficar, aqui e em todos os computadores:",
   programOf: (name: string, group: string) => `${name} (${group})`,
   isNow: (classroom: string) => `Está agora na turma ${classroom}.`,

@@ -61,9 +61,11 @@ function Boxes({ found: { folders, shared, takes_backups }, places, known }: Box
     forgetAnswers();
     return loadAll();
   };
+  const waiting = known.status === "ready" ? known.value.heard.undecided : [];
+  const undecided = waiting.filter(({ path }) => !merging.isAsked(path));
   return (
     <>
-      <MergeBox folders={folders} merging={merging} onLook={lookAgain} />
+      <MergeBox folders={folders} merging={merging} undecided={undecided} onLook={lookAgain} />
       <Loaded of={known}>
         {({ heard, classes }) => (
           <>

@@ -1,22 +1,25 @@
 import { useSignal } from "@preact/signals";
 import { Combine, RefreshCw } from "lucide-preact";
-import type { FileFound, Folder } from "../../api/model";
+import type { FileFound, Folder, KnownComputerList } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { TEST } from "../../shell/testids";
 import { FolderFiles } from "./FolderFiles";
 import { MergeResult } from "./MergeResult";
+import { Undecided } from "./Undecided";
 import type { Merging } from "./useMerging";
 
 interface MergeBoxProps {
   folders: readonly Folder[];
   merging: Merging;
+  /** Deletions that wait for a decision. */
+  undecided: KnownComputerList["undecided"];
   /** Reloads folders and known PCs. */
   onLook(): Promise<void>;
 }
 
 /** Merges files of sticks; all but anonymous ones are selected initially. */
-export function MergeBox({ folders, merging, onLook }: MergeBoxProps) {
+export function MergeBox({ folders, merging, undecided, onLook }: MergeBoxProps) {
   const ticked = useSignal<ReadonlyMap<string, boolean>>(new Map());
   const { results, progress, mergeAll, deleteToo, keep } = merging;
   const say = texts.value.exchange;
@@ -54,6 +57,7 @@ export function MergeBox({ folders, merging, onLook }: MergeBoxProps) {
             : say.merge(chosen.length)}
         </Button>
       )}
+      <Undecided deletions={undecided} onAsk={(path) => mergeAll([path])} />
       <div role="status" aria-label={say.results}>
         {results.value.length > 0 && (
           <ul class="exchange__results" data-testid={TEST.mergeResults}>

@@ -46,5 +46,8 @@ export function useMerging(onMerged: () => Promise<void>) {
     void onMerged();
   };
   const keep = (merged: Merged) => replace({ ...merged, would_delete: null });
-  return { results, progress, mergeAll, deleteToo, keep, forget };
+  /** Whether the result of a file is shown, with its question. */
+  const isAsked = (path: string) =>
+    results.value.some((one) => one.path === path && one.problem === null);
+  return { results, progress, isAsked, mergeAll, deleteToo, keep, forget };
 }

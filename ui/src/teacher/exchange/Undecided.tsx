@@ -1,0 +1,37 @@
+import type { KnownComputerList } from "../../api/model";
+import { language, texts } from "../../i18n";
+import { when } from "../../i18n/format";
+import { Button } from "../../kit/Button";
+import { TEST } from "../../shell/testids";
+import { counted } from "./outcome";
+
+interface UndecidedProps {
+  deletions: KnownComputerList["undecided"];
+  /** Merges the file again, which asks again. */
+  onAsk(path: string): Promise<void>;
+}
+
+/** What was deleted on other PCs and is still here, as nobody has decided about it. */
+export function Undecided({ deletions, onAsk }: UndecidedProps) {
+  const say = texts.value.exchange;
+  if (deletions.length === 0) return null;
+  const at = (iso: string) => when(iso, new Date(), language.value, texts.value);
+  return (
+    <div class="notice-box exchange__undecided" data-testid={TEST.undecided}>
+      <strong>{say.undecided.title}</strong>
+      <ul>
+        {deletions.map((one) => (
+          <li key={one.path}>
+            <span>
+              {say.undecided.line(one.computer, counted(one, say) || say.programs(0))}{" "}
+              <span class="exchange__about">
+                {say.undecided.file(one.name, at(one.exported_at))}
+              </span>
+            </span>
+            <Button onPress={() => onAsk(one.path)}>{say.undecided.ask}</Button>
+          </li>
+        ))}
+      </ul>
+    </div>
+  );
+}
