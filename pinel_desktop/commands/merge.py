@@ -14,8 +14,8 @@ from pinel_desktop.commands.options import chosen_database, database_option
 from pinel_desktop.messages import describe, explain, language_of_system
 from storage import Store, StoreError
 from storage.exchange.bundle_writing import SUFFIX
+from storage.exchange.deleting.pending import PendingDeletion, PendingWork
 from storage.exchange.merge_report import MergeReport
-from storage.exchange.pending import PendingDeletion, PendingWork
 
 _REFUSED = 2
 

@@ -92,7 +92,7 @@ class BackupShare:
 
     def _next_task(self) -> _Task | None:
         """None where there is nothing to be done. Raises StoreError."""
-        from storage.exchange.deletion import dead_keys  # noqa: PLC0415 - few PCs need it
+        from storage.exchange.deleting.deletion import dead_keys  # noqa: PLC0415 - few PCs need it
         from storage.file.share_copies import ShareCopies, noted  # noqa: PLC0415 - see above
 
         settings, path = Settings(self._database), self._database.path

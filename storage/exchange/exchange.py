@@ -14,7 +14,8 @@ from storage.exchange.bundle_writing import (
     note_export,
 )
 from storage.exchange.content_hash import content_hash
-from storage.exchange.deletion import Deletion, dead_keys, remove, remove_keys
+from storage.exchange.deleting.deletion import Deletion, dead_keys, remove, remove_keys
+from storage.exchange.deleting.undecided import Undecided, undecided
 from storage.exchange.known_computers import KnownComputer, known_computers
 from storage.exchange.lesson_merging import merge_lesson
 from storage.exchange.merge_report import MergeReport
@@ -23,7 +24,6 @@ from storage.exchange.parquet import write_parquet
 from storage.exchange.program_merging import merge_program
 from storage.exchange.scope import ALL, Scope
 from storage.exchange.signing import fingerprint, own_public_key
-from storage.exchange.undecided import Undecided, undecided
 from storage.file.backups import remove_from_backups
 from storage.file.connection import Database
 from storage.file.temporary import temporary_folder

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from storage.exchange.bundle_writing import BundleInfo
-from storage.exchange.deletion import Exported
-from storage.exchange.pending import PendingDeletion, PendingWork
+from storage.exchange.deleting.deletion import Exported
+from storage.exchange.deleting.pending import PendingDeletion, PendingWork
 from storage.exchange.signing import fingerprint
 from storage.exchange.trust import Sender
 

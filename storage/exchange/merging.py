@@ -2,7 +2,7 @@
 
 The union does not depend on the order: the same bundles give the same store, and a bundle that was merged before
 changes nothing. A row with a tombstone stays deleted, with all that belongs to it, until a person on any PC keeps it
-(`deletion.py`); of what was skipped meanwhile the rest comes when its bundle is merged again. No row of the store is
+(`deleting/`); of what was skipped meanwhile the rest comes when its bundle is merged again. No row of the store is
 deleted because a file says so, unless a person says so too. Each bundle is one transaction: of one that is cut off
 nothing is in the store, and it can be merged again.
 
@@ -15,7 +15,7 @@ from pathlib import Path
 
 from storage.exchange.bundle_reading import open_bundle
 from storage.exchange.bundle_writing import BundleInfo
-from storage.exchange.deletion import (
+from storage.exchange.deleting.deletion import (
     DEAD_KEYS,
     KEPT_KEYS,
     Deletion,
@@ -27,8 +27,9 @@ from storage.exchange.deletion import (
     erase,
     remove_keys,
 )
+from storage.exchange.deleting.pending import PendingDeletion, PendingWork, keep, pending_work
+from storage.exchange.deleting.undecided import note_undecided
 from storage.exchange.merge_report import MergeReport
-from storage.exchange.pending import PendingDeletion, PendingWork, keep, pending_work
 from storage.exchange.trust import (
     kept_runs,
     marking,
@@ -36,7 +37,6 @@ from storage.exchange.trust import (
     note_key,
     sender_of,
 )
-from storage.exchange.undecided import note_undecided
 from storage.file.connection import Database
 from storage.sql import column_names, insert, row_count
 from storage.sqlite import sqlite3
@@ -105,7 +105,7 @@ def merge(
                     keep_newer=keep_newer,
                     kept_runs=kept_runs(sender),
                 )
-            note_undecided(db, report)
+            note_undecided(db, bundle.info, report.would_delete)
             return replace(report, sender=sender, n_unconfirmed=n_unconfirmed(db))
 
         return database.write(write, attached=bundle.address)

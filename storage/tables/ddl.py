@@ -222,7 +222,7 @@ MIGRATIONS: dict[str, tuple[str, ...]] = {
         ) STRICT, WITHOUT ROWID""",
         "CREATE INDEX content_sums_damaged ON content_sums (row_id) WHERE damaged_at IS NOT NULL",
     ),
-    # what is kept in spite of a tombstone, and what a class takes with it (storage/exchange/deletion.py)
+    # what is kept in spite of a tombstone, and what a class takes with it (storage/exchange/deleting/deletion.py)
     "deletions": (
         "CREATE TABLE deletions (id TEXT PRIMARY KEY, turn INTEGER NOT NULL, knew TEXT NOT NULL) STRICT, WITHOUT ROWID",
         """CREATE TABLE former_classes (

@@ -5,7 +5,7 @@ from contextlib import ExitStack
 from pathlib import Path
 
 from storage import Store
-from storage.exchange.pending import PendingWork
+from storage.exchange.deleting.pending import PendingWork
 from tests.attacks.made_up_files import forged
 from tests.storage.bundle_makers import a_run, a_store, exported, hash_of, merged, removed, work
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from storage import GroupRow, ProgramRow, Recorder, RunStart, Store, open_store
 from storage.exchange.bundle_writing import BundleInfo, export_bundle
 from storage.exchange.content_hash import content_hash
-from storage.exchange.deletion import remove_keys
+from storage.exchange.deleting.deletion import remove_keys
 from storage.exchange.merge_report import MergeReport
 from storage.exchange.merging import merge
 from storage.exchange.scope import ALL, Scope

@@ -48,8 +48,8 @@ if TYPE_CHECKING:  # imported when a file is read or written, not at the app's s
     from pinel_desktop.school.removable_drives import FileFound as FileOnDisk
     from pinel_desktop.school.removable_drives import Folder as FolderOnDisk
     from storage.exchange.bundle_writing import BundleInfo
+    from storage.exchange.deleting.undecided import Undecided
     from storage.exchange.merge_report import MergeReport
-    from storage.exchange.undecided import Undecided
 
 api = resource("exchange", "Transfer of work between PCs.", __name__)
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from storage.exchange.bundle_writing import BundleInfo
 from storage.exchange.content_hash import content_hash
-from storage.exchange.deletion import remove_keys
+from storage.exchange.deleting.deletion import remove_keys
 from storage.exchange.merge_report import MergeReport
 from storage.exchange.merging import merge_attached
 from storage.sql import insert

@@ -7,7 +7,7 @@ import pytest
 
 from storage import Recorder, RunStart, Store, StoreError
 from storage.exchange.content_hash import content_hash
-from storage.exchange.deletion import remove_keys
+from storage.exchange.deleting.deletion import remove_keys
 from storage.exchange.scope import Scope
 from storage.file.opening import connect
 from storage.sql import checkpoint

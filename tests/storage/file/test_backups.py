@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from storage import Store, open_store
-from storage.exchange.deletion import remove, remove_keys
+from storage.exchange.deleting.deletion import remove, remove_keys
 from storage.file import backups
 from storage.file.backups import (
     Backup,

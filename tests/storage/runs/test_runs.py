@@ -10,7 +10,7 @@ from pinel_desktop.events.model import RunEnded
 from pinel_desktop.events.stamp import EventStamp
 from pinel_desktop.events.types import KEPT, URGENT
 from storage import GroupRow, Recorder, RunRow, RunStart, Store, StoreError, VersionRow
-from storage.exchange.deletion import remove_keys
+from storage.exchange.deleting.deletion import remove_keys
 from storage.sqlite import sqlite3
 from tests.storage.sample_documents import SQUARE, WORLD
 from tests.storage.sample_runs import block_started, ended, sample, square

@@ -2,7 +2,8 @@
 
 from dataclasses import asdict, dataclass, fields
 
-from storage.exchange.merge_report import MergeReport
+from storage.exchange.bundle_writing import BundleInfo
+from storage.exchange.deleting.pending import PendingDeletion
 from storage.file.connection import Database
 from storage.sqlite import sqlite3
 from storage.work.settings import read_setting, write_setting
@@ -29,9 +30,11 @@ class Undecided:
     runs: int
 
 
-def note_undecided(db: sqlite3.Connection, report: MergeReport) -> None:
+def note_undecided(
+    db: sqlite3.Connection, info: BundleInfo, pending: PendingDeletion | None
+) -> None:
     """Notes what the newest merge of a PC's file left undecided, within the caller's transaction."""
-    info, pending, before = report.info, report.would_delete, _kept(db)
+    before = _kept(db)
     left = {one.computer_id: one for one in before}
     known = left.pop(info.computer_id, None)
     if known is not None and info.exported_at < known.exported_at:

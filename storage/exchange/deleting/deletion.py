@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from storage.errors import StoreError
-from storage.exchange.knowledge import known_work
+from storage.exchange.deleting.knowledge import known_work
 from storage.file.connection import Database
 from storage.sql import require, row_count, tuples
 from storage.sqlite import sqlite3

@@ -1,0 +1,1 @@
+"""Deleting for good: here, where files are merged, and what waits for a decision."""
