@@ -15,6 +15,8 @@ from storage.file.backups import make_backup
 from storage.sql import opened as connected
 from tests.storage.bundle_makers import Opened, a_run, exported, merged
 
+WRONG = ("differs", "not_passed")  # what was found when the run was repeated here
+
 
 def key_of(store: Store) -> str | None:
     return own_public_key(store.path, store.computers.this()[0])
@@ -86,6 +88,23 @@ def test_no_key_tells_the_pc_in_a_file_without_names(store: Store, tmp_path: Pat
         assert db.execute("SELECT count(*) FROM signatures").fetchone() == (0,)
         assert db.execute("SELECT count(*) FROM unconfirmed_runs").fetchone() == (0,)
         assert db.execute("SELECT passed FROM runs").fetchone() == (None,)
+
+
+def test_approving_a_pc_leaves_the_marks_of_runs_that_came_out_otherwise(store: Store) -> None:
+    key = "0" * 64
+    found = {a_run(store, None): finding for finding in (None, "not_repeatable", *WRONG)}
+    known = "INSERT INTO computer_keys VALUES (?, ?, 'PC', '', NULL)"
+    marked = "INSERT INTO unconfirmed_runs VALUES (?, ?, '', ?)"
+    store._database.write(lambda db: db.execute(known, [key, next(iter(found))]).rowcount)
+    rows = [(run_id, key, finding) for run_id, finding in found.items()]
+    store._database.write(lambda db: db.executemany(marked, rows).rowcount)
+    store.computer_keys.approve(key)
+    assert {found[run_id]: store.runs.get(run_id).unconfirmed for run_id in found} == {
+        None: None,
+        "not_repeatable": None,
+        "differs": "differs",
+        "not_passed": "not_passed",
+    }
 
 
 @pytest.mark.parametrize(
