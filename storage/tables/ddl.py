@@ -11,7 +11,7 @@ what the teacher changed elsewhere meanwhile. Rows of other tables are only ever
 brought back where `deletions` says that it was kept.
 """
 
-from storage.tables.views import VIEWS
+from storage.tables.views import VIEWS, VIEWS_BEFORE_MARKS
 
 _FIRST_TABLES = (
     """CREATE TABLE "groups" (
@@ -156,7 +156,7 @@ _CLASSES_AND_LESSONS = (
     "CREATE INDEX notes_run ON notes (run_id)",
     # earlier releases made some of the views with fewer columns
     *(f"DROP VIEW IF EXISTS {name}" for name in VIEWS),
-    *(f'CREATE VIEW "{name}" AS {select}' for name, select in VIEWS.items()),
+    *(f'CREATE VIEW "{name}" AS {select}' for name, select in VIEWS_BEFORE_MARKS.items()),
 )
 MIGRATIONS: dict[str, tuple[str, ...]] = {
     "first_tables": _FIRST_TABLES,
@@ -229,5 +229,9 @@ MIGRATIONS: dict[str, tuple[str, ...]] = {
             group_id TEXT NOT NULL, classroom_id TEXT NOT NULL, has_left INTEGER NOT NULL,
             PRIMARY KEY (group_id, classroom_id)
         ) STRICT, WITHOUT ROWID""",
+    ),
+    "marks_in_run_list": (
+        "DROP VIEW run_list",
+        f'CREATE VIEW "run_list" AS {VIEWS["run_list"]}',
     ),
 }

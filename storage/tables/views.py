@@ -1,5 +1,7 @@
 """The content with names and times for people, in place of keys: what Datasette and `sqlite-utils` show first."""
 
+from storage.marks import counted, mark
+
 VIEWS = {
     "group_list": """
         SELECT classrooms.name AS class, groups.name, groups.color, groups.picture, groups.created_at, groups.used_at,
@@ -13,9 +15,10 @@ VIEWS = {
         FROM programs JOIN groups ON groups.id = programs.group_id
              LEFT JOIN classrooms ON classrooms.id = groups.classroom_id
         ORDER BY programs.id DESC""",
-    "run_list": """
+    "run_list": f"""
         SELECT runs.id, classrooms.name AS class, groups.name AS "group", lessons.title AS lesson,
-               runs.program_name AS program, runs.world, runs.state, runs.reason, runs.activity, runs.passed,
+               runs.program_name AS program, runs.world, runs.state, runs.reason, runs.activity,
+               {counted()} AS passed, {mark()} AS unconfirmed,
                runs.started_at, runs.duration_s, runs.path_length_m, runs.closing_error_m,
                computers.name AS computer
         FROM runs LEFT JOIN groups ON groups.id = runs.group_id
@@ -45,4 +48,17 @@ VIEWS = {
                notes.written_at, notes.seen_at
         FROM notes JOIN runs ON runs.id = notes.run_id LEFT JOIN groups ON groups.id = runs.group_id
         ORDER BY notes.written_at DESC""",
+}
+# of releases in which each pass counted
+VIEWS_BEFORE_MARKS = VIEWS | {
+    "run_list": """
+        SELECT runs.id, classrooms.name AS class, groups.name AS "group", lessons.title AS lesson,
+               runs.program_name AS program, runs.world, runs.state, runs.reason, runs.activity, runs.passed,
+               runs.started_at, runs.duration_s, runs.path_length_m, runs.closing_error_m,
+               computers.name AS computer
+        FROM runs LEFT JOIN groups ON groups.id = runs.group_id
+             LEFT JOIN classrooms ON classrooms.id = groups.classroom_id
+             LEFT JOIN lessons ON lessons.id = runs.lesson_id
+             LEFT JOIN computers ON computers.id = runs.computer_id
+        ORDER BY runs.id DESC""",
 }

@@ -49,6 +49,17 @@ def test_people_find_their_way_in_it(busy: Store, tmp_path: Path) -> None:
     assert rows(path, "SELECT computer FROM run_list WHERE program IS NOT NULL")
 
 
+def test_the_list_of_runs_says_which_passes_do_not_count(busy: Store) -> None:
+    passed = "UPDATE runs SET passed = 1, activity = 'square' RETURNING id"
+    marked = "INSERT INTO unconfirmed_runs VALUES (?, NULL, '', NULL)"
+    first, *others = busy._database.write(lambda db: [row[0] for row in db.execute(passed)])
+    busy._database.write(lambda db: db.execute(marked, [first]).rowcount)
+    listed = rows(busy.path, "SELECT id, passed, unconfirmed FROM run_list ORDER BY id")
+    assert sorted(map(tuple, listed)) == sorted(
+        [(first, None, "waiting"), *((one, 1, None) for one in others)]
+    )
+
+
 def test_nothing_lies_beside_it(busy: Store, tmp_path: Path) -> None:
     folder = tmp_path / "stick"
     folder.mkdir()
