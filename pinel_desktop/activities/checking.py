@@ -19,7 +19,7 @@ from pinel_desktop.execution.limits import StepLimit
 from pinel_desktop.program.faults import Fault
 from pinel_desktop.program.reading import Reading
 from pinel_desktop.robot import Setting
-from pinel_desktop.runs.spec import RunSpec
+from pinel_desktop.runs.spec import CUT_OFF, RunSpec
 from pinel_desktop.runs.start import start
 from sim.world import world_from_document
 
@@ -266,6 +266,8 @@ def _advice(
     failed = next((report for report in reports if not report.holds), None)
     if failed is None:
         return None
+    if evidence.log.ended.get("reason") in CUT_OFF:  # nothing to learn of the program
+        return Advice(words_of(str(evidence.log.ended["reason"]), {}, None), None, None)
     facts = Facts(evidence, activity.cases[number - 1], number, checks)
     for index, diagnosis in enumerate(activity.diagnoses):
         if fits(diagnosis, facts):

@@ -21,6 +21,7 @@ from pinel_desktop.activities.drawing import (
     sampled,
 )
 from pinel_desktop.activities.evidence import Evidence
+from pinel_desktop.runs.spec import CUT_OFF
 
 _DRIVES = tuple(MOTIONS - {"turn"})
 Value = float | str | None
@@ -56,7 +57,8 @@ def _finished(_check: kinds.Finished, evidence: Evidence) -> Finding:
     ended = evidence.log.ended
     state, reason = str(ended["state"]), ended.get("reason")
     values = dict(ended.get("params") or {})
-    pointer = evidence.running.pointer if evidence.running and state != "finished" else None
+    is_at_block = state != "finished" and reason not in CUT_OFF
+    pointer = evidence.running.pointer if evidence.running and is_at_block else None
     code = str(reason) if reason else "check_finished"
     return Finding(state == "finished", state, "finished", pointer, code, values)
 

@@ -18,6 +18,8 @@ if TYPE_CHECKING:  # heavy, and the app starts without it
 
 Pace = Literal["live", "max"]
 Document = dict[str, Any] | list[Any]
+# reasons of runs that PINEL or the PC lost: their record breaks off, and the program has no part in it
+CUT_OFF = ("interrupted", "engine_lost", "real_engine_lost", "internal_error")
 
 
 class RunInputs(Inputs, Protocol):

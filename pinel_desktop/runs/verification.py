@@ -18,12 +18,11 @@ from pinel_desktop.runs.comparison import (
 )
 from pinel_desktop.runs.record import spec_of
 from pinel_desktop.runs.recorded_inputs import RecordedInputs
+from pinel_desktop.runs.spec import CUT_OFF
 from pinel_desktop.runs.start import start
 from storage import RunRow, Store
 
 Outcome = Literal["identical", "equal", "different", "altered"]
-# a record that breaks off there, as when the power was cut, is compared as far as it goes
-_CUT_OFF = ("interrupted", "engine_lost", "real_engine_lost", "internal_error")
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +61,7 @@ def verify_run(store: Store, row: RunRow) -> Verdict:
     if row.state == "running":
         raise PinelError("run_not_ended", id=row.id)
     record = Record(row, store.runs.telemetry(row.id).rows, store.runs.events(row.id))
-    until = len(record.rows) if row.reason in _CUT_OFF else None
+    until = len(record.rows) if row.reason in CUT_OFF else None
     replay = ReplayLog()
     # a replay that goes beyond the record differs: a made-up program need not be run to its end, which may be far
     longest = len(record.rows) + 1 if until is None else until
@@ -92,7 +91,7 @@ def _parts(
 ) -> list[Part]:
     """What was changed of the record; nothing where it is sound and the replay merely differs."""
     row = record.row
-    if row.reason in _CUT_OFF:
+    if row.reason in CUT_OFF:
         beginning = same_beginning(record.events, replay.events, len(record.rows))
         return gaps(record) or ([] if difference else beginning)
     is_same = result.ended.telemetry_sha256 == row.telemetry_sha256

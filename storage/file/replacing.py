@@ -245,7 +245,9 @@ def _copy_with_log(path: Path, made: Path) -> None:
 
 def _remove(made: Path) -> None:
     for suffix in ("", "-journal", "-wal", "-shm", ".before"):
-        made.with_name(made.name + suffix).unlink(missing_ok=True)
+        part = made.with_name(made.name + suffix)
+        if part.exists():  # a read-only disk refuses to remove even what is not there
+            part.unlink(missing_ok=True)
 
 
 def _restoring(path: Path) -> Path:

@@ -89,6 +89,22 @@ def test_the_recorded_run_gets_the_findings_of_the_run_itself(file: Path, tmp_pa
     assert again.advice == live.advice
 
 
+def test_of_a_run_whose_engine_was_lost_no_block_is_to_blame(tmp_path: Path) -> None:
+    file = CATALOGUE / "square" / "solution.py"
+    _, log = recorded(file, tmp_path, 1)
+    lost = {**log.ended, "state": "failed", "reason": "engine_lost"}
+    cut = replace(log, events=(*log.events[: len(log.events) // 2], lost))
+    report = check_program(choose_activity("square"), read(file), recorded=RecordedRun(cut, 1))
+    assert not report.passed
+    assert report.advice is not None
+    assert report.advice.block is None
+    assert report.advice.words["pt-BR"] == (
+        "O motor que move o robô parou de repente e foi ligado de novo. "
+        "O programa está salvo. Apertem Rodar outra vez."
+    )
+    assert [check.block for check in report.cases[0].checks if check.kind == "finished"] == [None]
+
+
 @pytest.mark.parametrize(
     ("name", "case"),
     [

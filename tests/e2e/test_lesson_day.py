@@ -1,11 +1,14 @@
-"""A lesson of five groups on three PCs, as it goes: prepared by stick, worked in, merged, and read by the teacher."""
+"""A lesson of five groups on three PCs, as it goes: prepared by file, worked in, forged, merged, checked, and read."""
 
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import Locator, expect
 
+from tests.attacks.signing import falsified
+from tests.e2e.axe import violations
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.python_pane import write_program
 from tests.e2e.studio import Studio
@@ -16,6 +19,7 @@ PIN = "314159"
 SQUARE = "for _ in range(4):\n    robot.move_forward({side})\n    robot.turn(90)\n"
 INTO_THE_WALL = "robot.move_forward(9)\n"
 LESSON = "Quadrados"
+CHECKED_MS = 90_000  # two runs are repeated, by processes of their own on a busy PC
 
 
 @pytest.fixture
@@ -39,46 +43,79 @@ def test_a_lesson_on_three_pcs_is_read_on_one(pcs: list[Studio], stick: Path) ->
         mine["make-group"].click()
         expect(mine["class-group"].filter(has_text=name)).to_be_visible()
     open_lesson(mine)
-    save_on(mine, stick)
+    file = lesson_file(mine, stick)
     for pc, name in ((second, "PC 2"), (third, "PC 3")):
-        prepare(pc, name, from_stick=stick)
-        open_lesson(pc)
+        prepare(pc, name, from_file=file)
 
     with_group(mine, "Amarelos", passes_at_once)
-    with_group(mine, "Brancos", repairs)
+    with_group(second, "Brancos", repairs)
     with_group(second, "Cinzas", meets_the_wall)
     with_group(second, "Dourados", only_edits)
     with_group(third, "Esmeraldas", stops)
 
-    for pc in (second, third):
+    for pc in pcs:
         save_on(pc, stick)
-    hashes = [merge_all(mine, stick), merge_all(mine, stick)]
-    assert hashes[0] == hashes[1]
-
+    forge(stick)
+    come_together(mine, stick)
     read_the_lesson(mine)
+    approve(mine)
 
 
-def prepare(pc: Studio, name: str, from_stick: Path | None = None) -> None:
-    """Day one: PIN, class (from the stick where there is one), and the PC's name."""
+def forge(stick: Path) -> None:
+    """Pupils change a copy of the file of their PC: the run into the wall is to count as passed."""
+    [file] = stick.glob("PC 2*.pinel")
+    forged = stick / "PC 2 melhor.pinel"
+    shutil.copy(file, forged)
+    falsified(forged, "UPDATE runs SET passed = 1 WHERE state = 'failed'")
+
+
+def come_together(mine: Studio, stick: Path) -> None:
+    """All files of the stick come to the teacher's PC; merging them again changes nothing."""
+    before = merge_all(mine, stick)
+    results = mine["merge-results"].get_by_role("listitem")
+    expect(results.filter(has_text="não diz com segurança de que PC veio")).to_have_count(1)
+    expect(mine["computer-trust"].and_(mine.page.locator("[data-trust=own]"))).to_have_count(1)
+    expect(mine["approve-computer"]).to_have_count(2)
+    expect(mine["unconfirmed"]).to_be_visible()
+    assert merge_all(mine, stick) == before
+
+
+def prepare(pc: Studio, name: str, from_file: Path | None = None) -> None:
+    """Day one: PIN, the PC's name, and class and lesson, from the file where there is one."""
     pc["prepare"].click()
     pc["pin"].fill(PIN)
     pc["pin-again"].fill(PIN)
-    if from_stick is None:
+    if from_file is None:
         pc["class-name"].fill("9º A")
     pc["computer-name"].fill(name)
     pc["prepare-done"].click()
     expect(pc["teacher-part"].first).to_be_visible()
-    if from_stick is not None:
-        merge_all(pc, from_stick)
-    pc["teacher-part"].and_(pc.page.locator("[data-part=classes]")).click()
+    if from_file is not None:
+        part(pc, "lessons")
+        pc["lesson-file-open"].set_input_files(from_file)
+        expect(pc["lesson-now"]).to_contain_text(LESSON)
+    part(pc, "classes")
+
+
+def part(pc: Studio, name: str) -> None:
+    pc["teacher-part"].and_(pc.page.locator(f"[data-part={name}]")).click()
 
 
 def open_lesson(pc: Studio) -> None:
-    pc["teacher-part"].and_(pc.page.locator("[data-part=lessons]")).click()
+    part(pc, "lessons")
     pc["lesson-title"].fill(LESSON)
     pc["lesson-activity"].select_option("square")
     pc["open-lesson"].click()
     expect(pc["lesson-now"]).to_contain_text(LESSON)
+
+
+def lesson_file(pc: Studio, stick: Path) -> Path:
+    """The file that takes class and lesson to the other PCs, which is no work: it goes with no merging."""
+    with pc.page.expect_download() as saved:
+        pc["lesson-file-save"].click()
+    file = stick.with_name("aula.pinel")
+    saved.value.save_as(file)
+    return file
 
 
 def save_on(pc: Studio, stick: Path) -> None:
@@ -161,11 +198,34 @@ def finish(pc: Studio) -> None:
     pc.wait_for_phase("finished")
 
 
+def follows_the_checking(pc: Studio) -> None:
+    """The page goes on by itself, with the group that the teacher opened; the forged pass does not count."""
+    cinzas = pc["review-group"].and_(pc.page.locator("[data-name=Cinzas]"))
+    cinzas.get_by_test_id("review-open").click()
+    summary = pc["lesson-summary"]
+    expect(summary).to_contain_text("1 rodada não confere", timeout=CHECKED_MS)
+    expect(summary).not_to_contain_text("a conferência", timeout=CHECKED_MS)
+    expect(summary).to_contain_text("2 de 5")
+    expect(cinzas.get_by_test_id("review-detail")).to_contain_text("Não confere")
+    assert violations(pc) == []
+
+
+def approve(pc: Studio) -> None:
+    """What was forged stays without its pass."""
+    pc.page.goto(f"{pc.origin}/#/teacher/files")
+    pc["approve-computer"].and_(pc.page.get_by_label("Aprovar este PC: PC 2")).click()
+    trusted = pc["computer-trust"].and_(pc.page.locator("[data-trust=approved]"))
+    expect(trusted).to_have_count(1)
+    expect(pc["unconfirmed"]).to_contain_text("1 rodada não confere")
+    assert violations(pc) == []
+
+
 def read_the_lesson(pc: Studio) -> None:
     """What happened, in the teacher's page: a line for each group, and each mark opens its replay."""
     pc.page.goto(f"{pc.origin}/#/teacher/lessons")
     pc["lesson-link"].filter(visible=True).first.click()
     expect(pc["lesson-page"]).to_be_visible()
+    follows_the_checking(pc)
     groups = pc["review-group"]
     expect(groups).to_have_count(5)
     names = [group.get_attribute("data-name") for group in groups.all()]

@@ -42,7 +42,10 @@ def test_a_damaged_file_gives_way_to_its_backup_and_the_page_says_so(
     expect(later["group-card"].filter(has_text="Os Tatus")).to_be_visible()
 
 
-def test_a_frozen_engine_is_said_and_the_next_run_works(studio: Studio, app: AppProcess) -> None:
+def test_a_frozen_engine_is_said_and_the_next_run_works(
+    studio: Studio, app: AppProcess, watch: Watch
+) -> None:
+    watch.expect("503 (Service Unavailable)")  # a Stop that was not confirmed
     studio.enter_group("Os Tatus")
     blocks = studio.blocks
     blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
@@ -51,7 +54,10 @@ def test_a_frozen_engine_is_said_and_the_next_run_works(studio: Studio, app: App
     studio.run()
     studio.wait_for_phase("running")
     app.freeze_engine()
+    studio["stop"].click()
+    expect(studio["problem"]).to_contain_text("Parar foi enviado")
     studio.wait_for_phase("failed")
+    expect(studio["problem"]).to_have_count(0)  # is not true any more
     expect(studio["status-line"]).to_contain_text("foi ligado de novo")
     studio.run()
     studio.wait_for_phase("running")

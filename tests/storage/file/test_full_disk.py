@@ -333,3 +333,14 @@ def test_an_io_error_on_a_disk_with_room_is_not_taken_for_a_full_one(store: Stor
         raise error
 
     assert code_of(lambda: store._database.write(fail)) == "database_failed"
+
+
+def test_a_disk_that_is_mounted_for_reading_only_shows_the_work(tiny_disk: Path) -> None:
+    path = tiny_disk / "pinel.db"
+    with open_store(path) as store:
+        store.groups.create("A")
+    subprocess.run(["mount", "-o", "remount,ro", str(tiny_disk)], check=True)
+    with open_store(path) as store:
+        assert (store.writable, [one.name for one in store.groups.all()]) == (False, ["A"])
+        assert store.notice is not None
+        assert store.notice.code == "database_read_only"

@@ -1,9 +1,12 @@
 import { Database, Download, FileX, Save, TriangleAlert, Unplug, X } from "lucide-preact";
 import type { ComponentChildren } from "preact";
 import { api } from "../api/client";
+import { ApiError } from "../api/errors";
+import type { Notice } from "../api/model";
 import { texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { type Problem, wordsOf } from "../kit/requests/problem";
+import { Unbroken } from "../kit/requests/Unbroken";
 import { ToStart } from "../kit/ToStart";
 import { fileName, saveFile } from "../shell/save_file";
 import { connection, notice, problem } from "../shell/session";
@@ -19,7 +22,7 @@ export function Messages() {
       {connection.value === "gone" && (
         <Line words={gone} fault testId={TEST.gone} icon={<Unplug class="icon" />} />
       )}
-      {notice.value && (
+      {notice.value && !isSuperseded(notice.value, unsavedProblem()) && (
         <Line words={notice.value} testId={TEST.notice} icon={<Database class="icon" />} />
       )}
       <Unsaved />
@@ -42,6 +45,18 @@ export function Messages() {
       )}
     </div>
   );
+}
+
+/** Why the open program could not be saved, if so. */
+function unsavedProblem(): unknown {
+  const { value: open } = programOnScreen;
+  return open?.autosave.state.value === "failed" ? open.autosave.problem.value : null;
+}
+
+/** On a full disk it would be untrue that everything can still be saved. */
+export function isSuperseded({ code }: Pick<Notice, "code">, unsaved: unknown): boolean {
+  const isFull = unsaved instanceof ApiError && unsaved.code === "disk_full";
+  return isFull && code === "disk_nearly_full";
 }
 
 /** Why the server could not save the work. */
@@ -97,7 +112,10 @@ function Line({ words, icon, testId, fault = false, children }: LineProps) {
     <p class={`line-message ${fault ? "line-message--fault" : ""}`} data-testid={testId}>
       {icon}
       <span>
-        <strong>{words.message}</strong> {words.remedy}
+        <strong>
+          <Unbroken text={words.message} />
+        </strong>{" "}
+        <Unbroken text={words.remedy} />
       </span>
       {children}
     </p>

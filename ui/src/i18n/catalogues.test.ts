@@ -161,3 +161,9 @@ describe("figures", () => {
     expect(moment(at, now, "en", textsOf("en"))).toMatch(/^today, 2:58\sPM$/);
   });
 });
+
+test.each([...LANGUAGES])("a run that a power cut ended has words for it in %s", (language) => {
+  for (const code of ["interrupted", "engine_lost"]) {
+    expect(reasonWords(code, {}, language)?.remedy).toBeTruthy();
+  }
+});

@@ -6,7 +6,7 @@ import { createEditor, type Editor } from "../editor";
 import { language, texts } from "../i18n";
 import { failureIn } from "../run/failure";
 import { StatusLine } from "../run/panels/StatusLine";
-import { litBlock, type RunView } from "../run/reducer";
+import { isLive, litBlock, type RunView } from "../run/reducer";
 import { parameterIn, type Sentence, sentenceOf } from "../run/sentence";
 import { TEST } from "../shell/testids";
 import { theme } from "../shell/theme";
@@ -21,7 +21,8 @@ export interface Shown {
 export function ReplayWords({ run, view }: Shown) {
   const sentence = useComputed<Sentence>(() => {
     const begin: Sentence = { text: texts.value.replay.begin, more: "", tone: "calm" };
-    if (view.value.tick < 1) return begin;
+    // a run that was cut off before its first tick has no moment but its end
+    if (view.value.tick < 1 && isLive(view.value)) return begin;
     const voice = {
       texts: texts.value,
       language: language.value,

@@ -49,6 +49,12 @@ test("what to do about a run that failed is not replaced by that it is not judge
   expect(withJudgement(ended, "r", verdict, ptBR).more).toBe("Não julgada.");
 });
 
+test("of a run that PINEL lost it is said once what happened, with what to do", () => {
+  const lost: Sentence = { text: "O motor parou.", more: "Apertem Rodar.", tone: "fault" };
+  const verdict = judged(false, "O motor parou. Apertem Rodar.");
+  expect(withJudgement(lost, "r", verdict, ptBR)).toBe(lost);
+});
+
 test("the judgement of another run is not said", () => {
   expect(withJudgement(ended, "other", judged(true, null), ptBR)).toBe(ended);
   expect(withJudgement(ended, null, null, ptBR)).toBe(ended);

@@ -14,6 +14,8 @@ export function withJudgement(
   // why a run failed comes with what to do about it; that it is not judged stands on the mission's card
   if (judged.not_judged)
     return ended.tone === "fault" ? ended : { ...ended, more: judged.not_judged };
+  // a run that PINEL lost: what is missing is that it ended so, and what to do stands there already
+  if (judged.missing?.startsWith(ended.text)) return ended;
   const tone = ended.tone === "done" ? "notice" : ended.tone;
   if (judged.missing) return { ...ended, tone, more: activity.missing(judged.missing) };
   return { ...ended, tone, more: activity.toTheEnd };

@@ -65,9 +65,11 @@ function Groups({ groups, classes, onLesson }: Found & LessonFileProps) {
       <div class="start__head">
         <h1 class="start__title">{here.length ? start.title : words.emptyTitle}</h1>
         <div class="start__teacher">
-          <PracticeLink />
-          <BringIn />
-          <LessonFileLink onLesson={onLesson} />
+          <div class="start__ways">
+            <PracticeLink />
+            <BringIn />
+            <LessonFileLink onLesson={onLesson} />
+          </div>
           <TeacherLink />
         </div>
       </div>

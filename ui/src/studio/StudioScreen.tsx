@@ -12,7 +12,7 @@ import { loadRealRobots } from "../run/real/real_robot";
 import { isLive } from "../run/reducer";
 import { programAndGroups } from "../shell/first_answers";
 import { LEVELS, levelInUse, type MissionLevel, missionLevel } from "../shell/level";
-import { group, program, report } from "../shell/session";
+import { group, problem, program, report } from "../shell/session";
 import { OpenSound } from "./OpenSound";
 import { couldNotOpen, OpenProgram, opened, reloads } from "./program/open_program";
 import { Studio } from "./Studio";
@@ -30,9 +30,13 @@ function Opening({ programId }: { programId: string }) {
     { onFailed: couldNotOpen, release: (left) => left.close() },
   );
   const soundAt = opening.status === "failed" ? timeOfSound(opening.error) : null;
+  const openSound = () => {
+    problem.value = null; // said what to do, which is done now
+    sound.value = true;
+  };
   const ways = soundAt && (
     <>
-      <OpenSound at={soundAt} onPress={() => (sound.value = true)} />
+      <OpenSound at={soundAt} onPress={openSound} />
       <ToStart />
     </>
   );

@@ -287,7 +287,11 @@ export class StudioControl {
   }
 
   stop(): void {
-    robot.stop().catch(report);
+    robot.stop().catch((error) => {
+      report(error);
+      // of a real robot it stays: somebody must look at the robot
+      if (error instanceof ApiError && error.code === "stop_unconfirmed") forgetWhenOver();
+    });
   }
 
   /** The failure of a run, as a fault of its block. */
@@ -318,6 +322,9 @@ export class StudioControl {
     if (isLive(view)) {
       const now = sentenceOf(view, voice) ?? calm(status.ready);
       return this.edited.value ? { ...now, more: status.nextRun } : now;
+    }
+    if (this.open.autosave.state.value === "failed") {
+      return { text: status.unsaved, more: "", tone: "notice" };
     }
     const { value: deleted } = this.open.deleted;
     if (deleted) return { text: texts.value.trouble.deleted[deleted], more: "", tone: "notice" };
@@ -370,4 +377,14 @@ function pastSentence(voice: Voice): Sentence | null {
   const time = (ticks: number) => duration(ticks / 30, voice.language);
   const at = voice.texts.replay.at(time(tick), time(history.lastTick));
   return { ...said, more: [at, said.more].filter(Boolean).join(" · ") };
+}
+
+/** Closes the shown problem once the run is over, whoever ended it. */
+function forgetWhenOver(): void {
+  const { value: told } = problem;
+  const stop = effect(() => {
+    if (isLive(robot.live.value)) return;
+    if (problem.peek() === told) problem.value = null;
+    queueMicrotask(() => stop());
+  });
 }

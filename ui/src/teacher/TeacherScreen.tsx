@@ -8,6 +8,7 @@ import {
   Usb,
   UsersRound,
 } from "lucide-preact";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import { texts } from "../i18n";
 import { Loaded } from "../kit/requests/Loaded";
 import { hashOf, TEACHER_PARTS, type TeacherPart } from "../shell/route";
@@ -41,11 +42,15 @@ interface TeacherScreenProps {
 
 /** The teacher's page: lessons, the plan of one, own activities, classes and groups, camera, real robots, files, this PC. */
 export function TeacherScreen({ part }: TeacherScreenProps) {
+  const place = useRef<HTMLDivElement>(null);
+  useLayoutEffect(() => {
+    if (place.current) place.current.scrollTop = 0; // each part begins with its title
+  }, [part]);
   return (
     <RequireTeacher>
       <main class="screen teacher">
         <PartLinks part={part} />
-        <div class="teacher__part">
+        <div ref={place} class="teacher__part">
           <Part part={part} />
         </div>
       </main>
@@ -94,7 +99,7 @@ function SchoolPart({ part }: TeacherScreenProps) {
       {(found) => {
         if (part === "classes") return <ClassesPart school={found} reload={school.again} />;
         if (part === "plan") return <PlanPart school={found} />;
-        return <LessonsPart school={found} />;
+        return <LessonsPart school={found} reload={school.again} />;
       }}
     </Loaded>
   );

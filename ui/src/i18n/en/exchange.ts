@@ -34,6 +34,7 @@ export const exchange: typeof first = {
   saveIn: (folder: string) => `Save in “${folder}”`,
   results: "What came",
   brought: (computer: string, parts: string) => `${computer}: ${parts}.`,
+  lessonCame: "This is a lesson file. To open the lesson here, go to “Lessons”.",
   nothingNew: (computer: string) => `${computer}: nothing new, all of it was here already.`,
   nothingComes: (computer: string) => `${computer}: nothing new.`,
   heldBack: (parts: string) => `Does not come back, as it was deleted for good: ${parts}.`,
@@ -74,7 +75,7 @@ export const exchange: typeof first = {
     file: (name: string, when: string) => `File ${name}, ${when}`,
     ask: "Decide now",
   },
-  whatToKeep: "Tick what is to stay, here and on all PCs:",
+  whatToKeep: "Tick what is to stay, here and on all PCs. What is not ticked is deleted:",
   programOf: (name: string, group: string) => `${name} (${group})`,
   isNow: (classroom: string) => `It is in class ${classroom} now.`,
   isNowWithout: "It is in no class now.",
@@ -93,13 +94,13 @@ export const exchange: typeof first = {
       unsigned: "file without code",
     },
     approve: "Approve this PC",
-    approveOf: (name: string) => `Approve ${name}`,
+    approveOf: (name: string) => `Approve this PC: ${name}`,
     withdraw: "Undo",
     withdrawOf: (name: string) => `Undo the approval of ${name}`,
     cameUnapproved:
-      "This file came from a PC that you have not approved yet. The work came in; its missions count once they are checked.",
+      "This file came from a PC that you have not approved yet. The work is here; its missions count once PINEL has checked them, which it does by itself.",
     cameUnsigned:
-      "This file does not prove which PC it came from. The work came in; its missions count once they are checked.",
+      "This file does not prove which PC it came from. The work is here; its missions count once PINEL has checked them, which it does by itself.",
     cameChanged:
       "Attention: you approved this PC with another code. Either PINEL was installed again there, or somebody else made this file. Compare the code on that PC before you approve it.",
     waiting: (n: number) =>
@@ -110,6 +111,7 @@ export const exchange: typeof first = {
       n === 1
         ? "1 run does not hold: repeated here, it came out otherwise. Its mission does not count."
         : `${n} runs do not hold: repeated here, they came out otherwise. Their missions do not count.`,
+    wrongWhere: "The page of the lesson shows whose.",
     notRepeatable: (n: number) =>
       n === 1
         ? "1 run cannot be repeated here, as one of a real robot. It counts if you approve the PC."

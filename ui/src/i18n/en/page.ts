@@ -112,6 +112,7 @@ export const page: typeof first = {
     empty: "Click a block to begin, or drag it.",
     emptyRun: "There is nothing to run yet: attach a block below the start block.",
     ready: "All set. Press Run.",
+    unsaved: "The program is not saved yet, so it does not run. See the notice above.",
     faults: (n: number) =>
       n === 1
         ? "Before you run, mend the marked block."

@@ -7,10 +7,6 @@ export const review: typeof first = {
     activities: (n, names) => (n === 1 ? `Activity: ${names}` : `Activities: ${names}`),
     summary: "In short",
     passedBy: (n, all) => `Passed the activity: ${n} of ${all}`,
-    unconfirmed: (n: number) =>
-      n === 1
-        ? "1 run came from a PC that is not approved and does not count yet"
-        : `${n} runs came from PCs that are not approved and do not count yet`,
     stuck: "Need help:",
     notBegun: (names) => `Have not begun: ${names}`,
     needs: {

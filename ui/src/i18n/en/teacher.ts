@@ -46,7 +46,8 @@ export const teacher: typeof first = {
   },
   lessons: {
     title: "Lessons",
-    noClasses: "There are no classes yet.",
+    noClasses:
+      "There are no classes yet. Create the first, or open the lesson file that you saved on another PC.",
     makeClass: "Create the first class",
     now: "Open now",
     since: (when: string) => `since ${when}`,
@@ -101,8 +102,9 @@ export const teacher: typeof first = {
     title: "This PC",
     name: "Name of this PC",
     nameHint: "Work that is made here carries this name.",
-    code: (code: string) => `Code of this PC: ${code}`,
-    codeHint: "Whoever collects the work compares this code once and approves the PC.",
+    code: "Code of this PC",
+    codeHint:
+      "Whoever collects the work compares this code once, under “Stick and folder” of the other PC, and approves this PC.",
     keep: "Save",
     kept: "Saved.",
     pin: "Change the PIN",

@@ -35,6 +35,7 @@ export const exchange: typeof first = {
   saveIn: (folder: string) => `Guardar en “${folder}”`,
   results: "Qué llegó",
   brought: (computer: string, parts: string) => `${computer}: ${parts}.`,
+  lessonCame: "Este es un archivo de clase. Para abrir la clase aquí, vaya a “Clases”.",
   nothingNew: (computer: string) => `${computer}: nada nuevo, ya estaba todo aquí.`,
   nothingComes: (computer: string) => `${computer}: nada nuevo.`,
   heldBack: (parts: string) => `No vuelve, porque se borró para siempre: ${parts}.`,
@@ -76,7 +77,8 @@ export const exchange: typeof first = {
     file: (name: string, when: string) => `Archivo ${name}, ${when}`,
     ask: "Decidir ahora",
   },
-  whatToKeep: "Marque lo que debe quedar, aquí y en todas las computadoras:",
+  whatToKeep:
+    "Marque lo que debe quedar, aquí y en todas las computadoras. Lo que no está marcado se borra:",
   programOf: (name: string, group: string) => `${name} (${group})`,
   isNow: (classroom: string) => `Está ahora en el curso ${classroom}.`,
   isNowWithout: "Está ahora sin curso.",
@@ -95,13 +97,13 @@ export const exchange: typeof first = {
       unsigned: "archivo sin código",
     },
     approve: "Aprobar esta PC",
-    approveOf: (name: string) => `Aprobar ${name}`,
+    approveOf: (name: string) => `Aprobar esta PC: ${name}`,
     withdraw: "Deshacer",
     withdrawOf: (name: string) => `Deshacer la aprobación de ${name}`,
     cameUnapproved:
-      "Este archivo vino de una PC que usted todavía no aprobó. El trabajo entró; las misiones solo cuentan después de comprobarlas.",
+      "Este archivo vino de una PC que usted todavía no aprobó. El trabajo está aquí; las misiones cuentan cuando PINEL las haya comprobado, lo que hace solo.",
     cameUnsigned:
-      "Este archivo no demuestra de qué PC vino. El trabajo entró; las misiones solo cuentan después de comprobarlas.",
+      "Este archivo no demuestra de qué PC vino. El trabajo está aquí; las misiones cuentan cuando PINEL las haya comprobado, lo que hace solo.",
     cameChanged:
       "Atención: usted aprobó esta PC con otro código. O PINEL se instaló de nuevo en ella, u otra persona hizo este archivo. Compare el código en esa PC antes de aprobarla.",
     waiting: (n: number) =>
@@ -112,6 +114,7 @@ export const exchange: typeof first = {
       n === 1
         ? "1 recorrido no coincide: repetido aquí, el resultado fue otro. Su misión no cuenta."
         : `${n} recorridos no coinciden: repetidos aquí, el resultado fue otro. Sus misiones no cuentan.`,
+    wrongWhere: "La página de la clase muestra de qué grupo.",
     notRepeatable: (n: number) =>
       n === 1
         ? "1 recorrido no se puede repetir aquí, por ejemplo de un robot real. Cuenta si usted aprueba la PC."

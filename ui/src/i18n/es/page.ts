@@ -113,6 +113,7 @@ export const page: typeof first = {
     empty: "Hagan clic en un bloque para empezar.",
     emptyRun: "Todavía no hay nada que ejecutar: encajen un bloque debajo del bloque de inicio.",
     ready: "Todo listo. Presionen Ejecutar.",
+    unsaved: "El programa todavía no se guardó, y por eso no se ejecuta. Miren el aviso de arriba.",
     faults: (n: number) =>
       n === 1
         ? "Antes de ejecutar, arreglen el bloque marcado."

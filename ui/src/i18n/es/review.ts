@@ -7,10 +7,6 @@ export const review: typeof first = {
     activities: (n, names) => (n === 1 ? `Actividad: ${names}` : `Actividades: ${names}`),
     summary: "En resumen",
     passedBy: (n, all) => `Cumplieron la actividad: ${n} de ${all}`,
-    unconfirmed: (n: number) =>
-      n === 1
-        ? "1 recorrido vino de una PC sin aprobar y todavía no cuenta"
-        : `${n} recorridos vinieron de PCs sin aprobar y todavía no cuentan`,
     stuck: "Necesitan ayuda:",
     notBegun: (names) => `Aún no empezaron: ${names}`,
     needs: {

@@ -48,7 +48,8 @@ export const teacher: typeof first = {
   },
   lessons: {
     title: "Clases",
-    noClasses: "Todavía no hay cursos.",
+    noClasses:
+      "Todavía no hay cursos. Cree el primero, o abra el archivo de la clase que guardó en otra computadora.",
     makeClass: "Crear el primer curso",
     now: "Abierta ahora",
     since: (when: string) => `desde ${when}`,
@@ -103,8 +104,9 @@ export const teacher: typeof first = {
     title: "Esta computadora",
     name: "Nombre de esta computadora",
     nameHint: "Los trabajos hechos aquí llevan este nombre.",
-    code: (code: string) => `Código de esta computadora: ${code}`,
-    codeHint: "Quien junta los trabajos compara este código una vez y aprueba la PC.",
+    code: "Código de esta computadora",
+    codeHint:
+      "Quien junta los trabajos compara este código una vez, en “Memoria USB y carpeta” de la otra computadora, y aprueba esta PC.",
     keep: "Guardar",
     kept: "Guardado.",
     pin: "Cambiar el PIN",

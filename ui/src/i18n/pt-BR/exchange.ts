@@ -34,6 +34,7 @@ export const exchange = {
   saveIn: (folder: string) => `Salvar em “${folder}”`,
   results: "O que veio",
   brought: (computer: string, parts: string) => `${computer}: ${parts}.`,
+  lessonCame: "Este é um arquivo de aula. Para abrir a aula aqui, vá a “Aulas”.",
   nothingNew: (computer: string) => `${computer}: nada novo, já estava tudo aqui.`,
   nothingComes: (computer: string) => `${computer}: nada novo.`,
   heldBack: (parts: string) => `Não volta, porque foi apagado para sempre: ${parts}.`,
@@ -75,7 +76,8 @@ export const exchange = {
     file: (name: string, when: string) => `Arquivo ${name}, ${when}`,
     ask: "Decidir agora",
   },
-  whatToKeep: "Marque o que deve ficar, aqui e em todos os computadores:",
+  whatToKeep:
+    "Marque o que deve ficar, aqui e em todos os computadores. O que não está marcado se apaga:",
   programOf: (name: string, group: string) => `${name} (${group})`,
   isNow: (classroom: string) => `Está agora na turma ${classroom}.`,
   isNowWithout: "Está agora sem turma.",
@@ -94,13 +96,13 @@ export const exchange = {
       unsigned: "arquivo sem código",
     },
     approve: "Aprovar este PC",
-    approveOf: (name: string) => `Aprovar ${name}`,
+    approveOf: (name: string) => `Aprovar este PC: ${name}`,
     withdraw: "Desfazer",
     withdrawOf: (name: string) => `Desfazer a aprovação de ${name}`,
     cameUnapproved:
-      "Este arquivo veio de um PC que você ainda não aprovou. O trabalho entrou; as missões só contam depois de conferidas.",
+      "Este arquivo veio de um PC que você ainda não aprovou. O trabalho está aqui; as missões contam depois que o PINEL as conferir, o que ele faz sozinho.",
     cameUnsigned:
-      "Este arquivo não diz com segurança de que PC veio. O trabalho entrou; as missões só contam depois de conferidas.",
+      "Este arquivo não diz com segurança de que PC veio. O trabalho está aqui; as missões contam depois que o PINEL as conferir, o que ele faz sozinho.",
     cameChanged:
       "Atenção: você aprovou este PC com outro código. Ou o PINEL foi instalado de novo nele, ou outra pessoa fez este arquivo. Compare o código no próprio PC antes de aprovar.",
     waiting: (n: number) =>
@@ -111,6 +113,7 @@ export const exchange = {
       n === 1
         ? "1 rodada não confere: repetida aqui, o resultado foi outro. A missão dela não conta."
         : `${n} rodadas não conferem: repetidas aqui, o resultado foi outro. As missões delas não contam.`,
+    wrongWhere: "A página da aula mostra de que grupo.",
     notRepeatable: (n: number) =>
       n === 1
         ? "1 rodada não pode ser repetida aqui, por exemplo de um robô real. Ela conta se você aprovar o PC."

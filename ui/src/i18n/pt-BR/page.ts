@@ -37,7 +37,7 @@ export const page = {
     saving: "Salvando…",
     failed: "Não foi salvo",
     refused: "Mundo não salvo",
-    failedRemedy: "Continue à vontade: tentamos de novo sozinhos. Só não feche a janela.",
+    failedRemedy: "Continuem à vontade: tentamos de novo sozinhos. Só não fechem a janela.",
     retry: "Tentar agora",
   },
   start: {
@@ -113,6 +113,7 @@ export const page = {
     empty: "Cliquem em um bloco para começar, ou arrastem.",
     emptyRun: "Ainda não há nada para rodar: encaixem um bloco embaixo do bloco de início.",
     ready: "Tudo pronto. Apertem Rodar.",
+    unsaved: "O programa ainda não foi salvo, e por isso não roda. Vejam o aviso em cima.",
     faults: (n: number) =>
       n === 1
         ? "Antes de rodar, consertem o bloco marcado."

@@ -7,10 +7,6 @@ export const review = {
       n === 1 ? `Atividade: ${names}` : `Atividades: ${names}`,
     summary: "Em resumo",
     passedBy: (n: number, all: number) => `Cumpriram a atividade: ${n} de ${all}`,
-    unconfirmed: (n: number) =>
-      n === 1
-        ? "1 rodada veio de um PC sem aprovação e ainda não conta"
-        : `${n} rodadas vieram de PCs sem aprovação e ainda não contam`,
     stuck: "Precisam de ajuda:",
     notBegun: (names: string) => `Ainda não começaram: ${names}`,
     needs: {

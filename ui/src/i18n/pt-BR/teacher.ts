@@ -46,7 +46,8 @@ export const teacher = {
   },
   lessons: {
     title: "Aulas",
-    noClasses: "Ainda não há turmas.",
+    noClasses:
+      "Ainda não há turmas. Crie a primeira, ou abra o arquivo da aula que você salvou em outro computador.",
     makeClass: "Criar a primeira turma",
     now: "Aberta agora",
     since: (when: string) => `desde ${when}`,
@@ -101,8 +102,9 @@ export const teacher = {
     title: "Este computador",
     name: "Nome deste computador",
     nameHint: "Os trabalhos feitos aqui levam este nome.",
-    code: (code: string) => `Código deste computador: ${code}`,
-    codeHint: "Quem junta os trabalhos compara este código uma vez e aprova o PC.",
+    code: "Código deste computador",
+    codeHint:
+      "Quem junta os trabalhos compara este código uma vez, em “Pendrive e pasta” do outro computador, e aprova este PC.",
     keep: "Salvar",
     kept: "Salvo.",
     pin: "Mudar o PIN",

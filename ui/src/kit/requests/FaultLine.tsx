@@ -1,4 +1,5 @@
 import type { Problem } from "./problem";
+import { Unbroken } from "./Unbroken";
 
 interface FaultLineProps {
   fault: Problem | null;
@@ -9,7 +10,7 @@ export function FaultLine({ fault }: FaultLineProps) {
   if (!fault) return null;
   return (
     <p class="fault-line" role="alert">
-      <strong>{fault.message}</strong> {fault.remedy}
+      <strong>{fault.message}</strong> <Unbroken text={fault.remedy} />
     </p>
   );
 }

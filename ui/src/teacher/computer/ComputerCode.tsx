@@ -10,7 +10,10 @@ export function ComputerCode({ code }: ComputerCodeProps) {
   const { computer: say } = texts.value.teacher;
   return (
     <section class="panel card">
-      <p data-testid={TEST.computerCode}>{say.code(code)}</p>
+      <h2>{say.code}</h2>
+      <code class="computer-code" data-testid={TEST.computerCode}>
+        {code}
+      </code>
       <p class="labelled__hint">{say.codeHint}</p>
     </section>
   );

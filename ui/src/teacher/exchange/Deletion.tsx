@@ -26,7 +26,9 @@ export function Deletion({ classroom, groups, onDone, children }: DeletionProps)
   const { deletion } = texts.value.exchange;
   const isClass = chosen === classroom?.id;
   const affected = isClass ? groups : groups.filter(({ id }) => id === chosen);
-  const name = isClass ? classroom.name : (affected[0]?.name ?? "");
+  const name = isClass
+    ? `${classroom.name} (${texts.value.exchange.groups(groups.length)})`
+    : (affected[0]?.name ?? "");
   const remove = async () => {
     const removed = await (isClass ? exchange.deleteClassroom : exchange.deleteGroup)(chosen);
     setChosen("");

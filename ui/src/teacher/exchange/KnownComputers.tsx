@@ -1,13 +1,9 @@
-import { useEffect } from "preact/hooks";
 import type { KnownComputerList } from "../../api/model";
-
 import { language, texts } from "../../i18n";
 import { when } from "../../i18n/format";
+import { useProgress } from "../useProgress";
 import { TrustCell } from "./TrustCell";
 import { Unconfirmed } from "./Unconfirmed";
-
-/** Interval of looking how far the checking of runs has come. */
-const LOOK_MS = 3000;
 
 interface KnownComputersProps {
   heard: KnownComputerList;
@@ -64,14 +60,4 @@ export function KnownComputers({ heard, onChanged, onAgain }: KnownComputersProp
       )}
     </section>
   );
-}
-
-function useProgress(isWaiting: boolean, look: () => Promise<void>): void {
-  useEffect(() => {
-    if (!isWaiting) return;
-    const timer = setInterval(() => {
-      if (!document.hidden) void look();
-    }, LOOK_MS);
-    return () => clearInterval(timer);
-  }, [isWaiting]);
 }

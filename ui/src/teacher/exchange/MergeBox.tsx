@@ -25,6 +25,8 @@ export function MergeBox({ folders, merging, undecided, onLook }: MergeBoxProps)
   const say = texts.value.exchange;
   const isChosen = (file: FileFound) => ticked.value.get(file.path) ?? !file.anonymous;
   const chosen = folders.flatMap((folder) => folder.files.filter(isChosen));
+  const found = folders.flatMap(({ files }) => files);
+  const lessons = new Set(found.filter(({ lesson }) => lesson).map(({ path }) => path));
   const toggle = (file: FileFound) => {
     ticked.value = new Map(ticked.value).set(file.path, !isChosen(file));
   };
@@ -65,6 +67,7 @@ export function MergeBox({ folders, merging, undecided, onLook }: MergeBoxProps)
               <MergeResult
                 key={one.path}
                 merged={one}
+                isLesson={lessons.has(one.path)}
                 onDelete={(kept) => deleteToo(one.path, kept)}
                 onKeep={() => keep(one)}
               />

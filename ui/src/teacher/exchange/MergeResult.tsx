@@ -8,13 +8,15 @@ import { outcome, warning } from "./outcome";
 
 interface MergeResultProps {
   merged: Merged;
+  /** It is a lesson file, whose lesson is not open yet. */
+  isLesson: boolean;
   /** Deletes what the other PC deleted, but for these groups and programs. */
   onDelete(kept: readonly string[]): Promise<void>;
   onKeep(): void;
 }
 
 /** Result of merging one file, or the reason of its refusal. */
-export function MergeResult({ merged, onDelete, onKeep }: MergeResultProps) {
+export function MergeResult({ merged, isLesson, onDelete, onKeep }: MergeResultProps) {
   const { problem } = merged;
   const say = texts.value.exchange;
   const answer = useRef<HTMLParagraphElement>(null);
@@ -32,7 +34,7 @@ export function MergeResult({ merged, onDelete, onKeep }: MergeResultProps) {
             <strong>{refusal(merged.name, problem.message)}</strong> {problem.remedy}
           </>
         ) : (
-          outcome(merged, say)
+          [outcome(merged, say), isLesson && say.lessonCame].filter(Boolean).join(" ")
         )}
       </p>
       <Warning merged={merged} />

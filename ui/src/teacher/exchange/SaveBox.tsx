@@ -4,6 +4,7 @@ import { exchange } from "../../api/exchange";
 import type { Bundle, Classroom, Folder, Notice } from "../../api/model";
 import { language, texts } from "../../i18n";
 import { Button } from "../../kit/Button";
+import { Unbroken } from "../../kit/requests/Unbroken";
 import { Select, type SelectOption } from "../../kit/Select";
 import { withDistinctNames } from "../../shell/namesakes";
 import { asTeacher } from "../../shell/teacher/teacher_session";
@@ -65,7 +66,7 @@ export function SaveBox({ folders, classes, saved, onSaved }: SaveBoxProps) {
 function LeftOut({ of: { message, remedy } }: { of: Notice }) {
   return (
     <p role="alert" class="notice-box" data-testid={TEST.exportLeftOut}>
-      <b>{message}</b> {remedy}
+      <b>{message}</b> <Unbroken text={remedy} />
     </p>
   );
 }

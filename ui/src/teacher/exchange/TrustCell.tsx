@@ -37,7 +37,7 @@ export function TrustCell({ computer, onApproved }: TrustCellProps) {
         {say.states[trust]}
       </span>
       {fingerprint && <code class="trust__code">{fingerprint}</code>}
-      {key && (
+      {key && trust !== "own" && (
         <Button
           kind={isApproved ? "plain" : undefined}
           busy={busy}

@@ -16,7 +16,7 @@ export function Unconfirmed({ counts }: UnconfirmedProps) {
       {counts.waiting > 0 && <p>{say.waiting(counts.waiting)}</p>}
       {wrong > 0 && (
         <p>
-          <strong>{say.wrong(wrong)}</strong>
+          <strong>{say.wrong(wrong)}</strong> {say.wrongWhere}
         </p>
       )}
       {counts.not_repeatable > 0 && <p>{say.notRepeatable(counts.not_repeatable)}</p>}

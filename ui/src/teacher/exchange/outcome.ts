@@ -43,7 +43,7 @@ export function warning(
 ): string | null {
   const { trust, n_unconfirmed } = merged;
   if (trust === "changed_key") return say.cameChanged;
-  if (n_unconfirmed === 0) return null;
+  if (n_unconfirmed === 0 || trust === "own" || trust === "approved") return null;
   return trust === "unsigned" ? say.cameUnsigned : say.cameUnapproved;
 }
 

@@ -15,10 +15,11 @@ import { OpenLesson } from "./OpenLesson";
 
 interface LessonsPartProps {
   school: School;
+  reload(): Promise<void>;
 }
 
 /** The open lesson of each class, and its earlier ones. */
-export function LessonsPart({ school: { classes, groups } }: LessonsPartProps) {
+export function LessonsPart({ school: { classes, groups }, reload }: LessonsPartProps) {
   const { lessons: say } = texts.value.teacher;
   const shown = shownClass(classroom.value, classes, groups);
   const withNone = groupsIn(NO_CLASS, groups).length > 0;
@@ -30,6 +31,7 @@ export function LessonsPart({ school: { classes, groups } }: LessonsPartProps) {
         <LinkButton kind="main" href={hashOf({ screen: "teacher", part: "classes" })}>
           {say.makeClass}
         </LinkButton>
+        <LessonFile lesson={null} onOpened={reload} />
         {withNone && <ClassLessons id={NO_CLASS} />}
       </>
     );

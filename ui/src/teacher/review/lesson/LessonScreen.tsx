@@ -1,10 +1,13 @@
 import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
+import type { ReviewMark } from "../../../api/model";
 import { language, texts } from "../../../i18n";
 import { Loaded } from "../../../kit/requests/Loaded";
+import { valueIn } from "../../../kit/requests/load_state";
 import { useScrollPlace } from "../../../kit/scroll_place";
 import { TEST } from "../../../shell/testids";
 import { RequireTeacher } from "../../sign_in/RequireTeacher";
+import { useProgress } from "../../useProgress";
 import { useTeacherLoaded } from "../../useTeacherLoaded";
 import { EmptyList } from "../EmptyList";
 import { TipBubble } from "../marks/TipBubble";
@@ -27,6 +30,9 @@ export function LessonScreen({ lesson }: { lesson: string }) {
 
 function LoadedLesson({ lessonId }: { lessonId: string }) {
   const page = useTeacherLoaded(`${lessonId} ${language.value}`, () => loadLesson(lessonId));
+  const isWaiting = valueIn(page)?.review.groups.some(({ marks }) => marks.some(waits)) ?? false;
+  // quietly: the rows stay, so that nothing that is open or read moves away; a failure is left to the next look
+  useProgress(isWaiting, () => loadLesson(lessonId).then(page.set, () => {}));
   useEffect(() => {
     document.documentElement.dataset.page = "lesson"; // for print.css
     return () => {
@@ -41,6 +47,9 @@ function LoadedLesson({ lessonId }: { lessonId: string }) {
     </Loaded>
   );
 }
+
+/** Whether a run of a file is still to be repeated here. */
+const waits = ({ unconfirmed }: ReviewMark) => unconfirmed === "waiting";
 
 interface LessonProps {
   page: LessonPage;

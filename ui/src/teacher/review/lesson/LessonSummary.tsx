@@ -18,17 +18,17 @@ export function LessonSummary({ review: { summary, groups }, place }: LessonSumm
   const say = texts.value.review.lesson;
   const { n_passed, n_groups, fault, fault_run, n_with_fault, not_begun, differing } = summary;
   const stuck = groups.filter(({ need }) => need === "help");
-  const n_unconfirmed = groups
-    .flatMap(({ marks }) => marks)
-    .filter((one) => one.unconfirmed).length;
-  const n_other = n_unconfirmed + stuck.length + not_begun.length + differing.length;
+  const unconfirmed = unconfirmedWords(groups);
+  const n_other = unconfirmed.length + stuck.length + not_begun.length + differing.length;
   if (n_passed === null && !fault && n_other === 0) return null;
   return (
     <ul class="lesson__summary" aria-label={say.summary} data-testid={TEST.lessonSummary}>
       {n_passed !== null && n_groups > 0 && (
         <li class="lesson__passed">{say.passedBy(n_passed, n_groups)}</li>
       )}
-      {n_unconfirmed > 0 && <li>{say.unconfirmed(n_unconfirmed)}</li>}
+      {unconfirmed.map((words) => (
+        <li key={words}>{words}</li>
+      ))}
       {stuck.length > 0 && (
         <li class="lesson__stuck">
           <span>{say.stuck}</span>
@@ -51,6 +51,20 @@ export function LessonSummary({ review: { summary, groups }, place }: LessonSumm
       )}
     </ul>
   );
+}
+
+/** What waits to be checked, and what did not come out as its file says. */
+function unconfirmedWords(groups: readonly GroupReview[]): string[] {
+  const { trust: say } = texts.value.exchange;
+  const found = groups.flatMap(({ marks }) => marks.map(({ unconfirmed }) => unconfirmed));
+  const waiting = found.filter((one) => one === "waiting").length;
+  const wrong = found.filter((one) => one === "differs" || one === "not_passed").length;
+  const notRepeatable = found.filter((one) => one === "not_repeatable").length;
+  return [
+    waiting > 0 ? say.waiting(waiting) : "",
+    wrong > 0 ? say.wrong(wrong) : "",
+    notRepeatable > 0 ? say.notRepeatable(notRepeatable) : "",
+  ].filter(Boolean);
 }
 
 interface StuckGroupProps {
