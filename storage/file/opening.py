@@ -227,6 +227,9 @@ def _require_ours(connection: sqlite3.Connection, path: Path) -> None:
 
 def _migrate(path: Path, now: datetime) -> Notice | None:
     """Brings the tables up to date; raises _ReadOnlyError where the file can be read but not written."""
+    if path.exists() and not os.access(path, os.W_OK):
+        # SQLite itself notices it only with the first save where a WAL and its index are left on a read-only disk
+        raise _ReadOnlyError(_readable_address(path))
     try:
         with closing(_connect_writing(path)) as connection, _told_when_full(path):
             notice = _choose_journal(connection, path)

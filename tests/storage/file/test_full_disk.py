@@ -3,6 +3,7 @@
 import contextlib
 import errno
 import os
+import shutil
 import subprocess
 from collections.abc import Callable, Iterator
 from datetime import UTC, datetime, timedelta
@@ -335,12 +336,26 @@ def test_an_io_error_on_a_disk_with_room_is_not_taken_for_a_full_one(store: Stor
     assert code_of(lambda: store._database.write(fail)) == "database_failed"
 
 
-def test_a_disk_that_is_mounted_for_reading_only_shows_the_work(tiny_disk: Path) -> None:
-    path = tiny_disk / "pinel.db"
+@pytest.mark.parametrize("is_left_open", [False, True], ids=["closed", "wal_left"])
+def test_a_disk_that_is_mounted_for_reading_only_shows_the_work(
+    tiny_disk: Path, tmp_path: Path, *, is_left_open: bool
+) -> None:
+    """After a power cut too, which leaves the write-ahead log and its index."""
+    path = tmp_path / "pinel.db"
     with open_store(path) as store:
         store.groups.create("A")
+        if is_left_open:
+            copy_with_log(path, tiny_disk)
+    if not is_left_open:
+        copy_with_log(path, tiny_disk)
     subprocess.run(["mount", "-o", "remount,ro", str(tiny_disk)], check=True)
-    with open_store(path) as store:
+    with open_store(tiny_disk / path.name) as store:
         assert (store.writable, [one.name for one in store.groups.all()]) == (False, ["A"])
         assert store.notice is not None
         assert store.notice.code == "database_read_only"
+
+
+def copy_with_log(path: Path, folder: Path) -> None:
+    for file in path.parent.glob(f"{path.name}*"):
+        if file.is_file():
+            shutil.copy(file, folder)

@@ -55,9 +55,10 @@ function unsavedProblem(): unknown {
 
 /** On a full disk it would be untrue that everything can still be saved. */
 export function isSuperseded({ code }: Pick<Notice, "code">, unsaved: unknown): boolean {
-  const isFull = unsaved instanceof ApiError && unsaved.code === "disk_full";
-  return isFull && code === "disk_nearly_full";
+  return isCode(unsaved, "disk_full") && code === "disk_nearly_full";
 }
+
+const isCode = (error: unknown, code: string) => error instanceof ApiError && error.code === code;
 
 /** Why the server could not save the work. */
 function Unsaved() {
@@ -68,7 +69,9 @@ function Unsaved() {
   if (save.state.value !== "failed") return null;
   const { saved } = texts.value;
   const { message, remedy } = wordsOf(save.problem.value);
-  const words = { message, remedy: `${remedy} ${saved.failedRemedy}`.trim() };
+  // to wait helps where room can be made, not where nothing can be written
+  const patience = isCode(save.problem.value, "database_read_only") ? "" : saved.failedRemedy;
+  const words = { message, remedy: `${remedy} ${patience}`.trim() };
   return <Line words={words} fault testId={TEST.unsaved} icon={<Save class="icon" />} />;
 }
 
