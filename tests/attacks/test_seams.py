@@ -12,6 +12,7 @@ from pinel_desktop.school.teacher import TeacherSessions
 from storage import StoreError, open_store
 from storage.file.backups import make_backup
 from storage.file.mark import path_of
+from storage.limits import N_FEATURES
 from storage.maintenance import Maintenance
 from storage.text import utc_now
 from tests.attacks.damage import PAGE, a_day, reopened, spoil
@@ -40,6 +41,14 @@ def test_nor_does_it_on_the_way_over_a_pc_that_is_approved(pcs: Pcs) -> None:
     pcs("relay").merges(falsified(pcs("pupil").file(), OTHER_CONTENT))
     pcs("teacher").merges(pcs("relay").file())
     assert pcs("teacher").version(run) == pcs("pupil").version(run)
+
+
+def test_nor_does_it_change_a_sign_that_a_class_taught(pcs: Pcs) -> None:
+    store = pcs("teacher").store
+    room = store.classrooms.create("8A").id
+    store.taught_signs.add(room, "oi", bytes(2 * N_FEATURES))
+    pcs("teacher").merges(falsified(pcs("teacher").file(), "UPDATE taught_signs SET sign = 'zz'"))
+    assert [one.sign for one in store.taught_signs.of_classroom(room)] == ["oi"]
 
 
 def test_a_forged_program_that_came_first_gives_way_to_its_author_s(pcs: Pcs) -> None:
