@@ -256,7 +256,7 @@ def test_a_run_that_ended_on_a_full_disk_is_kept_when_the_filler_is_gone(
 
 
 def test_a_disk_without_any_room_is_told_when_the_file_is_made(tiny_disk: Path) -> None:
-    (tiny_disk / "film.mp4").write_bytes(b"x" * 599 * 1024)
+    (tiny_disk / "film.mp4").write_bytes(b"x" * 799 * 1024)
     assert code_of(lambda: open_store(tiny_disk / "pinel.db")) == "disk_full"
 
 
@@ -308,7 +308,7 @@ def test_a_file_that_may_not_grow_is_told_as_a_full_disk_and_keeps_what_was_save
     assert store.versions.save(version.program_id, big, None).workspace == big
 
 
-@pytest.mark.parametrize("size_bytes", [0, 4096, 30_000, 100_000, 300_000])
+@pytest.mark.parametrize("size_bytes", [0, 4096, 30_000, 100_000, 250_000])
 def test_a_new_file_that_may_not_become_large_enough_is_told_as_a_full_disk(
     path: Path, size_bytes: int
 ) -> None:
