@@ -53,9 +53,9 @@ function unsavedProblem(): unknown {
   return open?.autosave.state.value === "failed" ? open.autosave.problem.value : null;
 }
 
-/** On a full disk it would be untrue that everything can still be saved. */
+/** Why the work is not saved is told once; on a full disk it would be untrue that everything can still be saved. */
 export function isSuperseded({ code }: Pick<Notice, "code">, unsaved: unknown): boolean {
-  return isCode(unsaved, "disk_full") && code === "disk_nearly_full";
+  return isCode(unsaved, code) || (isCode(unsaved, "disk_full") && code === "disk_nearly_full");
 }
 
 const isCode = (error: unknown, code: string) => error instanceof ApiError && error.code === code;
