@@ -82,6 +82,8 @@ export default defineConfig({
   server: { fs: { allow: [here("..")] } },
   test: {
     environment: "jsdom",
+    // most of the time goes by while one file after the other gets its document; the default leaves a core idle
+    maxWorkers: "100%",
     setupFiles: ["src/i18n/testing/all_languages.ts"],
     include: ["src/**/*.test.ts", "src/**/*.test.tsx", "test/**/*.test.ts"],
   },
