@@ -47,3 +47,26 @@ def test_who_waits_for_the_window_waits_for_nothing_else() -> None:
         [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True
     )
     assert done.stdout.strip() == "[]"
+
+
+def test_a_command_ends_without_a_search_for_what_its_memory_still_holds() -> None:
+    """It takes longer than many a command."""
+    code = """
+import gc, sys
+from pinel_desktop.__main__ import main
+
+class Kept:
+    def __del__(self) -> None:
+        sys.stdout.write("found")
+
+gc.disable()
+kept = Kept()
+kept.itself = kept
+del kept
+sys.argv = ["pinel", "--version"]
+main()
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True
+    )
+    assert "found" not in done.stdout
