@@ -29,6 +29,7 @@ from storage.exchange.deleting.deletion import (
 )
 from storage.exchange.deleting.pending import PendingDeletion, PendingWork, keep, pending_work
 from storage.exchange.deleting.undecided import note_undecided
+from storage.exchange.joins import both, insert_new, is_new, listed, may_merge
 from storage.exchange.merge_report import MergeReport
 from storage.exchange.trust import (
     kept_runs,
@@ -111,30 +112,6 @@ def merge(
         return database.write(write, attached=bundle.address)
 
 
-def insert_new(db: sqlite3.Connection, table: ReplicatedTable, condition: str) -> int:
-    """Adds the rows of the bundle that meet the condition and whose key the store does not have; tells how many."""
-    names = column_names(db, table.name)
-    return db.execute(
-        f"INSERT INTO main.{table.name} ({', '.join(names)})"
-        f" SELECT {_of('theirs', names)} FROM bundle.{table.name} AS theirs"
-        f" WHERE ({condition}) AND {is_new(table)} ORDER BY {_of('theirs', table.key)}"
-    ).rowcount
-
-
-def is_new(table: ReplicatedTable) -> str:
-    """Condition: the store has no row of this key."""
-    return f"NOT EXISTS (SELECT 1 FROM main.{table.name} AS ours WHERE {_same_key(table)})"
-
-
-def may_merge(table: ReplicatedTable) -> str:
-    """Condition: neither the row nor what it belongs to is deleted; a bundle holds what its rows belong to."""
-    parents = [
-        f"(theirs.{column} IS NULL OR EXISTS (SELECT 1 FROM main.{parent} WHERE id = theirs.{column}))"
-        for column, parent in table.parents
-    ]
-    return " AND ".join([f"theirs.id NOT IN {DEAD_KEYS}", *parents])
-
-
 def some(counts: dict[str, int]) -> dict[str, int]:
     """Without zeros."""
     return {table: n for table, n in counts.items() if n > 0}
@@ -207,7 +184,7 @@ class _Merging:
         others = (table for table in _WITH_ID if table is not VERSIONS)  # versions never change
         missing = (
             *(f"FROM bundle.{table.name} AS theirs WHERE {is_new(table)}" for table in _WITH_ID),
-            *(f"{_both(table)} WHERE {self._is_later(table)}" for table in others),
+            *(f"{both(table)} WHERE {self._is_later(table)}" for table in others),
         )
         if any(self._db.execute(f"SELECT 1 {rows} LIMIT 1").fetchone() for rows in missing):
             return False
@@ -311,11 +288,11 @@ class _Merging:
             self._is_later(RUNS),
             f"({self._compared(RUNS, '=')} AND NOT {self._kept_runs})",
         )
-        self._do(f"CREATE TEMP TABLE replaced AS SELECT ours.id {_both(RUNS)} WHERE {later}")
-        self._do(f"CREATE TEMP TABLE shared AS SELECT ours.id {_both(RUNS)} WHERE {equal}")
+        self._do(f"CREATE TEMP TABLE replaced AS SELECT ours.id {both(RUNS)} WHERE {later}")
+        self._do(f"CREATE TEMP TABLE shared AS SELECT ours.id {both(RUNS)} WHERE {equal}")
         self._do(
             f"""CREATE TEMP TABLE coming AS
-                SELECT theirs.id {_both(RUNS, "LEFT")}
+                SELECT theirs.id {both(RUNS, "LEFT")}
                 WHERE {may_merge(RUNS)} AND (ours.id IS NULL OR {later} OR {equal})"""
         )
         for table in (EVENTS, TELEMETRY):
@@ -329,11 +306,11 @@ class _Merging:
 
     def _bring_forward(self, table: ReplicatedTable, condition: str) -> int:
         names = column_names(self._db, table.name)
-        later = f"SELECT {_of('theirs', table.key)} {_both(table)} WHERE {self._is_later(table)} AND {condition}"
+        later = f"SELECT {listed('theirs', table.key)} {both(table)} WHERE {self._is_later(table)} AND {condition}"
         same_key = " AND ".join(f"theirs.{name} = {table.name}.{name}" for name in table.key)
         return self._do(
             f"UPDATE main.{table.name} SET ({', '.join(names)}) ="
-            f" (SELECT {_of('theirs', names)} FROM bundle.{table.name} AS theirs WHERE {same_key})"
+            f" (SELECT {listed('theirs', names)} FROM bundle.{table.name} AS theirs WHERE {same_key})"
             f" WHERE ({', '.join(table.key)}) IN ({later})"
         )
 
@@ -343,7 +320,7 @@ class _Merging:
 
     def _misses_decisions(self) -> bool:
         """The store does not have a tombstone or turn of the bundle, as what it would delete is still here."""
-        later = f"SELECT 1 {_both(DELETIONS)} WHERE {self._is_later(DELETIONS)}"
+        later = f"SELECT 1 {both(DELETIONS)} WHERE {self._is_later(DELETIONS)}"
         new = (
             f"SELECT 1 FROM bundle.{table.name} AS theirs WHERE {is_new(table)}"
             for table in _DECISIONS
@@ -383,18 +360,6 @@ class _Merging:
 
     def _do(self, statement: str) -> int:
         return self._db.execute(statement).rowcount
-
-
-def _both(table: ReplicatedTable, kind: str = "") -> str:
-    return f"FROM bundle.{table.name} AS theirs {kind} JOIN main.{table.name} AS ours ON {_same_key(table)}"
-
-
-def _same_key(table: ReplicatedTable) -> str:
-    return " AND ".join(f"ours.{name} = theirs.{name}" for name in table.key)
-
-
-def _of(side: str, names: tuple[str, ...]) -> str:
-    return ", ".join(f"{side}.{name}" for name in names)
 
 
 def _was_merged(db: sqlite3.Connection, info: BundleInfo) -> bool:

@@ -12,8 +12,9 @@ from pathlib import Path
 from storage.errors import StoreError
 from storage.exchange.bundle_reading import open_bundle
 from storage.exchange.bundle_writing import BundleInfo
+from storage.exchange.joins import insert_new, is_new, may_merge
 from storage.exchange.merge_report import MergeReport
-from storage.exchange.merging import insert_new, is_new, may_merge, some
+from storage.exchange.merging import some
 from storage.exchange.trust import marking, n_unconfirmed, sender_of
 from storage.file.connection import Database
 from storage.file.opening import connect
