@@ -23,10 +23,12 @@ from pinel_desktop.camera.client import Camera, CameraState
 from pinel_desktop.desktop.backends import Pc, backends, find_browser
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.errors import PinelError
+from storage.errors import StoreError
 from storage.exchange.backup_share import SHARED_FOLDER, TAKES_BACKUPS
 from storage.file import log
 from storage.file.backups import damage_of, folder_of, list_backups, time_of
 from storage.file.mark import Remembered, local_time, remembered
+from storage.file.opening import prepare_reading
 from storage.file.replacing import was_there
 from storage.file.share_copies import noted
 from storage.sqlite import has_wal_fault, sqlite3
@@ -36,6 +38,7 @@ Level = Literal["ok", "warn", "fail"]
 
 _LITTLE_SPACE = 2**30
 _TOO_LITTLE_SPACE = 50 * 2**20
+_REFUSALS = ("database_foreign", "database_newer", "database_is_bundle")
 _BACKUPS_BEHIND_S = 2 * 86_400.0
 _ENGINE_TIMEOUT_S = 20.0
 _CAMERA_TIMEOUT_S = 20.0
@@ -158,16 +161,16 @@ def _sqlite(version: str = sqlite3.sqlite_version) -> Finding:
 
 
 def _database(path: Path) -> Finding:
+    if absent := _absent(path):
+        return absent
     params: dict[str, object] = {"path": str(path)}
     known = remembered(path)
-    if (not path.exists() or not path.stat().st_size) and was_there(path, by_log=True):
-        return Finding("database", "fail", "doctor_database_gone", params)
-    if not path.exists():
-        return Finding("database", "ok", "doctor_database_new", params)
     size = path.stat().st_size
     params |= {"size": size_words(size), "size_bytes": size}
     if problem := _damage(path):
         return Finding("database", "fail", "doctor_database_damaged", params | {"problem": problem})
+    if refusal := _refusal(path):
+        return Finding("database", "fail", refusal, params)
     if not os.access(path, os.W_OK):
         return Finding("database", "fail", "doctor_database_read_only", params)
     if incomplete := _incomplete(path, known):
@@ -178,6 +181,26 @@ def _database(path: Path) -> Finding:
     if n_values := _damaged_values(path):
         return Finding("database", "warn", "doctor_values_damaged", params | {"n_rows": n_values})
     return Finding("database", "ok", "doctor_database_ok", params)
+
+
+def _absent(path: Path) -> Finding | None:
+    """What stands for the file where none is there."""
+    params = {"path": str(path)}
+    is_there = path.exists()
+    if is_there and not path.is_file():  # a folder, a pipe: reading it would have no end
+        return Finding("database", "fail", "database_foreign", params)
+    if (not is_there or not path.stat().st_size) and was_there(path, by_log=True):
+        return Finding("database", "fail", "doctor_database_gone", params)
+    return None if is_there else Finding("database", "ok", "doctor_database_new", params)
+
+
+def _refusal(path: Path) -> str | None:
+    """Why PINEL would not open a sound file: it is of another program, of a newer release, or a bundle."""
+    try:
+        prepare_reading(path)
+    except StoreError as error:
+        return error.code if error.code in _REFUSALS else None
+    return None
 
 
 def _damaged_values(path: Path) -> object:

@@ -95,8 +95,7 @@ def test_a_database_that_is_not_there_yet_is_no_fault(tmp_path: Path) -> None:
 
 def test_a_sound_database_is_read_and_left_as_it_is(tmp_path: Path) -> None:
     path = tmp_path / "pinel.db"
-    with closing(sqlite3.connect(path)) as connection:
-        connection.executescript("CREATE TABLE things (id INTEGER); INSERT INTO things VALUES (1);")
+    open_store(path).close()
     before = path.read_bytes()
     assert database(path) == ("ok", "doctor_database_ok")
     assert path.read_bytes() == before
@@ -117,6 +116,19 @@ def test_a_database_that_cannot_be_written_fails(
     monkeypatch.setattr(os, "access", lambda place, mode: mode != os.W_OK)
     path.write_bytes(b"")
     assert database(path) == ("fail", "doctor_database_read_only")
+
+
+def test_what_pinel_would_not_open_is_told_as_it_will_be(tmp_path: Path) -> None:
+    """A file of another program knows fewer saves than the mark, but it is no older copy; a pipe has no end."""
+    path = tmp_path / "pinel.db"
+    open_store(path).close()
+    path.unlink()
+    with closing(sqlite3.connect(path)) as others:
+        others.execute("CREATE TABLE recipes (name TEXT)")
+    assert database(path) == ("fail", "database_foreign")
+    path.unlink()
+    os.mkfifo(path)
+    assert database(path) == ("fail", "database_foreign")
 
 
 def test_rows_that_point_to_nothing_are_a_warning_with_their_number(tmp_path: Path) -> None:
