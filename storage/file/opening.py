@@ -123,31 +123,32 @@ def _examined(path: Path, now: datetime, mend: Mend | None) -> Notice | None:
         raise StoreError("database_failed", path=str(path), problem=f"{path}: no file")
     path.parent.mkdir(PRIVATE_FOLDER, parents=True, exist_ok=True)
     finish_replacing(path)
-    known, n_saves = (
-        remembered(path),
-        0,
-    )  # before the file is read: another program may be saving to it
-    try:
-        problem = "missing"
-        if path.exists() and path.stat().st_size:
-            with closing(_connect_reading(path)) as connection:
-                problem = damage(connection, "quick_check") or (
-                    "" if _tables(connection) else "empty"
-                )
-                if not problem:
-                    _check_ownership(connection, path)
-                    n_saves = n_saves_of(connection)
-                    if _applied(connection) == MIGRATIONS.keys():
-                        problem = damaged_ids(connection)
-    except sqlite3.DatabaseError as error:
-        if translated(error, path).code != "database_damaged":
-            raise
-        problem = str(error)
+    known = remembered(path)  # before the file is read: another program may be saving to it
+    problem, n_saves = _looked_at(path)
     if problem in _EMPTY and not was_there(path, by_log=problem == "missing"):
         return None  # the first start
     if problem:
         return replaced(path, problem, now, lambda db: _require_ours(db, path), mend)
     return _examined_end(path, known, n_saves, now, mend)
+
+
+def _looked_at(path: Path) -> tuple[str, int]:
+    """What is wrong with the file, "" where all is well, and the saves that it has counted."""
+    if not path.exists() or not path.stat().st_size:
+        return "missing", 0
+    try:
+        with closing(_connect_reading(path)) as connection:
+            if problem := damage(connection, "quick_check"):
+                return problem, 0
+            if not _tables(connection):
+                return "empty", 0
+            _check_ownership(connection, path)
+            is_current = _applied(connection) == MIGRATIONS.keys()
+            return damaged_ids(connection) if is_current else "", n_saves_of(connection)
+    except sqlite3.DatabaseError as error:
+        if translated(error, path).code != "database_damaged":
+            raise
+        return str(error), 0
 
 
 def _examined_end(
