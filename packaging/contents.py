@@ -56,6 +56,11 @@ def system_modules() -> list[str]:
     return sorted(name for name in theirs - ours - {"gi"} if name.isidentifier())
 
 
+def without_bytecode(data: Iterable[Entry]) -> list[Entry]:
+    """The data without what a Python that ran their sources left beside them: it names folders of this machine."""
+    return [entry for entry in data if "__pycache__" not in Path(entry[0]).parts]
+
+
 def without_gtk(binaries: Iterable[Entry]) -> list[Entry]:
     """The binaries without the system libraries that only GTK's bindings need."""
     from PyInstaller.depend import bindepend  # noqa: PLC0415 - installed only where packages are built
