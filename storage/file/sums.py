@@ -91,7 +91,7 @@ def content_sum(db: sqlite3.Connection, table: str, key: str, schema: str = "mai
         n_rows = 0
         for row in cursor:
             n_rows += 1
-            digest.update(b"".join(_octets(names, row)))
+            digest.update(_octets(names, row))
     return digest.hexdigest() if n_rows or table in ("events", "telemetry") else None
 
 
@@ -172,20 +172,19 @@ def _raw(db: sqlite3.Connection) -> Iterator[None]:
         db.text_factory = before
 
 
-def _octets(names: Sequence[bytes], row: Sequence[object]) -> Iterator[bytes]:
+def _octets(names: Sequence[bytes], row: Sequence[object]) -> bytes:
     """What counts of a row: the type, the length and the octets of each value that is not NULL."""
+    parts: list[bytes | bytearray] = []
     for name, value in zip(names, row, strict=True):
-        match value:
-            case None:
-                pass
-            case int():
-                yield b"%bi%d;" % (name, value)
-            case float():
-                yield name + b"f" + struct.pack("<d", value)
-            case bytearray():
-                yield b"%bt%d:" % (name, len(value))
-                yield bytes(value)
-            case bytes():
-                yield b"%bb%d:" % (name, len(value))
-                yield value
-    yield b"\n"
+        if value is None:
+            continue
+        if type(value) is bytearray:  # a text; by far the most values are texts and whole numbers
+            parts += (b"%bt%d:" % (name, len(value)), value)
+        elif type(value) is int:
+            parts.append(b"%bi%d;" % (name, value))
+        elif type(value) is float:
+            parts += (name, b"f", struct.pack("<d", value))
+        elif type(value) is bytes:
+            parts += (b"%bb%d:" % (name, len(value)), value)
+    parts.append(b"\n")
+    return b"".join(parts)
