@@ -44,7 +44,7 @@ from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import DELETIONS, FORMER_CLASSES, REPLICATED, TOMBSTONES
 from storage.tables.runs import EVENTS, RUNS, TELEMETRY
-from storage.tables.work import LABELS, NOTES, TAUGHT_SIGNS, VERSIONS
+from storage.tables.work import GROUPS, LABELS, NOTES, TAUGHT_SIGNS, VERSIONS
 from storage.text import dumped, new_id
 
 _FIRST = ("revision", "changed_at")
@@ -53,6 +53,10 @@ _WITH_ID = tuple(table for table in REPLICATED if "id" in table.key and table no
 _BEFORE_VERSIONS = _WITH_ID[: _WITH_ID.index(VERSIONS)]
 # rows that PINEL never changes, with what may follow: a version's number, where made-up ones were mended
 _WRITTEN_ONCE = {VERSIONS.name: ("number",), TAUGHT_SIGNS.name: ()}
+# for the PC that deleted the class the group was elsewhere: it does not go with it
+_HAS_LEFT = f"""ours.classroom_id IN {DEAD_KEYS} AND theirs.id NOT IN {DEAD_KEYS} AND EXISTS (
+    SELECT 1 FROM main.former_classes
+    WHERE group_id = ours.id AND classroom_id = ours.classroom_id AND has_left)"""
 _GROUP_HERE = "group_id IN (SELECT id FROM main.groups)"
 # what a tombstone would delete: rows that are here, and groups that were in that class
 _OURS = " UNION ALL ".join(
@@ -273,6 +277,7 @@ class _Merging:
         """Also what belongs to a deleted row in its later state: it is deleted with it."""
         for table in _BEFORE_VERSIONS:
             self.changed[table.name] = self._bring_forward(table, "1")
+        self.changed[GROUPS.name] += self._replace(GROUPS, _HAS_LEFT)
         self.note_classes("was_here")
 
     def rows(self, table: ReplicatedTable) -> None:
@@ -305,13 +310,17 @@ class _Merging:
             self._do(f"DROP TABLE temp.{name}")
 
     def _bring_forward(self, table: ReplicatedTable, condition: str) -> int:
+        return self._replace(table, f"{self._is_later(table)} AND {condition}")
+
+    def _replace(self, table: ReplicatedTable, condition: str) -> int:
+        """Rows that both have become as they are in the bundle."""
         names = column_names(self._db, table.name)
-        later = f"SELECT {listed('theirs', table.key)} {both(table)} WHERE {self._is_later(table)} AND {condition}"
+        keys = f"SELECT {listed('theirs', table.key)} {both(table)} WHERE {condition}"
         same_key = " AND ".join(f"theirs.{name} = {table.name}.{name}" for name in table.key)
         return self._do(
             f"UPDATE main.{table.name} SET ({', '.join(names)}) ="
             f" (SELECT {listed('theirs', names)} FROM bundle.{table.name} AS theirs WHERE {same_key})"
-            f" WHERE ({', '.join(table.key)}) IN ({later})"
+            f" WHERE ({', '.join(table.key)}) IN ({keys})"
         )
 
     def _count_skipped(self, table: ReplicatedTable) -> None:

@@ -66,6 +66,26 @@ class Lab:
         programs = [{one.name for one in pc.programs.of_group(group.id)} for pc in pcs]
         return {hash_of(pc) for pc in pcs}, programs
 
+    def class_deleted_where_its_group_had_left_and_here_it_was_worked_in(
+        self,
+    ) -> tuple[set[str], set[str], set[str]]:
+        """What the question names; the group's programs here afterwards; hashes of both PCs in the end."""
+        here, there = self.pc(), self.pc()
+        old = here.classrooms.create("8º B")
+        group = here.groups.create("Onças", classroom_id=old.id)
+        merged(there, self.file(here))
+        there.groups.change(group.id, {"classroom_id": None})
+        removed(there, old.id)
+        work(here, group, "só aqui")
+        for name in ("Onças 2", "Onças 3"):  # two revisions later, here it is still in the class
+            here.groups.change(group.id, {"name": name})
+        file = self.file(there)
+        asked = merged(here, file, delete=False).would_delete
+        merged(here, file)
+        programs = {one.name for one in here.programs.of_group(group.id)}
+        merged(there, self.file(here))
+        return set(asked.names if asked else ()), programs, {hash_of(here), hash_of(there)}
+
     def run_deleted_there_and_later_its_group_here(self) -> tuple[str, str]:
         """Hashes; the deletion of the run was not confirmed at first."""
         here, there = self.pc(), self.pc()

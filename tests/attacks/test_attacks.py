@@ -331,6 +331,15 @@ def test_what_was_made_in_a_moved_group_is_on_all_pcs_in_the_end(lab: Lab) -> No
         assert programs == [{"before", "on the third PC", "where it was moved"}] * 3
 
 
+def test_a_group_that_had_left_a_class_where_that_was_deleted_stays_and_is_not_asked_about(
+    lab: Lab,
+) -> None:
+    asked, programs, hashes = lab.class_deleted_where_its_group_had_left_and_here_it_was_worked_in()
+    assert asked == {"8º B"}
+    assert programs == {"só aqui"}
+    assert len(hashes) == 1
+
+
 def test_a_deletion_that_was_not_confirmed_does_not_keep_pcs_apart(lab: Lab) -> None:
     here, there = lab.run_deleted_there_and_later_its_group_here()
     assert here == there
