@@ -47,9 +47,8 @@ class PinTries:
         self._settings, self._clock, self._steady = settings, clock, steady
         self._kept: Any = None  # as the settings had them last
         self._tries = _Tries()
-        self._tried_at: dict[
-            str, float
-        ] = {}  # session -> steady time of its last try since the start
+        # session -> steady time of its last try since the start
+        self._tried_at: dict[str, float] = {}
         self._started_at = self._refilled_at = steady()
 
     def check(self, session: str) -> None:
