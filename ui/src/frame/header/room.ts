@@ -15,10 +15,11 @@ export function useRoom(header: RefObject<HTMLElement>): void {
     sizes.observe(element);
     const changes = new MutationObserver(measure);
     changes.observe(element, { childList: true, characterData: true, subtree: true });
-    void document.fonts?.ready.then(measure);
+    document.fonts?.addEventListener("loadingdone", measure); // each weight comes when it is first used
     return () => {
       sizes.disconnect();
       changes.disconnect();
+      document.fonts?.removeEventListener("loadingdone", measure);
     };
   }, []);
 }
