@@ -250,7 +250,7 @@ def _are_counts(value: dict[str, Any]) -> bool:
     return all(isinstance(n, int) for n in value.values())
 
 
-_RULES = {
+_RULES: dict[str, rules.Rule] = {
     "app_version": rules.short,
     "exported_at": rules.time,
     "computer_id": rules.key,

@@ -14,6 +14,7 @@ from storage.tables.runs import TELEMETRY
 from storage.text import time_text, utc_now
 
 _SAMPLE_COLUMNS = 16
+_ROWS_AT_ONCE = 256
 _RELEASED = datetime(2026, 11, 23, tzinfo=UTC)  # the clock may be at 2010
 _CLOCKS_DIFFER = timedelta(days=1)
 
@@ -62,11 +63,16 @@ def _refused_rows(
     table_rules = table.rules
     rules = [table_rules[name] for name in names]
     places = [names.index(name) for name in table.key]
-    for row in tuples(db, f"SELECT {', '.join(names)} FROM {table.name}"):
-        for value, rule, name in zip(row, rules, names, strict=True):
-            if not rule(value):
-                yield tuple(row[place] for place in places), f"{table.name}.{name}"
-                break
+    found = tuples(db, f"SELECT {', '.join(names)} FROM {table.name}")
+    while rows := found.fetchmany(_ROWS_AT_ONCE):
+        columns = zip(*rows, strict=True)
+        if all(all(map(rule, values)) for rule, values in zip(rules, columns, strict=True)):
+            continue  # as nearly always
+        for row in rows:
+            for value, rule, name in zip(row, rules, names, strict=True):
+                if not rule(value):
+                    yield tuple(row[place] for place in places), f"{table.name}.{name}"
+                    break
 
 
 def _problem_in_table(db: sqlite3.Connection, table: ReplicatedTable) -> str | None:

@@ -14,7 +14,8 @@ from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import REPLICATED
 
-_encode = json.JSONEncoder(separators=(",", ":")).encode
+_SEPARATORS = (",", ":")
+_encode = json.JSONEncoder(separators=_SEPARATORS).encode
 
 
 def content_hash(db: sqlite3.Connection, schema: str = "main") -> str:
@@ -47,7 +48,14 @@ def _encoded_rows(
         f"SELECT {', '.join(names)} FROM {schema}.{table.name}"
         f" WHERE {table.condition.format(schema=schema)} ORDER BY {', '.join(table.key)}",
     )
+    blobs: list[bytes] = []
+
+    def length(blob: bytes) -> int:
+        blobs.append(blob)
+        return len(blob)
+
+    encode = json.JSONEncoder(separators=_SEPARATORS, default=length).encode
     for row in rows:
-        blobs = [value for value in row if isinstance(value, bytes)]
-        head = [len(value) if isinstance(value, bytes) else value for value in row]
-        yield f"{_encode(head)}\n".encode() + b"".join(blobs)
+        line = f"{encode(row)}\n".encode()
+        yield b"".join((line, *blobs))
+        blobs.clear()

@@ -11,21 +11,28 @@ has none.
 
 import hashlib
 import struct
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from itertools import groupby
+from operator import itemgetter
 
 from storage.sql import column_names, snapshot, tuples
 from storage.sqlite import sqlite3
+from storage.text import dumped
 
 # the column that names the row, or the run that the rows belong to
 KEYS = {"versions": "id", "runs": "id", "events": "run_id", "telemetry": "run_id"}
-OF_RUNS = ("runs", "events", "telemetry")
+_PARTS = ("events", "telemetry")
+OF_RUNS = ("runs", *_PARTS)
 _SIDES = {"INSERT": ("new",), "UPDATE": ("old", "new"), "DELETE": ("old",)}
+# of a run without events or without samples
+_NOTHING = hashlib.sha256().hexdigest()
 _ORDER = {"versions": "id", "runs": "id", "events": "seq", "telemetry": "chunk"}
 _SELECT = {
-    table: f"SELECT * FROM {{schema}}.{table} WHERE {key} = ? ORDER BY {_ORDER[table]}"
+    table: f"SELECT * FROM {{schema}}.{table} WHERE {key} {{which}} ORDER BY {key}, {_ORDER[table]}"
     for table, key in KEYS.items()
 }
+_IN = "IN (SELECT value FROM json_each(?))"
 
 
 class Changes:
@@ -35,33 +42,31 @@ class Changes:
     """
 
     def __init__(self, db: sqlite3.Connection) -> None:
-        self._rows: set[tuple[str, str]] = set()
-        db.create_function("note_change", 2, self._note)
+        self._keys: dict[str, set[bytes]] = {table: set() for table in KEYS}
         for table, key in KEYS.items():
+            db.create_function(f"note_{table}", 1, self._keys[table].add)
             for change, sides in _SIDES.items():
                 noted = " ".join(
-                    f"SELECT note_change('{table}', CAST({side}.{key} AS BLOB));" for side in sides
+                    f"SELECT note_{table}(CAST({side}.{key} AS BLOB));" for side in sides
                 )
                 db.execute(
                     f"CREATE TEMP TRIGGER {change}_{table} AFTER {change} ON main.{table}"
                     f" BEGIN {noted} END"
                 )
 
-    def _note(self, table: str, key: bytes) -> None:
-        self._rows.add((table, key.decode("utf-8", "replace")))  # the key may be what is damaged
-
     def renew(self, db: sqlite3.Connection) -> None:
         """Gives each row that was changed its sum, within the transaction that changed it."""
-        changed, self._rows = self._rows, set()
-        for table, key in _to_renew(db, changed):
-            _renew_one(db, table, key)
+        changed = set()
+        for table, keys in self._keys.items():
+            # a key may be what is damaged
+            changed |= {(table, key.decode("utf-8", "replace")) for key in keys}
+            keys.clear()
+        _renew(db, _to_renew(db, changed))
 
 
 def seal(db: sqlite3.Connection, keys: Sequence[tuple[str, str]]) -> None:
     """Gives rows without a sum the one of what is there now, within the caller's transaction."""
-    for table, key in keys:
-        if stored_sum(db, table, key) is None:
-            _renew_one(db, table, key)
+    _renew(db, [which for which in keys if stored_sum(db, *which) is None])
 
 
 def mend_from(db: sqlite3.Connection, schema: str) -> None:
@@ -84,15 +89,8 @@ def content_sum(db: sqlite3.Connection, table: str, key: str, schema: str = "mai
     Raises:
         sqlite3.DatabaseError: the value lies on a page that cannot be read.
     """
-    digest = hashlib.sha256()
-    with _raw(db):
-        cursor = tuples(db, _SELECT[table].format(schema=schema), (key,))
-        names = [f"{column[0]}=".encode() for column in cursor.description]
-        n_rows = 0
-        for row in cursor:
-            n_rows += 1
-            digest.update(_octets(names, row))
-    return digest.hexdigest() if n_rows or table in ("events", "telemetry") else None
+    nothing = _NOTHING if table in _PARTS else None
+    return _sums(db, table, schema, "= ?", key).get(key, nothing)
 
 
 def stored_sum(db: sqlite3.Connection, table: str, key: str, schema: str = "main") -> str | None:
@@ -132,33 +130,33 @@ def take_over(
 
 def _to_renew(db: sqlite3.Connection, changed: set[tuple[str, str]]) -> Iterator[tuple[str, str]]:
     """The sums that change with the rows. A run's events and samples get theirs when it ends."""
-    for table, key in sorted(changed):
+    for table, key in changed:
         yield table, key
         if table == "runs":
-            for part in ("events", "telemetry"):
+            for part in _PARTS:
                 if (part, key) not in changed and stored_sum(db, part, key) is None:
                     yield part, key
 
 
-def _renew_one(db: sqlite3.Connection, table: str, key: str) -> None:
-    found = None
-    if table == "versions" or _has_ended(db, key):
-        found = content_sum(db, table, key)
-    which = (table, key)
-    if found is None:
-        db.execute("DELETE FROM content_sums WHERE table_name = ? AND row_id = ?", which)
-        return
-    db.execute(
-        """INSERT INTO content_sums (table_name, row_id, sha256) VALUES (?, ?, ?)
-           ON CONFLICT DO UPDATE SET damaged_at = NULL, sha256 = excluded.sha256
-           WHERE damaged_at IS NULL OR sha256 = excluded.sha256""",
-        (*which, found),
-    )
+def _renew(db: sqlite3.Connection, changed: Iterable[tuple[str, str]]) -> None:
+    for table, group in groupby(sorted(changed), itemgetter(0)):
+        keys = [key for _, key in group]
+        lasting = keys if table == "versions" else _ended(db, keys)
+        sums = dict.fromkeys(lasting, _NOTHING) if table in _PARTS else {}
+        sums |= _sums(db, table, "main", _IN, dumped(lasting))
+        gone = [(table, key) for key in keys if key not in sums]
+        db.executemany("DELETE FROM content_sums WHERE table_name = ? AND row_id = ?", gone)
+        db.executemany(
+            """INSERT INTO content_sums (table_name, row_id, sha256) VALUES (?, ?, ?)
+               ON CONFLICT DO UPDATE SET damaged_at = NULL, sha256 = excluded.sha256
+               WHERE damaged_at IS NULL OR sha256 = excluded.sha256""",
+            [(table, key, found) for key, found in sums.items()],
+        )
 
 
-def _has_ended(db: sqlite3.Connection, run_id: str) -> bool:
-    row = tuples(db, "SELECT state FROM runs WHERE id = ?", (run_id,)).fetchone()
-    return row is not None and row[0] != "running"
+def _ended(db: sqlite3.Connection, run_ids: Sequence[str]) -> list[str]:
+    query = f"SELECT id FROM runs WHERE id {_IN} AND state IS NOT 'running'"
+    return [str(row[0]) for row in tuples(db, query, (dumped(run_ids),))]
 
 
 @contextmanager
@@ -172,19 +170,33 @@ def _raw(db: sqlite3.Connection) -> Iterator[None]:
         db.text_factory = before
 
 
-def _octets(names: Sequence[bytes], row: Sequence[object]) -> bytes:
-    """What counts of a row: the type, the length and the octets of each value that is not NULL."""
+def _sums(
+    db: sqlite3.Connection, table: str, schema: str, which: str, parameter: str
+) -> dict[str, str]:
+    with _raw(db):
+        cursor = tuples(db, _SELECT[table].format(schema=schema, which=which), (parameter,))
+        columns = [column[0] for column in cursor.description]
+        names = [f"{column}=".encode() for column in columns]
+        return {
+            key.decode(): hashlib.sha256(_octets(names, rows)).hexdigest()
+            for key, rows in groupby(cursor, itemgetter(columns.index(KEYS[table])))
+        }
+
+
+def _octets(names: Sequence[bytes], rows: Iterable[tuple[object, ...]]) -> bytes:
+    """What counts of rows: the type, the length and the octets of each value that is not NULL."""
     parts: list[bytes | bytearray] = []
-    for name, value in zip(names, row, strict=True):
-        if value is None:
-            continue
-        if type(value) is bytearray:  # a text; by far the most values are texts and whole numbers
-            parts += (b"%bt%d:" % (name, len(value)), value)
-        elif type(value) is int:
-            parts.append(b"%bi%d;" % (name, value))
-        elif type(value) is float:
-            parts += (name, b"f", struct.pack("<d", value))
-        elif type(value) is bytes:
-            parts += (b"%bb%d:" % (name, len(value)), value)
-    parts.append(b"\n")
+    for row in rows:
+        for name, value in zip(names, row, strict=True):
+            if value is None:
+                continue
+            if type(value) is bytearray:  # a text; most values are texts and whole numbers
+                parts += (b"%bt%d:" % (name, len(value)), value)
+            elif type(value) is int:
+                parts.append(b"%bi%d;" % (name, value))
+            elif type(value) is float:
+                parts += (name, b"f", struct.pack("<d", value))
+            elif type(value) is bytes:
+                parts += (b"%bb%d:" % (name, len(value)), value)
+        parts.append(b"\n")
     return b"".join(parts)

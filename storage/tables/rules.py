@@ -9,6 +9,7 @@ import re
 import struct
 from collections.abc import Callable
 from datetime import datetime
+from functools import lru_cache
 from typing import Any
 
 from storage.json_check import is_object, parsed
@@ -27,6 +28,7 @@ Rule = Callable[[Any], bool]
 _MAX_SHORT = 200
 MAX_TEXT = 10_000
 _UUID = r"[0-9a-f]{8}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{12}"
+_UUID_LENGTH = 36
 _TIME = re.compile(r"[0-9]{4}(-[0-9]{2}){2}T[0-9]{2}(:[0-9]{2}){2}(\.[0-9]{1,6})?Z")
 # control characters, and those that turn the direction of what follows
 _UNSEEN = re.compile(r"[\x00-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
@@ -103,7 +105,12 @@ def real(value: Any) -> bool:
 
 def key(value: Any) -> bool:
     """A UUID. A UUIDv7 must not be so late that no later one is left for rows made afterwards."""
-    return _is_uuid(value) and not (value[14] == "7" and value >= FIRST_MADE_UP_ID)
+    return isinstance(value, str) and len(value) == _UUID_LENGTH and _is_key(value)
+
+
+@lru_cache(maxsize=256)  # rows of one run follow each other
+def _is_key(text: str) -> bool:
+    return _is_uuid(text) and not (text[14] == "7" and text >= FIRST_MADE_UP_ID)
 
 
 def time(value: Any) -> bool:
