@@ -88,7 +88,7 @@ export const exchange: typeof first = {
   keepHere: "No borrar nada",
   trust: {
     title: "Aprobación",
-    hint: "Antes de aprobar una PC, compare el código con el que aparece en ella, en “Esta computadora” de la parte docente. Las misiones de una PC aprobada cuentan enseguida; las de las demás, después de que esta computadora repite los recorridos.",
+    hint: "Antes de aprobar una PC, compare el código con el que aparece en ella, en “Esta computadora”, en el área docente. Las misiones de una PC aprobada cuentan enseguida; las de las demás, después de que esta computadora repite los recorridos.",
     states: {
       own: "esta computadora",
       approved: "aprobada",

@@ -87,7 +87,7 @@ export const exchange = {
   keepHere: "Não apagar nada",
   trust: {
     title: "Aprovação",
-    hint: "Antes de aprovar um PC, compare o código com o que aparece nele, em “Este computador” na parte de professora ou professor. As missões de um PC aprovado contam na hora; as dos outros, depois que este computador repete as rodadas.",
+    hint: "Antes de aprovar um PC, compare o código com o que aparece nele, em “Este computador”, na área do professor. As missões de um PC aprovado contam na hora; as dos outros, depois que este computador repete as rodadas.",
     states: {
       own: "este computador",
       approved: "aprovado",

@@ -56,7 +56,7 @@ export function SignInForm({ again }: SignInFormProps) {
             {say.back}
           </LinkButton>
         </div>
-        <p class="labelled__hint">{say.forgotten}</p>
+        {fault === null && <p class="labelled__hint">{say.forgotten}</p>}
       </Form>
     </main>
   );
