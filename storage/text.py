@@ -76,6 +76,17 @@ def time_text(moment: datetime) -> str:
     return moment.astimezone(UTC).isoformat(timespec="microseconds").replace("+00:00", "Z")
 
 
+def local_time(moment: datetime | str) -> str:
+    """A moment to the minute by the clock of this PC, for people; messages write it as their language does.
+
+    Raises:
+        ValueError: a text that is no moment.
+        OverflowError: a moment at the end of the calendar.
+    """
+    found = datetime.fromisoformat(moment) if isinstance(moment, str) else moment
+    return f"{found.astimezone():%Y-%m-%d %H:%M}"
+
+
 def just_after(moment: str) -> str:
     """A microsecond later: of states of one revision the later one is kept, and a PC whose clock is behind must not
     lose its own change. The last moment that other PCs take stays; "" after what is no moment."""

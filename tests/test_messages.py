@@ -1,5 +1,6 @@
 import json
 import re
+from datetime import datetime
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,7 @@ from pinel_desktop.messages import (
 )
 from pinel_desktop.program.signatures import TAKES, range_code
 from pinel_desktop.program.translation import WRONG_TYPE
+from storage.text import local_time
 
 PACKAGE = Path(pinel_desktop.__file__).parent
 FOLDER = PACKAGE / "messages" / "catalogue"
@@ -135,6 +137,20 @@ def test_numbers_have_the_decimal_sign_of_their_language_and_long_texts_are_cut(
     assert "100.5" in describe("distance_out_of_range", params, "en").message
     assert "to 100." in describe("distance_out_of_range", params, "en").remedy
     assert len(describe("unknown_action", {"value": "x" * 999, "allowed": []}, "en").message) < 200
+
+
+@pytest.mark.parametrize(
+    ("language", "shown"),
+    [
+        ("pt-BR", "14/11/2026 às 13:30"),
+        ("en", "2026-11-14 13:30"),
+        ("es", "14/11/2026 a las 13:30"),
+    ],
+)
+def test_moments_are_written_as_in_their_language(language: str, shown: str) -> None:
+    moment = local_time(datetime(2026, 11, 14, 13, 30).astimezone())
+    assert shown in describe("version_damaged", {"time": moment}, language).message
+    assert moment in describe("unknown_action", {"value": f"{moment}:00"}, language).message
 
 
 @pytest.mark.parametrize("name", ["path", "folder", "file"])

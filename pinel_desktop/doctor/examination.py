@@ -27,12 +27,12 @@ from storage.errors import StoreError
 from storage.exchange.backup_share import SHARED_FOLDER, TAKES_BACKUPS
 from storage.file import log
 from storage.file.backups import damage_of, folder_of, list_backups, time_of
-from storage.file.mark import Remembered, local_time, remembered
+from storage.file.mark import Remembered, remembered
 from storage.file.opening import prepare_reading
 from storage.file.replacing import was_there
 from storage.file.share_copies import noted
 from storage.sqlite import has_wal_fault, sqlite3
-from storage.text import loaded
+from storage.text import loaded, local_time
 
 Level = Literal["ok", "warn", "fail"]
 
@@ -257,7 +257,7 @@ def _backups(path: Path) -> Finding:
     if not found:
         return Finding("backups", "warn" if path.exists() else "ok", "doctor_backups_none", params)
     newest = found[0]
-    params |= {"time": f"{newest.made_at.astimezone():%Y-%m-%d %H:%M}", "name": newest.path.name}
+    params |= {"time": local_time(newest.made_at), "name": newest.path.name}
     if damage_of(newest.path) is not None:
         return Finding("backups", "warn", "doctor_backups_bad", params)
     # compared with the last change, not with today: holidays are no cause for a warning
@@ -279,7 +279,7 @@ def _copies(path: Path) -> Iterator[Finding]:
     if found is None or found.finished is None:
         yield Finding("backups", "warn", "doctor_copies_none", {"folder": shared})
         return
-    made_at = f"{time_of(found.finished).astimezone():%Y-%m-%d %H:%M}"
+    made_at = local_time(time_of(found.finished))
     params = {"time": made_at, "folder": str(found.finished.parent)}
     yield Finding("backups", "ok", "doctor_copies_ok", params)
 

@@ -25,6 +25,8 @@ LANGUAGES = (
     *sorted({folder.name for folder in _CATALOGUE.iterdir()} - {SOURCE_LANGUAGE}),
 )
 _PLACEHOLDER = re.compile(r"\{(\w+)\}")
+# as `storage.text.local_time` writes it
+_MOMENT = re.compile(r"(?P<year>\d{4})-(?P<month>\d\d)-(?P<day>\d\d) (?P<hour>\d\d:\d\d)", re.ASCII)
 _MAX_LENGTH = 80
 # paths are cut later than other values: their end tells them apart, and a person may have to type them
 _PATH_PARAMS = frozenset({"file", "files", "folder", "path"})
@@ -116,5 +118,8 @@ def _show(value: object, language: str, is_path: bool = False) -> str:
     if isinstance(value, list | tuple):
         return ", ".join(_show(item, language, is_path) for item in value)
     text = str(value)
+    if moment := _MOMENT.fullmatch(text):
+        form = catalogue(language)["moment"]["message"]
+        return _PLACEHOLDER.sub(lambda part: moment[part[1]], form)
     longest = _MAX_PATH_LENGTH if is_path else _MAX_LENGTH
     return text if len(text) <= longest else text[: longest - 1] + "…"

@@ -13,6 +13,7 @@ from datetime import datetime
 from pathlib import Path
 
 from storage.sqlite import sqlite3
+from storage.text import local_time
 
 _LENGTH = 96  # bytes, always the same: it is overwritten in place
 _LAST = 2**31 - 1  # of `user_version`
@@ -80,11 +81,6 @@ def remember_first(database: Path, n_saves: int, at: str) -> None:
     known = remembered(database)
     if known is None or known.n_saves != n_saves:
         remember(database, n_saves, at)
-
-
-def local_time(at: str) -> str:
-    """A time of the mark for people."""
-    return f"{datetime.fromisoformat(at).astimezone():%Y-%m-%d %H:%M}"
 
 
 def n_saves_of(db: sqlite3.Connection) -> int:

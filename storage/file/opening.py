@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterator
 from contextlib import closing
 from dataclasses import dataclass
-from datetime import datetime
+from datetime import UTC, datetime
 from pathlib import Path
 
 from storage.errors import StoreError, translated
@@ -29,7 +29,7 @@ from storage.sql import address, damage
 from storage.sqlite import sqlite3
 from storage.tables.ddl import MIGRATIONS
 from storage.tables.migrations import MIGRATION_SET, MIGRATIONS_TABLE, migrate
-from storage.text import IS_ID, continue_after, loaded, time_text
+from storage.text import IS_ID, continue_after, loaded, local_time, time_text
 
 _BUSY_S = 5.0
 # the newest id that this PC made; of rows with thousands from PCs whose clocks are ahead the last merge is near enough
@@ -366,14 +366,14 @@ def _of_read_only(path: Path, readable: str) -> Notice:
     if readable != address(path, "immutable") or not wal.exists() or not wal.stat().st_size:
         return Notice("database_read_only", {"path": str(path)})
     found = wal.stat()
-    written_at = datetime.fromtimestamp(found.st_mtime).astimezone()
+    written_at = datetime.fromtimestamp(found.st_mtime, UTC)
     return Notice(
         "database_without_last_edits",
         {
             "path": str(path),
             "name": wal.name,
             "kb": math.ceil(found.st_size / 1000),
-            "time": f"{written_at:%Y-%m-%d %H:%M}",
+            "time": local_time(written_at),
         },
     )
 

@@ -10,13 +10,13 @@ from pathlib import Path
 from storage.errors import StoreError, error_name, is_full
 from storage.file import log
 from storage.file.backups import Backup, list_backups, restored_copy
-from storage.file.mark import Remembered, local_time, n_saves_of, remembered, set_saves
+from storage.file.mark import Remembered, n_saves_of, remembered, set_saves
 from storage.file.notices import Notice, Salvaged
 from storage.file.temporary import remove_leftovers
 from storage.file.whole_files import free_path
 from storage.sql import damage, opened
 from storage.sqlite import sqlite3
-from storage.text import time_text
+from storage.text import local_time, time_text
 
 Mend = Callable[[Path, Path, str], Salvaged]
 IsOurs = Callable[[sqlite3.Connection], None]
@@ -113,7 +113,7 @@ def earlier(path: Path, known: Remembered, n_saves: int) -> Notice:
     newer = next((one for one in list_backups(path) if _saves_in(one.path) > n_saves), None)
     if newer is None:
         return Notice("database_earlier", params)
-    about = {"backup": str(newer.path), "made_at": _time(newer.made_at)}
+    about = {"backup": str(newer.path), "made_at": local_time(newer.made_at)}
     return Notice("database_earlier_backup", params | about)
 
 
@@ -121,10 +121,6 @@ def _saves_in(backup: Path) -> int:
     with suppress(sqlite3.Error), closing(opened(backup, "immutable")) as db:
         return n_saves_of(db)
     return 0
-
-
-def _time(moment: datetime) -> str:
-    return f"{moment.astimezone():%Y-%m-%d %H:%M}"
 
 
 class _Outcome:
@@ -161,7 +157,7 @@ class _Outcome:
             "n_unread": self.salvaged.n_unread,
         }
         if self.backup is not None:
-            params["time"] = _time(self.backup.made_at)
+            params["time"] = local_time(self.backup.made_at)
         return Notice(self._code(), params)
 
     def _code(self) -> str:

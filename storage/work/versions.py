@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import astuple
-from datetime import datetime
 from typing import Any
 
 from storage.errors import StoreError
@@ -14,7 +13,7 @@ from storage.marks import counted
 from storage.records import FaultRow, Json, VersionMark, VersionRow
 from storage.sql import change, exists, insert, not_found, require, selected
 from storage.sqlite import sqlite3
-from storage.text import clean_name, dumped, loaded, new_id, readable_object
+from storage.text import clean_name, dumped, loaded, local_time, new_id, readable_object
 from storage.work.groups import mark_used
 from storage.work.lessons import lesson_for
 
@@ -173,8 +172,8 @@ class Versions(Repository):
 def _local(text: str) -> str:
     """A stored time as people of this PC read it; the time may be what is damaged."""
     try:
-        return f"{datetime.fromisoformat(text).astimezone():%Y-%m-%d %H:%M}"
-    except ValueError:
+        return local_time(text)
+    except (ValueError, OverflowError):
         return "?"
 
 
