@@ -13,7 +13,7 @@ import hashlib
 import struct
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from itertools import groupby
+from itertools import groupby, islice
 from operator import itemgetter
 
 from storage.sql import column_names, snapshot, tuples
@@ -32,6 +32,7 @@ _SELECT = {
     table: f"SELECT * FROM {{schema}}.{table} WHERE {key} {{which}} ORDER BY {key}, {_ORDER[table]}"
     for table, key in KEYS.items()
 }
+_ROWS_AT_ONCE = 256
 _IN = "IN (SELECT value FROM json_each(?))"
 
 
@@ -178,9 +179,16 @@ def _sums(
         columns = [column[0] for column in cursor.description]
         names = [f"{column}=".encode() for column in columns]
         return {
-            key.decode(): hashlib.sha256(_octets(names, rows)).hexdigest()
+            key.decode(): _digest(names, rows)
             for key, rows in groupby(cursor, itemgetter(columns.index(KEYS[table])))
         }
+
+
+def _digest(names: Sequence[bytes], rows: Iterator[tuple[object, ...]]) -> str:
+    digest = hashlib.sha256()
+    while some := list(islice(rows, _ROWS_AT_ONCE)):  # an hour's run has many events
+        digest.update(_octets(names, some))
+    return digest.hexdigest()
 
 
 def _octets(names: Sequence[bytes], rows: Iterable[tuple[object, ...]]) -> bytes:

@@ -1,5 +1,6 @@
 """The daily check of versions and runs."""
 
+import hashlib
 import itertools
 from collections.abc import Callable
 from contextlib import closing
@@ -9,8 +10,10 @@ import pytest
 from storage import Store, VersionRow
 from storage.content_check import ContentCheck
 from storage.file.backups import make_backup
-from storage.file.sums import stored_sum
+from storage.file.sums import content_sum, stored_sum
 from storage.sql import opened as opened_file
+from storage.sql import tuples
+from storage.sqlite import sqlite3
 from storage.text import utc_now
 from tests.storage.bundle_makers import a_run
 
@@ -53,6 +56,29 @@ def test_a_result_renews_the_sum_of_the_run_alone(store: Store, version: Version
     after = sums()
     assert (after[0] != before[0], after[1:]) == (True, before[1:])
     assert store.runs.get(run_id).passed
+
+
+def test_a_sum_stays_what_it_was_however_many_rows_it_is_of(
+    store: Store, version: VersionRow
+) -> None:
+    runs = [a_run(store, version.id) for _ in range(2)]
+
+    def add(db: sqlite3.Connection) -> None:
+        db.executemany(
+            "INSERT INTO events (run_id, seq, tick, type, data) VALUES (?, ?, ?, 'said', '{}')",
+            [(run, seq, seq // 2) for run in runs for seq in range(1000, 1600)],
+        )
+
+    store._database.write(add)
+    for run in runs:
+        octets = hashlib.sha256()
+        with store._database.reading() as db:
+            query = "SELECT seq, tick, type, data FROM events WHERE run_id = ? ORDER BY seq"
+            for seq, tick, kind, data in tuples(db, query, (run,)):
+                texts = f"type=t{len(kind)}:{kind}data=t{len(data.encode())}:{data}"
+                octets.update(f"run_id=t36:{run}seq=i{seq};tick=i{tick};{texts}\n".encode())
+            assert stored_sum(db, "events", run) == octets.hexdigest()
+            assert content_sum(db, "events", run) == octets.hexdigest()
 
 
 def test_rows_of_an_earlier_release_get_their_sums_when_they_are_first_seen(
