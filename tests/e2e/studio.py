@@ -16,7 +16,9 @@ POLL_MS = 50
 
 _OVER = re.compile("finished|stopped|failed")
 # what observes a size, as the header does, changes the page only at the end of the frame after a resize
-_TWO_FRAMES = "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
+_TWO_FRAMES = (
+    "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
+)
 # nothing loads, no request of a button is on its way, nothing moves but what always does
 _AT_REST = """() => !document.querySelector('[aria-busy=true]') && document.getAnimations()
   .every((one) => one.playState !== 'running' || one.effect.getComputedTiming().endTime === Infinity)"""
