@@ -14,7 +14,7 @@ from storage.tables.runs import TELEMETRY
 from storage.text import time_text, utc_now
 
 _SAMPLE_COLUMNS = 16
-_ROWS_AT_ONCE = 256
+_ROWS_AT_ONCE = 16  # a version may have megabytes
 _RELEASED = datetime(2026, 11, 23, tzinfo=UTC)  # the clock may be at 2010
 _CLOCKS_DIFFER = timedelta(days=1)
 

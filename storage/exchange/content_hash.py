@@ -14,8 +14,11 @@ from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import REPLICATED
 
-_SEPARATORS = (",", ":")
-_encode = json.JSONEncoder(separators=_SEPARATORS).encode
+_encode = json.JSONEncoder(separators=(",", ":")).encode
+_ROWS_AT_ONCE = 16  # a version may have megabytes
+# a row's last value while it is encoded. No text has the end of such a row in it: quotation marks of texts are escaped
+_END = "\0"
+_END_OF_ROW = ',"\\u0000"]'
 
 
 def content_hash(db: sqlite3.Connection, schema: str = "main") -> str:
@@ -43,19 +46,20 @@ def content_hash(db: sqlite3.Connection, schema: str = "main") -> str:
 def _encoded_rows(
     db: sqlite3.Connection, table: ReplicatedTable, names: tuple[str, ...], schema: str
 ) -> Iterator[bytes]:
-    rows = tuples(
+    found = tuples(
         db,
         f"SELECT {', '.join(names)} FROM {schema}.{table.name}"
         f" WHERE {table.condition.format(schema=schema)} ORDER BY {', '.join(table.key)}",
     )
-    blobs: list[bytes] = []
+    while rows := found.fetchmany(_ROWS_AT_ONCE):
+        for line, row in zip(_lines(rows), rows, strict=True):
+            yield b"".join((line, *[value for value in row if type(value) is bytes]))
 
-    def length(blob: bytes) -> int:
-        blobs.append(blob)
-        return len(blob)
 
-    encode = json.JSONEncoder(separators=_SEPARATORS, default=length).encode
-    for row in rows:
-        line = f"{encode(row)}\n".encode()
-        yield b"".join((line, *blobs))
-        blobs.clear()
+def _lines(rows: list[tuple[object, ...]]) -> Iterator[bytes]:
+    """Each row as a JSON array; encoded together, as each by itself takes twice as long."""
+    heads = [
+        [len(value) if type(value) is bytes else value for value in (*row, _END)] for row in rows
+    ]
+    *encoded, _ = _encode(heads).split(_END_OF_ROW)
+    return (f"{row[1:]}]\n".encode() for row in encoded)  # without the bracket or comma before it

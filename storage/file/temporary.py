@@ -1,6 +1,7 @@
 """Folders for copies of files that come and go. One whose process was killed is deleted at a later start."""
 
 import contextlib
+import os
 import shutil
 import tempfile
 import time
@@ -38,10 +39,16 @@ def temporary_folder(parent: Path | None = None) -> Iterator[Path]:
 
 def remove_leftovers(parent: Path | None = None) -> None:
     """Deletes folders of processes that are no more: killed, or ended by a power cut. `parent` as above."""
-    for folder in (parent or Path(tempfile.gettempdir())).glob(f"{_PREFIX}*"):
-        with contextlib.suppress(OSError):
-            if folder.is_dir() and not folder.is_symlink() and _is_left(folder):
-                shutil.rmtree(folder, ignore_errors=True)
+    place = parent or Path(tempfile.gettempdir())
+    with contextlib.suppress(OSError):
+        for folder in [place / name for name in os.listdir(place) if name.startswith(_PREFIX)]:
+            _remove_left(folder)
+
+
+def _remove_left(folder: Path) -> None:
+    with contextlib.suppress(OSError):
+        if folder.is_dir() and not folder.is_symlink() and _is_left(folder):
+            shutil.rmtree(folder, ignore_errors=True)
 
 
 def _is_left(folder: Path) -> bool:
