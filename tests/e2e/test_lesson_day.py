@@ -128,6 +128,7 @@ def merge_all(pc: Studio, stick: Path) -> str:
     """Merges every file of the stick; what the store holds then."""
     at_the_stick(pc, stick)
     n_files = len(list(stick.glob("*.pinel")))
+    expect(pc["found-file"]).to_have_count(n_files)  # it may still show those of the last look
     with pc.page.expect_response(lambda answer: answer.url.endswith("/merge")) as merged:
         pc["merge-files"].click()
     expect(pc["merge-results"].get_by_role("listitem")).to_have_count(n_files)
