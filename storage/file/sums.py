@@ -91,7 +91,7 @@ def content_sum(db: sqlite3.Connection, table: str, key: str, schema: str = "mai
         sqlite3.DatabaseError: the value lies on a page that cannot be read.
     """
     nothing = _NOTHING if table in _PARTS else None
-    return _sums(db, table, schema, "= ?", key).get(key, nothing)
+    return _sums(db, table, [key], schema).get(key, nothing)
 
 
 def stored_sum(db: sqlite3.Connection, table: str, key: str, schema: str = "main") -> str | None:
@@ -144,9 +144,10 @@ def _renew(db: sqlite3.Connection, changed: Iterable[tuple[str, str]]) -> None:
         keys = [key for _, key in group]
         lasting = keys if table == "versions" else _ended(db, keys)
         sums = dict.fromkeys(lasting, _NOTHING) if table in _PARTS else {}
-        sums |= _sums(db, table, "main", _IN, dumped(lasting))
+        sums |= _sums(db, table, lasting)
         gone = [(table, key) for key in keys if key not in sums]
-        db.executemany("DELETE FROM content_sums WHERE table_name = ? AND row_id = ?", gone)
+        if gone:
+            db.executemany("DELETE FROM content_sums WHERE table_name = ? AND row_id = ?", gone)
         db.executemany(
             """INSERT INTO content_sums (table_name, row_id, sha256) VALUES (?, ?, ?)
                ON CONFLICT DO UPDATE SET damaged_at = NULL, sha256 = excluded.sha256
@@ -172,8 +173,11 @@ def _raw(db: sqlite3.Connection) -> Iterator[None]:
 
 
 def _sums(
-    db: sqlite3.Connection, table: str, schema: str, which: str, parameter: str
+    db: sqlite3.Connection, table: str, keys: Sequence[str], schema: str = "main"
 ) -> dict[str, str]:
+    """By key; without those of which there is no row."""
+    # one edit is by far the most frequent change
+    which, parameter = ("= ?", keys[0]) if len(keys) == 1 else (_IN, dumped(keys))
     with _raw(db):
         cursor = tuples(db, _SELECT[table].format(schema=schema, which=which), (parameter,))
         columns = [column[0] for column in cursor.description]
