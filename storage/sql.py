@@ -40,6 +40,12 @@ def tuples(
     return cursor.execute(query, parameters)
 
 
+def some_rows(cursor: sqlite3.Cursor) -> Iterator[list[tuple[Any, ...]]]:
+    """The rows, 16 at a time: one version may have megabytes."""
+    while rows := cursor.fetchmany(16):
+        yield rows
+
+
 def rows_of(
     db: sqlite3.Connection, query: str, parameters: Sequence[Any] | Mapping[str, Any] = ()
 ) -> list[sqlite3.Row]:

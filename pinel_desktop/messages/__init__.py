@@ -25,7 +25,8 @@ LANGUAGES = (
     *sorted({folder.name for folder in _CATALOGUE.iterdir()} - {SOURCE_LANGUAGE}),
 )
 _PLACEHOLDER = re.compile(r"\{(\w+)\}")
-# as `storage.text.local_time` writes it
+# written by `storage.text.local_time`
+_MOMENT_PARAMS = frozenset({"made_at", "time"})
 _MOMENT = re.compile(r"(?P<year>\d{4})-(?P<month>\d\d)-(?P<day>\d\d) (?P<hour>\d\d:\d\d)", re.ASCII)
 _MAX_LENGTH = 80
 # paths are cut later than other values: their end tells them apart, and a person may have to type them
@@ -87,7 +88,12 @@ def describe(code: str, params: Mapping[str, object], language: str) -> Localize
 
     def fill(match: re.Match[str]) -> str:
         name = match[1]
-        return _show(params[name], language, name in _PATH_PARAMS) if name in params else match[0]
+        if name not in params:
+            return match[0]
+        if name in _MOMENT_PARAMS and (moment := _MOMENT.fullmatch(str(params[name]))):
+            form = catalogue(language)["moment"]["message"]
+            return _PLACEHOLDER.sub(lambda part: moment[part[1]], form)
+        return _show(params[name], language, name in _PATH_PARAMS)
 
     return LocalizedMessage(
         message=_PLACEHOLDER.sub(fill, words["message"]),
@@ -118,8 +124,5 @@ def _show(value: object, language: str, is_path: bool = False) -> str:
     if isinstance(value, list | tuple):
         return ", ".join(_show(item, language, is_path) for item in value)
     text = str(value)
-    if moment := _MOMENT.fullmatch(text):
-        form = catalogue(language)["moment"]["message"]
-        return _PLACEHOLDER.sub(lambda part: moment[part[1]], form)
     longest = _MAX_PATH_LENGTH if is_path else _MAX_LENGTH
     return text if len(text) <= longest else text[: longest - 1] + "…"

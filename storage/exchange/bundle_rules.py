@@ -6,7 +6,7 @@ from datetime import UTC, datetime, timedelta
 from typing import Any
 
 from storage.limits import MAX_NUMBERS_AHEAD, MAX_REVISION, MAX_SAMPLES
-from storage.sql import column_names, is_text_damage, tuples
+from storage.sql import column_names, is_text_damage, some_rows, tuples
 from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import REPLICATED
@@ -14,7 +14,6 @@ from storage.tables.runs import TELEMETRY
 from storage.text import time_text, utc_now
 
 _SAMPLE_COLUMNS = 16
-_ROWS_AT_ONCE = 16  # a version may have megabytes
 _RELEASED = datetime(2026, 11, 23, tzinfo=UTC)  # the clock may be at 2010
 _CLOCKS_DIFFER = timedelta(days=1)
 
@@ -64,7 +63,7 @@ def _refused_rows(
     rules = [table_rules[name] for name in names]
     places = [names.index(name) for name in table.key]
     found = tuples(db, f"SELECT {', '.join(names)} FROM {table.name}")
-    while rows := found.fetchmany(_ROWS_AT_ONCE):
+    for rows in some_rows(found):
         columns = zip(*rows, strict=True)
         if all(all(map(rule, values)) for rule, values in zip(rules, columns, strict=True)):
             continue  # as nearly always

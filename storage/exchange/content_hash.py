@@ -9,13 +9,12 @@ import hashlib
 import json
 from collections.abc import Iterator
 
-from storage.sql import column_names, row_count, snapshot, tuples
+from storage.sql import column_names, row_count, snapshot, some_rows, tuples
 from storage.sqlite import sqlite3
 from storage.tables.columns import ReplicatedTable
 from storage.tables.replicated import REPLICATED
 
 _encode = json.JSONEncoder(separators=(",", ":")).encode
-_ROWS_AT_ONCE = 16  # a version may have megabytes
 # a row's last value while it is encoded. No text has the end of such a row in it: quotation marks of texts are escaped
 _END = "\0"
 _END_OF_ROW = ',"\\u0000"]'
@@ -51,7 +50,7 @@ def _encoded_rows(
         f"SELECT {', '.join(names)} FROM {schema}.{table.name}"
         f" WHERE {table.condition.format(schema=schema)} ORDER BY {', '.join(table.key)}",
     )
-    while rows := found.fetchmany(_ROWS_AT_ONCE):
+    for rows in some_rows(found):
         for line, row in zip(_lines(rows), rows, strict=True):
             yield b"".join((line, *[value for value in row if type(value) is bytes]))
 

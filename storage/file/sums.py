@@ -57,10 +57,12 @@ class Changes:
 
     def renew(self, db: sqlite3.Connection) -> None:
         """Gives each row that was changed its sum, within the transaction that changed it."""
-        changed = set()
-        for table, keys in self._keys.items():
-            # a key may be what is damaged
-            changed |= {(table, key.decode("utf-8", "replace")) for key in keys}
+        changed = {
+            (table, key.decode("utf-8", "replace"))  # the key may be what is damaged
+            for table, keys in self._keys.items()
+            for key in keys
+        }
+        for keys in self._keys.values():
             keys.clear()
         _renew(db, _to_renew(db, changed))
 
