@@ -1,5 +1,6 @@
 """Builds the package, dist/pinel-desktop, with the licence notices of all its third-party parts."""
 
+import os
 import shutil
 import subprocess
 import sys
@@ -9,6 +10,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "dist" / "pinel-desktop"
 PROGRAM = FOLDER / ("pinel.exe" if sys.platform == "win32" else "pinel")
+# The same sources give the same bytes. Without these, base_library.zip has the order of a set, another each time.
+SAME_BYTES = {"PYTHONHASHSEED": "1", "SOURCE_DATE_EPOCH": "315532800"}
 
 
 def size_of(folder: Path) -> int:
@@ -40,7 +43,12 @@ def build() -> None:
     ]
     with log.open("w", encoding="utf-8") as output:
         done = subprocess.run(
-            command, cwd=ROOT, stdout=output, stderr=subprocess.STDOUT, check=False
+            command,
+            cwd=ROOT,
+            env=os.environ | SAME_BYTES,
+            stdout=output,
+            stderr=subprocess.STDOUT,
+            check=False,
         )
     if done.returncode:
         sys.exit(f"{log.read_text('utf-8')}\nThe package was not built.")

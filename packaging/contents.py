@@ -3,6 +3,7 @@
 import json
 import sys
 from collections.abc import Iterable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -45,6 +46,42 @@ EXCLUDED_ON_LINUX = [
     *_OTHER_TOOLKITS.split(),
 ]
 _SYSTEM_FOLDERS = ("/usr/lib", "/lib", "/usr/lib64", "/lib64")
+_LIBRARIES = Path(__file__).with_name("system-libraries.txt")
+
+
+@dataclass(frozen=True)
+class SystemLibrary:
+    """A row of system-libraries.txt."""
+
+    stem: str
+    ships: bool
+    work: str
+    licence: str
+
+
+def system_libraries() -> list[SystemLibrary]:
+    """The table of shared libraries of the system: which ship, and which stay outside."""
+    lines = _LIBRARIES.read_text("utf-8").splitlines()
+    rows = [line.split("|") for line in lines if line and not line.startswith("#")]
+    cells = [[cell.strip() for cell in (*row, "")] for row in rows]
+    return [SystemLibrary(stem, fate == "ships", *rest[:2]) for stem, fate, *rest in cells]
+
+
+def library_of(file: str) -> SystemLibrary | None:
+    """The row of a shared library, by its file's name; None if the table has none."""
+    name = file.partition(".so")[0]
+    return next((row for row in system_libraries() if _is_called(name, row.stem)), None)
+
+
+def _is_called(name: str, stem: str) -> bool:
+    """Whether a name is the stem, or that with a version (libpython3.11); not libzstd for libz."""
+    return name == stem or name.startswith(f"{stem}.")
+
+
+def without_shared(binaries: Iterable[Entry]) -> list[Entry]:
+    """The binaries without those of the system that stay outside. Wheels keep theirs, whose names are their own."""
+    entries = [(entry, library_of(Path(entry[0]).name)) for entry in binaries]
+    return [entry for entry, row in entries if row is None or row.ships]
 
 
 def system_modules() -> list[str]:

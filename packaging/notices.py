@@ -1,8 +1,8 @@
 """Licence notices of all third-party parts of the package; refuses GPL and AGPL.
 
 Sources: metadata of the Python distributions, npm packages of the page (ui/package-lock.json), shared libraries of the
-system, whose licences are listed here because system packages do not state them per file, and networks and training
-data of the gesture recognition.
+system, whose licences system-libraries.txt lists because system packages do not state them per file, and networks and
+training data of the gesture recognition.
 """
 
 import json
@@ -14,38 +14,12 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any
 
+import contents  # beside this file
+
 _TEXTS = re.compile(r"(^|/)(licen[cs]e|copying|notice|authors)[^/]*$", re.IGNORECASE)
 _FORBIDDEN = re.compile(r"(?<![A-Z])A?GPL|GNU (AFFERO )?GENERAL PUBLIC")
 # A dependency of Blockly for use without a browser; the page does not contain it.
 NOT_IN_THE_PAGE = ("jsdom",)
-# Shared libraries needed by Python's own modules, by file name prefix.
-SYSTEM_LIBRARIES = {
-    "libpython3": ("Python", "PSF-2.0"),
-    "libssl": ("OpenSSL", "Apache-2.0"),
-    "libcrypto": ("OpenSSL", "Apache-2.0"),
-    "libsqlite3": ("SQLite", "blessing (public domain)"),
-    "libffi": ("libffi", "MIT"),
-    "libz": ("zlib", "Zlib"),
-    "libbz2": ("bzip2", "bzip2-1.0.6"),
-    "liblzma": ("XZ Utils (liblzma)", "0BSD"),
-    "libexpat": ("Expat", "MIT"),
-    "libuuid": ("util-linux (libuuid)", "BSD-3-Clause"),
-    "libmpdec": ("libmpdec", "BSD-2-Clause"),
-    "libncursesw": ("ncurses", "X11"),
-    "libtinfo": ("ncurses", "X11"),
-    "libpanelw": ("ncurses", "X11"),
-    "libnsl": ("libnsl", "LGPL-2.1-only"),
-    "libtirpc": ("libtirpc", "BSD-3-Clause"),
-    "libgssapi_krb5": ("MIT Kerberos", "MIT"),
-    "libkrb5": ("MIT Kerberos", "MIT"),
-    "libk5crypto": ("MIT Kerberos", "MIT"),
-    "libcom_err": ("libcom_err", "MIT"),
-    "libkeyutils": ("keyutils (library)", "LGPL-2.1-or-later"),
-    "libgcc_s": ("GCC runtime", "GPL-3.0-or-later WITH GCC-exception-3.1"),
-    "libstdc++": ("GCC runtime", "GPL-3.0-or-later WITH GCC-exception-3.1"),
-}
-
-
 # Distributions whose metadata names no licence; their licence text is in their folder.
 UNNAMED_LICENCES = {"pysqlite3": "Zlib; SQLite in it: blessing (public domain)"}
 MEDIAPIPE = "MediaPipe hand networks (palm_detection_full, hand_landmark_full)"
@@ -171,10 +145,8 @@ def system_notices(binaries: list[list[str]]) -> Iterator[Notice]:
         file = Path(name).name
         if "/" in name or not file.startswith("lib") or "site-packages" in source:
             continue
-        known = next(
-            (value for stem, value in SYSTEM_LIBRARIES.items() if file.startswith(stem)), (file, "")
-        )
-        found.add(Notice(known[0], "", known[1]))
+        row = contents.library_of(file)
+        found.add(Notice(row.work, "", row.licence) if row else Notice(file, "", ""))
     yield from sorted(found)
 
 

@@ -1,8 +1,8 @@
 """Smoke test of the package: in another folder, as an ordinary user, with an empty environment, without a network.
 
-Copies dist/pinel-desktop to a folder whose name has spaces and accents, runs `--self-check` there and checks the JSON
-output. As root it switches to the user `nobody` in a network namespace with loopback only; as an ordinary user it
-reports that it could not.
+Holds the shared libraries of dist/pinel-desktop against system-libraries.txt. Copies it to a folder whose name has
+spaces and accents, runs `--self-check` there and checks the JSON output. As root it switches to the user `nobody` in a
+network namespace with loopback only; as an ordinary user it reports that it could not.
 """
 
 import json
@@ -14,6 +14,8 @@ import tempfile
 import time
 from pathlib import Path
 from typing import Any
+
+import contents  # beside this file
 
 ROOT = Path(__file__).resolve().parents[1]
 PACKAGE = ROOT / "dist" / "pinel-desktop"
@@ -49,6 +51,22 @@ def command_for(program: Path, home: Path) -> list[str]:
     return [*locked, *bare, *check]
 
 
+def library_faults(package: Path) -> list[str]:
+    """Shared libraries of the system that lie in the package and may not, in words.
+
+    Those of wheels lie in folders, under names of their own: one there is at fault if it has the name of the system's.
+    """
+    faults = []
+    for file in sorted(package.rglob("lib*.so*")):
+        row = contents.library_of(file.name)
+        place = file.relative_to(package)
+        if row is not None and not row.ships:
+            faults.append(f"{place} ships, and would take the place of the one that WebKit needs")
+        elif row is None and file.parent.name == "_internal" and not file.is_symlink():
+            faults.append(f"{place} ships, and packaging/system-libraries.txt does not name it")
+    return faults
+
+
 def faults_of(found: dict[str, Any]) -> list[str]:
     """Faults found in the JSON object that the program printed."""
     expected = {
@@ -80,6 +98,8 @@ def files_of(folder: Path) -> dict[str, int]:
 def main() -> int:
     if not PACKAGE.is_dir():
         sys.exit("There is no package: run `make package` first.")
+    if faults := library_faults(PACKAGE):
+        sys.exit("\n".join(["The package works on this system only:", *faults]))
     with tempfile.TemporaryDirectory(prefix="pinel-smoke-") as name:
         folder = Path(name)
         folder.chmod(0o755)

@@ -6,6 +6,8 @@ from pathlib import Path
 from types import ModuleType
 
 ROOT = Path(__file__).resolve().parents[2]
+# a script of packaging/ finds those beside it, as it does when it is run
+sys.path.append(str(ROOT / "packaging"))
 
 
 def load(place: str) -> ModuleType:

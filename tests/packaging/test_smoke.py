@@ -1,5 +1,6 @@
 """The judge of the smoke test is not to be lenient."""
 
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -51,3 +52,53 @@ def test_a_run_that_was_not_judged_is_found() -> None:
 
 def test_signs_that_were_not_seen_are_found() -> None:
     assert smoke.faults_of({**healthy(), "signs": ["B"]}) == ["signs"]
+
+
+def package_with(folder: Path, *files: str) -> Path:
+    for name in files:
+        file = folder / "_internal" / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.touch()
+    return folder
+
+
+def test_python_and_the_libraries_of_wheels_may_ship(tmp_path: Path) -> None:
+    package = package_with(
+        tmp_path,
+        "libpython3.11.so.1.0",
+        "numpy.libs/libgfortran-040039e1-0352e75f.so.5.0.0",
+        "opencv_python_headless.libs/libssl-28bef1ac.so.1.1",
+        "pymunk/_chipmunk.abi3.so",
+    )
+    (package / "_internal" / "libssl-28bef1ac.so.1.1").symlink_to(
+        "opencv_python_headless.libs/libssl-28bef1ac.so.1.1"
+    )
+    assert smoke.library_faults(package) == []
+
+
+SHARED_WITH_WEBKIT = (
+    *("libstdc++.so.6", "libgcc_s.so.1", "libz.so.1", "libexpat.so.1", "libffi.so.8"),
+    *("liblzma.so.5", "libbz2.so.1.0", "libuuid.so.1", "libsqlite3.so.0"),
+    *("libssl.so.3", "libcrypto.so.3"),
+)
+
+
+@pytest.mark.parametrize("name", SHARED_WITH_WEBKIT)
+@pytest.mark.parametrize("folder", ["", "numpy.libs/"])
+def test_a_library_that_webkit_loads_too_may_not_ship(
+    tmp_path: Path, folder: str, name: str
+) -> None:
+    faults = smoke.library_faults(package_with(tmp_path, folder + name))
+    assert faults == [
+        f"_internal/{folder}{name} ships, and would take the place of the one that WebKit needs"
+    ]
+
+
+@pytest.mark.parametrize("name", ["libgnutls.so.30", "libzstd.so.1", "libpythonic.so.1"])
+def test_a_library_of_the_system_that_nobody_has_looked_at_is_named(
+    tmp_path: Path, name: str
+) -> None:
+    faults = smoke.library_faults(package_with(tmp_path, name))
+    assert faults == [
+        f"_internal/{name} ships, and packaging/system-libraries.txt does not name it"
+    ]
