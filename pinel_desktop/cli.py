@@ -22,7 +22,9 @@ _COMMANDS = {
     "doctor": "Say what this PC has and lacks.",
 }
 _PLACES = {"salvage": "recovery.salvage"}
-_HIDDEN = {name: f"owned.{name}" for name in ("camera", "engine", "judge")} | {"app": "app"}
+_HIDDEN = {name: f"owned.{name}" for name in ("camera", "engine", "judge", "window")} | {
+    "app": "app"
+}
 
 
 class _LazyGroup(click.Group):

@@ -3,9 +3,11 @@
 Nothing here opens a window or imports pywebview, because `pinel doctor` uses it too.
 """
 
+import ctypes
 import importlib
 import importlib.util
 import os
+import re
 import shutil
 import sys
 from collections.abc import Callable, Mapping
@@ -29,6 +31,9 @@ BROWSERS = (
     "chrome",
     "brave-browser",
 )
+_WEBKIT_LIBRARIES = {"4.1": "libwebkit2gtk-4.1.so.0", "4.0": "libwebkit2gtk-4.0.so.37"}
+# messages are short: a library is told by its name; folders may hold spaces
+_FOLDERS = re.compile(r"(?:/[^/:]*)+/")
 _WINDOWS_BROWSERS = (
     r"Microsoft\Edge\Application\msedge.exe",
     r"Google\Chrome\Application\chrome.exe",
@@ -45,9 +50,13 @@ def gtk_problem() -> str | None:
             gi.require_version("WebKit2", "4.1")
         except ValueError:
             gi.require_version("WebKit2", "4.0")
+        # without the library itself its bindings load all the same, and fail later
+        ctypes.CDLL(_WEBKIT_LIBRARIES[gi.get_required_version("WebKit2")])
         importlib.import_module("gi.repository.WebKit2")
     except (ImportError, ValueError) as error:
         return str(error)
+    except OSError as error:  # the package's own loader wraps the system's words
+        return _FOLDERS.sub("", str(error.__cause__ or error))
     return None
 
 

@@ -1,6 +1,6 @@
 """Diagnosis of this PC as findings with codes, which the command `doctor` prints as messages.
 
-Nothing here writes to the database, opens a window or uses the network. The first camera is opened for a moment.
+Nothing here writes to the database or uses the network. The window and the first camera are opened for a moment.
 """
 
 import contextlib
@@ -20,7 +20,15 @@ from typing import Literal
 
 from pinel_desktop import __version__
 from pinel_desktop.camera.client import Camera, CameraState
-from pinel_desktop.desktop.backends import Pc, backends, find_browser
+from pinel_desktop.desktop.backends import (
+    Backend,
+    NoWindowError,
+    Pc,
+    Toolkit,
+    backends,
+    find_browser,
+)
+from pinel_desktop.desktop.trial import window_problem
 from pinel_desktop.engine.client import EngineClient
 from pinel_desktop.errors import PinelError
 from storage.errors import StoreError
@@ -99,25 +107,36 @@ def _page() -> Iterator[Finding]:
         yield Finding("page", "fail", "doctor_page_missing")
 
 
-def _window(pc: Pc) -> Iterator[Finding]:
-    """The backend that the window will use, and what is missing for better ones."""
+def _window(
+    pc: Pc, window_problem: Callable[[Toolkit], NoWindowError | None] = window_problem
+) -> Iterator[Finding]:
+    """The backend that the window will use, which is tried, and what is wrong with better ones."""
     if not pc.has_screen:
         yield Finding("window", "warn", "doctor_window_none")
         return
     problems = []
     for backend in backends(pc):
-        if backend.problem is None:
-            if backend.name == "browser":
-                program = Path(find_browser(pc) or "").name
-                yield Finding("window", "warn", "doctor_window_browser", {"program": program})
-            else:
-                yield Finding("window", "ok", "doctor_window_ok", {"backend": backend.name})
-                return
+        problem = _problem_of(backend, window_problem)
+        if problem is None and backend.name != "browser":
+            yield Finding("window", "ok", "doctor_window_ok", {"backend": backend.name})
+            return
+        if problem is None:
+            program = Path(find_browser(pc) or "").name
+            yield Finding("window", "warn", "doctor_window_browser", {"program": program})
             break
-        problems.append(Finding("window", "warn", backend.problem, backend.params))
+        problems.append(Finding("window", "warn", problem.code, problem.params))
     else:
         yield Finding("window", "warn", "doctor_window_address")
     yield from problems
+
+
+def _problem_of(
+    backend: Backend, window_problem: Callable[[Toolkit], NoWindowError | None]
+) -> NoWindowError | None:
+    """What keeps a backend from showing the page. A browser is not opened: it would be the person's own."""
+    if backend.problem is not None:
+        return NoWindowError(backend.problem, **backend.params)
+    return None if backend.name == "browser" else window_problem(backend.name)
 
 
 def _engine() -> Finding:

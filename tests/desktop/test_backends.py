@@ -1,6 +1,9 @@
 """Which backends are tried on which PC."""
 
+import os
+import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -83,3 +86,24 @@ def test_internet_explorer_is_refused_with_the_advice_to_install_webview2() -> N
 @pytest.mark.skipif(sys.platform != "linux", reason="asks for the bindings of the test machine")
 def test_the_test_machine_has_the_system_s_web_view() -> None:
     assert Pc().gtk_problem() is None
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="asks for the bindings of the test machine")
+@pytest.mark.parametrize("folder", ["lib", "PINEL (cópia) 1/_internal"])
+def test_a_web_view_whose_library_does_not_load_is_a_problem_in_the_loader_s_words(
+    tmp_path: Path, folder: str
+) -> None:
+    """Its bindings load all the same: they warn, and fail when a function is called."""
+    libraries = tmp_path / folder
+    libraries.mkdir(parents=True)
+    (libraries / "libwebkit2gtk-4.1.so.0").write_text("not a library")
+    code = "from pinel_desktop.desktop.backends import gtk_problem; print(gtk_problem())"
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        env=os.environ | {"LD_LIBRARY_PATH": str(libraries), "PYTHONUTF8": "1"},
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=True,
+    )
+    assert done.stdout == "libwebkit2gtk-4.1.so.0: file too short\n"

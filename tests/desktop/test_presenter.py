@@ -89,8 +89,9 @@ def test_the_browser_takes_the_window_s_place_and_the_reason_is_said(
     called = (tmp_path / "called").read_text("utf-8").splitlines()
     assert called[0] == "--app=http://127.0.0.1:1/?key=1"
     assert said == [
-        "PINEL's own window does not open: the system's WebKit is missing (no WebKit2 here). "
-        "Install it: sudo apt install python3-gi gir1.2-gtk-3.0 gir1.2-webkit2-4.1"
+        "PINEL's own window does not open: the system's WebKit is missing or does not load (no WebKit2 here). "
+        "Install or update it: sudo apt install python3-gi gir1.2-gtk-3.0 gir1.2-webkit2-4.1. "
+        "If it stays so, get the newest PINEL."
     ]
 
 

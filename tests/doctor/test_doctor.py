@@ -11,7 +11,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from pinel_desktop.cli import main
-from pinel_desktop.desktop.backends import Pc
+from pinel_desktop.desktop.backends import NoWindowError, Pc
 from pinel_desktop.desktop.self_check import RECORDED_SIGNS
 from pinel_desktop.doctor import examination
 from pinel_desktop.doctor.examination import Finding
@@ -33,12 +33,23 @@ def pc(*, screen: bool = True, gtk: str | None = None, browser: str | None = Non
     )
 
 
-def window(this: Pc) -> list[tuple[str, str]]:
-    return [(finding.level, finding.code) for finding in examination._window(this)]
+def window(this: Pc, problem: NoWindowError | None = None) -> list[tuple[str, str]]:
+    """What is found where trying the native window ends with a problem, or with none."""
+    found = examination._window(this, lambda toolkit: problem)
+    return [(finding.level, finding.code) for finding in found]
 
 
-def test_a_native_window_is_all_that_is_said() -> None:
+def test_a_native_window_that_showed_a_page_is_all_that_is_said() -> None:
     assert window(pc(browser="/usr/bin/chromium")) == [("ok", "doctor_window_ok")]
+
+
+def test_a_toolkit_that_loads_and_shows_nothing_is_not_called_a_window() -> None:
+    problem = NoWindowError("doctor_window_silent", backend="gtk", seconds=30)
+    assert window(pc(browser="/usr/bin/chromium"), problem) == [
+        ("warn", "doctor_window_browser"),
+        ("warn", "doctor_window_silent"),
+        ("warn", "window_qt_missing"),
+    ]
 
 
 def test_a_browser_in_its_place_is_a_warning_with_the_reason() -> None:

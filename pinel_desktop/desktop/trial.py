@@ -1,0 +1,92 @@
+"""Tries the window, for `pinel doctor`: a toolkit that loads may still show nothing.
+
+The window opens for a moment on a small page, in a process of its own: a fault of the toolkit may end it or hang it.
+"""
+
+import json
+import subprocess
+import threading
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+
+from pinel_desktop.desktop.backends import NoWindowError, Toolkit
+from pinel_desktop.desktop.presenter import TITLE
+from pinel_desktop.messages import language_of_system
+from pinel_desktop.processes import own_command
+
+TIMEOUT_S = 30.0
+# what a process takes to start and to end
+_SPARE_S = 15.0
+# the page runs a script, which asks for this address
+_SHOWN = "/shown.js"
+_PAGE = f"<!doctype html><title>{TITLE}</title><p>{TITLE}</p><script src='{_SHOWN}'></script>"
+
+
+def window_problem(toolkit: Toolkit, timeout_s: float = TIMEOUT_S) -> NoWindowError | None:
+    """Opens the window in another process; returns why it shows no page, or None if it does."""
+    try:
+        done = subprocess.run(
+            own_command("window", toolkit, str(timeout_s)),
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            errors="replace",
+            timeout=timeout_s + _SPARE_S,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        return NoWindowError("doctor_window_silent", backend=toolkit, seconds=timeout_s)
+    if done.returncode == 0:
+        return None
+    last_words = done.stderr.strip().rpartition("\n")[2] or f"status {done.returncode}"
+    try:
+        found = json.loads(done.stdout)
+    except ValueError:  # the toolkit ended the process
+        return NoWindowError("doctor_window_failed", backend=toolkit, reason=last_words)
+    if found["code"] == "window_failed":
+        reason = found["params"]["reason"] or last_words
+        return NoWindowError("doctor_window_failed", backend=toolkit, reason=reason)
+    return NoWindowError(found["code"], **found["params"])
+
+
+def show_page(toolkit: Toolkit, timeout_s: float) -> None:
+    """Opens the window on a small page and closes it as soon as the page runs. Raises NoWindowError."""
+    # pywebview and GTK are not installed on every PC
+    from pinel_desktop.desktop.window import NativeWindow  # noqa: PLC0415
+
+    shown = threading.Event()
+    with _server(shown) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        address = f"http://127.0.0.1:{server.server_port}/"
+
+        def close() -> None:
+            shown.wait(timeout_s)
+            window.close()
+
+        window = NativeWindow(lambda: address, TITLE, language_of_system, on_open=close)
+        try:
+            window.run(toolkit)
+        finally:
+            server.shutdown()
+    if not shown.is_set():
+        raise NoWindowError("doctor_window_silent", backend=toolkit, seconds=timeout_s)
+
+
+def _server(shown: threading.Event) -> ThreadingHTTPServer:
+    """A server on this PC's own address for the page; sets `shown` when the page's script is asked for."""
+
+    class Handler(BaseHTTPRequestHandler):
+        def do_GET(self) -> None:
+            is_script = self.path == _SHOWN
+            body = b"" if is_script else _PAGE.encode()
+            self.send_response(200)
+            self.send_header("Content-Type", "text/javascript" if is_script else "text/html")
+            self.send_header("Content-Length", str(len(body)))
+            self.end_headers()
+            self.wfile.write(body)
+            if is_script:
+                shown.set()
+
+        def log_message(self, *_args: object) -> None:
+            """Says nothing: standard error is for the toolkit's faults."""
+
+    return ThreadingHTTPServer(("127.0.0.1", 0), Handler)
