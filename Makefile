@@ -45,7 +45,8 @@ setup: system-test $(VENV_DEV) $(NODE_MODULES) $(PAGE) $(PAGE_TYPES) $(HANDS)  #
 test: setup  ## lint, types, unit and end-to-end tests, wheel, package and smoke test
 	@$(PYTHON) scripts/run_tests.py
 
-nightly: setup  ## the long tests and the benchmarks too
+nightly: setup  ## the long tests, the package in other systems and the benchmarks too
+	@sh scripts/system-packages.sh nightly
 	@$(PYTHON) scripts/run_tests.py --nightly
 
 lint: $(VENV_DEV) $(NODE_MODULES)  ## style, types, import rules, sizes of folders

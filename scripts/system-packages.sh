@@ -1,10 +1,10 @@
 #!/bin/sh
 # Names the Debian or Ubuntu packages that this PC lacks for a purpose, then installs them.
 #
-#   sh scripts/system-packages.sh [--dry-run] serve|run|test|package
+#   sh scripts/system-packages.sh [--dry-run] serve|run|test|package|nightly
 #
 # serve: Python only.  run: and the native window.  test: and browser and virtual screen.
-# package: what PyInstaller needs (asks the Python of .venv).
+# package: what PyInstaller needs (asks the Python of .venv).  nightly: what makes other systems to try the package in.
 # --dry-run names what is missing, installs nothing, and exits 1 when something is.
 set -eu
 . "$(dirname "$0")/words.sh"
@@ -24,6 +24,7 @@ xz-utils|packs the package|comprime o pacote|comprime el paquete'
 BROWSER='|browser for tests|navegador para os testes|navegador para las pruebas'
 DDS_PACKAGES='g++|builds a robot for tests|compila um robô para os testes|compila un robot para las pruebas
 libfastrtps-dev|the network of that robot|a rede desse robô|la red de ese robot'
+NIGHTLY_PACKAGES='debootstrap|makes other systems to try the package in|cria outros sistemas para testar o pacote|crea otros sistemas para probar el paquete'
 
 wanted() {
     case "$1" in
@@ -38,6 +39,7 @@ wanted() {
             # Debian's python3 does not link its own shared library; PyInstaller ships that library.
             printf '%s\n' "libpython$(.venv/bin/python -c 'import sys; print("%d.%d" % sys.version_info[:2])')|Python inside the package|Python dentro do pacote|Python dentro del paquete"
             ;;
+        nightly) printf '%s\n' "$NIGHTLY_PACKAGES" ;;
     esac
 }
 
@@ -140,9 +142,9 @@ main() {
         shift
     fi
     case "${1:-}" in
-        serve | run | test | package) ;;
+        serve | run | test | package | nightly) ;;
         *)
-            echo "usage: system-packages.sh [--dry-run] serve|run|test|package" >&2
+            echo "usage: system-packages.sh [--dry-run] serve|run|test|package|nightly" >&2
             exit 2
             ;;
     esac

@@ -96,6 +96,11 @@ def test_what_is_missing_is_named_with_its_reason(pc: FakePc) -> None:
     assert pc.calls("apt-get") == []
 
 
+def test_what_makes_other_systems_is_asked_for_by_the_nightly_tests_only(pc: FakePc) -> None:
+    assert "debootstrap" in pc.run("--dry-run", "nightly").stdout
+    assert "debootstrap" not in pc.run("--dry-run", "test").stdout
+
+
 def test_the_words_follow_the_pc_s_language(pc: FakePc) -> None:
     assert "Faltam neste PC" in pc.run("--dry-run", "run", language="pt_BR.UTF-8").stdout
     assert "A este PC le faltan" in pc.run("--dry-run", "run", language="es_ES.UTF-8").stdout

@@ -1,0 +1,58 @@
+"""The package in systems older and newer than the one that built it. (packaging/systems.py makes and enters them.)"""
+
+import json
+from typing import Any
+
+import pytest
+
+from tests.packaging.loading import load
+from tests.packaging.test_smoke import healthy
+
+systems = load("packaging/systems.py")
+
+
+def found(**changed: object) -> dict[str, Any]:
+    window = {"about": "window", "code": "doctor_window_ok"}
+    return {
+        "check": json.dumps(healthy()),
+        "doctor": json.dumps({"findings": [window]}),
+        "n_colours": 4000,
+        **changed,
+    }
+
+
+def test_a_package_that_works_has_no_fault() -> None:
+    assert systems.faults_of(found()) == []
+
+
+def test_a_program_that_prints_nothing_did_not_start() -> None:
+    assert systems.faults_of(found(check="")) == ["the package does not start"]
+
+
+def test_a_screen_that_stays_empty_is_a_fault_whatever_the_program_says() -> None:
+    assert systems.faults_of(found(n_colours=1)) == ["the window stays empty"]
+
+
+def test_a_doctor_that_finds_no_window_is_a_fault() -> None:
+    doctor = {"findings": [{"about": "window", "code": "doctor_window_failed"}]}
+    faults = systems.faults_of(found(doctor=json.dumps(doctor)))
+    assert faults == ["doctor: doctor_window_failed"]
+
+
+def test_the_dependencies_are_one_line_for_apt() -> None:
+    line = systems.dependencies()
+    assert line.startswith("libc6 (>= 2.35), libstdc++6 (>= 12), ")
+    assert "libssl3t64 | libssl3, " in line
+    assert "#" not in line
+
+
+@pytest.mark.nightly
+@pytest.mark.timeout(1800)
+@pytest.mark.parametrize("codename", systems.SYSTEMS)
+def test_the_package_works_in_another_system_without_network(codename: str) -> None:
+    try:
+        systems.check_machine()
+    except systems.NotPossibleError as reason:
+        pytest.skip(str(reason))
+    assert systems.smoke.PACKAGE.is_dir(), "there is no package: make package"
+    assert systems.report(codename)
