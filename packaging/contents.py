@@ -64,7 +64,7 @@ def system_libraries() -> list[SystemLibrary]:
     lines = _LIBRARIES.read_text("utf-8").splitlines()
     rows = [line.split("|") for line in lines if line and not line.startswith("#")]
     cells = [[cell.strip() for cell in (*row, "")] for row in rows]
-    return [SystemLibrary(stem, fate == "ships", *rest[:2]) for stem, fate, *rest in cells]
+    return [SystemLibrary(stem, where == "ships", *rest[:2]) for stem, where, *rest in cells]
 
 
 def library_of(file: str) -> SystemLibrary | None:

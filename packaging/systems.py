@@ -143,8 +143,9 @@ def faults_of(found: dict[str, Any]) -> list[str]:
     except ValueError:
         return ["the package does not start"]
     window = [finding["code"] for finding in findings if finding["about"] == "window"]
+    faults: list[str] = smoke.faults_of(check)
     return (
-        smoke.faults_of(check)
+        faults
         + [f"doctor: {', '.join(window)}"] * (window != ["doctor_window_ok"])
         + ["the window stays empty"] * (found["n_colours"] < in_system.MIN_COLOURS)
     )
@@ -173,8 +174,8 @@ def main() -> int:
         sys.exit(f"Not tried: {reason}.")
     if not smoke.PACKAGE.is_dir():
         sys.exit("There is no package: run `make package` first.")
-    works = [report(codename) for codename in sys.argv[1:] or SYSTEMS]
-    return int(not all(works))
+    results = [report(codename) for codename in sys.argv[1:] or SYSTEMS]
+    return int(not all(results))
 
 
 if __name__ == "__main__":

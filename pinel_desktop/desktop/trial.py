@@ -5,8 +5,10 @@ The window opens for a moment on a small page, in a process of its own: a fault 
 
 import json
 import subprocess
+import tempfile
 import threading
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from typing import IO
 
 from pinel_desktop.desktop.backends import NoWindowError, Toolkit
 from pinel_desktop.desktop.presenter import TITLE
@@ -23,29 +25,38 @@ _PAGE = f"<!doctype html><title>{TITLE}</title><p>{TITLE}</p><script src='{_SHOW
 
 def window_problem(toolkit: Toolkit, timeout_s: float = TIMEOUT_S) -> NoWindowError | None:
     """Opens the window in another process; returns why it shows no page, or None if it does."""
+    # files, not pipes: helpers of the toolkit that outlive the process would keep a pipe open
+    with tempfile.TemporaryFile() as output, tempfile.TemporaryFile() as errors:
+        try:
+            done = subprocess.run(
+                own_command("window", toolkit, str(timeout_s)),
+                stdin=subprocess.DEVNULL,
+                stdout=output,
+                stderr=errors,
+                timeout=timeout_s + _SPARE_S,
+                check=False,
+            )
+        except subprocess.TimeoutExpired:
+            return NoWindowError("doctor_window_silent", backend=toolkit, seconds=timeout_s)
+        last_line = _text_of(errors).rpartition("\n")[2] or f"status {done.returncode}"
+        return _problem_in(_text_of(output), toolkit, last_line) if done.returncode else None
+
+
+def _problem_in(answer: str, toolkit: Toolkit, last_line: str) -> NoWindowError:
+    """The problem that the process printed, or what it said last if the toolkit ended it."""
     try:
-        done = subprocess.run(
-            own_command("window", toolkit, str(timeout_s)),
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            text=True,
-            errors="replace",
-            timeout=timeout_s + _SPARE_S,
-            check=False,
-        )
-    except subprocess.TimeoutExpired:
-        return NoWindowError("doctor_window_silent", backend=toolkit, seconds=timeout_s)
-    if done.returncode == 0:
-        return None
-    last_words = done.stderr.strip().rpartition("\n")[2] or f"status {done.returncode}"
-    try:
-        found = json.loads(done.stdout)
-    except ValueError:  # the toolkit ended the process
-        return NoWindowError("doctor_window_failed", backend=toolkit, reason=last_words)
-    if found["code"] == "window_failed":
-        reason = found["params"]["reason"] or last_words
+        problem = json.loads(answer)
+    except ValueError:
+        return NoWindowError("doctor_window_failed", backend=toolkit, reason=last_line)
+    if problem["code"] == "window_failed":
+        reason = problem["params"]["reason"] or last_line
         return NoWindowError("doctor_window_failed", backend=toolkit, reason=reason)
-    return NoWindowError(found["code"], **found["params"])
+    return NoWindowError(problem["code"], **problem["params"])
+
+
+def _text_of(file: IO[bytes]) -> str:
+    file.seek(0)
+    return file.read().decode(errors="replace").strip()
 
 
 def show_page(toolkit: Toolkit, timeout_s: float) -> None:
