@@ -34,7 +34,10 @@ _BARE = (
     "PATH=/usr/sbin:/usr/bin:/sbin:/bin",
     "DEBIAN_FRONTEND=noninteractive",
 )
-_APT_GET = ("apt-get", "-qq", "-y", "-o", "APT::Install-Recommends=false", "-o", "Dpkg::Use-Pty=0")
+_APT_GET = (
+    *("apt-get", "-qq", "-y", "-o", "APT::Install-Recommends=false", "-o", "Dpkg::Use-Pty=0"),
+    *("-o", "Dpkg::Options::=--force-unsafe-io"),  # the system lives for minutes
+)
 
 
 class NotPossibleError(Exception):
@@ -78,6 +81,7 @@ def make(codename: str) -> Path:
     """Makes a minimal system with what the package depends on; returns its folder."""
     system = FOLDER / codename
     shutil.rmtree(system, ignore_errors=True)
+    system.with_suffix(".log").unlink(missing_ok=True)
     system.mkdir(parents=True)
     archives = sources(codename)
     mirror = next(address for address, suite in archives if suite == codename)
@@ -98,7 +102,7 @@ def make(codename: str) -> Path:
 
 def _run(codename: str, *command: str) -> None:
     """Runs a step of making a system; its output goes to a log, and to the error if it fails."""
-    log = FOLDER / f"{codename}.log"
+    log = (FOLDER / codename).with_suffix(".log")
     with log.open("a", encoding="utf-8") as output:
         done = subprocess.run(
             command, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT, check=False
