@@ -1,19 +1,15 @@
 """A real robot as a robot link, over any transport. Its frame is the robot's odometry frame."""
 
 import contextlib
-import hashlib
 import math
-import os
-import tempfile
 import threading
 import time
 from collections.abc import Callable
 from typing import Any
 
-from filelock import FileLock, Timeout
-
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links.odometry import OdometryFilter
+from pinel_desktop.links.robot_lock import RobotLock
 from pinel_desktop.links.sending import Sender
 from pinel_desktop.links.transport import Odometry, Transport
 from pinel_desktop.robot import STANDSTILL, Pose2D, RobotState, Setting, Twist2D
@@ -52,9 +48,7 @@ class RealLink:
         robot = record.limited(setting.robot)
         self._max_v, self._max_omega = robot.max_v_mps, robot.max_omega_radps
         self._edge = _Edge(record.room, robot.radius_m)
-        self._address = record.address
-        # All accounts of the PC share the file: whoever drove first must not keep the others from it for good.
-        self._lock_file = FileLock(_lock_path(record), mode=0o666)
+        self._robot_lock = RobotLock(record)
         self._transport = transport
         self.sensors = transport.sensors
         self._sender = Sender(transport.send)
@@ -73,7 +67,7 @@ class RealLink:
         self._transport.listen(self, cancelled)
 
     def connect(self, cancelled: Callable[[], bool] = lambda: False) -> None:
-        self._take()
+        self._robot_lock.acquire()
         self._transport.open(self, cancelled)
         self._sender.start()
         due_s = time.monotonic() + _FIRST_ODOMETRY_S
@@ -101,13 +95,6 @@ class RealLink:
                 break
             time.sleep(_POLL_S / 5)
         self.command_delay_s = delay_s(self._odometry.period_s)
-
-    def _take(self) -> None:
-        """Makes sure that no other run of this PC drives the robot."""
-        try:
-            self._lock_file.acquire(timeout=0)
-        except Timeout as error:
-            raise PinelError("robot_busy_here", address=self._address) from error
 
     def read(self) -> RobotState:
         if self._odometry.state is not None and self.age_s > SILENT_S:
@@ -180,7 +167,7 @@ class RealLink:
         # the robot stands; what fails now is of no use to anybody
         with contextlib.suppress(Exception):
             self._transport.close()
-        self._lock_file.release()
+        self._robot_lock.release()
 
     def on_odometry(self, odometry: Odometry) -> None:
         try:
@@ -220,11 +207,6 @@ def delay_s(period_s: float | None) -> float:
     if period_s is None:
         return _DELAY_S
     return min(period_s + _REACTS_S, _LONGEST_DELAY_S)
-
-
-def _lock_path(record: RobotRecord) -> str:
-    name = hashlib.sha256(f"{record.link} {record.address}".encode()).hexdigest()[:16]
-    return os.path.join(tempfile.gettempdir(), f"pinel-robot-{name}.lock")
 
 
 class _Edge:

@@ -302,6 +302,7 @@ def test_every_account_of_the_pc_may_drive_the_robot(
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     link = real_link(lambda record: MemoryTransport(Unicycle()), Setting(), FAST)
     link.connect()
-    link.close()
     (lock,) = tmp_path.iterdir()
     assert lock.stat().st_mode & 0o777 == 0o666
+    link.close()
+    assert list(tmp_path.iterdir()) == []
