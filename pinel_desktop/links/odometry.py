@@ -6,14 +6,13 @@ from itertools import pairwise
 from statistics import median
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.links.reach import CommandedReach
 from pinel_desktop.links.transport import Odometry
 from pinel_desktop.robot import Pose2D, RobotState, Twist2D, wrap_angle
 
-# Farther than this from one message to the next is no drive but a lost reference: the robot was carried, or its
-# odometry began anew. A Pioneer at full speed needs 0.4 s for it.
-JUMP_M = 0.5
-_TURN_JUMP_RAD = math.radians(150.0)
-_JUMP_S = 0.4  # after a longer gap nothing can be said
+_PAUSE_S = (
+    0.4  # after a longer gap, older poses tell no velocity, and the robot's clock may have been set
+)
 # Measured poses beyond are nonsense, and squares of them overflow nothing.
 _FARTHEST_M = 1e5
 _FASTEST_MPS, _FASTEST_RADPS = 20.0, 100.0
@@ -33,20 +32,24 @@ def yaw_of(x: float, y: float, z: float, w: float) -> float:
 class OdometryFilter:
     """Turns messages into states; raises `reference_lost` where the robot is suddenly elsewhere.
 
+    Suddenly: farther away, or turned by more, than the commanded velocities allow in the time that passed.
+
     Attributes:
         state: the newest state; None before the first valid message.
         arrived_s: when it arrived, by this PC's monotonic clock.
         n_taken: valid messages.
-        n_invalid: messages with impossible values, passed over.
+        n_invalid: messages with impossible values since the newest valid one, passed over.
+        invalid_s: when the newest of them arrived.
         n_late: messages whose time runs backwards, passed over.
     """
 
     def __init__(self) -> None:
         self.state: RobotState | None = None
-        self.arrived_s = -math.inf
+        self.arrived_s = self.invalid_s = -math.inf
         self.n_taken = self.n_invalid = self.n_late = 0
         self._stamp_s: float | None = None
         self._frame: str | None = None
+        self._reach = CommandedReach()
         self._arrivals: deque[float] = deque(maxlen=_N_GAPS + 1)
         self._trail: deque[tuple[float, Pose2D]] = (
             deque()
@@ -65,23 +68,27 @@ class OdometryFilter:
             return None
         return median(after - before for before, after in pairwise(arrivals))
 
+    def command(self, twist: Twist2D, now_s: float) -> None:
+        """The robot is commanded this velocity from `now_s` on; before the first, anybody may drive it."""
+        self._reach.command(twist, now_s)
+
     def take(self, message: Odometry, now_s: float) -> None:
         """Takes a message that arrived at `now_s`. Raises PinelError `reference_lost`, `odometry_frame_changed`."""
         if not _is_possible(message):
             self.n_invalid += 1
+            self.invalid_s = now_s
             return
         if self._is_late(message, now_s):
             self.n_late += 1
             return
         self._require_same_frame(message.frame)
         pose = Pose2D(message.x_m, message.y_m, wrap_angle(message.yaw_rad))
-        before, gap_s = self.state, now_s - self.arrived_s
-        if before is not None and gap_s < _JUMP_S:
-            _require_no_jump(before.pose, pose)
-        if gap_s > _JUMP_S:
+        self._require_no_jump(pose, now_s)
+        if now_s - self.arrived_s > _PAUSE_S:
             self._trail.clear()
         twist = self._twist(message, pose, now_s)
         self.n_taken += 1
+        self.n_invalid = 0
         self._arrivals.append(now_s)
         self.state, self.arrived_s, self._stamp_s = RobotState(pose, twist), now_s, message.stamp_s
 
@@ -89,13 +96,21 @@ class OdometryFilter:
         """True for a message out of order; after a robot's clock was set back, its messages count again before long."""
         stamp, last = message.stamp_s, self._stamp_s
         is_back = stamp is not None and last is not None and stamp < last
-        return is_back and now_s - self.arrived_s < _JUMP_S
+        return is_back and now_s - self.arrived_s < _PAUSE_S
 
     def _require_same_frame(self, frame: str) -> None:
         if self._frame is None:
             self._frame = frame
         elif frame != self._frame:
             raise PinelError("odometry_frame_changed", before=self._frame, now=frame)
+
+    def _require_no_jump(self, pose: Pose2D, now_s: float) -> None:
+        if self.state is None:
+            return
+        step = pose.relative_to(self.state.pose)
+        late_s = max((after - before for before, after in pairwise(self._arrivals)), default=0.0)
+        if not self._reach.allows(step, self.arrived_s, now_s, late_s):
+            raise PinelError("reference_lost", distance=round(math.hypot(step.x_m, step.y_m), 2))
 
     def _twist(self, message: Odometry, pose: Pose2D, now_s: float) -> Twist2D:
         """The measured velocity, or the mean one that the poses of the last `_WINDOW_S` tell."""
@@ -123,9 +138,3 @@ def _is_possible(message: Odometry) -> bool:
         and abs(omega) < _FASTEST_RADPS
         and (message.stamp_s is None or math.isfinite(message.stamp_s))
     )
-
-
-def _require_no_jump(before: Pose2D, now: Pose2D) -> None:
-    jump_m, turn_rad = before.distance_to(now), abs(wrap_angle(now.yaw_rad - before.yaw_rad))
-    if jump_m > JUMP_M or turn_rad > _TURN_JUMP_RAD:
-        raise PinelError("reference_lost", distance=round(jump_m, 2))

@@ -70,6 +70,7 @@ class RealLink:
         self._robot_lock.acquire()
         self._transport.open(self, cancelled)
         self._sender.start()
+        self._command(STANDSTILL)
         due_s = time.monotonic() + _FIRST_ODOMETRY_S
         while self._odometry.state is None and not cancelled():
             if self._problem is not None:
@@ -109,7 +110,7 @@ class RealLink:
 
     def _look_again(self) -> None:
         """Lets the thread that hears the robot catch up with the clock; the robot stands meanwhile."""
-        self._sender.command(STANDSTILL)
+        self._command(STANDSTILL)
         for _ in range(_LAST_LOOKS):
             if self._problem is not None or self.age_s <= SILENT_S:
                 return
@@ -153,8 +154,13 @@ class RealLink:
             v = omega = 0.0
         v = min(max(v, -self._max_v), self._max_v)
         omega = min(max(omega, -self._max_omega), self._max_omega)
+        self._command(Twist2D(v, omega))
+
+    def _command(self, twist: Twist2D) -> None:
+        with self._lock:
+            self._odometry.command(twist, time.monotonic())
         with self._commanding:
-            self._sender.command(STANDSTILL if self._problem else Twist2D(v, omega))
+            self._sender.command(STANDSTILL if self._problem else twist)
 
     def advance(self, dt_s: float) -> None:
         """Does nothing: the time of a real robot passes by itself."""
@@ -194,9 +200,12 @@ class RealLink:
             self._sender.command(STANDSTILL)
 
     def _silent(self) -> PinelError:
-        if self._odometry.state is None and self._odometry.n_invalid:
-            return PinelError("odometry_invalid", count=self._odometry.n_invalid)
-        return PinelError("link_lost" if self._odometry.state else "robot_silent")
+        """What is wrong with a robot that has reported nothing valid for the time-out."""
+        odometry = self._odometry
+        timeout_s = SILENT_S if odometry.state else _FIRST_ODOMETRY_S
+        if time.monotonic() - odometry.invalid_s <= timeout_s:
+            return PinelError("odometry_invalid", count=odometry.n_invalid)
+        return PinelError("link_lost" if odometry.state else "robot_silent")
 
 
 def delay_s(period_s: float | None) -> float:

@@ -34,10 +34,12 @@ class Aurora:
 
     Attributes:
         heard: all velocities that reached it, with the time (s, monotonic).
+        places: where it truly was each time, from where it was switched on.
     """
 
     def __init__(self, port: int, *options: str) -> None:
         self.heard: list[tuple[float, Twist2D]] = []
+        self.places: list[tuple[float, float]] = []
         self._is_mute = False
         self._process = subprocess.Popen(
             [sys.executable, str(_DOUBLE), f"http://127.0.0.1:{port}", *options],
@@ -52,7 +54,8 @@ class Aurora:
     def _read(self) -> None:
         assert self._process.stdout is not None
         for line in self._process.stdout:
-            at_s, v, omega = map(float, line.split())
+            at_s, v, omega, x, y = map(float, line.split())
+            self.places.append((x, y))
             self.heard.append((at_s, Twist2D(v, omega)))
 
     @property
@@ -63,9 +66,13 @@ class Aurora:
     @is_mute.setter
     def is_mute(self, value: bool) -> None:
         assert value, "it does not speak again"
-        assert self._process.stdin is not None
         self._is_mute = True
-        self._process.stdin.write("mute\n")
+        self.order("mute")
+
+    def order(self, line: str) -> None:
+        """Lets something go wrong, as the double's page says: `restart 0.7`."""
+        assert self._process.stdin is not None
+        self._process.stdin.write(f"{line}\n")
 
     def stood_from_s(self) -> float | None:
         """Since when only zeros have come (monotonic); None if the last velocity was another one."""

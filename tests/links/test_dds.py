@@ -241,8 +241,8 @@ def test_a_killed_robot_is_lost_and_found_again(
 @pytest.mark.parametrize(
     ("broken", "code"),
     [
-        ("nan", "link_lost"),
-        ("quaternion", "link_lost"),
+        ("nan", "odometry_invalid"),
+        ("quaternion", "odometry_invalid"),
         ("jump", "reference_lost"),
         ("frame", "odometry_frame_changed"),
     ],

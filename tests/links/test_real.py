@@ -86,6 +86,21 @@ def test_a_robot_that_reports_nonsense_only_is_named() -> None:
     assert silent.value.code == "odometry_invalid"
 
 
+def test_a_robot_that_reports_nonsense_for_a_second_is_named_and_silent_it_is_lost() -> None:
+    link = memory_link(world=None, setting=Setting(), seed=0, robot=FAST)
+    link.on_odometry(message(1.0))
+    link.on_odometry(message(math.nan))
+    assert link.read().pose.x_m == 1.0
+    link._odometry.arrived_s -= 5.0
+    link.on_odometry(message(math.nan))
+    with pytest.raises(PinelError) as invalid:
+        link.read()
+    assert (invalid.value.code, invalid.value.params) == ("odometry_invalid", {"count": 2})
+    link._odometry.invalid_s -= 5.0
+    with pytest.raises(PinelError, match="link_lost"):
+        link.read()
+
+
 def test_messages_out_of_order_are_passed_over_until_the_clock_has_been_set_back() -> None:
     checked = OdometryFilter()
     checked.take(message(1.0, stamp_s=10.0), 0.0)
