@@ -1,5 +1,6 @@
 """Which requests of the bridge are answered, and how: pure but for the exchange behind them."""
 
+import contextlib
 import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -78,7 +79,7 @@ class Routes:
             "/bridge/cmd_vel": ("GET", lambda request: exchange.velocity(request.client)),
             "/bridge/pose": (
                 "POST",
-                lambda request: exchange.take_pose(request.client, _document(request.body)),
+                lambda request: _take_pose(exchange, request),
             ),
             "/bridge/status": ("GET", lambda request: exchange.status()),
             "/bridge/run_start": ("POST", lambda request: exchange.begin(request.client)),
@@ -126,6 +127,17 @@ def refusal(error: PinelError) -> Answer:
 
 def _plain(value: object) -> object:
     return value if isinstance(value, list) else str(value)
+
+
+def _take_pose(exchange: Conversation, request: Request) -> dict[str, Any]:
+    try:
+        document = _document(request.body)
+    except PinelError:
+        # counts as an impossible pose: the link names a robot that posts nothing else
+        with contextlib.suppress(PinelError):
+            exchange.take_pose(request.client, None)
+        raise
+    return exchange.take_pose(request.client, document)
 
 
 def _document(body: bytes) -> Any:
