@@ -4,6 +4,7 @@ import json
 import math
 import time
 from collections.abc import Callable, Iterator
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,8 @@ import pytest
 from pinel_desktop.messages import LANGUAGES, describe
 from pinel_desktop.robot import STANDSTILL
 from pinel_desktop.robot.record import BridgeRecord, Room
+from pinel_desktop.runs.robots.jog import Jog
+from pinel_desktop.runs.robots.watched import WatchedRobot
 from pinel_desktop.runs.spec import RunSpec
 from tests.links.aurora import Aurora, free_port
 from tests.links.real_link_contract import LiveRun
@@ -109,6 +112,34 @@ def test_impossible_poses_for_a_second_are_called_so(try_out: Callable[..., Tria
     trial.until_standing()
 
 
+def test_keys_stop_where_the_robot_jumps_and_its_place_is_counted_anew() -> None:
+    record = BridgeRecord(port=free_port(), room=Room(width_m=20.0, depth_m=20.0))
+    states: list[dict[str, Any]] = []
+    watched = WatchedRobot(record, states.append)
+    jog, aurora = Jog(watched), Aurora(record.port)
+
+    def hold_until(condition: Callable[[], bool], drive: float = 1.0) -> None:
+        due_s = time.monotonic() + WAIT_S
+        while not condition():
+            assert time.monotonic() < due_s, states[-1]
+            watched.renew(record)
+            jog.command(record, drive, 0.0, time.time())
+            time.sleep(0.1)
+
+    with closing(aurora), closing(watched):
+        hold_until(lambda: watched.start is not None, drive=0.0)
+        hold_until(lambda: aurora.places[-1][0] > 0.2)
+        aurora.order("jump -1")
+        hold_until(lambda: any(state["code"] == "reference_lost" for state in states))
+        jog.end()
+        assert watched.start is None
+        assert aurora.has_ended(WAIT_S)  # a client takes the end of a drive for that of a run
+    time.sleep(0.6)  # the keys count again once they were let go for so long
+    with closing(Aurora(record.port)) as again, closing(watched):
+        hold_until(lambda: any(v > 0.0 for _, (v, _) in again.heard))
+        jog.end()
+
+
 # The goal of a motion is met within 10 mm. How near the square closes is printed: 0.5 mm where the PC is at rest.
 CLOSES_WITHIN_M = 0.01
 LATE = "--jitter 0.1 --lost 0.02"
@@ -134,7 +165,7 @@ def test_the_square_closes_with_a_client_that_is_slow_late_or_begins_anew_in_pla
     for distance_m in (0.5, 1.2, 1.35)[:n_pauses]:
         trial.until_driven(distance_m)
         trial.robot.order("pause 0.5")
-    ended = trial.run.result(120.0).ended
+    ended = trial.run.result(100.0).ended
     assert ended.state == "finished", ended
     trial.until_standing()
     off_m = trial.robot_is_at()

@@ -98,6 +98,21 @@ def test_what_the_commanded_velocity_does_not_allow_is_a_jump_at_every_rate(
     assert is_jump(checked, robot.pose.compose(jump), now_s + 1 / rate_hz)
 
 
+@pytest.mark.parametrize(
+    ("rate_hz", "gap_s", "ahead_m", "back_m", "turned_deg"),
+    [(30.0, 1 / 30, 0.17, 0.10, 15), (2.0, 0.5, 0.45, 0.15, 22.5), (30.0, 1.0, 0.56, 0.20, 30)],
+)
+def test_the_bound_is_that_of_the_page_about_robots(
+    rate_hz: float, gap_s: float, ahead_m: float, back_m: float, turned_deg: float
+) -> None:
+    bounds = [Pose2D(ahead_m), Pose2D(-back_m), Pose2D(0.0, 0.0, math.radians(turned_deg))]
+    for bound in bounds:
+        for factor, is_beyond in ((0.95, False), (1.08, True)):
+            checked, robot, now_s = driven(AHEAD, rate_hz, 2.0)
+            step = Pose2D(*(factor * each for each in bound))
+            assert is_jump(checked, robot.pose.compose(step), now_s + gap_s) == is_beyond
+
+
 def test_a_jump_over_the_half_turn_is_none() -> None:
     for side in (1.0, -1.0):
         checked = OdometryFilter()
