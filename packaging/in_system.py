@@ -82,10 +82,14 @@ def run(display: str, *arguments: str) -> "subprocess.Popen[str]":
         env={"HOME": str(_HOME), "LANG": "pt_BR.UTF-8", "DISPLAY": display},
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
         text=True,
         encoding="utf-8",
     )
+
+
+def answer(display: str, *arguments: str) -> str:
+    """What the program prints; what it has to complain about goes where this script's complaints go."""
+    return run(display, *arguments).communicate(timeout=_TIMEOUT_S)[0]
 
 
 def picture() -> tuple[int, bytes]:
@@ -100,36 +104,32 @@ def picture() -> tuple[int, bytes]:
     return len(set(memoryview(data)[start:].cast("I"))), data
 
 
-def watched(process: "subprocess.Popen[str]") -> tuple[str, str, int, bytes]:
-    """Output of a program, and the last picture of the screen before the program emptied it, if it ever drew."""
-    deadline, drawn = time.monotonic() + _TIMEOUT_S, picture()
+def shown(display: str) -> tuple[int, bytes]:
+    """Opens the program as a person does; the picture as soon as the page is drawn, else that after a time-out."""
+    program, deadline, before = run(display), time.monotonic() + _TIMEOUT_S, 0
     while True:
-        try:
-            return *process.communicate(timeout=_PERIOD_S), *drawn
-        except subprocess.TimeoutExpired:
-            now = picture()
-            drawn = now if now[0] >= MIN_COLOURS else drawn
-            if time.monotonic() > deadline:  # it ends with this namespace
-                return "", f"still running after {_TIMEOUT_S} s", *drawn
+        n_colours, data = picture()
+        if MIN_COLOURS <= n_colours <= before or time.monotonic() > deadline:
+            break
+        before = n_colours
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            program.wait(_PERIOD_S)
+    program.kill()  # its other processes end with this namespace
+    return n_colours, data
 
 
 def main() -> None:
     system, package, screenshot = map(Path, sys.argv[1:])
+    found: dict[str, object]
     with screenshot.open("wb") as file:
         enter(system, package)
         with screen() as display:
-            doctor, doctor_stderr = run(display, "doctor", "--json").communicate(timeout=_TIMEOUT_S)
+            found = {"doctor": answer(display, "doctor", "--json")}
             started = time.monotonic()
-            check, check_stderr, n_colours, shown = watched(run(display, "--self-check"))
-            seconds = round(time.monotonic() - started, 1)
-        file.write(shown)
-    found = {
-        "doctor": doctor,
-        "check": check,
-        "stderr": doctor_stderr + check_stderr,
-        "n_colours": n_colours,
-        "check_s": seconds,
-    }
+            found["check"] = answer(display, "--self-check")
+            found["check_s"] = round(time.monotonic() - started, 1)
+            found["n_colours"], data = shown(display)
+        file.write(data)
     print(json.dumps(found))
 
 

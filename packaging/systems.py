@@ -3,8 +3,8 @@
     python packaging/systems.py [CODENAME...]    as root; without names all of SYSTEMS
 
 Each system is made by debootstrap, from the mirror of Debian that this machine's apt uses, with what
-debian-depends.txt names and a virtual screen. In it, in_system.py runs `pinel doctor` and `pinel --self-check`.
-A picture of its screen is left in build/systems/CODENAME.png.
+debian-depends.txt names and a virtual screen. In it, in_system.py runs `pinel doctor`, `pinel --self-check` and
+`pinel`, whose page must be drawn. A picture of that screen is left in build/systems/CODENAME.png.
 """
 
 import json
@@ -166,7 +166,7 @@ def report(codename: str) -> bool:
     print(
         f"{codename}: {size / 1e6:.0f} MB, made in {made_s:.0f} s; self-check {found['check_s']} s"
     )
-    print(f"{found['check']}\n{found['doctor']}{found['stderr']}")
+    print(f"{found['check']}\n{found['doctor']}")
     print(f"{codename}: {', '.join(faults) or 'the package works'}\n", flush=True)
     return not faults
 
