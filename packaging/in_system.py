@@ -24,8 +24,8 @@ _PROGRAM = Path("/opt/Laboratório de Robótica 1/PINEL (cópia)/pinel")
 _SIZE = "1366x768x24"
 _TIMEOUT_S = 240
 _PERIOD_S = 0.5
-# the page has thousands; a screen without a window, or with an empty one, has a few
-MIN_COLOURS = 100
+# the first page has 2,600, its header alone 340, a screen without a window one
+MIN_COLOURS = 1000
 
 
 def enter(system: Path, package: Path) -> None:
