@@ -24,6 +24,8 @@ SIDE_BY_SIDE = ("-n", "logical", "--maxprocesses", "4", "--dist", "worksteal")
 MANY = ("-n", str(min(3 * (os.cpu_count() or 1), 12)), "--dist", "worksteal")
 # hundreds of processes are started: none compiles again what another compiled
 ENVIRONMENT = {key: value for key, value in os.environ.items() if key != "PYTHONDONTWRITEBYTECODE"}
+# another order of answers each night; the log says which
+LATE = f"--delay-requests={int(time.time())}"
 _COLOURS = re.compile(r"\x1b\[[0-9;]*m")
 # pytest: "3 passed, 1 skipped in 0.5s", between = without -q; vitest: "Tests  3 passed (3)"
 _CLOSING = re.compile(
@@ -91,6 +93,7 @@ STEPS = (
     marked_tests("packaged", "package", only="packaged", without="nightly"),
     Step("smoke", "package", (sys.executable, "packaging/smoke.py")),
     marked_tests("nightly", "nightly", only="nightly"),
+    marked_tests("late-e2e", "nightly", *MANY, LATE, only="e2e", without="nightly"),
     marked_tests("long-fuzz", "nightly", "--fuzz-s=300", only="fuzz"),
     Step("bench", "nightly", ("make", "bench"), counts=True),
 )

@@ -9,7 +9,9 @@ from typing import Any
 
 import psutil
 
-_START_S = 30.0
+from tests.e2e.delays import app_module, slower
+
+_START_S = 30.0 * slower()
 
 
 class AppProcess:
@@ -78,7 +80,7 @@ class AppProcess:
 
     def _spawn(self, errors: int) -> subprocess.Popen[str]:
         return subprocess.Popen(
-            [sys.executable, "-m", "pinel_desktop", "serve", *self._options],
+            [sys.executable, *app_module(), "serve", *self._options],
             env={
                 **os.environ,
                 "PINEL_HOME": str(self._home),

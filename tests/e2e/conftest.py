@@ -9,13 +9,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, expect, sync_playwright
 
 from pinel_desktop.web.page import STATIC
 from tests.e2e.app_process import AppProcess
+from tests.e2e.delays import slower
 from tests.e2e.past_lesson import school_after
 from tests.e2e.review_school import Past, Teacher, play, sign_in
-from tests.e2e.studio import Studio
+from tests.e2e.studio import PATIENCE_MS, Studio
 from tests.e2e.watch import Watch
 
 # Debian's headless shell, a third faster than the whole browser
@@ -38,6 +39,15 @@ ARTIFACTS = Path(__file__).parents[1] / "artifacts"
 OpenStudio = Callable[..., Studio]
 
 
+@pytest.hookimpl(trylast=True)  # after the markers of the tests are known
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Late answers take their time."""
+    for item in items if slower() > 1 else ():
+        own = item.get_closest_marker("timeout")
+        usual_s = float(own.args[0] if own else config.getini("timeout"))
+        item.add_marker(pytest.mark.timeout(usual_s * slower()), append=False)
+
+
 @pytest.fixture(scope="session")
 def browser() -> Iterator[Browser]:
     with sync_playwright() as playwright:
@@ -45,6 +55,7 @@ def browser() -> Iterator[Browser]:
         sandbox = ["--no-sandbox"] if os.geteuid() == 0 else []
         # a tenth faster than the software GPU
         arguments = ["--disable-gpu", *sandbox]
+        expect.set_options(timeout=PATIENCE_MS)
         browser = playwright.chromium.launch(executable_path=CHROMIUM, args=arguments)
         yield browser
         browser.close()
@@ -88,7 +99,7 @@ def open_studio(
         cookies = None if link else app.signed_in
         settings = {"viewport": SCREEN, "locale": "pt-BR", "reduced_motion": "reduce", **options}
         context = browser.new_context(storage_state=cookies, **settings)
-        context.set_default_timeout(15_000)
+        context.set_default_timeout(PATIENCE_MS)
         contexts.append(context)
         watch.over(context)
         page = context.new_page()
@@ -130,7 +141,7 @@ def open_pc(
                 viewport={"width": 1366, "height": 768}, locale="pt-BR", reduced_motion="reduce"
             )
             stack.callback(context.close)
-            context.set_default_timeout(15_000)
+            context.set_default_timeout(PATIENCE_MS)
             watch.over(context)
             page = context.new_page()
             page.goto(link)

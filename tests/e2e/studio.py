@@ -9,9 +9,11 @@ from typing import Any, TypeVar, cast
 from playwright.sync_api import APIResponse, Locator, Page, Response, expect
 
 from tests.e2e.blocks import Blocks
+from tests.e2e.delays import slower
 
-RUN_MS = 60_000  # a run in real time, on a busy PC
-SAVE_S = 10.0
+PATIENCE_MS = 15_000 * slower()  # for one thing, on a busy PC
+RUN_MS = 60_000 * slower()  # a run in real time
+SAVE_S = 10.0 * slower()
 POLL_MS = 50
 
 _OVER = re.compile("finished|stopped|failed")

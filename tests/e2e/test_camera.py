@@ -14,6 +14,7 @@ from tests.camera.taught_hands import packed, shown, write_strange_hand
 from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
 from tests.e2e.conftest import OpenStudio
+from tests.e2e.delays import slower
 from tests.e2e.python_pane import write_program
 from tests.e2e.studio import RUN_MS, Studio
 from tests.e2e.test_layout import SCREENS, cut
@@ -26,7 +27,7 @@ STRANGE = "strange"
 IF_B = 'if robot.gesture_result == "B":\n    robot.move_forward(0.2)\n'
 WAITS_FOR_B = f"robot.classify_gestures(timeout=60)\n{IF_B}"
 # the camera may be slow to open on a busy PC
-CAMERA_MS = 30_000
+CAMERA_MS = 30_000 * slower()
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ from playwright.sync_api import Browser, Route, expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
-from tests.e2e.studio import Studio
+from tests.e2e.studio import PATIENCE_MS, Studio
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 
@@ -27,7 +27,7 @@ def other_pc(tmp_path_factory: pytest.TempPathFactory, browser: Browser) -> Iter
     """The teacher's PC, with an empty file of its own."""
     app = AppProcess(tmp_path_factory.mktemp("other"))
     context = browser.new_context(locale="pt-BR", reduced_motion="reduce")
-    context.set_default_timeout(15_000)
+    context.set_default_timeout(PATIENCE_MS)
     page = context.new_page()
     page.goto(app.start())
     yield Studio(page)

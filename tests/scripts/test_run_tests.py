@@ -95,5 +95,6 @@ def test_every_test_is_in_exactly_one_step() -> None:
         "e2e and not nightly",
         "packaged and not nightly",
         "nightly",
+        "e2e and not nightly",  # behind a slow line
         "fuzz",  # for longer
     ]

@@ -1,0 +1,49 @@
+"""Starts the app so that each request of the page takes 200 to 600 ms longer, whatever other requests do meanwhile.
+
+A part of the delay lies before the work of a request, the rest between the work and its answer; a stream begins late.
+Requests of the tests themselves are not delayed: only a browser says from which site one comes.
+"""
+
+import os
+import random
+import threading
+import time
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from pinel_desktop.__main__ import main
+from pinel_desktop.web import early_server
+from pinel_desktop.web.server import Server, Wsgi
+from tests.e2e.delays import SEED
+
+_LEAST_S, _MOST_S = 0.2, 0.6
+
+
+class LateAnswers:
+    """The app behind a slow line: each request waits on its own thread."""
+
+    def __init__(self, app: Wsgi, seed: str, sleep: Callable[[float], None] = time.sleep) -> None:
+        self._app, self._sleep = app, sleep
+        self._random, self._lock = random.Random(seed), threading.Lock()
+
+    def __call__(self, environ: dict[str, Any], start_response: Any) -> Iterable[bytes]:
+        before_s, after_s = self._delays() if "HTTP_SEC_FETCH_SITE" in environ else (0.0, 0.0)
+        self._sleep(before_s)
+        answer: Iterable[bytes] = self._app(environ, start_response)
+        self._sleep(after_s)
+        return answer
+
+    def _delays(self) -> tuple[float, float]:
+        with self._lock:
+            whole_s, part = self._random.uniform(_LEAST_S, _MOST_S), self._random.random()
+        return whole_s * part, whole_s * (1 - part)
+
+
+class _LateServer(Server):
+    def start(self, app: Wsgi) -> None:
+        super().start(LateAnswers(app, os.environ[SEED]))
+
+
+if __name__ == "__main__":
+    early_server.Server = _LateServer  # type: ignore[misc]
+    main()
