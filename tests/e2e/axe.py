@@ -3,9 +3,9 @@
 from pathlib import Path
 from typing import Any
 
-from playwright.sync_api import Page
+from playwright.sync_api import Locator, Page
 
-from tests.e2e.studio import Studio, at_rest
+from tests.e2e.studio import Studio
 
 AXE = Path(__file__).parents[2] / "ui" / "node_modules" / "axe-core" / "axe.min.js"
 # Blockly's toolbox and blocks have roles whose children axe does not find
@@ -22,9 +22,14 @@ BLOCKLYS = {
 THEMES = {"light", "dark", "contrast"}
 
 
-def violations(studio: Studio) -> list[str]:
-    """Findings of axe without those of Blockly's own elements; restores the theme."""
+def violations(studio: Studio, shows: str | Locator) -> list[str]:
+    """Findings of axe without those of Blockly's own elements; restores the theme.
+
+    Args:
+        shows: what is on this screen, as for `wait_for_screen`.
+    """
     page = studio.page
+    studio.wait_for_screen(shows)
     if not page.evaluate("typeof axe === 'object'"):
         page.evaluate(AXE.read_text("utf-8"))
     first = _theme(page)
@@ -32,16 +37,14 @@ def violations(studio: Studio) -> list[str]:
     seen = {first}
     while _next_theme(page) != first:
         seen.add(_theme(page))
-        found += _found(
-            page, "{ runOnly: ['color-contrast'] }"
-        )  # the only rule that depends on the theme
+        studio.wait_for_screen(shows)  # what fades has another contrast until then
+        # the only rule that depends on the theme
+        found += _found(page, "{ runOnly: ['color-contrast'] }")
     assert seen == THEMES
     return found
 
 
 def _found(page: Page, options: str) -> list[str]:
-    page.locator("h1").first.wait_for(state="attached")  # between two screens there is nothing
-    at_rest(page)  # what fades or is busy has another contrast until then
     answer: dict[str, Any] = page.evaluate(
         f"() => axe.run(document, {{ resultTypes: ['violations'], ...{options} }})"
     )

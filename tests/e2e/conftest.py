@@ -102,10 +102,10 @@ def open_studio(
         context.set_default_timeout(PATIENCE_MS)
         contexts.append(context)
         watch.over(context)
-        page = context.new_page()
-        page.goto(link or (app.origin if cookies else app.link))
+        studio = Studio(context.new_page())
+        studio.page.goto(link or (app.origin if cookies else app.link))
         app.signed_in = app.signed_in or context.storage_state()
-        return Studio(page)
+        return studio
 
     yield open_
     if contexts and {"lasting_app", "school"} & set(request.fixturenames):  # the next test uses it
@@ -143,9 +143,9 @@ def open_pc(
             stack.callback(context.close)
             context.set_default_timeout(PATIENCE_MS)
             watch.over(context)
-            page = context.new_page()
-            page.goto(link)
-            return Studio(page)
+            studio = Studio(context.new_page())
+            studio.page.goto(link)
+            return studio
 
         yield open_
 

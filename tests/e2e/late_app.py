@@ -45,5 +45,5 @@ class _LateServer(Server):
 
 
 if __name__ == "__main__":
-    early_server.Server = _LateServer  # type: ignore[misc]
+    early_server.Server = _LateServer  # type: ignore[attr-defined]
     main()

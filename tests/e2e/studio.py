@@ -3,10 +3,10 @@
 import itertools
 import re
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, TypeVar, cast
 
-from playwright.sync_api import APIResponse, Locator, Page, Response, expect
+from playwright.sync_api import APIResponse, Locator, Page, Request, Response, expect
 
 from tests.e2e.blocks import Blocks
 from tests.e2e.delays import slower
@@ -26,13 +26,38 @@ _AT_REST = """() => !document.querySelector('[aria-busy=true]') && document.getA
   .every((one) => one.playState !== 'running' || one.effect.getComputedTiming().endTime === Infinity)"""
 _NUMBERS = itertools.count(1)
 
+# a picture or a stream may never end
+_FETCHED = {"document", "fetch", "script", "stylesheet", "xhr"}
+_CALM_LOOKS, _LOOK_MS = 2, 20  # what an answer leads to is asked for a moment later
+
 T = TypeVar("T")
 
 
-def at_rest(page: Page) -> None:
-    """Waits until what is on the screen is all there and stands still."""
-    page.evaluate(_TWO_FRAMES)
-    page.wait_for_function(_AT_REST)
+class UnderWay:
+    """The requests of a page that are not answered yet."""
+
+    def __init__(self, page: Page) -> None:
+        self._page, self._requests = page, set[Request]()
+        page.on("request", self._begin)
+        page.on("requestfinished", self._end)
+        page.on("requestfailed", self._end)
+
+    def wait_for_none(self) -> None:
+        """Waits until every answer is there. Raises AssertionError that names those that never come."""
+        deadline, calm = time.monotonic() + PATIENCE_MS / 1000, 0
+        while calm < _CALM_LOOKS:
+            assert time.monotonic() < deadline, [one.url for one in self._requests]
+            calm = 0 if self._requests else calm + 1
+            self._page.wait_for_timeout(_LOOK_MS)
+
+    def _begin(self, request: Request) -> None:
+        if request.is_navigation_request() and request.frame == self._page.main_frame:
+            self._requests.clear()  # what the page before asked for concerns nobody
+        if request.resource_type in _FETCHED and not request.url.endswith("/stream"):
+            self._requests.add(request)
+
+    def _end(self, request: Request) -> None:
+        self._requests.discard(request)
 
 
 class Studio:
@@ -41,9 +66,24 @@ class Studio:
     def __init__(self, page: Page) -> None:
         self.page = page
         self.blocks = Blocks(page)
+        self._under_way = UnderWay(page)
 
     def __getitem__(self, test_id: str) -> Locator:
         return self.page.get_by_test_id(test_id)
+
+    def wait_for_screen(self, shows: str | Locator) -> None:
+        """Waits until the screen that is meant is there as a whole: all of it is fetched, and nothing moves.
+
+        Args:
+            shows: what this screen shows and the one before does not, by its test id.
+        """
+        one = (self[shows] if isinstance(shows, str) else shows).first
+        expect(one).to_be_visible()
+        in_header = "one => !!one.closest('header.header')"
+        assert not one.evaluate(in_header), f"{shows}: the header is on every screen"
+        self._under_way.wait_for_none()
+        self.page.evaluate(_TWO_FRAMES)
+        self.page.wait_for_function(_AT_REST)
 
     def enter_group(self, name: str, level: int | None = 3, *, tour: bool = False) -> None:
         """Types a new group's name and waits for its first program; None leaves the level of new groups.
@@ -99,6 +139,12 @@ class Studio:
     def _answer(path: str, answer: APIResponse) -> Any:
         assert answer.ok, f"{path}: {answer.status} {answer.text()}"
         return answer.json()
+
+    def expect_each(self, locator: Locator, attribute: str, values: Sequence[str]) -> None:
+        """Waits until there are as many elements as values, and each has its value."""
+        expect(locator).to_have_count(len(values))
+        for place, value in enumerate(values):
+            expect(locator.nth(place)).to_have_attribute(attribute, value)
 
     def eventually(self, read: Callable[[], T], wanted: T) -> None:
         """Polls until the value is as wanted: the server receives edits with a delay."""
@@ -161,8 +207,12 @@ class Studio:
         expect(self["scene"]).to_have_attribute("data-phase", phase, timeout=timeout_ms)
 
     def number(self, test_id: str) -> float:
-        """The exact value of a number shown in the page, from `data-value`."""
+        """The exact value of a number shown in the page, from `data-value`, now."""
         return float(self[test_id].get_attribute("data-value") or "nan")
+
+    def expect_number(self, test_id: str, value: Any) -> None:
+        """Waits until the page shows a number: a float, `approx`, or what else compares as equal."""
+        self.eventually(lambda: self.number(test_id), value)
 
 
 def _begins_run(answer: Response) -> bool:

@@ -50,7 +50,7 @@ def test_a_sign_that_the_camera_sees_decides_what_the_robot_does(studio: Studio)
     write_program(studio, WAITS_FOR_B)
     studio.run()
     studio.wait_for_phase("finished", RUN_MS + CAMERA_MS)
-    assert studio.number("pose-x") == pytest.approx(0.2, abs=0.001)
+    studio.expect_number("pose-x", pytest.approx(0.2, abs=0.001))
     expect(studio["status-line"]).to_contain_text("A câmera viu B (")
 
 
@@ -60,8 +60,8 @@ def test_signs_are_practised_and_spelled_without_a_program(studio: Studio) -> No
     expect(studio["camera-picture"]).to_have_attribute("data-state", "on", timeout=CAMERA_MS)
     expect(studio["practice-text"]).to_have_value("B", timeout=CAMERA_MS)
     expect(studio["reading"]).to_have_attribute("data-kind", "sure")
+    assert violations(studio, "reading") == []
     assert studio.page.evaluate("document.querySelector('.camera img').naturalWidth") > 0
-    assert violations(studio) == []
     studio["practice-clear"].click()
     expect(studio["practice-text"]).to_have_value("")
 
@@ -81,13 +81,13 @@ def test_without_a_camera_the_buttons_answer_and_nothing_is_cut_off(
     )
     for width, height in SCREENS:
         studio.page.set_viewport_size({"width": width, "height": height})
-        assert cut(studio.page) == [], f"capture, {width} x {height}"
+        assert cut(studio, "camera-trouble") == [], f"capture, {width} x {height}"
         none = studio["capture-letter"].last
         expect(none).to_be_in_viewport(ratio=1)
-    assert violations(studio) == []
+    assert violations(studio, "camera-trouble") == []
     studio["capture-letter"].and_(studio.page.locator('[data-letter="B"]')).click()
     studio.wait_for_phase("finished")
-    assert studio.number("pose-x") == pytest.approx(0.2, abs=0.001)
+    studio.expect_number("pose-x", pytest.approx(0.2, abs=0.001))
 
 
 @pytest.mark.parametrize("camera", [NO_CAMERA])
@@ -99,14 +99,14 @@ def test_practice_goes_on_without_a_camera(open_studio: OpenStudio, language: st
     expect(studio["camera-trouble"]).to_be_visible(timeout=CAMERA_MS)
     for width, height in SCREENS:
         studio.page.set_viewport_size({"width": width, "height": height})
-        assert cut(studio.page) == [], f"practice, {width} x {height}"
+        assert cut(studio, "camera-trouble") == [], f"practice, {width} x {height}"
     studio.page.keyboard.press("l")
     expect(studio["practice-sign"].and_(studio.page.locator("[aria-pressed=true]"))).to_have_text(
         "L"
     )
     studio["practice-text"].fill("OI")
     expect(studio["practice-text"]).to_have_value("OI")
-    assert violations(studio) == []
+    assert violations(studio, "camera-trouble") == []
 
 
 def test_a_class_teaches_a_sign_and_takes_it_back(studio: Studio) -> None:
@@ -117,16 +117,16 @@ def test_a_class_teaches_a_sign_and_takes_it_back(studio: Studio) -> None:
     studio["teach-name"].fill("b")
     studio["teach-record"].click()
     expect(studio["taught-sign"]).to_have_attribute("data-sign", "B", timeout=CAMERA_MS)
-    assert violations(studio) == []
+    assert violations(studio, "taught-sign") == []
     for width, height in SCREENS:
         studio.page.set_viewport_size({"width": width, "height": height})
-        assert cut(studio.page) == [], f"{width} x {height}"
+        assert cut(studio, "taught-sign") == [], f"{width} x {height}"
     for language in LANGUAGES:
         studio.choose_language(language)
         studio["teach-letter"].and_(studio.page.locator('[data-letter="J"]')).click()
         for width, height in SCREENS:
             studio.page.set_viewport_size({"width": width, "height": height})
-            assert cut(studio.page) == [], f"{language}, {width} x {height}"
+            assert cut(studio, "taught-sign") == [], f"{language}, {width} x {height}"
     studio["forget-sign"].click()
     expect(studio["taught-sign"]).to_have_count(0)
     signs = studio.api(f"/classrooms/{classroom}/signs")["signs"]
@@ -169,7 +169,7 @@ def test_what_a_class_teaches_is_offered_by_blocks_answered_by_the_camera_and_re
     expect(warned(studio)).to_have_count(0)
     studio.run()
     studio.wait_for_phase("finished", RUN_MS + CAMERA_MS)
-    assert studio.number("pose-x") == pytest.approx(0.2, abs=0.001)
+    studio.expect_number("pose-x", pytest.approx(0.2, abs=0.001))
     expect(studio["status-line"]).to_contain_text("A câmera viu vai, um sinal da turma (")
     group = studio.api(f"/programs/{studio.program_id}")["group_id"]
     (run,) = studio.api(f"/groups/{group}/runs")["runs"]
@@ -193,10 +193,10 @@ def test_a_sign_that_the_class_does_not_know_is_warned_of_and_can_be_answered(
     studio.run()
     answer = studio["capture-letter"].and_(studio.page.locator('[data-letter="pare"]'))
     expect(answer).to_be_visible()
-    assert violations(studio) == []
+    assert violations(studio, answer) == []
     answer.click()
     studio.wait_for_phase("finished")
-    assert studio.number("pose-x") == pytest.approx(0.2, abs=0.001)
+    studio.expect_number("pose-x", pytest.approx(0.2, abs=0.001))
     choose_sign(studio, "W")
     expect(warned(studio)).to_have_count(0)
 
@@ -220,19 +220,19 @@ def test_sixty_signs_of_a_class_leave_nothing_cut_off(
     field = studio["capture-find"]
     for width, height in SCREENS:
         studio.page.set_viewport_size({"width": width, "height": height})
-        assert cut(studio.page) == [], f"{width} x {height}"
+        assert cut(studio, "capture-letter") == [], f"{width} x {height}"
         expect(field).to_be_in_viewport(ratio=1)
         expect(studio["capture-letter"].first).to_be_in_viewport(ratio=1)
-    assert violations(studio) == []
+    assert violations(studio, "capture-letter") == []
     field.fill("l 33")
     field.press("Enter")
     studio.wait_for_phase("finished")
-    assert studio.number("pose-x") == pytest.approx(0.2, abs=0.001)
+    studio.expect_number("pose-x", pytest.approx(0.2, abs=0.001))
     studio["practice"].click()
     expect(studio["practice-sign"]).to_have_count(21 + 60)
     for width, height in SCREENS:
         studio.page.set_viewport_size({"width": width, "height": height})
-        assert cut(studio.page) == [], f"practice, {width} x {height}"
+        assert cut(studio, "practice-sign") == [], f"practice, {width} x {height}"
         expect(studio["practice-hand"].first).to_be_in_viewport(ratio=1)
 
 
@@ -241,13 +241,12 @@ def test_the_teacher_tries_the_camera_which_is_off_again_afterwards(studio: Stud
     studio.page.goto(f"{studio.origin}/#/teacher/camera")
     studio.page.reload()
     expect(studio["camera-ready"]).to_have_attribute("data-ready", "true", timeout=CAMERA_MS)
-    points = studio["camera-point"].all()
-    assert [point.get_attribute("data-finding") for point in points] == ["good"] * 4
+    studio.expect_each(studio["camera-point"], "data-finding", ["good"] * 4)
     expect(studio["camera-point"].last).to_have_text("Sinal visto: B")
-    assert violations(studio) == []
+    assert violations(studio, "camera-point") == []
     for width, height in SCREENS:
         studio.page.set_viewport_size({"width": width, "height": height})
-        assert cut(studio.page) == [], f"{width} x {height}"
+        assert cut(studio, "camera-point") == [], f"{width} x {height}"
     assert studio.api("/camera")["state"] == "on"
     studio.page.goto(f"{studio.origin}/#/teacher/lessons")
     expect(studio["camera-picture"]).to_have_count(0)
@@ -265,4 +264,4 @@ def test_the_teacher_is_told_that_there_is_no_camera_and_what_to_do(studio: Stud
     expect(studio["camera-trouble"]).to_contain_text("Liguem o cabo", timeout=CAMERA_MS)
     expect(studio["camera-ready"]).to_have_attribute("data-ready", "false")
     expect(studio["camera-point"].first).to_have_attribute("data-finding", "missing")
-    assert violations(studio) == []
+    assert violations(studio, "camera-trouble") == []

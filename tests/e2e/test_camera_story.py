@@ -54,6 +54,7 @@ def test_a_lesson_with_the_camera(studio: Studio, open_studio: OpenStudio) -> No
             run = drive(group, name)
         wanted = "Conseguiram" if program == SOLVED else "Ainda não"
         expect(group["status-line"]).to_contain_text(wanted, timeout=RUN_MS)
+        group.wait_for_screen("status-line")
         said[name] = group["status-line"].inner_text()
         events = group.api(f"/runs/{run['id']}/events")["events"]
         assert {"camera"} == {one["by"] for one in events if one["type"] == "gesture_result"}

@@ -63,8 +63,8 @@ def test_the_list_fills_while_the_robot_drives(studio: Studio) -> None:
     expect_state(studio, "Chegar ao fim", "met")
     expect_state(studio, "Passar por padaria", "broken")
     expect(line(studio, "Terminar em “praça”")).to_contain_text("a 6 m de lá")
-    assert violations(studio) == []
-    assert cut(studio.page) == []
+    assert violations(studio, "checks") == []
+    assert cut(studio, "checks") == []
     studio["mission-fold"].click()
     expect(studio["mission"]).to_contain_text("2 de 4")
 
@@ -111,9 +111,9 @@ def test_success_is_seen_heard_where_wanted_and_leads_on(studio: Studio) -> None
     assert studio.page.evaluate("tones") == []
     for words in ("Chegar ao fim", "Não encostar", "Terminar em “padaria”"):
         expect_state(studio, words, "met")
-    assert violations(studio) == []
+    assert violations(studio, "mission-done") == []
     studio.page.set_viewport_size({"width": 1024, "height": 768})
-    assert cut(studio.page) == []
+    assert cut(studio, "mission-done") == []
     studio["success-sound"].click()
     assert len(studio.page.evaluate("tones")) == 4
     studio.run()
@@ -137,4 +137,4 @@ def test_the_other_cases_that_were_tried_are_named(studio: Studio) -> None:
     expect(tried).to_have_count(2, timeout=RUN_MS)
     expect(tried.first).to_contain_text("a partida em x −1,25 m")
     expect(tried.first).to_have_attribute("data-state", "broken")
-    assert violations(studio) == []
+    assert violations(studio, "cases-tried") == []

@@ -61,7 +61,7 @@ def test_a_program_is_run_block_by_block(studio: Studio) -> None:
     studio["step"].click()
     studio.wait_for_phase("paused")
     expect(studio["run"]).to_have_attribute("data-does", "resume")
-    assert studio.number("pose-x") == pytest.approx(0.0, abs=1e-6)
+    studio.expect_number("pose-x", pytest.approx(0.0, abs=1e-6))
 
     expect(studio.blocks.running()).to_contain_text("andar para frente")
     studio["step"].click()
@@ -94,7 +94,7 @@ def test_fast_forward_is_faster_than_the_clock(studio: Studio) -> None:
     begun = time.monotonic()
     studio.run_to_the_end()
     taken_s = time.monotonic() - begun
-    assert studio.number("elapsed") == pytest.approx(20, abs=0.1)
+    studio.expect_number("elapsed", pytest.approx(20, abs=0.1))
     assert taken_s < 20
 
 

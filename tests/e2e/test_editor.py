@@ -174,8 +174,10 @@ def test_every_look_keeps_the_program(one_move: Studio) -> None:
     before = one_move.commands()
     seen = set()
     for _ in range(3):
-        seen.add(one_move["theme"].get_attribute("data-theme"))
+        theme = one_move["theme"].get_attribute("data-theme") or ""
+        seen.add(theme)
         one_move["theme"].click()
+        expect(one_move["theme"]).not_to_have_attribute("data-theme", theme)
         expect(one_move.blocks.by_id(before[0]["block"])).to_be_visible()
     assert seen == {"light", "dark", "contrast"}
     assert one_move.commands() == before

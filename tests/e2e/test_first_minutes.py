@@ -72,8 +72,8 @@ def test_a_square_from_an_empty_program(studio: Studio) -> None:
     assert [[inner["action"] for inner in loop["commands"]] for loop in studio.commands()] == [
         ["move_forward", "turn"]
     ]
-    assert abs(studio.number("pose-x")) < 0.001
-    assert abs(studio.number("pose-y")) < 0.001
+    for axis in ("pose-x", "pose-y"):
+        studio.expect_number(axis, pytest.approx(0, abs=0.001))
     print(f"\na square: {n} actions, {n * CHOICE_S + page_s:.1f} s until it drives")
     assert n <= MOST_FOR_A_SQUARE
 
@@ -91,8 +91,8 @@ def test_a_square_with_dragged_blocks_and_a_typed_length(studio: Studio) -> None
     blocks.type_into(blocks.by_words("andar para frente"), "0,5")
     studio.run()
     studio.wait_for_phase("finished")
-    assert abs(studio.number("pose-x")) < 0.001
-    assert abs(studio.number("pose-y")) < 0.001
+    for axis in ("pose-x", "pose-y"):
+        studio.expect_number(axis, pytest.approx(0, abs=0.001))
     n = actions_of(studio)
     print(f"\na square of dragged blocks with a typed length: {n} actions")
     assert n <= MOST_FOR_A_SQUARE

@@ -96,11 +96,16 @@ def test_what_is_appended_below_a_long_program_is_brought_into_view(beginners: S
     studio, blocks = beginners, beginners.blocks
     for _ in range(14):
         blocks.click_in_flyout("girar")
-    last = blocks.all().last.locator("> .blocklyPath").first.bounding_box()
-    trash = studio.page.locator(".blocklyTrash").bounding_box()
-    assert last is not None
-    assert trash is not None
-    assert last["y"] + last["height"] <= trash["y"]
+    last, trash = (
+        blocks.all().last.locator("> .blocklyPath").first,
+        studio.page.locator(".blocklyTrash"),
+    )
+
+    def is_above_the_trash() -> bool:
+        box = last.bounding_box()
+        return box is not None and box["y"] + box["height"] <= box_of(trash)["y"]
+
+    studio.eventually(is_above_the_trash, True)
 
 
 def test_a_tap_appends_as_well(open_studio: OpenStudio) -> None:

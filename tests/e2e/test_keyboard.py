@@ -87,5 +87,5 @@ def test_a_square_is_built_and_run_by_keyboard_alone(studio: Studio) -> None:
     expect(studio["run"]).to_be_focused()
     keyboard.press("Enter")
     studio.wait_for_phase("finished")
-    assert abs(studio.number("pose-x")) < 0.001
+    studio.expect_number("pose-x", pytest.approx(0, abs=0.001))
     assert studio.commands()[0]["commands"][0]["distance"] == 0.2

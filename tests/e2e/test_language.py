@@ -8,6 +8,7 @@ import pytest
 from playwright.sync_api import Locator, Page, expect
 
 from tests.e2e.app_process import AppProcess
+from tests.e2e.blocks import box_of
 from tests.e2e.studio import Studio
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
@@ -32,8 +33,9 @@ def flyout(studio: Studio) -> Locator:
 
 def press_on_block(studio: Studio, block: Locator, label: str) -> None:
     """A plus or a minus that stands on a block."""
+    before = block.inner_text()
     block.locator(f'[aria-label="{label}"]').last.click()
-    studio.page.wait_for_timeout(50)
+    expect(block).not_to_have_text(before, use_inner_text=True)
 
 
 def answer(page: Page, text: str) -> None:
@@ -147,13 +149,11 @@ def test_a_value_of_the_wrong_kind_does_not_snap(empty: Studio) -> None:
     blocks = empty.blocks
     blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
     place = blocks.by_words("andar para frente").locator(".blocklyInputField").first
-    box = place.bounding_box()
-    assert box is not None
+    box = box_of(place)
     for category, words, loose in (("text", "juntar", 1), ("sensing", "tempo", 1)):
         blocks.category(category).click()
         outline = blocks.in_flyout(words).locator("> .blocklyPath")
-        from_ = outline.bounding_box()
-        assert from_ is not None
+        from_ = box_of(outline)
         mouse = empty.page.mouse
         mouse.move(from_["x"] + 8, from_["y"] + from_["height"] / 2)
         mouse.down()

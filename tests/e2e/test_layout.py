@@ -3,12 +3,12 @@
 from typing import Any
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Locator, expect
 
 from pinel_desktop.messages import LANGUAGES
 from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import OpenStudio
-from tests.e2e.studio import Studio, at_rest
+from tests.e2e.studio import Studio
 from tests.e2e.watch import Watch
 
 pytestmark = [pytest.mark.e2e, pytest.mark.timeout(120)]
@@ -50,10 +50,11 @@ def app(lasting_app: AppProcess) -> AppProcess:
     return lasting_app
 
 
-def cut(page: Page) -> list[Any]:
-    at_rest(page)
-    page.evaluate("document.fonts.ready")
-    return list(page.evaluate(_CUT))
+def cut(studio: Studio, shows: str | Locator) -> list[Any]:
+    """What is cut off on the screen that shows this, as for `wait_for_screen`."""
+    studio.wait_for_screen(shows)
+    studio.page.evaluate("document.fonts.ready")
+    return list(studio.page.evaluate(_CUT))
 
 
 @pytest.mark.parametrize("size", SCREENS, ids=lambda size: f"{size[0]}x{size[1]}")
@@ -61,20 +62,20 @@ def cut(page: Page) -> list[Any]:
 def test_no_words_are_cut(open_studio: OpenStudio, size: tuple[int, int], language: str) -> None:
     studio: Studio = open_studio(viewport={"width": size[0], "height": size[1]})
     studio.choose_language(language)
-    assert cut(studio.page) == [], "start"
+    assert cut(studio, "group-name") == [], "start"
     studio.enter_new_group("Os Engenheiros")
-    assert cut(studio.page) == [], "studio"
+    assert cut(studio, "run") == [], "studio"
     assert studio.page.evaluate(_SMALL) == []
     studio["ir-toggle"].click()
-    assert cut(studio.page) == [], "what the robot gets"
+    assert cut(studio, "python-text") == [], "what the robot gets"
     studio["plots-toggle"].click()
     studio["scene-tools"].click()
-    assert cut(studio.page) == [], "plots and tools"
+    assert cut(studio, "plots") == [], "plots and tools"
     assert studio.page.evaluate(_SMALL) == []
     studio["scene-tools"].click()
     studio["open-work"].click()
     studio["program-card"].first.wait_for()
-    assert cut(studio.page) == [], "our work"
+    assert cut(studio, "program-card") == [], "our work"
 
 
 @pytest.mark.parametrize("size", SCREENS[:2], ids=lambda size: f"{size[0]}x{size[1]}")
@@ -99,7 +100,7 @@ def test_the_lesson_gives_way_to_the_group_and_its_program(
     studio.choose_language(language)
     expect(studio["saved-mark"]).to_have_attribute("data-state", "failed")
     assert _cut_names(studio) == []
-    assert cut(studio.page) == []
+    assert cut(studio, "editor") == []
     _expect_ways_out(studio)
 
 
@@ -119,7 +120,7 @@ def test_long_names_give_way_to_every_button_of_the_header(
     studio.blocks.drag_from_toolbox("gestures", "ler gesto", studio.blocks.below(start))
     expect(studio["practice"]).to_be_visible()
     _expect_ways_out(studio)
-    assert [one for one in cut(studio.page) if "program-name" not in one] == []
+    assert [one for one in cut(studio, "editor") if "program-name" not in one] == []
     studio.page.set_viewport_size({"width": 1920, "height": 768})
     expect(studio["open-work"]).to_contain_text("Nossos trabalhos")
 
@@ -144,6 +145,7 @@ def _begin_lesson(studio: Studio, title: str) -> None:
 
 def _cut_names(studio: Studio) -> list[str]:
     """Of group and program, short as they are."""
+    studio.wait_for_screen("editor")
     names = studio.page.locator(".header__group-name, .program-name__input").all()
     return [
         name.inner_text()

@@ -208,7 +208,7 @@ def follows_the_checking(pc: Studio) -> None:
     expect(summary).not_to_contain_text("a conferência", timeout=CHECKED_MS)
     expect(summary).to_contain_text("2 de 5")
     expect(cinzas.get_by_test_id("review-detail")).to_contain_text("Não confere")
-    assert violations(pc) == []
+    assert violations(pc, "review-detail") == []
 
 
 def approve(pc: Studio) -> None:
@@ -218,7 +218,7 @@ def approve(pc: Studio) -> None:
     trusted = pc["computer-trust"].and_(pc.page.locator("[data-trust=approved]"))
     expect(trusted).to_have_count(1)
     expect(pc["unconfirmed"]).to_contain_text("1 rodada não confere")
-    assert violations(pc) == []
+    assert violations(pc, "unconfirmed") == []
 
 
 def read_the_lesson(pc: Studio) -> None:
@@ -229,29 +229,28 @@ def read_the_lesson(pc: Studio) -> None:
     follows_the_checking(pc)
     groups = pc["review-group"]
     expect(groups).to_have_count(5)
-    names = [group.get_attribute("data-name") for group in groups.all()]
     at_work, passed = ["Cinzas", "Dourados", "Esmeraldas"], ["Amarelos", "Brancos"]
-    assert names == at_work + passed
+    pc.expect_each(groups, "data-name", at_work + passed)
 
-    def runs(name: str) -> list[str | None]:
+    def runs(name: str) -> Locator:
         marks = group(name).get_by_test_id("review-mark")
-        marks = marks.and_(pc.page.locator("[data-kind=run]"))
-        return [mark.get_attribute("data-outcome") for mark in marks.all()]
+        return marks.and_(pc.page.locator("[data-kind=run]"))
 
     def group(name: str) -> Locator:
         return groups.and_(pc.page.locator(f"[data-name={name}]"))
 
-    def figure(name: str, of: str) -> str | None:
+    def figure(name: str, of: str) -> Locator:
         figures = group(of).get_by_test_id("review-figure")
-        return figures.and_(pc.page.locator(f"[data-name={name}]")).get_attribute("data-value")
+        return figures.and_(pc.page.locator(f"[data-name={name}]"))
 
-    assert runs("Amarelos") == ["passed"]
-    assert runs("Brancos")[1:] == ["passed"]
-    assert runs("Cinzas") == ["failed"]
-    assert runs("Dourados") == []
-    assert runs("Esmeraldas") == ["stopped"]
-    assert figure("attempts_until_passed", "Brancos") == "2"
-    assert figure("n_failed", "Cinzas") == "1"
+    pc.expect_each(runs("Amarelos"), "data-outcome", ["passed"])
+    expect(runs("Brancos")).to_have_count(2)
+    expect(runs("Brancos").last).to_have_attribute("data-outcome", "passed")
+    pc.expect_each(runs("Cinzas"), "data-outcome", ["failed"])
+    expect(runs("Dourados")).to_have_count(0)
+    pc.expect_each(runs("Esmeraldas"), "data-outcome", ["stopped"])
+    expect(figure("attempts_until_passed", "Brancos")).to_have_attribute("data-value", "2")
+    expect(figure("n_failed", "Cinzas")).to_have_attribute("data-value", "1")
     repaired = group("Brancos").locator("[data-repairs]")
     expect(repaired).to_have_count(1)
     repaired.focus()

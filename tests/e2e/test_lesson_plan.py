@@ -44,7 +44,7 @@ def activity_of_class(studio: Studio) -> list[str | None]:
 def test_the_plan_opens_its_activities_for_the_class_in_one_lesson(teacher: Teacher) -> None:
     teacher.go("teacher/plan")
     expect(teacher["plan-step"]).to_have_count(8)
-    assert violations(teacher.studio) == []
+    assert violations(teacher.studio, "plan-step") == []
     opens = teacher["plan-open"]
     expect(opens).to_have_text(
         [
@@ -68,10 +68,10 @@ def test_cards_are_real_blocks_with_blanks_and_fit_on_paper(teacher: Teacher) ->
     teacher["plan-cards"].click()
     cards = teacher["card"]
     expect(cards).to_have_count(36)
-    assert violations(teacher.studio) == []
+    assert violations(teacher.studio, "card") == []
     turn = teacher.page.locator("[data-testid=card][data-name='turn RIGHT']").first
-    assert "direita" in turn.inner_text()
-    assert "90" not in turn.inner_text()
+    expect(turn).to_contain_text("direita")
+    expect(turn).not_to_contain_text("90")
     teacher["cards-copies"].select_option("1")
     teacher["cards-list"].select_option("letters")
     expect(cards).to_have_count(6)

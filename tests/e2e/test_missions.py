@@ -81,11 +81,11 @@ def test_a_group_chooses_a_mission_solves_it_and_goes_on(studio: Studio) -> None
     studio["speed"].select_option("10")
     studio.run()
     expect(studio["mission-done"]).to_be_visible(timeout=RUN_MS)
-    assert violations(studio) == []
+    assert violations(studio, "mission-done") == []
     studio["open-activities"].click()
     expect(card).to_have_attribute("data-state", "passed")
-    assert violations(studio) == []
-    assert cut(studio.page) == []
+    assert violations(studio, "activity-card") == []
+    assert cut(studio, "activity-card") == []
 
 
 def hints(studio: Studio) -> Locator:
@@ -105,7 +105,7 @@ def test_hints_are_opened_one_by_one_and_stay_open(studio: Studio) -> None:
         studio["mission-hint"].click()
         expect(hints(studio)).to_have_count(n)
     expect(studio["mission-hint"]).to_have_count(0)
-    assert cut(studio.page) == []
+    assert cut(studio, "mission") == []
     studio.eventually(
         lambda: studio.api(f"/programs/{program}")["version"]["setup"]["n_hints"], n_hints
     )
@@ -134,8 +134,8 @@ def test_a_mission_offers_its_blocks_until_the_group_chooses_a_level_which_is_ke
     expect(categories(studio)).to_have_text(["Movimento"])
     expect(studio.blocks.in_flyout("andar para trás")).to_be_visible()
     expect(studio.blocks.in_flyout("girar")).to_have_count(0)
-    assert violations(studio) == []
-    assert cut(studio.page) == []
+    assert violations(studio, "mission") == []
+    assert cut(studio, "mission") == []
     studio["toolbox-search"].fill("girar")
     expect(studio.page.locator(".blocklyFlyout:visible")).to_contain_text("em outro nível")
     studio["level"].select_option("1")

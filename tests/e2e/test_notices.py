@@ -29,7 +29,7 @@ def test_a_comparison_that_is_never_true_is_said_at_its_block(studio: Studio) ->
     words = studio.blocks.fault_words()
     expect(words).to_contain_text("nunca é igual")
     expect(words).to_contain_text("Troquem o texto pelo bloco de cor")
-    assert violations(studio) == []
+    assert violations(studio, words) == []
 
     studio["world"].select_option("tic_tac_toe")
     noticed(studio).last.locator("> .blocklyWarningIcon").click()

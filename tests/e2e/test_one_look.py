@@ -5,9 +5,10 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 import pytest
-from playwright.sync_api import Page, Request, expect
+from playwright.sync_api import Page, expect
 
 from tests.e2e.app_process import AppProcess
+from tests.e2e.blocks import box_of
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.past_lesson import SQUARE, PastLesson, school_after
 from tests.e2e.studio import Studio
@@ -79,9 +80,9 @@ def test_screens_look_the_same_whatever_was_opened_before(
     studio.eventually(lambda: studio.api("/status")["engine"], "ready")  # the studio says so
     page = studio.page
     page.reload()  # the page learns that the teacher is in
-    there = _seen_in_turn(page, places, places)
+    there = _seen_in_turn(studio, places, places)
     page.reload()
-    back = _seen_in_turn(page, places, reversed(places))
+    back = _seen_in_turn(studio, places, reversed(places))
     for name in places:
         assert set(there[name]) ^ set(back[name]) == set(), name
         assert there[name] == back[name], name
@@ -95,9 +96,8 @@ def test_two_runs_side_by_side_have_a_floor_each(
     page.reload()
     floors = page.get_by_test_id("scene")
     expect(floors).to_have_count(2)
-    for floor in floors.all():  # beside its blocks, which have the greater half
-        box = floor.bounding_box()
-        assert box is not None
+    for floor in (floors.first, floors.last):  # beside its blocks, which have the greater half
+        box = box_of(floor)
         assert box["height"] > 300
         assert box["width"] > 250
 
@@ -122,40 +122,22 @@ def _go(page: Page, place: str) -> None:
     page.wait_for_url(re.compile(f"#/{place}$"))
 
 
-def _seen_in_turn(page: Page, places: dict[str, str], names: Iterable[str]) -> dict[str, Any]:
-    requests = UnderWay(page)
+def _seen_in_turn(studio: Studio, places: dict[str, str], names: Iterable[str]) -> dict[str, Any]:
     seen = {}
     for name in names:
-        _go(page, places[name])
-        expect(page.get_by_test_id(_STANDS[name]).first).to_be_visible()
-        seen[name] = _at_rest(page, requests)
+        _go(studio.page, places[name])
+        seen[name] = _boxes(studio, name)
     return seen
 
 
-class UnderWay:
-    """The requests of a page that are not answered yet, without the stream of events."""
-
-    def __init__(self, page: Page) -> None:
-        self.requests = set[Request]()
-        page.on("request", self._begin)
-        page.on("requestfinished", self._end)
-        page.on("requestfailed", self._end)
-
-    def _begin(self, request: Request) -> None:
-        if not request.url.endswith("/stream"):
-            self.requests.add(request)
-
-    def _end(self, request: Request) -> None:
-        self.requests.discard(request)
-
-
-def _at_rest(page: Page, under_way: UnderWay) -> list[str]:
+def _boxes(studio: Studio, name: str) -> list[str]:
     """The boxes, once all parts of the screen are fetched and stand still."""
+    studio.wait_for_screen(_STANDS[name])
     before: list[str] = []
     for _ in range(100):
-        page.wait_for_timeout(100)
-        now = list(page.evaluate(_BOXES))
-        if now == before and not under_way.requests:
+        studio.page.wait_for_timeout(100)
+        now = list(studio.page.evaluate(_BOXES))
+        if now == before:
             return now
         before = now
     raise AssertionError("the screen does not come to rest")

@@ -80,7 +80,7 @@ def make_activity(pc: Studio) -> None:
     pc["making-try"].click()
     expect(pc["making-trials"]).to_have_attribute("data-right", "true")
     expect(pc["making-trials"]).to_contain_text("robô realista")
-    assert violations(pc) == []
+    assert violations(pc, "making-trials") == []
     pc["making-save"].click()
     expect(pc["making-row"]).to_contain_text(TITLE)
 
@@ -93,7 +93,7 @@ def make_activity(pc: Studio) -> None:
     pc["making-minutes"].fill("5")
     pc["making-save"].click()
     expect(pc["making-row"]).to_contain_text(TITLE)
-    assert violations(pc) == []
+    assert violations(pc, "making-row") == []
 
 
 def open_its_lesson(pc: Studio) -> None:
@@ -105,7 +105,7 @@ def open_its_lesson(pc: Studio) -> None:
     pc["lesson-activity"].select_option(label=TITLE)
     pc["open-lesson"].click()
     expect(pc["lesson-now"]).to_contain_text(TITLE)
-    assert violations(pc) == []
+    assert violations(pc, "lesson-now") == []
 
 
 def saved_file(pc: Studio, folder: Path) -> Path:

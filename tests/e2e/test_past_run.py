@@ -7,6 +7,7 @@ from playwright.sync_api import Locator, expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
+from tests.e2e.blocks import box_of
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.studio import Studio
 from tests.e2e.test_layout import cut
@@ -46,8 +47,7 @@ def floor_picture(studio: Studio) -> str:
 
 
 def press(slider: Locator, part: float) -> None:
-    box = slider.bounding_box()
-    assert box is not None
+    box = box_of(slider)
     slider.page.mouse.click(box["x"] + part * box["width"], box["y"] + box["height"] / 2)
 
 
@@ -56,6 +56,7 @@ def test_a_press_shows_the_moment_on_the_floor_in_the_blocks_and_in_words(studio
     requests: list[str] = []
     studio.page.on("request", lambda request: requests.append(request.url))
     slider, words = studio["past-run-slider"], studio["status-line"]
+    studio.wait_for_screen("past-run-slider")
     end_words, end_floor = words.inner_text(), floor_picture(studio)
     end = int(slider.get_attribute("max") or 0)
     expect(slider).to_have_js_property("value", str(end))
@@ -64,14 +65,14 @@ def test_a_press_shows_the_moment_on_the_floor_in_the_blocks_and_in_words(studio
     press(slider, 0.3)
     expect(studio.blocks.running()).to_contain_text("andar para frente")
     expect(words).to_contain_text("Andando:")
-    assert 0.1 < studio.number("pose-x") < 0.4
-    assert studio.number("elapsed") == pytest.approx(0.3 * end / 30, abs=0.3)
-    assert floor_picture(studio) != end_floor
+    studio.expect_number("pose-x", pytest.approx(0.25, abs=0.15))
+    studio.expect_number("elapsed", pytest.approx(0.3 * end / 30, abs=0.3))
+    studio.eventually(lambda: floor_picture(studio) != end_floor, True)
 
     press(slider, 0.9)
     expect(studio.blocks.running()).to_contain_text("girar")
     expect(words).to_contain_text("Girando")
-    assert studio.number("pose-heading") > 10
+    studio.eventually(lambda: studio.number("pose-heading") > 10, True)
 
     studio.page.keyboard.press("Escape")
     expect(studio.blocks.running()).to_have_count(0)
@@ -89,14 +90,14 @@ def test_arrow_keys_go_from_block_to_block_and_leaving_goes_back_to_the_end(stud
     expect(studio["status-line"]).to_contain_text("0° de 90°")
     slider.press("ArrowLeft")
     expect(studio.blocks.running()).to_contain_text("andar para frente")
-    assert studio.number("pose-x") == pytest.approx(0, abs=0.02)
+    studio.expect_number("pose-x", pytest.approx(0, abs=0.02))
     slider.press("ArrowRight")
     expect(studio.blocks.running()).to_contain_text("girar")
 
     studio.blocks.by_words("andar para frente").click(position={"x": 20, "y": 20})
     expect(studio.blocks.running()).to_have_count(0)
     expect(studio["status-line"]).to_have_attribute("data-tone", "done")
-    assert studio.number("pose-x") == pytest.approx(0.5, abs=0.001)
+    studio.expect_number("pose-x", pytest.approx(0.5, abs=0.001))
 
 
 def test_a_block_that_is_gone_is_lit_nowhere_and_the_moment_is_shown_all_the_same(
@@ -117,15 +118,15 @@ def test_run_leaves_the_moment_and_the_strip_waits_for_the_end(studio: Studio) -
     drive(studio)
     press(studio["past-run-slider"], 0.3)
     expect(studio.blocks.running()).to_have_count(1)
-    floor = studio["scene"].bounding_box()
+    floor = box_of(studio["scene"])
     studio.run()
     studio.wait_for_phase("running")
     expect(studio["past-run-slider"]).to_have_count(0)
-    assert studio["scene"].bounding_box() == floor
+    assert box_of(studio["scene"]) == floor
     studio["stop"].click()
     studio.wait_for_phase("stopped")
     expect(studio["past-run-slider"]).to_be_visible()
-    assert studio["scene"].bounding_box() == floor
+    assert box_of(studio["scene"]) == floor
     studio["start-again"].click()
     expect(studio["past-run"]).to_have_count(0)
 
@@ -141,19 +142,17 @@ def test_a_failed_run_shows_where_it_failed_and_its_replay_is_one_press_away(
     expect(studio["status-line"]).to_contain_text("Andando:")
     studio["past-run-replay"].click()
     expect(studio["replay-slider"]).to_be_visible()
-    assert re.search(r"#/run/", studio.page.url)
+    expect(studio.page).to_have_url(re.compile("#/run/"))
 
 
 def test_a_press_on_a_plot_shows_its_moment(studio: Studio) -> None:
     drive(studio)
     studio["plots-toggle"].click()
     studio.page.locator('[data-testid=plot-tab][data-figure="position"]').click()
-    over = studio.page.locator(".u-over")
-    box = over.bounding_box()
-    assert box is not None
+    box = box_of(studio.page.locator(".u-over"))
     studio.page.mouse.click(box["x"] + 0.2 * box["width"], box["y"] + box["height"] / 2)
     expect(studio.blocks.running()).to_contain_text("andar para frente")
-    assert studio.number("pose-x") < 0.4
+    studio.eventually(lambda: studio.number("pose-x") < 0.4, True)
 
 
 @pytest.mark.parametrize("size", _SIZES, ids=lambda size: f"{size[0]}x{size[1]}")
@@ -163,13 +162,16 @@ def test_it_fits_below_floor_plots_and_text_and_axe_has_no_complaint(
     studio = open_studio(viewport={"width": size[0], "height": size[1]})
     drive(studio)
     press(studio["past-run-slider"], 0.3)
-    for opener in (None, "plots-toggle", "ir-toggle"):
+    for opener, shown in (
+        (None, "past-run"),
+        ("plots-toggle", "plot"),
+        ("ir-toggle", "python-text"),
+    ):
         if opener:
             studio[opener].click()
-        strip, floor = (studio[name].bounding_box() for name in ("past-run", "scene"))
-        assert strip is not None
-        assert floor is not None
+        studio.wait_for_screen(shown)
+        strip, floor = (box_of(studio[name]) for name in ("past-run", "scene"))
         assert strip["y"] + strip["height"] <= size[1] - 60
         assert floor["height"] > 100
-        assert [one for one in cut(studio.page) if "program-name" not in one] == []
-        assert violations(studio) == []
+        assert [one for one in cut(studio, shown) if "program-name" not in one] == []
+        assert violations(studio, shown) == []

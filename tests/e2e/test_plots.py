@@ -9,6 +9,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.e2e.app_process import AppProcess
+from tests.e2e.blocks import box_of
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.studio import Studio
 from tests.e2e.test_running import add_move
@@ -61,8 +62,7 @@ def test_plot_and_slider_of_a_replay_move_each_other(studio: Studio) -> None:
     slider.fill("20")
     expect(plot).to_have_attribute("data-tick", "20")
 
-    box = plot.bounding_box()
-    assert box is not None
+    box = box_of(plot)
     middle = box["x"] + (box["width"] + _AXIS_PX) / 2
     studio.page.mouse.move(middle, box["y"] + 40)
     expect(slider).not_to_have_value("20")
@@ -88,7 +88,7 @@ def test_every_plot_of_a_replay_is_drawn(studio: Studio) -> None:
         else:
             studio.page.locator(f'[data-testid="plot-tab"][data-figure="{figure}"]').click()
         expect(studio["plot"]).to_have_attribute("data-figure", figure)
-        assert inked(studio), figure
+        studio.eventually(lambda: inked(studio), True)
 
 
 def test_the_table_holds_what_the_run_measured(studio: Studio) -> None:

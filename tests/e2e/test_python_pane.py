@@ -40,6 +40,7 @@ def test_the_line_that_runs_is_lit(studio: Studio) -> None:
     studio.enter_new_group()
     write_program(studio, "robot.wait(2)\nrobot.move_forward(3)\n")
     open_python(studio)
+    expect(studio["python-text"]).to_contain_text("robot.move_forward(3.0)")
     lines = studio["python-text"].locator(".code__text").inner_text().splitlines()
     places = [
         str(1 + next(at for at, line in enumerate(lines) if words in line))
@@ -103,7 +104,7 @@ def test_every_fault_says_where_it_is_and_a_click_goes_there(studio: Studio) -> 
     expect(faults).to_have_count(2)
     expect(studio["python-put"]).to_be_disabled()
     expect(studio["python-state"]).to_have_attribute("data-state", "faulty")
-    assert [fault.get_attribute("data-line") for fault in faults.all()] == ["2", "3"]
+    studio.expect_each(faults, "data-line", ["2", "3"])
     expect(faults.first).to_contain_text(re.compile(r"Linha 2, coluna \d+"))
 
     faults.last.click()

@@ -11,6 +11,7 @@ from playwright.sync_api import Locator, expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
+from tests.e2e.blocks import box_of
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.review_school import LONG_NAME, PIN, Past, Teacher
 
@@ -38,15 +39,14 @@ def test_a_lesson_asks_for_the_pin_first(teacher: Teacher, open_studio: OpenStud
 
 def test_each_group_is_a_line_of_what_it_did(teacher: Teacher) -> None:
     teacher.open_lesson()
-    names = [row.get_attribute("data-name") for row in teacher["review-group"].all()]
-    assert names == ["Abelhas", LONG_NAME]
+    teacher.studio.expect_each(teacher["review-group"], "data-name", ["Abelhas", LONG_NAME])
+    row = teacher.row(LONG_NAME)
+    teacher.studio.wait_for_screen(row)
     assert teacher.marks("Abelhas") == ["edit"]
     assert teacher.marks(LONG_NAME) == ["edit", "failed", "stopped", "edit", "passed"]
-    row = teacher.row(LONG_NAME)
     repaired = row.locator("[data-repairs]")
     expect(repaired).to_have_attribute("data-outcome", "passed")
-    places = [one.bounding_box() for one in row.get_by_test_id("review-mark").all()]
-    lefts = [place["x"] for place in places if place]
+    lefts = [box_of(one)["x"] for one in row.get_by_test_id("review-mark").all()]
     assert lefts == sorted(lefts)
     figures = {
         one.get_attribute("data-name"): one.get_attribute("data-value")
@@ -110,12 +110,11 @@ def test_lines_on_the_clock_have_the_time_on_the_wall(teacher: Teacher) -> None:
     teacher.open_lesson()
     row = teacher.row(LONG_NAME)
     first = row.get_by_test_id("review-mark").first
-    own = first.bounding_box()
+    teacher.studio.wait_for_screen(first)
+    own = box_of(first)["x"]
     teacher.page.locator("[data-testid=lesson-time][data-value=clock]").click()
-    common = first.bounding_box()
-    assert own is not None
-    assert common is not None
-    assert common["x"] > own["x"] + 20  # the other group began three minutes before
+    # the other group began three minutes before
+    teacher.studio.eventually(lambda: box_of(first)["x"] > own + 20, True)
     expect(row.locator(".line__tick text").first).to_have_text(re.compile(r"^\d\d:\d\d$"))
 
 
@@ -144,9 +143,7 @@ def test_the_report_on_paper_has_no_buttons_and_says_what_it_counts(teacher: Tea
         expect(teacher[gone].first).to_be_hidden()
     expect(teacher["lesson-explained"]).to_contain_text("Impresso em")
     assert _not_whole(teacher.row(LONG_NAME)) == []
-    line = teacher.row(LONG_NAME).locator(".line").bounding_box()
-    assert line is not None
-    assert line["width"] < A4_PX
+    assert box_of(teacher.row(LONG_NAME).locator(".line"))["width"] < A4_PX
     assert page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
     pages = re.findall(rb"/Type\s*/Page\b", page.pdf(prefer_css_page_size=True))
     assert len(pages) == 1
@@ -173,17 +170,17 @@ def test_screens_of_the_review_have_names_and_contrast(teacher: Teacher) -> None
     teacher["review-open"].nth(1).click()
     expect(teacher["review-run"].first).to_be_visible()
     teacher["review-mark"].nth(2).focus()
-    found["lesson"] = violations(teacher.studio)
+    found["lesson"] = violations(teacher.studio, "review-run")
     teacher.go("runs")
     teacher["compare-choose"].nth(0).check()
     teacher["compare-choose"].nth(1).check()
-    found["runs"] = violations(teacher.studio)
+    found["runs"] = violations(teacher.studio, "compare-open")
     teacher["compare-open"].click()
     expect(teacher["compare-side"]).to_have_count(2)
-    found["side by side"] = violations(teacher.studio)
+    found["side by side"] = violations(teacher.studio, "compare-side")
     teacher.go(f"run/{teacher.past.runs[1]}")
     teacher["note-open"].click()
-    found["note"] = violations(teacher.studio)
+    found["note"] = violations(teacher.studio, "note-text")
     assert {screen: one for screen, one in found.items() if one} == {}
 
 
@@ -192,8 +189,8 @@ def test_from_a_mark_the_teacher_goes_back_to_the_lesson_as_it_was(teacher: Teac
     teacher.page.locator("[data-testid=lesson-time][data-value=clock]").click()
     row = teacher.row(LONG_NAME)
     row.get_by_test_id("review-open").click()
+    teacher.studio.wait_for_screen("review-run")
     teacher["review-run"].first.scroll_into_view_if_needed()
-    teacher.page.wait_for_timeout(200)
     left_at = _scrolled(teacher)
     teacher["review-run"].first.get_by_role("link", name="Rever").click()
     expect(teacher["replay-slider"]).to_be_visible()
@@ -223,6 +220,7 @@ def _scrolled(teacher: Teacher) -> float:
 
 def _not_whole(row: Locator) -> list[str]:
     """What paper would have to be pulled wider or pointed at for."""
+    expect(row).to_be_visible()
     parts = row.locator(".group-row__who :is(.group-row__name > span, .chips)").all()
     cut = "e => e.scrollWidth > e.clientWidth + 1 || e.scrollHeight > e.clientHeight + 1"
     return [part.inner_text() for part in parts if part.evaluate(cut)]

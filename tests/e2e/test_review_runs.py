@@ -9,6 +9,7 @@ from playwright.sync_api import Locator, expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.axe import violations
+from tests.e2e.blocks import box_of
 from tests.e2e.past_lesson import Step, document_of, workspace_of
 from tests.e2e.review_school import PIN, Past, Teacher
 from tests.e2e.test_layout import cut
@@ -85,6 +86,7 @@ def test_two_runs_are_seen_side_by_side_on_one_clock(teacher: Teacher) -> None:
     choose.nth(0).check()
     expect(teacher["compare-open"]).to_have_count(0)
     choose.nth(1).check()
+    teacher.studio.wait_for_screen("compare-open")
     seen_at = teacher["review-refresh"].get_attribute("data-at") or ""
     teacher["review-refresh"].click()
     expect(teacher["review-refresh"]).not_to_have_attribute("data-at", seen_at)
@@ -93,14 +95,15 @@ def test_two_runs_are_seen_side_by_side_on_one_clock(teacher: Teacher) -> None:
     sides = teacher["compare-side"]
     expect(sides).to_have_count(2)
     slider = teacher["replay-slider"]
-    passed_ticks = int(slider.get_attribute("max") or 0)
-    assert passed_ticks > 300  # a square takes longer than what was stopped after a second
+    # a square takes longer than what was stopped after a second
+    teacher.studio.eventually(lambda: int(slider.get_attribute("max") or 0) > 300, True)
     slider.fill("20")
     expect(sides.nth(0)).to_have_attribute("data-tick", "20")
     expect(sides.nth(1)).to_have_attribute("data-tick", "20")
     slider.fill("300")
-    ticks = {int(side.get_attribute("data-tick") or 0) for side in sides.all()}
-    assert ticks == {30, 300}
+    teacher.studio.eventually(
+        lambda: {int(side.get_attribute("data-tick") or 0) for side in sides.all()}, {30, 300}
+    )
     expect(teacher.page.locator("[data-testid=compare-side][data-phase=stopped]")).to_have_count(1)
     teacher["replay-speed"].select_option("16")
     teacher["replay-play"].click()
@@ -128,12 +131,12 @@ def test_blocks_that_differ_are_marked_on_both_sides_and_read_in_words(teacher: 
     for place in ("apart", "together"):
         teacher.page.locator(f"[data-testid=compare-view][data-value={place}]").click()
         expect(second.locator(".pinelSign")).to_have_count(7)
+        teacher.studio.wait_for_screen("compare-side")
         for side in (first, second):
-            box = side.locator(".injectionDiv").bounding_box()
-            assert box is not None
+            box = box_of(side.locator(".injectionDiv"))
             assert box["height"] >= 350, f"{place}: room for ten blocks"
-        assert cut(teacher.page) == [], place
-        assert violations(teacher.studio) == [], place
+        assert cut(teacher.studio, "compare-side") == [], place
+        assert violations(teacher.studio, "compare-side") == [], place
 
     teacher.go(f"compare/{crashed}/{stopped}")
     expect(teacher.page.get_by_text("Os blocos das duas são iguais.")).to_be_visible()
@@ -231,8 +234,9 @@ def test_the_first_difference_of_long_programs_is_in_view_on_both_sides(teacher:
     teacher.go(f"compare/{runs[0]}/{runs[1]}")
     expect(teacher["difference"]).to_have_attribute("data-kind", "added")
     for side, block in zip(_sides(teacher), ("turn29", "wait0"), strict=True):
-        frame = side.locator(".injectionDiv").bounding_box()
-        place = side.locator(f'[data-id="{block}"] > .blocklyPath').bounding_box()
+        outline = side.locator(f'[data-id="{block}"] > .blocklyPath')
+        teacher.studio.wait_for_screen(outline)
+        frame, place = side.locator(".injectionDiv").bounding_box(), outline.bounding_box()
         assert frame is not None
         assert place is not None
         assert frame["y"] <= place["y"]
@@ -242,7 +246,7 @@ def test_the_first_difference_of_long_programs_is_in_view_on_both_sides(teacher:
 def _sides(teacher: Teacher) -> list[Locator]:
     sides = teacher["compare-side"]
     expect(sides).to_have_count(2)
-    return sides.all()
+    return [sides.first, sides.last]
 
 
 def _long_runs(teacher: Teacher) -> list[str]:

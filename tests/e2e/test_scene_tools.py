@@ -7,6 +7,7 @@ import pytest
 from playwright.sync_api import Locator, Request, expect
 
 from tests.e2e.app_process import AppProcess
+from tests.e2e.blocks import box_of
 from tests.e2e.studio import Studio
 from tests.e2e.test_running import add_move
 
@@ -32,8 +33,7 @@ def last_run(studio: Studio) -> Any:
 
 def drag(studio: Studio, begin: tuple[float, float], end: tuple[float, float]) -> None:
     """From one place of the floor to another, each as parts of its width and height."""
-    box = studio["scene"].bounding_box()
-    assert box is not None
+    box = box_of(studio["scene"])
     places = [(box["x"] + box["width"] * x, box["y"] + box["height"] * y) for x, y in (begin, end)]
     mouse = studio.page.mouse
     mouse.move(*places[0])
@@ -72,11 +72,11 @@ def test_a_start_set_by_keys_is_where_the_robot_begins(studio: Studio) -> None:
     studio.wait_for_phase("finished")
     start = last_run(studio)["world_document"]["start"]
     assert start == {"x_m": 0.2, "y_m": 0.1, "heading_deg": 15.0}
-    assert studio.number("pose-x") == pytest.approx(0.2, abs=0.02)
+    studio.expect_number("pose-x", pytest.approx(0.2, abs=0.02))
 
     studio["start-again"].click()
     studio.wait_for_phase("idle")
-    assert studio.number("pose-x") == 0
+    studio.expect_number("pose-x", 0)
     studio["start-again"].click()
     expect(studio["start-again"]).to_be_disabled()
     studio.run()
@@ -113,7 +113,7 @@ def test_the_ruler_measures_and_is_put_away(studio: Studio) -> None:
     studio["scene-tools"].click()
     named(studio, "measure-tool", "ruler").click()
     drag(studio, (0.2, 0.5), (0.5, 0.5))
-    assert studio.number("measure") > 0.5
+    studio.eventually(lambda: studio.number("measure") > 0.5, True)
     studio.page.keyboard.press("Escape")
     expect(studio["measure"]).to_have_count(0)
     expect(named(studio, "measure-tool", "ruler")).to_have_attribute("aria-pressed", "false")

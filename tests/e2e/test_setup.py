@@ -13,8 +13,9 @@ pytestmark = [pytest.mark.e2e, pytest.mark.timeout(180)]
 SETTINGS = ("world", "lifelike", "speed")
 
 
-def chosen(studio: Studio) -> list[str]:
-    return [studio[name].input_value() for name in SETTINGS]
+def expect_chosen(studio: Studio, *values: str) -> None:
+    for name, value in zip(SETTINGS, values, strict=True):
+        expect(studio[name]).to_have_value(value)
 
 
 def test_what_was_chosen_for_a_program_is_there_tomorrow_and_nowhere_else(
@@ -22,29 +23,28 @@ def test_what_was_chosen_for_a_program_is_there_tomorrow_and_nowhere_else(
 ) -> None:
     watch.expect("Failed to load resource")  # the open page asks for a server that is gone
     studio.enter_group("Os Tatus")
-    at_first = chosen(studio)
+    at_first = ("empty_room", "ideal", "1")
+    expect_chosen(studio, *at_first)
     blocks = studio.blocks
     blocks.drag_from_toolbox("motion", "andar para frente", blocks.below(blocks.start()))
     studio.eventually(studio.actions, ["move_forward"])
-    for name, value in zip(SETTINGS, ("maze", "camera", "2"), strict=True):
+    now = ("maze", "camera", "2")
+    for name, value in zip(SETTINGS, now, strict=True):
         studio[name].select_option(value)
-    expect(studio["world"]).to_have_value("maze")
-    now = chosen(studio)
+    expect_chosen(studio, *now)
     studio.wait_until_saved()
-    assert at_first[0] == "empty_room"
 
     app.stop()
     expect(studio["gone"]).to_be_visible()
     app.start()
     later = open_studio()
     later.enter_group("Robôs")
-    assert chosen(later) == at_first
+    expect_chosen(later, *at_first)
     later.page.goto(f"{later.origin}/#/")
     later["group-card"].filter(has_text="Os Tatus").click()
     later.wait_until_open()
     later["level"].select_option("3")  # this window knows no choice of the group
-    expect(later["world"]).to_have_value("maze")
-    assert chosen(later) == now
+    expect_chosen(later, *now)
     later.run()
     later.wait_for_phase("finished")
     (run,) = later.api(f"/groups/{later.api('/groups')['groups'][0]['id']}/runs")["runs"]

@@ -22,6 +22,7 @@ def test_a_group_drags_a_square_and_sees_the_robot_drive_it(studio: Studio) -> N
     assert (move["action"], move["distance"]) == ("move_forward", 0.3)
     assert (turn["action"], turn["angle"]) == ("turn", 90)
 
+    studio.wait_for_screen("scene")
     floor_before = studio["scene"].screenshot()
     studio.run()
     lit = studio.blocks.running()
@@ -31,10 +32,10 @@ def test_a_group_drags_a_square_and_sees_the_robot_drive_it(studio: Studio) -> N
     studio.wait_for_phase("finished")
 
     expect(lit).to_have_count(0)
-    assert abs(studio.number("pose-x")) < 0.001
-    assert abs(studio.number("pose-y")) < 0.001
+    for axis in ("pose-x", "pose-y"):
+        studio.expect_number(axis, pytest.approx(0, abs=0.001))
     # the robot is back where it began, so what is new on the floor is its path
-    assert studio["scene"].screenshot() != floor_before
+    studio.eventually(lambda: studio["scene"].screenshot() != floor_before, True)
     [run] = studio.api(f"/groups/{_group_of(studio)}/runs")["runs"]
     assert run["state"] == "finished"
     assert run["closing_error_m"] < 1e-4
@@ -71,10 +72,10 @@ def test_a_program_and_its_run_are_there_the_next_day(
     ticks = _first_ticks(later)
     slider.fill(str(ticks[turn["block"]] + 1))
     expect(later.blocks.running()).to_have_attribute("data-id", turn["block"])
-    assert later.number("pose-x") == pytest.approx(0.3, abs=0.01)
+    later.expect_number("pose-x", pytest.approx(0.3, abs=0.01))
     slider.fill(str(ticks[move["block"]] + 1))
     expect(later.blocks.running()).to_have_attribute("data-id", move["block"])
-    assert later.number("pose-x") < 0.05
+    later.eventually(lambda: later.number("pose-x") < 0.05, True)
 
 
 def test_the_link_of_a_second_start_opens_the_same_app(

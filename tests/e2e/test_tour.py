@@ -6,6 +6,7 @@ import pytest
 from playwright.sync_api import Locator, expect
 
 from tests.e2e.axe import violations
+from tests.e2e.blocks import box_of
 from tests.e2e.conftest import OpenStudio
 from tests.e2e.studio import RUN_MS, Studio
 from tests.e2e.test_keyboard import Keys
@@ -21,9 +22,7 @@ def expect_step(studio: Studio, step: str) -> None:
 
 
 def covers(one: Locator, other: Locator) -> bool:
-    a, b = one.bounding_box(), other.bounding_box()
-    assert a is not None
-    assert b is not None
+    a, b = box_of(one), box_of(other)
     return (
         a["x"] < b["x"] + b["width"]
         and b["x"] < a["x"] + a["width"]
@@ -201,7 +200,7 @@ def test_in_a_narrow_window_it_covers_neither_the_block_nor_the_program(
     expect(studio["tour-ring"]).to_have_count(2)  # the category and the program
     assert not covers(studio["tour"], blocks.category("motion"))
     assert not covers(studio["tour"], blocks.by_words("andar para frente"))
-    assert cut(studio.page) == []
+    assert cut(studio, "tour") == []
 
 
 def test_after_a_while_each_step_can_be_shown(studio: Studio) -> None:
@@ -236,8 +235,8 @@ def test_a_hand_shows_the_drag_unless_motion_is_reduced(open_studio: OpenStudio)
 def test_it_is_read_in_every_language_and_theme(studio: Studio, language: str) -> None:
     studio.choose_language(language)
     studio.enter_group("Os Tatus", level=None, tour=True)
-    assert violations(studio) == []
+    assert violations(studio, "tour") == []
     studio["tour-go"].click()
     expect(studio["tour-ring"]).to_have_count(2)
-    assert violations(studio) == []
-    assert cut(studio.page) == []
+    assert violations(studio, "tour") == []
+    assert cut(studio, "tour") == []

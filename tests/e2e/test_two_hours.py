@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Locator, expect
 
 from tests.e2e.axe import violations
 from tests.e2e.conftest import OpenStudio
@@ -41,8 +41,9 @@ class Pictures:
     folder: Path | None
     taken: set[str] = field(default_factory=set)
 
-    def take(self, studio: Studio, step: str) -> None:
+    def take(self, studio: Studio, step: str, shows: str | Locator) -> None:
         """The first of each step is kept."""
+        studio.wait_for_screen(shows)
         if self.folder is not None and step not in self.taken:
             self.taken.add(step)
             self.folder.mkdir(parents=True, exist_ok=True)
@@ -91,13 +92,13 @@ def before_the_lesson(pc: Studio, stick: Path, pictures: Pictures) -> None:
         expect(pc["class-group"].filter(has_text=name)).to_be_visible()
     to_part(pc, "camera")
     expect(pc["camera-ready"]).to_have_attribute("data-ready", "true", timeout=CAMERA_MS)
-    pictures.take(pc, "camera")
+    pictures.take(pc, "camera", "camera-ready")
     to_part(pc, "plan")
     expect(pc["plan-step"]).to_have_count(8)
-    pictures.take(pc, "plan")
+    pictures.take(pc, "plan", "plan-step")
     pc["plan-cards"].click()
     expect(pc["card"].first).to_be_visible()
-    pictures.take(pc, "cards")
+    pictures.take(pc, "cards", "card")
     pc.page.go_back()
     at_the_stick(pc, stick)
     pc["sign-out"].click()
@@ -131,7 +132,7 @@ def what_does_a_robot_obey(pc: Studio, pictures: Pictures) -> None:
     pc.run()
     pc.wait_for_phase("running")
     expect(pc["pose-x"]).not_to_have_attribute("data-value", "0.0000")
-    pictures.take(pc, "vacuum")
+    pictures.take(pc, "vacuum", "scene")
     pc["stop"].click()
     pc.wait_for_phase("stopped")
 
@@ -142,8 +143,8 @@ def the_alphabet(pc: Studio, pictures: Pictures) -> None:
     pc["practice"].click()
     expect(pc["practice-sign"].first).to_be_visible()
     expect(pc["camera-picture"]).to_have_attribute("data-state", "on", timeout=CAMERA_MS)
-    assert violations(pc) == []
-    pictures.take(pc, "alphabet")
+    assert violations(pc, "camera-picture") == []
+    pictures.take(pc, "alphabet", "practice-sign")
 
 
 def open_on_all(pcs: list[Studio], activity: str, stick: Path, pictures: Pictures) -> None:
@@ -159,7 +160,7 @@ def open_on_all(pcs: list[Studio], activity: str, stick: Path, pictures: Picture
         mine["lesson-file-save"].click()
     file = stick.parent / download.value.suggested_filename
     download.value.save_as(file)
-    pictures.take(mine, "file")
+    pictures.take(mine, "file", "lesson-now")
     mine["sign-out"].click()
     for pc in others:
         pc["home"].click()
@@ -219,10 +220,10 @@ def told(pc: Studio, words: str) -> None:
 
 
 def corner_at_once(pc: Studio, pictures: Pictures) -> None:
-    pictures.take(pc, "mission")
+    pictures.take(pc, "mission", "mission")
     append(pc, (MOVE, "3"), (TURN, "90"), (MOVE, "3"))
     passed(pc)
-    pictures.take(pc, "done")
+    pictures.take(pc, "done", "mission-done")
 
 
 def corner_to_the_wrong_side(pc: Studio, pictures: Pictures) -> None:
@@ -231,7 +232,7 @@ def corner_to_the_wrong_side(pc: Studio, pictures: Pictures) -> None:
     told(pc, "a escola ficou de que lado?")
     expect(pc.blocks.fault_words()).to_have_count(1)
     expect(pc.blocks.fault_words()).to_contain_text("que lado?")
-    pictures.take(pc, "not-yet")
+    pictures.take(pc, "not-yet", "status-line")
     pc["mission-hint"].click()
     pc.blocks.choose(pc.blocks.by_words(TURN), "esquerda")
     pc.eventually(lambda: pc.values("angle"), [None, 90, None])
@@ -274,7 +275,7 @@ def mirrored_letter(pc: Studio, pictures: Pictures) -> None:
     pc.blocks.choose(pc.blocks.by_words(TURN), "direita")
     append(pc, (MOVE, "1"))
     told(pc, "L no espelho")
-    pictures.take(pc, "mirrored")
+    pictures.take(pc, "mirrored", "status-line")
     pc.blocks.choose(pc.blocks.by_words(TURN), "esquerda")
     passed(pc)
 
@@ -302,8 +303,9 @@ def sign_decides(pc: Studio, pictures: Pictures) -> None:
     write_program(pc, READ + MOVE_IF_B)
     pc.run()
     # the camera may see the sign before anybody sees the panel
-    expect(pc["capture"].or_(pc["mission-done"]).first).to_be_visible(timeout=CAMERA_MS)
-    pictures.take(pc, "sign")
+    sign = pc["capture"].or_(pc["mission-done"])
+    expect(sign.first).to_be_visible(timeout=CAMERA_MS)
+    pictures.take(pc, "sign", sign)
     expect(pc["mission-done"]).to_be_visible(timeout=CAMERA_MS + RUN_MS)
 
 
@@ -335,5 +337,5 @@ def the_last_eight_minutes(pc: Studio, pictures: Pictures) -> None:
     pc["lesson-row"].filter(has_text="Aula de duas horas").get_by_test_id("lesson-link").click()
     expect(pc["review-group"]).to_have_count(5)
     expect(pc["lesson-summary"]).to_contain_text("3 de 5")
-    assert violations(pc) == []
-    pictures.take(pc, "review")
+    assert violations(pc, "review-group") == []
+    pictures.take(pc, "review", "review-group")

@@ -181,7 +181,7 @@ def test_two_versions_are_compared_block_by_block(studio: Studio) -> None:
     studio["version-compare"].click()
 
     expect(studio["difference"]).to_have_count(2)
-    changed, added = studio["difference"].all()
+    changed, added = studio["difference"].first, studio["difference"].last
     expect(changed).to_have_attribute("data-kind", "changed")
     expect(changed).to_contain_text(f"{MOVE} 1 m → {MOVE} 2 m")
     expect(added).to_have_attribute("data-kind", "added")
@@ -236,10 +236,7 @@ def test_two_pcs_that_went_on_from_one_version_are_shown_side_by_side(
     later.page.goto(f"{app.origin}#/versions/{program}")
     expect(later["version-fork"]).to_contain_text("2 computadores")
     expect(later["version-branch"]).to_have_count(2)
-    assert [branch.locator("h3").inner_text() for branch in later["version-branch"].all()] == [
-        "PC 3",
-        "PC 7",
-    ]
+    expect(later["version-branch"].locator("h3")).to_have_text(["PC 3", "PC 7"])
     later["version-compare-fork"].click()
     expect(later["difference-count"]).to_have_text("0 diferenças")
 
@@ -272,6 +269,7 @@ def test_a_double_click_makes_one_program(studio: Studio) -> None:
     studio["open-work"].click()
     studio["new-program"].dblclick()
     studio.wait_until_open()
+    expect(studio["program-name"]).to_have_value("Programa 2")
     names = [one["name"] for one in studio.api(programs)["programs"]]
     assert names == ["Programa 2", "Programa 1"]
 
@@ -343,8 +341,8 @@ def test_history_bin_and_letters_have_names_and_contrast(studio: Studio) -> None
     open_page = studio.page.goto
     origin = studio.page.url.split("#")[0]
     open_page(f"{origin}#/versions/{studio.program_id}")
-    expect(studio.page.locator("h1")).to_be_visible()
-    found["no versions"] = violations(studio)
+    empty = studio.page.locator(".versions__empty")
+    found["no versions"] = violations(studio, empty)
     open_page(f"{origin}#/")
     studio["group-card"].click()
     studio.wait_until_open()
@@ -357,20 +355,20 @@ def test_history_bin_and_letters_have_names_and_contrast(studio: Studio) -> None
     ask(studio, "POST", f"/runs/{run['id']}/notes", {"text": "Por que 90°?"})
 
     open_history(studio)
-    found["versions"] = violations(studio)
+    found["versions"] = violations(studio, "version-shown")
     studio["version-compare"].click()
     expect(studio["difference"]).to_have_count(1)
     studio["difference"].click()
-    found["differences"] = violations(studio)
+    found["differences"] = violations(studio, "difference")
     studio["open-work"].click()
     expect(studio["note-card"]).to_be_visible()
     studio["throw-away"].click()
     studio["bin"].click()
     expect(studio["take-back"]).to_be_visible()
-    found["work"] = violations(studio)
+    found["work"] = violations(studio, "take-back")
     studio["note-run"].click()
     expect(studio["note-card"]).to_be_visible()
-    found["replay"] = violations(studio)
+    found["replay"] = violations(studio, "replay-play")
     assert {screen: one for screen, one in found.items() if one} == {}
 
 
