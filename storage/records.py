@@ -1,5 +1,6 @@
 """Rows as the store hands them out. Times are ISO 8601 text in UTC, ids UUIDv7 text."""
 
+import math
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -242,9 +243,21 @@ class RunRow:
     unconfirmed: str | None = None
 
     @property
+    def estimated_closing_error_m(self) -> float | None:
+        """As in the event `run_ended`; None before the end, and of earlier releases."""
+        return _estimated_closing_error_m(self.summary)
+
+    @property
     def counted(self) -> bool | None:
         """`passed`, but None while that does not count."""
         return None if self.unconfirmed else self.passed
+
+
+def _estimated_closing_error_m(summary: Json) -> float | None:
+    """From what a run told at its end; a bundle may bring anything in its place."""
+    value = summary.get("estimated_closing_error_m")
+    is_number = isinstance(value, int | float) and not isinstance(value, bool)
+    return value if is_number and math.isfinite(value) else None
 
 
 class RunLine(NamedTuple):
@@ -278,12 +291,18 @@ class RunLine(NamedTuple):
     activity: str | None
     passed_bit: int | None
     path_json: str | None
+    summary_json: str | None
     unconfirmed: str | None
 
     @property
     def params(self) -> Json:
         """What fills the words of the reason."""
         return readable_object(self.params_json) or {}
+
+    @property
+    def estimated_closing_error_m(self) -> float | None:
+        """As in `RunRow`."""
+        return _estimated_closing_error_m(readable_object(self.summary_json) or {})
 
     @property
     def path(self) -> list[list[float]]:

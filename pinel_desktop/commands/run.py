@@ -3,7 +3,6 @@
 import contextlib
 import csv
 import json
-import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -14,7 +13,7 @@ from pinel_desktop import __version__
 from pinel_desktop.camera.client import CameraState
 from pinel_desktop.camera.inputs import WRONG_SOURCE, CameraInputs
 from pinel_desktop.commands.options import chosen_database, database_option
-from pinel_desktop.commands.printing import print_problem
+from pinel_desktop.commands.printing import figure_lines, print_problem
 from pinel_desktop.commands.program_file import place_of, read_file
 from pinel_desktop.commands.real_robot import (
     ROBOT_OPTIONS,
@@ -98,7 +97,8 @@ _INVALID_REASONS = (
     type=click.Choice(FEEDBACKS),
     default="pose",
     show_default=True,
-    help="What the robot knows of where it is: its true pose, or what its wheels tell.",
+    help="How the robot knows where it is: a camera sees it, to about 1 mm and 0.1 degrees, or it counts on its "
+    "wheels, which slip. An ideal robot knows it exactly.",
 )
 @click.option(
     "--pace",
@@ -374,24 +374,9 @@ def _lines(summary: dict[str, Any], language: str) -> list[str]:
         lines.append(f"beeped          {summary['n_beeps']} times")
     for name, value in summary["variables"].items():
         lines.append(f"variable        {name} = {_short(value)}")
-    return lines + _figures(summary)
+    return lines + figure_lines(summary)
 
 
 def _short(value: Any) -> str:
     text = json.dumps(value, ensure_ascii=False)
     return text if len(text) <= _LONGEST_VALUE else text[:_LONGEST_VALUE] + "…"
-
-
-def _figures(summary: dict[str, Any]) -> list[str]:
-    pose = summary["pose"]
-    if pose is None:
-        return []
-    heading = math.degrees(pose["yaw_rad"])
-    return [
-        f"commands        {summary['n_executed']}",
-        f"pose            x {pose['x_m']:.4f} m, y {pose['y_m']:.4f} m, heading {heading:.2f}°",
-        f"duration        {summary['duration_s']:.2f} s",
-        f"path length     {summary['path_length_m']:.3f} m",
-        f"closing error   {summary['closing_error_m'] * 1000:.3f} mm",
-        *([f"kept as run     {summary['run_id']}"] if summary["run_id"] else []),
-    ]

@@ -28,6 +28,7 @@ _FIGURES = (
     ("n_executed", "n_executed"),
     ("path_length_m", "path_length_m"),
     ("closing_error_m", "closing_error_m"),
+    ("estimated_closing_error_m", "estimated_closing_error_m"),
     ("telemetry_sha256", "telemetry_sha256"),
 )
 
@@ -124,7 +125,12 @@ def _found(store: Store, run: str) -> RunRow:
 
 def _as_object(row: RunRow) -> dict[str, Any]:
     words = describe(row.reason, row.params, language_of_system()) if row.reason else None
-    return {**asdict(row), "message": words and words.message, "remedy": words and words.remedy}
+    return {
+        **asdict(row),
+        "estimated_closing_error_m": row.estimated_closing_error_m,
+        "message": words and words.message,
+        "remedy": words and words.remedy,
+    }
 
 
 def _line(row: RunRow) -> str:
@@ -136,11 +142,10 @@ def _line(row: RunRow) -> str:
 
 
 def _details(row: RunRow) -> list[str]:
-    lines = [
-        f"  {label}: {getattr(row, name)}"
-        for name, label in _FIGURES
-        if getattr(row, name) is not None
-    ]
+    figures = {label: getattr(row, name) for name, label in _FIGURES}
+    if row.estimated_closing_error_m is None:  # what an earlier release recorded is the estimate
+        figures["estimated_closing_error_m"] = figures.pop("closing_error_m")
+    lines = [f"  {label}: {value}" for label, value in figures.items() if value is not None]
     if row.reason:
         words = describe(row.reason, row.params, language_of_system())
         lines.append(f"  {row.reason}: {words.line}")

@@ -90,6 +90,7 @@ def _never_began(error: PinelError) -> RunEnded:
         closing_error_m=0.0,
         pose=None,
         telemetry_sha256=_EMPTY_SHA256,
+        estimated_closing_error_m=0.0,
     )
 
 

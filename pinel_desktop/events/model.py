@@ -377,9 +377,12 @@ class RunEnded(Event):
         duration_s: robot time, in s.
         path_length_m: length of the way, in m: the true one in the simulator, else that of the robot's own poses
             without their noise.
-        closing_error_m: distance between start and end, in m.
+        closing_error_m: distance between start and end, in m, where the robot truly is; null where only its estimate
+            exists, as on a real robot. Without `estimated_closing_error_m` beside it, it is the estimate: so earlier
+            releases recorded it.
         pose: the estimated pose.
         telemetry_sha256: hash of the telemetry, which a repetition must give again.
+        estimated_closing_error_m: distance between start and end as the robot estimates its pose, in m.
     """
 
     type: ClassVar[str] = "run_ended"
@@ -391,9 +394,10 @@ class RunEnded(Event):
     n_executed: Annotated[int, _CutOff]
     duration_s: Annotated[float, _CutOff]
     path_length_m: Annotated[float, _CutOff]
-    closing_error_m: Annotated[float, _CutOff]
+    closing_error_m: float | None
     pose: Pose | None
     telemetry_sha256: Annotated[str, _CutOff]
+    estimated_closing_error_m: float | None = None
 
     @classmethod
     def cut_off(cls, reason: str, duration_s: float) -> Self:

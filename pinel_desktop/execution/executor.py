@@ -1,6 +1,5 @@
 """Runs a program on a link: commands until one needs time, then a tick of 1/30 s, and so on to the end."""
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from random import Random
@@ -29,7 +28,7 @@ from pinel_desktop.execution.inputs import Inputs, ScriptedInputs
 from pinel_desktop.execution.limits import StepLimit
 from pinel_desktop.execution.open_end import MOVED_BY_HAND_M, await_commands
 from pinel_desktop.execution.recorder import Recorder
-from pinel_desktop.execution.semantics import CURRENT, MEASURES_THE_TRUE_WAY
+from pinel_desktop.execution.semantics import CURRENT
 from pinel_desktop.execution.stack import ProgramStack
 from pinel_desktop.program.limits import MAX_RUN_S, MAX_STEPS_PER_TICK
 from pinel_desktop.program.model import Program
@@ -176,6 +175,7 @@ class _Run:
         start = self._link.read()
         self._origin = None if start.pose == Pose2D() else start.pose
         self._context.origin = start.pose
+        self._recorder.true_start = start.true_pose and start.true_pose[:2]
         self._update_state(start)
         self._emit(RunState("running"))
         if self._observer is not None:
@@ -377,17 +377,11 @@ class _Run:
             return reason or error.code, params or error.params
         return reason, params
 
-    def _way_m(self) -> float:
-        recorder = self._recorder
-        if not self._link.simulated:
-            return recorder.measured_way_m()
-        is_true = self._context.semantics >= MEASURES_THE_TRUE_WAY
-        return recorder.true_way_m() if is_true else recorder.path_length_m()
-
     def _ended(
         self, state: Outcome, reason: str | None, params: dict[str, Any], block: str | None
     ) -> RunEnded:
-        pose = self._recorder.last_pose()
+        recorder, link = self._recorder, self._link
+        pose = recorder.last_pose()
         return RunEnded(
             state=state,
             reason=reason,
@@ -395,8 +389,9 @@ class _Run:
             block=block,
             n_executed=self._stack.n_executed,
             duration_s=self._tick / TICK_HZ,
-            path_length_m=self._way_m(),
-            closing_error_m=math.hypot(pose.x_m, pose.y_m),
             pose={"x_m": pose.x_m, "y_m": pose.y_m, "yaw_rad": pose.yaw_rad},
-            telemetry_sha256=self._recorder.sha256(),
+            telemetry_sha256=recorder.sha256(),
+            **recorder.distances(
+                simulated=link.simulated, semantics=self._context.semantics
+            )._asdict(),
         )

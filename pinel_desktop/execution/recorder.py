@@ -1,4 +1,4 @@
-"""Telemetry of a run: rows, their hash, path length."""
+"""Telemetry of a run: rows, their hash, and the distances that follow from them."""
 
 import hashlib
 import math
@@ -6,11 +6,21 @@ import sys
 from array import array
 from collections.abc import Callable, Sequence
 from operator import sub
+from typing import NamedTuple
 
+from pinel_desktop.execution.semantics import MEASURES_THE_TRUE_END, MEASURES_THE_TRUE_WAY
 from pinel_desktop.robot import Pose2D
 
 WAY_STEP_M = 0.002  # of true poses; a shorter motion is the wheels' slip in a turn
 MEASURED_STEP_M = 0.02  # of poses that a robot measures; a shorter motion is noise
+
+
+class Distances(NamedTuple):
+    """The distances that a run reports at its end, in m, as in the event `run_ended`."""
+
+    path_length_m: float
+    closing_error_m: float | None
+    estimated_closing_error_m: float | None
 
 
 class Recorder:
@@ -19,6 +29,7 @@ class Recorder:
     Attributes:
         add: appends a row given as a tuple; the array's bound method, for speed.
         add_true: appends the true position, x and y, where the robot's pose is an estimate; in any frame.
+        true_start: the true position before the first row, in the same frame; None where nobody knows it.
     """
 
     COLUMNS = 8
@@ -28,6 +39,32 @@ class Recorder:
         self.add: Callable[[tuple[float, ...]], None] = self.rows.extend
         self._true = array("d")
         self.add_true: Callable[[tuple[float, float]], None] = self._true.extend
+        self.true_start: tuple[float, float] | None = None
+
+    def distances(self, *, simulated: bool, semantics: int) -> Distances:
+        """What a run reports at its end, with the meaning of a version (`semantics.py`)."""
+        estimated_m = self.estimated_closing_error_m()
+        way_m = self.true_way_m() if simulated else self.measured_way_m()
+        if simulated and semantics < MEASURES_THE_TRUE_WAY:
+            way_m = self.path_length_m()
+        if semantics < MEASURES_THE_TRUE_END:
+            return Distances(way_m, estimated_m, None)
+        return Distances(way_m, self.true_closing_error_m(), estimated_m)
+
+    def estimated_closing_error_m(self) -> float:
+        """Distance of the last pose from the start, as the robot estimates it."""
+        pose = self.last_pose()
+        return math.hypot(pose.x_m, pose.y_m)
+
+    def true_closing_error_m(self) -> float | None:
+        """Distance of the last true position from the start; None where nobody knows it."""
+        if self.true_start is None:
+            return None
+        return (
+            math.dist(self._true[-2:], self.true_start)
+            if self._true
+            else self.estimated_closing_error_m()
+        )
 
     def true_way_m(self) -> float:
         """Length of the true way where it was recorded, else that of the robot's own path."""

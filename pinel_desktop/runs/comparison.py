@@ -22,6 +22,7 @@ from storage.runs.telemetry import COLUMNS, STEPS, Rows, pack, unpack
 EQUAL_M = 1e-4  # between platforms, whose mathematical functions differ in the last digit
 _EQUAL_OVER_ALL_M = 1e-2  # the length of a long path adds up many of those
 _LATER_COLUMNS = ("true_x_m", "true_y_m", "true_yaw_rad")  # records of earlier releases lack them
+_LATER_FIGURE = "estimated_closing_error_m"  # null when such a record is repeated, which lacks it
 _ANGLES = ("yaw_rad", "goal_yaw_rad", "true_yaw_rad")
 _SHA256 = re.compile(r"[0-9a-f]{64}\Z")
 _HEAD = ("v", "type", "run", "seq", "tick")
@@ -204,11 +205,20 @@ def _wrong_events(
 
 
 def _is_same_event(was: Wire, now: Wire, limit: float, *, everything: bool) -> bool:
-    if limit and was["type"] == now["type"] == RunEnded.type:
-        return True  # its figures are compared by themselves
-    if not everything:  # events of another release may have told less
-        now = {name: value for name, value in now.items() if name in was}
-    return _same(was, now, limit)
+    if (
+        limit and was["type"] == now["type"] == RunEnded.type
+    ):  # its other figures are compared by themselves
+        return _same(was.get(_LATER_FIGURE), now.get(_LATER_FIGURE), _EQUAL_OVER_ALL_M)
+    return _same(was, _comparable(was, now, everything=everything), limit)
+
+
+def _comparable(was: Wire, now: Wire, *, everything: bool) -> dict[str, Any]:
+    """The fields of a repeated event that its record must have; events of another release may have told less."""
+    return {
+        name: value
+        for name, value in now.items()
+        if name in was or (everything and not (name == _LATER_FIGURE and value is None))
+    }
 
 
 def same_beginning(recorded: Sequence[Wire], repeated: Sequence[Wire], tick: int) -> list[Part]:

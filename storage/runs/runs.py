@@ -31,6 +31,7 @@ _LINE = selected(
     params_json=as_told("params"),
     passed_bit=counted(),
     path_json="path",
+    summary_json="summary",
     unconfirmed=mark(),
 )
 _OBJECTS = ("document", "world_document", "parameters", "params", "summary", "check_report")

@@ -14,6 +14,7 @@ from storage.tables.columns import (
     TEXT,
     TIME,
     Column,
+    ParquetColumn,
     ReplicatedTable,
     figure,
     parent,
@@ -84,8 +85,20 @@ RUNS = ReplicatedTable(
         Column("duration_s", NUMBER, "how long it ran, in s", optional=True),
         Column("n_executed", COUNT, "commands executed", optional=True),
         Column("path_length_m", NUMBER, "length of the way, in m", optional=True),
-        Column("closing_error_m", NUMBER, "distance between start and end, in m", optional=True),
-        Column("summary", JSON, "other figures of its end", optional=True, parquet=False),
+        Column(
+            "closing_error_m",
+            NUMBER,
+            "distance between start and end, in m: where the robot truly was, empty where only its estimate exists; "
+            "the estimate where no `estimated_closing_error_m` is beside it, as in runs of earlier releases",
+            optional=True,
+        ),
+        Column(
+            "summary",
+            JSON,
+            "all of its end, with `estimated_closing_error_m`: by the pose that the robot itself estimated",
+            optional=True,
+            parquet=False,
+        ),
         Column(
             "telemetry_sha256",
             TEXT,
@@ -108,6 +121,15 @@ RUNS = ReplicatedTable(
     ),
     condition="state <> 'running'",
     figures=(
+        ParquetColumn(
+            "estimated_closing_error_m",
+            "number",
+            "distance between start and end, in m, by the pose that the robot itself estimated; empty before that was "
+            "told beside the true one",
+            """CASE WHEN NOT json_valid(summary) THEN NULL
+            WHEN json_type(summary, '$.estimated_closing_error_m') IN ('integer', 'real')
+            THEN json_extract(summary, '$.estimated_closing_error_m') END""",
+        ),
         figure(
             "n_events", "events recorded", "(SELECT count(*) FROM events WHERE run_id = runs.id)"
         ),

@@ -42,6 +42,7 @@ def twice(command: dict[str, Any]) -> dict[str, Any]:
     return {"action": "repeat", "times": 2, "commands": [command]}
 
 
+SQUARE = {"action": "repeat", "times": 4, "commands": [move(1), turn(-90)]}
 PEN = {"action": "pen", "down": True}
 ARC = {"action": "arc", "radius": 0.8, "angle": 360}
 CORNER = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0]]
@@ -237,3 +238,10 @@ def test_a_program_that_reads_on_after_the_last_gesture_fails_with_that_reason()
     assert (case.state, case.reason) == ("failed", "no_more_gestures")
     assert case.duration_s < 1.0
     assert run(wanted, read, read).passed
+
+
+@pytest.mark.parametrize(("preset", "passed"), [("ideal", True), ("realistic", False)])
+def test_a_robot_is_judged_by_where_it_truly_stands(preset: str, passed: bool) -> None:
+    back = {"check": "ends_at", "x_m": 0.0, "y_m": 0.0, "within_m": 0.02}
+    on_wheels = {"world": "empty_room", "preset": preset, "feedback": "odometry"}
+    assert run(activity(back, **on_wheels), SQUARE).passed is passed

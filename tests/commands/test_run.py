@@ -22,6 +22,7 @@ KEYS = {
     "duration_s",
     "path_length_m",
     "closing_error_m",
+    "estimated_closing_error_m",
     "said",
     "marks",
     "n_beeps",
@@ -154,7 +155,28 @@ def test_same_program_has_the_same_hash_again() -> None:
 def test_without_json_it_prints_lines_for_people() -> None:
     result = pinel("run", SQUARE, "--no-store")
     assert "state           finished" in result.stdout
-    assert "closing error   0.000 mm" in result.stdout
+    assert "closing error   0.000 mm\n" in result.stdout
+    assert "estimate" not in result.stdout
+
+
+ON_WHEELS = ("--preset", "realistic", "--feedback", "odometry", "--seed", "1", "--no-store")
+
+
+def test_a_robot_that_believes_that_it_is_back_is_not_reported_to_be() -> None:
+    _, printed = run_json(SQUARE, *ON_WHEELS)
+    assert printed["closing_error_m"] == pytest.approx(0.050, abs=0.001)
+    assert printed["estimated_closing_error_m"] < 1e-4
+    lines = pinel("run", SQUARE, *ON_WHEELS).stdout.splitlines()
+    (pose,) = [line for line in lines if line.startswith("pose ")]
+    assert pose.endswith("(the robot's estimate)")
+    assert "closing error   50.321 mm" in lines
+    assert "  estimated     0.001 mm" in lines
+
+
+def test_what_the_robot_is_said_to_know_of_where_it_is_has_its_errors() -> None:
+    words = " ".join(pinel("run", "--help").stdout.split())
+    assert "true pose" not in words
+    assert "a camera sees it, to about 1 mm" in words
 
 
 def test_what_is_passed_over_in_a_bare_list_is_said() -> None:

@@ -12,7 +12,7 @@ import platform
 import struct
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +21,7 @@ from click.testing import CliRunner
 
 from pinel_desktop.cli import main
 from storage import open_store
+from storage.sqlite import sqlite3
 from tests.e2e.app_process import AppProcess
 from tests.web.browser import Browser
 
@@ -71,6 +72,13 @@ def verdict(database: Path, run: str) -> dict[str, Any]:
     _, text = pinel("--db", database, "runs", "verify", run, "--json")
     answer = json.loads(text)
     return {name: answer[name] for name in ("outcome", "n_ticks", "whole", "recorded_sha256")}
+
+
+def changed(database: Path, statement: str) -> None:
+    """Changes a file as somebody would who knows that the store keeps sums of what it has written."""
+    with closing(sqlite3.connect(database)) as connection, connection:
+        connection.execute(statement)
+        connection.execute("DELETE FROM content_sums")
 
 
 def all_merged(folder: Path) -> dict[str, Any]:

@@ -60,6 +60,7 @@ def ended(run: str, seq: int, tick: int, **fields: Any) -> dict[str, Any]:
         "closing_error_m": 0.00005,
         "pose": {"x_m": 0.0, "y_m": 0.0, "yaw_rad": 0.0},
         "telemetry_sha256": "ab" * 32,
+        "estimated_closing_error_m": 0.00002,
         **fields,
     }
 

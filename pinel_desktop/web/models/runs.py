@@ -41,7 +41,16 @@ class Run(Shape):
     duration_s: float | None
     n_executed: int | None
     path_length_m: float | None
-    closing_error_m: float | None
+    closing_error_m: Annotated[
+        float | None,
+        Field(
+            description="where the robot truly is, null where only its estimate exists; the estimate itself without "
+            "`estimated_closing_error_m` beside it, as earlier releases recorded it"
+        ),
+    ]
+    estimated_closing_error_m: Annotated[
+        float | None, Field(description="by the pose that the robot itself estimates")
+    ]
     telemetry_sha256: str | None
     lesson_id: Id | None
     activity: str | None

@@ -8,10 +8,11 @@ from typing import Any
 import duckdb
 import pytest
 
-from storage import Store, StoreError
+from storage import Recorder, RunStart, Store, StoreError
 from storage.exchange.bundle_writing import BundleInfo
 from storage.exchange.parquet import FILES
-from tests.storage.bundle_makers import a_run, work
+from tests.storage.bundle_makers import SQUARE, WORLD, a_run, work
+from tests.storage.sample_runs import ended
 
 PAGE = Path(__file__).parents[3] / "docs" / "parquet.md"
 TYPES = {
@@ -76,6 +77,26 @@ def test_the_page_names_every_column() -> None:
         table = name or table
         told.append((table, column, kind))
     assert told == [(table, name, kind) for table in FILES for name, kind, *_ in FILES[table]]
+
+
+def test_an_estimate_stands_beside_the_true_closing_error(busy: Store, tmp_path: Path) -> None:
+    folder = written(busy, tmp_path / "school", anonymous=[]).path
+    query = (
+        f"SELECT DISTINCT closing_error_m, estimated_closing_error_m FROM '{folder}/runs.parquet'"
+    )
+    assert ask(query) == [(0.00005, 0.00002)]
+
+
+def test_a_run_of_an_earlier_release_has_no_estimate_beside_its_own(
+    store: Store, tmp_path: Path
+) -> None:
+    run = store.runs.begin(RunStart("sim", "w", WORLD, 1, "0.1.0", document=SQUARE))
+    end = ended(run.id, 0, 0)
+    del end["estimated_closing_error_m"]
+    Recorder(store)(end)
+    folder = written(store, tmp_path / "school").path
+    query = f"SELECT closing_error_m, estimated_closing_error_m FROM '{folder}/runs.parquet'"
+    assert ask(query) == [(0.00005, None)]
 
 
 def test_a_store_without_anything_has_empty_tables(store: Store, tmp_path: Path) -> None:

@@ -76,6 +76,7 @@ def test_a_recorded_run_reads_back_as_it_was(
     recorder(end)
     row = store.runs.get(run.id)
     assert (row.state, row.n_executed, row.closing_error_m) == ("finished", 8, 0.00005)
+    assert row.estimated_closing_error_m == 0.00002
     assert row.duration_s == len(samples) / 30
     assert len(row.path) == 5
     assert store.runs.events(run.id) == [block_started(run.id, seq=0), end]
@@ -84,6 +85,17 @@ def test_a_recorded_run_reads_back_as_it_was(
     assert np.allclose(
         telemetry.column("x_m"), [event["x_m"] for event in samples], atol=0.00005001
     )
+
+
+@pytest.mark.parametrize("forged", ['"0"', "true", "1e999", "{}", "null"])
+def test_of_an_estimate_that_is_no_number_nothing_is_read(
+    store: Store, run: RunRow, recorder: Recorder, forged: str
+) -> None:
+    recorder(ended(run.id, seq=0, tick=0))
+    text = f'{{"estimated_closing_error_m": {forged}}}'
+    store.runs._database.write(lambda db: db.execute("UPDATE runs SET summary = ?", [text]))
+    (line,) = store.runs.newest(1)
+    assert line.estimated_closing_error_m is None
 
 
 def test_what_sensors_measured_for_those_who_watched_is_not_kept_and_pushed_boxes_are(
@@ -196,7 +208,9 @@ def test_the_end_of_an_interrupted_run_has_the_fields_of_every_end(
     run: RunRow, opened: Callable[..., Store]
 ) -> None:
     (end,) = opened(close_interrupted=True).runs.events(run.id)
-    assert end == EventStamp(run.id).wire(0, RunEnded.cut_off("interrupted", 0.0))
+    expected = EventStamp(run.id).wire(0, RunEnded.cut_off("interrupted", 0.0))
+    assert expected.pop("estimated_closing_error_m") is None  # absent where it is not known
+    assert end == expected
 
 
 def test_another_program_that_opens_the_file_leaves_live_runs_alone(

@@ -51,6 +51,7 @@ const runEnded = (tick: number, state: "finished" | "stopped" | "failed"): RunEv
   closing_error_m: 1,
   pose: { x_m: 1, y_m: 0, yaw_rad: 0 },
   telemetry_sha256: "0",
+  estimated_closing_error_m: 0.5,
 });
 
 const state = (tick: number, name: "running" | "paused"): RunEvent => ({
@@ -277,6 +278,40 @@ describe("the truth", () => {
     const end = { ...ending, pose: { x_m: 1.01, y_m: 0, yaw_rad: 0 } };
     expect(viewAfter(known(2, 1, 0.9), end).truth.x).toBe(0.9);
     expect(viewAfter(known(2, 1, 1), end).truth.x).toBe(1.01);
+  });
+});
+
+describe("how far from its start a run ended", () => {
+  const ending = runEnded(3, "finished") as Extract<RunEvent, { type: "run_ended" }>;
+  const { estimated_closing_error_m: _none, ...before } = { ...ending, closing_error_m: 0.2 };
+  const driven = (true_x_m: number | null) =>
+    ({ ...telemetry(2, 0, 0), true_x_m, true_y_m: 0, true_yaw_rad: 0 }) as RunEvent;
+
+  test("is where it truly was, and beside it what the robot estimates", () => {
+    const { closingErrorM, estimatedClosingErrorM } = viewAfter(ending).ending ?? {};
+    expect([closingErrorM, estimatedClosingErrorM]).toEqual([1, 0.5]);
+  });
+
+  test("is known to nobody on a real robot, which has its estimate", () => {
+    const real = { ...ending, closing_error_m: null };
+    const { closingErrorM, estimatedClosingErrorM } = viewAfter(driven(null), real).ending ?? {};
+    expect([closingErrorM, estimatedClosingErrorM]).toEqual([null, 0.5]);
+  });
+
+  test("was recorded as the estimate by earlier releases, whose samples know the truth", () => {
+    const { closingErrorM, estimatedClosingErrorM } = viewAfter(driven(0.9), before).ending ?? {};
+    expect([closingErrorM, estimatedClosingErrorM]).toEqual([0.9, 0.2]);
+  });
+
+  test("is an estimate where the samples know no more", () => {
+    const { closingErrorM, estimatedClosingErrorM } = viewAfter(driven(null), before).ending ?? {};
+    expect([closingErrorM, estimatedClosingErrorM]).toEqual([null, 0.2]);
+  });
+
+  test("is unknown of a run that nobody saw end", () => {
+    const cutOff = { ...before, closing_error_m: null };
+    const { closingErrorM, estimatedClosingErrorM } = viewAfter(driven(0.9), cutOff).ending ?? {};
+    expect([closingErrorM, estimatedClosingErrorM]).toEqual([null, null]);
   });
 });
 

@@ -62,7 +62,10 @@ export interface Ending {
   readonly block: string | null;
   readonly durationS: number | null;
   readonly pathLengthM: number | null;
+  /** How far from the start the robot truly is; null where nobody knows. */
   readonly closingErrorM: number | null;
+  /** The same by the pose that the robot itself estimates. */
+  readonly estimatedClosingErrorM: number | null;
 }
 
 /** Poses of movable boxes that have moved: x and y in metres, heading in radians, world frame, by index. */
@@ -274,9 +277,21 @@ function closed(view: RunView, event: RunEndedEvent): RunView {
       block: event.block,
       durationS: event.duration_s,
       pathLengthM: event.path_length_m,
-      closingErrorM: event.closing_error_m,
+      ...closingErrors(view, event),
     },
   };
+}
+
+/** Earlier releases recorded the estimate alone, under the name of the true one, which their samples may know. */
+function closingErrors(
+  { pose, truth }: RunView,
+  event: RunEndedEvent,
+): Pick<Ending, "closingErrorM" | "estimatedClosingErrorM"> {
+  const { closing_error_m: closingErrorM, estimated_closing_error_m: estimate } = event;
+  if (estimate != null) return { closingErrorM, estimatedClosingErrorM: estimate };
+  const isKnown = truth !== pose && closingErrorM !== null;
+  const trueErrorM = isKnown ? Math.hypot(truth.x, truth.y) : null;
+  return { closingErrorM: trueErrorM, estimatedClosingErrorM: closingErrorM };
 }
 
 /** The last event has only the believed pose; it is also the true one where both were equal until then. */

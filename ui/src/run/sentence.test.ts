@@ -27,6 +27,7 @@ const over = (phase: "finished" | "failed" | "stopped", ending: object): RunView
     durationS: 1,
     pathLengthM: 4,
     closingErrorM: 0,
+    estimatedClosingErrorM: 0,
     ...ending,
   },
 });
@@ -173,6 +174,32 @@ describe("what the robot does, in words", () => {
       "Programa terminou: parou a 1,23 m da partida",
     );
     expect(said(over("finished", { pathLengthM: 0 }))).toBe("Programa terminou");
+  });
+
+  const more = (view: RunView) => sentenceOf(view, voice)?.more.replaceAll("\u00a0", " ");
+
+  test.each([
+    [{ closingErrorM: 0.05, estimatedClosingErrorM: 1e-6 }, "parou a 0,05 m da partida", "voltou"],
+    [{ closingErrorM: 0, estimatedClosingErrorM: 0.31 }, "voltou ao", "parou a 0,31 m dela"],
+    [{ closingErrorM: 0.5, estimatedClosingErrorM: 0.4 }, "a 0,50 m da", "parou a 0,40 m dela"],
+  ])("an end tells the truth, and what the robot believes instead: %#", (ending, text, belief) => {
+    const view = over("finished", ending);
+    expect(said(view)).toContain(text);
+    expect(more(view)).toContain("O robô pensa que");
+    expect(more(view)).toContain(belief);
+  });
+
+  test("a robot that is about where it believes is not said to be wrong", () => {
+    const ending = { closingErrorM: 0.502, estimatedClosingErrorM: 0.5 };
+    expect(more(over("finished", ending))).toBe("");
+  });
+
+  test.each([
+    [0.001, "Programa terminou: pelas medidas do robô, voltou ao ponto de partida"],
+    [0.25, "Programa terminou: pelas medidas do robô, parou a 0,25 m da partida"],
+  ])("what only the robot measured is said to be that: %#", (estimatedClosingErrorM, text) => {
+    const view = over("finished", { closingErrorM: null, estimatedClosingErrorM });
+    expect([said(view), more(view)]).toEqual([text, ""]);
   });
 
   test("a failure has the server's words and remedy", () => {

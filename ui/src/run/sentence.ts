@@ -200,7 +200,8 @@ function finishedSentence(view: RunView, voice: Voice): Sentence {
     looseBlocks > 0 && status.looseBlocks(looseBlocks),
   ].filter((remark) => remark !== false);
   const text = isStill ? status.finishedStill : finished(view, voice.texts, voice.language);
-  const more = [...remarks, answered(view, voice)].filter(Boolean).join(" ");
+  const belief = isStill ? "" : believed(view, voice);
+  const more = [...remarks, belief, answered(view, voice)].filter(Boolean).join(" ");
   return { text, more, tone: isStill || remarks.length > 0 ? "notice" : "done" };
 }
 
@@ -211,10 +212,24 @@ function showedSomething({ output, captured }: RunView): boolean {
 }
 
 function finished(view: RunView, { status }: Texts, language: Language): string {
-  const { pathLengthM, closingErrorM } = view.ending ?? {};
-  if (!pathLengthM || closingErrorM == null || pathLengthM < CLOSED_M) return status.finished;
-  if (closingErrorM < CLOSED_M) return status.finishedClosed;
-  return status.finishedAway(metres(closingErrorM, language));
+  const { pathLengthM, closingErrorM, estimatedClosingErrorM } = view.ending ?? {};
+  const isMeasured = closingErrorM == null; // by the robot itself, and by nobody else
+  const distanceM = closingErrorM ?? estimatedClosingErrorM;
+  if (!pathLengthM || distanceM == null || pathLengthM < CLOSED_M) return status.finished;
+  const isClosed = distanceM < CLOSED_M;
+  if (isClosed) return isMeasured ? status.measuredClosed : status.finishedClosed;
+  const distance = metres(distanceM, language);
+  return isMeasured ? status.measuredAway(distance) : status.finishedAway(distance);
+}
+
+/** Where the robot believes to be, unless it truly is about there. */
+function believed(view: RunView, { texts: { status }, language }: Voice): string {
+  const { closingErrorM, estimatedClosingErrorM: estimateM } = view.ending ?? {};
+  if (closingErrorM == null || estimateM == null) return "";
+  if (Math.abs(closingErrorM - estimateM) < CLOSED_M) return "";
+  return estimateM < CLOSED_M
+    ? status.believesClosed
+    : status.believesAway(metres(estimateM, language));
 }
 
 /** Reads a parameter of a command from the document. */

@@ -101,7 +101,7 @@ export const page: typeof first = {
     wheels: "Real, solo ruedas",
     idealHelp: "Nada patina y todas las mediciones son exactas.",
     cameraHelp:
-      "Las ruedas patinan y las mediciones fallan un poco; una cámara dice dónde está el robot.",
+      "Las ruedas patinan y las mediciones fallan un poco; una cámara ve dónde está el robot, con un error de cerca de 1 mm.",
     wheelsHelp:
       "Las ruedas patinan y el robot solo sabe lo que ellas cuentan: de a poco se pierde.",
     gesture: "gesto leído",
@@ -164,6 +164,14 @@ export const page: typeof first = {
     finished: "El programa terminó",
     finishedClosed: "El programa terminó: volvió al punto de partida",
     finishedAway: (distance: string) => `El programa terminó: quedó a ${distance} de la partida`,
+    measuredClosed:
+      "El programa terminó: según las mediciones del robot, volvió al punto de partida",
+    measuredAway: (distance: string) =>
+      `El programa terminó: según las mediciones del robot, quedó a ${distance} de la partida`,
+    believesClosed:
+      "El robot piensa que volvió a la partida, porque sus mediciones tienen errores.",
+    believesAway: (distance: string) =>
+      `El robot piensa que quedó a ${distance} de ella, porque sus mediciones tienen errores.`,
     finishedStill: "El programa terminó, pero el robot no se movió",
     emptyLoop: (n: number) =>
       n === 1

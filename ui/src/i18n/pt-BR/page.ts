@@ -102,7 +102,8 @@ export const page = {
     camera: "Real com câmera",
     wheels: "Real só com rodas",
     idealHelp: "Nada escorrega e todas as medidas são exatas.",
-    cameraHelp: "As rodas escorregam e as medidas erram um pouco; uma câmera diz onde o robô está.",
+    cameraHelp:
+      "As rodas escorregam e as medidas erram um pouco; uma câmera vê onde o robô está, com erro de cerca de 1 mm.",
     wheelsHelp: "As rodas escorregam e o robô só sabe o que elas contam: ele se perde aos poucos.",
     gesture: "gesto lido",
     calls: "dentro de",
@@ -164,6 +165,12 @@ export const page = {
     finished: "Programa terminou",
     finishedClosed: "Programa terminou: voltou ao ponto de partida",
     finishedAway: (distance: string) => `Programa terminou: parou a ${distance} da partida`,
+    measuredClosed: "Programa terminou: pelas medidas do robô, voltou ao ponto de partida",
+    measuredAway: (distance: string) =>
+      `Programa terminou: pelas medidas do robô, parou a ${distance} da partida`,
+    believesClosed: "O robô pensa que voltou à partida, porque as medidas dele têm erro.",
+    believesAway: (distance: string) =>
+      `O robô pensa que parou a ${distance} dela, porque as medidas dele têm erro.`,
     finishedStill: "Programa terminou, mas o robô não saiu do lugar",
     emptyLoop: (n: number) =>
       n === 1
