@@ -20,8 +20,8 @@ class Setting:
     Attributes:
         model: name of the robot's record in ROBOTS.
         preset: noise, slip and latency of the simulator.
-        feedback: source of the robot's pose: what a camera above the floor measures, with noise of 1 mm and 0.1 degrees,
-            or wheel odometry. With the preset `ideal` both are exact.
+        feedback: source of the robot's pose: what a camera above the floor measures, with noise of 1 mm and 0.1
+            degrees, or wheel odometry. With the preset `ideal` both are exact.
     """
 
     model: str = PIONEER_3DX.name
