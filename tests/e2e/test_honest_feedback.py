@@ -1,7 +1,9 @@
 """What the page says of a program that did nothing, failed, or was changed while it ran."""
 
+import math
+
 import pytest
-from playwright.sync_api import Locator, expect
+from playwright.sync_api import Locator, Route, expect
 
 from tests.e2e.app_process import AppProcess
 from tests.e2e.blocks import box_of
@@ -125,3 +127,41 @@ def test_the_robot_says_numbers_as_the_language_does(group: Studio) -> None:
 
 def _group(studio: Studio) -> str:
     return str(studio.api(f"/programs/{studio.program_id}")["group_id"])
+
+
+SQUARE = "for _ in range(4):\n    robot.move_forward(1.0)\n    robot.turn(90)\n"
+SEED = {"seed": 1}
+
+
+def choose_wheels(studio: Studio) -> None:
+    """The realistic robot that knows its wheels only, with noise that is the same each time."""
+    studio.page.route("**/api/runs", _with_seed)
+    studio["lifelike"].select_option("wheels")
+    studio["speed"].select_option("10")
+
+
+def _with_seed(route: Route) -> None:
+    route.continue_(post_data=route.request.post_data_json | SEED)
+
+
+def test_a_robot_that_only_believes_that_it_is_back_is_said_to_stand_elsewhere(
+    studio: Studio,
+) -> None:
+    studio.enter_new_group()
+    write_program(studio, SQUARE)
+    choose_wheels(studio)
+    studio.run_to_the_end()
+    words = ("parou a 0,07", "da partida", "O robô pensa que voltou à partida")
+    expect_words(studio, "done", *words)
+    expect(studio["status-line"]).not_to_contain_text("voltou ao ponto de partida")
+    off_m = math.hypot(studio.number("pose-x"), studio.number("pose-y"))
+    assert off_m == pytest.approx(0.068, abs=0.002), (
+        "what stands beside the floor is what the floor shows"
+    )
+
+    studio["open-work"].click()
+    studio["run-card"].click()
+    slider = studio["replay-slider"]
+    expect(slider).to_be_visible()
+    slider.press("End")
+    expect_words(studio, "done", *words)

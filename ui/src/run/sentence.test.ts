@@ -195,11 +195,11 @@ describe("what the robot does, in words", () => {
   });
 
   test.each([
-    [0.001, "Programa terminou: pelas medidas do robô, voltou ao ponto de partida"],
-    [0.25, "Programa terminou: pelas medidas do robô, parou a 0,25 m da partida"],
-  ])("what only the robot measured is said to be that: %#", (estimatedClosingErrorM, text) => {
+    [0.001, "Pelas medidas do robô, ele voltou ao ponto de partida."],
+    [0.25, "Pelas medidas do robô, ele parou a 0,25 m da partida."],
+  ])("what only the robot measured is said to be that: %#", (estimatedClosingErrorM, words) => {
     const view = over("finished", { closingErrorM: null, estimatedClosingErrorM });
-    expect([said(view), more(view)]).toEqual([text, ""]);
+    expect([said(view), more(view)]).toEqual(["Programa terminou", words]);
   });
 
   test("a failure has the server's words and remedy", () => {

@@ -200,8 +200,8 @@ function finishedSentence(view: RunView, voice: Voice): Sentence {
     looseBlocks > 0 && status.looseBlocks(looseBlocks),
   ].filter((remark) => remark !== false);
   const text = isStill ? status.finishedStill : finished(view, voice.texts, voice.language);
-  const belief = isStill ? "" : believed(view, voice);
-  const more = [...remarks, belief, answered(view, voice)].filter(Boolean).join(" ");
+  const estimate = isStill ? "" : estimated(view, voice);
+  const more = [...remarks, estimate, answered(view, voice)].filter(Boolean).join(" ");
   return { text, more, tone: isStill || remarks.length > 0 ? "notice" : "done" };
 }
 
@@ -212,24 +212,22 @@ function showedSomething({ output, captured }: RunView): boolean {
 }
 
 function finished(view: RunView, { status }: Texts, language: Language): string {
-  const { pathLengthM, closingErrorM, estimatedClosingErrorM } = view.ending ?? {};
-  const isMeasured = closingErrorM == null; // by the robot itself, and by nobody else
-  const distanceM = closingErrorM ?? estimatedClosingErrorM;
-  if (!pathLengthM || distanceM == null || pathLengthM < CLOSED_M) return status.finished;
-  const isClosed = distanceM < CLOSED_M;
-  if (isClosed) return isMeasured ? status.measuredClosed : status.finishedClosed;
-  const distance = metres(distanceM, language);
-  return isMeasured ? status.measuredAway(distance) : status.finishedAway(distance);
+  const { pathLengthM, closingErrorM } = view.ending ?? {};
+  if (!pathLengthM || closingErrorM == null || pathLengthM < CLOSED_M) return status.finished;
+  if (closingErrorM < CLOSED_M) return status.finishedClosed;
+  return status.finishedAway(metres(closingErrorM, language));
 }
 
-/** Where the robot believes to be, unless it truly is about there. */
-function believed(view: RunView, { texts: { status }, language }: Voice): string {
-  const { closingErrorM, estimatedClosingErrorM: estimateM } = view.ending ?? {};
-  if (closingErrorM == null || estimateM == null) return "";
-  if (Math.abs(closingErrorM - estimateM) < CLOSED_M) return "";
-  return estimateM < CLOSED_M
-    ? status.believesClosed
-    : status.believesAway(metres(estimateM, language));
+/** Where the robot estimates to be: all that is known of a real one, else only where it is truly not about there. */
+function estimated(view: RunView, { texts: { status }, language }: Voice): string {
+  const { pathLengthM, closingErrorM = null, estimatedClosingErrorM: m } = view.ending ?? {};
+  if (!pathLengthM || m == null || pathLengthM < CLOSED_M) return "";
+  const [isClosed, distance] = [m < CLOSED_M, metres(m, language)];
+  if (closingErrorM === null) {
+    return isClosed ? status.measuredClosed : status.measuredAway(distance);
+  }
+  if (Math.abs(closingErrorM - m) < CLOSED_M) return "";
+  return isClosed ? status.believesClosed : status.believesAway(distance);
 }
 
 /** Reads a parameter of a command from the document. */

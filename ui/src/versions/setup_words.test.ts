@@ -26,7 +26,7 @@ test("another world, robot, speed and start are named with what was before", () 
   expect(changes(AT_FIRST, after)).toEqual([
     { what: "Mundo", before: "Sala vazia", after: "Labirinto" },
     { what: "Partida", before: "a do mundo", after: "x 0,50 m, y −1,00 m, 90°" },
-    { what: "Robô", before: "Robô ideal", after: "Real com câmera" },
+    { what: "Robô", before: "Robô ideal", after: "Realista, com câmera" },
     { what: "Velocidade", before: "1×", after: "0,50×" },
   ]);
 });

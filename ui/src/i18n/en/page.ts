@@ -97,8 +97,8 @@ export const page: typeof first = {
     speed: "Speed",
     lifelike: "Which robot to simulate",
     ideal: "Ideal robot",
-    camera: "Real with camera",
-    wheels: "Real, wheels only",
+    camera: "Realistic, with camera",
+    wheels: "Realistic, wheels only",
     idealHelp: "Nothing slips and every measurement is exact.",
     cameraHelp:
       "Wheels slip and measurements are a little off; a camera sees where the robot is, to about 1 mm.",
@@ -165,13 +165,12 @@ export const page: typeof first = {
     finished: "Program finished",
     finishedClosed: "Program finished: back where it started",
     finishedAway: (distance: string) => `Program finished: ${distance} from the start`,
-    measuredClosed: "Program finished: by what the robot measured, back where it started",
+    measuredClosed: "By what the robot measured, it is back where it started.",
     measuredAway: (distance: string) =>
-      `Program finished: by what the robot measured, ${distance} from the start`,
-    believesClosed:
-      "The robot thinks that it is back at the start, because its measurements are off.",
+      `By what the robot measured, it is ${distance} from the start.`,
+    believesClosed: "The robot thinks that it is back: its measurements are off.",
     believesAway: (distance: string) =>
-      `The robot thinks that it is ${distance} from it, because its measurements are off.`,
+      `The robot thinks that it is ${distance} away: its measurements are off.`,
     finishedStill: "The program ended, but the robot did not move",
     emptyLoop: (n: number) =>
       n === 1

@@ -97,8 +97,8 @@ export const page: typeof first = {
     speed: "Velocidad",
     lifelike: "Qué robot simular",
     ideal: "Robot ideal",
-    camera: "Real con cámara",
-    wheels: "Real, solo ruedas",
+    camera: "Realista, con cámara",
+    wheels: "Realista, solo ruedas",
     idealHelp: "Nada patina y todas las mediciones son exactas.",
     cameraHelp:
       "Las ruedas patinan y las mediciones fallan un poco; una cámara ve dónde está el robot, con un error de cerca de 1 mm.",
@@ -164,14 +164,12 @@ export const page: typeof first = {
     finished: "El programa terminó",
     finishedClosed: "El programa terminó: volvió al punto de partida",
     finishedAway: (distance: string) => `El programa terminó: quedó a ${distance} de la partida`,
-    measuredClosed:
-      "El programa terminó: según las mediciones del robot, volvió al punto de partida",
+    measuredClosed: "Según las mediciones del robot, volvió al punto de partida.",
     measuredAway: (distance: string) =>
-      `El programa terminó: según las mediciones del robot, quedó a ${distance} de la partida`,
-    believesClosed:
-      "El robot piensa que volvió a la partida, porque sus mediciones tienen errores.",
+      `Según las mediciones del robot, quedó a ${distance} de la partida.`,
+    believesClosed: "El robot piensa que volvió a la partida: mide con errores.",
     believesAway: (distance: string) =>
-      `El robot piensa que quedó a ${distance} de ella, porque sus mediciones tienen errores.`,
+      `El robot piensa que quedó a ${distance} de ella: mide con errores.`,
     finishedStill: "El programa terminó, pero el robot no se movió",
     emptyLoop: (n: number) =>
       n === 1

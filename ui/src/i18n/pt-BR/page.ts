@@ -99,8 +99,8 @@ export const page = {
     speed: "Velocidade",
     lifelike: "Que robô simular",
     ideal: "Robô ideal",
-    camera: "Real com câmera",
-    wheels: "Real só com rodas",
+    camera: "Realista, com câmera",
+    wheels: "Realista, só rodas",
     idealHelp: "Nada escorrega e todas as medidas são exatas.",
     cameraHelp:
       "As rodas escorregam e as medidas erram um pouco; uma câmera vê onde o robô está, com erro de cerca de 1 mm.",
@@ -165,12 +165,12 @@ export const page = {
     finished: "Programa terminou",
     finishedClosed: "Programa terminou: voltou ao ponto de partida",
     finishedAway: (distance: string) => `Programa terminou: parou a ${distance} da partida`,
-    measuredClosed: "Programa terminou: pelas medidas do robô, voltou ao ponto de partida",
+    measuredClosed: "Pelas medidas do robô, ele voltou ao ponto de partida.",
     measuredAway: (distance: string) =>
-      `Programa terminou: pelas medidas do robô, parou a ${distance} da partida`,
-    believesClosed: "O robô pensa que voltou à partida, porque as medidas dele têm erro.",
+      `Pelas medidas do robô, ele parou a ${distance} da partida.`,
+    believesClosed: "O robô pensa que voltou à partida: as medidas têm erro.",
     believesAway: (distance: string) =>
-      `O robô pensa que parou a ${distance} dela, porque as medidas dele têm erro.`,
+      `O robô pensa que parou a ${distance} dela: as medidas têm erro.`,
     finishedStill: "Programa terminou, mas o robô não saiu do lugar",
     emptyLoop: (n: number) =>
       n === 1

@@ -13,16 +13,16 @@ interface Cell {
   testId: string;
 }
 
-/** The robot's pose and the elapsed time. */
+/** Where the robot truly is, as the floor shows it, and the elapsed time. */
 export function Readout({ view }: { view: ReadonlySignal<RunView> }) {
   const { readout } = texts.value;
-  const { pose, tick } = view.value;
-  const heading = headingDegrees(pose.yaw);
+  const { truth, tick } = view.value;
+  const heading = headingDegrees(truth.yaw);
   const cells: Cell[] = [
     {
       name: readout.x,
       help: readout.xHelp,
-      value: pose.x,
+      value: truth.x,
       digits: 2,
       unit: "m",
       testId: TEST.poseX,
@@ -30,7 +30,7 @@ export function Readout({ view }: { view: ReadonlySignal<RunView> }) {
     {
       name: readout.y,
       help: readout.yHelp,
-      value: pose.y,
+      value: truth.y,
       digits: 2,
       unit: "m",
       testId: TEST.poseY,
