@@ -256,8 +256,9 @@ class RunRow:
 def _estimated_closing_error_m(summary: Json) -> float | None:
     """From what a run told at its end; a bundle may bring anything in its place."""
     value = summary.get("estimated_closing_error_m")
-    is_number = isinstance(value, int | float) and not isinstance(value, bool)
-    return value if is_number and math.isfinite(value) else None
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return None
+    return value if math.isfinite(value) else None
 
 
 class RunLine(NamedTuple):

@@ -141,7 +141,7 @@ def choose_wheels(studio: Studio) -> None:
 
 
 def _with_seed(route: Route) -> None:
-    route.continue_(post_data=route.request.post_data_json | SEED)
+    route.continue_(post_data={**(route.request.post_data_json or {}), **SEED})
 
 
 def test_a_robot_that_only_believes_that_it_is_back_is_said_to_stand_elsewhere(

@@ -11,7 +11,8 @@ import pytest
 from storage import Recorder, RunStart, Store, StoreError
 from storage.exchange.bundle_writing import BundleInfo
 from storage.exchange.parquet import FILES
-from tests.storage.bundle_makers import SQUARE, WORLD, a_run, work
+from tests.storage.bundle_makers import a_run, work
+from tests.storage.sample_documents import SQUARE, WORLD
 from tests.storage.sample_runs import ended
 
 PAGE = Path(__file__).parents[3] / "docs" / "parquet.md"
