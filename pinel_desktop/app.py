@@ -254,19 +254,23 @@ class App:
     def _start_engine(self, undo: contextlib.ExitStack) -> None:
         if not self._engine_after_s:
             self._engine.start()
-            self._confirmer.start()
+            self._start_judging()
             return
 
         def start() -> None:
             self._engine.start()
             _warm_up()
-            self._grader.catch_up()
-            self._confirmer.start()
+            self._start_judging()
 
         timer = threading.Timer(self._engine_after_s, start)
         timer.start()
         undo.callback(timer.join)
         undo.callback(timer.cancel)
+
+    def _start_judging(self) -> None:
+        """Of runs that the last start left unjudged, and of those that came with files."""
+        self._grader.catch_up()
+        self._confirmer.start()
 
     def _services(self) -> Services:
         return Services(

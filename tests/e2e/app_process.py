@@ -37,6 +37,12 @@ class AppProcess:
         return self.link.split("?")[0]
 
     @property
+    def pid(self) -> int:
+        """Id of the running process."""
+        assert self._process is not None
+        return self._process.pid
+
+    @property
     def database(self) -> Path:
         """The database file; access it only while the app is stopped."""
         return self._home / "pinel.db"
@@ -53,8 +59,7 @@ class AppProcess:
 
     def freeze_engine(self) -> None:
         """Stops the engine's process where it is, as a system that is out of order might."""
-        assert self._process is not None
-        for child in psutil.Process(self._process.pid).children():
+        for child in psutil.Process(self.pid).children():
             if child.cmdline()[-1] == "engine":
                 child.suspend()
 
