@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 _UNUSABLE = 2
 _FOLDER = click.Path(path_type=Path, file_okay=False)
 _FILE = click.Path(path_type=Path, dir_okay=False)
+# whatever else is there is told when its turn comes, so that it does not keep the others from being read
+_IMAGE = click.Path(path_type=Path, readable=False)
 _recordings_option = click.option(
     "--recordings",
     type=_FILE,
@@ -57,7 +59,7 @@ def command() -> None:
 
 
 @command.command()
-@click.argument("images", metavar="IMAGE...", nargs=-1, required=True, type=_FILE)
+@click.argument("images", metavar="IMAGE...", nargs=-1, required=True, type=_IMAGE)
 @click.option(
     "--aspect", type=_Aspect(), help="Shape of the pictures before they were stretched, e.g. 16:9."
 )
@@ -151,7 +153,7 @@ def train(folder: Path, output: Path | None, seed: int | None, recordings: Path 
 
 @command.command()
 @click.argument("name", metavar="NAME")
-@click.argument("images", metavar="IMAGE...", nargs=-1, type=_FILE)
+@click.argument("images", metavar="IMAGE...", nargs=-1, type=_IMAGE)
 @click.option("--class", "classroom", required=True, help="The class that teaches (name or key).")
 @click.option(
     "--camera",

@@ -1,5 +1,7 @@
 """Pictures from files, brought to one form: RGB, 8 bits, unstretched."""
 
+import os
+import stat
 from pathlib import Path
 
 import numpy as np
@@ -19,21 +21,42 @@ def read_picture(path: Path, aspect: float | None = None) -> Picture:
     """The picture in a file, RGB (height, width, 3), turned as its EXIF data say.
 
     `aspect` is the width over the height that it had before it was stretched: the stretch is undone. Raises
-    PinelError: `picture_unreadable`, `picture_too_small`.
+    PinelError: `picture_unreadable`, `picture_too_small`, `picture_too_large`.
     """
     try:
-        if path.stat().st_size > _LARGEST_FILE:
-            raise PinelError("picture_unreadable", file=str(path))
-        content = np.frombuffer(path.read_bytes(), np.uint8)
+        content = np.frombuffer(_content(path), np.uint8)
         decoded = cv2.imdecode(content, cv2.IMREAD_COLOR_RGB) if content.size else None
     except (OSError, cv2.error) as error:
         raise PinelError("picture_unreadable", file=str(path)) from error
-    if decoded is None or max(decoded.shape[:2]) > _LONGEST_SIDE:
+    if decoded is None:
         raise PinelError("picture_unreadable", file=str(path))
-    if min(decoded.shape[:2]) < SHORTEST_SIDE:
-        raise PinelError("picture_too_small", file=str(path), min=SHORTEST_SIDE)
     picture = np.asarray(decoded, np.uint8)
+    _check_sides(path, picture)
     return unstretched(picture, aspect) if aspect else picture
+
+
+def _content(path: Path) -> bytes:
+    """The bytes of a file; b"" for a device or a pipe, which may have no end, and for what is too large."""
+    with open(path, "rb", opener=_open_without_waiting) as file:
+        status = os.fstat(file.fileno())
+        if not stat.S_ISREG(status.st_mode) or status.st_size > _LARGEST_FILE:
+            return b""
+        return file.read(_LARGEST_FILE) or b""  # it may grow meanwhile
+
+
+def _open_without_waiting(path: str, flags: int) -> int:
+    """A pipe would be opened only when somebody writes to it."""
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
+
+
+def _check_sides(path: Path, picture: Picture) -> None:
+    """Raises PinelError `picture_too_small`, `picture_too_large`."""
+    height, width = picture.shape[:2]
+    sides = {"file": str(path), "width": width, "height": height}
+    if min(width, height) < SHORTEST_SIDE:
+        raise PinelError("picture_too_small", **sides, min=SHORTEST_SIDE)
+    if max(width, height) > _LONGEST_SIDE:
+        raise PinelError("picture_too_large", **sides, max=_LONGEST_SIDE)
 
 
 def unstretched(picture: Picture, aspect: float) -> Picture:

@@ -1,4 +1,4 @@
-"""The table of attacks, continued: what becomes of runs whose app or judge is killed. It reads as `test_attacks.py` does."""
+"""The table of attacks, continued: runs whose app or judge is killed. It reads as `test_attacks.py` does."""
 
 import threading
 from collections.abc import Iterator
