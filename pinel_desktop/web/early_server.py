@@ -40,7 +40,7 @@ class EarlyServer:
         self._page = _page_alone(self.guard, self.page_settings)
         self._app: Wsgi | None = None
         self._decided = threading.Event()
-        self._server.start(self)
+        self._server.start(self, self.guard.is_known)
 
     def open(self, app: Wsgi) -> None:
         """Lets `app` answer all requests from now on."""

@@ -6,6 +6,7 @@ are refused by Host (DNS rebinding), Origin and Sec-Fetch-Site (forged requests)
 """
 
 import hmac
+import re
 import secrets
 import threading
 import time
@@ -17,6 +18,7 @@ from pinel_desktop.errors import PinelError
 SECRET_HEADER = "X-Pinel-Secret"
 _OWN_SITE = ("same-origin", "none")  # none: typed, from a bookmark, or opened by another program
 _MAX_KEYS = 16
+_SECRETS = re.compile(rb"[\w-]{32,}")  # in the alphabet of `secrets.token_urlsafe`
 KEY_S = 300.0  # a slow PC needs a minute for its window, and a person has to copy the address of `pinel serve`
 
 
@@ -74,6 +76,13 @@ class Guard:
             ]
             self._keys = [one for one in self._keys if one not in found]
         return any(self._clock() - made <= KEY_S for _, made in found)
+
+    def is_known(self, head: bytes) -> bool:
+        """True if the head of a request contains the cookie, the secret or a key; uses up none, and permits nothing."""
+        with self._lock:
+            keys = [key for key, _ in self._keys]
+        known = {word.encode() for word in (self.cookie_value, self.secret, *keys)}
+        return not known.isdisjoint(_SECRETS.findall(head))
 
     def check_origin(self, headers: Headers) -> None:
         """Refuses requests from other origins. Raises PinelError `host_wrong`, `origin_wrong` or `cross_site`."""

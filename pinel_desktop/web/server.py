@@ -1,4 +1,7 @@
-"""Werkzeug's threaded server on 127.0.0.1: a thread per request, so that streams do not block, and a clean end."""
+"""Werkzeug's threaded server on 127.0.0.1: a thread per request, so that streams do not block, and a clean end.
+
+Connections come from the `Acceptor`: Werkzeug alone would give each a thread, for as long as it likes.
+"""
 
 import logging
 import socket
@@ -7,12 +10,18 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
-from werkzeug.serving import BaseWSGIServer, WSGIRequestHandler, make_server
+from werkzeug.serving import ThreadedWSGIServer, WSGIRequestHandler
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.web.acceptor import HEAD_S, Acceptor, Connection
 
 HOST = "127.0.0.1"
-_POLL_S = 0.05
+_OPEN_FILES = (
+    4096  # more than an app needs, and than most systems let a process open without asking
+)
+_MAX_WAITING = 256  # Windows waits for 512 at most
+_DEFER_S = 1
+_BACKLOG = 128  # a longer one would make the page wait behind a flood
 # Blockly nests each block in the one above it, two levels of JSON per block, and Python's JSON parser recurses;
 # this is enough for a stack of thousands of blocks.
 _RECURSION_LIMIT = 10_000
@@ -32,33 +41,58 @@ class Server:
     def __init__(self, port: int = 0) -> None:
         self._socket = _listening(port)
         self.host, self.port = self._socket.getsockname()[:2]
-        self._server: BaseWSGIServer | None = None
+        self._answering: _Answering | None = None
         self._thread: threading.Thread | None = None
 
-    def start(self, app: Wsgi) -> None:
-        """Answers requests, each on its own thread, until `close`."""
+    def start(
+        self, app: Wsgi, is_known: Callable[[bytes], bool], *, head_s: float = HEAD_S
+    ) -> None:
+        """Answers requests, each on its own thread, until `close`.
+
+        Args:
+            is_known: whether the head of a request brings a secret of this server.
+            head_s: within which a head must be whole.
+        """
         sys.setrecursionlimit(max(sys.getrecursionlimit(), _RECURSION_LIMIT))
         threading.stack_size(_STACK_BYTES)
-        self._server = make_server(
-            self.host,
-            self.port,
-            app,
-            threaded=True,
-            request_handler=_QuietHandler,
-            fd=self._socket.fileno(),
+        self._answering = _Answering(self._socket, app)
+        max_waiting = max(8, min(_MAX_WAITING, _raised_file_limit() // 4))
+        self._acceptor = self._answering.acceptor = Acceptor(
+            self._socket,
+            is_known,
+            self._answering.answer,
+            max_waiting=max_waiting,
+            max_answered=max_waiting // 4,  # the rest is for the page, the database and processes
+            head_s=head_s,
         )
-        self._thread = threading.Thread(
-            target=self._server.serve_forever, args=(_POLL_S,), name="web", daemon=True
-        )
+        self._thread = threading.Thread(target=self._acceptor.run, name="web", daemon=True)
         self._thread.start()
 
     def close(self) -> None:
         """Stops the server. Close the hub first, which ends the streams."""
-        if self._server is not None and self._thread is not None:
-            self._server.shutdown()
+        if self._answering is not None and self._thread is not None:
+            self._acceptor.close()
             self._thread.join()
-            self._server.server_close()
+            self._answering.server_close()
         self._socket.close()
+
+
+class _Answering(ThreadedWSGIServer):
+    """Answers each connection on a thread of its own."""
+
+    acceptor: Acceptor
+
+    def __init__(self, listener: socket.socket, app: Wsgi) -> None:
+        host, port = listener.getsockname()[:2]
+        super().__init__(host, port, app, _QuietHandler, fd=listener.fileno())
+
+    def answer(self, connection: Connection) -> None:
+        """Raises RuntimeError if no thread can be started, OSError if the client has left."""
+        self.process_request(connection, connection.getpeername())
+
+    def close_request(self, request: Any) -> None:
+        super().close_request(request)
+        self.acceptor.forget(request)
 
 
 class _QuietHandler(WSGIRequestHandler):
@@ -68,15 +102,31 @@ class _QuietHandler(WSGIRequestHandler):
         _log.debug("%s: request", type)
 
 
+def _raised_file_limit() -> int:
+    """How many files this process may open, after it has raised that as far as it may and makes sense."""
+    if sys.platform == "win32":
+        return _OPEN_FILES
+    import resource  # noqa: PLC0415 - not on Windows
+
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    highest = _OPEN_FILES if hard == resource.RLIM_INFINITY else min(_OPEN_FILES, hard)
+    if soft != resource.RLIM_INFINITY and soft < highest:
+        resource.setrlimit(resource.RLIMIT_NOFILE, (highest, hard))
+    return max(soft, highest)
+
+
 def _listening(port: int) -> socket.socket:
+    """Linux accepts a connection with its first bytes: the page's is whole then, whoever connects after it."""
     listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    if hasattr(socket, "TCP_DEFER_ACCEPT"):
+        listener.setsockopt(socket.IPPROTO_TCP, socket.TCP_DEFER_ACCEPT, _DEFER_S)
     if sys.platform == "win32":  # where SO_REUSEADDR would let another program take over the port
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_EXCLUSIVEADDRUSE, 1)
     else:
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         listener.bind((HOST, port))
-        listener.listen(128)
+        listener.listen(_BACKLOG)
     except OSError as error:
         listener.close()
         raise PinelError("port_taken", port=port, reason=error.strerror) from error

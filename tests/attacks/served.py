@@ -1,8 +1,9 @@
 """A real `pinel serve` on its own folder, whose processes a test may freeze and kill."""
 
+import socket
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -11,21 +12,38 @@ import psutil
 from tests.attacks.damage import wait_until
 from tests.compatibility.school_day import PcClient
 from tests.e2e.app_process import AppProcess
-from tests.web.browser import Browser
+from tests.web.browser import Answer, Browser
 
 WAIT_S = 90.0  # a busy PC of two cores
 PIN = "314159"
+_BUSY_S = 1.0
+
+
+class PatientBrowser(Browser):
+    """Asks again where the connection was cut, as a person does who sees that nothing happened."""
+
+    def send(self, *request: Any, **options: Any) -> Answer:
+        answers: list[Answer] = []
+
+        def has_answered() -> bool:
+            with suppress(ConnectionError):
+                answers.append(super(PatientBrowser, self).send(*request, **options))
+            return bool(answers)
+
+        until(has_answered)
+        return answers[0]
 
 
 class ServedPc:
     """A PC at which a group works on a mission; `start`, and end it with `kill` or `stop`."""
 
-    def __init__(self, home: Path) -> None:
-        self.app = AppProcess(home)
+    def __init__(self, home: Path, *, open_files: int | None = None) -> None:
+        self.app = AppProcess(home, open_files=open_files)
         self.client = PcClient(Browser("", 0))
 
     def start(self) -> None:
-        self.client = PcClient(Browser.signed_in(self.app.start()))
+        browser = Browser.signed_in(self.app.start())
+        self.client = PcClient(PatientBrowser(browser.host, browser.port, browser.headers))
 
     def stop(self) -> None:
         self.app.stop()
@@ -34,8 +52,23 @@ class ServedPc:
         self.app.kill()
 
     @property
+    def port(self) -> int:
+        return self.client.browser.port
+
+    @property
     def process(self) -> psutil.Process:
         return psutil.Process(self.app.pid)
+
+    def n_connections(self) -> int:
+        """That the app has accepted and not closed."""
+        return len(self.process.net_connections())
+
+    def share_of_processor(self) -> float:
+        """Its processor time, per second that the test itself is busy: 1 for a loop without end, on any PC."""
+        before, end_s = _cpu_s(self.process), time.process_time() + _BUSY_S
+        while time.process_time() < end_s:
+            continue
+        return (_cpu_s(self.process) - before) / _BUSY_S
 
     def child(self, name: str) -> psutil.Process:
         """The process of that name which the app owns now; waits until there is one."""
@@ -58,6 +91,17 @@ class ServedPc:
         lesson = {"title": "Aula 1", "activity": activity}
         do("POST", f"classrooms/{classroom}/lessons", lesson)
         return self.client.program(self.client.group("Onças", classroom), "Quadrado")
+
+    @contextmanager
+    def begins_to_listen(self) -> Iterator[None]:
+        """One more event stream of the page, which may have to wait for an answer."""
+        browser = self.client.browser
+        head = "".join(f"{name}: {value}\r\n" for name, value in browser.headers.items())
+        address = (browser.host, browser.port)
+        with socket.create_connection(address, WAIT_S) as client:
+            asked = f"GET /api/stream HTTP/1.1\r\nHost: {address[0]}:{address[1]}\r\n{head}\r\n"
+            client.sendall(asked.encode())
+            yield
 
     def begins(self, program: str, document: dict[str, Any], **options: Any) -> str:
         version = self.client.save(program, {"workspace": {}, "document": document})
@@ -92,6 +136,11 @@ class ServedPc:
             for judge in self._children("judge"):
                 judge.kill()
             time.sleep(0.01)
+
+
+def _cpu_s(process: psutil.Process) -> float:
+    used = process.cpu_times()
+    return float(used.user + used.system)
 
 
 def until(is_so: Callable[[], bool]) -> None:

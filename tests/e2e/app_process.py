@@ -15,10 +15,14 @@ _START_S = 30.0 * slower()
 
 
 class AppProcess:
-    """`pinel serve` on its own folder; the first line that it prints is the one-time address."""
+    """`pinel serve` on its own folder; the first line that it prints is the one-time address.
 
-    def __init__(self, home: Path, *options: str) -> None:
-        self._home, self._options = home, options
+    Args:
+        open_files: how many the app may open at most; None for as many as the test may.
+    """
+
+    def __init__(self, home: Path, *options: str, open_files: int | None = None) -> None:
+        self._home, self._options, self._open_files = home, options, open_files
         self._process: subprocess.Popen[str] | None = None
         self.link = ""
         self.signed_in: Any = None  # cookie of the first browser, for further ones
@@ -84,8 +88,11 @@ class AppProcess:
             raise AssertionError(f"the app did not end:\n{self.log()}") from None
 
     def _spawn(self, errors: int) -> subprocess.Popen[str]:
+        command = [sys.executable, *app_module(), "serve", *self._options]
+        if self._open_files is not None:
+            command = ["sh", "-c", f'ulimit -n {self._open_files}; exec "$@"', "sh", *command]
         return subprocess.Popen(
-            [sys.executable, *app_module(), "serve", *self._options],
+            command,
             env={
                 **os.environ,
                 "PINEL_HOME": str(self._home),
