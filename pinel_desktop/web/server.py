@@ -16,11 +16,9 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.web.acceptor import HEAD_S, Acceptor, Connection
 
 HOST = "127.0.0.1"
-_OPEN_FILES = (
-    4096  # more than an app needs, and than most systems let a process open without asking
-)
+_OPEN_FILES = 4096  # more than an app needs; most systems let a process have 1,024 unasked
 _MAX_WAITING = 256  # Windows waits for 512 at most
-_DEFER_S = 1
+_DEFER_S = 1  # without any byte it is accepted after that
 _BACKLOG = 128  # a longer one would make the page wait behind a flood
 # Blockly nests each block in the one above it, two levels of JSON per block, and Python's JSON parser recurses;
 # this is enough for a stack of thousands of blocks.

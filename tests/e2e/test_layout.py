@@ -41,6 +41,14 @@ _SMALL = """() => [...document.querySelectorAll('button, .select, a.button')]
   .map((e) => [e.dataset.testid ?? e.className, e.getBoundingClientRect()])
   .filter(([, box]) => box.width < 43.5 || box.height < 43.5)
   .map(([name, box]) => `${name}: ${box.width} x ${box.height}`)"""
+# Controls of which a click in the middle reaches something else.
+_COVERED = """() => [...document.querySelectorAll('button, a, select, input')]
+  .filter((e) => !e.closest('.visually-hidden, .injectionDiv, [data-scrolls]') && !e.disabled)
+  .map((e) => [e, e.getBoundingClientRect()])
+  .filter(([e, box]) => box.width && box.height && e.checkVisibility({ visibilityProperty: true }))
+  .map(([e, box]) => [e, document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2)])
+  .filter(([e, hit]) => !hit || !(e.contains(hit) || hit.closest('label')?.contains(e)))
+  .map(([e, hit]) => `${e.dataset.testid ?? e.ariaLabel ?? e.className} under ${hit?.className}`)"""
 
 SCREENS = [(1366, 768), (1024, 768), (1920, 1080)]
 
@@ -123,6 +131,25 @@ def test_long_names_give_way_to_every_button_of_the_header(
     assert [one for one in cut(studio, "editor") if "program-name" not in one] == []
     studio.page.set_viewport_size({"width": 1920, "height": 768})
     expect(studio["open-work"]).to_contain_text("Nossos trabalhos")
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_in_low_windows_a_click_reaches_the_control_that_it_is_meant_for(
+    open_studio: OpenStudio, language: str
+) -> None:
+    studio = open_studio(viewport={"width": 1366, "height": 768})
+    studio.enter_new_group("Os Engenheiros")
+    studio.choose_language(language)
+    covered: dict[tuple[int, bool], list[str]] = {}
+    for width in range(800, 1400, 50):
+        studio.page.set_viewport_size({"width": width, "height": 600})
+        for more in (False, True):
+            expect(studio["measure-tool"]).to_have_count(2 if more else 0)
+            at_rest(studio.page)
+            if found := studio.page.evaluate(_COVERED):
+                covered[width, more] = found
+            studio["scene-tools"].click()
+    assert covered == {}
 
 
 def _expect_ways_out(studio: Studio) -> None:

@@ -153,3 +153,17 @@ def test_two_apps_on_one_pc_do_not_take_each_other_s_cookie(
     assert mine.get(GROUPS, {"Cookie": both}).status == 200
     assert theirs.get(GROUPS, {"Cookie": both}).status == 200
     assert theirs.get(GROUPS, {"Cookie": mine.headers["Cookie"]}).status == 401
+
+
+def test_a_head_with_the_cookie_the_secret_or_a_key_is_known_and_uses_up_none() -> None:
+    guard = Guard()
+    guard.bind("127.0.0.1", 8400)
+    link = guard.fresh_link()
+    assert guard.is_known(
+        f"GET /x HTTP/1.1\r\nCookie: a=b; pinel_8400={guard.cookie_value}".encode()
+    )
+    assert guard.is_known(f"POST /x HTTP/1.1\r\nX-Pinel-Secret: {guard.secret}\r\n".encode())
+    assert guard.is_known(f"GET {link.partition('8400')[2]} HTTP/1.1\r\n".encode())
+    assert guard.redeem(link.partition("=")[2])
+    assert not guard.is_known(f"GET {link.partition('8400')[2]} HTTP/1.1\r\n".encode())
+    assert not guard.is_known(f"Cookie: pinel_8400={guard.cookie_value[:-1]}\xff".encode("latin-1"))
